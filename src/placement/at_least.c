@@ -1,14 +1,14 @@
-/* The search behind placement/at_least.h. For each count: the plan that
- * placement/incumbent.h makes for the mean, and the best strict plan of one
- * sensor fewer with one more, both moved uphill by the strict share; where
- * neither meets the target and the bound leaves it open, branch and bound
- * (placement/exact.h) with a judge.
+/* The strict target of placement/at_least.h. For each count the search takes
+ * the plan that placement/incumbent.h finds for the mean, and the best strict
+ * plan of one sensor fewer with one more, and relocates both by the strict
+ * weight. If neither meets the target and the bound does not exclude it, branch
+ * and bound (placement/exact.h) runs with a callback.
  *
- * The cover of the k clearest views as bits holds in its lowest layer the
- * photons with k views, in the next one those with k - 1 or more. What a
- * candidate adds to the strict weight is what it sees of the photons in the
- * latter alone, so the ordinary weighing answers it, asked with a cover whose
- * lowest layer is full everywhere else. */
+ * A cover with k layers of bits holds in the lowest layer the photons seen by k
+ * sensors, in the next one those seen by k - 1 or more. The strict weight that
+ * a candidate adds is the weight of its photons that lie in the second layer
+ * and not in the lowest. So it is an ordinary gain over a cover whose lowest
+ * layer is full for all other photons. */
 #include "placement/at_least.h"
 
 #include "base/interrupt.h"
@@ -21,28 +21,29 @@
 #include <string.h>
 
 /* Evaluations of the bound before branch and bound, which goes on from there:
- * as many as the worst condition's bound gets (placement/worst_count.c). */
+ * as many as the bound of the worst scenario gets (placement/worst_count.c). */
 #define ROUNDS 100
 
 typedef struct run {
     const murk_place_desc *desc;
     const murk_evaluator *evaluator;
-    const murk_constraint_set *set; /* NULL: no rules but a count */
-    size_t redundancy;              /* that each photon is to have */
+    const murk_constraint_set *set; /* NULL: no constraint but a count */
+    size_t redundancy;              /* sensors that each photon is to have */
     murk_incumbent mean;            /* plans by the mean */
-    murk_partial_plan partial;      /* with rules: of what stands */
-    murk_cover cover;               /* of what stands */
-    murk_cover one_missing; /* one layer: full but where one view lacks */
-    uint32_t *open;         /* [candidates] that may join */
-    uint64_t *strict, *sum; /* [candidates] what they add: S, and V */
-    uint32_t *plan, *trial; /* [most sensors]; plan: the best of a count */
+    murk_partial_plan partial;      /* with constraints */
+    murk_cover cover;               /* of the partial plan */
+    murk_cover one_missing; /* one layer: full except for photons that lack one
+                               sensor */
+    uint32_t *open;         /* [candidates] that can be added */
+    uint64_t *strict, *sum; /* [candidates] gains: strict weight S, and V */
+    uint32_t *plan, *trial; /* [max sensors]; plan: the incumbent of a count */
     size_t size, trial_size;
-    uint64_t value; /* strict, of plan */
+    uint64_t value; /* strict weight of plan */
     uint64_t rows, rows_max;
     murk_place_result *result;
 } run;
 
-/* What a move is judged by: the strict weight, then the sum of views. */
+/* The objective of a relocation: the strict weight, then V. */
 typedef struct objective {
     uint64_t strict, sum;
 } objective;
@@ -72,9 +73,9 @@ void murk_at_least_init(murk_at_least *out, const murk_problem *of,
     out->problem.redundancy = at_least;
 }
 
-/* ---- what stands ---- */
+/* ---- the partial plan ---- */
 
-/* The weight of the photons that the cover has in its lowest layer. */
+/* The weight of the photons in the lowest layer of the cover. */
 static uint64_t strict_of(const murk_cover *cover, const murk_layout *layout)
 {
     const murk_cover lowest = {.layers = 1, .full = cover->full};
@@ -88,7 +89,8 @@ static void add_candidate(run *r, uint32_t candidate)
     ++r->rows;
 }
 
-/* All of plan[size] but its entry `but` (size: all). */
+/* Makes the partial plan equal to plan[size] without the entry `but` (size:
+ * all). */
 static void set_all_but(run *r, const uint32_t *plan, size_t size, size_t but,
                         size_t wanted)
 {
@@ -115,7 +117,7 @@ static uint64_t strict_value(run *r, const uint32_t *plan, size_t size)
     return strict_of(&r->cover, r->evaluator->layout);
 }
 
-/* Keeps the plan if it is the best of its count. */
+/* Stores the plan if it is the best of its count. */
 static void keep_better(run *r, const uint32_t *plan, size_t size,
                         uint64_t value)
 {
@@ -126,7 +128,7 @@ static void keep_better(run *r, const uint32_t *plan, size_t size,
     }
 }
 
-/* ---- moves ---- */
+/* ---- relocation ---- */
 
 static bool contains(const uint32_t *plan, size_t size, size_t but,
                      uint32_t candidate)
@@ -139,9 +141,9 @@ static bool contains(const uint32_t *plan, size_t size, size_t but,
     return false;
 }
 
-/* The candidate that increases the value of the partial plan (plan[size]
- * without the entry `but`) most. Ties go to `now`, then to the lowest index.
- * False if the constraints allow no candidate. */
+/* Finds the candidate that increases the objective of the partial plan
+ * (plan[size] without the entry `but`) most. Ties go to `present`, then to the
+ * lowest index. False if the constraints allow no candidate. */
 static bool find_best(run *r, const uint32_t *plan, size_t size, size_t but,
                       uint32_t *present)
 {
@@ -154,7 +156,7 @@ static bool find_best(run *r, const uint32_t *plan, size_t size, size_t but,
             r->open[n++] = j;
         }
     }
-    /* photons with just one view less than they are to have */
+    /* photons that lack exactly one sensor */
     for (size_t i = 0; i < words; ++i) {
         const uint64_t enough = r->cover.full[i];
         const uint64_t nearly =
@@ -170,7 +172,7 @@ static bool find_best(run *r, const uint32_t *plan, size_t size, size_t but,
     for (size_t k = 0; k < n; ++k) {
         const objective w = {r->strict[k], r->sum[k]};
         bool is_better = best == n;
-        if (!is_better) { /* of equals, the sensor that stands there stays */
+        if (!is_better) { /* on ties the present sensor stays */
             const objective max = {r->strict[best], r->sum[best]};
             is_better = is_greater(w, max) ||
                         (!is_greater(max, w) && r->open[k] == *present);
@@ -185,8 +187,8 @@ static bool find_best(run *r, const uint32_t *plan, size_t size, size_t but,
     return best < n;
 }
 
-/* Moves single sensors of trial to where the strict weight, then the sum of
- * views, is more, until none moves or the work of searching is spent. */
+/* Relocates single sensors of trial by the strict weight, then by V, until no
+ * sensor moves or the limit on work is reached. */
 static void relocate(run *r)
 {
     const size_t fixed = r->set ? r->set->constraints->fixed_count : 0;
@@ -202,12 +204,12 @@ static void relocate(run *r)
         const uint32_t before = *moved;
         set_all_but(r, r->trial, n, fixed + at, n);
         still = find_best(r, r->trial, n, fixed + at, moved) && *moved != before
-                    ? 1 /* the sensor just moved is at its best site */
+                    ? 1 /* the sensor just moved is at the best candidate */
                     : still + 1;
     }
 }
 
-/* Trial, a plan, as it is and moved. */
+/* Tries the plan in trial as it is, and relocated. */
 static void try_plan(run *r)
 {
     keep_better(r, r->trial, r->trial_size,
@@ -221,8 +223,9 @@ static void try_plan(run *r)
 
 /* ---- branch and bound ---- */
 
-/* Every plan whose sum of views is enough comes here; the first that meets the
- * target ends the search, as no plan has more views than all of them. */
+/* Callback of branch and bound for every plan with enough V. The first plan
+ * that meets the target ends the search: the returned cutoff is V of all
+ * sensors. */
 static uint64_t check_plan(void *context, const uint32_t *plan, size_t size,
                            uint64_t known)
 {
@@ -231,8 +234,8 @@ static uint64_t check_plan(void *context, const uint32_t *plan, size_t size,
     return r->value >= r->desc->target ? r->evaluator->layout->whole : known;
 }
 
-/* Under rules: the best plan, found with fewer than n, filled up by whoever may
- * join. Where one admits nobody, it stays short and does not count. */
+/* With constraints: completes the incumbent if branch and bound found it with
+ * fewer than n sensors. If it cannot be completed, there is no incumbent. */
 static void complete_plan(run *r, size_t n)
 {
     murk_gain_scan *s = &r->mean.search;
@@ -248,11 +251,12 @@ static void complete_plan(run *r, size_t n)
     }
 }
 
-/* Looks for a plan of n that meets the target among all whose sum of views,
- * `upper` at most, is enough; lowers *upper to what is left. */
+/* Searches for a plan of n that meets the target among all plans with enough V;
+ * *upper is the bound on V, and is lowered to what the search leaves open. */
 static murk_status branch_and_bound(run *r, size_t n, uint64_t *upper,
                                     murk_error *err)
 {
+    /* The bound on V decides first. */
     const uint64_t below = r->desc->target * r->redundancy - 1;
     const uint64_t left = r->desc->nodes > r->result->nodes
                               ? r->desc->nodes - r->result->nodes
@@ -267,6 +271,7 @@ static murk_status branch_and_bound(run *r, size_t n, uint64_t *upper,
     if (bound <= below || !is_wanted || murk_interrupted()) {
         return MURK_OK;
     }
+    /* Branch and bound over V, with the strict weight in the callback. */
     const murk_exact_callback by = {check_plan, r};
     murk_exact exact;
     const murk_status status = murk_exact_search(
@@ -285,8 +290,8 @@ static murk_status branch_and_bound(run *r, size_t n, uint64_t *upper,
 
 /* ---- counts ---- */
 
-/* The best plan of n, from that of one fewer (n - 1 in r->plan, if `from`), and
- * in *point its strict value and bound. */
+/* Finds the best plan of n. With `from`, r->plan is the best plan of n - 1
+ * sensors. *point receives the strict value and bound. */
 static murk_status find_count(run *r, size_t n, bool from,
                               const uint32_t *mean_from, murk_curve_point *mean,
                               murk_curve_point *point, murk_error *err)
@@ -294,11 +299,12 @@ static murk_status find_count(run *r, size_t n, bool from,
     murk_incumbent *p = &r->mean;
     const bool was_cut = r->result->is_cut;
     murk_status status = murk_incumbent_count(p, n, mean_from, mean, err);
-    r->result->is_cut = was_cut; /* it was to do without branch and bound */
+    r->result->is_cut =
+        was_cut; /* the search for the mean is made without branch and bound */
     if (status || murk_interrupted()) {
         return status;
     }
-    if (from) { /* kept before r->plan is written over */
+    if (from) { /* copied before r->plan is overwritten */
         memcpy(r->trial, r->plan, (n - 1) * sizeof *r->plan);
         set_all_but(r, r->trial, n - 1, n - 1, n);
         r->trial[n - 1] = UINT32_MAX;
@@ -326,17 +332,17 @@ static murk_status find_count(run *r, size_t n, bool from,
     return status;
 }
 
-/* Counts from the first that may do on, until one's plan meets the target. */
+/* Tries one count after another until a plan meets the target. */
 static murk_status find_all(run *r, murk_error *err)
 {
     murk_incumbent *p = &r->mean;
     murk_place_result *result = r->result;
     const size_t first = p->first > r->redundancy ? p->first : r->redundancy;
-    /* Fewer sensors see no more where each plan can be filled up: then what is
-     * proven of a count is proven of all below. */
+    /* If every plan can be completed, a count that cannot meet the target
+     * excludes all smaller counts. */
     const bool may_fill = !(r->set && r->set->has_conflicts);
     murk_curve_point mean = {0}, point = {0};
-    bool is_closed = true; /* no count so far was left open */
+    bool is_closed = true; /* every count so far is excluded */
     result->fewest = first;
     murk_status status = MURK_OK;
     for (size_t n = first; n <= p->last && !status && !murk_interrupted();
@@ -367,7 +373,7 @@ static murk_status find_all(run *r, murk_error *err)
     return status;
 }
 
-/* ---- the whole ---- */
+/* ---- frame ---- */
 
 static murk_status begin(run *r, murk_place_desc *desc, murk_error *err)
 {
@@ -392,7 +398,7 @@ static murk_status begin(run *r, murk_place_desc *desc, murk_error *err)
             return status;
         }
     }
-    /* what all see together */
+    /* the ceiling: all candidates chosen */
     for (uint32_t j = 0; j < o->candidates; ++j) {
         add_candidate(r, j);
     }
@@ -406,8 +412,8 @@ static murk_status begin(run *r, murk_place_desc *desc, murk_error *err)
                          o->candidates, r->redundancy,
                          (double)r->result->ceiling / (double)r->result->whole);
     }
-    /* Where the mean is this much, so is the strict share; and branch and bound
-     * is for the strict one alone. */
+    /* A plan with this V meets the target for certain. Branch and bound is kept
+     * for the strict weight. */
     const uint64_t enough =
         r->desc->target + (r->redundancy - 1) * r->result->whole;
     desc->target = enough < o->ceiling ? enough : o->ceiling;
@@ -472,6 +478,7 @@ murk_status murk_place_at_least(murk_place_result *out,
              .set = desc->constraints ? &rulebook : NULL,
              .redundancy = murk_problem_layers(problem),
              .result = &result};
+    /* Check settings and constraints, rank the candidates. */
     murk_status status = murk_place_check(problem, true, desc, err);
     if (!status && r.set) {
         status = murk_constraint_set_init(&rulebook, desc->constraints,
@@ -488,6 +495,7 @@ murk_status murk_place_at_least(murk_place_result *out,
         status = begin(&r, &of_mean, err);
     }
     if (!status) {
+        /* Find the plans. */
         murk_progress_begin("place", desc->restarts, "starts at most");
         status = find_all(&r, err);
         murk_progress_end();
@@ -495,6 +503,7 @@ murk_status murk_place_at_least(murk_place_result *out,
     if (!status && murk_interrupted()) {
         status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
     }
+    /* Make the result. */
     if (!status && (result.count == 0 || result.value < desc->target)) {
         status = report_miss(&r, err);
     }

@@ -1,3 +1,6 @@
+/* Coverage of each scenario's block of photons: one layout for each block, with
+ * the weights of the other blocks set to 0, so that an ordinary gain over such
+ * a layout is the gain in that block. */
 #include "placement/blocks.h"
 
 #include "base/pool.h"
@@ -52,7 +55,8 @@ void murk_block_gains(const murk_block_layouts *layouts,
     }
 }
 
-/* The weights of one block, the others without. */
+/* Makes the layout of one block, and the unit and offset of the block's worth.
+ */
 static murk_status view_block(murk_block_layouts *v, size_t c, uint32_t *weight,
                               murk_error *err)
 {
@@ -93,6 +97,8 @@ static murk_status find_gain_bounds(murk_block_layouts *v, murk_error *err)
     for (uint32_t j = 0; j < o->candidates; ++j) {
         all[j] = j;
     }
+    /* Values of single candidates bound their gains; the value of all is the
+     * ceiling. */
     murk_block_gains(v, &cover, all, o->candidates, v->max);
     for (uint32_t j = 0; j < o->candidates; ++j) {
         const murk_row row = murk_evaluator_row(o, 0, j);

@@ -1,3 +1,7 @@
+/* The volume algorithm for the Lagrangian bound of placement/bound.h.
+ * Multipliers start at the entries of the best known plan and follow the
+ * weighted mean of all subgradients. Every evaluation is a valid bound, so the
+ * lowest one counts, and the descent may stop at any point. */
 #include "placement/bound.h"
 
 #include "base/interrupt.h"
@@ -6,25 +10,29 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A step goes from where the bound was lowest, down the mean of all slopes
- * met, the later ones counting more: by Polyak's length, which aims at the best
- * known plan, times a factor that grows while that gains and shrinks after
- * PATIENCE rounds that did not. Steps below LEAST_STEP change nothing that
- * matters. */
+/* A step starts at the multipliers of the lowest bound and goes down the mean
+ * of the subgradients. The length is Polyak's, which aims at the value of the
+ * best known plan, times a factor. The factor starts at 1/2, grows by 1.1 while
+ * steps lower the bound, and shrinks to .66 after five rounds without gain.
+ * Steps with a factor below 1e-4 no longer change the bound noticeably. Values
+ * of the kind that Barahona and Anbil (2000) give for the volume algorithm. */
 #define FIRST_STEP 0.5
 #define GROW       1.1
 #define SHRINK     0.66
 #define PATIENCE   5
 #define MIN_STEP   1e-4
 
-/* The last slopes' share of the mean: of the first rounds all count alike,
- * later it falls slowly. */
+/* Share of the last subgradient in the mean. It is 3 / (3 + round)
+ * at first, but not below .03, which falls by the factor .8 every 50 rounds, so
+ * that the mean settles. */
 #define ROUNDS_ALIKE    3
 #define LATER_SHARE     0.03
 #define ROUNDS_PER_FALL 50
 #define FALL            0.8
 
-/* Slopes count in these units where a sum must not depend on its order. */
+/* Subgradients are rounded to these units where a sum must not depend on the
+ * order of addition. The maximum keeps a weighted
+ * square within 64 bits. */
 #define SUBGRADIENT_UNIT 0x1p-10F
 #define SUBGRADIENT_MAX  63.0F
 
@@ -41,6 +49,8 @@ murk_status murk_bound_init(murk_bound *out, const murk_evaluator *evaluator,
                         .gain = calloc(n, sizeof *out->gain),
                         .live = calloc(n, sizeof *out->live),
                         .top = calloc(n, sizeof *out->top)};
+    /* Constraints need a relaxation and the partial plan of the fixed sensors.
+     */
     murk_status status =
         murk_multipliers_init(&out->multipliers, evaluator, err);
     if (!status &&
@@ -79,7 +89,7 @@ void murk_bound_release(murk_bound *bound)
     *bound = (murk_bound){0};
 }
 
-/* What plan[n] sees, in b->cover. */
+/* Sets b->cover to the cover of plan[n]. */
 static void cover_plan(murk_bound *b, const uint32_t *plan, size_t n)
 {
     const murk_layout *layout = b->evaluator->layout;
@@ -99,8 +109,8 @@ static void start_at_plan(murk_bound *b, const uint32_t *plan, size_t n)
     }
 }
 
-/* The n live candidates with most above the thresholds, lowest number on ties,
- * falling. Returns how many there are. */
+/* Fills b->top with the n live candidates of the largest gain, falling, the
+ * lowest index on ties. Returns how many there are. */
 static size_t find_top(murk_bound *b, size_t n)
 {
     size_t kept = 0;
@@ -118,8 +128,9 @@ static size_t find_top(murk_bound *b, size_t n)
     return kept;
 }
 
-/* Leaves out candidates that are in no plan worth more than `lower`: with j in
- * it, a plan has at most `base`, the best n - 1 others, and j's own. */
+/* Fixes candidates out: a plan with candidate j is worth at most `base`, the n
+ * - 1 largest other gains, and the gain of j. If that does not exceed `lower`,
+ * j belongs to no better plan. */
 static void fix_candidates(murk_bound *b, uint64_t base, size_t n,
                            size_t chosen, uint64_t lower)
 {
@@ -143,7 +154,7 @@ static void fix_candidates(murk_bound *b, uint64_t base, size_t n,
     b->live_count = kept;
 }
 
-/* The same under rules. */
+/* The same under constraints. */
 static void fix_candidates_constrained(murk_bound *b, uint64_t base,
                                        uint64_t lower)
 {
@@ -162,6 +173,7 @@ static void fix_candidates_constrained(murk_bound *b, uint64_t base,
     b->live_count = kept;
 }
 
+/* The share of the subgradient of this round in the mean. */
 static double share_of(size_t round)
 {
     const double early = ROUNDS_ALIKE / (double)(ROUNDS_ALIKE + round);
@@ -170,7 +182,7 @@ static double share_of(size_t round)
     return early > late ? early : late;
 }
 
-/* Forgets slopes and step, not the thresholds. */
+/* Resets mean and step, but not the multipliers. */
 static void begin_descent(murk_bound *b)
 {
     memset(b->mean, 0, b->evaluator->layout->slots * sizeof *b->mean);
@@ -178,7 +190,7 @@ static void begin_descent(murk_bound *b)
     b->step = FIRST_STEP;
 }
 
-/* Takes the present slopes into their mean. */
+/* Adds the present subgradient to the mean. */
 static void update_mean(murk_bound *b, size_t chosen)
 {
     const size_t slots = b->evaluator->layout->slots;
@@ -191,7 +203,7 @@ static void update_mean(murk_bound *b, size_t chosen)
     }
 }
 
-/* Where the mean leads out of a threshold's range it leads nowhere. */
+/* The mean, projected: 0 if a step would leave the range of the multiplier. */
 static inline float projected_direction(const murk_bound *b, size_t slot)
 {
     const float subgradient = b->mean[slot], at = b->lowest[slot];
@@ -200,8 +212,8 @@ static inline float projected_direction(const murk_bound *b, size_t slot)
     return is_out ? 0 : subgradient;
 }
 
-/* sum w way_down^2, of whole numbers: the same for any order of the slots, and
- * however photons of equal views are put together. */
+/* sum w direction^2, in whole numbers: the same for any order of the slots, and
+ * whether or not photons with equal columns are merged. */
 static double squared_norm(const murk_bound *b)
 {
     const murk_layout *layout = b->evaluator->layout;
@@ -223,8 +235,9 @@ static double squared_norm(const murk_bound *b)
            (double)SUBGRADIENT_UNIT;
 }
 
-/* One projected step from where the bound was lowest, in the metric of the
- * weights, so that merging equal photons changes nothing. */
+/* One projected step from the multipliers of the lowest bound. The metric is
+ * that of the weights, so that merging photons with equal columns changes
+ * nothing. */
 static void take_step(murk_bound *b, double excess)
 {
     const double square = squared_norm(b);
@@ -236,7 +249,8 @@ static void take_step(murk_bound *b, double excess)
     }
 }
 
-/* What the live candidates can make at most; b->top[chosen] do. */
+/* The largest sum of gains that n live candidates can have, plus base;
+ * b->top[chosen] make it. */
 static uint64_t sum_top(murk_bound *b, size_t n, size_t *chosen)
 {
     if (b->partial) {
@@ -253,7 +267,7 @@ static uint64_t sum_top(murk_bound *b, size_t n, size_t *chosen)
     return sum;
 }
 
-/* The bound at the present thresholds; b->top[chosen] make it. */
+/* The bound at the present multipliers; b->top[chosen] make it. */
 static uint64_t evaluate(murk_bound *b, size_t n, size_t *chosen)
 {
     b->base = murk_multipliers_set(&b->multipliers, b->multiplier);
@@ -263,6 +277,7 @@ static uint64_t evaluate(murk_bound *b, size_t n, size_t *chosen)
     return sum_top(b, n, chosen);
 }
 
+/* Fixes candidates out by the last evaluation. */
 static void fix_by_bound(murk_bound *b, size_t n, size_t chosen, uint64_t lower)
 {
     if (b->partial) {
@@ -285,6 +300,8 @@ static uint64_t descend(murk_bound *b, size_t n, uint64_t lower, size_t rounds)
             break;
         }
         uint64_t now = evaluate(b, n, &chosen);
+        /* A lower bound: store the multipliers. Otherwise shrink the step after
+         * some rounds. */
         if (now < lowest) {
             b->step *= lowest < UINT64_MAX ? GROW : 1;
             lowest = now;
@@ -294,7 +311,7 @@ static uint64_t descend(murk_bound *b, size_t n, uint64_t lower, size_t rounds)
             b->step *= SHRINK;
             b->since_gain = 0;
         }
-        /* of plans worth more than lower, all are made of the live */
+        /* a plan worth more than lower consists of live candidates */
         now -= now % o->grain;
         now = now > lower ? now : lower;
         upper = now < upper ? now : upper;
@@ -304,12 +321,14 @@ static uint64_t descend(murk_bound *b, size_t n, uint64_t lower, size_t rounds)
         if (round + 1 == rounds && !b->multipliers.partial) {
             break;
         }
+        /* Fix candidates out, then step. */
         fix_by_bound(b, n, chosen, lower);
         if (round + 1 < rounds) {
             update_mean(b, chosen);
             take_step(b, (double)(lowest - lower));
         }
     }
+    /* Within a partial plan the caller needs gains at the lowest bound. */
     if (b->multipliers.partial && upper > lower && rounds > 0) {
         memcpy(b->multiplier, b->lowest, slots * sizeof *b->multiplier);
         evaluate(b, n, &chosen);
@@ -328,7 +347,8 @@ static void set_partial_plan(murk_bound *b, const murk_cover *partial)
     }
 }
 
-/* The fixed sensors stand, and whom they admit may join. */
+/* The fixed sensors form the partial plan; live are the candidates that can be
+ * added. */
 static uint64_t tighten_by_constraints(murk_bound *b, size_t n, uint64_t lower,
                                        size_t rounds)
 {

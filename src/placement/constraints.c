@@ -1,3 +1,7 @@
+/* Checks and indexes the constraints on plans: costs, conflicts, classes,
+ * counts, fixed sensors, budget. Each check refuses a contradiction that can be
+ * seen before any search. Whether a plan exists under conflicts is found out by
+ * a search only (murk_partial_plan_complete). */
 #include "placement/constraints.h"
 
 #include <assert.h>
@@ -38,7 +42,7 @@ static bool is_too_close(const murk_constraints *constraints, uint32_t a,
     return square < constraints->spacing_m * constraints->spacing_m;
 }
 
-/* Whether b is in a's list of conflicts. */
+/* True if b is in a's list of conflicts, by binary search. */
 static bool is_listed(const murk_constraints *constraints, uint32_t a,
                       uint32_t b)
 {
@@ -84,7 +88,7 @@ static double in_user_units(const murk_constraint_set *set, uint64_t cost)
     return (double)cost * (unit > 0 ? unit : 1);
 }
 
-/* Of two fixed sensors, by number, that do. */
+/* The reason for the conflict of fixed sensors i and k. */
 static const char *why_excluded(const murk_constraint_set *set, size_t i,
                                 size_t k)
 {
@@ -105,8 +109,9 @@ bool murk_constraint_set_conflict(const murk_constraint_set *set, uint32_t a,
            is_listed(set->constraints, a, b);
 }
 
-/* Whether whatever excludes a is b, or excludes b as well: sites and spacing by
- * the plain cases, one site or one place. */
+/* True if every candidate that conflicts with a is b or conflicts with b as
+ * well. Decides the simple cases of sites and spacing only: the same site, the
+ * same position. */
 static bool has_fewer_conflicts(const murk_constraint_set *set, uint32_t a,
                                 uint32_t b)
 {
@@ -140,8 +145,9 @@ bool murk_constraint_set_may_drop(const murk_constraint_set *set, uint32_t a,
         !has_fewer_conflicts(set, a, b)) {
         return false;
     }
-    /* Where both may stand, b may be needed for the mere number: a plan of
-     * exactly n can be filled up again only where nothing excludes. */
+    /* Without conflict between them b may be needed to fill the count: a plan
+     * of exactly n can be filled up again for certain only if there are no
+     * conflicts. */
     const bool may_go =
         set->has_budget ? set->min[class] == 0 : !set->has_conflicts;
     return may_go || murk_constraint_set_conflict(set, a, b);
@@ -174,6 +180,7 @@ static murk_status check_costs(const murk_constraints *constraints,
 static murk_status check_conflicts(const murk_constraints *constraints,
                                    size_t candidates, murk_error *err)
 {
+    /* Spacing. */
     if (!(constraints->spacing_m >= 0 && isfinite(constraints->spacing_m))) {
         return murk_fail(err, MURK_BAD_VALUE, "",
                          "spacing is %g m, must be 0 or more",
@@ -187,6 +194,7 @@ static murk_status check_conflicts(const murk_constraints *constraints,
     if (!constraints->conflict_first) {
         return MURK_OK;
     }
+    /* Lists: increasing, and listed for both candidates. */
     for (size_t j = 0; j < candidates; ++j) {
         const size_t first = constraints->conflict_first[j];
         for (size_t k = first; k < constraints->conflict_first[j + 1]; ++k) {
@@ -222,7 +230,7 @@ static bool allocate(murk_constraint_set *set)
            (set->site || !set->constraints->site);
 }
 
-/* Numbers the sites anew, without gaps. scratch[candidates]. */
+/* Renumbers the sites without gaps. scratch[candidates]. */
 static void index_sites(murk_constraint_set *set, keyed *scratch)
 {
     for (size_t j = 0; j < set->candidates; ++j) {
@@ -270,6 +278,7 @@ static murk_status index_counts(murk_constraint_set *set, murk_error *err)
 {
     const murk_constraints *constraints = set->constraints;
     for (size_t c = 0; c < set->classes; ++c) {
+        /* A missing limit is 0, or the size of the class. */
         const size_t size = set->class_first[c + 1] - set->class_first[c];
         const bool is_given = constraints->classes > 0;
         const size_t min =
@@ -303,6 +312,8 @@ static murk_status index_fixed(murk_constraint_set *set, murk_error *err)
     const murk_constraints *constraints = set->constraints;
     for (size_t k = 0; k < constraints->fixed_count; ++k) {
         const size_t j = constraints->fixed[k];
+        /* A fixed sensor is a candidate, once, without conflict with another
+         * one. */
         if (j >= set->candidates) {
             return murk_fail(err, MURK_BAD_VALUE, "",
                              "fixed sensor at candidate %zu, must be below "
@@ -337,7 +348,7 @@ static size_t fixed_of_class(const murk_constraint_set *set, size_t class)
     return sum;
 }
 
-/* What fixed sensors and least counts cost at least. */
+/* The smallest cost of the fixed sensors and the minimum counts. */
 static uint64_t min_cost(const murk_constraint_set *set)
 {
     uint64_t sum = 0;
@@ -363,6 +374,7 @@ static murk_status check_budget(const murk_constraint_set *set, murk_error *err)
     if (!set->has_budget) {
         return MURK_OK;
     }
+    /* The budget must pay for all that is required, and for one sensor. */
     const uint64_t needed = min_cost(set);
     if (needed > set->budget) {
         return murk_fail(err, MURK_BAD_VALUE, "",
@@ -386,10 +398,12 @@ static murk_status check_budget(const murk_constraint_set *set, murk_error *err)
     return MURK_OK;
 }
 
-/* What of the count can be seen at once. */
+/* Checks what counts alone can contradict: fixed sensors, minimum and maximum
+ * counts, and sites against the wanted count. */
 static murk_status check_count(murk_constraint_set *set, size_t count,
                                bool is_max, murk_error *err)
 {
+    /* Sum up required and allowed sensors over the classes. */
     size_t needed = 0, allowed = 0;
     for (size_t c = 0; c < set->classes; ++c) {
         const size_t fixed = fixed_of_class(set, c);
@@ -403,6 +417,7 @@ static murk_status check_count(murk_constraint_set *set, size_t count,
         needed += fixed > set->min[c] ? fixed : set->min[c];
         allowed += set->max[c];
     }
+    /* Compare with the wanted count. */
     if (needed > count) {
         return murk_fail(err, MURK_BAD_VALUE, "",
                          "%zu sensors asked for, but fixed sensors and least "
@@ -421,6 +436,7 @@ static murk_status check_count(murk_constraint_set *set, size_t count,
                          "sensor each",
                          count, set->sites);
     }
+    /* The limits of a plan's size. */
     allowed = set->site && set->sites < allowed ? set->sites : allowed;
     set->max_sensors = count < allowed ? count : allowed;
     set->min_sensors = needed > 0 ? needed : 1;
@@ -448,6 +464,7 @@ murk_status murk_constraint_set_init(murk_constraint_set *out,
         .has_budget = constraints->budget > 0,
         .has_conflicts = constraints->site || constraints->spacing_m > 0 ||
                          constraints->conflict_first};
+    /* Checks that need no index come first. */
     keyed *scratch = NULL;
     murk_status status = check_costs(constraints, candidates, err);
     if (!status) {
@@ -456,6 +473,7 @@ murk_status murk_constraint_set_init(murk_constraint_set *out,
     if (status) {
         return status;
     }
+    /* Index and check, step by step. */
     scratch = calloc(candidates + 1, sizeof *scratch);
     if (!scratch || !allocate(out)) {
         status =

@@ -28,7 +28,8 @@
  * 3, and is a whole number. */
 #define MURK_WORTH_SLACK 2
 
-#define MURK_DOSE_STEP  1024 /* dose between two nodes */
+#define MURK_DOSE_STEP 1024 /* dose between two nodes */
+/* Nodes of the table from dose 0 to MURK_DOSE_FULL. */
 #define MURK_DOSE_NODES (MURK_DOSE_FULL / MURK_DOSE_STEP + 1)
 
 typedef struct murk_doses {

@@ -1,3 +1,8 @@
+/* Gains of candidates over a cover, single-threaded or spread over threads, and
+ * the ranking of the candidates at the start: the value of each candidate
+ * alone, the ceiling, and the dominated candidates (placement/presolve.h).
+ * Results never depend on the number of threads. The caller owns the cover and
+ * must not change it during a call. */
 #include "placement/evaluator.h"
 
 #include "base/interrupt.h"
@@ -8,23 +13,25 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Starting threads costs some 50 us: a scan is spread only where it goes
- * through so many bytes, some 200 us and more. */
+/* Starting threads costs some 50 us. A scan over so many bytes takes 200 us and
+ * more, so threads pay. */
 #define BYTES_WORTH_THREADS 2097152
 
-/* Candidates that a thread takes at once: their rows are worth more than the
- * taking. A look is always worth it. */
+/* Candidates that a thread takes at once: evaluating 16 rows outweighs taking
+ * the next batch. In an unknown environment a row is a batch by itself, as
+ * computing it always outweighs that. */
 #define ROWS_AT_ONCE 16
 
+/* A task for the thread pool: gains of n candidates. */
 typedef struct evaluation {
     const murk_evaluator *evaluator;
     const murk_cover *cover;
     const uint32_t *candidate; /* NULL: candidate k is k */
     uint64_t *gain;
-    murk_cover *seen; /* [threads] joined with every row, or NULL */
-    uint64_t *slack;  /* with it, or NULL */
+    murk_cover *seen; /* [threads] covers that receive every row, or NULL */
+    uint64_t *slack;  /* receives the rounding slacks, or NULL */
     size_t n, at_once;
-    bool is_max; /* murk_evaluator_gain_bounds() */
+    bool is_max; /* upper bounds instead of gains */
 } evaluation;
 
 murk_row murk_evaluator_row(const murk_evaluator *evaluator, unsigned worker,
@@ -65,7 +72,8 @@ static void evaluate(const evaluation *w, unsigned worker, size_t batch)
     }
 }
 
-/* Rows lie where they were stored: the next one comes while one is weighed. */
+/* Prefetches the next row of the matrix, as rows lie in separate blocks of
+ * memory. */
 static void prefetch_next(const evaluation *w, size_t k, size_t end)
 {
     if (w->evaluator->matrix && k + 1 < end) {
@@ -101,8 +109,8 @@ static void evaluate_in_batches(evaluation *w, unsigned threads)
                           evaluate_batch, w);
 }
 
-/* Time to weigh a row of visibility factors, or of detection probabilities,
- * relative to a row of bits. */
+/* Time to evaluate a row of clarities, or of detection probabilities, relative
+ * to a row of bits. */
 #define WORK_OF_CLARITIES 4
 #define WORK_OF_CHANCES   64
 
@@ -174,7 +182,7 @@ void murk_ranked_sort(murk_ranked *ranked, size_t n)
     qsort(ranked, n, sizeof *ranked, by_rank);
 }
 
-/* Each candidate's value alone, and the ceiling: all of them together. */
+/* Computes the value of each candidate alone, and the ceiling. */
 static murk_status evaluate_singles(murk_evaluator *o, murk_error *err)
 {
     const unsigned threads = o->problem->threads;
@@ -201,6 +209,7 @@ static murk_status evaluate_singles(murk_evaluator *o, murk_error *err)
                         "candidates");
     evaluate_in_batches(&w, threads);
     murk_progress_end();
+    /* The value of all rows together is the ceiling. */
     for (unsigned k = 1; k < threads; ++k) {
         murk_cover_join(&seen[0], o->layout, &seen[k]);
     }
@@ -215,7 +224,7 @@ done:
     return status;
 }
 
-/* By cost, then by rank, in which order[] has them. */
+/* Sort key: cost, then the index in order[]. */
 typedef struct costed {
     uint64_t cost;
     size_t rank;
@@ -231,8 +240,8 @@ static int by_cost(const void *a, const void *b)
     return (x->rank > y->rank) - (x->rank < y->rank);
 }
 
-/* Among those worth the same, so that the cheaper dominates. False when out of
- * memory. */
+/* Sorts candidates of equal value by cost, so that the cheaper one dominates.
+ * False when out of memory. */
 static bool sort_ties_by_cost(const murk_evaluator *o, uint32_t *order)
 {
     costed *same = malloc((o->candidates + 1) * sizeof *same);
@@ -255,15 +264,18 @@ static bool sort_ties_by_cost(const murk_evaluator *o, uint32_t *order)
     return is_done;
 }
 
-/* How many must dominate a candidate that no plan needs. It may take the place
- * of one that does not stand; where all stand, so many see each photon as
- * clearly: of the clearest views its own is none, but chances add up. */
+/* The number of dominators that make a candidate superfluous. A dominator
+ * outside the plan may take the place of the candidate. If all are in the plan,
+ * every photon has as many entries at least as large: with redundancy k, k
+ * dominators leave no gain; probabilities always add up, so there the number is
+ * the size of the plan. */
 static size_t dominators_needed(const murk_evaluator *o, size_t max)
 {
     return o->layout->doses ? max : o->layout->layers;
 }
 
-/* Puts those that are dropped behind the others. Returns how many these are. */
+/* Moves dropped candidates behind the others. Returns the number of the others.
+ */
 static size_t split_dominated(const murk_evaluator *o, murk_ranked *ranked,
                               const uint32_t *order, const bool *is_dropped)
 {
@@ -281,7 +293,8 @@ static size_t split_dominated(const murk_evaluator *o, murk_ranked *ranked,
     return kept;
 }
 
-/* Ranks the candidates and moves the dominated ones behind the others. */
+/* Ranks the candidates by value, and moves the dominated ones behind the
+ * others. */
 static murk_status rank(murk_evaluator *o, size_t max, bool keep_dominated,
                         murk_error *err)
 {
@@ -296,6 +309,7 @@ static murk_status rank(murk_evaluator *o, size_t max, bool keep_dominated,
     if (!o->matrix || keep_dominated) {
         return MURK_OK;
     }
+    /* Presolve compares candidates in this order. */
     uint32_t *order = malloc((n + 1) * sizeof *order);
     bool *is_dropped = calloc(n + 1, sizeof *is_dropped);
     murk_status status = MURK_OK;
@@ -312,6 +326,7 @@ static murk_status rank(murk_evaluator *o, size_t max, bool keep_dominated,
                            "no memory to rank %zu candidates", n);
         goto done;
     }
+    /* With redundancy or probabilities one dominator is not enough. */
     const size_t needed = dominators_needed(o, max);
     if (needed > 1) {
         status = murk_presolve_many(is_dropped, o->matrix, o->set, order,
@@ -320,6 +335,7 @@ static murk_status rank(murk_evaluator *o, size_t max, bool keep_dominated,
             split_dominated(o, o->presolved, order, is_dropped);
         goto done;
     }
+    /* Otherwise each dominated candidate gets its dominator. */
     status = murk_presolve(o->dominator, o->matrix, o->set, order,
                            o->problem->threads, err);
     for (uint32_t j = 0; j < n; ++j) {
@@ -345,6 +361,7 @@ murk_status murk_evaluator_init(murk_evaluator *out,
                             .set = set,
                             .candidates = n,
                             .is_binary = matrix && matrix->is_binary};
+    /* Take the layout of the matrix, or make one. */
     if (matrix) {
         out->layout = &matrix->layout;
         out->row_bytes = n ? matrix->memory_bytes / n : 0;
@@ -358,6 +375,7 @@ murk_status murk_evaluator_init(murk_evaluator *out,
     }
     out->grain =
         (uint64_t)out->layout->weight_gcd * (out->is_binary ? MURK_CLEAR : 1);
+    /* Evaluate and rank the candidates. */
     out->single_value = calloc(n + 1, sizeof *out->single_value);
     out->dominator = calloc(n + 1, sizeof *out->dominator);
     out->ranked = calloc(n + 1, sizeof *out->ranked);

@@ -1,3 +1,7 @@
+/* Depth-first branch and bound over partial plans (placement/exact.h). Each
+ * level of the search has a cover, multipliers and live candidates of its own;
+ * they are allocated when the search first reaches the level. Work is counted
+ * in evaluations, so that the limit gives the same result in every run. */
 #include "placement/exact.h"
 
 #include "base/interrupt.h"
@@ -7,36 +11,38 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Bounds made at the root, and at each node below it. */
+/* Evaluations of the bound at the root and at every other node. Multipliers of
+ * the parent are a good start, so a node below the root needs fewer (choices).
+ */
 #define ROUNDS_AT_ROOT 60
 #define ROUNDS_BELOW   30
 
-/* A node whose `k` first are chosen. */
+/* A level of the search: the node with so many candidates chosen. */
 typedef struct level {
-    murk_cover cover;         /* of the chosen; bits where all is clear */
-    murk_cover clarity_cover; /* then, the same as clarities */
-    float *multiplier;        /* [slots] where its bound was lowest */
-    murk_ranked *live;        /* [candidates] that may join, by falling gain */
+    murk_cover cover; /* of the chosen candidates; bits if the matrix is 0/1 */
+    murk_cover clarity_cover; /* then, the same as clarities, for the bound */
+    float *multiplier;        /* [slots] of the node's lowest bound */
+    murk_ranked *live; /* [candidates] that may be added, by falling gain */
     size_t live_count;
-    uint64_t base;  /* what the thresholds are worth */
-    uint64_t value; /* of the chosen */
+    uint64_t base;  /* first sum of the bound */
+    uint64_t value; /* of the chosen candidates */
 } level;
 
 typedef struct exact {
     murk_bound *bound;
     const murk_evaluator *evaluator;
     size_t n;
-    level *level; /* [n + 1 less those fixed], made when first needed */
-    size_t fixed; /* sensors that stand at the root */
-    murk_partial_plan partial; /* with rules: of the chosen */
+    level *level; /* [n + 1 less fixed], allocated when first needed */
+    size_t fixed; /* sensors chosen at the root */
+    murk_partial_plan partial; /* with constraints: the chosen candidates */
     uint32_t *chosen;          /* [n] */
-    uint32_t *members;         /* [candidates] of a leaf's parent */
-    uint64_t *gain;            /* [candidates] likewise */
+    uint32_t *members;         /* [candidates] scratch: candidates of leaves */
+    uint64_t *gain;            /* [candidates] scratch: gains of leaves */
     uint32_t *plan;
-    size_t size;    /* of the plan */
-    uint64_t value; /* of the plan */
+    size_t size;    /* of the incumbent */
+    uint64_t value; /* of the incumbent, or the cutoff of the callback */
     uint64_t work, work_max;
-    const murk_exact_callback *callback; /* NULL: plans are worth their value */
+    const murk_exact_callback *callback; /* NULL: the value is the objective */
     bool is_cut, lacks_memory;
 } exact;
 
@@ -54,6 +60,8 @@ static uint64_t in_grains(const exact *e, uint64_t value)
     return value - value % e->evaluator->grain;
 }
 
+/* Stores a plan that is better than the incumbent, or passes it to the
+ * callback. */
 static void update_incumbent(exact *e, size_t size, uint64_t value)
 {
     if (value > e->value && e->callback) {
@@ -67,7 +75,7 @@ static void update_incumbent(exact *e, size_t size, uint64_t value)
     }
 }
 
-/* Whether what stands is a plan, or can be made one. */
+/* True if the partial plan is complete, or can be completed for certain. */
 static bool is_plan(const exact *e)
 {
     return !e->evaluator->set->has_conflicts ||
@@ -79,7 +87,7 @@ static murk_cover *clarity_cover(const exact *e, level *l)
     return e->evaluator->is_binary ? &l->clarity_cover : &l->cover;
 }
 
-/* Of the n members, those that may make a better plan. */
+/* Of the n members, keeps those that may improve the incumbent. */
 static size_t keep_promising(exact *e, const level *l, size_t n)
 {
     if (!e->evaluator->slack) {
@@ -96,7 +104,7 @@ static size_t keep_promising(exact *e, const level *l, size_t n)
     return kept;
 }
 
-/* One sensor is left to choose: weighs all that may join. */
+/* One sensor is left to choose: evaluates all candidates that may be added. */
 static void evaluate_leaves(exact *e, const level *l)
 {
     for (size_t k = 0; k < l->live_count; ++k) {
@@ -112,13 +120,14 @@ static void evaluate_leaves(exact *e, const level *l)
     }
 }
 
-/* Lowers the bound of a level from its parent's thresholds. Its live
- * candidates become those that can still be in a better plan, ranked. */
+/* Lowers the bound of a level, starting at the parent's multipliers. The live
+ * candidates become those that may still belong to a better plan, sorted. */
 static uint64_t bound_level(exact *e, level *l, size_t left,
                             const float *multiplier, size_t rounds)
 {
     murk_bound *b = e->bound;
     const size_t slots = e->evaluator->layout->slots;
+    /* Hand the level's state to the bound. */
     if (multiplier != b->multiplier) {
         memcpy(b->multiplier, multiplier, slots * sizeof *multiplier);
     }
@@ -131,6 +140,7 @@ static uint64_t bound_level(exact *e, level *l, size_t left,
     const uint64_t upper = murk_bound_tighten_within(
         b, left, e->value, clarity_cover(e, l), rounds);
     count_work(e, b->evaluations);
+    /* Take the lowest bound and the candidates that remain. */
     memcpy(l->multiplier, b->multiplier, slots * sizeof *l->multiplier);
     for (size_t k = 0; k < b->live_count; ++k) {
         l->live[k] = (murk_ranked){b->gain[k], b->live[k]};
@@ -145,7 +155,7 @@ static uint64_t bound_level(exact *e, level *l, size_t left,
     return upper;
 }
 
-/* What the level's candidates from number k on can make together. */
+/* Upper bound for plans that add candidates from number k on. */
 static uint64_t rest_of(const exact *e, const level *l, size_t k, size_t left)
 {
     if (e->evaluator->set) {
@@ -182,7 +192,7 @@ static void level_release(level *l)
     *l = (level){0};
 }
 
-/* False when out of memory: then the search ends. */
+/* Allocates a level. False when out of memory: then the search ends. */
 static bool level_ready(exact *e, size_t depth)
 {
     level *l = &e->level[depth];
@@ -193,7 +203,7 @@ static bool level_ready(exact *e, size_t depth)
     return !e->lacks_memory;
 }
 
-/* The candidate joins what the level's cover sees. */
+/* Adds a candidate to the cover of a level. */
 static void add_candidate(const exact *e, level *to, const level *from,
                           uint32_t candidate)
 {
@@ -212,7 +222,7 @@ static void add_candidate(const exact *e, level *to, const level *from,
     }
 }
 
-/* Keeps those whom the chosen admit. */
+/* Keeps the live candidates that can be added. */
 static void keep_feasible(const exact *e, level *l)
 {
     size_t kept = 0;
@@ -225,6 +235,8 @@ static void keep_feasible(const exact *e, level *l)
     l->live_count = kept;
 }
 
+/* Makes the child of a node that adds live candidate k. The child has the live
+ * candidates after k. */
 static void branch(exact *e, size_t depth, size_t k)
 {
     const level *from = &e->level[depth];
@@ -240,8 +252,8 @@ static void branch(exact *e, size_t depth, size_t k)
     }
 }
 
-/* No plan below this node is worth more than what it returns, and none that
- * was passed over is worth more than the plan kept. */
+/* Searches the node at this depth. Returns an upper bound on plans of the node;
+ * no plan passed over is worth more than the incumbent at the end. */
 static uint64_t explore(exact *e, size_t depth, const float *multiplier,
                         size_t rounds)
 {
@@ -260,8 +272,9 @@ static uint64_t explore(exact *e, size_t depth, const float *multiplier,
     }
     const uint64_t upper = bound_level(e, l, left, multiplier, rounds);
     uint64_t highest = e->value;
-    /* Fewer than `left` make no plan, but under rules those left out may fill
-     * it up. */
+    /* Without constraints fewer than `left` candidates make no plan. With
+     * constraints a short plan can be completed by candidates that were fixed
+     * out. */
     const size_t needed = set ? 1 : left;
     for (size_t k = 0; k + needed <= l->live_count; ++k) {
         uint64_t rest = rest_of(e, l, k, left);
@@ -272,6 +285,7 @@ static uint64_t explore(exact *e, size_t depth, const float *multiplier,
         if (e->is_cut || !level_ready(e, depth + 1)) {
             return rest > highest ? rest : highest;
         }
+        /* A child is searched only if the bound allows a better plan. */
         branch(e, depth, k);
         const uint64_t below =
             explore(e, depth + 1, l->multiplier, ROUNDS_BELOW);
@@ -283,7 +297,7 @@ static uint64_t explore(exact *e, size_t depth, const float *multiplier,
     return highest > e->value ? highest : e->value;
 }
 
-/* The root, with the fixed sensors. */
+/* Chooses the fixed sensors at the root. */
 static void add_fixed(exact *e)
 {
     const murk_constraints *constraints = e->evaluator->set->constraints;
@@ -341,6 +355,7 @@ murk_status murk_exact_search(murk_exact *out, murk_bound *bound,
     murk_status status = MURK_OK;
     *out = (murk_exact){
         .value = value, .upper = upper, .is_cut = true, .size = size};
+    /* Nothing to prove, or no work allowed. */
     if (upper <= value || nodes == 0) {
         out->is_cut = upper > value;
         return MURK_OK;
@@ -356,7 +371,7 @@ murk_status murk_exact_search(murk_exact *out, murk_bound *bound,
         goto done;
     }
     level *root = &e.level[0];
-    /* where they are too few for a plan, anyone may fill it */
+    /* with too few candidates for a plan, take dominated ones as well */
     root->live_count = evaluator->presolved_count < n
                            ? evaluator->candidates
                            : evaluator->presolved_count;
@@ -365,6 +380,7 @@ murk_status murk_exact_search(murk_exact *out, murk_bound *bound,
     if (evaluator->set) {
         add_fixed(&e);
     }
+    /* Search, and hand the root's multipliers back to the bound. */
     murk_progress_begin("prove", nodes, "nodes at most");
     const uint64_t highest = explore(&e, 0, bound->multiplier, ROUNDS_AT_ROOT);
     murk_progress_end();

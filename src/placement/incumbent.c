@@ -1,3 +1,7 @@
+/* Plans of one count after another. MURK_PLACE_BEST takes greedy's plan, or the
+ * plan of one sensor fewer with one more, relocates it, tries random starts,
+ * and tightens the bound before and after; branch and bound follows for the
+ * wanted count. The other methods make one plan and one bound. */
 #include "placement/incumbent.h"
 
 #include "base/interrupt.h"
@@ -6,20 +10,23 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A curve point gets one start for each of so many of the plan's own. */
+/* Starts for each point of the curve: a tenth of those for the plan, 20 at most
+ * (a choice: the curve has as many points as the plan sensors). */
 #define RESTARTS_PER_CURVE_START 10
 #define CURVE_STARTS_MAX         20
 
-/* Evaluations of the bound in a known environment, at most; matrices so large
- * that these would take long get fewer, by pairs. In an unknown environment
- * each costs a look at every candidate: one is made, where greedy's own scans
- * do not say enough. */
+/* Maximum number of evaluations of the bound in a known environment. Large
+ * matrices get fewer: as many as 2e10 evaluated entries allow, some seconds of
+ * work. In an unknown environment each evaluation asks for every row, so one is
+ * made, and only if greedy's own scans do not bound the value well enough. */
 #define ROUNDS_MAX        400
 #define ROUNDS_MIN        40
 #define PAIRS_WEIGHED_MAX 20000000000.0
-#define PAIRS_OF_A_CHANCE 16 /* it takes so many times as long */
+/* An entry of detection probabilities takes 16 times as long. */
+#define PAIRS_OF_A_CHANCE 16
 
-/* A curve point gets one round for each of so many of the plan's own. */
+/* Evaluations for each point of the curve: a third of those for the plan (a
+ * choice). */
 #define ROUNDS_PER_CURVE_ROUND 3
 
 static bool has_budget(const murk_incumbent *p)
@@ -32,8 +39,7 @@ static size_t fixed_count(const murk_incumbent *p)
     return p->set ? p->set->constraints->fixed_count : 0;
 }
 
-/* Keeps the plan of p->size sensors, if the rules let it stand and it is worth
- * more than p->plan. */
+/* Stores the plan in trial if it is complete and worth more than *best. */
 static void keep_better(murk_incumbent *p, uint64_t value, uint64_t *best,
                         size_t *size)
 {
@@ -45,8 +51,8 @@ static void keep_better(murk_incumbent *p, uint64_t value, uint64_t *best,
     }
 }
 
-/* Under a budget: by gain per cost, and by gain alone, which begins with the
- * best single sensor. */
+/* Greedy with a budget: the better one of greedy by gain per cost, and plain
+ * greedy, which begins with the best single sensor. */
 static uint64_t greedy_with_budget(murk_incumbent *p)
 {
     murk_gain_scan *s = &p->search;
@@ -60,7 +66,7 @@ static uint64_t greedy_with_budget(murk_incumbent *p)
     return best;
 }
 
-/* Greedy's plan of n; under rules that bring it to a dead end, any. */
+/* Greedy's plan of n. If constraints stop greedy early, the fallback plan. */
 static uint64_t plan_greedily(murk_incumbent *p, size_t n)
 {
     uint64_t value;
@@ -84,10 +90,11 @@ static uint64_t plan_greedily(murk_incumbent *p, size_t n)
     return value;
 }
 
-/* The bound from so many rounds, and from greedy's scans. Where there are many
- * rounds, they go on from the thresholds of the count before, which differ
- * little; a single one does best at the plan's own. Of independent chances the
- * thresholds of another count lead nowhere: all begin at the plan's. */
+/* Tightens the bound by `rounds` evaluations, and takes greedy's bound if that
+ * is lower. With many rounds the multipliers go on from those of the count
+ * before, which differ little. A single evaluation does best at the multipliers
+ * of the plan. For detection probabilities the multipliers of another count are
+ * a poor start, so every count begins at the plan. */
 static uint64_t tighten(murk_incumbent *p, size_t n, uint64_t value,
                         const uint32_t *plan, size_t rounds)
 {
@@ -105,8 +112,9 @@ static uint64_t tighten(murk_incumbent *p, size_t n, uint64_t value,
                                                      : upper;
 }
 
-/* Greedy, relocated, then starts. Where `from`, a plan of n - 1, is worth more
- * than that, it is completed and taken instead. */
+/* MURK_PLACE_BEST for one count: greedy, relocation, the plan `from` of n - 1
+ * sensors completed if that is worth more, and random starts. Returns value and
+ * bound. */
 static murk_curve_point find_best(murk_incumbent *p, size_t n,
                                   const uint32_t *from, uint64_t from_value,
                                   size_t max, size_t rounds, size_t *made)
@@ -114,10 +122,10 @@ static murk_curve_point find_best(murk_incumbent *p, size_t n,
     uint32_t *plan = p->plan;
     murk_progress_text("plans %zu sensors", n);
     uint64_t value = plan_greedily(p, n);
-    if (value == p->evaluator->ceiling) { /* all that can be seen */
+    if (value == p->evaluator->ceiling) { /* the plan reaches the ceiling */
         return (murk_curve_point){p->size, value, value};
     }
-    /* of one that is free, greedy finds the best */
+    /* greedy is optimal if a single sensor is free */
     const bool is_open = n > fixed_count(p) + 1 || has_budget(p) ||
                          (p->set && !p->is_greedy_done);
     if (is_open) {
@@ -144,7 +152,7 @@ static murk_curve_point find_best(murk_incumbent *p, size_t n,
     return (murk_curve_point){p->size, value, upper};
 }
 
-/* The plan of one method without more ado, and its bound. */
+/* The plan of the other methods: one search and one bound. */
 static murk_curve_point find_once(murk_incumbent *p, size_t n, size_t rounds,
                                   size_t *made)
 {
@@ -160,7 +168,7 @@ static murk_curve_point find_once(murk_incumbent *p, size_t n, size_t rounds,
     return (murk_curve_point){p->size, value, upper};
 }
 
-/* Under rules: a plan of fewer, filled up to n by whoever may join. */
+/* With constraints: completes a plan of fewer than n sensors. */
 static uint64_t complete_plan(murk_incumbent *p, size_t n)
 {
     murk_gain_scan *s = &p->search;
@@ -172,7 +180,8 @@ static uint64_t complete_plan(murk_incumbent *p, size_t n)
     return value;
 }
 
-/* Branch and bound from a plan whose bound was tightened last. */
+/* Branch and bound, from the incumbent and the bound that was tightened last.
+ */
 static murk_status branch_and_bound(murk_incumbent *p, size_t n,
                                     murk_curve_point *point, murk_error *err)
 {
@@ -199,9 +208,10 @@ static murk_status branch_and_bound(murk_incumbent *p, size_t n,
     return status;
 }
 
-/* Where candidates exclude each other a start may end short: any plan of n. */
+/* With conflicts a random start may end early: finds any feasible plan of n. */
 static murk_status find_fallback(murk_incumbent *p, size_t n, murk_error *err)
 {
+    /* Complete a plan of the fixed sensors with any candidates. */
     if (!p->set || !p->set->has_conflicts) {
         return MURK_OK;
     }
@@ -243,7 +253,7 @@ static size_t curve_rounds(size_t rounds)
                                            : rounds;
 }
 
-/* Evaluations of the bound for k sensors. */
+/* Number of evaluations of the bound for k sensors. */
 static size_t rounds_of(const murk_incumbent *p, size_t k, bool is_plan)
 {
     const murk_place_desc *desc = p->desc;
@@ -256,6 +266,8 @@ static size_t rounds_of(const murk_incumbent *p, size_t k, bool is_plan)
     return !has_greedy_bound || is_wanted ? 1 : 0;
 }
 
+/* Number of evaluations of the bound for the plan: by the size of the matrix.
+ */
 static size_t rounds_for(const murk_evaluator *evaluator)
 {
     if (!evaluator->matrix) {
@@ -277,6 +289,7 @@ murk_status murk_incumbent_init(murk_incumbent *p,
                                 const murk_place_desc *desc,
                                 murk_place_result *result, murk_error *err)
 {
+    /* A curve starts at the smallest feasible count. */
     const size_t n = set ? set->max_sensors : desc->count;
     const bool is_curve =
         (desc->with_curve || desc->target) && !(set && set->has_budget);
@@ -307,6 +320,7 @@ murk_status murk_incumbent_init(murk_incumbent *p,
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for %zu sensors",
                          n);
     }
+    /* Workspaces of the searches and the bound. */
     murk_status status = murk_gain_scan_init(&p->search, evaluator, 0,
                                              evaluator->problem->threads, err);
     p->search.rows_max = murk_gain_scan_rows_max(evaluator);
@@ -343,7 +357,8 @@ void murk_incumbent_greedy(murk_incumbent *p)
                        p->greedy_value);
 }
 
-/* Points of the curve without rules have greedy's plan to fall back on. */
+/* True if a point of the curve should cost no further work: without constraints
+ * greedy's plan is at hand. */
 static bool is_curve_work_done(const murk_incumbent *p)
 {
     const uint64_t rows =
@@ -352,8 +367,8 @@ static bool is_curve_work_done(const murk_incumbent *p)
            rows > murk_gain_scan_rows_max(p->evaluator) / 2;
 }
 
-/* Greedy's plan of n, or the plan of one fewer completed where that is worth
- * more, and the bound that greedy's scans gave. */
+/* A point of the curve from greedy's plan, or from the plan of one sensor fewer
+ * with one more if that is worth more, and the bound of greedy's scans. */
 static murk_curve_point greedy_point(murk_incumbent *p, size_t n,
                                      const uint32_t *from, uint64_t from_value)
 {
@@ -374,13 +389,13 @@ murk_status murk_incumbent_count(murk_incumbent *p, size_t k,
                                  murk_error *err)
 {
     const murk_place_desc *desc = p->desc;
-    /* With a target, any count may turn out to be the plan's. */
+    /* with a target, any count may become the plan */
     const bool is_plan = desc->target || k == p->last;
     const size_t rounds = rounds_of(p, k, is_plan);
     size_t extra = 0;
     size_t *made = is_plan ? &p->result->restarts : &extra;
     const size_t max = is_plan ? desc->restarts : curve_starts(desc->restarts);
-    /* Where the whole count cannot stand, say so of it. */
+    /* say that the wanted count is infeasible before a smaller one is tried */
     murk_status status = k == p->first && !desc->target
                              ? find_fallback(p, p->last, err)
                              : MURK_OK;

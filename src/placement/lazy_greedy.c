@@ -1,3 +1,6 @@
+/* Lazy greedy (Minoux 1978): candidates are evaluated in falling order of an
+ * upper bound on the gain, in chunks over all threads, until the bound of the
+ * next candidate falls below the best gain. */
 #include "placement/lazy_greedy.h"
 
 #include "base/interrupt.h"
@@ -7,8 +10,9 @@
 #include <assert.h>
 #include <stdlib.h>
 
-/* Candidates weighed between two looks at the best so far. Fixed, so that who
- * is weighed does not depend on the threads. */
+/* Candidates evaluated between two comparisons with the best gain so far. A
+ * constant, so the set of evaluated candidates does not depend on the number of
+ * threads. */
 #define CHUNK 32
 
 murk_status murk_lazy_greedy_init(murk_lazy_greedy *out,
@@ -22,6 +26,7 @@ murk_status murk_lazy_greedy_init(murk_lazy_greedy *out,
     if (status) {
         return status;
     }
+    /* Before the first evaluation each bound is the value of everything. */
     out->bound = malloc(n * sizeof *out->bound);
     out->order = malloc(n * sizeof *out->order);
     out->chunk = malloc(CHUNK * sizeof *out->chunk);
@@ -79,6 +84,7 @@ uint32_t murk_lazy_greedy_best(murk_lazy_greedy *s, const uint32_t *open,
                                size_t n, uint64_t *gain)
 {
     assert(n >= 1);
+    /* Sort the available candidates by upper bound. */
     for (size_t k = 0; k < n; ++k) {
         s->order[k] = priced(s, open[k], s->bound[open[k]]);
     }
@@ -87,6 +93,7 @@ uint32_t murk_lazy_greedy_best(murk_lazy_greedy *s, const uint32_t *open,
     bool has_best = false;
     for (size_t at = 0; at < n && !murk_interrupted();) {
         size_t taken = 0;
+        /* Gather candidates that may be the best. */
         while (at < n && taken < CHUNK &&
                (!has_best || murk_compare_density(&s->order[at], &best) < 0)) {
             s->chunk[taken++] = s->order[at++];
@@ -94,6 +101,7 @@ uint32_t murk_lazy_greedy_best(murk_lazy_greedy *s, const uint32_t *open,
         if (taken == 0) {
             break;
         }
+        /* Evaluate them and update bounds and best. */
         murk_pool_run_workers(s->problem->threads, taken, evaluate, s);
         s->queries += taken;
         for (size_t k = 0; k < taken; ++k) {

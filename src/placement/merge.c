@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define NOT_KEPT UINT32_MAX
+#define MERGED_AWAY UINT32_MAX
 
 /* The cost of evaluating a row, in words: a call of a kernel for each segment
  * costs as much as 8 words, a word of mixed weights as much as 16 words.
@@ -56,10 +56,10 @@ typedef struct merging {
     murk_layout *old; /* layout of the given rows */
     murk_row *row;    /* [candidates] */
     size_t candidates, photons, groups, kept;
-    uint32_t *group; /* [photons] group of each photon */
-    uint32_t *size;  /* [groups] photons in each group */
-    uint32_t
-        *number; /* [photons] index among the remaining photons, or NOT_KEPT */
+    uint32_t *group;  /* [photons] group of each photon */
+    uint32_t *size;   /* [groups] photons in each group */
+    uint32_t *number; /* [photons] index among the remaining photons, or
+                         MERGED_AWAY */
     uint32_t *weight; /* [kept] weights of the remaining photons */
     uint32_t *photon; /* [slots] photon of each slot of the old layout */
     murk_layout layout;
@@ -92,7 +92,7 @@ static void choose_representatives(merging *m, const hashed_photon *first,
 {
     size_t left = n;
     for (size_t k = 0; k < n; ++k) {
-        m->number[first[k].photon] = NOT_KEPT;
+        m->number[first[k].photon] = MERGED_AWAY;
     }
     for (size_t k = 0; left > 0; ++k) {
         uint64_t part = 1;
@@ -134,7 +134,7 @@ static bool group_photons(merging *m, const murk_problem *problem,
     free(v);
     /* Number the representatives. */
     for (size_t i = 0; i < m->photons; ++i) {
-        if (m->number[i] != NOT_KEPT) {
+        if (m->number[i] != MERGED_AWAY) {
             m->weight[m->kept] =
                 m->weight[i]; /* kept <= i, so no weight is overwritten before
                                  it is read */
@@ -202,8 +202,9 @@ static void store_row(void *context, unsigned worker, uint64_t batch)
     uint16_t p;
     for (murk_row_walk walk = murk_row_begin(layout, row);
          murk_row_next(&walk, &slot, &p);) {
-        const uint32_t number = p > 0 ? m->number[m->photon[slot]] : NOT_KEPT;
-        if (number != NOT_KEPT) {
+        const uint32_t number =
+            p > 0 ? m->number[m->photon[slot]] : MERGED_AWAY;
+        if (number != MERGED_AWAY) {
             seen[n] = number;
             packed[n++] = p;
         }

@@ -1,3 +1,8 @@
+/* Evaluates the Lagrangian bound at given multipliers, and the subgradient, for
+ * redundancy and for detection probabilities (formulas:
+ * placement/multipliers.h). For redundancy the second sum is an ordinary gain
+ * over a cover that holds the multipliers; for probabilities rows are summed
+ * with 128-bit integers. */
 #include "placement/multipliers.h"
 
 #include "base/pool.h"
@@ -5,9 +10,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* weight * clarity * dose: 47, 16 and 25 bits together at most. */
+/* weight * clarity * dose: at most 47, 16 and 25 bits together. */
 __extension__ typedef unsigned __int128 wide;
 
+/* From units of 1 / MURK_DOSE_ONE, rounded up. */
 static uint64_t in_whole(wide sum)
 {
     return (uint64_t)((sum + MURK_DOSE_ONE - 1) / MURK_DOSE_ONE);
@@ -50,7 +56,7 @@ void murk_multipliers_release(murk_multipliers *t)
     *t = (murk_multipliers){0};
 }
 
-/* The least clarity whose y is not below the dose. */
+/* The smallest clarity with y not below the dose. */
 static uint16_t clarity_above(const murk_doses *doses, uint32_t dose)
 {
     uint16_t t = murk_dose_worth(doses, dose);
@@ -73,7 +79,7 @@ void murk_multipliers_set_partial_plan(murk_multipliers *t,
     }
 }
 
-/* sum w (max(L_1, t) + ..). The lowest layer is not above t. */
+/* sum w (max(L_1, t) + ..). The lowest layer is at most t. */
 static uint64_t weigh_clearest(const murk_multipliers *t)
 {
     const murk_layout *layout = t->evaluator->layout;
@@ -93,7 +99,7 @@ static uint64_t weigh_clearest(const murk_multipliers *t)
     return sum;
 }
 
-/* sum w (1 - (1 - t) (1 + y - Y0)), and what rows need of it. */
+/* sum w (1 - (1 - t) (1 + y - Y0)), and the factors that rows need. */
 static uint64_t weigh_chances(murk_multipliers *t)
 {
     const murk_layout *layout = t->evaluator->layout;
@@ -121,13 +127,14 @@ uint64_t murk_multipliers_set(murk_multipliers *t, const float *multiplier)
     return t->factor ? weigh_chances(t) : weigh_clearest(t);
 }
 
+/* A task for the thread pool: terms of candidates. */
 typedef struct evaluation {
     const murk_multipliers *multipliers;
     const uint32_t *candidate;
     uint64_t *gain;
 } evaluation;
 
-/* sum w (1 - t) min(d, 1 + y - Y0). */
+/* The term of one row: sum w (1 - t) min(d, 1 + y - Y0). */
 static void weigh_row(void *context, unsigned worker, uint64_t batch)
 {
     const evaluation *w = context;
@@ -165,6 +172,7 @@ void murk_multipliers_gains(const murk_multipliers *t,
     }
 }
 
+/* The number of the k largest entries that the multiplier replaces. */
 static size_t layers_below(const murk_multipliers *t, size_t slot)
 {
     const murk_layout *layout = t->evaluator->layout;
@@ -191,7 +199,8 @@ static void subgradient_of_clearest(murk_multipliers *t,
     }
 }
 
-/* Where a row meets its most, its part falls with t, too: by y - Y0. */
+/* If the row's dose exceeds 1 + y - Y0, the term itself falls with t, by y -
+ * Y0. */
 static void subgradient_of_chances(murk_multipliers *t,
                                    const murk_ranked *chosen, size_t n,
                                    float *subgradient)

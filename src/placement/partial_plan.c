@@ -1,3 +1,7 @@
+/* The partial plan under constraints: counts by class, cost and members are
+ * kept up to date, so a test of a candidate takes time in proportion to the
+ * plan's size, plus the cheapest candidates of a class where a budget must
+ * leave enough for minimum counts. */
 #include "placement/partial_plan.h"
 
 #include "base/interrupt.h"
@@ -6,7 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Candidates tried for any plan at all. */
+/* Candidates tried before the search for a complete plan gives up (a choice).
+ */
 #define TRIES_MAX 2000000u
 
 murk_status murk_partial_plan_init(murk_partial_plan *out,
@@ -74,7 +79,8 @@ static bool is_member(const murk_partial_plan *s, uint32_t candidate)
     return false;
 }
 
-/* What the least counts ask for costs at least, once the candidate stands. */
+/* The smallest cost of the candidates that the minimum counts still need after
+ * the candidate is added. */
 static uint64_t min_remaining_cost(const murk_partial_plan *s,
                                    uint32_t candidate)
 {
@@ -100,12 +106,14 @@ bool murk_partial_plan_can_add(const murk_partial_plan *s, uint32_t candidate,
 {
     const murk_constraint_set *set = s->set;
     const uint32_t class = set->class_of[candidate];
+    /* Counts: the class, the plan, and the places for minimum counts. */
     const size_t missing =
         s->missing - (s->class_count[class] < set->min[class] ? 1 : 0);
     if (s->class_count[class] >= set->max[class] ||
         s->size + 1 + missing > s->wanted || (is_last && missing > 0)) {
         return false;
     }
+    /* Budget, with a reserve for minimum counts. */
     if (set->has_budget) {
         const uint64_t cost =
             s->cost + murk_constraint_set_cost(set, candidate);
@@ -115,6 +123,7 @@ bool murk_partial_plan_can_add(const murk_partial_plan *s, uint32_t candidate,
             return false;
         }
     }
+    /* Members and conflicts. */
     if (is_member(s, candidate)) {
         return false;
     }
@@ -137,6 +146,8 @@ bool murk_partial_plan_complete(murk_partial_plan *s, bool *is_sure)
     const size_t first = s->size;
     uint32_t j = 0;
     *is_sure = true;
+    /* Add candidates in order of their index; at the end of the list,
+     * backtrack. */
     for (uint32_t tries = 0; !murk_partial_plan_is_complete(s); ++tries) {
         if (tries == TRIES_MAX || (tries % 4096 == 0 && murk_interrupted())) {
             *is_sure = false;
@@ -152,7 +163,8 @@ bool murk_partial_plan_complete(murk_partial_plan *s, bool *is_sure)
         if (s->size == first) {
             return false;
         }
-        j = s->member[s->size - 1] + 1; /* the last one was a wrong choice */
+        j = s->member[s->size - 1] +
+            1; /* backtrack: the last choice leads to no complete plan */
         murk_partial_plan_drop_last(s);
     }
     return true;

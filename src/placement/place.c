@@ -1,3 +1,21 @@
+/* The frame of every placement: checks the settings, ranks the candidates,
+ * finds the plan of each count (placement/incumbent.h), and makes the result.
+ * Bounds of one count also bound other counts.
+ *
+ * The guarantee is that of greedy for the given constraints. Greedy is greedy
+ * over sets that are k-extendible: k is 1 for the count and the minimum and
+ * maximum counts by class together (a matroid), 1 more for one sensor a site,
+ * and 12 more for a spacing (at most 12 sensors that keep the spacing lie
+ * closer than it to one point: the kissing number); a plain count is contained
+ * in these. The fraction is 1 / (k + 1). The value must be submodular, as it is
+ * for every way of combining entries; for detection probabilities up to
+ * rounding, 2 / 65535 of what is seen.
+ *
+ * Source: Nemhauser, Wolsey, Fisher, Math. Program. 14 (1978) 265,
+ * doi:10.1007/BF01588971 (count); Calinescu, Chekuri, Pal, Vondrak, SIAM J.
+ * Comput. 40 (2011) 1740, doi:10.1137/080733991 (1 / (k + 1)); Tang, Tang, Lim,
+ * Han, Li, Yuan, Proc. ACM Meas. Anal. Comput. Syst. 5 (2021) 8,
+ * doi:10.1145/3447386 (budget). */
 #include "placement/place.h"
 
 #include "base/interrupt.h"
@@ -8,7 +26,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The curve's last count: the one asked for, or the first that reaches the
+/* True for the last count: the wanted one, or the first that reaches the
  * target. */
 static bool is_last(const murk_incumbent *p, size_t k, uint64_t value)
 {
@@ -26,6 +44,7 @@ static murk_status find_all(murk_incumbent *p, murk_error *err)
     murk_curve_point last = {0};
     const uint32_t *from = NULL;
     murk_status status = MURK_OK;
+    /* Each count builds on the plan of the count before. */
     for (size_t k = p->first; !status && !murk_interrupted(); ++k) {
         status = murk_incumbent_count(p, k, from, &last, err);
         if (status) {
@@ -45,6 +64,7 @@ static murk_status find_all(murk_incumbent *p, murk_error *err)
             break;
         }
     }
+    /* Values of the last count, and counters of all. */
     result->value = last.value;
     result->upper = last.upper;
     result->is_work_cut = p->search.is_cut || p->starts.is_cut;
@@ -59,10 +79,10 @@ static uint64_t lesser(uint64_t a, uint64_t b)
     return a < b ? a : b;
 }
 
-/* Bounds of one count bound the others, too. By submodularity the best k + 1
- * see at most (k + 1) / k of the best k, where any of them may go, and where
- * `rounding` is what all of it may hide; and fewer sensors see no more, where
- * all can be filled up. */
+/* Bounds of one count bound others. By submodularity the best plan of k + 1 is
+ * worth at most (k + 1) / k times the best plan of k, if each of the sensors
+ * may be left out; `rounding` is the error of detection probabilities. A plan
+ * of fewer sensors is worth no more, if every plan can be completed. */
 static void join_bounds(murk_curve_point *curve, size_t n,
                         const murk_constraint_set *set, uint64_t rounding)
 {
@@ -84,19 +104,22 @@ static int by_number(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
+/* The fraction of the optimum that greedy reaches under a budget. */
 static const char *of_budget(const murk_constraint_set *set)
 {
-    /* Shown for a budget alone: no count that could end greedy before. */
+    /* Known only if no count can end greedy before the budget does. */
     const bool is_alone = !set->has_min && !set->has_caps &&
                           !set->has_conflicts &&
                           set->max_sensors == set->candidates;
     return is_alone ? ".405" : "none";
 }
 
+/* The fraction of the optimum that greedy reaches, by theorem; set NULL: no
+ * constraint but a count. "none" if no theorem is known. */
 static const char *greedy_guarantee(const murk_constraint_set *set)
 {
     static const char *const of_extendible[2][2][2] = {
-        /* [spacing][sites][classes] */
+        /* [spacing][sites][class counts] */
         {{"1 - (1 - 1/n)^n", "1/2"}, {"1/2", "1/3"}},
         {{"1/13", "1/14"}, {"1/14", "1/15"}}};
     if (!set) {
@@ -114,8 +137,8 @@ static const char *greedy_guarantee(const murk_constraint_set *set)
 
 static const char *guarantee_of(const murk_incumbent *p)
 {
-    /* best and exact start from greedy and only improve; relocation alone
-     * would give n / (2n - 1), which is less. */
+    /* MURK_PLACE_BEST and MURK_PLACE_EXACT start with greedy's plan and only
+     * improve it. Relocation alone assures n / (2n - 1), which is less. */
     const bool is_greedy =
         p->desc->method != MURK_PLACE_SPOQ && (!p->set || p->is_greedy_done);
     return is_greedy ? greedy_guarantee(p->set) : "none";
@@ -155,6 +178,7 @@ static murk_status place(murk_place_result *out, const murk_problem *problem,
     const murk_constraint_set *set = desc->constraints ? &rulebook : NULL;
     murk_incumbent p = {0};
     murk_place_result result = {0};
+    /* Check settings and constraints, rank the candidates. */
     murk_status status = murk_place_check(problem, matrix != NULL, desc, err);
     if (!status && set) {
         const bool is_max = desc->target || desc->constraints->budget > 0;
@@ -171,6 +195,7 @@ static murk_status place(murk_place_result *out, const murk_problem *problem,
     if (!status) {
         status = murk_incumbent_init(&p, &evaluator, set, desc, &result, err);
     }
+    /* Refuse a target beyond the ceiling. */
     if (!status && desc->target > evaluator.ceiling) {
         status = murk_fail(
             err, MURK_BAD_VALUE, "",
@@ -183,6 +208,7 @@ static murk_status place(murk_place_result *out, const murk_problem *problem,
     if (status) {
         goto done;
     }
+    /* Find the plans. */
     const bool starts =
         desc->method == MURK_PLACE_BEST || desc->method == MURK_PLACE_SPOQ;
     murk_progress_begin("place", starts ? desc->restarts : 0,
@@ -198,6 +224,7 @@ static murk_status place(murk_place_result *out, const murk_problem *problem,
     if (status) {
         goto done;
     }
+    /* Make the result. */
     for (size_t k = 0; k < result.count; ++k) {
         result.sensor[k] = p.plan[k];
     }

@@ -1,3 +1,7 @@
+/* Dominance between candidates: compares each pair of rows, in the order of
+ * falling value, because a row of larger value cannot be dominated. With one
+ * dominator needed the comparisons run in parallel; the result is the same for
+ * any number of threads. Source of the rule: header. */
 #include "placement/presolve.h"
 
 #include "base/interrupt.h"
@@ -7,16 +11,16 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 
-/* Pairs grow with the square: beyond this many candidates the search itself is
- * cheaper than finding whom it may skip. */
+/* The number of pairs grows with the square. Beyond this many candidates the
+ * comparisons take longer than the evaluations that they save. */
 #define CANDIDATES_MAX 10000
 
 typedef struct presolving {
     const murk_matrix *matrix;
     const murk_constraint_set *set;
     const uint32_t *order;
-    _Atomic uint32_t *first; /* [candidates] by rank: rank of the first
-                                dominator so far; own rank: none */
+    _Atomic uint32_t *first; /* [candidates] by rank: the rank of the first
+                                dominator found; the own rank: none */
     murk_cover *cover;       /* [threads] */
 } presolving;
 
@@ -29,9 +33,9 @@ static void lower_to(_Atomic uint32_t *cell, uint32_t value)
     }
 }
 
-/* Marks all that the candidate of this rank dominates. A dominated one may be
- * passed over, because its dominator marks the same and ranks before it: so
- * the outcome does not depend on who comes first. */
+/* Marks all candidates that the candidate of this rank dominates. A dominated
+ * candidate may be passed over: the dominator marks the same candidates and
+ * ranks first. So the result does not depend on the order of the tasks. */
 static void mark(void *context, unsigned worker, uint64_t batch)
 {
     presolving *p = context;
@@ -65,6 +69,7 @@ murk_status murk_presolve(uint32_t *dominator, const murk_matrix *matrix,
         return MURK_OK;
     }
     murk_status status = MURK_OK;
+    /* One cover per thread holds the row under comparison. */
     presolving p = {.matrix = matrix,
                     .set = set,
                     .order = order,
@@ -83,6 +88,7 @@ murk_status murk_presolve(uint32_t *dominator, const murk_matrix *matrix,
     for (uint32_t k = 0; k < n; ++k) {
         atomic_init(&p.first[k], k);
     }
+    /* Compare all pairs; then translate ranks to candidates. */
     murk_pool_run_workers(threads, n, mark, &p);
     for (size_t k = 0; k < n; ++k) {
         dominator[order[k]] = order[atomic_load(&p.first[k])];
@@ -96,8 +102,8 @@ done:
     return status;
 }
 
-/* One after the other: whether a candidate is kept must be known before it
- * counts for others. */
+/* Sequential, because a candidate counts as a dominator of others only if it is
+ * kept itself. */
 static void drop_many(bool *is_dropped, size_t *dominators, murk_cover *cover,
                       const murk_matrix *matrix, const murk_constraint_set *set,
                       const uint32_t *order, size_t needed)

@@ -1,3 +1,8 @@
+/* Relaxations of the constraints, for candidates whose gains simply add up:
+ * greedy over the matroid of class counts, greedy over sites, and the
+ * fractional knapsack. The knapsack charges Lagrangian multipliers for places
+ * in classes with a maximum count; they are improved from call to call by Rprop
+ * steps. Every bound is valid for every multiplier. */
 #include "placement/relaxation.h"
 
 #include <stdlib.h>
@@ -12,8 +17,8 @@ static bool is_denser(uint64_t gain, uint64_t cost, uint64_t than_gain,
     return (wide)gain * than_cost > (wide)than_gain * cost;
 }
 
-/* Gain per cost, falling; what is free first, by gain, but what brings nothing
- * last; then number. */
+/* Falling gain per cost. Candidates without cost come first, by gain;
+ * candidates without gain come last; then by index. */
 int murk_compare_density(const void *a, const void *b)
 {
     const murk_priced *x = a, *y = b;
@@ -49,6 +54,7 @@ murk_status murk_relaxation_init(murk_relaxation *out,
         .cost = calloc(n, sizeof *out->cost),
         .class_count = calloc(set->classes, sizeof *out->class_count),
         .is_used = calloc(set->sites + 1, sizeof *out->is_used)};
+    /* Multipliers exist only for maximum counts under a budget. */
     const bool has_multipliers = set->has_budget && set->has_caps;
     if (has_multipliers) {
         out->multiplier = calloc(set->classes, sizeof *out->multiplier);
@@ -76,7 +82,8 @@ void murk_relaxation_release(murk_relaxation *relaxed)
     *relaxed = (murk_relaxation){0};
 }
 
-/* The best `left` under caps, and least counts if told so; into picked. */
+/* Chooses the best `left` candidates under maximum counts, and with_min under
+ * minimum counts, into r->picked. Returns the sum of the gains. */
 static uint64_t pick_by_class(murk_relaxation *r, const murk_partial_plan *s,
                               const murk_ranked *ranked, size_t n, size_t left,
                               bool with_min, size_t *chosen)
@@ -102,7 +109,7 @@ static uint64_t pick_by_class(murk_relaxation *r, const murk_partial_plan *s,
     return sum;
 }
 
-/* The best `left` with one a site; into picked. */
+/* Chooses the best `left` candidates with one a site, into r->picked. */
 static uint64_t pick_by_site(murk_relaxation *r, size_t n, size_t left,
                              size_t *chosen)
 {
@@ -122,7 +129,8 @@ static uint64_t pick_by_site(murk_relaxation *r, size_t n, size_t left,
     return sum;
 }
 
-/* gain * part / whole, rounded down: what all gains add up to is whole. */
+/* gain * part / whole, rounded down: the sum of whole gains is whole, so the
+ * bound stays valid. */
 static uint64_t part_of(uint64_t gain, uint64_t part, uint64_t whole)
 {
     return (uint64_t)((wide)gain * part / whole);
@@ -134,10 +142,12 @@ static uint64_t product_saturated(uint64_t a, uint64_t b)
     return product > UINT64_MAX ? UINT64_MAX : (uint64_t)product;
 }
 
-/* Sorts by density and adds up; with multipliers, what is left of gains after
- * them, and the fees for what a standing plan leaves of the caps. */
+/* Sorts by density and makes the prefix sums. With multipliers each gain is
+ * reduced by the charge of the class, and cap_charges is the sum of the charges
+ * for all free places. */
 static void price(murk_relaxation *r, size_t n, const murk_partial_plan *s)
 {
+    /* Charges of all free places. */
     const murk_constraint_set *set = r->set;
     murk_constraint_multiplier *multiplier = s ? r->multiplier : NULL;
     r->cap_charges = 0;
@@ -147,6 +157,7 @@ static void price(murk_relaxation *r, size_t n, const murk_partial_plan *s)
             r->cap_charges, product_saturated(multiplier[c].multiplier,
                                               set->max[c] - s->class_count[c]));
     }
+    /* Gains less charges, by density, with prefix sums. */
     for (size_t k = 0; k < n; ++k) {
         const uint32_t j = r->order[k].candidate;
         const uint64_t gain = r->order[k].bound;
@@ -163,10 +174,11 @@ static void price(murk_relaxation *r, size_t n, const murk_partial_plan *s)
     r->live = n;
 }
 
-/* How many of priced, in their order, a budget pays whole. */
+/* The number of candidates, in the order of priced, that the budget pays
+ * entirely. */
 static size_t paid_by(const murk_relaxation *r, uint64_t budget)
 {
-    size_t low = 0, high = r->live; /* cost[low] <= budget */
+    size_t low = 0, high = r->live; /* invariant: cost[low] <= budget */
     while (low < high) {
         const size_t middle = low + (high - low + 1) / 2;
         if (r->cost[middle] <= budget) {
@@ -189,8 +201,8 @@ static uint64_t knapsack(const murk_relaxation *r, uint64_t budget)
         part_of(r->priced[k].gain, budget - r->cost[k], r->priced[k].cost));
 }
 
-/* What the budget pays, the last in part: over many calls it is picked as
- * often as its part says. */
+/* Chooses the candidates that the budget pays. The last one is paid in part:
+ * over many calls it is chosen as often as its fraction. */
 static void pick_by_cost(murk_relaxation *r, uint64_t budget, size_t *chosen)
 {
     const size_t k = paid_by(r, budget);
@@ -208,11 +220,11 @@ static void pick_by_cost(murk_relaxation *r, uint64_t budget, size_t *chosen)
     }
 }
 
-/* A class that fills more than its cap allows is charged more, one that leaves
- * places less: by steps that grow while they go on and halve where they turn
- * (Riedmiller, Braun, Proc. IEEE ICNN (1993) 586,
- * doi:10.1109/ICNN.1993.298623). `picked` is what the multipliers of now let
- * in. */
+/* Updates the multipliers: up for a class with more sensors than the maximum
+ * count, down for a class with free places. Step lengths grow by 1/4 while the
+ * direction stays and halve when it changes (Riedmiller, Braun, Proc. IEEE ICNN
+ * (1993) 586, doi:10.1109/ICNN.1993.298623). The first `picked` entries of
+ * r->picked are the choice under the present multipliers. */
 static void update_multipliers(murk_relaxation *r, const murk_partial_plan *s,
                                size_t picked)
 {
@@ -222,7 +234,7 @@ static void update_multipliers(murk_relaxation *r, const murk_partial_plan *s,
         r->class_count[set->class_of[r->picked[k].candidate]] +=
             r->picked[k].bound > 0;
     }
-    /* more than the greatest gain keeps nobody else out */
+    /* a charge above the largest gain keeps no further candidate out */
     const uint64_t max = r->live ? r->order[0].bound : 0;
     for (size_t c = 0; c < set->classes; ++c) {
         murk_constraint_multiplier *t = &r->multiplier[c];
@@ -230,7 +242,7 @@ static void update_multipliers(murk_relaxation *r, const murk_partial_plan *s,
         const int direction = r->class_count[c] > places   ? 1
                               : r->class_count[c] < places ? -1
                                                            : 0;
-        if (t->step == 0) { /* a first guess: what an average sensor brings */
+        if (t->step == 0) { /* first guess: half of the mean gain */
             t->step = picked ? r->value[picked < r->live ? picked : r->live] /
                                    (2 * picked)
                              : 0;
@@ -254,15 +266,18 @@ uint64_t murk_relaxation_top(murk_relaxation *r, const murk_partial_plan *s,
                              size_t n, murk_ranked *top, size_t *chosen)
 {
     const murk_constraint_set *set = r->set;
+    /* Sort by gain. */
     const size_t left = s->wanted - s->size;
     for (size_t k = 0; k < n; ++k) {
         r->order[k] = (murk_ranked){gain[k], live[k]};
     }
     murk_ranked_sort(r->order, n);
+    /* Class counts. */
     const size_t fewer = left > 0 ? left - 1 : 0;
     r->others = pick_by_class(r, s, r->order, n, fewer, false, chosen);
     uint64_t best = pick_by_class(r, s, r->order, n, left, true, chosen);
     memcpy(top, r->picked, *chosen * sizeof *top);
+    /* One sensor a site, if that bound is smaller. */
     if (set->site) {
         size_t kept = 0;
         const uint64_t others = pick_by_site(r, n, fewer, &kept);
@@ -274,6 +289,7 @@ uint64_t murk_relaxation_top(murk_relaxation *r, const murk_partial_plan *s,
             memcpy(top, r->picked, kept * sizeof *top);
         }
     }
+    /* The budget, if that bound is smaller. */
     if (set->has_budget) {
         const uint64_t budget = set->budget - s->cost;
         price(r, n, s);
@@ -301,7 +317,7 @@ uint64_t murk_relaxation_others(const murk_relaxation *r,
     }
     const uint64_t left = r->set->budget - s->cost;
     const uint64_t cost = murk_constraint_set_cost(r->set, candidate);
-    /* its own place is taken, and free of charge to the others */
+    /* the candidate's own place is taken, so the others need not pay for it */
     const uint64_t own =
         r->multiplier ? r->multiplier[r->set->class_of[candidate]].charged : 0;
     const uint64_t cap_charges =

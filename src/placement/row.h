@@ -73,6 +73,7 @@ static inline murk_row_walk murk_row_begin(const murk_layout *layout,
 static inline bool murk_row_next(murk_row_walk *walk, size_t *slot,
                                  uint16_t *clarity)
 {
+    /* Bits: the lowest bit left of the word, or of the next word with one. */
     const murk_row *row = walk->row;
     if (row->kind == MURK_ROW_BITS || row->kind == MURK_ROW_PACKED) {
         while (walk->left == 0) {
@@ -87,6 +88,7 @@ static inline bool murk_row_next(murk_row_walk *walk, size_t *slot,
         *clarity = row->kind == MURK_ROW_PACKED ? *walk->clarity++ : MURK_CLEAR;
         return true;
     }
+    /* Other formats: the next entry. */
     if (walk->at >= walk->end) {
         return false;
     }

@@ -1,3 +1,8 @@
+/* Scans: the largest gain over a partial plan, and all candidates that have it.
+ * Undominated candidates are evaluated in falling order of an upper bound until
+ * the bound falls below the best gain; dominated candidates are evaluated only
+ * if the dominator has the best gain. Upper bounds for detection probabilities
+ * are many times faster than gains, so they come first. */
 #include "placement/scan.h"
 
 #include "base/interrupt.h"
@@ -21,6 +26,8 @@ murk_status murk_gain_scan_init(murk_gain_scan *out,
                                 unsigned worker, unsigned threads,
                                 murk_error *err)
 {
+    /* Fast upper bounds exist for detection probabilities; costs matter only
+     * with a budget. */
     const size_t n = evaluator->candidates + 1;
     const bool has_budget = evaluator->set && evaluator->set->has_budget;
     *out = (murk_gain_scan){
@@ -85,7 +92,7 @@ uint64_t murk_gain_scan_add(murk_gain_scan *s, uint32_t candidate)
     const murk_layout *layout = s->evaluator->layout;
     const murk_row row = murk_evaluator_row(s->evaluator, s->worker, candidate);
     s->queries += s->evaluator->matrix ? 0 : 1;
-    s->rows += 2; /* weighed and joined */
+    s->rows += 2; /* evaluated and added */
     const uint64_t gain = murk_row_gain(layout, &row, &s->cover);
     murk_cover_add(&s->cover, layout, &row);
     s->is_partial[candidate] = true;
@@ -126,7 +133,9 @@ uint64_t murk_gain_scan_evaluate(murk_gain_scan *s, size_t n, uint64_t best)
     return best;
 }
 
-/* Weighs those of the chunk that may be the best: first the most promising. */
+/* Evaluates the candidates of the chunk that may have the best gain. With fast
+ * upper bounds: the candidate with the largest bound first, then those whose
+ * bound still reaches the best gain. */
 static uint64_t evaluate_promising(murk_gain_scan *s, size_t n, uint64_t best)
 {
     if (!s->max || n == 0) {
@@ -140,6 +149,7 @@ static uint64_t evaluate_promising(murk_gain_scan *s, size_t n, uint64_t best)
         s->max[s->chunk[k]] = s->chunk_gain[k];
         first = s->chunk_gain[k] > s->chunk_gain[first] ? k : first;
     }
+    /* Evaluate the candidate with the largest bound. */
     const uint32_t held = s->chunk[0];
     s->chunk[0] = s->chunk[first];
     s->chunk[first] = held;
@@ -147,6 +157,7 @@ static uint64_t evaluate_promising(murk_gain_scan *s, size_t n, uint64_t best)
         return best;
     }
     best = murk_gain_scan_evaluate(s, 1, best);
+    /* Then those that may still reach the best gain. */
     size_t kept = 0;
     for (size_t k = 1; k < n; ++k) {
         if (s->max[s->chunk[k]] >= best) {
@@ -156,8 +167,8 @@ static uint64_t evaluate_promising(murk_gain_scan *s, size_t n, uint64_t best)
     return murk_gain_scan_evaluate(s, kept, best);
 }
 
-/* The undominated, from the most promising on, until the rest cannot reach
- * the best. */
+/* Evaluates the undominated candidates by falling upper bound, until no bound
+ * reaches the best gain. */
 static uint64_t evaluate_undominated(murk_gain_scan *s,
                                      const murk_ranked *ranking)
 {
@@ -179,7 +190,8 @@ static uint64_t evaluate_undominated(murk_gain_scan *s,
     return best;
 }
 
-/* The dominated whose dominator has the best gain: they may tie. */
+/* Evaluates the dominated candidates whose dominator has the best gain: they
+ * may tie. */
 static void evaluate_dominated(murk_gain_scan *s, uint64_t best)
 {
     const murk_evaluator *o = s->evaluator;
@@ -214,7 +226,7 @@ uint64_t murk_gain_scan_find_best(murk_gain_scan *s, const murk_ranked *ranking,
                                   uint64_t value)
 {
     const murk_evaluator *o = s->evaluator;
-    memset(s->gain, 0xff, o->candidates * sizeof *s->gain); /* NOT_WEIGHED */
+    memset(s->gain, 0xff, o->candidates * sizeof *s->gain); /* NOT_EVALUATED */
     if (s->max) {
         memset(s->max, 0xff, o->candidates * sizeof *s->max);
     }
@@ -223,7 +235,7 @@ uint64_t murk_gain_scan_find_best(murk_gain_scan *s, const murk_ranked *ranking,
         best = evaluate_undominated(s, ranking);
     }
     s->ties = 0;
-    if (best == 0) { /* all that are free add the same: nothing */
+    if (best == 0) { /* every candidate that can be added has gain 0 */
         for (uint32_t j = 0; j < o->candidates; ++j) {
             if (!contains(plan, n, but, j) && murk_gain_scan_can_add(s, j)) {
                 s->tie[s->ties++] = j;
@@ -242,7 +254,7 @@ uint64_t murk_gain_scan_find_best(murk_gain_scan *s, const murk_ranked *ranking,
 
 void murk_gain_scan_update_bounds(murk_gain_scan *s)
 {
-    /* what was weighed can only fall, but for rounding */
+    /* computed gains bound later ones, up to the rounding slack */
     const size_t n = s->evaluator->undominated;
     for (size_t k = 0; k < n; ++k) {
         const uint32_t j = s->ranking[k].candidate;

@@ -1,3 +1,6 @@
+/* Greedy, SPOQ and certified relocation (placement/search.h). All are made of
+ * scans over a partial plan (placement/scan.h). Random numbers are addressed by
+ * seed, start and step, so a start gives the same plan in any thread. */
 #include "placement/search.h"
 
 #include "base/interrupt.h"
@@ -8,10 +11,11 @@
 
 #define CHUNK MURK_SCAN_CHUNK
 
-/* What any candidate adds to what stands, worth `value`, is at most its
- * ranking's bound, and k more add at most the sum of the k largest. (Rounding
- * of chances: k that see a photon together exceed their sum by less than 1.02
- * (k + 1), and each bound has 2 of slack.) */
+/* Lowers greedy_bound, from the ranking of a plan worth `value`. Every
+ * candidate adds at most the bound in the ranking, so k more candidates add at
+ * most the sum of the k largest bounds. (Rounding of probabilities: k
+ * candidates that see a photon together exceed the sum by less than 1.02 (k +
+ * 1), and each bound has a slack of 2.) */
 static void lower_greedy_bounds(murk_gain_scan *s, uint64_t value)
 {
     const size_t n = s->evaluator->undominated;
@@ -23,8 +27,8 @@ static void lower_greedy_bounds(murk_gain_scan *s, uint64_t value)
     }
 }
 
-/* Under rules: the plan is to have n sensors, or n at most, and begins with
- * those fixed. Returns how many are given. */
+/* With constraints: begins a plan of n sensors, or of n at most, with the fixed
+ * sensors. Returns the number of sensors given. */
 static size_t begin(murk_gain_scan *s, uint32_t *plan, size_t given, size_t n)
 {
     const murk_constraint_set *set = s->evaluator->set;
@@ -51,7 +55,7 @@ static bool has_budget(const murk_gain_scan *s)
     return s->evaluator->set && s->evaluator->set->has_budget;
 }
 
-/* Whether a plan under a budget needs no more that bring nothing. */
+/* True if a plan under a budget is complete and the last gain is 0. */
 static bool is_enough(const murk_gain_scan *s, uint64_t gain)
 {
     return gain == 0 && has_budget(s) && s->partial.missing == 0;
@@ -62,6 +66,7 @@ uint64_t murk_search_greedy(murk_gain_scan *s, uint32_t *plan, size_t given,
 {
     const murk_evaluator *o = s->evaluator;
     memcpy(s->ranking, o->ranked, o->candidates * sizeof *s->ranking);
+    /* The given sensors form the partial plan. */
     given = begin(s, plan, given, n);
     uint64_t value = murk_gain_scan_set_all_but(s, plan, given, given);
     if (value_after && given > 0) {
@@ -75,6 +80,7 @@ uint64_t murk_search_greedy(murk_gain_scan *s, uint32_t *plan, size_t given,
         if (s->ties == 0 || is_enough(s, gain)) {
             break;
         }
+        /* Add the best candidate, and learn from the scan. */
         s->size = k + 1;
         plan[k] = s->tie[0];
         murk_gain_scan_add(s, plan[k]);
@@ -88,8 +94,9 @@ uint64_t murk_search_greedy(murk_gain_scan *s, uint32_t *plan, size_t given,
     return value;
 }
 
-/* Weighs again, from the densest on, until the rest cannot be as dense; those
- * weighed keep what they now bring. Returns the densest, gain 0: none adds. */
+/* Finds the candidate with the largest gain per cost; gain 0 if no candidate
+ * has one. Evaluates in falling order of an upper bound, until the bound falls
+ * below the best; s->priced keeps the computed gains as bounds. */
 static murk_priced find_best_density(murk_gain_scan *s)
 {
     const size_t n = s->evaluator->candidates;
@@ -97,6 +104,7 @@ static murk_priced find_best_density(murk_gain_scan *s)
     qsort(s->priced, n, sizeof *s->priced, murk_compare_density);
     for (size_t k = 0; k < n && s->priced[k].gain > 0 && !murk_interrupted();) {
         size_t place[CHUNK], gathered = 0;
+        /* Gather candidates that may be the best. */
         for (; k < n && gathered < CHUNK && s->priced[k].gain > 0; ++k) {
             if (best.gain > 0 &&
                 murk_compare_density(&s->priced[k], &best) > 0) {
@@ -110,6 +118,7 @@ static murk_priced find_best_density(murk_gain_scan *s)
         if (gathered == 0) {
             break;
         }
+        /* Evaluate them. */
         murk_gain_scan_evaluate(s, gathered, 0);
         for (size_t i = 0; i < gathered; ++i) {
             murk_priced *later = &s->priced[place[i]];
@@ -125,7 +134,8 @@ static murk_priced find_best_density(murk_gain_scan *s)
     return best;
 }
 
-/* The cheapest that a least count still asks for; false when there is none. */
+/* The cheapest candidate that a minimum count still needs; false if there is
+ * none. */
 static bool find_required(const murk_gain_scan *s, uint32_t *candidate)
 {
     const murk_constraint_set *set = s->evaluator->set;
@@ -166,6 +176,8 @@ uint64_t murk_search_budget_greedy(murk_gain_scan *s, uint32_t *plan,
     return value;
 }
 
+/* Prepares a random permutation of 0..m-1, drawn entry by entry (Fisher-Yates).
+ */
 static void draw_begin(uint32_t *shuffle, size_t m)
 {
     for (uint32_t j = 0; j < m; ++j) {
@@ -173,6 +185,7 @@ static void draw_begin(uint32_t *shuffle, size_t m)
     }
 }
 
+/* Draws entry k of the permutation, after all entries before it; k < m. */
 static uint32_t draw_next(uint32_t *shuffle, size_t m, uint32_t k,
                           uint32_t seed, uint64_t restart)
 {
@@ -184,6 +197,7 @@ static uint32_t draw_next(uint32_t *shuffle, size_t m, uint32_t k,
     return drawn;
 }
 
+/* A random order of 0..n-1 for one sweep (Fisher-Yates). */
 static void draw_order(uint32_t *order, size_t n, uint32_t seed,
                        uint64_t restart, uint32_t sweep)
 {
@@ -210,8 +224,8 @@ static void draw_start(murk_gain_scan *s, uint32_t *plan, size_t n,
     }
 }
 
-/* Candidates in random order, each taken if the rules let it; the spare plan
- * where that ends short. */
+/* Takes candidates in random order, each if the constraints allow it. If that
+ * does not complete a plan, returns the fallback plan. */
 static size_t draw_feasible_start(murk_gain_scan *s, uint32_t *plan, size_t n,
                                   uint32_t seed, uint64_t restart)
 {
@@ -245,7 +259,7 @@ size_t murk_search_draw(murk_gain_scan *s, uint32_t *plan, size_t n,
     return n;
 }
 
-/* Whether the work is to end here. */
+/* True if the search must end: by the limit on work or by an interrupt. */
 static bool is_work_spent(murk_gain_scan *s)
 {
     s->is_cut = s->is_cut || s->rows > s->rows_max;
@@ -262,6 +276,8 @@ uint64_t murk_search_spoq(murk_gain_scan *s, uint32_t *plan, size_t n,
     uint32_t sweep = 0, step = 0;
     do {
         before = value;
+        /* One sweep: each sensor moves to the best candidate, ties at random.
+         */
         draw_order(s->shuffle, n - fixed, seed, restart, sweep++);
         for (size_t k = 0; k < n - fixed && !is_work_spent(s); ++k) {
             const size_t mover = fixed + s->shuffle[k];
@@ -274,6 +290,7 @@ uint64_t murk_search_spoq(murk_gain_scan *s, uint32_t *plan, size_t n,
             murk_random_words(seed, MURK_SPOQ_TIE, restart, step++, 0, word);
             plan[mover] = s->tie[murk_random_below(word[0], (uint32_t)s->ties)];
         }
+        /* With a budget, spend the rest of it. */
         if (has_budget(s)) {
             value = murk_search_budget_greedy(s, plan, n);
             n = s->size;
@@ -288,7 +305,8 @@ uint64_t murk_search_value(murk_gain_scan *s, const uint32_t *plan, size_t n)
     return murk_gain_scan_set_all_but(s, plan, n, n);
 }
 
-/* Moves single sensors until none gains; returns the value. */
+/* Relocates single sensors until no move increases the value. Returns the
+ * value. */
 static uint64_t relocate_sensors(murk_gain_scan *s, uint32_t *plan, size_t n)
 {
     const size_t fixed = fixed_count(s), movers = n - fixed;
@@ -310,7 +328,7 @@ static uint64_t relocate_sensors(murk_gain_scan *s, uint32_t *plan, size_t n)
             plan[k] = s->tie[0];
             still = 0;
         }
-        ++still; /* one that has just moved stands best, too */
+        ++still; /* a sensor that has just moved is at the best candidate */
     }
     return value;
 }

@@ -1,8 +1,12 @@
+/* Defaults and check of a placement's settings, and the release of a result.
+ * The check covers all that does not depend on the constraints in detail
+ * (placement/constraints.h checks these). */
 #include "placement/settings.h"
 
 #include <stdlib.h>
 
-#define WEIGHT_MAX ((UINT64_C(1) << 47) - 1) /* problem.h */
+/* Weights add up to less than 2^47 (placement/problem.h). */
+#define WEIGHT_MAX ((UINT64_C(1) << 47) - 1)
 
 murk_place_desc murk_place_defaults(void)
 {
@@ -14,9 +18,11 @@ murk_place_desc murk_place_defaults(void)
                              .with_curve = true};
 }
 
-static murk_status check_views(const murk_problem *problem, murk_error *err)
+static murk_status check_redundancy(const murk_problem *problem,
+                                    murk_error *err)
 {
     const size_t layers = murk_problem_layers(problem);
+    /* Redundancy, and the sum of the weights. */
     if (layers > MURK_REDUNDANCY_MAX) {
         return murk_fail(err, MURK_BAD_VALUE, "",
                          "redundancy is %zu, must be 1..%d", layers,
@@ -46,6 +52,7 @@ murk_status murk_place_check(const murk_problem *problem, bool known,
                              const murk_place_desc *desc, murk_error *err)
 {
     const bool has_budget = desc->constraints && desc->constraints->budget > 0;
+    /* Count, target and budget. */
     if (has_budget && desc->target) {
         return murk_fail(err, MURK_BAD_VALUE, "",
                          "a target and a budget are given, must be one");
@@ -60,6 +67,7 @@ murk_status murk_place_check(const murk_problem *problem, bool known,
                          "candidates",
                          desc->count, problem->candidates);
     }
+    /* Method and starts. */
     if (desc->method == MURK_PLACE_EXACT && !known) {
         return murk_fail(err, MURK_BAD_VALUE, "",
                          "method exact needs what every candidate sees: "
@@ -69,7 +77,7 @@ murk_status murk_place_check(const murk_problem *problem, bool known,
         return murk_fail(err, MURK_BAD_VALUE, "",
                          "restarts is 0, must be 1 or more");
     }
-    return check_views(problem, err);
+    return check_redundancy(problem, err);
 }
 
 void murk_place_release(murk_place_result *result)

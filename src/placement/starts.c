@@ -1,3 +1,7 @@
+/* SPOQ starts followed by relocation, several at once. Each start writes to a
+ * place of its own; the results are then accepted in the order of the starts,
+ * with the stop rule applied after each. So the plan is the same for any number
+ * of threads, and the starts beyond the stop are discarded. */
 #include "placement/starts.h"
 
 #include "base/interrupt.h"
@@ -8,11 +12,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* One start takes at most this part of the work that all may. */
+/* One start takes at most an eighth of the work of all starts, so that at least
+ * eight are made (a choice). */
 #define STARTS_OF_ALL_WORK 8
 
-/* Starts handed to each thread at once: fewer would wait for threads to begin,
- * more would be made in vain past the stop. */
+/* Starts handed to each thread at once: with fewer, threads wait for the start
+ * of the others; with more, more starts beyond the stop are in vain (a choice).
+ */
 #define STARTS_PER_WORKER 4
 
 static void run_start(void *context, unsigned worker, uint64_t batch)
@@ -36,8 +42,8 @@ static void run_start(void *context, unsigned worker, uint64_t batch)
 murk_status murk_starts_init(murk_starts *t, const murk_evaluator *evaluator,
                              size_t count, uint32_t seed, murk_error *err)
 {
-    /* In an unknown environment, and where a scan is long, threads share each
-     * scan; else each takes a start of its own. */
+    /* In an unknown environment, and for long scans, threads share each scan.
+     * Otherwise each thread makes a start of its own. */
     const unsigned threads = evaluator->problem->threads;
     const bool is_wide = !evaluator->matrix ||
                          murk_evaluator_threads(evaluator, MURK_SCAN_CHUNK) > 1;
@@ -59,7 +65,7 @@ murk_status murk_starts_init(murk_starts *t, const murk_evaluator *evaluator,
                          count);
     }
     murk_status status = MURK_OK;
-    /* one start must not take it all: others run beside it */
+    /* a single start must not take all the work */
     const uint64_t rows_max =
         murk_gain_scan_rows_max(evaluator) / STARTS_OF_ALL_WORK;
     for (; t->workers < workers && !status; ++t->workers) {
@@ -106,11 +112,13 @@ uint64_t murk_starts_try(murk_starts *t, uint32_t *plan, size_t *size, size_t n,
         const size_t left = max - done;
         const size_t wave = left < t->wave_max ? left : t->wave_max;
         t->first = done;
+        /* Make a wave of starts. */
         if (t->workers > 1) {
             murk_pool_run_workers(t->workers, wave, run_start, t);
         } else {
             run_start(t, 0, 0);
         }
+        /* Accept the starts in order. */
         for (size_t k = 0;
              k < wave && without_gain < MURK_STARTS_WITHOUT_GAIN &&
              value < upper && t->all_rows <= rows_max;

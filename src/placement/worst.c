@@ -1,3 +1,6 @@
+/* The frame of a placement for the worst scenario: checks the settings, ranks
+ * the candidates, finds the plan of each count (placement/worst_count.h), and
+ * makes the result. */
 #include "placement/worst.h"
 
 #include "base/interrupt.h"
@@ -30,6 +33,7 @@ static murk_status begin(murk_worst_run *w, const murk_problem *problem,
     if (status) {
         return status;
     }
+    /* A curve starts at the smallest feasible count. */
     const bool is_curve =
         (desc->with_curve || desc->target) && !(w->set && w->set->has_budget);
     w->last = w->set ? w->set->max_sensors : desc->count;
@@ -66,6 +70,8 @@ static murk_status find_all(murk_worst_run *w, murk_error *err)
                               : murk_fail(err, MURK_NO_MEMORY, "",
                                           "no memory for %zu sensors", w->last);
     for (size_t k = w->first; !status && !murk_interrupted(); ++k) {
+        /* With a target, any count may become the plan; branch and bound is for
+         * the plan only. */
         const bool is_asked = target || k == w->last;
         status =
             murk_worst_count(w, k, is_asked, k > w->first ? from : NULL, err);
@@ -94,7 +100,7 @@ static murk_status find_all(murk_worst_run *w, murk_error *err)
     return status;
 }
 
-/* Fewer sensors see no more, where all plans can be filled up. */
+/* A plan of fewer sensors covers no more, if every plan can be completed. */
 static void join_bounds(murk_curve_point *curve, size_t n,
                         const murk_constraint_set *set)
 {
@@ -168,6 +174,7 @@ murk_status murk_place_worst(murk_place_result *out,
                         .set = desc->constraints ? &rulebook : NULL,
                         .blocks = blocks->n,
                         .result = &result};
+    /* Check settings and constraints, rank the candidates. */
     murk_status status = murk_place_check(problem, true, desc, err);
     if (!status && desc->constraints) {
         const bool is_max = desc->target || desc->constraints->budget > 0;
@@ -190,6 +197,7 @@ murk_status murk_place_worst(murk_place_result *out,
     if (status) {
         goto done;
     }
+    /* Find the plans, and make the result. */
     const bool starts =
         desc->method == MURK_PLACE_BEST || desc->method == MURK_PLACE_SPOQ;
     murk_progress_begin("place", starts ? desc->restarts : 0,

@@ -1,3 +1,6 @@
+/* The bound on the smallest worth: a Lagrangian bound for each lambda, and
+ * steps of mirror descent on lambda. The multipliers go on from lambda to
+ * lambda. All rounding is towards a larger bound. */
 #include "placement/worst_bound.h"
 
 #include "base/interrupt.h"
@@ -9,19 +12,21 @@
 
 typedef murk_uint128 wide;
 
-/* Scaled weights add up to less than this, and none reaches 2^32. */
+/* Scaled weights add up to less than 2^46, and none reaches 2^32, as
+ * placement/problem.h and the layout require. */
 #define WEIGHT_SUM 0x1p46
 #define WEIGHT_MAX 0x1p31
 
-/* Blocks are weighed by whole factors below FACTOR_MOST, over 2^shift. */
+/* Factors of the blocks are whole numbers below FACTOR_MAX, divided by 2^shift.
+ * Both limits keep a product with a 32-bit weight within 64 bits. */
 #define FACTOR_MAX 0x1p31
 #define SHIFT_MAX  31
 
-/* Above the smallest block value of any plan. With regret that value can exceed
- * 1, because a plan may beat the reference. */
+/* Larger than the smallest worth of any plan. With regret a worth can exceed 1,
+ * because a plan may beat the reference. */
 #define WORTH_MAX (UINT64_C(1) << 60)
 
-/* No block is ever lost sight of. */
+/* The smallest lambda, so that no block drops out for good. */
 #define LAMBDA_MIN 1e-9
 
 murk_status murk_worst_bound_init(murk_worst_bound *out,
@@ -36,6 +41,7 @@ murk_status murk_worst_bound_init(murk_worst_bound *out,
         .weight = calloc(o->problem->photons + 1, sizeof *out->weight),
         .top = calloc(n, sizeof *out->top),
         .gains = calloc(n, sizeof *out->gains)};
+    /* Begin with equal lambda. */
     double lambda[MURK_BLOCKS_MAX];
     for (size_t c = 0; c < blocks; ++c) {
         lambda[c] = 1 / (double)blocks;
@@ -66,8 +72,8 @@ void murk_worst_bound_release(murk_worst_bound *b)
     *b = (murk_worst_bound){0};
 }
 
-/* Each block's factor is factor[c] / 2^shift: lambda over its whole, as large
- * as weights of 32 bits and their sum allow. */
+/* The factor of each block, factor[c] / 2^shift: lambda over the unit, as large
+ * as the limits on weights allow. Returns shift. */
 static unsigned find_factors(const murk_worst_bound *b, const double *lambda,
                              uint64_t *factor)
 {
@@ -77,7 +83,7 @@ static unsigned find_factors(const murk_worst_bound *b, const double *lambda,
         sum += lambda[c] * (double)b->layouts->whole[c] /
                (double)b->layouts->unit[c];
     }
-    /* shares add up to 1, but for rounding */
+    /* the shares add up to 1, but for rounding */
     double scale = WEIGHT_SUM * MURK_CLEAR / fmax(1, sum * (1 - 0x1p-40));
     for (size_t c = 0; c < n; ++c) {
         const double per_unit = lambda[c] / (double)b->layouts->unit[c];
@@ -122,7 +128,8 @@ murk_status murk_worst_bound_set_lambda(murk_worst_bound *b,
     const murk_status status = murk_layout_reweigh(
         &b->layout, layouts->evaluator->layout, b->weight, err);
     if (!status) {
-        b->bound.last_count = 0; /* its slopes were of other weights */
+        b->bound.last_count =
+            0; /* the mean of subgradients was that of other weights */
         b->evaluator.ceiling = b->layout.whole;
         b->evaluator.grain = (uint64_t)b->layout.weight_gcd *
                              (b->evaluator.is_binary ? MURK_CLEAR : 1);
@@ -147,7 +154,8 @@ uint64_t murk_worst_bound_share(const murk_worst_bound *b, uint64_t value)
     return share < WORTH_MAX ? (uint64_t)share : WORTH_MAX;
 }
 
-/* What the bound at the present thresholds sees of each block, as a share. */
+/* The share of each block at the present multipliers, in the choice that makes
+ * the bound. */
 static void find_shares(murk_worst_bound *b, size_t n, double *share)
 {
     const murk_block_layouts *v = b->layouts;
@@ -166,7 +174,8 @@ static void find_shares(murk_worst_bound *b, size_t n, double *share)
     t->evaluator = &b->evaluator;
 }
 
-/* lambda_c times exp(-step * (share_c - mean) / widest), made to sum 1. */
+/* One step of mirror descent: lambda_c times exp(-step * (share_c - mean) /
+ * widest), scaled to sum 1. */
 static void step_lambda(const murk_worst_bound *b, const double *share,
                         double step, double *lambda)
 {
@@ -188,7 +197,7 @@ static void step_lambda(const murk_worst_bound *b, const double *share,
     }
 }
 
-/* The bound at the present lambda. */
+/* The bound at the present lambda, as a share. */
 static uint64_t bound_here(murk_worst_bound *b, size_t n, uint64_t lower,
                            const uint32_t *plan, size_t plan_count,
                            size_t rounds)
@@ -210,12 +219,16 @@ murk_status murk_worst_bound_tighten(murk_worst_bound *b, size_t n,
     const murk_constraint_set *set = b->evaluator.set;
     const size_t left = n - (set ? set->constraints->fixed_count : 0);
     double lambda[MURK_BLOCKS_MAX], average[MURK_BLOCKS_MAX] = {0};
+    /* The bound at the present lambda; the first evaluation of a plan gets
+     * twice the rounds. */
     uint64_t lowest =
         bound_here(b, n, lower, plan, plan_count, plan ? rounds * 2 : rounds);
     memcpy(b->lowest_lambda, b->lambda, sizeof b->lambda);
     for (size_t t = 0; t < steps && lowest > lower && !murk_interrupted();
          ++t) {
         double share[MURK_BLOCKS_MAX];
+        /* Step; the last evaluation is at the mean of all lambda, which mirror
+         * descent is proven for. */
         find_shares(b, left, share);
         step_lambda(b, share, 1 / sqrt((double)t + 1), lambda);
         for (size_t c = 0; c < blocks; ++c) {

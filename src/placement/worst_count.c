@@ -1,3 +1,7 @@
+/* The best plan of one count for the worst block. Greedy climbs towards a level
+ * in every block, and bisection finds the highest level that greedy reaches
+ * (SATURATE). Relocation, greedy on each block, random starts and branch and
+ * bound follow, by method. */
 #include "placement/worst_count.h"
 
 #include "base/interrupt.h"
@@ -6,15 +10,17 @@
 
 #include <string.h>
 
-/* Levels tried between the best known and the bound. */
+/* Bisection steps between the incumbent and the bound, and the finest step:
+ * 2^-16 of full coverage, the resolution of a clarity. */
 #define LEVELS_MAX   16
 #define LEVEL_FINEST (MURK_SHARE_ONE >> 16)
 
-/* Random starts in a row without gain that end them. */
+/* Random starts in a row without gain that end them, as in
+ * placement/settings.h. */
 #define STARTS_WITHOUT_GAIN 20
 
-/* Steps of lambda, and evaluations of the bound at each; a count on the way to
- * the one asked for gets fewer. */
+/* Steps of lambda, and evaluations of the bound at each (choices); a count
+ * below the wanted one gets fewer. */
 #define STEPS       60
 #define STEPS_CURVE 15
 #define ROUNDS      8
@@ -36,7 +42,8 @@ static bool is_plan(murk_worst_run *w, const uint32_t *plan, size_t size,
     return murk_partial_plan_is_complete(s);
 }
 
-/* Keeps trial[search.size] if it is a plan, and better. */
+/* Stores trial[search.size] if it is a complete plan and better than the
+ * incumbent. */
 static bool keep_better(murk_worst_run *w, size_t n, uint64_t value)
 {
     const size_t size = w->search.size;
@@ -50,7 +57,7 @@ static bool keep_better(murk_worst_run *w, size_t n, uint64_t value)
     return true;
 }
 
-/* Keeps trial as it is, and relocated. */
+/* Stores trial as it is, and relocated. */
 static bool relocate_and_keep(murk_worst_run *w, size_t n, uint64_t value)
 {
     if (!is_plan(w, w->trial, w->search.size, n)) {
@@ -67,7 +74,7 @@ static bool relocates(const murk_worst_run *w)
     return w->desc->method == MURK_PLACE_BEST;
 }
 
-/* Greedy on one climb. */
+/* Greedy for one objective. */
 static void greedy_and_keep(murk_worst_run *w, const murk_block_objective *by,
                             size_t n)
 {
@@ -79,7 +86,7 @@ static void greedy_and_keep(murk_worst_run *w, const murk_block_objective *by,
     }
 }
 
-/* Greedy towards one level in every block; MURK_NO_LEVEL: the mean. */
+/* Greedy towards one level in every block; MURK_NO_LEVEL: for the mean. */
 static void greedy_to_level(murk_worst_run *w, size_t n, uint64_t level)
 {
     murk_block_objective by = {.level = level};
@@ -89,7 +96,7 @@ static void greedy_to_level(murk_worst_run *w, size_t n, uint64_t level)
     greedy_and_keep(w, &by, n);
 }
 
-/* The highest level that greedy reaches in every block. */
+/* Bisection for the highest level that greedy reaches in every block. */
 static void saturate(murk_worst_run *w, size_t n)
 {
     greedy_to_level(w, n, MURK_NO_LEVEL);
@@ -116,7 +123,7 @@ static void greedy_per_block(murk_worst_run *w, size_t n)
     }
 }
 
-/* With a budget: by gain per cost, over the blocks' mean. */
+/* With a budget: greedy by gain per cost, over the mean of the blocks. */
 static void greedy_with_budget(murk_worst_run *w, size_t n)
 {
     if (w->set && w->set->has_budget) {
@@ -151,6 +158,8 @@ static void try_starts(murk_worst_run *w, size_t n, size_t max)
 
 /* ---- branch and bound ---- */
 
+/* Callback of branch and bound: stores a plan of larger smallest worth, and
+ * raises the cutoff. */
 static uint64_t check_plan(void *context, const uint32_t *plan, size_t size,
                            uint64_t known)
 {
@@ -187,7 +196,7 @@ murk_status murk_worst_branch_and_bound(murk_worst_run *w, size_t n,
     w->result->is_cut = exact.is_cut;
     const uint64_t upper = murk_worst_bound_share(&w->bound, exact.upper);
     w->upper = upper < w->upper ? upper : w->upper;
-    if (w->set) { /* what it found may have to be filled up */
+    if (w->set) { /* the incumbent may have to be completed */
         const murk_block_objective min = {.is_min = true};
         memcpy(w->trial, w->plan, w->size * sizeof *w->plan);
         w->value = murk_worst_greedy(&w->search, &min, w->trial, w->size, n);
@@ -200,9 +209,10 @@ murk_status murk_worst_branch_and_bound(murk_worst_run *w, size_t n,
 
 /* ---- one count ---- */
 
-/* Where candidates exclude each other, any plan of n. */
+/* With conflicts: finds any feasible plan of n. */
 static murk_status find_fallback(murk_worst_run *w, size_t n, murk_error *err)
 {
+    /* Complete a plan of the fixed sensors with any candidates. */
     if (!w->set || !w->set->has_conflicts) {
         return MURK_OK;
     }
@@ -240,10 +250,8 @@ uint64_t murk_worst_ceiling(const murk_worst_run *w)
     return min;
 }
 
-/* The best plan of n that the method finds, and its bound. */
-
-/* A plan to begin with: by the method, or any; and that of one sensor fewer,
- * with one more. */
+/* Makes the first plans: by the method, or any plan; and the plan of one sensor
+ * fewer with one more. */
 static void begin(murk_worst_run *w, size_t n, const uint32_t *from)
 {
     const murk_place_method method = w->desc->method;
@@ -258,7 +266,7 @@ static void begin(murk_worst_run *w, size_t n, const uint32_t *from)
         saturate(w, n);
         greedy_with_budget(w, n);
     }
-    if (!w->has_plan) { /* greedy came to a dead end */
+    if (!w->has_plan) { /* constraints stopped greedy early */
         memcpy(w->trial, w->fallback,
                w->search.fallback_size * sizeof *w->trial);
         w->search.size = w->search.fallback_size;
@@ -274,8 +282,8 @@ static void begin(murk_worst_run *w, size_t n, const uint32_t *from)
     }
 }
 
-/* With a target: whether n sensors may reach it, by a bound that is not made
- * lower than that takes. */
+/* With a target: decides whether n sensors may reach it, by a bound that is
+ * lowered no further than that takes. */
 static murk_status test_target(murk_worst_run *w, size_t n, bool *may_reach,
                                murk_error *err)
 {
@@ -320,7 +328,7 @@ murk_status murk_worst_count(murk_worst_run *w, size_t n, bool is_plan_asked,
     }
     if (is_best && w->value < w->upper) {
         greedy_per_block(w, n);
-        saturate(w, n); /* the bound is known now */
+        saturate(w, n); /* again, as the bound is known now */
         try_starts(w, n,
                    is_plan_asked ? w->desc->restarts : w->desc->restarts / 10);
     }

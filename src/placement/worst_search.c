@@ -1,3 +1,7 @@
+/* Greedy and relocation for objectives over several blocks
+ * (placement/worst_search.h). The candidates are evaluated in falling order of
+ * an upper bound on the objective, made of upper bounds on the gains in each
+ * block. */
 #include "placement/worst_search.h"
 
 #include "base/interrupt.h"
@@ -5,12 +9,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Candidates weighed between two looks at the best so far; fixed, so that who
- * is weighed does not depend on the threads. */
+/* Candidates evaluated between two comparisons with the best so far. A
+ * constant, so the set of evaluated candidates does not depend on the number of
+ * threads. */
 #define CHUNK 128
 
 typedef struct murk_candidate_bound {
-    murk_objective_value value_bound; /* at most */
+    murk_objective_value value_bound; /* upper bound on the objective */
     uint32_t candidate;
 } murk_candidate_bound;
 
@@ -27,6 +32,7 @@ murk_status murk_worst_search_init(murk_worst_search *out,
         .gain = malloc(CHUNK * blocks * sizeof *out->gain),
         .chunk = malloc(CHUNK * sizeof *out->chunk),
         .candidate_bound = malloc(n * sizeof *out->candidate_bound)};
+    /* Constraints need a partial plan; random starts a scan of their own. */
     murk_status status = MURK_OK;
     if (!out->max || !out->gain || !out->chunk || !out->candidate_bound ||
         !murk_cover_init(&out->cover, o->layout, o->is_binary)) {
@@ -54,14 +60,15 @@ void murk_worst_search_release(murk_worst_search *s)
     *s = (murk_worst_search){0};
 }
 
-/* ---- worths ---- */
+/* ---- objective values ---- */
 
 static bool is_greater(murk_objective_value a, murk_objective_value b)
 {
     return a.first != b.first ? a.first > b.first : a.second > b.second;
 }
 
-/* Of what stands with gain[] on top. */
+/* The objective value of the partial plan with gain[] added (NULL: as it is).
+ */
 static murk_objective_value
 objective_with(const murk_worst_search *s,
                const murk_block_objective *objective, const uint64_t *gain)
@@ -83,7 +90,7 @@ objective_with(const murk_worst_search *s,
 
 static const murk_block_objective MINIMUM_FIRST = {.is_min = true};
 
-/* ---- what stands ---- */
+/* ---- the partial plan ---- */
 
 static void add_to_plan(murk_worst_search *s, uint32_t candidate)
 {
@@ -97,7 +104,7 @@ static void add_to_plan(murk_worst_search *s, uint32_t candidate)
     }
 }
 
-/* All of the plan but its entry `but` (n: all). */
+/* Makes the partial plan equal to plan[n] without the entry `but` (n: all). */
 static void set_all_but(murk_worst_search *s, const uint32_t *plan, size_t n,
                         size_t but)
 {
@@ -124,13 +131,13 @@ static bool contains(const uint32_t *plan, size_t n, size_t but,
     return false;
 }
 
-/* ---- who adds most ---- */
+/* ---- the best candidate ---- */
 
 typedef struct step {
     const murk_block_objective *objective;
-    const uint32_t *plan; /* whose entries but `but` stand */
+    const uint32_t *plan; /* the partial plan is plan[n] without entry `but` */
     size_t n, but;
-    bool is_move; /* who joins must make a plan of what stands */
+    bool is_move; /* the added candidate must complete the plan */
 } step;
 
 static bool can_add(const murk_worst_search *s, const step *q,
@@ -151,14 +158,15 @@ static int by_bound(const void *a, const void *b)
     return (x->candidate > y->candidate) - (x->candidate < y->candidate);
 }
 
-/* Who makes what stands worth most, if more than *worth, which is raised; the
- * lowest number of equals. False when nobody does. Of dominated candidates
- * none does better than its dominator. */
+/* Finds the candidate that makes the objective value largest, if that exceeds
+ * *value_bound, which is raised; the lowest index on ties. False if no
+ * candidate does. A dominated candidate is never better than the dominator. */
 static bool find_best(murk_worst_search *s, const step *q,
                       murk_objective_value *value_bound, uint32_t *best)
 {
     const murk_evaluator *o = s->evaluator;
     const size_t blocks = s->layouts->blocks->n;
+    /* Sort the candidates by an upper bound on the objective. */
     size_t n = 0;
     for (size_t k = 0; k < o->undominated; ++k) {
         const uint32_t j = o->ranked[k].candidate;
@@ -172,6 +180,7 @@ static bool find_best(murk_worst_search *s, const step *q,
     bool is_found = false;
     for (size_t k = 0; k < n && !murk_interrupted();) {
         size_t gathered = 0;
+        /* Gather candidates that may be the best, and evaluate them. */
         for (; k < n && gathered < CHUNK &&
                !is_greater(*value_bound, s->candidate_bound[k].value_bound);
              ++k) {
@@ -197,7 +206,7 @@ static bool find_best(murk_worst_search *s, const step *q,
     return is_found;
 }
 
-/* Anyone, lowest number first. */
+/* The lowest candidate that can be added, if there is one. */
 static bool find_any(const murk_worst_search *s, const step *q,
                      uint32_t *candidate)
 {
@@ -223,8 +232,8 @@ static bool has_budget(const murk_worst_search *s)
     return s->evaluator->set && s->evaluator->set->has_budget;
 }
 
-/* Under rules: the plan is to have n sensors, or n at most, and begins with
- * those fixed. Returns how many are given. */
+/* With constraints: begins a plan of n sensors, or of n at most, with the fixed
+ * sensors. Returns the number of sensors given. */
 static size_t begin(murk_worst_search *s, uint32_t *plan, size_t given,
                     size_t n)
 {
@@ -241,7 +250,8 @@ static size_t begin(murk_worst_search *s, uint32_t *plan, size_t given,
     return given > fixed ? given : fixed;
 }
 
-/* What stands can only grow from here on: gains never exceed those alone. */
+/* Resets the upper bounds on gains to the values of the candidates alone, which
+ * bound every later gain. */
 static void reset_gain_bounds(murk_worst_search *s)
 {
     memcpy(s->max, s->layouts->max,
@@ -259,6 +269,8 @@ uint64_t murk_worst_greedy(murk_worst_search *s,
     for (size_t k = given; k < n && !murk_interrupted(); ++k) {
         step q = {.objective = objective, .plan = plan, .n = k, .but = k};
         murk_objective_value value_bound = objective_with(s, objective, NULL);
+        /* The best candidate; if none increases the objective, by the smallest
+         * share; else any. */
         bool is_found = find_best(s, &q, &value_bound, &plan[k]);
         if (!is_found) {
             q.objective = &MINIMUM_FIRST;
@@ -275,7 +287,7 @@ uint64_t murk_worst_greedy(murk_worst_search *s,
     return objective_with(s, &MINIMUM_FIRST, NULL).first;
 }
 
-/* Moves single sensors until none gains. */
+/* Relocates single sensors until no sensor moves. */
 static void relocate_sensors(murk_worst_search *s, uint32_t *plan, size_t n)
 {
     const murk_constraint_set *set = s->evaluator->set;
@@ -298,7 +310,7 @@ static void relocate_sensors(murk_worst_search *s, uint32_t *plan, size_t n)
         if (find_best(s, &q, &value_bound, &plan[k])) {
             still = 0;
         }
-        ++still; /* one that has just moved stands best, too */
+        ++still; /* a sensor that has just moved is at the best candidate */
     }
 }
 
