@@ -1,3 +1,6 @@
+/* Makes a sparse matrix from entries in any order: a stable counting sort by
+ * row, then a distribution to columns, in time proportional to the entries.
+ * Weights become whole numbers. */
 #include "placement/sparse_builder.h"
 
 #include <math.h>
@@ -5,7 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Room for the sum of weights below placement's 2^47. */
+/* Limit on the sum of whole weights: placement allows sums below 2^47, and
+ * rounding may add a little. */
 #define WHOLE_SUM_MAX 0x1p46
 
 static murk_status no_memory(const murk_sparse_builder *b, murk_error *err)
@@ -35,7 +39,7 @@ murk_status murk_sparse_builder_put(murk_sparse_builder *b, size_t row,
     return MURK_OK;
 }
 
-/* Stable counting sort by row, where they are not in order already. */
+/* Sorts by row, unless the entries are sorted already. */
 static bool sort_by_row(murk_sparse_builder *b)
 {
     bool is_sorted = true;
@@ -52,6 +56,8 @@ static bool sort_by_row(murk_sparse_builder *b)
         free(sorted);
         return false;
     }
+    /* Count the entries of each row, then move each entry to the place of its
+     * row. */
     for (size_t k = 0; k < b->entries; ++k) {
         ++at[b->entry[k].row + 1];
     }
@@ -68,12 +74,13 @@ static bool sort_by_row(murk_sparse_builder *b)
     return true;
 }
 
-/* Into columns. Rows come rising, so an entry that is given twice meets its
- * like right before it. */
+/* Distributes the entries to columns. The rows increase, so two entries of one
+ * row and column meet. */
 static murk_status fill_columns(murk_sparse_matrix *m,
                                 const murk_sparse_builder *b, murk_error *err)
 {
     m->is_clear = true;
+    /* Count the entries of each column, then fill the columns. */
     for (size_t k = 0; k < b->entries; ++k) {
         ++m->begin[b->entry[k].column + 1];
     }
@@ -109,7 +116,8 @@ static bool are_whole(const double *weight, size_t n, double unit)
 {
     for (size_t i = 0; i < n; ++i) {
         const double x = weight[i] * unit;
-        /* a decimal such as 0.1 is off by its last bit, and so is x */
+        /* a decimal such as 0.1 is off by its last bit, and so is x; both
+         * errors together are allowed */
         if (fabs(x - rint(x)) > 2 * 0x1p-53 * x) {
             return false;
         }
@@ -117,8 +125,8 @@ static bool are_whole(const double *weight, size_t n, double unit)
     return true;
 }
 
-/* Weights in whole numbers: by the least power of ten that makes all of them
- * whole, else as finely as 32 bits and their sum allow. */
+/* Makes whole weights: with the smallest power of ten that makes all weights
+ * whole, or else as finely as 32 bits and the limit on the sum allow. */
 static murk_status weigh(murk_sparse_matrix *m, const murk_sparse_builder *b,
                          murk_error *err)
 {
@@ -138,6 +146,7 @@ static murk_status weigh(murk_sparse_matrix *m, const murk_sparse_builder *b,
         return murk_fail(err, MURK_BAD_FILE, b->path,
                          "the weights add up to %g, must be more than 0", sum);
     }
+    /* The unit, then the weights. */
     const double finest = fmin(UINT32_MAX / max, WHOLE_SUM_MAX / sum);
     while (m->unit <= finest && !are_whole(b->weight, m->rows, m->unit)) {
         m->unit *= 10;
@@ -160,6 +169,7 @@ static murk_status finish(murk_sparse_matrix **out, murk_sparse_builder *b,
                          "be 1 or more of each",
                          b->rows, b->columns, b->entries);
     }
+    /* Sort, convert the weights, and fill the columns. */
     murk_sparse_matrix *m = calloc(1, sizeof *m);
     if (!m || !sort_by_row(b)) {
         free(m);

@@ -1,5 +1,5 @@
-/* A sparse matrix while it is being read: entries in any order, weights as
- * given. */
+/* A sparse matrix under construction: entries in any order, weights as given in
+ * the file. */
 #ifndef MURK_PLACEMENT_SPARSE_BUILDER_H
 #define MURK_PLACEMENT_SPARSE_BUILDER_H
 
@@ -7,7 +7,7 @@
 
 typedef struct murk_sparse_entry {
     uint32_t row, column; /* from 0 */
-    uint32_t line;        /* of the file, for messages */
+    uint32_t line;        /* line of the file, for messages */
     uint16_t clarity;
 } murk_sparse_entry;
 
@@ -22,13 +22,14 @@ typedef struct murk_sparse_builder {
     char **name;    /* [columns]; NULL: none */
 } murk_sparse_builder;
 
-/* One more entry; a clarity (0..1) that rounds to 0 is none. */
+/* Adds an entry. A clarity (0..1) that rounds to 0 is no entry. */
 murk_status murk_sparse_builder_put(murk_sparse_builder *builder, size_t row,
                                     size_t column, size_t line, double clarity,
                                     murk_error *err);
 
-/* Puts the entries in order. The builder is empty afterwards, also after a
- * failure: an entry given twice, no entry at all, no weight. */
+/* Sorts the entries and makes the matrix. Fails on an entry that is given
+ * twice, without entries, and without weight. The builder is empty afterwards,
+ * also after a failure. */
 murk_status murk_sparse_builder_finish(murk_sparse_matrix **out,
                                        murk_sparse_builder *builder,
                                        murk_error *err);

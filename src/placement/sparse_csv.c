@@ -1,5 +1,6 @@
-/* Coverage matrices as CSV: dense, a line a row and a cell a column; or, under
- * a header with `row` and `column`, an entry a line. */
+/* Reader of coverage matrices in CSV: dense, with one line a row and one cell a
+ * column; or, under a header with `row` and `column`, sparse with one line an
+ * entry. Cells may be quoted. The text is cut into cells in place. */
 #include "placement/sparse_read.h"
 
 #include "base/number.h"
@@ -17,9 +18,9 @@ typedef struct cell {
 typedef struct reader {
     char *next, *end, *line_begin;
     size_t line;
-    cell *cell; /* [cells] of the line read last */
+    cell *cell; /* [cells] of the last line */
     size_t cells, capacity;
-    double *weight; /* [rows, of weight_room] so far; NAN: not told yet */
+    double *weight; /* [weight_capacity]; NAN: not given so far */
     size_t weight_capacity;
     murk_sparse_builder *b;
     murk_error *err;
@@ -43,8 +44,8 @@ static bool is_blank(char c)
     return c == ' ' || c == '\t' || c == '\r';
 }
 
-/* One cell, cut out in place, with quotes undone. *is_last: it ends its
- * line. */
+/* Reads one cell in place, without quotes and surrounding blanks. *is_last: the
+ * cell ends the line. */
 static murk_status read_cell(reader *r, cell *out, bool *is_last)
 {
     while (is_blank(*r->next)) {
@@ -52,6 +53,7 @@ static murk_status read_cell(reader *r, cell *out, bool *is_last)
     }
     *out = (cell){r->next, (size_t)(r->next - r->line_begin) + 1};
     char *to = r->next;
+    /* Quoted: two quotes stand for one. */
     if (*r->next == '"') {
         ++r->next;
         bool is_closed = false;
@@ -89,7 +91,8 @@ static murk_status read_cell(reader *r, cell *out, bool *is_last)
     return MURK_OK;
 }
 
-/* To the next line that is neither blank nor a comment; false at the end. */
+/* Advances to the next line that is neither blank nor a comment; false at the
+ * end. */
 static bool find_line(reader *r)
 {
     while (r->next < r->end) {
@@ -155,7 +158,7 @@ static murk_status read_weight(const reader *r, size_t k, double *out)
     return MURK_OK;
 }
 
-/* Room for the weight of row number `row`; new ones are not told yet. */
+/* Makes space for the weight of a row; new weights are NAN. */
 static murk_status need_weight(reader *r, size_t row)
 {
     if (row < r->weight_capacity) {
@@ -176,7 +179,7 @@ static murk_status need_weight(reader *r, size_t row)
 
 /* ---- dense ---- */
 
-/* What a cell of a dense line is. */
+/* The meaning of a cell in a dense line. */
 typedef enum part { ENTRY, WEIGHT, LABEL } part;
 
 typedef struct dense {
@@ -185,8 +188,9 @@ typedef struct dense {
     bool has_weight;
 } dense;
 
-/* A header is names alone, but for the first cell, which is empty over a column
- * of labels. What some language takes for a number is no name (nan, 0x10). */
+/* True for a header: names only, except for the first cell, which may be empty
+ * above a column of labels. A text that C takes for a number is no name (nan,
+ * 0x10). */
 static bool is_header(const reader *r)
 {
     for (size_t k = 0; k < r->cells; ++k) {
@@ -251,7 +255,7 @@ static murk_status put_dense_line(const dense *d, reader *r)
     return status;
 }
 
-/* The first line is read already. */
+/* The first line has been read. */
 static murk_status read_dense(reader *r)
 {
     dense d = {calloc(r->cells, sizeof *d.part), r->cells, false};
@@ -277,14 +281,15 @@ static murk_status read_dense(reader *r)
 
 /* ---- sparse ---- */
 
+/* The columns of the sparse format, by name. */
 #define PARTS 4
 static const char *const part_name[PARTS] = {"row", "column", "clarity",
                                              "weight"};
 
 typedef struct sparse {
-    long at[PARTS]; /* cells of a line; -1: not there */
+    long at[PARTS]; /* cell of each part in a line; -1: missing */
     size_t cells;
-    uint8_t *named[2]; /* [room] which rows and columns a line has named */
+    uint8_t *named[2]; /* [capacity] rows and columns that some line names */
     size_t capacity[2];
     size_t lines;
 } sparse;
@@ -325,14 +330,16 @@ static bool is_given(const sparse *s, const reader *r, int p)
     return s->at[p] >= 0 && *r->cell[s->at[p]].text;
 }
 
-/* The row (p 0) or column (1) that a line names, from 1; 0: none. A number
- * can be no larger than the file has bytes, as each is to be named. */
+/* Reads the row (p 0) or column (1) that a line names, from 1; 0: none. Every
+ * number must be named in the file, so a number cannot exceed the size of the
+ * file in bytes. */
 static murk_status read_number(sparse *s, const reader *r, int p, size_t *out)
 {
     *out = 0;
     if (!is_given(s, r, p)) {
         return MURK_OK;
     }
+    /* A whole number within the limit. */
     const size_t k = (size_t)s->at[p];
     const size_t max = (size_t)(r->end - r->line_begin) + s->lines;
     uint64_t value = 0;
@@ -347,6 +354,7 @@ static murk_status read_number(sparse *s, const reader *r, int p, size_t *out)
                             "they are numbered from 1 without gaps",
                             part_name[p], (unsigned long long)value, max);
     }
+    /* Record that the number is named. */
     if (value > s->capacity[p]) {
         const size_t capacity = 2 * (size_t)value;
         uint8_t *named = realloc(s->named[p], capacity);
@@ -397,6 +405,7 @@ static murk_status put_sparse_line(sparse *s, reader *r)
                             "the line has %zu cells, the header has %zu",
                             r->cells, s->cells);
     }
+    /* Row and column, weight, clarity. */
     murk_status status = read_number(s, r, 0, &row);
     if (!status) {
         status = read_number(s, r, 1, &column);
@@ -482,7 +491,8 @@ murk_status murk_sparse_read_csv(murk_sparse_builder *b, char *text,
     for (size_t i = 0; !status && r.weight && i < b->rows; ++i) {
         status = need_weight(&r, i);
         if (!status && isnan(r.weight[i])) {
-            r.weight[i] = 1; /* told of some rows, not of this */
+            r.weight[i] =
+                1; /* weights are given for some rows, and not for this one */
         }
     }
     b->weight = r.weight;

@@ -1,22 +1,26 @@
-/* The problem for solvers of integer programs.
- *
- * Rows covered by the same columns equally clearly need one variable, of their
- * summed weight: they are found by a hash of 128 bits, built up column by
- * column. */
+/* Writes a placement problem as an integer program for other solvers
+ * (formulation: placement/sparse_matrix.h). Rows with equal entries need one
+ * variable with the summed weight: they are found by a hash of 128 bits, built
+ * column by column. A collision of hashes is neglected: among 1e7 rows the
+ * probability is below 1e-24. */
 #include "placement/sparse_matrix.h"
 
 #include "base/file.h"
 
 #include <stdlib.h>
 
-#define ENTRIES_MAX  10000000
-#define TERMS_A_LINE 8 /* lines of LP files are kept below 255 bytes */
+/* Entries and pairs of an LP file: some hundred bytes each make files of a
+ * gigabyte, beyond which solvers are of no use. */
+#define ENTRIES_MAX 10000000
+/* Keeps lines below 255 bytes, the limit of some readers. */
+#define TERMS_A_LINE 8
 
-/* The rows in groups of one cover; `is_first` of a group stands for it. */
+/* Groups of rows with equal entries; the first row of a group stands for it. */
 typedef struct kinds {
     bool *is_first;   /* [rows] */
-    uint64_t *weight; /* [rows] of its whole group, at the first */
-    size_t *begin;    /* [rows + 1] of the first ones' entries, else empty */
+    uint64_t *weight; /* [rows] weight of the group, at the first row */
+    size_t
+        *begin; /* [rows + 1] entries of the first rows; other rows are empty */
     uint32_t *column; /* [begin[rows]] */
     uint16_t *clarity;
 } kinds;
@@ -26,8 +30,8 @@ typedef struct row_hash {
     size_t row;
 } row_hash;
 
-/* One more number into a hash: xor and multiply by a random odd number, high
- * bits folded down (Steele, Lea, Flood, OOPSLA 2014,
+/* Adds a number to a hash: xor, multiplication by a random odd number, and a
+ * fold of the high bits (Steele, Lea, Flood, OOPSLA 2014,
  * doi:10.1145/2660193.2660195). */
 static uint64_t mix(uint64_t hash, uint64_t number, uint64_t factor)
 {
@@ -67,13 +71,14 @@ static row_hash *hash_rows(const murk_sparse_matrix *m)
     return hash;
 }
 
-/* Entries of the first rows, by row. */
+/* The entries of the first rows, sorted by row: counting sort. */
 static bool turn(kinds *k, const murk_sparse_matrix *m)
 {
     k->begin = calloc(m->rows + 2, sizeof *k->begin);
     if (!k->begin) {
         return false;
     }
+    /* Count the entries of each row, then fill the rows. */
     const size_t entries = murk_sparse_matrix_entries(m);
     for (size_t e = 0; e < entries; ++e) {
         k->begin[m->row[e] + 2] += k->is_first[m->row[e]];
@@ -99,7 +104,7 @@ static bool turn(kinds *k, const murk_sparse_matrix *m)
     return true;
 }
 
-/* Rows that nothing covers, or that weigh nothing, are in no group. */
+/* Groups the rows. Rows without entries or without weight are in no group. */
 static bool group(kinds *k, const murk_sparse_matrix *m)
 {
     row_hash *hash = hash_rows(m);
@@ -149,7 +154,7 @@ static void print_columns(terms *t, const murk_sparse_matrix *m)
     }
 }
 
-/* What the rows covered are worth, in weights as given. */
+/* The value of the covered rows, in weights as given. */
 static void print_value(terms *t, const murk_sparse_matrix *m, const kinds *k,
                         unsigned redundancy)
 {
@@ -169,7 +174,7 @@ static void print_value(terms *t, const murk_sparse_matrix *m, const kinds *k,
     }
 }
 
-/* A row counts once, and only through chosen columns. */
+/* A 0/1 row: covered only by chosen columns, once. */
 static void print_clear_row(FILE *to, const kinds *k, size_t i)
 {
     terms t = {to, 0};
@@ -183,6 +188,7 @@ static void print_clear_row(FILE *to, const kinds *k, size_t i)
     fputs(" <= 0\n", to);
 }
 
+/* A row with clarities: one variable for each entry. */
 static void print_dimmed_row(FILE *to, const kinds *k, size_t i,
                              unsigned redundancy)
 {
@@ -232,8 +238,8 @@ static void print_goal(FILE *to, const murk_sparse_matrix *m, const kinds *k,
         print_value(&aim, m, k, redundancy_of(goal));
         fputs("\nSubject To\n", to);
     } else {
-        /* values are whole in weight * clarity: half a unit below asks the
-         * same, and leaves a solver its tolerance */
+        /* values are whole in weight * clarity: half a unit less asks for the
+         * same, and leaves a tolerance to the solver */
         const double min = ((double)goal->target - 0.5) / redundancy_of(goal) /
                            MURK_CLEAR / m->unit;
         fputs("Minimize\n columns:", to);
@@ -244,9 +250,9 @@ static void print_goal(FILE *to, const murk_sparse_matrix *m, const kinds *k,
     }
 }
 
-/* ---- rules ---- */
+/* ---- constraints ---- */
 
-/* "+ 3 x7", or "+ x7" where `times` is 1. */
+/* Prints "+ 3 x7", or "+ x7" if `times` is 1. */
 static void print_member(terms *t, int64_t times, size_t column)
 {
     begin_term(t);
@@ -267,43 +273,44 @@ static void print_budget(FILE *to, const murk_constraints *constraints,
             print_member(&t, constraints->cost[j], j);
         }
     }
-    if (t.n == 0) { /* all for nothing */
+    if (t.n == 0) { /* no column has a cost */
         print_member(&t, 0, 0);
     }
     fprintf(to, " <= %lld\n", (long long)constraints->budget);
 }
 
-static void print_class(FILE *to, const murk_constraint_set *book,
+static void print_class(FILE *to, const murk_constraint_set *set,
                         uint32_t number, bool is_min)
 {
     terms t = {to, 0};
     fprintf(to, " class%u_%s:", number + 1, is_min ? "least" : "most");
-    for (size_t j = 0; j < book->candidates; ++j) {
-        if (book->class_of[j] == number) {
+    for (size_t j = 0; j < set->candidates; ++j) {
+        if (set->class_of[j] == number) {
             print_member(&t, 1, j);
         }
     }
-    fprintf(to, " %s %zu\n", is_min ? ">=" : "<=",
-            is_min ? book->min[number] : book->max[number]);
+    fprintf(to, " %s %zu\n",
+            is_min ? ">=" : "<=", is_min ? set->min[number] : set->max[number]);
 }
 
-/* Sites by the numbers of their columns: sorted by site, then column. */
+/* Comparison of site and column in one number. */
 static int by_site(const void *a, const void *b)
 {
     const uint64_t x = *(const uint64_t *)a, y = *(const uint64_t *)b;
     return (x > y) - (x < y);
 }
 
-static bool print_sites(FILE *to, const murk_constraint_set *book)
+static bool print_sites(FILE *to, const murk_constraint_set *set)
 {
-    const size_t n = book->candidates;
+    const size_t n = set->candidates;
     uint64_t *order = malloc((n + 1) * sizeof *order);
     for (size_t j = 0; order && j < n; ++j) {
-        order[j] = (uint64_t)book->site[j] << 32 | j;
+        order[j] = (uint64_t)set->site[j] << 32 | j;
     }
     if (!order) {
         return false;
     }
+    /* Runs of one site. */
     qsort(order, n, sizeof *order, by_site);
     for (size_t k = 0; k < n;) {
         size_t end = k + 1;
@@ -324,20 +331,20 @@ static bool print_sites(FILE *to, const murk_constraint_set *book)
     return true;
 }
 
-static bool is_of_one_site(const murk_constraint_set *book, uint32_t a,
+static bool is_of_one_site(const murk_constraint_set *set, uint32_t a,
                            uint32_t b)
 {
-    return book->site && book->site[a] == book->site[b];
+    return set->site && set->site[a] == set->site[b];
 }
 
-/* Pairs apart from those of one site; false beyond the most. */
-static bool print_pairs(FILE *to, const murk_constraint_set *book)
+/* Conflicting pairs that are not of one site; false beyond the limit. */
+static bool print_pairs(FILE *to, const murk_constraint_set *set)
 {
     size_t pairs = 0;
-    for (uint32_t a = 0; a < book->candidates; ++a) {
-        for (uint32_t b = a + 1; b < book->candidates; ++b) {
-            if (!murk_constraint_set_conflict(book, a, b) ||
-                is_of_one_site(book, a, b)) {
+    for (uint32_t a = 0; a < set->candidates; ++a) {
+        for (uint32_t b = a + 1; b < set->candidates; ++b) {
+            if (!murk_constraint_set_conflict(set, a, b) ||
+                is_of_one_site(set, a, b)) {
                 continue;
             }
             if (++pairs > ENTRIES_MAX) {
@@ -358,45 +365,46 @@ static murk_status print_constraints(FILE *to, const murk_sparse_matrix *m,
     if (!constraints) {
         return MURK_OK;
     }
-    murk_constraint_set book;
+    murk_constraint_set set;
     const size_t count = goal->count ? goal->count : m->columns;
     murk_status status =
-        murk_constraint_set_init(&book, constraints, m->columns, count,
+        murk_constraint_set_init(&set, constraints, m->columns, count,
                                  goal->count == 0 || goal->target > 0, err);
     if (status) {
         return status;
     }
-    if (book.has_budget) {
+    /* Budget, classes, fixed columns, sites, pairs. */
+    if (set.has_budget) {
         print_budget(to, constraints, m->columns);
     }
     for (uint32_t c = 0; c < constraints->classes; ++c) {
-        if (book.min[c] > 0) {
-            print_class(to, &book, c, true);
+        if (set.min[c] > 0) {
+            print_class(to, &set, c, true);
         }
-        if (book.has_caps) {
-            print_class(to, &book, c, false);
+        if (set.has_caps) {
+            print_class(to, &set, c, false);
         }
     }
     for (size_t k = 0; k < constraints->fixed_count; ++k) {
         fprintf(to, " fixed%zu: x%zu = 1\n", k + 1, constraints->fixed[k] + 1);
     }
-    if (book.site && !print_sites(to, &book)) {
+    if (set.site && !print_sites(to, &set)) {
         status = murk_fail(err, MURK_NO_MEMORY, path, "no memory to write it");
     }
-    if (!status && book.has_conflicts && !print_pairs(to, &book)) {
+    if (!status && set.has_conflicts && !print_pairs(to, &set)) {
         status = murk_fail(err, MURK_RUN_FAILED, path,
                            "more than %d pairs of candidates exclude each "
                            "other, an LP file may have so many",
                            ENTRIES_MAX);
     }
-    murk_constraint_set_release(&book);
+    murk_constraint_set_release(&set);
     return status;
 }
 
 static void print_bounds(FILE *to, const murk_sparse_matrix *m, const kinds *k,
                          unsigned redundancy)
 {
-    if (m->is_clear) { /* else the rows bound them */
+    if (m->is_clear) { /* otherwise the rows limit them */
         fputs("Bounds\n", to);
         for (size_t i = 0; i < m->rows; ++i) {
             if (k->is_first[i]) {
@@ -420,6 +428,7 @@ murk_status murk_sparse_matrix_write_lp(const murk_sparse_matrix *m,
     murk_file *file = NULL;
     kinds k = {0};
     murk_status status = MURK_OK;
+    /* Refuse what an LP file cannot hold before the file is created. */
     if (!group(&k, m)) {
         status = murk_fail(err, MURK_NO_MEMORY, path, "no memory to write it");
     } else if (k.begin[m->rows] > ENTRIES_MAX) {
@@ -441,6 +450,7 @@ murk_status murk_sparse_matrix_write_lp(const murk_sparse_matrix *m,
                 "\\ %zu rows of weight %.15g, %zu columns; x: column chosen, "
                 "y: row covered\n",
                 m->rows, whole / m->unit, m->columns);
+        /* Objective, constraints on plans, rows, bounds. */
         print_goal(to, m, &k, goal);
         status = print_constraints(to, m, goal, path, err);
         print_rows(to, m, &k, redundancy_of(goal));

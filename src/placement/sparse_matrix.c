@@ -1,3 +1,7 @@
+/* A coverage matrix as a placement problem, and the reverse: the collection of
+ * all rows of a problem into a matrix. Collecting works in blocks: each block
+ * of rows is computed over all threads and then appended in order, so memory
+ * beyond the result stays small. */
 #include "placement/sparse_matrix.h"
 
 #include "base/interrupt.h"
@@ -28,8 +32,8 @@ murk_problem murk_sparse_matrix_problem(murk_sparse_matrix *matrix,
                           .threads = threads};
 }
 
-/* Looks are made by blocks: on any thread, each kept until all of its block are
- * appended in order. */
+/* Rows of a block for each thread: enough that threads seldom wait for the
+ * slowest row (a choice). */
 #define BLOCK_EACH 8
 
 typedef struct stored_row {
@@ -64,7 +68,7 @@ static void get_one_row(void *context, unsigned worker, uint64_t batch)
     }
 }
 
-/* Room for `more` entries behind the first `have`. */
+/* Makes space for `more` entries behind the first `have`. */
 static bool make_space(collection *c, size_t have, size_t more)
 {
     murk_sparse_matrix *m = c->matrix;
@@ -118,6 +122,7 @@ static murk_status get_rows(collection *c, murk_error *err)
     if (!c->block) {
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the matrix");
     }
+    /* One block after the other. */
     for (; c->first < c->matrix->columns && !status; c->first += room) {
         const size_t left = c->matrix->columns - c->first;
         const size_t n = left < room ? left : room;
@@ -138,8 +143,7 @@ static murk_status get_rows(collection *c, murk_error *err)
     return status;
 }
 
-/* Weights in the smallest whole numbers of the same ratios: a sum is then
- * what it was, divided by their greatest common divisor. */
+/* Divides the weights by their greatest common divisor. */
 static void reduce_weights(murk_sparse_matrix *m)
 {
     uint32_t common = 0;
@@ -178,6 +182,7 @@ murk_status murk_sparse_matrix_collect(murk_sparse_matrix **out,
         murk_sparse_matrix_destroy(m);
         return murk_fail(err, status, "", "no memory for the matrix");
     }
+    /* Reduce the weights, then collect the rows. */
     memcpy(m->weight, problem->weight, problem->photons * sizeof *m->weight);
     reduce_weights(m);
     collection c = {.problem = problem, .matrix = m, .max = max_entries};

@@ -1,7 +1,7 @@
-/* OR-Library's set covering files: rows and columns; the cost of each column;
- * for each row how many columns cover it, then which, from 1. White space of
- * any kind is between the numbers. As an extension, the weights of all rows
- * may follow.
+/* Reader of OR-Library's set covering files: the numbers of rows and columns;
+ * the cost of each column; for each row the number of columns that cover it,
+ * then these columns, counted from 1. Any white space separates numbers. As an
+ * extension the weights of all rows may follow.
  *
  * Source: Beasley, J. Oper. Res. Soc. 41 (1990) 1069,
  * doi:10.1057/jors.1990.166. */
@@ -13,6 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Longer than any number; a longer token is refused. */
 #define TOKEN_SIZE 64
 
 typedef struct reader {
@@ -23,8 +24,8 @@ typedef struct reader {
     murk_error *err;
 } reader;
 
-/* False at the end of the text. A token that is too long for a number is cut,
- * and remains none. */
+/* Reads a token; false at the end of the text. A token that is too long for a
+ * number is shortened, and is no number either. */
 static bool read_token(reader *r)
 {
     for (; *r->next && strchr(" \t\r\n", *r->next); ++r->next) {
@@ -75,8 +76,9 @@ static murk_status read_weight(reader *r, const char *what, double *out)
                               r->token);
 }
 
-/* The header, held against the file's size before anything is set aside: each
- * column has a cost, each row a count, each of them two bytes at least. */
+/* Reads the header. The sizes are compared with the size of the file before
+ * memory is allocated: each column has a cost and each row a count, of two
+ * bytes at least. */
 static murk_status read_sizes(reader *r, murk_sparse_builder *b)
 {
     murk_status status = read_whole(r, "rows", 1, UINT32_MAX - 1, &b->rows);
@@ -111,7 +113,7 @@ static murk_status read_row(reader *r, murk_sparse_builder *b, size_t row)
     return status;
 }
 
-/* None, or one for each row. */
+/* Reads the weights of all rows, if there are any. */
 static murk_status read_weights(reader *r, murk_sparse_builder *b)
 {
     if (r->next[strspn(r->next, " \t\r\n")] == '\0') {
@@ -122,6 +124,7 @@ static murk_status read_weights(reader *r, murk_sparse_builder *b)
         return murk_fail(r->err, MURK_NO_MEMORY, b->path,
                          "no memory for the weights");
     }
+    /* One weight for each row, and nothing behind them. */
     murk_status status = MURK_OK;
     char what[128];
     for (size_t i = 0; i < b->rows && !status; ++i) {

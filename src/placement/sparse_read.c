@@ -1,3 +1,5 @@
+/* Reads a coverage matrix from a file: checks that the file is text, tells the
+ * format by the first line, and calls the reader of that format. */
 #include "placement/sparse_read.h"
 
 #include "base/file.h"
@@ -8,6 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Largest file: line numbers and entries stay within 32 bits. Weights between
+ * 1e-12 and 1e12 keep sums and ratios far from the limits of a double. */
 #define FILE_BYTES_MAX 4000000000u
 #define WEIGHT_MIN     1e-12
 #define WEIGHT_MAX     1e12
@@ -36,8 +40,8 @@ bool murk_sparse_weight_parse(const char *text, double *out)
     return true;
 }
 
-/* OR-Library's text is numbers and white space alone; a CSV file has a comma
- * or a letter in its first line that is no comment. */
+/* OR-Library's text consists of numbers and white space. A CSV file has a comma
+ * or a letter in the first line that is not a comment. */
 static bool is_or_library(const char *text)
 {
     const char *p = text + strspn(text, " \t\r\n");
@@ -48,7 +52,7 @@ static bool is_or_library(const char *text)
     return *p && strspn(p, "0123456789+-.eE \t\r") >= strcspn(p, "\n");
 }
 
-/* Text has no zero bytes, and no byte order mark is part of it. */
+/* Refuses an empty text and zero bytes. */
 static murk_status check_text(const char *path, const char *text, size_t size,
                               murk_error *err)
 {
@@ -77,6 +81,7 @@ murk_status murk_sparse_matrix_read(murk_sparse_matrix **out, const char *path,
     if (!status) {
         status = check_text(path, text, size, err);
     }
+    /* Skip a byte order mark, and read by format. */
     if (!status) {
         murk_sha256_hex(text, size, sha256);
         const size_t mark = strncmp(text, "\xef\xbb\xbf", 3) == 0 ? 3 : 0;

@@ -1,6 +1,6 @@
-/* The readers of the formats of a coverage matrix, each over the file's text,
- * which ends with '\0' and may be cut in place. They fill builder->path's
- * matrix; the caller finishes or releases it. */
+/* Readers of the formats of a coverage matrix. Each reads the text of a file,
+ * which ends with '\0' and may be cut in place, and fills a builder; the caller
+ * finishes or releases the builder. */
 #ifndef MURK_PLACEMENT_SPARSE_READ_H
 #define MURK_PLACEMENT_SPARSE_READ_H
 
@@ -8,7 +8,7 @@
 
 #include <stdbool.h>
 
-/* Where a message points to. */
+/* The place that a message names. */
 typedef struct murk_text_place {
     const char *path;
     size_t line, column; /* from 1 */
@@ -23,7 +23,7 @@ murk_status murk_sparse_read_csv(murk_sparse_builder *builder, char *text,
 murk_status murk_sparse_read_or_library(murk_sparse_builder *builder,
                                         const char *text, murk_error *err);
 
-/* A weight or cost as a file may give it: 0, or 1e-12..1e12. */
+/* Parses a weight or a cost: 0, or 1e-12..1e12. */
 bool murk_sparse_weight_parse(const char *text, double *out);
 
 #endif

@@ -1,4 +1,5 @@
-/* Coverage matrices as text, for murk's own reader and for others. */
+/* Writes coverage matrices as text: sparse CSV for murk's own reader, and
+ * OR-Library's set covering format. */
 #include "placement/sparse_matrix.h"
 
 #include "base/file.h"
@@ -6,7 +7,8 @@
 
 #include <stdlib.h>
 
-/* Six digits read back to the same clarity: a step of it is 1.5e-5. */
+/* Six digits read back to the same clarity, as one unit of clarity is 1.5e-5.
+ */
 static void print_entry(FILE *to, size_t row, size_t column, uint16_t clarity)
 {
     fprintf(to, "%zu,%zu,%.6g", row + 1, column + 1,
@@ -29,7 +31,7 @@ static bool all_weigh_one(const murk_sparse_matrix *m)
     return is_one;
 }
 
-/* is_covered[rows]; the caller's to free(). */
+/* is_covered[rows], for free(). */
 static bool *find_covered(const murk_sparse_matrix *m)
 {
     bool *is_covered = calloc(m->rows + 1, sizeof *is_covered);
@@ -58,6 +60,7 @@ murk_status murk_sparse_matrix_write_csv(const murk_sparse_matrix *m,
         return status;
     }
     FILE *to = murk_file_stream(file);
+    /* Rows first: weights, and rows that no column covers. */
     const bool has_weights = !all_weigh_one(m);
     const char *end = has_weights ? ",\n" : "\n";
     fprintf(to, "row,column,clarity%s\n", has_weights ? ",weight" : "");
@@ -70,6 +73,7 @@ murk_status murk_sparse_matrix_write_csv(const murk_sparse_matrix *m,
             fprintf(to, "%zu,,\n", i + 1);
         }
     }
+    /* Then the entries, by column. */
     for (size_t j = 0; j < m->columns; ++j) {
         if (m->begin[j] == m->begin[j + 1]) {
             fprintf(to, ",%zu,%s", j + 1, end);
@@ -83,7 +87,8 @@ murk_status murk_sparse_matrix_write_csv(const murk_sparse_matrix *m,
     return murk_file_commit(&file, err);
 }
 
-/* The matrix by rows: of row i the columns by_row[begin[i] .. begin[i + 1]]. */
+/* The matrix by rows: row i has the columns column[begin[i] .. begin[i + 1] -
+ * 1]. */
 typedef struct by_rows {
     size_t *begin;
     uint32_t *column;
@@ -97,7 +102,8 @@ static bool turn(by_rows *out, const murk_sparse_matrix *m)
     if (!out->begin || !out->column) {
         return false;
     }
-    /* begin[i + 2] counts row i, then begin[i + 1] is where it goes on */
+    /* begin[i + 2] counts row i; begin[i + 1] is then the place of the row's
+     * next entry */
     for (size_t k = 0; k < entries; ++k) {
         ++out->begin[m->row[k] + 2];
     }
@@ -112,9 +118,9 @@ static bool turn(by_rows *out, const murk_sparse_matrix *m)
     return true;
 }
 
+/* Twelve numbers a line, as in the files of OR-Library. */
 #define NUMBERS_A_LINE 12
 
-/* Numbers in lines of twelve, as the library has them. */
 static void separate(FILE *to, size_t k, size_t n)
 {
     fputc((k + 1) % NUMBERS_A_LINE == 0 || k + 1 == n ? '\n' : ' ', to);
