@@ -26,7 +26,7 @@ static murk_box local_box(const murk_stage *stage, size_t i)
         box.min.z = fmax(box.min.z, z->value[0]);
         box.max.z = fmin(box.max.z, z->value[z->n - 1]);
     }
-    if (r->shape == MURK_SCENE_BELOW && r->below_z_m < box.max.z) {
+    if (r->shape == MURK_REGION_BELOW && r->below_z_m < box.max.z) {
         box.max.z = r->below_z_m;
     }
     return box.min.z < box.max.z ? box : murk_box_empty();
@@ -143,7 +143,7 @@ void murk_json_media(cJSON *root, const murk_stage *stage)
         cJSON_AddStringToObject(item, "medium", scene->media[r->medium].name);
         const murk_box box = region_box(stage, i);
         murk_json_box(item, "bounds", &box);
-        if (r->shape == MURK_SCENE_IN_MESH) {
+        if (r->shape == MURK_REGION_MESH) {
             const murk_boundary_mesh_facts mesh =
                 murk_boundary_meshes_describe(stage->boundary_meshes, (int)i);
             cJSON_AddNumberToObject(item, "triangles", (double)mesh.triangles);
@@ -255,13 +255,13 @@ void murk_print_media(const murk_stage *stage)
         const murk_scene_region *r = &scene->regions[i];
         const murk_box box = region_box(stage, i);
         murk_print("region      %s", scene->media[r->medium].name);
-        if (r->shape == MURK_SCENE_EVERYWHERE) {
+        if (r->shape == MURK_REGION_EVERYWHERE) {
             murk_print(" everywhere");
             if (scene->media[r->medium].profile_z_m.n > 0) {
                 murk_print(" at %.*g to %.*g m", digits, box.min.z, digits,
                            box.max.z);
             }
-        } else if (r->shape == MURK_SCENE_BELOW) {
+        } else if (r->shape == MURK_REGION_BELOW) {
             murk_print(" below z = %.*g m", digits,
                        r->below_z_m + scene->origin.z);
         } else if (!(box.min.x <= box.max.x)) {
@@ -274,7 +274,7 @@ void murk_print_media(const murk_stage *stage)
                        box.min.x, digits, box.min.y, digits, box.min.z, digits,
                        box.max.x, digits, box.max.y, digits, box.max.z);
         }
-        if (r->shape == MURK_SCENE_IN_MESH) {
+        if (r->shape == MURK_REGION_MESH) {
             murk_print(
                 ", a mesh of %zu triangles",
                 murk_boundary_meshes_describe(stage->boundary_meshes, (int)i)

@@ -82,7 +82,7 @@ static void add_region(murk_row_tallies *g, const murk_scene_interest *r,
     const murk_vec3 edge = murk_vec(r->radius_m, r->radius_m, r->radius_m);
     snprintf(name, sizeof name, "density_%s", r->name);
     /* The part of a box that lies in the domain. */
-    if (r->shape == MURK_SCENE_ZONE_BOX) {
+    if (r->shape == MURK_REGION_BOX) {
         const murk_box box = {murk_vec(fmax(r->box.min.x, domain->min.x),
                                        fmax(r->box.min.y, domain->min.y),
                                        fmax(r->box.min.z, domain->min.z)),
@@ -97,13 +97,13 @@ static void add_region(murk_row_tallies *g, const murk_scene_interest *r,
         }
         /* A sphere that lies wholly in the domain; other shapes are named in
          * the note. */
-    } else if (r->shape == MURK_SCENE_ZONE_SPHERE &&
+    } else if (r->shape == MURK_REGION_SPHERE &&
                murk_box_contains(domain, murk_sub(r->center, edge)) &&
                murk_box_contains(domain, murk_add(r->center, edge))) {
         add_ball(g, r, name);
     } else {
         note(g,
-             r->shape == MURK_SCENE_ZONE_SPHERE
+             r->shape == MURK_REGION_SPHERE
                  ? "reaches out of the domain and is not measured"
                  : "is not measured: neither a box nor a sphere",
              name);

@@ -20,6 +20,7 @@
 #define MURK_GEOMETRY_SURFACES_H
 
 #include "base/bands.h"
+#include "base/shape.h"
 #include "base/status.h"
 #include "base/vector.h"
 #include "geometry/mesh.h"
@@ -35,13 +36,6 @@ typedef struct murk_material {
     murk_spectrum diffuse, specular, transmit;
     double ior; /* 0: none */
 } murk_material;
-
-typedef enum murk_shape {
-    MURK_SHAPE_MESH,
-    MURK_SHAPE_BOX,
-    MURK_SHAPE_RECT,
-    MURK_SHAPE_SPHERE
-} murk_shape;
 
 typedef struct murk_surface_desc {
     murk_shape shape;

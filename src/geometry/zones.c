@@ -23,7 +23,7 @@ static murk_status add_plain(murk_zones *zones, const murk_zone *zone,
                              murk_error *err)
 {
     plain *p = &zones->plain[zones->plains++];
-    *p = (plain){.is_sphere = zone->shape == MURK_ZONE_SPHERE,
+    *p = (plain){.is_sphere = zone->shape == MURK_REGION_SPHERE,
                  .box = zone->box,
                  .center = zone->center,
                  .radius_m = zone->radius_m};
@@ -40,7 +40,7 @@ static murk_status fill(murk_zones *made, const murk_zone *zones, size_t n,
     size_t meshes = 0;
     /* Boxes and spheres are stored directly; meshes are collected. */
     for (size_t i = 0; i < n; ++i) {
-        if (zones[i].shape != MURK_ZONE_MESH) {
+        if (zones[i].shape != MURK_REGION_MESH) {
             const murk_status status = add_plain(made, &zones[i], err);
             if (status) {
                 return status;

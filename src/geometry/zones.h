@@ -9,18 +9,13 @@
 #ifndef MURK_GEOMETRY_ZONES_H
 #define MURK_GEOMETRY_ZONES_H
 
+#include "base/shape.h"
 #include "geometry/boundary_meshes.h"
 
 #define MURK_ZONE_MESHES_MAX MURK_BOUNDARY_MESHES_MAX
 
-typedef enum murk_zone_shape {
-    MURK_ZONE_BOX,
-    MURK_ZONE_SPHERE,
-    MURK_ZONE_MESH
-} murk_zone_shape;
-
 typedef struct murk_zone {
-    murk_zone_shape shape;
+    murk_region_shape shape; /* sphere or mesh; all others are the box */
     murk_box box;
     murk_vec3 center;
     double radius_m;

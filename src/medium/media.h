@@ -17,6 +17,7 @@
 
 #include "base/bands.h"
 #include "base/rng.h"
+#include "base/shape.h"
 #include "base/status.h"
 #include "base/vector.h"
 #include "medium/grid.h"
@@ -60,16 +61,6 @@ typedef struct murk_medium {
     const murk_profile *profile;
     const char *where;
 } murk_medium;
-
-typedef enum murk_region_shape {
-    MURK_REGION_EVERYWHERE, /* no media with a grid */
-    MURK_REGION_BOX,
-    MURK_REGION_SPHERE,
-    MURK_REGION_GRID,  /* where the medium's grid lies by its own transform */
-    MURK_REGION_BELOW, /* half space: z less than below_z_m */
-    MURK_REGION_MESH   /* a closed mesh, which this room does not know: whoever
-                          follows a ray says whether it is inside (murk_inside) */
-} murk_region_shape;
 
 typedef struct murk_region {
     size_t medium;

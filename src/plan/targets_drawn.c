@@ -97,16 +97,14 @@ static bool is_wanted(const drawing *d, murk_inside inside, murk_vec3 p)
         return false;
     }
     switch (settings->shape) {
-    case MURK_SCENE_ZONE_SPHERE:
+    case MURK_REGION_SPHERE:
         return murk_length(murk_sub(p, settings->center)) <= settings->radius_m;
-    case MURK_SCENE_ZONE_MESH:
+    case MURK_REGION_MESH:
         return murk_boundary_meshes_at(murk_goals_target_mesh(stage->goals),
                                        p) != 0;
-    case MURK_SCENE_ZONE_BOX:
-    case MURK_SCENE_NO_SHAPE:
-        break;
+    default: /* drawn within the box, or everywhere */
+        return true;
     }
-    return true;
 }
 
 static void draw_in_volume(const drawing *d, uint64_t number, found *f)
@@ -342,12 +340,12 @@ static murk_box box_to_draw_from(const murk_stage *stage)
     const murk_vec3 r = {settings->radius_m, settings->radius_m,
                          settings->radius_m};
     murk_box box = stage->world.domain.box;
-    if (settings->shape == MURK_SCENE_ZONE_BOX) {
+    if (settings->shape == MURK_REGION_BOX) {
         box = meet(box, settings->box);
-    } else if (settings->shape == MURK_SCENE_ZONE_SPHERE) {
+    } else if (settings->shape == MURK_REGION_SPHERE) {
         box = meet(box, (murk_box){murk_sub(settings->center, r),
                                    murk_add(settings->center, r)});
-    } else if (settings->shape == MURK_SCENE_ZONE_MESH) {
+    } else if (settings->shape == MURK_REGION_MESH) {
         box = meet(box, murk_boundary_meshes_describe(
                             murk_goals_target_mesh(stage->goals), 0)
                             .bounds_m);

@@ -265,13 +265,11 @@ static murk_status choose_zone(murk_key_reader *walk, const murk_yaml *map,
                                int *variant)
 {
     (void)walk;
-    *variant = murk_yaml_get(map, "sphere") ? MURK_SCENE_ZONE_SPHERE
-               : murk_yaml_get(map, "mesh") ? MURK_SCENE_ZONE_MESH
-                                            : MURK_SCENE_ZONE_BOX;
+    *variant = murk_shape_of_region(map, MURK_REGION_BOX);
     return MURK_OK;
 }
 
-#define MESH .variants = BIT(MURK_SCENE_ZONE_MESH)
+#define MESH .variants = BIT(MURK_REGION_MESH)
 
 static const murk_key ZONE_ROWS[] = {
     ROW("box", MAP, .group = 1, NEEDED, .keys = &ZONE_BOX),

@@ -33,14 +33,24 @@ static const murk_keys INTEREST_SPHERE = {
 const char *const murk_zone_variants[] = {"without a shape", "box", "sphere",
                                           "mesh"};
 
+murk_region_shape murk_shape_of_region(const murk_yaml *map,
+                                       murk_region_shape otherwise)
+{
+#define SHAPE_KEY(id, name, key) [MURK_REGION_##id] = key,
+    static const char *const keys[] = {MURK_REGION_SHAPES(SHAPE_KEY)};
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; ++i) {
+        if (keys[i] && murk_yaml_get(map, keys[i])) {
+            return (murk_region_shape)i;
+        }
+    }
+    return otherwise;
+}
+
 murk_status murk_choose_zone(murk_key_reader *walk, const murk_yaml *map,
                              int *variant)
 {
     (void)walk;
-    *variant = murk_yaml_get(map, "box")      ? MURK_SCENE_ZONE_BOX
-               : murk_yaml_get(map, "sphere") ? MURK_SCENE_ZONE_SPHERE
-               : murk_yaml_get(map, "mesh")   ? MURK_SCENE_ZONE_MESH
-                                              : MURK_SCENE_NO_SHAPE;
+    *variant = murk_shape_of_region(map, MURK_REGION_EVERYWHERE);
     return MURK_OK;
 }
 
@@ -48,7 +58,7 @@ static murk_status check_interest(murk_key_reader *walk, const murk_yaml *map,
                                   void *item)
 {
     const murk_scene_interest *region = item;
-    if (region->shape == MURK_SCENE_NO_SHAPE && region->material < 0 &&
+    if (region->shape == MURK_REGION_EVERYWHERE && region->material < 0 &&
         region->medium < 0) {
         return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
                               "says no place, must have one or more of box, "
@@ -57,7 +67,7 @@ static murk_status check_interest(murk_key_reader *walk, const murk_yaml *map,
     return MURK_OK;
 }
 
-#define MESH .variants = BIT(MURK_SCENE_ZONE_MESH)
+#define MESH .variants = BIT(MURK_REGION_MESH)
 
 static const murk_key INTEREST_ROWS[] = {
     ROW("name", TEXT, NEEDED, AT(murk_scene_interest, name)),

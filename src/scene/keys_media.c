@@ -303,8 +303,8 @@ static const murk_keys REGION_SPHERE = {
     .key = REGION_SPHERE_ROWS,
 };
 
-static const char *const REGION_VARIANTS[] = {
-    "everywhere", "box", "sphere", "grid", "half space", "mesh"};
+#define SHAPE_NAME(id, name, key) name,
+static const char *const REGION_VARIANTS[] = {MURK_REGION_SHAPES(SHAPE_NAME)};
 
 /* A region without a shape is everywhere, or where its medium's grid lies. */
 static murk_status choose_region(murk_key_reader *walk, const murk_yaml *map,
@@ -315,30 +315,26 @@ static murk_status choose_region(murk_key_reader *walk, const murk_yaml *map,
     const murk_yaml *medium =
         media && name && name->text ? murk_yaml_get(media, name->text) : NULL;
     const bool has_grid = medium && murk_yaml_get(medium, "vdb");
-    *variant = murk_yaml_get(map, "box")         ? MURK_SCENE_IN_BOX
-               : murk_yaml_get(map, "sphere")    ? MURK_SCENE_IN_SPHERE
-               : murk_yaml_get(map, "below_z_m") ? MURK_SCENE_BELOW
-               : murk_yaml_get(map, "mesh")      ? MURK_SCENE_IN_MESH
-               : has_grid                        ? MURK_SCENE_IN_GRID
-                                                 : MURK_SCENE_EVERYWHERE;
+    *variant = murk_shape_of_region(map, has_grid ? MURK_REGION_GRID
+                                                  : MURK_REGION_EVERYWHERE);
     return MURK_OK;
 }
 
 /* What may have an index of refraction: anything but a grid without a shape.
  */
-#define SHARP (~BIT(MURK_SCENE_IN_GRID))
+#define SHARP (~BIT(MURK_REGION_GRID))
 
-#define MOVABLE                                                      \
-    .variants = BIT(MURK_SCENE_IN_BOX) | BIT(MURK_SCENE_IN_SPHERE) | \
-                BIT(MURK_SCENE_IN_GRID) | BIT(MURK_SCENE_IN_MESH)
+#define MOVABLE                                                  \
+    .variants = BIT(MURK_REGION_BOX) | BIT(MURK_REGION_SPHERE) | \
+                BIT(MURK_REGION_GRID) | BIT(MURK_REGION_MESH)
 
 /* What is not moved still holds the identity. */
 static murk_status check_region(murk_key_reader *walk, const murk_yaml *map,
                                 void *item)
 {
     murk_scene_region *region = item;
-    if (region->shape == MURK_SCENE_EVERYWHERE ||
-        region->shape == MURK_SCENE_BELOW) {
+    if (region->shape == MURK_REGION_EVERYWHERE ||
+        region->shape == MURK_REGION_BELOW) {
         region->scale = 1;
     }
     if (!(region->wind_m_per_s > 0) || region->ior > 0) {
@@ -362,9 +358,9 @@ static const murk_key REGION_ROWS[] = {
     ROW("below_z_m", NUMBER, .group = 1, LONG_M,
         AT(murk_scene_region, below_z_m)),
     ROW("mesh", PATH, .group = 1, AT(murk_scene_region, mesh)),
-    ROW("unit_m", NUMBER, SIZE_M, .variants = BIT(MURK_SCENE_IN_MESH),
+    ROW("unit_m", NUMBER, SIZE_M, .variants = BIT(MURK_REGION_MESH),
         AT(murk_scene_region, unit_m)),
-    ROW("up", WORD, .variants = BIT(MURK_SCENE_IN_MESH), .words = murk_up_words,
+    ROW("up", WORD, .variants = BIT(MURK_REGION_MESH), .words = murk_up_words,
         AT(murk_scene_region, up)),
     ROW("scale", NUMBER, .above = true, .max = 1e9, MOVABLE, .preset = "1",
         AT(murk_scene_region, scale)),
@@ -376,7 +372,8 @@ static const murk_key REGION_ROWS[] = {
     ROW("ior", NUMBER, .min = 1, .max = 10, .variants = SHARP,
         AT(murk_scene_region, ior)),
     ROW("wind_m_per_s", NUMBER, .max = 20, .unit = "m/s",
-        .variants = BIT(MURK_SCENE_BELOW), AT(murk_scene_region, wind_m_per_s)),
+        .variants = BIT(MURK_REGION_BELOW),
+        AT(murk_scene_region, wind_m_per_s)),
     END,
 };
 

@@ -72,8 +72,13 @@ extern const murk_word murk_up_words[];
 murk_status murk_check_conditions(murk_key_reader *walk, const murk_yaml *map,
                                   void *item);
 
-/* Of what has a box, a sphere, a mesh or none of them: murk_scene_zone. */
+/* Of what has a box, a sphere, a mesh or none of them: murk_region_shape. */
 extern const char *const murk_zone_variants[];
+
+/* The shape whose key the map has, or `otherwise`. */
+murk_region_shape murk_shape_of_region(const murk_yaml *map,
+                                       murk_region_shape otherwise);
+
 murk_status murk_choose_zone(murk_key_reader *walk, const murk_yaml *map,
                              int *variant);
 

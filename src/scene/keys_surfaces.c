@@ -5,14 +5,21 @@
 
 /* One of the shapes is there; the walk has checked that they exclude each
  * other and that one is given. */
+/* The variants are named as the keys that choose them. */
+#define SHAPE_KEY(id, key) key,
+static const char *const GEOMETRY_VARIANTS[] = {MURK_SURFACE_SHAPES(SHAPE_KEY)};
+
 static murk_status choose_geometry(murk_key_reader *walk, const murk_yaml *map,
                                    int *variant)
 {
     (void)walk;
-    *variant = murk_yaml_get(map, "box")      ? MURK_SCENE_BOX
-               : murk_yaml_get(map, "rect")   ? MURK_SCENE_RECT
-               : murk_yaml_get(map, "sphere") ? MURK_SCENE_SPHERE
-                                              : MURK_SCENE_FILE;
+    const int n = sizeof GEOMETRY_VARIANTS / sizeof *GEOMETRY_VARIANTS;
+    *variant = MURK_SHAPE_MESH;
+    for (int i = 0; i < n; ++i) {
+        if (murk_yaml_get(map, GEOMETRY_VARIANTS[i])) {
+            *variant = i;
+        }
+    }
     return MURK_OK;
 }
 
@@ -65,9 +72,6 @@ static const murk_keys GEOMETRY_SPHERE = {
     .key = GEOMETRY_SPHERE_ROWS,
 };
 
-static const char *const GEOMETRY_VARIANTS[] = {"file", "box", "rect",
-                                                "sphere"};
-
 const murk_word murk_up_words[] = {
     {"x", 'x'},
     {"y", 'y'},
@@ -80,11 +84,11 @@ static const murk_key GEOMETRY_ROWS[] = {
     ROW("box", MAP, .group = 1, NEEDED, .keys = &GEOMETRY_BOX),
     ROW("rect", MAP, .group = 1, NEEDED, .keys = &GEOMETRY_RECT),
     ROW("sphere", MAP, .group = 1, NEEDED, .keys = &GEOMETRY_SPHERE),
-    ROW("unit_m", NUMBER, SIZE_M, .variants = BIT(MURK_SCENE_FILE),
+    ROW("unit_m", NUMBER, SIZE_M, .variants = BIT(MURK_SHAPE_MESH),
         AT(murk_scene_geometry, unit_m)),
-    ROW("allow", PATH, .variants = BIT(MURK_SCENE_FILE),
+    ROW("allow", PATH, .variants = BIT(MURK_SHAPE_MESH),
         AT(murk_scene_geometry, allow)),
-    ROW("up", WORD, .variants = BIT(MURK_SCENE_FILE), .words = murk_up_words,
+    ROW("up", WORD, .variants = BIT(MURK_SHAPE_MESH), .words = murk_up_words,
         AT(murk_scene_geometry, up)),
     ROW("scale", NUMBER, .above = true, .max = 1e9, .preset = "1",
         AT(murk_scene_geometry, scale)),

@@ -58,7 +58,7 @@ static const murk_keys VOLUME_SPHERE = {
     .key = VOLUME_SPHERE_ROWS,
 };
 
-#define MESH .variants = BIT(MURK_SCENE_ZONE_MESH)
+#define MESH .variants = BIT(MURK_REGION_MESH)
 
 static const murk_key VOLUME_ROWS[] = {
     ROW("box", MAP, .group = 2, .keys = &VOLUME_BOX),

@@ -35,19 +35,19 @@ static murk_box with_geometry(murk_box box, const murk_scene_geometry *g)
     const murk_affine placed =
         murk_affine_place(g->rotate_deg, g->scale, g->translate_m);
     switch (g->shape) {
-    case MURK_SCENE_BOX:
+    case MURK_SHAPE_BOX:
         return with_placed(box, &placed, &g->box);
-    case MURK_SCENE_SPHERE:
+    case MURK_SHAPE_SPHERE:
         return with_ball(box, murk_affine_point(&placed, g->center),
                          g->radius_m * g->scale);
-    case MURK_SCENE_RECT: {
+    case MURK_SHAPE_RECT: {
         const murk_vec3 a = murk_add(g->corner, g->edge1),
                         b = murk_add(a, g->edge2);
         box = murk_box_with(box, murk_affine_point(&placed, g->corner));
         box = murk_box_with(box, murk_affine_point(&placed, a));
         return murk_box_with(box, murk_affine_point(&placed, b));
     }
-    case MURK_SCENE_FILE:
+    case MURK_SHAPE_MESH:
         break; /* not opened yet */
     }
     return box;
@@ -57,10 +57,10 @@ static murk_box with_region(murk_box box, const murk_scene_region *r)
 {
     const murk_affine placed =
         murk_affine_place(r->rotate_deg, r->scale, r->translate_m);
-    if (r->shape == MURK_SCENE_IN_BOX) {
+    if (r->shape == MURK_REGION_BOX) {
         return with_placed(box, &placed, &r->box);
     }
-    return r->shape == MURK_SCENE_IN_SPHERE
+    return r->shape == MURK_REGION_SPHERE
                ? with_ball(box, murk_affine_point(&placed, r->center),
                            r->radius_m * r->scale)
                : box;
@@ -100,7 +100,7 @@ static bool has_profile_in_mesh(const murk_scene_desc *s)
     bool has = false;
     for (size_t i = 0; i < s->n_regions; ++i) {
         const murk_scene_region *r = &s->regions[i];
-        has = has || (r->shape == MURK_SCENE_IN_MESH &&
+        has = has || (r->shape == MURK_REGION_MESH &&
                       s->media[r->medium].profile_z_m.n > 0);
     }
     for (size_t i = 0; i < s->n_conditions; ++i) {
@@ -176,12 +176,12 @@ static murk_vec3 move_placed(murk_vec3 rotate_deg, double scale,
 
 static void move_geometry(murk_scene_geometry *g, murk_vec3 origin)
 {
-    const murk_vec3 at = g->shape == MURK_SCENE_BOX    ? g->box.min
-                         : g->shape == MURK_SCENE_RECT ? g->corner
+    const murk_vec3 at = g->shape == MURK_SHAPE_BOX    ? g->box.min
+                         : g->shape == MURK_SHAPE_RECT ? g->corner
                                                        : g->center;
     const murk_vec3 own =
         move_placed(g->rotate_deg, g->scale, &g->translate_m, at, origin,
-                    g->shape == MURK_SCENE_FILE, false);
+                    g->shape == MURK_SHAPE_MESH, false);
     move_box(&g->box, own);
     move(&g->corner, own);
     move(&g->center, own);
@@ -190,10 +190,10 @@ static void move_geometry(murk_scene_geometry *g, murk_vec3 origin)
 static void move_region(murk_scene_region *r, const murk_scene_medium *medium,
                         murk_vec3 origin)
 {
-    const bool is_file = r->shape == MURK_SCENE_IN_GRID ||
-                         r->shape == MURK_SCENE_IN_MESH || medium->vdb ||
+    const bool is_file = r->shape == MURK_REGION_GRID ||
+                         r->shape == MURK_REGION_MESH || medium->vdb ||
                          medium->albedo_vdb;
-    const murk_vec3 at = r->shape == MURK_SCENE_IN_BOX ? r->box.min : r->center;
+    const murk_vec3 at = r->shape == MURK_REGION_BOX ? r->box.min : r->center;
     const murk_vec3 own =
         move_placed(r->rotate_deg, r->scale, &r->translate_m, at, origin,
                     is_file, medium->profile_z_m.n > 0);
@@ -204,11 +204,10 @@ static void move_region(murk_scene_region *r, const murk_scene_medium *medium,
 
 static void move_zone(murk_scene_site_zone *z, murk_vec3 origin)
 {
-    const murk_vec3 at =
-        z->shape == MURK_SCENE_ZONE_BOX ? z->box.min : z->center;
+    const murk_vec3 at = z->shape == MURK_REGION_BOX ? z->box.min : z->center;
     const murk_vec3 own =
         move_placed(z->rotate_deg, z->scale, &z->translate_m, at, origin,
-                    z->shape == MURK_SCENE_ZONE_MESH, false);
+                    z->shape == MURK_REGION_MESH, false);
     move_box(&z->box, own);
     move(&z->center, own);
 }

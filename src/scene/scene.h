@@ -12,6 +12,7 @@
 #include "base/detection.h"
 #include "base/phase_kind.h"
 #include "base/photometry.h"
+#include "base/shape.h"
 #include "base/source_type.h"
 #include "base/status.h"
 #include "base/vector.h"
@@ -28,16 +29,9 @@
 typedef char murk_scene_name[MURK_SCENE_NAME_SIZE];
 typedef char murk_scene_where[MURK_SCENE_WHERE_SIZE];
 
-typedef enum murk_scene_shape {
-    MURK_SCENE_FILE,
-    MURK_SCENE_BOX,
-    MURK_SCENE_RECT,
-    MURK_SCENE_SPHERE
-} murk_scene_shape;
-
 typedef struct murk_scene_geometry {
     murk_scene_where where;
-    murk_scene_shape shape;
+    murk_shape shape;
     char *file;    /* as it is to be opened; NULL for the other shapes */
     char *allow;   /* folder where `file` may open others; NULL: its own */
     double unit_m; /* 0: what the file says */
@@ -104,19 +98,10 @@ typedef struct murk_scene_medium {
     murk_scene_spectra profile_per_m;
 } murk_scene_medium;
 
-typedef enum murk_scene_region_shape {
-    MURK_SCENE_EVERYWHERE,
-    MURK_SCENE_IN_BOX,
-    MURK_SCENE_IN_SPHERE,
-    MURK_SCENE_IN_GRID,
-    MURK_SCENE_BELOW, /* half space: z less than below_z_m */
-    MURK_SCENE_IN_MESH
-} murk_scene_region_shape;
-
 typedef struct murk_scene_region {
     murk_scene_where where;
     size_t medium; /* index */
-    murk_scene_region_shape shape;
+    murk_region_shape shape;
     murk_box box;
     murk_vec3 center;
     double radius_m;
@@ -261,16 +246,9 @@ typedef struct murk_scene_camera {
     size_t samples;   /* of a pixel */
 } murk_scene_camera;
 
-typedef enum murk_scene_zone {
-    MURK_SCENE_NO_SHAPE,
-    MURK_SCENE_ZONE_BOX,
-    MURK_SCENE_ZONE_SPHERE,
-    MURK_SCENE_ZONE_MESH
-} murk_scene_zone;
-
 typedef struct murk_scene_site_zone { /* where sensors may or may not stand */
     murk_scene_where where;
-    murk_scene_zone shape;
+    murk_region_shape shape;
     murk_box box;
     murk_vec3 center;
     double radius_m;
@@ -371,7 +349,7 @@ typedef struct murk_scene_interest { /* a region of interest */
     murk_scene_name name;
     murk_scene_where where;
     double weight;
-    murk_scene_zone shape;
+    murk_region_shape shape;
     murk_box box;
     murk_vec3 center;
     double radius_m;
@@ -394,7 +372,7 @@ typedef struct murk_scene_targets {
     double surface_spacing_m;
     bool has_volume;
     murk_scene_where volume_where;
-    murk_scene_zone shape; /* none: all of the domain */
+    murk_region_shape shape; /* none: all of the domain */
     murk_box box;
     murk_vec3 center;
     double radius_m;

@@ -56,17 +56,17 @@ uint64_t murk_interest_at(const murk_interest *interest,
         const murk_interest_region *r = &interest->region[i];
         bool is_in = is_of_kind(r, photon);
         switch (r->shape) {
-        case MURK_INTEREST_ANYWHERE:
-            break;
-        case MURK_INTEREST_BOX:
+        case MURK_REGION_BOX:
             is_in = is_in && box_holds(&r->box, p, slack);
             break;
-        case MURK_INTEREST_SPHERE:
+        case MURK_REGION_SPHERE:
             is_in = is_in &&
                     murk_length(murk_sub(p, r->center)) <= r->radius_m + slack;
             break;
-        case MURK_INTEREST_MESH:
+        case MURK_REGION_MESH:
             is_in = is_in && (boundary_meshes >> i & 1);
+            break;
+        default: /* everywhere */
             break;
         }
         regions |= (uint64_t)is_in << i;

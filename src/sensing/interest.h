@@ -11,6 +11,7 @@
 #ifndef MURK_SENSING_INTEREST_H
 #define MURK_SENSING_INTEREST_H
 
+#include "base/shape.h"
 #include "base/vector.h"
 #include "geometry/boundary_meshes.h"
 #include "photonmap/map.h"
@@ -20,17 +21,10 @@
 
 #define MURK_INTERESTS_MAX 64
 
-typedef enum murk_interest_shape {
-    MURK_INTEREST_ANYWHERE,
-    MURK_INTEREST_BOX,
-    MURK_INTEREST_SPHERE,
-    MURK_INTEREST_MESH /* the boundary mesh of the region's own number */
-} murk_interest_shape;
-
 typedef struct murk_interest_region {
     const char *name;
     double weight; /* 0 or more, finite */
-    murk_interest_shape shape;
+    murk_region_shape shape;
     murk_box box;
     murk_vec3 center;
     double radius_m;

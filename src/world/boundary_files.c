@@ -57,14 +57,14 @@ static bool crosses_plain(const murk_boundary_meshes *boundary_meshes, int mesh,
                               .to_world = placed(r)};
     const murk_box bounds =
         murk_boundary_meshes_describe(boundary_meshes, mesh).bounds_m;
-    if (r->shape == MURK_SCENE_IN_BOX) {
+    if (r->shape == MURK_REGION_BOX) {
         shape.plain = MURK_PLAIN_BOX;
         open_faces(&shape, r, domain,
                    FAR_TIMES * fmax(largest(domain), largest(&bounds)));
-    } else if (r->shape == MURK_SCENE_BELOW) {
+    } else if (r->shape == MURK_REGION_BELOW) {
         shape.plain = MURK_PLAIN_BELOW;
         shape.box.max.z = r->below_z_m;
-    } else if (r->shape != MURK_SCENE_IN_SPHERE) {
+    } else if (r->shape != MURK_REGION_SPHERE) {
         return false; /* everywhere holds all; grids have no index */
     }
     return murk_boundary_meshes_meet_plain(boundary_meshes, mesh, &shape,
@@ -79,8 +79,8 @@ static bool cross(const murk_boundary_meshes *boundary_meshes,
 {
     const murk_scene_region *one = &scene->regions[a];
     const murk_scene_region *other = &scene->regions[b];
-    const bool is_mesh = one->shape == MURK_SCENE_IN_MESH;
-    const bool other_is_mesh = other->shape == MURK_SCENE_IN_MESH;
+    const bool is_mesh = one->shape == MURK_REGION_MESH;
+    const bool other_is_mesh = other->shape == MURK_REGION_MESH;
     if (!(one->ior > 0 && other->ior > 0)) {
         return false;
     }
@@ -124,7 +124,7 @@ murk_status murk_enclose(murk_boundary_meshes **out,
     size_t n = 0;
     for (size_t i = 0; i < scene->n_regions; ++i) {
         const murk_scene_region *r = &scene->regions[i];
-        if (r->shape == MURK_SCENE_IN_MESH) {
+        if (r->shape == MURK_REGION_MESH) {
             desc[n++] = (murk_boundary_mesh_desc){.region = (int)i,
                                                   .mesh = mesh[i],
                                                   .to_world = placed(r),

@@ -55,16 +55,16 @@ murk_box murk_extent_geometry(const murk_scene_geometry *g,
         murk_affine_place(g->rotate_deg, g->scale, g->translate_m);
     murk_box box = g->box;
     switch (g->shape) {
-    case MURK_SCENE_SPHERE:
+    case MURK_SHAPE_SPHERE:
         return box_of_sphere(murk_affine_point(&placed, g->center),
                              g->radius_m * g->scale);
-    case MURK_SCENE_FILE:
+    case MURK_SHAPE_MESH:
         box = mesh->bounds_m;
         break;
-    case MURK_SCENE_RECT:
+    case MURK_SHAPE_RECT:
         box = box_of_rect(g->corner, g->edge1, g->edge2);
         break;
-    case MURK_SCENE_BOX:
+    case MURK_SHAPE_BOX:
         break;
     }
     return box_around(&placed, &box);
@@ -72,7 +72,7 @@ murk_box murk_extent_geometry(const murk_scene_geometry *g,
 
 bool murk_extent_is_bounded(const murk_scene_region *r)
 {
-    return r->shape != MURK_SCENE_EVERYWHERE && r->shape != MURK_SCENE_BELOW;
+    return r->shape != MURK_REGION_EVERYWHERE && r->shape != MURK_REGION_BELOW;
 }
 
 static murk_box meet(murk_box a, murk_box b)
@@ -113,7 +113,7 @@ static murk_box box_of_shape(const murk_scene_region *r,
 {
     const murk_box layers = {{-INFINITY, -INFINITY, z_m->value[0]},
                              {INFINITY, INFINITY, z_m->value[z_m->n - 1]}};
-    return meet(r->shape == MURK_SCENE_IN_SPHERE
+    return meet(r->shape == MURK_REGION_SPHERE
                     ? box_of_sphere(r->center, r->radius_m)
                     : r->box,
                 layers);
@@ -129,20 +129,20 @@ murk_box murk_extent_region(const murk_scene_desc *scene,
     /* The box of the shape alone. */
     murk_box box = murk_box_empty();
     switch (r->shape) {
-    case MURK_SCENE_IN_SPHERE:
+    case MURK_REGION_SPHERE:
         box = box_of_sphere(murk_affine_point(&placed, r->center),
                             r->radius_m * r->scale);
         break;
-    case MURK_SCENE_IN_BOX:
+    case MURK_REGION_BOX:
         box = box_around(&placed, &r->box);
         break;
-    case MURK_SCENE_IN_MESH:
+    case MURK_REGION_MESH:
         box = box_around(&placed, &mesh->bounds_m);
         break;
-    case MURK_SCENE_IN_GRID:
+    case MURK_REGION_GRID:
         return grid ? box_of_grid(&placed, grid, is_linear) : box;
-    case MURK_SCENE_EVERYWHERE:
-    case MURK_SCENE_BELOW:
+    case MURK_REGION_EVERYWHERE:
+    case MURK_REGION_BELOW:
         return box;
     }
     /* A region that replaces other media, or has an index, counts with the
@@ -184,7 +184,7 @@ murk_status murk_extent_domain(murk_domain *out, const murk_scene_desc *scene,
     murk_box all = solid;
     for (size_t i = 0; i < scene->n_regions; ++i) {
         const murk_scene_region *r = &scene->regions[i];
-        if (r->shape == MURK_SCENE_BELOW && is_empty(&solid)) {
+        if (r->shape == MURK_REGION_BELOW && is_empty(&solid)) {
             return murk_fail(err, MURK_BAD_VALUE, r->where,
                              "a half space needs a domain or geometry");
         }

@@ -48,7 +48,7 @@ murk_status murk_goals_import(murk_goals **out, const murk_scene_desc *scene,
     for (size_t i = 0; i < settings->n_interests && !status; ++i) {
         const murk_scene_interest *r = &settings->interest[i];
         const murk_mesh_import import = {.unit_m = r->unit_m, .up = r->up};
-        if (r->shape == MURK_SCENE_ZONE_MESH) {
+        if (r->shape == MURK_REGION_MESH) {
             status = murk_mesh_read(&goals->mesh[i], r->mesh, &import, r->where,
                                     err);
         }
@@ -110,15 +110,15 @@ static murk_box box_of(const murk_goals *goals, size_t i)
     const murk_scene_interest *r = &goals->scene->placement.interest[i];
     const murk_vec3 radius = {r->radius_m, r->radius_m, r->radius_m};
     switch (r->shape) {
-    case MURK_SCENE_ZONE_BOX:
+    case MURK_REGION_BOX:
         return r->box;
-    case MURK_SCENE_ZONE_SPHERE:
+    case MURK_REGION_SPHERE:
         return (murk_box){murk_sub(r->center, radius),
                           murk_add(r->center, radius)};
-    case MURK_SCENE_ZONE_MESH:
+    case MURK_REGION_MESH:
         return murk_boundary_meshes_describe(goals->boundary_meshes, (int)i)
             .bounds_m;
-    case MURK_SCENE_NO_SHAPE:
+    default: /* everywhere */
         break;
     }
     const murk_vec3 far = {INFINITY, INFINITY, INFINITY};
@@ -175,14 +175,9 @@ static murk_status check_place(const murk_goals *goals, size_t i,
 
 static murk_interest_region region_of(const murk_scene_interest *r)
 {
-    static const murk_interest_shape shape_of[] = {
-        [MURK_SCENE_NO_SHAPE] = MURK_INTEREST_ANYWHERE,
-        [MURK_SCENE_ZONE_BOX] = MURK_INTEREST_BOX,
-        [MURK_SCENE_ZONE_SPHERE] = MURK_INTEREST_SPHERE,
-        [MURK_SCENE_ZONE_MESH] = MURK_INTEREST_MESH};
     return (murk_interest_region){.name = r->name,
                                   .weight = r->weight,
-                                  .shape = shape_of[r->shape],
+                                  .shape = r->shape,
                                   .box = r->box,
                                   .center = r->center,
                                   .radius_m = r->radius_m,

@@ -40,7 +40,7 @@ murk_status murk_site_meshes_read(murk_site_meshes **out,
         const murk_scene_site_zone *zone = zone_at(settings, i);
         const murk_mesh_import import = {.unit_m = zone->unit_m,
                                          .up = zone->up};
-        if (zone->shape == MURK_SCENE_ZONE_MESH) {
+        if (zone->shape == MURK_REGION_MESH) {
             status = murk_mesh_read(&made->mesh[i], zone->mesh, &import,
                                     zone->where, err);
         }
@@ -68,12 +68,8 @@ void murk_site_meshes_destroy(murk_site_meshes *meshes)
 
 static murk_zone zone_of(const murk_scene_site_zone *z, const murk_mesh *mesh)
 {
-    static const murk_zone_shape shape_of[] = {
-        [MURK_SCENE_ZONE_BOX] = MURK_ZONE_BOX,
-        [MURK_SCENE_ZONE_SPHERE] = MURK_ZONE_SPHERE,
-        [MURK_SCENE_ZONE_MESH] = MURK_ZONE_MESH};
     return (murk_zone){
-        .shape = shape_of[z->shape],
+        .shape = z->shape,
         .box = z->box,
         .center = z->center,
         .radius_m = z->radius_m,

@@ -106,7 +106,7 @@ static murk_status import_world(murk_stage *stage, murk_error *err)
     /* Meshes of geometry. */
     for (size_t i = 0; i < scene->geometries && !status; ++i) {
         const murk_scene_geometry *g = &scene->geometry[i];
-        if (g->shape == MURK_SCENE_FILE) {
+        if (g->shape == MURK_SHAPE_MESH) {
             const murk_mesh_import import = {
                 .unit_m = g->unit_m, .up = g->up, .allow = g->allow};
             status = import_mesh(stage, &stage->mesh[i], g->file, &import,
@@ -116,7 +116,7 @@ static murk_status import_world(murk_stage *stage, murk_error *err)
     /* Meshes of regions. */
     for (size_t i = 0; i < scene->n_regions && !status; ++i) {
         const murk_scene_region *r = &scene->regions[i];
-        if (r->shape == MURK_SCENE_IN_MESH) {
+        if (r->shape == MURK_REGION_MESH) {
             const murk_mesh_import import = {.unit_m = r->unit_m, .up = r->up};
             status = import_mesh(stage, &stage->region_mesh[i], r->mesh,
                                  &import, r->scale, r->where, err);
@@ -175,13 +175,8 @@ static murk_status make_phases(murk_stage *stage, murk_error *err)
 static murk_surface_desc surface_of(const murk_scene_geometry *g,
                                     const murk_mesh *mesh)
 {
-    static const murk_shape shape_of[] = {[MURK_SCENE_FILE] = MURK_SHAPE_MESH,
-                                          [MURK_SCENE_BOX] = MURK_SHAPE_BOX,
-                                          [MURK_SCENE_RECT] = MURK_SHAPE_RECT,
-                                          [MURK_SCENE_SPHERE] =
-                                              MURK_SHAPE_SPHERE};
     return (murk_surface_desc){
-        .shape = shape_of[g->shape],
+        .shape = g->shape,
         .mesh = mesh,
         .box = g->box,
         .corner = g->corner,

@@ -8,16 +8,9 @@
 
 static murk_region region_of(const murk_scene_region *r)
 {
-    static const murk_region_shape shape_of[] = {
-        [MURK_SCENE_EVERYWHERE] = MURK_REGION_EVERYWHERE,
-        [MURK_SCENE_IN_BOX] = MURK_REGION_BOX,
-        [MURK_SCENE_IN_SPHERE] = MURK_REGION_SPHERE,
-        [MURK_SCENE_IN_GRID] = MURK_REGION_GRID,
-        [MURK_SCENE_BELOW] = MURK_REGION_BELOW,
-        [MURK_SCENE_IN_MESH] = MURK_REGION_MESH};
     return (murk_region){
         .medium = r->medium,
-        .shape = shape_of[r->shape],
+        .shape = r->shape,
         .box = r->box,
         .center = r->center,
         .radius_m = r->radius_m,

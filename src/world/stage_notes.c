@@ -67,10 +67,10 @@ static bool touches_sides(const murk_stage *stage, size_t i)
 {
     const murk_scene_region *r = &stage->scene->regions[i];
     const murk_box *domain = &stage->world.domain.box;
-    if (r->shape == MURK_SCENE_EVERYWHERE) {
+    if (r->shape == MURK_REGION_EVERYWHERE) {
         return true;
     }
-    if (r->shape == MURK_SCENE_BELOW) {
+    if (r->shape == MURK_REGION_BELOW) {
         return r->below_z_m > domain->min.z;
     }
     const murk_box box = murk_extent_region(

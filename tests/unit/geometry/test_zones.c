@@ -7,7 +7,7 @@
 
 static murk_zone box_zone(murk_vec3 min, murk_vec3 max)
 {
-    return (murk_zone){.shape = MURK_ZONE_BOX,
+    return (murk_zone){.shape = MURK_REGION_BOX,
                        .box = {min, max},
                        .to_world = murk_affine_identity(),
                        .where = "here"};
@@ -43,7 +43,7 @@ static void test_none_hold_nothing(void)
 static void test_boxes_and_spheres_hold_their_boundary(void)
 {
     const murk_zone zone[2] = {box_zone(murk_vec(1, 1, 1), murk_vec(2, 3, 4)),
-                               {.shape = MURK_ZONE_SPHERE,
+                               {.shape = MURK_REGION_SPHERE,
                                 .center = {10, 0, 0},
                                 .radius_m = 2,
                                 .to_world = murk_affine_identity()}};
@@ -81,7 +81,7 @@ static void test_meshes_hold_their_inside(void)
     murk_mesh *mesh = closed_prism(at, 6, cut, 0, 1);
     closed_mesh_mix_winding(mesh, 5);
     const murk_zone zone[2] = {
-        {.shape = MURK_ZONE_MESH,
+        {.shape = MURK_REGION_MESH,
          .mesh = mesh,
          .to_world = murk_affine_place(murk_vec(0, 0, 0), 1, murk_vec(5, 0, 0)),
          .where = "here"},
@@ -101,7 +101,7 @@ static void test_bad_zones_are_named(void)
     murk_mesh *mesh = closed_box(murk_vec(0, 0, 0), murk_vec(1, 1, 1));
     murk_zone zone[MURK_ZONE_MESHES_MAX + 1];
     for (size_t i = 0; i <= MURK_ZONE_MESHES_MAX; ++i) {
-        zone[i] = (murk_zone){.shape = MURK_ZONE_MESH,
+        zone[i] = (murk_zone){.shape = MURK_REGION_MESH,
                               .mesh = mesh,
                               .to_world = murk_affine_identity(),
                               .where = "here"};

@@ -31,18 +31,18 @@ static void test_surfaces_and_materials(const murk_scene_desc *scene)
 
     CHECK(scene->geometries == 4);
     const murk_scene_geometry *file = &scene->geometry[0];
-    CHECK(file->shape == MURK_SCENE_FILE && file->unit_m == 0.01);
+    CHECK(file->shape == MURK_SHAPE_MESH && file->unit_m == 0.01);
     CHECK(file->up == 'y' && file->scale == 2 && file->material == 1);
     CHECK(file->rotate_deg.z == 90 && file->translate_m.y == 2);
     CHECK_TEXT(file->file, "m/yard.dae");
     CHECK_TEXT(file->where, "fog.yaml:7:5: geometry.0");
     const murk_scene_geometry *box = &scene->geometry[1];
-    CHECK(box->shape == MURK_SCENE_BOX && box->box.max.z == 3);
+    CHECK(box->shape == MURK_SHAPE_BOX && box->box.max.z == 3);
     CHECK(box->scale == 1 && box->file == NULL && box->unit_m == 0);
-    CHECK(scene->geometry[2].shape == MURK_SCENE_RECT);
+    CHECK(scene->geometry[2].shape == MURK_SHAPE_RECT);
     CHECK(scene->geometry[2].edge2.y == 1 && scene->geometry[2].up == 0);
     CHECK(scene->geometry[2].material == -1);
-    CHECK(scene->geometry[3].shape == MURK_SCENE_SPHERE);
+    CHECK(scene->geometry[3].shape == MURK_SHAPE_SPHERE);
     CHECK(scene->geometry[3].radius_m == 0.5);
     CHECK(scene->geometry[3].material == 2);
 }
@@ -78,18 +78,18 @@ static void test_media_and_regions(const murk_scene_desc *scene)
     CHECK(layer->vdb == NULL && scene->media[0].profile_z_m.n == 0);
 
     CHECK(scene->n_regions == 6);
-    CHECK(scene->regions[0].shape == MURK_SCENE_EVERYWHERE);
+    CHECK(scene->regions[0].shape == MURK_REGION_EVERYWHERE);
     CHECK(scene->regions[0].scale == 1 && scene->regions[0].medium == 0);
-    CHECK(scene->regions[1].shape == MURK_SCENE_IN_GRID);
+    CHECK(scene->regions[1].shape == MURK_REGION_GRID);
     CHECK(scene->regions[1].rotate_deg.z == 30);
-    CHECK(scene->regions[2].shape == MURK_SCENE_IN_BOX);
+    CHECK(scene->regions[2].shape == MURK_REGION_BOX);
     CHECK(scene->regions[2].replaces && !scene->regions[3].replaces);
-    CHECK(scene->regions[3].shape == MURK_SCENE_IN_SPHERE);
+    CHECK(scene->regions[3].shape == MURK_REGION_SPHERE);
     CHECK(scene->regions[3].center.x == 5 && scene->regions[3].medium == 2);
     CHECK(scene->regions[3].ior == 0 && scene->regions[4].ior == 1.34);
-    CHECK(scene->regions[4].shape == MURK_SCENE_BELOW);
+    CHECK(scene->regions[4].shape == MURK_REGION_BELOW);
     CHECK(scene->regions[4].below_z_m == -0.5 && scene->regions[4].scale == 1);
-    CHECK(scene->regions[5].shape == MURK_SCENE_IN_MESH);
+    CHECK(scene->regions[5].shape == MURK_REGION_MESH);
     CHECK_TEXT(scene->regions[5].mesh, "tank.obj");
     CHECK(scene->regions[5].unit_m == 0.01 && scene->regions[5].up == 'y');
     CHECK(scene->regions[5].scale == 3 && scene->regions[5].ior == 1.5);
@@ -164,10 +164,10 @@ static void test_the_rest(const murk_scene_desc *scene)
           settings->mount[0].band_m[1] == 2 &&
           settings->mount[0].facing == MURK_SCENE_FACING_UP);
     CHECK(settings->avoids == 2 && settings->withins == 0);
-    CHECK(settings->avoid[0].shape == MURK_SCENE_ZONE_MESH &&
+    CHECK(settings->avoid[0].shape == MURK_REGION_MESH &&
           settings->avoid[0].up == 'y' && settings->avoid[0].scale == 1);
     CHECK_TEXT(settings->avoid[0].mesh, "crate.obj");
-    CHECK(settings->avoid[1].shape == MURK_SCENE_ZONE_SPHERE &&
+    CHECK(settings->avoid[1].shape == MURK_REGION_SPHERE &&
           settings->avoid[1].radius_m == 2);
 
     const murk_scene_placement *placement = &scene->placement;

@@ -27,7 +27,7 @@ static uint64_t regions_of(const murk_interest_region *region, size_t n,
     return murk_interest_at(&interest, &photon, SLACK);
 }
 
-static murk_interest_region a_region(murk_interest_shape shape)
+static murk_interest_region a_region(murk_region_shape shape)
 {
     return (murk_interest_region){.name = "r",
                                   .weight = 1,
@@ -39,8 +39,8 @@ static murk_interest_region a_region(murk_interest_shape shape)
 
 static void test_shapes_are_closed(void)
 {
-    murk_interest_region r[2] = {a_region(MURK_INTEREST_BOX),
-                                 a_region(MURK_INTEREST_SPHERE)};
+    murk_interest_region r[2] = {a_region(MURK_REGION_BOX),
+                                 a_region(MURK_REGION_SPHERE)};
     r[0].box = (murk_box){{-1, -1, -1}, {0.1, 1, 1}};
     r[1].center = murk_vec(3, 0, 0);
     r[1].radius_m = 0.7;
@@ -75,8 +75,8 @@ static void test_a_mesh_holds_its_own_faces(void)
     if (!boundary_meshes) {
         return;
     }
-    const murk_interest_region r[2] = {a_region(MURK_INTEREST_ANYWHERE),
-                                       a_region(MURK_INTEREST_MESH)};
+    const murk_interest_region r[2] = {a_region(MURK_REGION_EVERYWHERE),
+                                       a_region(MURK_REGION_MESH)};
     const murk_vec3 top = {1.3, 1.6, 1}, side = {2, 1.3, 0.4},
                     floor = {1.3, 1.6, 0}, beside = {2.1, 1.3, 0},
                     down = {0, 0, -1}, middle = {1.4, 1.6, 0.5},
@@ -95,9 +95,9 @@ static void test_a_mesh_holds_its_own_faces(void)
 /* Material 1 and medium 1 are different things. */
 static void test_materials_and_media(void)
 {
-    murk_interest_region r[3] = {a_region(MURK_INTEREST_ANYWHERE),
-                                 a_region(MURK_INTEREST_ANYWHERE),
-                                 a_region(MURK_INTEREST_BOX)};
+    murk_interest_region r[3] = {a_region(MURK_REGION_EVERYWHERE),
+                                 a_region(MURK_REGION_EVERYWHERE),
+                                 a_region(MURK_REGION_BOX)};
     r[0].material = 1;
     r[1].medium = 1;
     r[2].box = (murk_box){{0, 0, 0}, {1, 1, 1}};
@@ -115,9 +115,9 @@ static void test_materials_and_media(void)
 
 static void test_factors_multiply(void)
 {
-    murk_interest_region r[3] = {a_region(MURK_INTEREST_ANYWHERE),
-                                 a_region(MURK_INTEREST_ANYWHERE),
-                                 a_region(MURK_INTEREST_ANYWHERE)};
+    murk_interest_region r[3] = {a_region(MURK_REGION_EVERYWHERE),
+                                 a_region(MURK_REGION_EVERYWHERE),
+                                 a_region(MURK_REGION_EVERYWHERE)};
     r[0].weight = 3;
     r[1].weight = 0.5;
     r[2].weight = 0;
@@ -199,8 +199,8 @@ static void test_by_hand(void)
     for (uint32_t i = 0; i < 4; ++i) {
         v[i] = a_photon(murk_vec(i < 1 ? 2 : 8, 6, 1), none, 10 + i);
     }
-    murk_interest_region r[2] = {a_region(MURK_INTEREST_BOX),
-                                 a_region(MURK_INTEREST_BOX)};
+    murk_interest_region r[2] = {a_region(MURK_REGION_BOX),
+                                 a_region(MURK_REGION_BOX)};
     r[0].box = (murk_box){{0, 4, 0}, {10, 8, 4}};
     r[0].weight = 5;
     r[1].box = (murk_box){{0, 0, 0}, {10, 4, 4}};
@@ -297,8 +297,8 @@ static void test_the_region_of_all_is_the_total(void)
 {
     static sample s;
     draw(&s, 1000);
-    murk_interest_region r[2] = {a_region(MURK_INTEREST_BOX),
-                                 a_region(MURK_INTEREST_ANYWHERE)};
+    murk_interest_region r[2] = {a_region(MURK_REGION_BOX),
+                                 a_region(MURK_REGION_EVERYWHERE)};
     r[0].box = hall.box;
     r[0].weight = 7;
     r[1].material = 200;
@@ -329,7 +329,7 @@ static void test_the_region_of_all_is_the_total(void)
 static void test_the_error_is_the_spread(void)
 {
     static sample s;
-    murk_interest_region r = a_region(MURK_INTEREST_BOX);
+    murk_interest_region r = a_region(MURK_REGION_BOX);
     r.box = (murk_box){{0, 4, 0}, {10, 8, 4}};
     r.weight = 3;
     const murk_interest interest = {&r, 1, NULL, 1};
@@ -367,8 +367,8 @@ static void test_threads_change_nothing(void)
 {
     static sample s;
     draw(&s, 2000);
-    murk_interest_region r[2] = {a_region(MURK_INTEREST_BOX),
-                                 a_region(MURK_INTEREST_SPHERE)};
+    murk_interest_region r[2] = {a_region(MURK_REGION_BOX),
+                                 a_region(MURK_REGION_SPHERE)};
     r[0].box = (murk_box){{0, 4, 0}, {10, 8, 4}};
     r[1].center = murk_vec(8, 4, 1);
     r[1].radius_m = 2;

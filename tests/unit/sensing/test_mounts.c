@@ -306,7 +306,7 @@ static void test_mounts_on_a_periodic_side(void)
 
 static murk_zones *box_zone(murk_vec3 min, murk_vec3 max)
 {
-    const murk_zone zone = {.shape = MURK_ZONE_BOX,
+    const murk_zone zone = {.shape = MURK_REGION_BOX,
                             .box = {min, max},
                             .to_world = murk_affine_identity()};
     murk_zones *zones = NULL;
