@@ -6,7 +6,8 @@
 # Markdown as this project's files use it: headings, paragraphs, lists, fences,
 # tables, `code`, **bold**, [text](link). The first line is "# NAME(SECTION):
 # what it is". A line "<!-- include FILE: HEADING -->" takes in the section of
-# that heading from DIR/FILE, "through OTHER" all up to the end of section
+# that heading from DIR/FILE, or without the heading from the file that the
+# build made if FILE begins with "@"; "through OTHER" all up to the end of section
 # OTHER, "before OTHER" up to where that begins.
 # A table becomes a list: its first column is what is listed; of a table of keys
 # ("key | value | default | meaning") default "-" is left out.
@@ -161,8 +162,10 @@ function take(text) {
 }
 
 # The sections of a file: from that heading to the next one of its level.
-function include(spec,    file, from, last, rule, text, is_in, found, ends) {
+function include(spec,    file, from, last, rule, text, is_in, found, ends, is_made) {
     file = substr(spec, 1, index(spec, ": ") - 1)
+    is_made = sub(/^@/, "", file)
+    file = (is_made ? generated : source) "/" file
     from = substr(spec, index(spec, ": ") + 2)
     rule = ""
     if (match(from, / (through|before) /)) {
@@ -170,7 +173,7 @@ function include(spec,    file, from, last, rule, text, is_in, found, ends) {
         rule = substr(from, RSTART + 1, RLENGTH - 2)
         from = substr(from, 1, RSTART - 1)
     }
-    while ((getline text < (source "/" file)) > 0) {
+    while ((getline text < file) > 0) {
         if (text ~ /^##? / && !fenced) {
             if (is_in && (rule == "" || ends || (rule == "before" && \
                           index(text, "## " last) == 1))) {
@@ -179,6 +182,9 @@ function include(spec,    file, from, last, rule, text, is_in, found, ends) {
             ends = is_in && rule == "through" && index(text, "## " last) == 1
             if (!is_in && (index(text, "## " from) == 1 || index(text, "# " from) == 1)) {
                 is_in = found = 1
+                if (is_made) {
+                    continue
+                }
                 if (text ~ /^# /) {
                     text = "## Description"
                 }
@@ -191,7 +197,7 @@ function include(spec,    file, from, last, rule, text, is_in, found, ends) {
             take(text)
         }
     }
-    close(source "/" file)
+    close(file)
     flush()
     if (!found) {
         print FILENAME ": no section \"" from "\" in " file > "/dev/stderr"

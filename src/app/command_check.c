@@ -98,11 +98,11 @@ static cJSON *check_json(const findings *f)
     add_mesh_materials(root, f);
     murk_json_media(root, stage);
     murk_json_lights(root, stage);
-    if (f->candidates) {
-        murk_json_candidates(root, f->candidates);
-    } else {
-        cJSON_AddNullToObject(root, "candidates");
-    }
+    cJSON_AddItemToObject(
+        root, "candidates",
+        f->candidates
+            ? murk_results_json(murk_results_list_candidates, f->candidates)
+            : cJSON_CreateNull());
     murk_json_sensor_types(root, f->session->scene, f->poses);
     murk_json_tallies(root, f->session);
     murk_json_cameras(root, f->session->scene, &f->forecast);

@@ -263,7 +263,7 @@ static murk_status write_files(const fit *f, murk_session *session,
     if (!status) {
         status = murk_session_finish(
             session, only_predicts ? "predict.json" : "fit.json",
-            murk_fit_json(&facts), err);
+            murk_results_json(murk_results_list_fit, &facts), err);
     }
     /* where no summary is printed, a warning carries the refusal, with --quiet
      * as well: who uses the values must know */

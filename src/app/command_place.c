@@ -20,250 +20,6 @@
 
 #define FILE_SIZE (MURK_SCENE_NAME_SIZE + 16)
 
-static void add_candidates(cJSON *root, const murk_plan_result *plan)
-{
-    cJSON *object = murk_json_candidates(root, plan->candidates);
-    cJSON_AddNumberToObject(object, "poses", (double)plan->poses->count);
-    cJSON_AddNumberToObject(object, "after_presolve",
-                            (double)plan->place.after_presolve);
-}
-
-static void add_coverage(cJSON *root, const murk_plan_result *plan,
-                         bool is_strict)
-{
-    cJSON *object = cJSON_AddObjectToObject(root, "coverage");
-    murk_json_number(object, "in_sample", plan->in_sample.total.value);
-    murk_json_number(object, "held_out",
-                     plan->has_held_out ? plan->held_out.value : NAN);
-    murk_json_number(object, "held_out_standard_error",
-                     plan->has_held_out ? plan->held_out.standard_error : NAN);
-    murk_json_number(object, "in_sample_standard_error",
-                     plan->in_sample.total.standard_error);
-    murk_json_number(object, "surface", plan->in_sample.surface.value);
-    murk_json_number(object, "surface_standard_error",
-                     plan->in_sample.surface.standard_error);
-    murk_json_number(object, "volume", plan->in_sample.volume.value);
-    murk_json_number(object, "volume_standard_error",
-                     plan->in_sample.volume.standard_error);
-    murk_json_number(
-        object, "ceiling",
-        is_strict ? NAN : murk_share(plan->place.ceiling, plan->place.whole));
-    murk_json_number(object, "sum_of_views", plan->in_sample.sum_of_views);
-}
-
-/* The strict question: asked, reached, and whether fewer cannot do. */
-static void add_strict(cJSON *target, const murk_plan_result *plan,
-                       const murk_scene_desc *scene)
-{
-    const size_t at_least = murk_plan_at_least(scene);
-    if (at_least > 0) {
-        cJSON_AddNumberToObject(target, "at_least", (double)at_least);
-        murk_json_number(target, "reached",
-                         plan->is_dark ? NAN : plan->in_sample.at_least.value);
-        murk_json_number(
-            target, "reached_standard_error",
-            plan->is_dark ? NAN : plan->in_sample.at_least.standard_error);
-        murk_json_number(target, "ceiling",
-                         murk_share(plan->place.ceiling, plan->place.whole));
-        cJSON_AddBoolToObject(target, "proven_fewest",
-                              !plan->is_dark &&
-                                  plan->place.count <= plan->place.fewest);
-    }
-}
-
-static void add_target(cJSON *root, const murk_plan_result *plan,
-                       const murk_scene_desc *scene)
-{
-    if (scene->sensors.target > 0) {
-        cJSON *object = cJSON_AddObjectToObject(root, "target");
-        murk_json_number(object, "asked", scene->sensors.target);
-        murk_json_number(object, "fewest_possible",
-                         plan->is_dark ? NAN : (double)plan->place.fewest);
-        add_strict(object, plan, scene);
-        murk_json_number(object, "confirmed", plan->confirmed.value);
-        murk_json_number(object, "confirmed_standard_error",
-                         plan->confirmed.standard_error);
-    }
-}
-
-static void add_budget(cJSON *root, const murk_plan_result *plan,
-                       const murk_scene_desc *scene)
-{
-    if (scene->sensors.budget > 0) {
-        cJSON *object = cJSON_AddObjectToObject(root, "budget");
-        murk_json_number(object, "asked", scene->sensors.budget);
-        murk_json_number(object, "spent",
-                         (double)plan->place.cost * MURK_COST_UNIT);
-    }
-}
-
-static void add_placement(cJSON *root, const murk_plan_result *plan,
-                          const murk_scene_desc *scene)
-{
-    static const char *const through_names[] = {[MURK_SCENE_THIN] = "thin",
-                                                [MURK_SCENE_BLOCK] = "block",
-                                                [MURK_SCENE_REFRACT] =
-                                                    "refract"};
-    const murk_scene_placement *settings = &scene->placement;
-    cJSON *object = cJSON_AddObjectToObject(root, "placement");
-    cJSON_AddStringToObject(object, "method",
-                            settings->knowledge == MURK_SCENE_EXPLORE
-                                ? "greedy"
-                                : murk_method_names[settings->method]);
-    cJSON_AddStringToObject(object, "detection",
-                            murk_detection_name(settings->detection));
-    murk_json_number(
-        object, "threshold",
-        murk_detection_is(settings->detection, MURK_DETECTION_HAS_THRESHOLD)
-            ? settings->threshold
-            : NAN);
-    murk_json_number(object, "power_radius_m",
-                     plan->power_radius_m > 0 ? plan->power_radius_m : NAN);
-    murk_json_number(object, "power_neighbours",
-                     plan->power_neighbours ? (double)plan->power_neighbours
-                                            : NAN);
-    cJSON_AddNumberToObject(object, "redundancy", (double)settings->redundancy);
-    cJSON_AddStringToObject(object, "visibility",
-                            settings->by_normal ? "normal" : "ray");
-    cJSON_AddStringToObject(object, "through",
-                            through_names[settings->through]);
-    cJSON_AddStringToObject(object, "knowledge",
-                            murk_knowledge_names[settings->knowledge]);
-    cJSON_AddNumberToObject(object, "restarts", (double)settings->restarts);
-    cJSON_AddNumberToObject(object, "starts", (double)plan->place.restarts);
-    cJSON_AddNumberToObject(object, "evaluations",
-                            (double)plan->place.evaluations);
-    cJSON_AddNumberToObject(object, "queries", (double)plan->queries);
-    cJSON_AddNumberToObject(object, "shadow_rays", (double)plan->shadow_rays);
-    cJSON_AddNumberToObject(object, "sightlines_blocked_by_interfaces",
-                            (double)plan->blocked_by_interfaces);
-    cJSON_AddNumberToObject(object, "sightlines_totally_reflected",
-                            (double)plan->totally_reflected);
-    cJSON_AddNumberToObject(object, "nodes", (double)plan->place.nodes);
-    murk_json_cut(object, &plan->place);
-}
-
-/* over NULL: the scene as it stands. */
-static cJSON *plan_json(const murk_session *session,
-                        const murk_plan_result *plan,
-                        const murk_condition_plans *over)
-{
-    cJSON *root = murk_json_begin(session->scene);
-    if (over) {
-        murk_over_json_photons(root, over);
-    } else {
-        murk_json_photons(root, session->traced);
-    }
-    murk_json_targets(root, session->scene, &plan->targets);
-    add_candidates(root, plan);
-    murk_json_sensors(root, session->scene, plan->sensor, plan->place.count,
-                      &plan->in_sample);
-    add_coverage(root, plan, murk_plan_at_least(session->scene) > 0);
-    murk_json_weights(root, session->scene, &plan->in_sample);
-    murk_json_seen(root, &plan->in_sample, plan->place.count);
-    murk_json_regions(root, session->scene, plan->in_sample.region,
-                      plan->held_out_region);
-    murk_json_robust(root, session->scene, &plan->robust);
-    murk_json_bound(root, &plan->place);
-    add_target(root, plan, session->scene);
-    add_budget(root, plan, session->scene);
-    murk_json_explore(root, session->scene, plan);
-    add_placement(root, plan, session->scene);
-    if (over) {
-        murk_over_json(root, over);
-    }
-    return root;
-}
-
-static murk_status print_plan(const murk_session *session,
-                              const murk_plan_result *plan,
-                              const murk_condition_plans *over,
-                              const murk_repeat *repeat, murk_error *err)
-{
-    const murk_place_result *place = &plan->place;
-    murk_status status = MURK_OK;
-    if (!over) {
-        murk_print_light(session);
-        murk_print_tallies(session);
-    }
-    murk_print_targets(&plan->targets);
-    murk_print_candidates(plan->candidates);
-    if (over) {
-        murk_over_print(over);
-    }
-    murk_print_sensors(session->scene, plan->sensor, place->count,
-                       &plan->in_sample, session->results.folder);
-    if (plan->is_dark) {
-        murk_print("coverage    none: it is dark, and no sensor is better than "
-                   "another\n");
-    } else {
-        murk_print("coverage    %.4f in sample (", plan->in_sample.total.value);
-        murk_print_maps(&plan->in_sample);
-        murk_print(")");
-        if (murk_plan_at_least(session->scene) == 0) {
-            murk_print("; all candidates: %.4f",
-                       murk_share(place->ceiling, place->whole));
-        }
-        murk_print("\n");
-        murk_print_weights(session->scene, &plan->in_sample);
-    }
-    if (plan->has_held_out) {
-        murk_print("held out    ");
-        murk_print_estimate(plan->held_out);
-        if (isfinite(plan->held_out.standard_error)) {
-            murk_print(" (one standard error, %s)",
-                       murk_error_by(session->scene));
-        }
-        murk_print("\n");
-    }
-    if (session->scene->sensors.target > 0 && !plan->is_dark) {
-        const size_t at_least = murk_plan_at_least(session->scene);
-        murk_print("target      %.4f ", session->scene->sensors.target);
-        if (at_least > 0) {
-            murk_print("seen by %zu or more ", at_least);
-        }
-        murk_print("takes %zu sensors, and no fewer than %zu", place->count,
-                   place->fewest);
-        if (at_least > 0) {
-            murk_print("; %.4f in sample, of all candidates %.4f",
-                       plan->in_sample.at_least.value,
-                       murk_share(place->ceiling, place->whole));
-        }
-        if (isfinite(plan->confirmed.value)) {
-            murk_print("; on a third map ");
-            murk_print_estimate(plan->confirmed);
-        }
-        murk_print("\n");
-    }
-    murk_print_regions(session->scene, plan->in_sample.region,
-                       plan->held_out_region);
-    murk_print_robust(session->scene, &plan->robust);
-    if (session->scene->sensors.budget > 0) {
-        murk_print("budget      %.10g of %.10g spent\n",
-                   (double)place->cost * MURK_COST_UNIT,
-                   session->scene->sensors.budget);
-    }
-    if (!plan->is_dark) {
-        if (session->scene->placement.over == MURK_SCENE_OVER_REGRET) {
-            murk_over_print_bound(over, murk_sample_of(session->scene));
-        } else {
-            const size_t at_least = murk_plan_at_least(session->scene);
-            char sample[80];
-            snprintf(sample, sizeof sample,
-                     at_least ? "%s by %zu or more" : "%s",
-                     murk_sample_of(session->scene), at_least);
-            murk_print_bound(place, session->scene->sensors.budget > 0, sample);
-        }
-        murk_print_explore(plan, session->results.folder);
-    }
-    if (repeat->runs > 0) {
-        status = murk_print_repeat(repeat, err);
-    }
-    murk_print_time(&session->run, NULL, 0);
-    murk_print_files(session);
-    return status;
-}
-
 static murk_status write_light(murk_session *session, murk_error *err)
 {
     murk_status status = murk_session_add_light(session, err);
@@ -281,16 +37,15 @@ static murk_status add_files(murk_session *session,
                              const murk_condition_plans *over, murk_error *late,
                              murk_error *err)
 {
+    const murk_sensor_results sensors =
+        murk_plan_sensor_results(session->scene, plan);
     murk_status status = over ? murk_over_add_files(session, plan, over, err)
                               : write_light(session, err);
     if (!status) {
-        status = murk_add_sensors_csv(&session->results, session->scene,
-                                      plan->sensor, plan->place.count, err);
+        status = murk_add_sensors_csv(&session->results, &sensors, err);
     }
     if (!status) {
-        status = murk_add_coverage_csv(&session->results, session->scene,
-                                       plan->sensor, plan->place.count,
-                                       &plan->in_sample, err);
+        status = murk_add_coverage_csv(&session->results, &sensors, err);
     }
     if (!status) {
         status = murk_add_explore(&session->results, session->stage, plan, err);
@@ -309,9 +64,11 @@ static murk_status repeat_all(murk_session *session,
                               murk_repeat *repeat, size_t runs,
                               murk_error *late, murk_error *err)
 {
+    const murk_plan_results results = {session, plan, over, NULL};
     const murk_repeat_first first = {plan, session->stage, over};
     const murk_status status = murk_session_keep(
-        session, "plan.json", plan_json(session, plan, over), err);
+        session, "plan.json",
+        murk_results_json(murk_results_list_plan, &results), err);
     if (!status) {
         (void)murk_repeat_make(repeat, &first, runs, session->settings.threads,
                                late);
@@ -319,24 +76,19 @@ static murk_status repeat_all(murk_session *session,
     return status;
 }
 
-/* With a row of repeat.csv a seed where it was repeated. */
-static murk_status finish(murk_session *session, const murk_plan_result *plan,
-                          const murk_condition_plans *over,
-                          const murk_repeat *repeat, murk_error *err)
+/* Writes plan.json last, with repeat.csv if seeds were repeated. */
+static murk_status finish(murk_session *session,
+                          const murk_plan_results *results, murk_error *err)
 {
-    cJSON *root = plan_json(session, plan, over);
-    murk_status status = MURK_OK;
-    if (repeat->runs > 0) {
-        status = murk_json_repeat(root, repeat, err);
-    }
-    if (!status && repeat->runs > 0) {
-        status = murk_add_repeat_csv(&session->results, repeat, err);
-    }
-    if (status) {
-        cJSON_Delete(root);
-        return status;
-    }
-    return murk_session_finish(session, "plan.json", root, err);
+    const murk_status status =
+        results->repeat ? murk_add_repeat_csv(&session->results,
+                                              results->repeat->repeat, err)
+                        : MURK_OK;
+    return status
+               ? status
+               : murk_session_finish(
+                     session, "plan.json",
+                     murk_results_json(murk_results_list_plan, results), err);
 }
 
 static murk_status check_repeat(const murk_session *session, uint64_t runs,
@@ -503,11 +255,17 @@ murk_status murk_command_place(const murk_options *options, murk_error *err)
         status = repeat_all(&session, &plan, over, &repeat, (size_t)seeds,
                             &late, err);
     }
+    murk_repeat_results repeated = {.repeat = &repeat};
+    murk_plan_results results = {&session, &plan, over, NULL};
+    if (!status && repeat.runs > 0) {
+        results.repeat = &repeated;
+        status = murk_repeat_sum_up(&repeated.summary, &repeat, err);
+    }
     if (!status) {
-        status = finish(&session, &plan, over, &repeat, err);
+        status = finish(&session, &results, err);
     }
     if (!status && murk_session_speaks(&session)) {
-        status = print_plan(&session, &plan, over, &repeat, err);
+        murk_print_plan(&results);
     }
     if (!status) { /* the plan is written, what is told late is not */
         status = murk_fail(err, late.status, late.where, "%s", late.text);

@@ -2,12 +2,9 @@
 #include "plan/dark.h"
 #include "plan/few_photons.h"
 #include "plan/placement_in.h"
-#include "results/coverage.h"
 #include "results/exports.h"
-#include "results/goals.h"
 #include "results/plan_ply.h"
-#include "results/robust.h"
-#include "results/summary.h"
+#include "results/sense.h"
 #include "results/tallies.h"
 
 #include <math.h>
@@ -20,38 +17,9 @@ typedef struct measured {
     murk_robust robust;
 } measured;
 
-static cJSON *coverage_json(const murk_session *session,
-                            const murk_pose *sensor, size_t n,
-                            const measured *of)
-{
-    const murk_coverage_result *coverage = &of->coverage;
-    cJSON *root = murk_json_begin(session->scene);
-    murk_json_photons(root, session->traced);
-    murk_json_targets(root, session->scene, &of->targets);
-    murk_json_sensors(root, session->scene, sensor, n, coverage);
-    cJSON *object = cJSON_AddObjectToObject(root, "coverage");
-    murk_json_number(object, "in_sample", coverage->total.value);
-    murk_json_number(object, "standard_error", coverage->total.standard_error);
-    cJSON_AddNullToObject(object, "held_out");
-    cJSON_AddNullToObject(object, "held_out_standard_error");
-    cJSON_AddNullToObject(object, "ceiling"); /* no candidates were asked */
-    murk_json_number(object, "surface", coverage->surface.value);
-    murk_json_number(object, "surface_standard_error",
-                     coverage->surface.standard_error);
-    murk_json_number(object, "volume", coverage->volume.value);
-    murk_json_number(object, "volume_standard_error",
-                     coverage->volume.standard_error);
-    murk_json_number(object, "sum_of_views", coverage->sum_of_views);
-    murk_json_weights(root, session->scene, coverage);
-    murk_json_seen(root, coverage, n);
-    murk_json_regions(root, session->scene, coverage->region, NULL);
-    murk_json_robust(root, session->scene, &of->robust);
-    return root;
-}
-
 static murk_status write_coverage(murk_session *session,
-                                  const murk_pose *sensor, size_t n,
-                                  const measured *of, murk_error *err)
+                                  const murk_sense_results *results,
+                                  murk_error *err)
 {
     murk_status status = murk_session_add_light(session, err);
     if (!status) {
@@ -61,42 +29,15 @@ static murk_status write_coverage(murk_session *session,
         status = murk_add_tallies(session, err);
     }
     if (!status) {
-        status = murk_add_coverage_csv(&session->results, session->scene,
-                                       sensor, n, &of->coverage, err);
+        status =
+            murk_add_coverage_csv(&session->results, &results->sensors, err);
     }
     if (!status) {
-        status =
-            murk_session_finish(session, "coverage.json",
-                                coverage_json(session, sensor, n, of), err);
+        status = murk_session_finish(
+            session, "coverage.json",
+            murk_results_json(murk_results_list_sense, results), err);
     }
     return status;
-}
-
-static void print_coverage(const murk_session *session, const murk_pose *sensor,
-                           size_t n, const measured *of)
-{
-    const murk_coverage_result *coverage = &of->coverage;
-    murk_print_light(session);
-    murk_print_tallies(session);
-    murk_print_targets(&of->targets);
-    murk_print_sensors(session->scene, sensor, n, coverage,
-                       session->results.folder);
-    if (!isfinite(coverage->total.value)) {
-        murk_print("coverage    none: it is dark (");
-    } else if (isfinite(coverage->total.standard_error)) {
-        murk_print("coverage    %.4f +- %.4f (one standard error, %s; ",
-                   coverage->total.value, coverage->total.standard_error,
-                   murk_error_by(session->scene));
-    } else {
-        murk_print("coverage    %.4f (", coverage->total.value);
-    }
-    murk_print_maps(coverage);
-    murk_print(")\n");
-    murk_print_weights(session->scene, coverage);
-    murk_print_regions(session->scene, coverage->region, NULL);
-    murk_print_robust(session->scene, &of->robust);
-    murk_print_time(&session->run, NULL, 0);
-    murk_print_files(session);
 }
 
 static murk_status measure_dark(measured *of, murk_session *session,
@@ -210,11 +151,16 @@ murk_status murk_command_sense(const murk_options *options, murk_error *err)
                          : measure(&of, &session, sensor, n, &late, err);
     }
     session.run.sense_s = murk_clock_s() - begun_s;
+    const murk_sense_results results = {
+        &session,
+        {session.scene, sensor, n, &of.coverage, NULL},
+        &of.targets,
+        &of.robust};
     if (!status) {
-        status = write_coverage(&session, sensor, n, &of, err);
+        status = write_coverage(&session, &results, err);
     }
     if (!status && murk_session_speaks(&session)) {
-        print_coverage(&session, sensor, n, &of);
+        murk_print_sense(&results);
     }
     if (!status) { /* the coverage is written, what is told late is not */
         status = murk_fail(err, late.status, late.where, "%s", late.text);

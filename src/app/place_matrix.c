@@ -333,8 +333,9 @@ murk_status murk_place_matrix(const murk_options *options, murk_error *err)
                          &late);
     }
     if (!status) {
-        status = murk_session_finish(&p.session, "plan.json",
-                                     murk_matrix_plan_json(&p), err);
+        status = murk_session_finish(
+            &p.session, "plan.json",
+            murk_results_json(murk_results_list_matrix_plan, &p), err);
     }
     if (!status && murk_session_speaks(&p.session)) {
         murk_matrix_plan_print(&p);

@@ -1,20 +1,26 @@
+/* Candidates: rows of JSON, and the line of the summary. */
 #include "results/candidates.h"
 
 #include "results/summary.h"
 
 #include <stdio.h>
 
-cJSON *murk_json_candidates(cJSON *root, const murk_candidates *c)
+void murk_results_list_candidates(murk_results_fields *f, const void *of)
 {
-    cJSON *object = cJSON_AddObjectToObject(root, "candidates");
-    cJSON_AddNumberToObject(object, "asked", (double)c->asked);
-    cJSON_AddNumberToObject(object, "usable", (double)c->usable);
-    cJSON_AddNumberToObject(object, "doubtful", (double)c->doubtful);
-    cJSON_AddNumberToObject(object, "unreached", (double)c->unreached);
-    cJSON_AddNumberToObject(object, "too_close", (double)c->too_close);
-    cJSON_AddNumberToObject(object, "forbidden", (double)c->forbidden);
-    cJSON_AddNumberToObject(object, "duplicates", (double)c->duplicates);
-    return object;
+    const murk_candidates *c = of;
+    MURK_RESULT(f, count, "asked", "", "places", c->asked);
+    MURK_RESULT(f, count, "usable", "", "places in free space", c->usable);
+    MURK_RESULT(f, count, "doubtful", "",
+                "places whose reach is decided by less than rounding",
+                c->doubtful);
+    MURK_RESULT(f, count, "unreached", "", "places not reached from a light",
+                c->unreached);
+    MURK_RESULT(f, count, "too_close", "", "places too close to a surface",
+                c->too_close);
+    MURK_RESULT(f, count, "forbidden", "", "places in forbidden zones",
+                c->forbidden);
+    MURK_RESULT(f, count, "duplicates", "", "places listed before",
+                c->duplicates);
 }
 
 void murk_print_candidates(const murk_candidates *c)

@@ -3,11 +3,11 @@
 #ifndef MURK_RESULTS_CANDIDATES_H
 #define MURK_RESULTS_CANDIDATES_H
 
-#include "results/results.h"
+#include "results/fields.h"
 #include "sensing/candidates.h"
 
-/* Adds `candidates`, which is the caller's to go on with. */
-cJSON *murk_json_candidates(cJSON *root, const murk_candidates *candidates);
+/* Rows of "candidates"; of: a murk_candidates. */
+void murk_results_list_candidates(murk_results_fields *f, const void *of);
 
 /* "candidates  48 asked, 40 usable: ..." */
 void murk_print_candidates(const murk_candidates *candidates);

@@ -1,26 +1,26 @@
+/* Sensors and coverage: rows of JSON and CSV, and lines of the summary. */
 #include "results/coverage.h"
 
 #include "plan/few_photons.h"
+#include "results/goals.h"
 #include "results/summary.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Each byte may be a quote; two quotes stand around; and the end. */
-#define QUOTED_SIZE (2 * MURK_SCENE_NAME_SIZE + 3)
-
-#define CSV_LINE_MAX 512
 #define HEADING_SIZE 256
 
-void murk_json_photons(cJSON *root, const murk_traced *traced)
+/* ---- rows ---- */
+
+void murk_results_list_photons(murk_results_fields *f, const void *of)
 {
-    cJSON *object = cJSON_AddObjectToObject(root, "photons");
-    cJSON_AddNumberToObject(object, "emitted", (double)traced->emitted);
-    cJSON_AddNumberToObject(object, "surface",
-                            (double)murk_photon_map_count(traced->surface));
-    cJSON_AddNumberToObject(object, "volume",
-                            (double)murk_photon_map_count(traced->volume));
+    const murk_traced *traced = of;
+    MURK_RESULT(f, count, "emitted", "", "emitted photons", traced->emitted);
+    MURK_RESULT(f, count, "surface", "", "stored in the surface map",
+                murk_photon_map_count(traced->surface));
+    MURK_RESULT(f, count, "volume", "", "stored in the volume map",
+                murk_photon_map_count(traced->volume));
 }
 
 /* As it was asked for: turning to radians and back leaves rounding behind. */
@@ -34,193 +34,154 @@ static bool is_all_round(const murk_scene_desc *scene, const murk_pose *sensor)
     return scene->sensors.type[sensor->type].view == MURK_SCENE_VIEW_SPHERE;
 }
 
-void murk_json_heading(cJSON *object, const murk_scene_desc *scene,
-                       const murk_pose *pose)
+void murk_results_list_type(murk_results_fields *f, murk_posed p)
 {
-    const bool has_axis = !is_all_round(scene, pose);
-    murk_json_number(object, "heading_deg",
-                     has_axis ? degrees(pose->heading_rad) : NAN);
-    murk_json_number(object, "tilt_deg",
-                     has_axis ? degrees(pose->tilt_rad) : NAN);
+    MURK_RESULT(f, text, "type", "", "name of the sensor type",
+                p.scene->sensors.type[p.pose->type].name);
 }
 
-/* Sensors that see all round have no heading, and an axis only by convention:
- * up. */
-void murk_json_sensors(cJSON *root, const murk_scene_desc *scene,
-                       const murk_pose *sensor, size_t n,
-                       const murk_coverage_result *coverage)
+void murk_results_list_position(murk_results_fields *f, murk_posed p)
 {
-    cJSON *list = cJSON_AddArrayToObject(root, "sensors");
-    for (size_t i = 0; i < n; ++i) {
-        const bool has_axis = !is_all_round(scene, &sensor[i]);
-        cJSON *item = cJSON_CreateObject();
-        cJSON_AddStringToObject(item, "type",
-                                scene->sensors.type[sensor[i].type].name);
-        murk_json_vector(item, "position_m",
-                         murk_scene_user(scene, sensor[i].position));
-        murk_json_vector(item, "axis",
-                         has_axis
-                             ? murk_pose_frame(&sensor[i], scene->north).axis
-                             : murk_vec(0, 0, 1));
-        murk_json_heading(item, scene, &sensor[i]);
-        murk_json_number(item, "covers", coverage->covers[i]);
-        murk_json_number(item, "only_it_covers", coverage->only_it_covers[i]);
-        cJSON_AddItemToArray(list, item);
+    if (murk_results_is_csv(f)) {
+        MURK_RESULT(f, number, "x_m", "m", "position",
+                    murk_scene_user(p.scene, p.pose->position).x);
+        MURK_RESULT(f, number, "y_m", "m", "position",
+                    murk_scene_user(p.scene, p.pose->position).y);
+        MURK_RESULT(f, number, "z_m", "m", "position",
+                    murk_scene_user(p.scene, p.pose->position).z);
+    } else {
+        MURK_RESULT(f, vector, "position_m", "m", "position",
+                    murk_scene_user(p.scene, p.pose->position));
     }
 }
 
-void murk_json_seen(cJSON *root, const murk_coverage_result *coverage, size_t n)
+void murk_results_list_heading(murk_results_fields *f, murk_posed p)
 {
-    cJSON *list = cJSON_AddArrayToObject(root, "seen_by_at_least");
-    for (size_t i = 0; i < n; ++i) {
-        const double seen = coverage->seen_by_at_least[i];
-        cJSON_AddItemToArray(list, isfinite(seen) ? cJSON_CreateNumber(seen)
-                                                  : cJSON_CreateNull());
-    }
+    MURK_RESULT(f, number, "heading_deg", "degrees",
+                "clockwise from north; none of a sensor that sees all round",
+                is_all_round(p.scene, p.pose) ? NAN
+                                              : degrees(p.pose->heading_rad));
+    MURK_RESULT(f, number, "tilt_deg", "degrees", "up from the horizon",
+                is_all_round(p.scene, p.pose) ? NAN
+                                              : degrees(p.pose->tilt_rad));
 }
 
-void murk_json_weights(cJSON *root, const murk_scene_desc *scene,
-                       const murk_coverage_result *coverage)
+/* Sensors that see all round have an axis only by convention: up. */
+static murk_vec3 axis_of(murk_posed p)
 {
-    static const char *const name[] = {"surface", "volume"};
-    const int thin = murk_thin_map(scene, coverage);
-    cJSON *object = cJSON_AddObjectToObject(root, "weights_used");
+    return is_all_round(p.scene, p.pose)
+               ? murk_vec(0, 0, 1)
+               : murk_pose_frame(p.pose, p.scene->north).axis;
+}
+
+static murk_posed posed_of(const murk_sensor_results *s, size_t i)
+{
+    return s ? (murk_posed){s->scene, &s->pose[i]} : (murk_posed){NULL, NULL};
+}
+
+/* sensors[] of plan.json and coverage.json, and coverage.csv. */
+void murk_results_list_sensor(murk_results_fields *f, const void *of, size_t i)
+{
+    const murk_sensor_results *s = of;
+    const murk_posed p = posed_of(s, i);
+    if (murk_results_is_csv(f)) {
+        MURK_RESULT(f, count, "sensor", "", "number, from 1", i + 1);
+    }
+    murk_results_list_type(f, p);
+    murk_results_list_position(f, p);
+    if (!murk_results_is_csv(f)) {
+        MURK_RESULT(f, vector, "axis", "", "unit vector of the view",
+                    axis_of(p));
+        murk_results_list_heading(f, p);
+    }
+    MURK_RESULT(f, number, "covers", "1", "share that the sensor covers alone",
+                s->coverage->covers[i]);
+    MURK_RESULT(f, number, "only_it_covers", "1",
+                "share that is lost without the sensor",
+                s->coverage->only_it_covers[i]);
+}
+
+/* sensors.csv, which sense reads. */
+void murk_results_list_place(murk_results_fields *f, const void *of, size_t i)
+{
+    const murk_posed p = posed_of(of, i);
+    murk_results_list_type(f, p);
+    murk_results_list_position(f, p);
+    murk_results_list_heading(f, p);
+}
+
+void murk_results_list_sensors(murk_results_fields *f, const void *of)
+{
+    const murk_sensor_results *s = of;
+    MURK_RESULT_LIST(f, "sensors", "the sensors", murk_results_list_sensor, s,
+                     s->n);
+}
+
+static const char *const map_name[] = {"surface", "volume"};
+
+static void list_weights(murk_results_fields *f, const void *of)
+{
+    const murk_coverage_result *coverage = of;
     for (int p = 0; p < 2; ++p) {
-        murk_json_number(object, name[p], coverage->map[p].weight);
-    }
-    if (thin < 0) {
-        cJSON_AddNullToObject(root, "thin_map");
-        return;
-    }
-    object = cJSON_AddObjectToObject(root, "thin_map");
-    cJSON_AddStringToObject(object, "map", name[thin]);
-    cJSON_AddNumberToObject(object, "photons",
-                            (double)coverage->map[thin].photons);
-    murk_json_number(object, "weight", coverage->map[thin].weight);
-    murk_json_number(object, "standard_error",
-                     coverage->map[thin].standard_error);
-    murk_json_number(object, "variance_share",
-                     murk_map_variance_share(coverage, thin));
-}
-
-void murk_number_text(char out[32], double value)
-{
-    for (int digits = 6; digits <= 17; ++digits) {
-        snprintf(out, 32, "%.*g", digits, value);
-        if (strtod(out, NULL) == value) {
-            return;
-        }
+        MURK_RESULT(f, number, map_name[p], "1",
+                    "weight of the map's own coverage in the total",
+                    coverage->map[p].weight);
     }
 }
 
-/* A text as one CSV cell: quoted where it must be (RFC 4180). */
-static void quote(char out[QUOTED_SIZE], const char *text)
+/* The map whose share rests on few photons (plan/few_photons.h). */
+static void list_thin_map(murk_results_fields *f, const void *of)
 {
-    if (!strpbrk(text, ",\"\r\n")) {
-        strcpy(out, text);
-        return;
-    }
-    *out++ = '"';
-    for (; *text; ++text) {
-        if (*text == '"') {
-            *out++ = '"';
-        }
-        *out++ = *text;
-    }
-    *out++ = '"';
-    *out = '\0';
+    const murk_sensor_results *s = of;
+    const int thin = s ? murk_thin_map(s->scene, s->coverage) : 0;
+    const murk_map_share *map = s ? &s->coverage->map[thin] : NULL;
+    MURK_RESULT(f, text, "map", "", "surface or volume", map_name[thin]);
+    MURK_RESULT(f, count, "photons", "", "stored in the map", map->photons);
+    MURK_RESULT(f, number, "weight", "1", "the map's share of the coverage",
+                map->weight);
+    MURK_RESULT(f, number, "standard_error", "1",
+                "of the coverage, from this map alone", map->standard_error);
+    MURK_RESULT(f, number, "variance_share", "1", "of the coverage's variance",
+                murk_map_variance_share(s->coverage, thin));
 }
 
-void murk_write_pose(FILE *to, size_t number, const murk_scene_desc *scene,
-                     const murk_pose *pose)
+void murk_results_list_shares(murk_results_fields *f, const void *of)
 {
-    const murk_vec3 p = murk_scene_user(scene, pose->position);
-    char type[QUOTED_SIZE];
-    char x[32], y[32], z[32], heading[32] = "", tilt[32] = "";
-    quote(type, scene->sensors.type[pose->type].name);
-    murk_number_text(x, p.x);
-    murk_number_text(y, p.y);
-    murk_number_text(z, p.z);
-    if (!is_all_round(scene, pose)) {
-        murk_number_text(heading, degrees(pose->heading_rad));
-        murk_number_text(tilt, degrees(pose->tilt_rad));
-    }
-    fprintf(to, "%zu,%s,%s,%s,%s,%s,%s", number, x, y, z, type, heading, tilt);
+    const murk_sensor_results *s = of;
+    MURK_RESULT_OBJECT(f, "weights_used",
+                       "weight of each map in the coverage, together 1",
+                       list_weights, s->coverage);
+    MURK_RESULT_OBJECT(f, "thin_map",
+                       "null, or the map that has few photons, each of which "
+                       "weighs much",
+                       list_thin_map,
+                       murk_thin_map(s->scene, s->coverage) < 0 ? NULL : s);
+    MURK_RESULT(f, numbers, "seen_by_at_least", "1",
+                "share that at least 1, 2, ... sensors see",
+                s->coverage->seen_by_at_least, s->n);
+    murk_results_list_regions(f, s);
 }
 
-/* Empty where there is nothing to see. */
-static void write_share(char out[32], double share)
-{
-    out[0] = '\0';
-    if (isfinite(share)) {
-        murk_number_text(out, share);
-    }
-}
-
-static murk_status add_csv(murk_results *results, const char *name,
-                           const char *header, const murk_scene_desc *scene,
-                           const murk_pose *sensor, size_t n,
-                           const murk_coverage_result *coverage,
-                           murk_error *err)
-{
-    if (!results->folder) {
-        return MURK_OK;
-    }
-    const size_t room = strlen(header) + n * CSV_LINE_MAX + 1;
-    char *text = malloc(room);
-    size_t at = 0;
-    if (text) {
-        at = (size_t)snprintf(text, room, "%s", header);
-    }
-    for (size_t i = 0; text && i < n; ++i) {
-        const murk_vec3 p = murk_scene_user(scene, sensor[i].position);
-        char type[QUOTED_SIZE];
-        char x[32], y[32], z[32], covers[32], only[32];
-        char heading[32] = "", tilt[32] = "";
-        quote(type, scene->sensors.type[sensor[i].type].name);
-        murk_number_text(x, p.x);
-        murk_number_text(y, p.y);
-        murk_number_text(z, p.z);
-        if (!is_all_round(scene, &sensor[i])) {
-            murk_number_text(heading, degrees(sensor[i].heading_rad));
-            murk_number_text(tilt, degrees(sensor[i].tilt_rad));
-        }
-        if (coverage) {
-            write_share(covers, coverage->covers[i]);
-            write_share(only, coverage->only_it_covers[i]);
-            at += (size_t)snprintf(text + at, room - at,
-                                   "%zu,%s,%s,%s,%s,%s,%s\n", i + 1, type, x, y,
-                                   z, covers, only);
-        } else {
-            at += (size_t)snprintf(text + at, room - at, "%s,%s,%s,%s,%s,%s\n",
-                                   type, x, y, z, heading, tilt);
-        }
-    }
-    const murk_status status = murk_results_add_text(results, name, text, err);
-    free(text);
-    return status;
-}
+/* ---- CSV ---- */
 
 murk_status murk_add_sensors_csv(murk_results *results,
-                                 const murk_scene_desc *scene,
-                                 const murk_pose *sensor, size_t n,
+                                 const murk_sensor_results *sensors,
                                  murk_error *err)
 {
-    return add_csv(results, "sensors.csv",
-                   "type,x_m,y_m,z_m,heading_deg,tilt_deg\n", scene, sensor, n,
-                   NULL, err);
+    return murk_results_add_csv(results, "sensors.csv", murk_results_list_place,
+                                sensors, sensors->n, err);
 }
 
 murk_status murk_add_coverage_csv(murk_results *results,
-                                  const murk_scene_desc *scene,
-                                  const murk_pose *sensor, size_t n,
-                                  const murk_coverage_result *coverage,
+                                  const murk_sensor_results *sensors,
                                   murk_error *err)
 {
-    return add_csv(results, "coverage.csv",
-                   "sensor,type,x_m,y_m,z_m,covers,only_it_covers\n", scene,
-                   sensor, n, coverage, err);
+    return murk_results_add_csv(results, "coverage.csv",
+                                murk_results_list_sensor, sensors, sensors->n,
+                                err);
 }
+
+/* ---- the summary ---- */
 
 static void show_share(char out[16], double share)
 {
@@ -290,10 +251,12 @@ static columns choose_columns(const murk_scene_desc *scene,
     return c;
 }
 
-void murk_print_sensors(const murk_scene_desc *scene, const murk_pose *sensor,
-                        size_t n, const murk_coverage_result *coverage,
-                        const char *folder)
+void murk_print_sensors(const murk_sensor_results *sensors, const char *folder)
 {
+    const murk_scene_desc *scene = sensors->scene;
+    const murk_pose *sensor = sensors->pose;
+    const murk_coverage_result *coverage = sensors->coverage;
+    const size_t n = sensors->n;
     const size_t shown = n < MURK_PRINTED_ROWS ? n : MURK_PRINTED_ROWS;
     const columns c = choose_columns(scene, sensor, shown);
     char heading[HEADING_SIZE];

@@ -2,53 +2,52 @@
 #ifndef MURK_RESULTS_COVERAGE_H
 #define MURK_RESULTS_COVERAGE_H
 
-#include "results/results.h"
+#include "results/fields.h"
 
-/* "photons": {emitted, surface, volume} */
-void murk_json_photons(cJSON *root, const murk_traced *traced);
+/* Sensors, and the coverage that was measured of them. */
+typedef struct murk_sensor_results {
+    const murk_scene_desc *scene;
+    const murk_pose *pose; /* [n] */
+    size_t n;
+    const murk_coverage_result *coverage;        /* of just these */
+    const murk_region_coverage *held_out_region; /* NULL: not held out */
+} murk_sensor_results;
 
-/* "sensors": one object a sensor; n poses, coverage of just those. */
-void murk_json_sensors(cJSON *root, const murk_scene_desc *scene,
-                       const murk_pose *sensor, size_t n,
-                       const murk_coverage_result *coverage);
+/* Rows of "photons"; of: a murk_traced. */
+void murk_results_list_photons(murk_results_fields *f, const void *of);
 
-/* "seen_by_at_least": [by 1, by 2, ..] */
-void murk_json_seen(cJSON *root, const murk_coverage_result *coverage,
-                    size_t n);
+/* Row "sensors"; of: a murk_sensor_results. */
+void murk_results_list_sensors(murk_results_fields *f, const void *of);
+
+/* Rows of sensors[], and columns of coverage.csv; of: the same. */
+void murk_results_list_sensor(murk_results_fields *f, const void *of, size_t i);
+
+/* Columns of sensors.csv, which sense reads; of: the same. */
+void murk_results_list_place(murk_results_fields *f, const void *of, size_t i);
+
+/* Rows from "weights_used" to "regions_of_interest"; of: the same. */
+void murk_results_list_shares(murk_results_fields *f, const void *of);
+
+/* Rows of one pose; scene and pose are NULL in a description. */
+typedef struct murk_posed {
+    const murk_scene_desc *scene;
+    const murk_pose *pose;
+} murk_posed;
+void murk_results_list_type(murk_results_fields *f, murk_posed p);
+void murk_results_list_position(murk_results_fields *f, murk_posed p);
+void murk_results_list_heading(murk_results_fields *f, murk_posed p);
 
 murk_status murk_add_sensors_csv(murk_results *results,
-                                 const murk_scene_desc *scene,
-                                 const murk_pose *sensor, size_t n,
+                                 const murk_sensor_results *sensors,
                                  murk_error *err);
 murk_status murk_add_coverage_csv(murk_results *results,
-                                  const murk_scene_desc *scene,
-                                  const murk_pose *sensor, size_t n,
-                                  const murk_coverage_result *coverage,
+                                  const murk_sensor_results *sensors,
                                   murk_error *err);
 
-/* The shortest decimal that reads back to the same number. */
-void murk_number_text(char out[32], double value);
-
-/* heading_deg and tilt_deg; null all round. */
-void murk_json_heading(cJSON *object, const murk_scene_desc *scene,
-                       const murk_pose *pose);
-
-/* "number,x,y,z,type,heading,tilt", without an end of line; the last two empty
- * all round. */
-void murk_write_pose(FILE *to, size_t number, const murk_scene_desc *scene,
-                     const murk_pose *pose);
-
-void murk_print_sensors(const murk_scene_desc *scene, const murk_pose *sensor,
-                        size_t n, const murk_coverage_result *coverage,
-                        const char *folder);
+void murk_print_sensors(const murk_sensor_results *sensors, const char *folder);
 
 /* "surface 0.91 +- 0.01, no volume photons": each map's own fraction. */
 void murk_print_maps(const murk_coverage_result *coverage);
-
-/* Adds "weights_used", what each map has in the total, and "thin_map": null, or
- * the map whose share rests on few photons (plan/few_photons.h). */
-void murk_json_weights(cJSON *root, const murk_scene_desc *scene,
-                       const murk_coverage_result *coverage);
 
 /* The line that says what a coverage over two maps is; nothing where one map
  * has it all. */

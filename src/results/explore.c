@@ -1,3 +1,4 @@
+/* How an exploration went: rows of JSON and CSV, and lines of the summary. */
 #include "results/explore.h"
 
 #include "results/coverage.h"
@@ -7,6 +8,8 @@
 
 #include <stdlib.h>
 #include <string.h>
+
+#define DIGITS 9 /* of shares and lengths in explore.csv */
 
 const char *const murk_knowledge_names[] = {[MURK_SCENE_KNOWN] = "known",
                                             [MURK_SCENE_UNKNOWN] = "unknown",
@@ -40,26 +43,6 @@ static double coverage_of(const murk_plan_result *plan, uint64_t value)
     return murk_share(value, plan->place.whole);
 }
 
-static cJSON *step_json(const murk_plan_result *plan,
-                        const murk_scene_desc *scene,
-                        const murk_explore_step *step)
-{
-    const murk_pose *pose = &plan->poses->pose[step->candidate];
-    cJSON *item = cJSON_CreateObject();
-    cJSON_AddNumberToObject(item, "sensor", (double)sensor_of(plan, step));
-    cJSON_AddStringToObject(item, "type", scene->sensors.type[pose->type].name);
-    murk_json_vector(item, "position_m",
-                     murk_scene_user(scene, pose->position));
-    murk_json_heading(item, scene, pose);
-    murk_json_number(item, "gain", coverage_of(plan, step->gain));
-    murk_json_number(item, "coverage", coverage_of(plan, step->value));
-    murk_json_number(item, "path_m", step->path_m);
-    cJSON_AddNumberToObject(item, "places_seen", (double)step->places_seen);
-    cJSON_AddNumberToObject(item, "queries", (double)step->queries);
-    cJSON_AddNumberToObject(item, "shadow_rays", (double)step->shadow_rays);
-    return item;
-}
-
 static double path_of(const murk_explore *explore)
 {
     return explore->steps ? explore->step[explore->steps - 1].path_m : 0;
@@ -70,61 +53,76 @@ static size_t seen_of(const murk_explore *explore)
     return explore->steps ? explore->step[explore->steps - 1].places_seen : 0;
 }
 
-void murk_json_explore(cJSON *root, const murk_scene_desc *scene,
-                       const murk_plan_result *plan)
-{
-    const murk_explore *explore = &plan->explore;
-    if (scene->placement.knowledge != MURK_SCENE_EXPLORE) {
-        return;
-    }
-    cJSON *object = cJSON_AddObjectToObject(root, "explore");
-    if (explore->stops) {
-        murk_json_vector(object, "start_m",
-                         murk_scene_user(scene, explore->stop[0]));
-    } else {
-        cJSON_AddNullToObject(object, "start_m");
-    }
-    murk_json_number(object, "path_m", path_of(explore));
-    cJSON_AddNumberToObject(object, "places", (double)explore->places);
-    cJSON_AddNumberToObject(object, "places_seen", (double)seen_of(explore));
-    cJSON_AddNumberToObject(object, "ways_tried", (double)explore->ways);
-    cJSON_AddStringToObject(object, "ended_by", END_NAMES[explore->end]);
-    cJSON *steps = cJSON_AddArrayToObject(object, "steps");
-    for (size_t k = 0; k < explore->steps; ++k) {
-        cJSON_AddItemToArray(steps, step_json(plan, scene, &explore->step[k]));
-    }
-}
-
-typedef struct told {
+typedef struct explored {
     const murk_plan_result *plan;
     const murk_scene_desc *scene;
-} told;
+} explored;
 
-static murk_status write_csv(const char *path, const void *context,
-                             murk_error *err)
+/* steps[] of plan.json, and explore.csv. */
+void murk_results_list_step(murk_results_fields *f, const void *of, size_t i)
 {
-    const told *t = context;
-    const murk_explore *explore = &t->plan->explore;
-    murk_file *file = NULL;
-    const murk_status status = murk_file_create(&file, path, err);
-    if (status) {
-        return status;
+    const explored *e = of;
+    const murk_explore_step *step = e ? &e->plan->explore.step[i] : NULL;
+    const murk_posed p =
+        e ? (murk_posed){e->scene, &e->plan->poses->pose[step->candidate]}
+          : (murk_posed){NULL, NULL};
+    if (murk_results_is_csv(f)) {
+        MURK_RESULT(f, count, "step", "", "number, from 1", i + 1);
+        murk_results_list_position(f, p);
+        murk_results_list_type(f, p);
+        murk_results_list_heading(f, p);
     }
-    FILE *to = murk_file_stream(file);
-    fputs("step,x_m,y_m,z_m,type,heading_deg,tilt_deg,sensor,gain,coverage,"
-          "path_m,places_seen,queries,shadow_rays\n",
-          to);
-    for (size_t k = 0; k < explore->steps; ++k) {
-        const murk_explore_step *step = &explore->step[k];
-        murk_write_pose(to, k + 1, t->scene,
-                        &t->plan->poses->pose[step->candidate]);
-        fprintf(to, ",%zu,%.9g,%.9g,%.9g,%zu,%llu,%llu\n",
-                sensor_of(t->plan, step), coverage_of(t->plan, step->gain),
-                coverage_of(t->plan, step->value), step->path_m,
-                step->places_seen, (unsigned long long)step->queries,
-                (unsigned long long)step->shadow_rays);
+    MURK_RESULT(f, count, "sensor", "", "number among the plan's, from 1",
+                sensor_of(e->plan, step));
+    if (!murk_results_is_csv(f)) {
+        murk_results_list_type(f, p);
+        murk_results_list_position(f, p);
+        murk_results_list_heading(f, p);
     }
-    return murk_file_commit(&file, err);
+    MURK_RESULT(f, rounded, "gain", "1", "coverage that the station adds",
+                coverage_of(e->plan, step->gain), DIGITS);
+    MURK_RESULT(f, rounded, "coverage", "1", "coverage so far",
+                coverage_of(e->plan, step->value), DIGITS);
+    MURK_RESULT(f, rounded, "path_m", "m", "length of the path so far",
+                step->path_m, DIGITS);
+    MURK_RESULT(f, count, "places_seen", "", "candidates known so far",
+                step->places_seen);
+    MURK_RESULT(f, count, "queries", "", "queries of the maps so far",
+                step->queries);
+    MURK_RESULT(f, count, "shadow_rays", "", "sightlines followed so far",
+                step->shadow_rays);
+}
+
+static void list_explore(murk_results_fields *f, const void *of)
+{
+    const explored *e = of;
+    const murk_explore *explore = e ? &e->plan->explore : NULL;
+    MURK_RESULT(f, vector, "start_m", "m", "the first station",
+                explore->stops ? murk_scene_user(e->scene, explore->stop[0])
+                               : murk_vec(NAN, NAN, NAN));
+    MURK_RESULT(f, number, "path_m", "m", "length of the path",
+                path_of(explore));
+    MURK_RESULT(f, count, "places", "", "candidates", explore->places);
+    MURK_RESULT(f, count, "places_seen", "", "candidates that became known",
+                seen_of(explore));
+    MURK_RESULT(f, count, "ways_tried", "", "segments that were tried",
+                explore->ways);
+    MURK_RESULT(f, text, "ended_by", "",
+                "count, target, rules, nothing_to_gain or stations",
+                END_NAMES[explore->end]);
+    MURK_RESULT_LIST(f, "steps", "the stations, in order",
+                     murk_results_list_step, e, explore->steps);
+}
+
+void murk_results_list_explore(murk_results_fields *f,
+                               const murk_scene_desc *scene,
+                               const murk_plan_result *plan)
+{
+    const explored e = {plan, scene};
+    if (MURK_RESULT_IF(f, scene->placement.knowledge == MURK_SCENE_EXPLORE)) {
+        MURK_RESULT_OBJECT(f, "explore", "with knowledge: explore",
+                           list_explore, &e);
+    }
 }
 
 murk_status murk_add_explore(murk_results *results, const murk_stage *stage,
@@ -133,11 +131,12 @@ murk_status murk_add_explore(murk_results *results, const murk_stage *stage,
     if (plan->explore.steps == 0) { /* over conditions no stage is one */
         return MURK_OK;
     }
-    const told t = {plan, stage->scene};
+    const explored e = {plan, stage->scene};
     const murk_box *box = &stage->world.domain.box;
     const double size_m = murk_length(murk_sub(box->max, box->min));
     const murk_status status =
-        murk_results_add(results, "explore.csv", write_csv, &t, err);
+        murk_results_add_csv(results, "explore.csv", murk_results_list_step, &e,
+                             plan->explore.steps, err);
     return status ? status
                   : murk_add_path_ply(results, stage->scene, &plan->explore,
                                       size_m, err);

@@ -3,15 +3,18 @@
 #ifndef MURK_RESULTS_EXPLORE_H
 #define MURK_RESULTS_EXPLORE_H
 
-#include "results/results.h"
+#include "results/fields.h"
 
 /* By murk_scene_knowledge. */
 extern const char *const murk_knowledge_names[];
 
-/* "explore": {..., "steps": [one object a station]}; a step's sensor is its
- * number, from 1, among the plan's. */
-void murk_json_explore(cJSON *root, const murk_scene_desc *scene,
-                       const murk_plan_result *plan);
+/* Row "explore". */
+void murk_results_list_explore(murk_results_fields *f,
+                               const murk_scene_desc *scene,
+                               const murk_plan_result *plan);
+
+/* Rows of steps[], and columns of explore.csv; of: an exploration. */
+void murk_results_list_step(murk_results_fields *f, const void *of, size_t i);
 
 /* Adds explore.csv, a row a step, and path.ply. The latter's vertices are the
  * stops of the path, in order, then six corners of a thin three-sided line

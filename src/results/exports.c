@@ -3,16 +3,18 @@
 #include "base/log.h"
 #include "base/progress.h"
 #include "results/coverage.h"
-#include "results/fields.h"
 #include "results/photons.h"
 #include "results/plan_ply.h"
 #include "results/surfaces.h"
+#include "results/voxel_fields.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 /* 6 bytes of memory and up to some 20 of text an entry. */
 #define ENTRIES_MAX 100000000
+
+#define COST_DIGITS 10 /* of candidates.csv */
 
 typedef struct lp_parts {
     const murk_sparse_matrix *matrix;
@@ -74,23 +76,19 @@ typedef struct candidate_list {
     const murk_scene_desc *scene;
 } candidate_list;
 
-static murk_status write_candidates(const char *path, const void *context,
-                                    murk_error *err)
+/* candidates.csv: the columns of the matrix. */
+void murk_results_list_candidate(murk_results_fields *f, const void *of,
+                                 size_t j)
 {
-    const candidate_list *list = context;
-    murk_file *file = NULL;
-    const murk_status status = murk_file_create(&file, path, err);
-    if (status) {
-        return status;
-    }
-    FILE *to = murk_file_stream(file);
-    fputs("column,x_m,y_m,z_m,type,heading_deg,tilt_deg,cost\n", to);
-    for (size_t j = 0; j < list->poses->count; ++j) {
-        const murk_pose *pose = &list->poses->pose[j];
-        murk_write_pose(to, j + 1, list->scene, pose);
-        fprintf(to, ",%.10g\n", list->scene->sensors.type[pose->type].cost);
-    }
-    return murk_file_commit(&file, err);
+    const candidate_list *list = of;
+    const murk_posed p = list ? (murk_posed){list->scene, &list->poses->pose[j]}
+                              : (murk_posed){NULL, NULL};
+    MURK_RESULT(f, count, "column", "", "number, from 1", j + 1);
+    murk_results_list_position(f, p);
+    murk_results_list_type(f, p);
+    murk_results_list_heading(f, p);
+    MURK_RESULT(f, rounded, "cost", "", "of the sensor type",
+                p.scene->sensors.type[p.pose->type].cost, COST_DIGITS);
 }
 
 /* Too large a matrix is told late, like a file that cannot be. */
@@ -124,8 +122,9 @@ static murk_status add_matrix(murk_session *session,
     murk_exports_add(&session->results, exports, matrix, &goal, late);
     if (exports & MURK_EXPORT_MATRIX) {
         const candidate_list list = {plan->poses, session->scene};
-        (void)murk_results_add(&session->results, "candidates.csv",
-                               write_candidates, &list, late);
+        (void)murk_results_add_csv(&session->results, "candidates.csv",
+                                   murk_results_list_candidate, &list,
+                                   plan->poses->count, late);
     }
     murk_sparse_matrix_destroy(matrix);
     return MURK_OK;

@@ -5,6 +5,7 @@
 #define MURK_RESULTS_EXPORTS_H
 
 #include "placement/sparse_matrix.h"
+#include "results/fields.h"
 #include "results/session.h"
 
 /* What --export writes. */
@@ -32,6 +33,10 @@ void murk_exports_add(murk_results *results, unsigned exports,
  * LP file. To be asked before any work is done. */
 murk_status murk_exports_check(unsigned exports, murk_detection detection,
                                murk_error *err);
+
+/* Columns of candidates.csv; of: a candidate list. */
+void murk_results_list_candidate(murk_results_fields *f, const void *of,
+                                 size_t i);
 
 /* What --export and --voxel ask of a scene, once its world is built and before
  * any light is traced: sizes, and names that two files would have. */

@@ -1,289 +1,273 @@
+/* Walks tables of result fields: makes JSON objects, CSV files and the
+ * description for the manual from the same list of rows. */
 #include "results/fields.h"
-
-#include "base/number.h"
-#include "plan/target_buffer.h"
-#include "sensing/places_seen.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define FIELDS_MAX (FIELDS_OF_A_BAND * MURK_BANDS_MAX) /* of all bands */
+#define PATH_SIZE 160
 
-#define VOXELS_USUAL     100000
-#define VALUES_USUAL     400000 /* voxels times bands */
-#define EDGE_MAX_M       1e9
-#define NO_DEPTH         (-1.0F)
-#define FIELDS_OF_A_BAND 5
+/* The purpose of one walk over a table. */
+typedef enum walk { JSON, CSV_HEADING, CSV_LINE, DESCRIBE, DESCRIBE_CSV } walk;
 
-/* ---- the box ---- */
+struct murk_results_fields {
+    walk walk;
+    FILE *to;             /* of CSV and descriptions */
+    cJSON *object;        /* of JSON: receives the keys */
+    const char *name;     /* of the row whose value is awaited */
+    size_t columns;       /* of CSV: begun so far on this line */
+    char path[PATH_SIZE]; /* of descriptions: "outer.", before each name */
+};
 
-/* Fills the box by voxels of that edge or a little less; how many. */
-static double fill_box(murk_field_box *out, double edge_m)
+bool murk_results_describes(const murk_results_fields *f)
 {
-    const murk_vec3 all = murk_sub(out->box.max, out->box.min);
-    const double edge[3] = {all.x, all.y, all.z};
-    double voxels = 1;
-    for (int k = 0; k < 3; ++k) {
-        /* a multiple of the edge stays one, whatever rounding says */
-        const double n = fmax(1, ceil(edge[k] / edge_m * (1 - 1e-12)));
-        out->size[k] = n < 1e15 ? (size_t)n : (size_t)1e15;
-        voxels *= n;
-    }
-    return voxels;
+    return f->walk != JSON && f->walk != CSV_LINE;
 }
 
-/* The finest that has at most so many voxels, to some per cent. */
-static double edge_for(murk_field_box *out, double voxels)
+bool murk_results_is_csv(const murk_results_fields *f)
 {
-    const murk_vec3 all = murk_sub(out->box.max, out->box.min);
-    double edge_m = cbrt(all.x * all.y * all.z / voxels);
-    while (!(fill_box(out, edge_m) <= voxels)) {
-        edge_m *= 1.01;
-    }
-    return edge_m;
+    return f->walk != JSON && f->walk != DESCRIBE;
 }
 
-murk_status murk_fields_box(murk_field_box *out, const murk_session *session,
-                            murk_error *err)
+bool murk_results_next(murk_results_fields *f, const char *name,
+                       const char *unit, const char *help)
 {
-    const char *text = session->settings.voxel;
-    const double bands = session->scene->bands;
-    double edge_m = 0;
-    *out = (murk_field_box){.box = session->stage->world.domain.box};
-    if (!text) {
-        edge_for(out, fmin(VOXELS_USUAL, VALUES_USUAL / bands));
-        return MURK_OK;
+    f->name = name;
+    if ((f->walk == CSV_HEADING || f->walk == CSV_LINE) && f->columns++ > 0) {
+        fputc(',', f->to);
     }
-    if (!murk_number_parse(text, &edge_m) ||
-        !(edge_m > 0 && edge_m <= EDGE_MAX_M)) {
-        return murk_fail(err, MURK_BAD_VALUE, "--voxel",
-                         "%.80s, must be more than 0 and at most %g m", text,
-                         EDGE_MAX_M);
+    if (f->walk == CSV_HEADING) {
+        fputs(name, f->to);
+    } else if (murk_results_describes(f)) {
+        const bool has_unit = unit[0] && strcmp(unit, "1") != 0;
+        fprintf(f->to, "| `%s%s` | %s%s%s%s |\n", f->path, name, help,
+                has_unit ? " (" : "", has_unit ? unit : "",
+                has_unit ? ")" : "");
     }
-    const double values = bands * fill_box(out, edge_m);
-    if (!(values <= MURK_FIELDS_MAX)) {
-        murk_field_box room = *out;
-        return murk_fail(err, MURK_BAD_VALUE, "--voxel",
-                         "%.80s m: %.3g voxels in the domain and its bands, "
-                         "must be at most %d: %.2g m would do",
-                         text, values, MURK_FIELDS_MAX,
-                         edge_for(&room, MURK_FIELDS_MAX / bands) * 1.05);
-    }
-    return MURK_OK;
+    return !murk_results_describes(f);
 }
 
-/* ---- fields over the domain ---- */
+/* ---- values ---- */
 
-typedef struct domain_fields {
-    const murk_stage *stage;
-    murk_field_box box;
-    murk_affine to_world;
-    size_t voxels;
-    int band; /* that is worked on */
-    murk_voxel_field *field;
-    size_t n;
-} domain_fields;
-
-static murk_vec3 middle_of(const domain_fields *f, size_t voxel)
+void murk_results_put_number(murk_results_fields *f, double value)
 {
-    const size_t *n = f->box.size;
-    return murk_affine_point(&f->to_world,
-                             murk_vec((double)(voxel % n[0]),
-                                      (double)(voxel / n[0] % n[1]),
-                                      (double)(voxel / n[0] / n[1])));
-}
-
-/* One field more, of f->band; NULL when out of memory. */
-static float *new_field(domain_fields *f, const murk_voxel_field *like)
-{
-    float *value = malloc(f->voxels * sizeof *value + 1);
-    if (value) {
-        murk_voxel_field *field = &f->field[f->n++];
-        *field = *like;
-        field->band = f->band;
-        field->value = value;
-        murk_field_name_of(field->name, like->name,
-                           f->stage->scene->band_nm[f->band]);
-    }
-    return value;
-}
-
-static murk_status no_memory(const domain_fields *f, murk_error *err)
-{
-    return murk_fail(err, MURK_NO_MEMORY, "--export",
-                     "no memory for %zu voxels", f->voxels);
-}
-
-static murk_status make_extinction(domain_fields *f, murk_error *err)
-{
-    static const murk_voxel_field like = {
-        .name = "extinction",
-        .unit = "1/m",
-        .quantity = "extinction",
-        .meaning = "of all media together, at the voxel's middle"};
-    float *value = new_field(f, &like);
-    for (size_t i = 0; value && i < f->voxels; ++i) {
-        const murk_vec3 p = middle_of(f, i);
-        const murk_inside inside =
-            f->stage->boundary_meshes
-                ? murk_boundary_meshes_at(f->stage->boundary_meshes, p)
-                : 0;
-        value[i] =
-            (float)murk_media_extinction(f->stage->media, f->band, inside, p);
-    }
-    return value ? MURK_OK : no_memory(f, err);
-}
-
-/* A photon in the middle of a voxel. */
-static murk_photon record_of(const void *context, size_t voxel)
-{
-    const domain_fields *f = context;
-    const murk_vec3 p = middle_of(f, voxel);
-    return (murk_photon){.position_m = {(float)p.x, (float)p.y, (float)p.z},
-                         .band = (uint8_t)f->band,
-                         .material = murk_target_medium(f->stage, f->band, p)};
-}
-
-typedef struct seen_fields {
-    float *coverage, *sensors, *clarity, *depth;
-} seen_fields;
-
-static murk_status new_seen_fields(domain_fields *f, seen_fields *out,
-                                   bool adds_up, murk_error *err)
-{
-    static const murk_voxel_field coverage = {
-        .name = "coverage",
-        .unit = "1",
-        .quantity = "coverage",
-        .meaning = "what a plan counts of a photon stored here: the clarity of "
-                   "the clearest sensor, or of several as detection and "
-                   "redundancy say"};
-    static const murk_voxel_field sensors = {
-        .name = "sensors",
-        .unit = "1",
-        .quantity = "number of sensors that see a photon stored here"};
-    static const murk_voxel_field clarity = {
-        .name = "clarity",
-        .unit = "1",
-        .quantity = "clarity of the clearest sensor"};
-    static const murk_voxel_field depth = {
-        .name = "optical_depth",
-        .unit = "1",
-        .quantity = "optical depth",
-        .meaning = "of the media, the least of all straight open sightlines "
-                   "from sensors within range and view; -1: none"};
-    *out = (seen_fields){.coverage = new_field(f, &coverage),
-                         .sensors = new_field(f, &sensors),
-                         .clarity = adds_up ? new_field(f, &clarity) : NULL,
-                         .depth = new_field(f, &depth)};
-    return out->coverage && out->sensors && (out->clarity || !adds_up) &&
-                   out->depth
-               ? MURK_OK
-               : no_memory(f, err);
-}
-
-static murk_status make_seen(domain_fields *f, const murk_sight *sight,
-                             const murk_pose *sensor, size_t n, murk_error *err)
-{
-    const murk_sight_desc *like = murk_sight_described(sight);
-    seen_fields fields;
-    murk_status status = new_seen_fields(
-        f, &fields,
-        like->redundancy > 1 || like->combining == MURK_COMBINE_INDEPENDENT,
-        err);
-    murk_place_seen *seen = malloc(f->voxels * sizeof *seen + 1);
-    if (!status && !seen) {
-        status = no_memory(f, err);
-    }
-    if (!status) {
-        const murk_places places = {.n = f->voxels,
-                                    .record = record_of,
-                                    .context = f,
-                                    .wants_depth = true,
-                                    .step = "fields"};
-        status = murk_places_see(seen, &places, sight, sensor, n, err);
-    }
-    for (size_t i = 0; !status && i < f->voxels; ++i) {
-        fields.coverage[i] = seen[i].worth;
-        fields.sensors[i] = (float)seen[i].sensors;
-        fields.depth[i] = isfinite(seen[i].depth) ? seen[i].depth : NO_DEPTH;
-        if (fields.clarity) {
-            fields.clarity[i] = seen[i].clarity;
-        }
-    }
-    free(seen);
-    return status;
-}
-
-/* The fields whose names begin so, beside one another. */
-static size_t pick(murk_voxel_field *out, const domain_fields *f,
-                   const char *const *begins)
-{
-    size_t n = 0;
-    for (; *begins; ++begins) {
-        for (size_t i = 0; i < f->n; ++i) {
-            const size_t length = strlen(*begins);
-            if (strncmp(f->field[i].name, *begins, length) == 0 &&
-                f->field[i].name[length] == '_') {
-                out[n++] = f->field[i];
-            }
-        }
-    }
-    return n;
-}
-
-static void add_files(murk_session *session, const domain_fields *f,
-                      murk_error *late)
-{
-    static const char *const extinction[] = {"extinction", NULL};
-    static const char *const coverage[] = {"coverage", "sensors", "clarity",
-                                           NULL};
-    static const char *const depth[] = {"optical_depth", NULL};
-    const struct {
-        const char *name, *const *begins;
-        murk_field_look look;
-    } file[] = {{"extinction.vdb", extinction, MURK_FIELD_AS_IT_IS},
-                {"coverage.vdb", coverage, MURK_FIELD_SCALED},
-                {"optical_depth.vdb", depth, MURK_FIELD_SCALED}};
-    murk_voxel_field picked[FIELDS_MAX];
-    for (size_t i = 0; i < sizeof file / sizeof *file; ++i) {
-        const size_t n = pick(picked, f, file[i].begins);
-        if (n > 0) {
-            (void)murk_field_add_vdb(&session->results, file[i].name,
-                                     session->scene, &f->box, picked, n,
-                                     file[i].look, late);
-        }
-    }
-    if (f->n > 0) {
-        (void)murk_field_add_vti(&session->results, "fields.vti",
-                                 session->scene, &f->box, f->field, f->n, late);
+    char text[32];
+    if (f->walk == JSON && isfinite(value)) {
+        cJSON_AddNumberToObject(f->object, f->name, value);
+    } else if (f->walk == JSON) {
+        cJSON_AddNullToObject(f->object, f->name);
+    } else if (isfinite(value)) {
+        murk_number_text(text, value);
+        fputs(text, f->to);
     }
 }
 
-void murk_fields_add(murk_session *session, const murk_sight *sight,
-                     const murk_pose *sensor, size_t n, murk_error *late)
+void murk_results_put_rounded(murk_results_fields *f, double value, int digits)
 {
-    murk_voxel_field field[FIELDS_MAX];
-    domain_fields f = {.stage = session->stage, .field = field};
-    murk_error told = {0};
-    murk_status status = murk_fields_box(&f.box, session, &told);
-    f.to_world = murk_field_to_world(&f.box);
-    f.voxels = murk_field_voxels(&f.box);
-    for (f.band = 0; !status && f.band < session->scene->bands; ++f.band) {
-        if (sight) {
-            status = make_seen(&f, sight, sensor, n, &told);
-        }
-        if (!status && murk_media_any(session->stage->media)) {
-            status = make_extinction(&f, &told);
-        }
+    if (f->walk == JSON) {
+        murk_results_put_number(f, value);
+    } else if (isfinite(value)) {
+        fprintf(f->to, "%.*g", digits, value);
     }
-    if (status) {
-        (void)murk_fail(late, status, "--export", "fields: %s", told.text);
+}
+
+void murk_results_put_count(murk_results_fields *f, uint64_t value)
+{
+    if (f->walk == JSON) {
+        cJSON_AddNumberToObject(f->object, f->name, (double)value);
     } else {
-        add_files(session, &f, late);
+        fprintf(f->to, "%llu", (unsigned long long)value);
     }
-    for (size_t i = 0; i < f.n; ++i) {
-        free((void *)(uintptr_t)field[i].value);
+}
+
+void murk_results_put_flag(murk_results_fields *f, bool value)
+{
+    if (f->walk == JSON) {
+        cJSON_AddBoolToObject(f->object, f->name, value);
+    } else {
+        fputs(value ? "true" : "false", f->to);
     }
+}
+
+void murk_results_put_text(murk_results_fields *f, const char *text)
+{
+    if (f->walk != JSON) {
+        murk_results_csv_cell(f->to, text ? text : "");
+    } else if (text) {
+        cJSON_AddStringToObject(f->object, f->name, text);
+    } else {
+        cJSON_AddNullToObject(f->object, f->name);
+    }
+}
+
+void murk_results_put_null(murk_results_fields *f, int unused)
+{
+    (void)unused;
+    murk_results_put_number(f, NAN);
+}
+
+void murk_results_put_numbers(murk_results_fields *f, const double *value,
+                              size_t n)
+{
+    cJSON_AddItemToObject(f->object, f->name,
+                          n ? cJSON_CreateDoubleArray(value, (int)n)
+                            : cJSON_CreateArray());
+}
+
+void murk_results_put_json(murk_results_fields *f, cJSON *item)
+{
+    cJSON_AddItemToObject(f->object, f->name, item);
+}
+
+void murk_results_put_vector(murk_results_fields *f, murk_vec3 v)
+{
+    const double xyz[3] = {v.x, v.y, v.z};
+    if (isfinite(v.x)) {
+        murk_results_put_numbers(f, xyz, 3);
+    } else {
+        murk_results_put_null(f, 0);
+    }
+}
+
+/* ---- objects and lists ---- */
+
+/* The walk over an inner table; in descriptions its names follow "NAMEend". */
+static murk_results_fields inner(const murk_results_fields *f, cJSON *object,
+                                 const char *name, const char *end)
+{
+    murk_results_fields in = {.walk = f->walk, .to = f->to, .object = object};
+    snprintf(in.path, sizeof in.path, "%s%s%s", f->path, name, end);
+    return in;
+}
+
+void murk_results_object(murk_results_fields *f, const char *name,
+                         const char *help, murk_results_list list,
+                         const void *of)
+{
+    if (murk_results_is_csv(f)) {
+        return;
+    }
+    const bool has_value = murk_results_next(f, name, "", help);
+    if (has_value && !of) {
+        murk_results_put_null(f, 0);
+        return;
+    }
+    murk_results_fields in =
+        inner(f, has_value ? cJSON_AddObjectToObject(f->object, name) : NULL,
+              name, ".");
+    list(&in, of);
+}
+
+void murk_results_items(murk_results_fields *f, const char *name,
+                        const char *help, murk_results_item item,
+                        const void *of, size_t n)
+{
+    if (murk_results_is_csv(f)) {
+        return;
+    }
+    cJSON *array = murk_results_next(f, name, "", help)
+                       ? cJSON_AddArrayToObject(f->object, name)
+                       : NULL;
+    for (size_t i = 0; i < n; ++i) {
+        cJSON *object = array ? cJSON_CreateObject() : NULL;
+        murk_results_fields in = inner(f, object, name, "[].");
+        item(&in, of, i);
+        if (array) {
+            cJSON_AddItemToArray(array, object);
+        }
+    }
+}
+
+/* ---- what is made of a table ---- */
+
+cJSON *murk_results_json(murk_results_list list, const void *of)
+{
+    murk_results_fields f = {.walk = JSON, .object = cJSON_CreateObject()};
+    list(&f, of);
+    return f.object;
+}
+
+void murk_results_csv_heading(FILE *to, murk_results_item item)
+{
+    murk_results_fields f = {.walk = CSV_HEADING, .to = to};
+    item(&f, NULL, 0);
+    fputc('\n', to);
+}
+
+void murk_results_csv_line(FILE *to, murk_results_item item, const void *of,
+                           size_t i)
+{
+    murk_results_fields f = {.walk = CSV_LINE, .to = to};
+    item(&f, of, i);
+    fputc('\n', to);
+}
+
+typedef struct csv {
+    murk_results_item item;
+    const void *of;
+    size_t n;
+} csv;
+
+static murk_status write_csv(const char *path, const void *context,
+                             murk_error *err)
+{
+    const csv *c = context;
+    murk_file *file = NULL;
+    const murk_status status = murk_file_create(&file, path, err);
+    if (status) {
+        return status;
+    }
+    murk_results_csv_heading(murk_file_stream(file), c->item);
+    for (size_t i = 0; i < c->n; ++i) {
+        murk_results_csv_line(murk_file_stream(file), c->item, c->of, i);
+    }
+    return murk_file_commit(&file, err); /* notices failed writes */
+}
+
+murk_status murk_results_add_csv(murk_results *results, const char *name,
+                                 murk_results_item item, const void *of,
+                                 size_t n, murk_error *err)
+{
+    const csv c = {item, of, n};
+    return murk_results_add(results, name, write_csv, &c, err);
+}
+
+void murk_results_describe(FILE *to, murk_results_list list)
+{
+    murk_results_fields f = {.walk = DESCRIBE, .to = to};
+    list(&f, NULL);
+}
+
+void murk_results_describe_csv(FILE *to, murk_results_item item)
+{
+    murk_results_fields f = {.walk = DESCRIBE_CSV, .to = to};
+    item(&f, NULL, 0);
+}
+
+void murk_number_text(char out[32], double value)
+{
+    /* 17 digits read back to any double; most take fewer */
+    for (int digits = 6; digits <= 17; ++digits) {
+        snprintf(out, 32, "%.*g", digits, value);
+        if (strtod(out, NULL) == value) {
+            return;
+        }
+    }
+}
+
+void murk_results_csv_cell(FILE *to, const char *text)
+{
+    if (!strpbrk(text, ",\"\r\n")) {
+        fputs(text, to);
+        return;
+    }
+    fputc('"', to);
+    for (; *text; ++text) {
+        if (*text == '"') {
+            fputc('"', to);
+        }
+        fputc(*text, to);
+    }
+    fputc('"', to);
 }

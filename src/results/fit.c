@@ -1,3 +1,4 @@
+/* A fit: rows of fit.json, predict.json and fit.csv, and the summary. */
 #include "results/fit.h"
 
 #include "calibrate/verdict.h"
@@ -25,260 +26,317 @@ static const char *condition_of(const murk_scene_desc *scene, size_t condition)
 
 /* ---- fit.json ---- */
 
-static void add_parameters(cJSON *root, const murk_fit_facts *f)
+static void list_parameter(murk_results_fields *fields, const void *of,
+                           size_t k)
 {
-    cJSON *list = cJSON_AddArrayToObject(root, "parameters");
-    const murk_calibration *c = f->found;
-    for (size_t k = 0; k < f->keys->n; ++k) {
-        const murk_free_key *key = &f->keys->key[k];
-        cJSON *item = cJSON_CreateObject();
-        cJSON_AddStringToObject(item, "key", key->name);
-        murk_json_number(item, "value", c->value[k]);
-        if (!f->only_predicts) {
-            murk_json_number(item, "standard_error", c->standard_error[k]);
-            murk_json_number(item, "lower", c->lower[k]);
-            murk_json_number(item, "upper", c->upper[k]);
-            cJSON_AddBoolToObject(item, "at_bound", c->at_bound[k]);
-            cJSON_AddStringToObject(item, "status",
-                                    murk_calibration_status(c, k));
-            murk_json_number(item, "start", key->start);
-            murk_json_number(item, "bound_lower", key->lower);
-            murk_json_number(item, "bound_upper", key->upper);
-            cJSON_AddStringToObject(item, "kind", kinds[key->kind]);
-            murk_json_number(item, "slope_error",
-                             murk_model_slope_error(c->model, k));
-        }
-        cJSON_AddItemToArray(list, item);
+    const murk_fit_facts *f = of;
+    const murk_calibration *c = f ? f->found : NULL;
+    const murk_free_key *key = f ? &f->keys->key[k] : NULL;
+    MURK_RESULT(fields, text, "key", "", "path of the scene's key", key->name);
+    MURK_RESULT(fields, number, "value", "", "found", c->value[k]);
+    if (!MURK_RESULT_IF(fields, !f->only_predicts)) {
+        return;
     }
+    MURK_RESULT(fields, number, "standard_error", "", "of value",
+                c->standard_error[k]);
+    MURK_RESULT(fields, number, "lower", "", "95 % confidence limit",
+                c->lower[k]);
+    MURK_RESULT(fields, number, "upper", "", "95 % confidence limit",
+                c->upper[k]);
+    MURK_RESULT(fields, flag, "at_bound", "", "true if value lies at a bound",
+                c->at_bound[k]);
+    MURK_RESULT(fields, text, "status", "",
+                "determined, at its bound, or not determined by these data; "
+                "only the first has an error",
+                murk_calibration_status(c, k));
+    MURK_RESULT(fields, number, "start", "", "value that the search began at",
+                key->start);
+    MURK_RESULT(fields, number, "bound_lower", "", "least value allowed",
+                key->lower);
+    MURK_RESULT(fields, number, "bound_upper", "", "greatest value allowed",
+                key->upper);
+    MURK_RESULT(fields, text, "kind", "", "medium, light, world or gain",
+                kinds[key->kind]);
+    MURK_RESULT(fields, number, "slope_error", "1",
+                "largest error of slopes from light that was traced again",
+                murk_model_slope_error(c->model, k));
 }
 
-static void add_matrix(cJSON *root, const char *name, const double *a, size_t n)
+static cJSON *matrix_json(const double *a, size_t n)
 {
-    cJSON *rows = cJSON_AddArrayToObject(root, name);
+    cJSON *rows = cJSON_CreateArray();
     for (size_t i = 0; i < n; ++i) {
-        cJSON *row = cJSON_CreateArray();
-        for (size_t j = 0; j < n; ++j) {
-            const double value = a[i * n + j];
-            cJSON_AddItemToArray(row, isfinite(value)
-                                          ? cJSON_CreateNumber(value)
-                                          : cJSON_CreateNull());
-        }
-        cJSON_AddItemToArray(rows, row);
+        cJSON_AddItemToArray(rows, cJSON_CreateDoubleArray(a + i * n, (int)n));
     }
+    return rows;
+}
+
+/* An object with a number for each key. */
+static cJSON *by_key(const murk_fit_facts *f, const double *value)
+{
+    cJSON *object = cJSON_CreateObject();
+    for (size_t k = 0; k < f->keys->n; ++k) {
+        cJSON_AddNumberToObject(object, f->keys->key[k].name,
+                                value ? value[k] : NAN);
+    }
+    return object;
 }
 
 /* Directions in search coordinates: in d ln(key) for positive keys. */
-static void add_identifiability(cJSON *root, const murk_fit_facts *f)
+static void list_direction(murk_results_fields *fields, const void *of,
+                           size_t i)
 {
-    const murk_certainty *c = &f->found->certainty;
-    cJSON *object = cJSON_AddObjectToObject(root, "identifiability");
-    cJSON_AddNumberToObject(object, "determined", (double)c->determined);
-    cJSON *list = cJSON_AddArrayToObject(object, "directions");
-    for (size_t i = 0; i < c->directions; ++i) {
-        cJSON *item = cJSON_CreateObject();
-        murk_json_number(item, "standard_error", c->direction_error[i]);
-        cJSON_AddBoolToObject(item, "determined", i < c->determined);
-        cJSON *of = cJSON_AddObjectToObject(item, "direction");
-        for (size_t k = 0; k < c->n; ++k) {
-            murk_json_number(of, f->keys->key[k].name,
-                             c->direction[i * c->n + k]);
-        }
-        cJSON_AddItemToArray(list, item);
-    }
+    const murk_fit_facts *f = of;
+    const murk_certainty *c = f ? &f->found->certainty : NULL;
+    MURK_RESULT(fields, number, "standard_error", "", "along the direction",
+                c->direction_error[i]);
+    MURK_RESULT(fields, flag, "determined", "", "true if the data tell of it",
+                i < c->determined);
+    MURK_RESULT(fields, json, "direction", "",
+                "by key; of positive keys, of the logarithm",
+                by_key(f, c->direction + i * c->n));
 }
 
-static void add_starts(cJSON *root, const murk_fit_facts *f)
+static void list_identifiability(murk_results_fields *fields, const void *of)
 {
-    const murk_calibration *c = f->found;
-    cJSON *list = cJSON_AddArrayToObject(root, "starts");
-    for (size_t i = 0; i < c->starts_done; ++i) {
-        const murk_calibration_start *start = &c->start[i];
-        cJSON *item = cJSON_CreateObject();
-        cJSON *from = cJSON_AddObjectToObject(item, "from");
-        cJSON *to = cJSON_AddObjectToObject(item, "to");
-        for (size_t k = 0; k < c->n; ++k) {
-            murk_json_number(from, f->keys->key[k].name, start->from[k]);
-            murk_json_number(to, f->keys->key[k].name,
-                             isnan(start->chi2) ? NAN : start->to[k]);
-        }
-        murk_json_number(item, "chi2", start->chi2);
-        cJSON_AddBoolToObject(item, "converged", start->converged);
-        cJSON_AddStringToObject(item, "why", start->why);
-        cJSON_AddNumberToObject(item, "traces", (double)start->traces);
-        cJSON_AddItemToArray(list, item);
-    }
+    const murk_fit_facts *f = of;
+    MURK_RESULT(fields, count, "determined", "", "directions that are known",
+                f->found->certainty.determined);
+    MURK_RESULT_LIST(fields, "directions", "from the best known on",
+                     list_direction, f, f->found->certainty.directions);
 }
 
-static void add_place(cJSON *list, const murk_fit_facts *f,
-                      const murk_next_place *place)
+static void list_start(murk_results_fields *fields, const void *of, size_t i)
 {
-    cJSON *item = cJSON_CreateObject();
-    if (f->next->kind == MURK_READ_COVERAGE) {
-        cJSON_AddStringToObject(item, "type",
-                                f->scene->sensors.type[place->pose.type].name);
-    }
-    murk_json_vector(item, "position_m",
-                     murk_scene_user(f->scene, place->pose.position));
-    if (f->next->kind == MURK_READ_COVERAGE) {
-        murk_json_heading(item, f->scene, &place->pose);
-    }
-    murk_json_number(item, "gain", place->gain);
-    murk_json_number(item, "predicted", place->predicted);
-    murk_json_number(item, "standard_error", place->standard_error);
-    cJSON_AddItemToArray(list, item);
+    const murk_fit_facts *f = of;
+    const murk_calibration_start *start = f ? &f->found->start[i] : NULL;
+    MURK_RESULT(fields, json, "from", "", "by key", by_key(f, start->from));
+    MURK_RESULT(fields, json, "to", "", "by key",
+                by_key(f, isnan(start->chi2) ? NULL : start->to));
+    MURK_RESULT(fields, number, "chi2", "", "at the end", start->chi2);
+    MURK_RESULT(fields, flag, "converged", "", "true if the search did",
+                start->converged);
+    MURK_RESULT(fields, text, "why", "", "the search ended", start->why);
+    MURK_RESULT(fields, count, "traces", "",
+                "lights traced; 0: on the light of the start before",
+                start->traces);
 }
 
-static void add_next(cJSON *root, const murk_fit_facts *f)
+static void list_next_place(murk_results_fields *fields, const void *of,
+                            size_t i)
 {
-    if (!f->next) {
-        return;
+    const murk_fit_facts *f = of;
+    const murk_next_place *place = f ? &f->next->place[i] : NULL;
+    const murk_posed p =
+        f ? (murk_posed){f->scene, &place->pose} : (murk_posed){NULL, NULL};
+    const bool is_coverage =
+        MURK_RESULT_IF(fields, f->next->kind == MURK_READ_COVERAGE);
+    if (is_coverage) {
+        murk_results_list_type(fields, p);
     }
-    cJSON *object = cJSON_AddObjectToObject(root, "next");
-    cJSON_AddStringToObject(object, "kind", reading_kinds[f->next->kind]);
-    cJSON_AddStringToObject(object, "unit",
-                            murk_reading_unit_name(f->next->unit));
-    cJSON_AddStringToObject(object, "condition",
-                            condition_of(f->scene, f->next->condition));
-    if (f->next->kind == MURK_READ_IRRADIANCE) {
-        murk_json_vector(object, "direction", f->next->direction);
+    murk_results_list_position(fields, p);
+    if (is_coverage) {
+        murk_results_list_heading(fields, p);
     }
-    if (f->next->kind != MURK_READ_COVERAGE) {
-        murk_json_number(object, "radius_m", f->next->radius_m);
-        murk_json_number(object, "band_nm",
-                         f->next->band < 0 ? NAN
-                                           : f->scene->band_nm[f->next->band]);
-    }
-    murk_json_number(object, "relative_error", f->next->relative_error);
-    cJSON_AddNumberToObject(object, "candidates", (double)f->next->candidates);
-    cJSON_AddNumberToObject(object, "judged", (double)f->next->judged);
-    cJSON *list = cJSON_AddArrayToObject(object, "places");
-    for (size_t i = 0; i < f->next->n; ++i) {
-        add_place(list, f, &f->next->place[i]);
-    }
-    cJSON *errors = cJSON_AddObjectToObject(object, "standard_errors_with_all");
-    for (size_t k = 0; k < f->keys->n; ++k) {
-        murk_json_number(errors, f->keys->key[k].name,
-                         f->next->standard_error[k]);
-    }
+    MURK_RESULT(fields, number, "gain", "",
+                "in knowledge of the parameters, natural logarithm",
+                place->gain);
+    MURK_RESULT(fields, number, "predicted", "", "reading", place->predicted);
+    MURK_RESULT(fields, number, "standard_error", "", "of predicted",
+                place->standard_error);
 }
 
-static void add_held_out(cJSON *root, const murk_calibration *c)
+static void list_next(murk_results_fields *fields, const void *of)
 {
-    cJSON *object = cJSON_AddObjectToObject(root, "hold_out");
-    cJSON_AddNumberToObject(object, "rows", (double)c->held_out);
-    murk_json_number(object, "rms", c->held_out_rms);
-    murk_json_number(object, "rms_in_standard_errors", c->held_out_rms_sigma);
+    const murk_fit_facts *f = of;
+    const murk_next *next = f ? f->next : NULL;
+    MURK_RESULT(fields, text, "kind", "",
+                "coverage, fluence, irradiance or transmittance",
+                reading_kinds[next->kind]);
+    MURK_RESULT(fields, text, "unit", "", "of the reading",
+                murk_reading_unit_name(next->unit));
+    MURK_RESULT(fields, text, "condition", "", "of the reading",
+                condition_of(f->scene, next->condition));
+    if (MURK_RESULT_IF(fields, next->kind == MURK_READ_IRRADIANCE)) {
+        MURK_RESULT(fields, vector, "direction", "",
+                    "the irradiated face looks to", next->direction);
+    }
+    if (MURK_RESULT_IF(fields, next->kind != MURK_READ_COVERAGE)) {
+        MURK_RESULT(fields, number, "radius_m", "m", "of the receiver",
+                    next->radius_m);
+        MURK_RESULT(fields, number, "band_nm", "nm", "of the reading",
+                    next->band < 0 ? NAN : f->scene->band_nm[next->band]);
+    }
+    MURK_RESULT(fields, number, "relative_error", "1", "of a reading",
+                next->relative_error);
+    MURK_RESULT(fields, count, "candidates", "", "places looked at",
+                next->candidates);
+    MURK_RESULT(fields, count, "judged", "", "places that were compared",
+                next->judged);
+    MURK_RESULT_LIST(fields, "places", "the best, in order", list_next_place, f,
+                     next->n);
+    MURK_RESULT(fields, json, "standard_errors_with_all", "",
+                "of the parameters, by key, once all of these are measured",
+                by_key(f, next->standard_error));
 }
 
-cJSON *murk_fit_json(const murk_fit_facts *f)
+static void list_data(murk_results_fields *fields, const void *of)
 {
-    const murk_calibration *c = f->found;
-    cJSON *root = murk_json_begin(f->scene);
-    if (!f->only_predicts) { /* first, since it decides what the rest is worth
-                              */
-        if (isnan(c->p_value)) {
-            cJSON_AddNullToObject(root, "accepted");
-        } else {
-            cJSON_AddBoolToObject(root, "accepted", c->is_accepted);
-        }
-        cJSON_AddStringToObject(root, "verdict", c->verdict);
-        murk_json_number(root, "p_value", c->p_value);
+    const murk_fit_facts *f = of;
+    MURK_RESULT(fields, text, "file", "", "of --data", f->measured->path);
+    MURK_RESULT(fields, text, "sha256", "", "of the file", f->measured->sha256);
+    MURK_RESULT(fields, count, "rows", "", "of the file", f->measured->rows);
+    MURK_RESULT(fields, count, "photons", "", "of each light",
+                f->found->photons);
+}
+
+static void list_held_out(murk_results_fields *fields, const void *of)
+{
+    const murk_calibration *c = of;
+    MURK_RESULT(fields, count, "rows", "", "that were not fitted", c->held_out);
+    MURK_RESULT(fields, number, "rms", "", "residual in the rows' unit",
+                c->held_out_rms);
+    MURK_RESULT(fields, number, "rms_in_standard_errors", "1", "residual",
+                c->held_out_rms_sigma);
+}
+
+/* The verdict comes first, because it decides about the worth of the rest. */
+static void list_verdict(murk_results_fields *fields, const murk_calibration *c)
+{
+    if (MURK_RESULT_IF(fields, !isnan(c->p_value))) {
+        MURK_RESULT(fields, flag, "accepted", "",
+                    "false: chi-squared refuses the model (p_value below "
+                    "1e-4), so the values are not to be used; null: no more "
+                    "readings than values",
+                    c->is_accepted);
+    } else {
+        MURK_RESULT(fields, null, "accepted", "", "", 0);
     }
-    cJSON *data = cJSON_AddObjectToObject(root, "data");
-    cJSON_AddStringToObject(data, "file", f->measured->path);
-    cJSON_AddStringToObject(data, "sha256", f->measured->sha256);
-    cJSON_AddNumberToObject(data, "rows", (double)f->measured->rows);
-    cJSON_AddNumberToObject(data, "photons", (double)c->photons);
-    add_parameters(root, f);
-    if (!f->only_predicts) {
-        add_matrix(root, "covariance", c->covariance, c->n);
-        add_matrix(root, "correlation", c->correlation, c->n);
-        murk_json_number(root, "chi2", c->chi2);
-        cJSON_AddNumberToObject(root, "degrees_of_freedom",
-                                (double)c->degrees_of_freedom);
-        cJSON_AddBoolToObject(root, "converged", c->converged);
-        cJSON_AddStringToObject(root, "why", c->why);
-        cJSON_AddNumberToObject(root, "iterations", c->iterations);
-        cJSON_AddNumberToObject(root, "evaluations", (double)c->evaluations);
+    MURK_RESULT(fields, text, "verdict", "",
+                "whether the model fits, and which parameters the data do not "
+                "determine, in words",
+                c->verdict);
+    MURK_RESULT(fields, number, "p_value", "1",
+                "chance of so large a chi2, or a larger one, if model and "
+                "errors are right",
+                c->p_value);
+}
+
+static void list_search(murk_results_fields *fields, const murk_calibration *c)
+{
+    MURK_RESULT(fields, json, "covariance", "", "in the parameters' order",
+                matrix_json(c->covariance, c->n));
+    MURK_RESULT(fields, json, "correlation", "1", "in the parameters' order",
+                matrix_json(c->correlation, c->n));
+    MURK_RESULT(fields, number, "chi2", "",
+                "sum of squared residuals in "
+                "standard errors",
+                c->chi2);
+    MURK_RESULT(fields, number, "degrees_of_freedom", "", "of chi2",
+                (double)c->degrees_of_freedom);
+    MURK_RESULT(fields, flag, "converged", "", "true if the search did",
+                c->converged);
+    MURK_RESULT(fields, text, "why", "", "the search ended", c->why);
+    MURK_RESULT(fields, count, "iterations", "", "of the search",
+                (uint64_t)c->iterations);
+    MURK_RESULT(fields, count, "evaluations", "", "of the model",
+                c->evaluations);
+}
+
+void murk_results_list_fit(murk_results_fields *fields, const void *of)
+{
+    const murk_fit_facts *f = of;
+    const murk_calibration *c = f ? f->found : NULL;
+    const bool fits = MURK_RESULT_IF(fields, !f->only_predicts);
+    murk_results_list_head(fields, f ? f->scene : NULL);
+    if (fits) {
+        list_verdict(fields, c);
     }
-    cJSON_AddNumberToObject(root, "traces", (double)c->traces);
-    murk_json_number(root, "effective_share", c->effective_share);
-    murk_json_number(root, "slope_noise", c->slope_noise);
-    add_held_out(root, c);
-    if (!f->only_predicts) {
-        add_identifiability(root, f);
-        add_starts(root, f);
+    MURK_RESULT_OBJECT(fields, "data", "the measurements", list_data, f);
+    MURK_RESULT_LIST(fields, "parameters", "the free keys", list_parameter, f,
+                     f->keys->n);
+    if (fits) {
+        list_search(fields, c);
     }
-    add_next(root, f);
-    return root;
+    MURK_RESULT(fields, count, "traces", "", "lights traced", c->traces);
+    MURK_RESULT(fields, number, "effective_share", "1",
+                "effective sample of the re-weighted light over its photons",
+                c->effective_share);
+    MURK_RESULT(fields, number, "slope_noise", "1",
+                "share of the errors that photons' noise in slopes makes up",
+                c->slope_noise);
+    MURK_RESULT_OBJECT(fields, "hold_out", "rows that were not fitted",
+                       list_held_out, c);
+    if (fits) {
+        MURK_RESULT_OBJECT(fields, "identifiability",
+                           "how well the data determine the parameters",
+                           list_identifiability, f);
+        MURK_RESULT_LIST(fields, "starts", "of the search, restarts last",
+                         list_start, f, c->starts_done);
+    }
+    if (MURK_RESULT_IF(fields, f->next)) {
+        MURK_RESULT_OBJECT(fields, "next", "with --next", list_next, f);
+    }
 }
 
 /* ---- fit.csv ---- */
 
-static void write_number(FILE *file, double value)
+static murk_vec3 position_of(const murk_fit_facts *f, const murk_reading *r)
 {
-    char text[32] = "";
-    if (isfinite(value)) {
-        murk_number_text(text, value);
-    }
-    fprintf(file, ",%s", text);
+    return murk_scene_user(f->scene, r->kind == MURK_READ_COVERAGE
+                                         ? r->pose.position
+                                         : r->position);
 }
 
-static void write_row(FILE *file, const murk_fit_facts *f, size_t i)
+/* The end of the line that a reading of transmittance is of. */
+static murk_vec3 end_of(const murk_fit_facts *f, const murk_reading *r)
 {
-    const murk_measured_row *row = &f->measured->row[i];
-    const murk_reading *r = &f->measured->reading[row->first];
-    const murk_calibrated_row *c = &f->found->row[i];
-    const bool is_coverage = r->kind == MURK_READ_COVERAGE;
-    const murk_vec3 at =
-        murk_scene_user(f->scene, is_coverage ? r->pose.position : r->position);
-    fprintf(file, "%zu,%s,%s,%s", r->line, reading_kinds[r->kind],
-            condition_of(f->scene, r->condition), f->measured->group[i]);
-    write_number(file, at.x);
-    write_number(file, at.y);
-    write_number(file, at.z);
-    write_number(file, r->band < 0 ? NAN : f->scene->band_nm[r->band]);
-    fprintf(file, ",%s,%s", murk_reading_unit_name(r->unit),
-            r->is_held_out ? "hold_out" : "fit");
-    write_number(file, r->value);
-    write_number(file, r->standard_error);
-    write_number(file, c->predicted);
-    write_number(file, c->photon_error);
-    write_number(file, c->residual);
-    const bool is_line = r->kind == MURK_READ_TRANSMITTANCE;
-    const murk_vec3 to = murk_scene_user(f->scene, r->to);
-    write_number(file, is_line ? to.x : NAN);
-    write_number(file, is_line ? to.y : NAN);
-    write_number(file, is_line ? to.z : NAN);
-    fputc('\n', file);
+    return r->kind == MURK_READ_TRANSMITTANCE ? murk_scene_user(f->scene, r->to)
+                                              : murk_vec(NAN, NAN, NAN);
 }
 
-static murk_status write_csv(const char *path, const void *context,
-                             murk_error *err)
+void murk_results_list_fit_row(murk_results_fields *fields, const void *of,
+                               size_t i)
 {
-    const murk_fit_facts *f = context;
-    murk_file *out = NULL;
-    const murk_status status = murk_file_create(&out, path, err);
-    if (status) {
-        return status;
-    }
-    FILE *file = murk_file_stream(out);
-    fputs("line,kind,condition,group,x_m,y_m,z_m,band_nm,unit,use,value,"
-          "standard_error,predicted,photon_standard_error,residual_in_"
-          "standard_errors,x2_m,y2_m,z2_m\n",
-          file);
-    for (size_t i = 0; i < f->measured->rows; ++i) {
-        write_row(file, f, i);
-    }
-    const murk_status ended = murk_file_commit(&out, err);
-    murk_file_discard(out);
-    return ended;
+    const murk_fit_facts *f = of;
+    const murk_reading *r =
+        f ? &f->measured->reading[f->measured->row[i].first] : NULL;
+    const murk_calibrated_row *c = f ? &f->found->row[i] : NULL;
+    MURK_RESULT(fields, count, "line", "", "of the data", r->line);
+    MURK_RESULT(fields, text, "kind", "",
+                "coverage, fluence, irradiance or transmittance",
+                reading_kinds[r->kind]);
+    MURK_RESULT(fields, text, "condition", "", "of the reading",
+                condition_of(f->scene, r->condition));
+    MURK_RESULT(fields, text, "group", "", "of readings",
+                f->measured->group[i]);
+    MURK_RESULT(fields, number, "x_m", "m", "place", position_of(f, r).x);
+    MURK_RESULT(fields, number, "y_m", "m", "place", position_of(f, r).y);
+    MURK_RESULT(fields, number, "z_m", "m", "place", position_of(f, r).z);
+    MURK_RESULT(fields, number, "band_nm", "nm", "of the reading",
+                r->band < 0 ? NAN : f->scene->band_nm[r->band]);
+    MURK_RESULT(fields, text, "unit", "", "of value",
+                murk_reading_unit_name(r->unit));
+    MURK_RESULT(fields, text, "use", "", "fit or hold_out",
+                r->is_held_out ? "hold_out" : "fit");
+    MURK_RESULT(fields, number, "value", "", "reading", r->value);
+    MURK_RESULT(fields, number, "standard_error", "", "of value",
+                r->standard_error);
+    MURK_RESULT(fields, number, "predicted", "", "by the model", c->predicted);
+    MURK_RESULT(fields, number, "photon_standard_error", "", "of predicted",
+                c->photon_error);
+    MURK_RESULT(fields, number, "residual_in_standard_errors", "1",
+                "of the reading", c->residual);
+    MURK_RESULT(fields, number, "x2_m", "m", "end of a line", end_of(f, r).x);
+    MURK_RESULT(fields, number, "y2_m", "m", "end of a line", end_of(f, r).y);
+    MURK_RESULT(fields, number, "z2_m", "m", "end of a line", end_of(f, r).z);
 }
 
 murk_status murk_add_fit_csv(murk_results *results, const murk_fit_facts *facts,
                              murk_error *err)
 {
-    return murk_results_add(results, "fit.csv", write_csv, facts, err);
+    return murk_results_add_csv(results, "fit.csv", murk_results_list_fit_row,
+                                facts, facts->measured->rows, err);
 }
 
 /* ---- the terminal ---- */

@@ -4,7 +4,7 @@
 #define MURK_RESULTS_FIT_H
 
 #include "calibrate/next.h"
-#include "results/results.h"
+#include "results/fields.h"
 
 typedef struct murk_fit_facts {
     const murk_scene_desc *scene;
@@ -15,8 +15,13 @@ typedef struct murk_fit_facts {
     bool only_predicts;
 } murk_fit_facts;
 
-/* fit.json, yet without `run`. */
-cJSON *murk_fit_json(const murk_fit_facts *facts);
+/* Rows of fit.json and predict.json, yet without `run`; of: a murk_fit_facts.
+ */
+void murk_results_list_fit(murk_results_fields *fields, const void *of);
+
+/* Columns of fit.csv; of: the same. */
+void murk_results_list_fit_row(murk_results_fields *fields, const void *of,
+                               size_t i);
 
 /* A row of the data each: what was measured, predicted, and what is left. */
 murk_status murk_add_fit_csv(murk_results *results, const murk_fit_facts *facts,

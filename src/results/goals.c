@@ -1,31 +1,41 @@
+/* Regions of interest and targets: rows of JSON and lines of the summary. */
 #include "results/goals.h"
 
 #include "results/summary.h"
 
 #include <math.h>
 
-void murk_json_regions(cJSON *root, const murk_scene_desc *scene,
-                       const murk_region_coverage *in_sample,
-                       const murk_region_coverage *held_out)
+static murk_estimate held_out_of(const murk_sensor_results *s, size_t i)
 {
-    const murk_scene_placement *settings = &scene->placement;
-    cJSON *list = cJSON_AddArrayToObject(root, "regions_of_interest");
-    for (size_t i = 0; i < settings->n_interests; ++i) {
-        const murk_estimate seen = in_sample[i].coverage;
-        const murk_estimate held =
-            held_out ? held_out[i].coverage : (murk_estimate){NAN, NAN};
-        cJSON *item = cJSON_CreateObject();
-        cJSON_AddStringToObject(item, "name", settings->interest[i].name);
-        murk_json_number(item, "weight", settings->interest[i].weight);
-        cJSON_AddNumberToObject(
-            item, settings->targets.given ? "targets" : "stored_photons",
-            (double)in_sample[i].photons);
-        murk_json_number(item, "coverage", seen.value);
-        murk_json_number(item, "standard_error", seen.standard_error);
-        murk_json_number(item, "held_out", held.value);
-        murk_json_number(item, "held_out_standard_error", held.standard_error);
-        cJSON_AddItemToArray(list, item);
-    }
+    return s->held_out_region ? s->held_out_region[i].coverage
+                              : (murk_estimate){NAN, NAN};
+}
+
+static void list_region(murk_results_fields *f, const void *of, size_t i)
+{
+    const murk_sensor_results *s = of;
+    MURK_RESULT(f, text, "name", "", "of the region",
+                s->scene->placement.interest[i].name);
+    MURK_RESULT(f, number, "weight", "1", "of what lies in the region",
+                s->scene->placement.interest[i].weight);
+    MURK_RESULT(f, count,
+                s && s->scene->placement.targets.given ? "targets"
+                                                       : "stored_photons",
+                "", "in the region; named targets if targets are given",
+                s->coverage->region[i].photons);
+    MURK_RESULT(f, number, "coverage", "1", "of the region, in sample",
+                s->coverage->region[i].coverage.value);
+    MURK_RESULT(f, number, "standard_error", "1", "of coverage",
+                s->coverage->region[i].coverage.standard_error);
+    MURK_RESULT_ESTIMATE(f, "held_out", "1", "of the region, on a second map",
+                         held_out_of(s, i));
+}
+
+void murk_results_list_regions(murk_results_fields *f, const void *of)
+{
+    const murk_sensor_results *s = of;
+    MURK_RESULT_LIST(f, "regions_of_interest", "the scene's regions",
+                     list_region, s, s->scene->placement.n_interests);
 }
 
 static void print_in_view(murk_estimate seen)
@@ -39,11 +49,11 @@ static void print_in_view(murk_estimate seen)
     }
 }
 
-void murk_print_regions(const murk_scene_desc *scene,
-                        const murk_region_coverage *in_sample,
-                        const murk_region_coverage *held_out)
+void murk_print_regions(const murk_sensor_results *sensors)
 {
-    const murk_scene_placement *settings = &scene->placement;
+    const murk_scene_placement *settings = &sensors->scene->placement;
+    const murk_region_coverage *in_sample = sensors->coverage->region;
+    const murk_region_coverage *held_out = sensors->held_out_region;
     if (settings->n_interests == 0) {
         return;
     }
@@ -61,27 +71,29 @@ void murk_print_regions(const murk_scene_desc *scene,
     }
 }
 
-void murk_json_targets(cJSON *root, const murk_scene_desc *scene,
-                       const murk_target_facts *facts)
+static void list_targets(murk_results_fields *f, const void *of)
 {
-    const murk_scene_targets *settings = &scene->placement.targets;
-    if (!settings->given) {
-        cJSON_AddNullToObject(root, "targets");
-        return;
-    }
-    cJSON *object = cJSON_AddObjectToObject(root, "targets");
-    cJSON_AddBoolToObject(object, "listed", settings->points != NULL);
-    cJSON_AddNumberToObject(object, "points", (double)facts->points);
-    cJSON_AddNumberToObject(object, "surface", (double)facts->surface);
-    cJSON_AddNumberToObject(object, "volume", (double)facts->volume);
-    murk_json_number(object, "area_m2", facts->area_m2.value);
-    murk_json_number(object, "area_m2_standard_error",
-                     facts->area_m2.standard_error);
-    murk_json_number(object, "volume_m3", facts->volume_m3.value);
-    murk_json_number(object, "volume_m3_standard_error",
-                     facts->volume_m3.standard_error);
-    murk_json_number(object, "band_nm",
-                     scene->band_nm[murk_targets_band(scene)]);
+    const murk_target_results *t = of;
+    MURK_RESULT(f, flag, "listed", "", "true if a file lists the points",
+                t->scene->placement.targets.points != NULL);
+    MURK_RESULT(f, count, "points", "", "all targets", t->facts->points);
+    MURK_RESULT(f, count, "surface", "", "on surfaces", t->facts->surface);
+    MURK_RESULT(f, count, "volume", "", "in the volume", t->facts->volume);
+    MURK_RESULT_ESTIMATE(f, "area_m2", "m2", "surfaces that targets stand for",
+                         t->facts->area_m2);
+    MURK_RESULT_ESTIMATE(f, "volume_m3", "m3",
+                         "free space that targets stand for",
+                         t->facts->volume_m3);
+    MURK_RESULT(f, number, "band_nm", "nm", "the band they are seen at",
+                t->scene->band_nm[murk_targets_band(t->scene)]);
+}
+
+void murk_results_list_targets(murk_results_fields *f, const void *of)
+{
+    const murk_target_results *t = of;
+    MURK_RESULT_OBJECT(
+        f, "targets", "null, or the targets that stand in place of photons",
+        list_targets, t->scene->placement.targets.given ? t : NULL);
 }
 
 static void print_size(murk_estimate size, const char *unit, const char *what)

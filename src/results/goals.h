@@ -3,22 +3,20 @@
 #ifndef MURK_RESULTS_GOALS_H
 #define MURK_RESULTS_GOALS_H
 
-#include "results/results.h"
+#include "results/coverage.h"
 
-/* Adds "regions_of_interest": one item a region of the scene, none where it has
- * none. in_sample and held_out[regions]; held_out NULL: null. */
-void murk_json_regions(cJSON *root, const murk_scene_desc *scene,
-                       const murk_region_coverage *in_sample,
-                       const murk_region_coverage *held_out);
+/* Row "regions_of_interest"; of: a murk_sensor_results. */
+void murk_results_list_regions(murk_results_fields *f, const void *of);
 
 /* The table of them; nothing where there are none. */
-void murk_print_regions(const murk_scene_desc *scene,
-                        const murk_region_coverage *in_sample,
-                        const murk_region_coverage *held_out);
+void murk_print_regions(const murk_sensor_results *sensors);
 
-/* Adds "targets": what was drawn or listed; null where photons are seen. */
-void murk_json_targets(cJSON *root, const murk_scene_desc *scene,
-                       const murk_target_facts *facts);
+/* Row "targets"; of: */
+typedef struct murk_target_results {
+    const murk_scene_desc *scene;
+    const murk_target_facts *facts;
+} murk_target_results;
+void murk_results_list_targets(murk_results_fields *f, const void *of);
 
 /* The line that tells; nothing where photons are seen. */
 void murk_print_targets(const murk_target_facts *facts);

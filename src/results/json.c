@@ -5,6 +5,7 @@
 #include "base/file.h"
 #include "base/machine.h"
 #include "base/utf8.h"
+#include "results/fields.h"
 #include "results/version.h"
 
 #include <math.h>
@@ -46,28 +47,59 @@ void murk_json_spectrum(cJSON *object, const char *key,
                           cJSON_CreateDoubleArray(spectrum->band, bands));
 }
 
+static void list_packages(murk_results_fields *f, const void *of)
+{
+    (void)of;
+    for (size_t i = 0; i < murk_packages_count; ++i) {
+        MURK_RESULT(f, text, murk_packages[i].name, "", "version",
+                    murk_packages[i].version);
+    }
+}
+
+static void list_program(murk_results_fields *f, const void *of)
+{
+    MURK_RESULT(f, text, "version", "", "version of murk", MURK_VERSION);
+    MURK_RESULT(f, text, "commit", "", "that murk was built from",
+                murk_version_commit());
+    MURK_RESULT(f, text, "compiler", "", "with version",
+                murk_version_compiler());
+    MURK_RESULT_OBJECT(f, "packages", "that murk was built with", list_packages,
+                       of);
+}
+
+void murk_results_list_murk(murk_results_fields *f, const void *of)
+{
+    (void)of;
+    MURK_RESULT_OBJECT(f, "murk", "the program that made the file",
+                       list_program, MURK_VERSION);
+}
+
+void murk_results_list_every(murk_results_fields *f, const void *of)
+{
+    const murk_scene_desc *scene = of;
+    murk_results_list_murk(f, NULL);
+    MURK_RESULT(f, text, "scene", "", "the scene file as named", scene->path);
+    MURK_RESULT(f, text, "scene_sha256", "", "of the scene file's bytes",
+                scene->sha256);
+    MURK_RESULT(f, count, "seed", "", "of all random numbers", scene->seed);
+}
+
+void murk_results_list_head(murk_results_fields *f,
+                            const murk_scene_desc *scene)
+{
+    if (!murk_results_describes(f)) { /* described once for all files */
+        murk_results_list_every(f, scene);
+    }
+}
+
 cJSON *murk_json_begin_murk(void)
 {
-    cJSON *root = cJSON_CreateObject();
-    cJSON *murk = cJSON_AddObjectToObject(root, "murk");
-    cJSON_AddStringToObject(murk, "version", MURK_VERSION);
-    cJSON_AddStringToObject(murk, "commit", murk_version_commit());
-    cJSON_AddStringToObject(murk, "compiler", murk_version_compiler());
-    cJSON *packages = cJSON_AddObjectToObject(murk, "packages");
-    for (size_t i = 0; i < murk_packages_count; ++i) {
-        cJSON_AddStringToObject(packages, murk_packages[i].name,
-                                murk_packages[i].version);
-    }
-    return root;
+    return murk_results_json(murk_results_list_murk, NULL);
 }
 
 cJSON *murk_json_begin(const murk_scene_desc *scene)
 {
-    cJSON *root = murk_json_begin_murk();
-    cJSON_AddStringToObject(root, "scene", scene->path);
-    cJSON_AddStringToObject(root, "scene_sha256", scene->sha256);
-    cJSON_AddNumberToObject(root, "seed", scene->seed);
-    return root;
+    return murk_results_json(murk_results_list_every, scene);
 }
 
 /* cJSON indents with tabs, which YAML readers refuse; inside texts a tab is

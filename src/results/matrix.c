@@ -1,3 +1,4 @@
+/* A plan over a coverage matrix: rows of plan.json, and the summary. */
 #include "results/matrix.h"
 #include "results/plan.h"
 #include "results/summary.h"
@@ -21,134 +22,161 @@ static double as_given(const murk_matrix_plan *p, uint64_t value)
     return (double)value / MURK_CLEAR / p->matrix->unit / p->redundancy;
 }
 
-static void add_nulls(cJSON *object, const char *const *key, size_t n)
+static void list_matrix(murk_results_fields *f, const void *of)
+{
+    const murk_matrix_plan *p = of;
+    MURK_RESULT(f, text, "file", "", "as named", p->file);
+    MURK_RESULT(f, text, "sha256", "", "of the file", p->matrix->sha256);
+    MURK_RESULT(f, text, "format", "",
+                "dense CSV, sparse CSV or OR-Library text",
+                format_name(p->matrix->format));
+    MURK_RESULT(f, count, "rows", "", "of the matrix", p->matrix->rows);
+    MURK_RESULT(f, count, "columns", "", "of the matrix", p->matrix->columns);
+    MURK_RESULT(f, count, "entries", "", "other than 0",
+                murk_sparse_matrix_entries(p->matrix));
+    MURK_RESULT(f, number, "weight", "", "of all rows",
+                as_given(p, p->place.whole));
+    MURK_RESULT(f, number, "covered", "", "weight that the columns cover",
+                as_given(p, p->place.value));
+    MURK_RESULT(f, number, "covered_at_most", "",
+                "no as many columns cover more", as_given(p, p->place.upper));
+}
+
+/* Rows that a plan of places has and a matrix knows nothing of. */
+static void list_nulls(murk_results_fields *f, const char *const *name,
+                       size_t n)
 {
     for (size_t i = 0; i < n; ++i) {
-        cJSON_AddNullToObject(object, key[i]);
+        MURK_RESULT(f, null, name[i], "", "null", 0);
     }
 }
 
-static void add_matrix(cJSON *root, const murk_matrix_plan *p)
+static void list_photons(murk_results_fields *f, const void *of)
 {
-    const murk_sparse_matrix *m = p->matrix;
-    cJSON *object = cJSON_AddObjectToObject(root, "matrix");
-    cJSON_AddStringToObject(object, "file", p->file);
-    cJSON_AddStringToObject(object, "sha256", p->matrix->sha256);
-    cJSON_AddStringToObject(object, "format", format_name(m->format));
-    cJSON_AddNumberToObject(object, "rows", (double)m->rows);
-    cJSON_AddNumberToObject(object, "columns", (double)m->columns);
-    cJSON_AddNumberToObject(object, "entries",
-                            (double)murk_sparse_matrix_entries(m));
-    murk_json_number(object, "weight", as_given(p, p->place.whole));
-    murk_json_number(object, "covered", as_given(p, p->place.value));
-    murk_json_number(object, "covered_at_most", as_given(p, p->place.upper));
+    static const char *const none[] = {"emitted", "surface", "volume"};
+    (void)of;
+    list_nulls(f, none, 3);
 }
 
-static void add_sensors(cJSON *root, const murk_matrix_plan *p)
+static void list_candidates(murk_results_fields *f, const void *of)
 {
-    static const char *const empty[] = {"type", "position_m", "axis",
-                                        "heading_deg", "tilt_deg"};
-    const murk_sparse_matrix *m = p->matrix;
-    cJSON *list = cJSON_AddArrayToObject(root, "sensors");
+    const murk_matrix_plan *p = of;
+    MURK_RESULT(f, count, "asked", "", "columns", p->matrix->columns);
+    MURK_RESULT(f, count, "usable", "", "columns", p->matrix->columns);
+    MURK_RESULT(f, null, "doubtful", "", "null", 0);
+    MURK_RESULT(f, count, "after_presolve", "",
+                "columns that no other dominates", p->place.after_presolve);
+}
+
+static void list_column(murk_results_fields *f, const void *of, size_t k)
+{
+    static const char *const none[] = {"type", "position_m", "axis",
+                                       "heading_deg", "tilt_deg"};
+    const murk_matrix_plan *p = of;
+    const size_t column = p ? p->place.sensor[k] : 0;
+    list_nulls(f, none, sizeof none / sizeof *none);
+    MURK_RESULT(f, count, "column", "", "of the matrix, from 1", column + 1);
+    MURK_RESULT(f, text, "name", "", "of the column",
+                p->matrix->name ? p->matrix->name[column] : NULL);
+    MURK_RESULT(f, number, "cost", "", "of the column",
+                p->matrix->cost ? p->matrix->cost[column] : NAN);
+    MURK_RESULT(f, number, "covers", "1", "share that the column covers alone",
+                murk_share(p->covers.alone[k], p->place.whole));
+    MURK_RESULT(f, number, "only_it_covers", "1",
+                "share that is lost without the column",
+                murk_share(p->covers.only[k], p->place.whole));
+}
+
+static void list_coverage(murk_results_fields *f, const void *of)
+{
+    static const char *const none[] = {"held_out", "held_out_standard_error",
+                                       "surface", "volume"};
+    const murk_matrix_plan *p = of;
+    MURK_RESULT(f, number, "in_sample", "1", "share of the weight",
+                murk_share(p->place.value, p->place.whole));
+    list_nulls(f, none, sizeof none / sizeof *none);
+    MURK_RESULT(f, number, "ceiling", "1", "coverage of all columns",
+                murk_share(p->place.ceiling, p->place.whole));
+    MURK_RESULT(f, number, "sum_of_views", "1",
+                "sum of the columns' own coverages",
+                murk_share(p->covers.sum, p->place.whole / p->redundancy));
+}
+
+static cJSON *seen_by(const murk_matrix_plan *p)
+{
+    cJSON *list = cJSON_CreateArray();
     for (size_t k = 0; k < p->place.count; ++k) {
-        const size_t column = p->place.sensor[k];
-        cJSON *item = cJSON_CreateObject();
-        add_nulls(item, empty, sizeof empty / sizeof *empty);
-        cJSON_AddNumberToObject(item, "column", (double)column + 1);
-        if (m->name) {
-            cJSON_AddStringToObject(item, "name", m->name[column]);
-        } else {
-            cJSON_AddNullToObject(item, "name");
-        }
-        murk_json_number(item, "cost", m->cost ? m->cost[column] : NAN);
-        murk_json_number(item, "covers",
-                         murk_share(p->covers.alone[k], p->place.whole));
-        murk_json_number(item, "only_it_covers",
-                         murk_share(p->covers.only[k], p->place.whole));
-        cJSON_AddItemToArray(list, item);
+        const double seen =
+            murk_share(p->covers.seen_by[k], p->covers.whole_rows);
+        cJSON_AddItemToArray(list, cJSON_CreateNumber(seen));
     }
+    return list;
 }
 
-static void add_coverage(cJSON *root, const murk_matrix_plan *p)
+static void list_target(murk_results_fields *f, const void *of)
 {
-    static const char *const empty[] = {"held_out", "held_out_standard_error",
-                                        "surface", "volume"};
-    const murk_place_result *place = &p->place;
-    cJSON *object = cJSON_AddObjectToObject(root, "coverage");
-    murk_json_number(object, "in_sample",
-                     murk_share(place->value, place->whole));
-    add_nulls(object, empty, sizeof empty / sizeof *empty);
-    murk_json_number(object, "ceiling",
-                     murk_share(place->ceiling, place->whole));
-    murk_json_number(object, "sum_of_views",
-                     murk_share(p->covers.sum, place->whole / p->redundancy));
-    cJSON *list = cJSON_AddArrayToObject(root, "seen_by_at_least");
-    for (size_t k = 0; k < place->count; ++k) {
-        cJSON_AddItemToArray(
-            list, cJSON_CreateNumber(
-                      murk_share(p->covers.seen_by[k], p->covers.whole_rows)));
-    }
+    const murk_matrix_plan *p = of;
+    MURK_RESULT(f, number, "asked", "1", "the target", p->target);
+    MURK_RESULT(f, count, "fewest_possible", "",
+                "no fewer columns reach the target", p->place.fewest);
+    MURK_RESULT(f, null, "confirmed", "", "null", 0);
+    MURK_RESULT(f, null, "confirmed_standard_error", "", "null", 0);
 }
 
-static void add_placement(cJSON *root, const murk_matrix_plan *p)
+static void list_placement(murk_results_fields *f, const void *of)
 {
-    const murk_place_result *place = &p->place;
-    if (p->target > 0) {
-        cJSON *object = cJSON_AddObjectToObject(root, "target");
-        murk_json_number(object, "asked", p->target);
-        cJSON_AddNumberToObject(object, "fewest_possible",
-                                (double)place->fewest);
-        cJSON_AddNullToObject(object, "confirmed");
-        cJSON_AddNullToObject(object, "confirmed_standard_error");
-    }
-    if (p->budget > 0) {
-        cJSON *object = cJSON_AddObjectToObject(root, "budget");
-        murk_json_number(object, "asked", p->budget);
-        murk_json_number(object, "spent", (double)place->cost * MURK_COST_UNIT);
-    }
-    cJSON *object = cJSON_AddObjectToObject(root, "placement");
-    cJSON_AddStringToObject(object, "method",
-                            murk_method_names[p->desc.method]);
-    cJSON_AddStringToObject(object, "detection",
-                            murk_detection_name(p->detection));
-    cJSON_AddNullToObject(object, "threshold");
-    cJSON_AddNumberToObject(object, "redundancy", p->redundancy);
-    cJSON_AddNullToObject(object, "visibility");
-    cJSON_AddNullToObject(object, "through");
-    cJSON_AddStringToObject(object, "knowledge", "known");
-    cJSON_AddNumberToObject(object, "restarts", (double)p->desc.restarts);
-    cJSON_AddNumberToObject(object, "starts", (double)place->restarts);
-    cJSON_AddNumberToObject(object, "evaluations", (double)place->evaluations);
-    cJSON_AddNullToObject(object, "queries");
-    cJSON_AddNullToObject(object, "shadow_rays");
-    cJSON_AddNullToObject(object, "sightlines_blocked_by_interfaces");
-    cJSON_AddNullToObject(object, "sightlines_totally_reflected");
-    cJSON_AddNumberToObject(object, "nodes", (double)place->nodes);
-    murk_json_cut(object, place);
+    static const char *const before[] = {"visibility", "through"};
+    static const char *const behind[] = {"queries", "shadow_rays",
+                                         "sightlines_blocked_by_interfaces",
+                                         "sightlines_totally_reflected"};
+    const murk_matrix_plan *p = of;
+    MURK_RESULT(f, text, "method", "", "best, spoq, greedy or exact",
+                murk_method_names[p->desc.method]);
+    MURK_RESULT(f, text, "detection", "", "weighted or independent",
+                murk_detection_name(p->detection));
+    MURK_RESULT(f, null, "threshold", "", "null", 0);
+    MURK_RESULT(f, count, "redundancy", "", "columns that count for a row",
+                p->redundancy);
+    list_nulls(f, before, 2);
+    MURK_RESULT(f, text, "knowledge", "", "known", "known");
+    MURK_RESULT(f, count, "restarts", "", "starts asked for", p->desc.restarts);
+    MURK_RESULT(f, count, "starts", "", "starts made", p->place.restarts);
+    MURK_RESULT(f, count, "evaluations", "", "of plans", p->place.evaluations);
+    list_nulls(f, behind, sizeof behind / sizeof *behind);
+    murk_results_list_cut(f, p ? &p->place : NULL);
 }
 
-cJSON *murk_matrix_plan_json(const murk_matrix_plan *p)
+void murk_results_list_matrix_plan(murk_results_fields *f, const void *of)
 {
-    static const char *const photons[] = {"emitted", "surface", "volume"};
-    const double columns = (double)p->matrix->columns;
-    cJSON *root = murk_json_begin_murk();
-    cJSON_AddNullToObject(root, "scene");
-    cJSON_AddNullToObject(root, "scene_sha256");
-    cJSON_AddNumberToObject(root, "seed", p->desc.seed);
-    add_matrix(root, p);
-    add_nulls(cJSON_AddObjectToObject(root, "photons"), photons, 3);
-    cJSON *object = cJSON_AddObjectToObject(root, "candidates");
-    cJSON_AddNumberToObject(object, "asked", columns);
-    cJSON_AddNumberToObject(object, "usable", columns);
-    cJSON_AddNullToObject(object, "doubtful");
-    cJSON_AddNumberToObject(object, "after_presolve",
-                            (double)p->place.after_presolve);
-    add_sensors(root, p);
-    add_coverage(root, p);
-    cJSON_AddNullToObject(root, "robustness"); /* no places; and one sample */
-    murk_json_bound(root, &p->place);
-    add_placement(root, p);
-    return root;
+    static const char *const scene[] = {"scene", "scene_sha256"};
+    const murk_matrix_plan *p = of;
+    const murk_budget_results budget = {p ? p->budget : 0,
+                                        p ? &p->place : NULL};
+    if (!murk_results_describes(f)) {
+        murk_results_list_murk(f, NULL);
+    }
+    list_nulls(f, scene, 2);
+    MURK_RESULT(f, count, "seed", "", "of all random numbers", p->desc.seed);
+    MURK_RESULT_OBJECT(f, "matrix", "with --matrix", list_matrix, p);
+    MURK_RESULT_OBJECT(f, "photons", "nulls", list_photons, p);
+    MURK_RESULT_OBJECT(f, "candidates", "the columns", list_candidates, p);
+    MURK_RESULT_LIST(f, "sensors", "the chosen columns", list_column, p,
+                     p->place.count);
+    MURK_RESULT_OBJECT(f, "coverage", "coverage of the plan", list_coverage, p);
+    MURK_RESULT(f, json, "seen_by_at_least", "1",
+                "share that at least 1, 2, ... columns cover", seen_by(p));
+    MURK_RESULT(f, null, "robustness", "", "null: no places, and one sample",
+                0);
+    murk_results_list_bound(f, p ? &p->place : NULL);
+    if (MURK_RESULT_IF(f, p->target > 0)) {
+        MURK_RESULT_OBJECT(f, "target", "with a target", list_target, p);
+    }
+    if (MURK_RESULT_IF(f, p->budget > 0)) {
+        MURK_RESULT_OBJECT(f, "budget", "with a budget",
+                           murk_results_list_budget, &budget);
+    }
+    MURK_RESULT_OBJECT(f, "placement", "how the plan was found", list_placement,
+                       p);
 }
 
 void murk_matrix_plan_print(const murk_matrix_plan *p)

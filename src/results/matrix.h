@@ -4,6 +4,7 @@
 #define MURK_RESULTS_MATRIX_H
 
 #include "placement/sparse_matrix.h"
+#include "results/fields.h"
 #include "results/session.h"
 
 /* What the chosen columns cover, in weight * clarity. */
@@ -28,8 +29,8 @@ typedef struct murk_matrix_plan {
     murk_covering covers;
 } murk_matrix_plan;
 
-/* plan.json, yet without `run`. */
-cJSON *murk_matrix_plan_json(const murk_matrix_plan *plan);
+/* Rows of plan.json, yet without `run`; of: a murk_matrix_plan. */
+void murk_results_list_matrix_plan(murk_results_fields *f, const void *of);
 void murk_matrix_plan_print(const murk_matrix_plan *plan);
 
 #endif

@@ -1,3 +1,4 @@
+/* Placement over conditions: rows of JSON and CSV, files and lines. */
 #include "results/over.h"
 
 #include "results/coverage.h"
@@ -18,6 +19,9 @@
 #define NAME_MAX    32
 #define MARK_LENGTH 2
 #define COLUMN      17 /* " 0.8010 (+0.0000)" */
+
+#define DIGITS       9 /* of shares in regret.csv */
+#define ERROR_DIGITS 6 /* of their standard errors */
 
 static murk_estimate in_sample_of(const murk_condition_plans *over,
                                   const murk_condition_plan *plan,
@@ -111,38 +115,28 @@ static murk_status add_condition(murk_session *session,
     return status;
 }
 
-static murk_status write_regret(const char *path, const void *context,
-                                murk_error *err)
+/* regret.csv: a line for each plan and condition in which it is used. */
+void murk_results_list_use(murk_results_fields *f, const void *of, size_t i)
 {
-    const murk_condition_plans *over = context;
-    murk_file *file = NULL;
-    murk_status status = murk_file_create(&file, path, err);
-    if (status) {
-        return status;
-    }
-    FILE *to = murk_file_stream(file);
-    fputs("made_for,used_in,in_sample,in_sample_standard_error,held_out,"
-          "held_out_standard_error,regret\n",
-          to);
-    for (size_t p = 0; p < over->plans; ++p) {
-        const murk_condition_plan *plan = &over->plan[p];
-        for (size_t c = 0; c < over->conditions->n; ++c) {
-            const murk_estimate in = plan->in_sample[c];
-            fprintf(to, "%s,%s,%.9g,%.6g,", plan->made_for,
-                    over->conditions->condition[c].settings->name, in.value,
-                    in.standard_error);
-            if (over->has_held_out) {
-                fprintf(to, "%.9g,%.6g,", plan->held_out[c].value,
-                        plan->held_out[c].standard_error);
-            } else {
-                fputs(",,", to);
-            }
-            fprintf(to, "%.9g\n", murk_condition_plans_regret(over, plan, c));
-        }
-    }
-    status = murk_file_commit(&file, err);
-    murk_file_discard(file);
-    return status;
+    const murk_condition_plans *over = of;
+    const size_t n = over ? over->conditions->n : 1, c = i % n;
+    const murk_condition_plan *plan = over ? &over->plan[i / n] : NULL;
+    MURK_RESULT(f, text, "made_for", "", "condition, or a plan's name",
+                plan->made_for);
+    MURK_RESULT(f, text, "used_in", "", "condition",
+                over->conditions->condition[c].settings->name);
+    MURK_RESULT(f, rounded, "in_sample", "1", "coverage there",
+                plan->in_sample[c].value, DIGITS);
+    MURK_RESULT(f, rounded, "in_sample_standard_error", "1", "of in_sample",
+                plan->in_sample[c].standard_error, ERROR_DIGITS);
+    MURK_RESULT(f, rounded, "held_out", "1", "coverage there on a second map",
+                over->has_held_out ? plan->held_out[c].value : NAN, DIGITS);
+    MURK_RESULT(f, rounded, "held_out_standard_error", "1", "of held_out",
+                over->has_held_out ? plan->held_out[c].standard_error : NAN,
+                ERROR_DIGITS);
+    MURK_RESULT(f, rounded, "regret", "1",
+                "coverage lost to the condition's own plan",
+                murk_condition_plans_regret(over, plan, c), DIGITS);
 }
 
 murk_status murk_over_add_files(murk_session *session,
@@ -163,159 +157,200 @@ murk_status murk_over_add_files(murk_session *session,
         status = murk_results_add_text(&session->results, MURK_SCENE_NAME,
                                        session->scene->resolved, err);
     }
-    return status ? status
-                  : murk_results_add(&session->results, "regret.csv",
-                                     write_regret, over, err);
+    return status
+               ? status
+               : murk_results_add_csv(&session->results, "regret.csv",
+                                      murk_results_list_use, over,
+                                      over->plans * over->conditions->n, err);
 }
 
-/* ---- JSON ---- */
+/* ---- rows ---- */
 
-void murk_over_json_photons(cJSON *root, const murk_condition_plans *over)
+void murk_results_list_over_photons(murk_results_fields *f, const void *of)
 {
-    double emitted = 0, surface = 0, volume = 0;
+    const murk_condition_plans *over = of;
+    size_t surface = 0, volume = 0;
+    uint64_t emitted = 0;
     const size_t every = over->conditions->n + over->conditions->dark;
     for (size_t c = 0; c < every; ++c) {
         const murk_traced *traced = over->conditions->condition[c].traced;
-        emitted += (double)traced->emitted;
-        surface += (double)murk_photon_map_count(traced->surface);
-        volume += (double)murk_photon_map_count(traced->volume);
+        emitted += traced->emitted;
+        surface += murk_photon_map_count(traced->surface);
+        volume += murk_photon_map_count(traced->volume);
     }
-    cJSON *object = cJSON_AddObjectToObject(root, "photons");
-    cJSON_AddNumberToObject(object, "emitted", emitted);
-    cJSON_AddNumberToObject(object, "surface", surface);
-    cJSON_AddNumberToObject(object, "volume", volume);
-}
-
-static void add_estimate(cJSON *object, const char *key, murk_estimate of)
-{
-    char error[80];
-    snprintf(error, sizeof error, "%s_standard_error", key);
-    murk_json_number(object, key, of.value);
-    murk_json_number(object, error, of.standard_error);
+    MURK_RESULT(f, count, "emitted", "", "in all conditions", emitted);
+    MURK_RESULT(f, count, "surface", "", "in all conditions", surface);
+    MURK_RESULT(f, count, "volume", "", "in all conditions", volume);
 }
 
 static const murk_estimate NONE = {NAN, NAN};
 
-static void add_conditions(cJSON *root, const murk_condition_plans *over)
+static void list_condition(murk_results_fields *f, const void *of, size_t c)
 {
-    const murk_condition_plan *chosen = &over->plan[over->chosen];
-    cJSON *list = cJSON_AddArrayToObject(root, "conditions");
-    const size_t lit = over->conditions->n;
-    for (size_t c = 0; c < lit + over->conditions->dark; ++c) {
-        const murk_condition *condition = &over->conditions->condition[c];
-        const bool is_dark = c >= lit;
-        const murk_coverage_result *coverage = &over->coverage[c];
-        cJSON *item = cJSON_CreateObject();
-        cJSON_AddStringToObject(item, "name", condition->settings->name);
-        murk_json_number(item, "weight", condition->settings->weight);
-        cJSON *photons = cJSON_AddObjectToObject(item, "photons");
-        const murk_traced *traced = condition->traced;
-        cJSON_AddNumberToObject(photons, "emitted", (double)traced->emitted);
-        cJSON_AddNumberToObject(photons, "surface",
-                                (double)murk_photon_map_count(traced->surface));
-        cJSON_AddNumberToObject(photons, "volume",
-                                (double)murk_photon_map_count(traced->volume));
-        add_estimate(item, "in_sample", is_dark ? NONE : chosen->in_sample[c]);
-        add_estimate(item, "held_out",
-                     over->has_held_out && !is_dark ? chosen->held_out[c]
-                                                    : NONE);
-        murk_json_number(item, "surface",
-                         is_dark ? NAN : coverage->surface.value);
-        murk_json_number(item, "volume",
-                         is_dark ? NAN : coverage->volume.value);
-        cJSON_AddItemToArray(list, item);
-    }
+    const murk_condition_plans *over = of;
+    const murk_condition_plan *chosen = over ? &over->plan[over->chosen] : NULL;
+    const murk_condition *condition =
+        over ? &over->conditions->condition[c] : NULL;
+    const bool is_dark = over && c >= over->conditions->n;
+    MURK_RESULT(f, text, "name", "", "of the condition",
+                condition->settings->name);
+    MURK_RESULT(f, number, "weight", "1", "in the mean",
+                condition->settings->weight);
+    MURK_RESULT_OBJECT(f, "photons", "photons of the condition's light",
+                       murk_results_list_photons, condition->traced);
+    MURK_RESULT_ESTIMATE(f, "in_sample", "1", "coverage of the plan",
+                         is_dark ? NONE : chosen->in_sample[c]);
+    MURK_RESULT_ESTIMATE(f, "held_out", "1", "the same on a second map",
+                         over->has_held_out && !is_dark ? chosen->held_out[c]
+                                                        : NONE);
+    MURK_RESULT(f, number, "surface", "1", "of the surface map alone",
+                is_dark ? NAN : over->coverage[c].surface.value);
+    MURK_RESULT(f, number, "volume", "1", "of the volume map alone",
+                is_dark ? NAN : over->coverage[c].volume.value);
 }
 
-static cJSON *add_list(cJSON *object, const char *key)
+/* A value of each lit condition, of one plan. */
+typedef double (*by_condition)(const murk_condition_plans *over,
+                               const murk_condition_plan *plan, size_t c);
+
+static cJSON *all_of(const murk_condition_plans *over,
+                     const murk_condition_plan *plan, by_condition value)
 {
-    return cJSON_AddArrayToObject(object, key);
+    double all[MURK_SCENE_CONDITIONS_MAX] = {0};
+    for (size_t c = 0; c < over->conditions->n; ++c) {
+        all[c] = value(over, plan, c);
+    }
+    return cJSON_CreateDoubleArray(all, (int)over->conditions->n);
 }
 
-static void add_item(cJSON *list, double value)
+static double coverage_in(const murk_condition_plans *over,
+                          const murk_condition_plan *plan, size_t c)
 {
-    cJSON_AddItemToArray(list, isfinite(value) ? cJSON_CreateNumber(value)
-                                               : cJSON_CreateNull());
+    return seen_in(over, plan, c).value;
 }
 
-/* What was minimised, in sample, and what it is measured from. */
-static void add_largest_regret(cJSON *object, const murk_condition_plans *over)
+static double error_in(const murk_condition_plans *over,
+                       const murk_condition_plan *plan, size_t c)
 {
-    const murk_conditions *all = over->conditions;
-    if (all->scene->placement.over != MURK_SCENE_OVER_REGRET) {
-        return;
+    return seen_in(over, plan, c).standard_error;
+}
+
+/* Of conditions that have a say; plan is not looked at. */
+static double best_known_in(const murk_condition_plans *over,
+                            const murk_condition_plan *plan, size_t c)
+{
+    const murk_condition *one = &over->conditions->condition[c];
+    (void)plan;
+    return one->settings->weight > 0 ? one->best_known : NAN;
+}
+
+static double best_upper_in(const murk_condition_plans *over,
+                            const murk_condition_plan *plan, size_t c)
+{
+    const murk_condition *one = &over->conditions->condition[c];
+    (void)plan;
+    return one->settings->weight > 0 ? one->best_upper : NAN;
+}
+
+static cJSON *positions_of(const murk_condition_plans *over,
+                           const murk_condition_plan *plan)
+{
+    cJSON *list = cJSON_CreateArray();
+    for (size_t k = 0; k < plan->count; ++k) {
+        const murk_vec3 x =
+            murk_scene_user(over->conditions->condition[0].settings->scene,
+                            plan->sensor[k].position);
+        const double place[3] = {x.x, x.y, x.z};
+        cJSON_AddItemToArray(list, cJSON_CreateDoubleArray(place, 3));
     }
-    const bool is_lit = over->plans > 0;
-    cJSON_AddStringToObject(object, "measure",
-                            all->scene->placement.relative_regret ? "relative"
-                                                                  : "absolute");
-    murk_json_number(object, "largest", is_lit ? over->regret : NAN);
-    murk_json_number(object, "largest_at_least",
-                     is_lit ? over->regret_lower : NAN);
-    murk_json_number(object, "largest_to_optimum_at_most",
-                     is_lit ? over->regret_upper : NAN);
-    cJSON *known = add_list(object, "best_known");
-    cJSON *upper = add_list(object, "best_at_most");
-    for (size_t c = 0; c < all->n; ++c) {
-        const murk_condition *one = &all->condition[c];
-        const bool has_say = one->settings->weight > 0;
-        add_item(known, has_say ? one->best_known : NAN);
-        add_item(upper, has_say ? one->best_upper : NAN);
-    }
+    return list;
+}
+
+static void list_made(murk_results_fields *f, const void *of, size_t i)
+{
+    const murk_condition_plans *over = of;
+    const murk_condition_plan *plan = over ? &over->plan[i] : NULL;
+    MURK_RESULT(f, text, "made_for", "", "condition, or a plan's name",
+                plan->made_for);
+    MURK_RESULT(f, json, "positions_m", "m", "of the sensors",
+                positions_of(over, plan));
+    MURK_RESULT(f, json, "coverage", "1", "in each condition",
+                all_of(over, plan, coverage_in));
+    MURK_RESULT(f, json, "standard_error", "1", "of coverage",
+                all_of(over, plan, error_in));
+    MURK_RESULT(f, json, "regret", "1", "in each condition",
+                all_of(over, plan, murk_condition_plans_regret));
+    MURK_RESULT_ESTIMATE(f, "mean", "1", "over the conditions",
+                         best_known_of(over, plan, MURK_SCENE_OVER_MEAN));
+    MURK_RESULT_ESTIMATE(f, "worst", "1", "of the conditions",
+                         best_known_of(over, plan, MURK_SCENE_OVER_WORST));
+}
+
+static double lit(const murk_condition_plans *over, double value)
+{
+    return over->plans > 0 ? value : NAN;
+}
+
+/* The largest regret, in sample, and the plans that it is measured from. */
+static void list_largest(murk_results_fields *f,
+                         const murk_condition_plans *over)
+{
+    MURK_RESULT(f, text, "measure", "", "absolute or relative",
+                over->conditions->scene->placement.relative_regret
+                    ? "relative"
+                    : "absolute");
+    MURK_RESULT(f, number, "largest", "1",
+                "of the plan, to the best plan found for each condition alone",
+                lit(over, over->regret));
+    MURK_RESULT(f, number, "largest_at_least", "1",
+                "no plan has less, compared with these or with the true optima",
+                lit(over, over->regret_lower));
+    MURK_RESULT(f, number, "largest_to_optimum_at_most", "1",
+                "of this plan, to the true optima",
+                lit(over, over->regret_upper));
+    MURK_RESULT(f, json, "best_known", "1",
+                "coverage of the best plan found for each condition alone",
+                all_of(over, NULL, best_known_in));
+    MURK_RESULT(f, json, "best_at_most", "1", "upper bound on best_known",
+                all_of(over, NULL, best_upper_in));
 }
 
 /* Rows are plans, columns the conditions in their order, but for dark ones. */
-static void add_regret(cJSON *root, const murk_condition_plans *over)
+static void list_regret(murk_results_fields *f, const void *of)
 {
-    cJSON *object = cJSON_AddObjectToObject(root, "regret");
-    cJSON_AddBoolToObject(object, "held_out", over->has_held_out);
-    add_largest_regret(object, over);
-    cJSON *plans = cJSON_AddArrayToObject(object, "plans");
-    for (size_t p = 0; p < over->plans; ++p) {
-        const murk_condition_plan *plan = &over->plan[p];
-        cJSON *item = cJSON_CreateObject();
-        cJSON_AddStringToObject(item, "made_for", plan->made_for);
-        cJSON *positions = add_list(item, "positions_m");
-        for (size_t k = 0; k < plan->count; ++k) {
-            const murk_vec3 x =
-                murk_scene_user(over->conditions->condition[0].settings->scene,
-                                plan->sensor[k].position);
-            const double place[3] = {x.x, x.y, x.z};
-            cJSON_AddItemToArray(positions, cJSON_CreateDoubleArray(place, 3));
-        }
-        cJSON *coverage = add_list(item, "coverage");
-        cJSON *errors = add_list(item, "standard_error");
-        cJSON *regret = add_list(item, "regret");
-        for (size_t c = 0; c < over->conditions->n; ++c) {
-            const murk_estimate seen = seen_in(over, plan, c);
-            add_item(coverage, seen.value);
-            add_item(errors, seen.standard_error);
-            add_item(regret, murk_condition_plans_regret(over, plan, c));
-        }
-        add_estimate(item, "mean",
-                     best_known_of(over, plan, MURK_SCENE_OVER_MEAN));
-        add_estimate(item, "worst",
-                     best_known_of(over, plan, MURK_SCENE_OVER_WORST));
-        cJSON_AddItemToArray(plans, item);
+    const murk_condition_plans *over = of;
+    MURK_RESULT(f, flag, "held_out", "", "true if measured on second maps",
+                over->has_held_out);
+    if (MURK_RESULT_IF(f, over->conditions->scene->placement.over ==
+                              MURK_SCENE_OVER_REGRET)) {
+        list_largest(f, over);
     }
+    MURK_RESULT_LIST(f, "plans", "each condition's own plan, and this one",
+                     list_made, over, over->plans);
 }
 
-void murk_over_json(cJSON *root, const murk_condition_plans *over)
+static const char *worst_of(const murk_condition_plans *over)
 {
-    const murk_condition_plan *chosen = &over->plan[over->chosen];
-    cJSON_AddStringToObject(
-        root, "over", over_names[over->conditions->scene->placement.over]);
-    if (over->plans > 0) {
-        size_t worst;
-        in_sample_of(over, chosen, judged_by(over), &worst);
-        cJSON_AddStringToObject(
-            root, "worst_condition",
-            over->conditions->condition[worst].settings->name);
-    } else {
-        cJSON_AddNullToObject(root, "worst_condition");
+    size_t worst;
+    if (over->plans == 0) {
+        return NULL;
     }
-    add_conditions(root, over);
-    add_regret(root, over);
+    in_sample_of(over, &over->plan[over->chosen], judged_by(over), &worst);
+    return over->conditions->condition[worst].settings->name;
+}
+
+void murk_results_list_over(murk_results_fields *f, const void *of)
+{
+    const murk_condition_plans *over = of;
+    MURK_RESULT(f, text, "over", "", "over conditions: mean, worst or regret",
+                over_names[over->conditions->scene->placement.over]);
+    MURK_RESULT(f, text, "worst_condition", "",
+                "covered least, or with the largest regret", worst_of(over));
+    MURK_RESULT_LIST(f, "conditions", "the conditions, dark ones last",
+                     list_condition, over,
+                     over->conditions->n + over->conditions->dark);
+    MURK_RESULT_OBJECT(f, "regret", "coverage of each plan in each condition",
+                       list_regret, over);
 }
 
 /* ---- lines ---- */

@@ -3,6 +3,7 @@
 #define MURK_RESULTS_OVER_H
 
 #include "cases/condition_plans.h"
+#include "results/fields.h"
 #include "results/session.h"
 
 /* Of each condition light-NAME.murk, ledger-NAME.json, scene-NAME.yaml and
@@ -12,11 +13,13 @@ murk_status murk_over_add_files(murk_session *session,
                                 const murk_condition_plans *over,
                                 murk_error *err);
 
-/* "photons": those of all conditions. */
-void murk_over_json_photons(cJSON *root, const murk_condition_plans *over);
+/* Columns of regret.csv; of: a murk_condition_plans. */
+void murk_results_list_use(murk_results_fields *f, const void *of, size_t i);
 
-/* "over", "conditions" and "regret". */
-void murk_over_json(cJSON *root, const murk_condition_plans *over);
+/* Rows of "photons", those of all conditions; and rows "over" to "regret"; of:
+ * a murk_condition_plans. */
+void murk_results_list_over_photons(murk_results_fields *f, const void *of);
+void murk_results_list_over(murk_results_fields *f, const void *of);
 
 /* The tables of conditions and of regret, and which of them what follows is
  * about. */

@@ -1,5 +1,5 @@
 /* Photon density beside the fluence rate of grid tallies. */
-#include "results/fields.h"
+#include "results/voxel_fields.h"
 
 #include "base/log.h"
 #include "world/scene_tallies.h"

@@ -1,7 +1,14 @@
+/* A plan: rows of plan.json, for places of a scene, and the summary. */
 #include "results/plan.h"
 
-#include "results/results.h"
+#include "results/candidates.h"
+#include "results/coverage.h"
+#include "results/explore.h"
+#include "results/goals.h"
+#include "results/over.h"
+#include "results/robust.h"
 #include "results/summary.h"
+#include "results/tallies.h"
 
 #include <math.h>
 
@@ -17,39 +24,247 @@ double murk_share(uint64_t part, uint64_t whole)
     return whole ? (double)part / (double)whole : NAN;
 }
 
-void murk_json_bound(cJSON *root, const murk_place_result *place)
-{
-    cJSON *object = cJSON_AddObjectToObject(root, "bound");
-    murk_json_number(object, "upper", murk_share(place->upper, place->whole));
-    murk_json_number(object, "gap",
-                     place->upper || !place->whole
-                         ? murk_share(place->upper - place->value, place->upper)
-                         : 0);
-    cJSON_AddBoolToObject(object, "proven_optimal", place->proven_optimal);
-    cJSON_AddStringToObject(object, "guarantee", place->guarantee);
+/* ---- rows of every plan ---- */
 
-    cJSON *curve = cJSON_AddArrayToObject(root, "curve");
-    for (size_t i = 0; i < place->curve_points; ++i) {
-        const murk_curve_point *point = &place->curve[i];
-        cJSON *item = cJSON_CreateObject();
-        cJSON_AddNumberToObject(item, "count", (double)point->count);
-        murk_json_number(item, "coverage",
-                         murk_share(point->value, place->whole));
-        murk_json_number(item, "upper", murk_share(point->upper, place->whole));
-        cJSON_AddItemToArray(curve, item);
-    }
+static void list_bound(murk_results_fields *f, const void *of)
+{
+    const murk_place_result *place = of;
+    MURK_RESULT(f, number, "upper", "1",
+                "no plan of as many sensors covers more of this sample",
+                murk_share(place->upper, place->whole));
+    MURK_RESULT(f, number, "gap", "1", "(upper - coverage) / upper",
+                place->upper || !place->whole
+                    ? murk_share(place->upper - place->value, place->upper)
+                    : 0);
+    MURK_RESULT(f, flag, "proven_optimal", "",
+                "true if no plan is better on this sample",
+                place->proven_optimal);
+    MURK_RESULT(f, text, "guarantee", "", "of the method, before it is run",
+                place->guarantee);
 }
 
-void murk_json_cut(cJSON *object, const murk_place_result *place)
+static void list_point(murk_results_fields *f, const void *of, size_t i)
 {
-    if (place->is_cut) {
-        cJSON_AddStringToObject(object, "cut_by", "nodes");
-    } else if (place->is_work_cut) {
-        cJSON_AddStringToObject(object, "cut_by", "work");
+    const murk_place_result *place = of;
+    MURK_RESULT(f, count, "count", "", "sensors", place->curve[i].count);
+    MURK_RESULT(f, number, "coverage", "1", "of the plan of so many",
+                murk_share(place->curve[i].value, place->whole));
+    MURK_RESULT(f, number, "upper", "1", "bound on such plans",
+                murk_share(place->curve[i].upper, place->whole));
+}
+
+void murk_results_list_bound(murk_results_fields *f, const void *of)
+{
+    const murk_place_result *place = of;
+    MURK_RESULT_OBJECT(f, "bound", "the bound on the coverage of plans",
+                       list_bound, place);
+    MURK_RESULT_LIST(f, "curve", "plans of 1 sensor, 2 sensors, ...",
+                     list_point, place, place->curve_points);
+}
+
+void murk_results_list_cut(murk_results_fields *f, const void *of)
+{
+    const murk_place_result *place = of;
+    MURK_RESULT(f, count, "nodes", "", "of branch and bound", place->nodes);
+    MURK_RESULT(f, text, "cut_by", "",
+                "null, or the limit that ended the search: nodes (of branch "
+                "and bound, over all counts together) or work",
+                place->is_cut        ? "nodes"
+                : place->is_work_cut ? "work"
+                                     : NULL);
+}
+
+void murk_results_list_budget(murk_results_fields *f, const void *of)
+{
+    const murk_budget_results *budget = of;
+    MURK_RESULT(f, number, "asked", "", "the budget", budget->asked);
+    MURK_RESULT(f, number, "spent", "", "cost of the sensors",
+                (double)budget->place->cost * MURK_COST_UNIT);
+}
+
+/* ---- rows of a plan of places ---- */
+
+static void list_candidates(murk_results_fields *f, const void *of)
+{
+    const murk_plan_result *plan = of;
+    murk_results_list_candidates(f, plan ? plan->candidates : NULL);
+    MURK_RESULT(f, count, "poses", "", "candidates with heading and tilt",
+                plan->poses->count);
+    MURK_RESULT(f, count, "after_presolve", "",
+                "candidates that no other dominates",
+                plan->place.after_presolve);
+}
+
+static murk_estimate held_out_of(const murk_plan_result *plan)
+{
+    return plan->has_held_out ? plan->held_out : (murk_estimate){NAN, NAN};
+}
+
+static double ceiling_of(const murk_place_result *place)
+{
+    return murk_share(place->ceiling, place->whole);
+}
+
+static void list_coverage(murk_results_fields *f, const void *of)
+{
+    const murk_plan_results *r = of;
+    const murk_plan_result *plan = r ? r->plan : NULL;
+    MURK_RESULT(f, number, "in_sample", "1", "on the light that chose the plan",
+                plan->in_sample.total.value);
+    MURK_RESULT_ESTIMATE(f, "held_out", "1", "on a second, independent map",
+                         held_out_of(plan));
+    MURK_RESULT(f, number, "in_sample_standard_error", "1",
+                "standard error of in_sample",
+                plan->in_sample.total.standard_error);
+    MURK_RESULT_ESTIMATE(f, "surface", "1", "of the surface map alone",
+                         plan->in_sample.surface);
+    MURK_RESULT_ESTIMATE(f, "volume", "1", "of the volume map alone",
+                         plan->in_sample.volume);
+    MURK_RESULT(f, number, "ceiling", "1", "coverage of all candidates",
+                murk_plan_at_least(r->session->scene) > 0
+                    ? NAN
+                    : ceiling_of(&plan->place));
+    MURK_RESULT(f, number, "sum_of_views", "1",
+                "sum of the sensors' own coverages",
+                plan->in_sample.sum_of_views);
+}
+
+/* With placement.at_least: asked, reached, and whether fewer cannot do. */
+static void list_strict(murk_results_fields *f, const murk_plan_results *r)
+{
+    const murk_plan_result *plan = r ? r->plan : NULL;
+    MURK_RESULT(f, count, "at_least", "", "sensors that see each photon",
+                murk_plan_at_least(r->session->scene));
+    MURK_RESULT_ESTIMATE(f, "reached", "1", "share so seen, in sample",
+                         plan->is_dark ? (murk_estimate){NAN, NAN}
+                                       : plan->in_sample.at_least);
+    MURK_RESULT(f, number, "ceiling", "1", "share so seen by all candidates",
+                ceiling_of(&plan->place));
+    MURK_RESULT(f, flag, "proven_fewest", "", "true if fewest_possible is met",
+                !plan->is_dark && plan->place.count <= plan->place.fewest);
+}
+
+static void list_target(murk_results_fields *f, const void *of)
+{
+    const murk_plan_results *r = of;
+    const murk_plan_result *plan = r ? r->plan : NULL;
+    MURK_RESULT(f, number, "asked", "1", "the target",
+                r->session->scene->sensors.target);
+    MURK_RESULT(f, number, "fewest_possible", "",
+                "no fewer sensors reach the target",
+                plan->is_dark ? NAN : (double)plan->place.fewest);
+    if (MURK_RESULT_IF(f, murk_plan_at_least(r->session->scene) > 0)) {
+        list_strict(f, r);
+    }
+    MURK_RESULT_ESTIMATE(f, "confirmed", "1", "on a third map",
+                         plan->confirmed);
+}
+
+static void list_placement(murk_results_fields *f, const void *of)
+{
+    static const char *const through_names[] = {[MURK_SCENE_THIN] = "thin",
+                                                [MURK_SCENE_BLOCK] = "block",
+                                                [MURK_SCENE_REFRACT] =
+                                                    "refract"};
+    const murk_plan_results *r = of;
+    const murk_plan_result *plan = r ? r->plan : NULL;
+    const murk_scene_placement *asked =
+        r ? &r->session->scene->placement : NULL;
+    MURK_RESULT(f, text, "method", "", "best, spoq, greedy or exact",
+                asked->knowledge == MURK_SCENE_EXPLORE
+                    ? "greedy"
+                    : murk_method_names[asked->method]);
+    MURK_RESULT(f, text, "detection", "",
+                "weighted, independent, threshold or power",
+                murk_detection_name(asked->detection));
+    MURK_RESULT(
+        f, number, "threshold", "1", "of detection: threshold",
+        murk_detection_is(asked->detection, MURK_DETECTION_HAS_THRESHOLD)
+            ? asked->threshold
+            : NAN);
+    MURK_RESULT(f, number, "power_radius_m", "m", "of detection: power",
+                plan->power_radius_m > 0 ? plan->power_radius_m : NAN);
+    MURK_RESULT(f, number, "power_neighbours", "", "of detection: power",
+                plan->power_neighbours ? (double)plan->power_neighbours : NAN);
+    MURK_RESULT(f, count, "redundancy", "", "sensors that count for a photon",
+                asked->redundancy);
+    MURK_RESULT(f, text, "visibility", "", "ray or normal",
+                asked->by_normal ? "normal" : "ray");
+    MURK_RESULT(f, text, "through", "", "thin, block or refract",
+                through_names[asked->through]);
+    MURK_RESULT(f, text, "knowledge", "", "known, unknown or explore",
+                murk_knowledge_names[asked->knowledge]);
+    MURK_RESULT(f, count, "restarts", "", "starts asked for", asked->restarts);
+    MURK_RESULT(f, count, "starts", "", "starts made", plan->place.restarts);
+    MURK_RESULT(f, count, "evaluations", "", "of plans",
+                plan->place.evaluations);
+    MURK_RESULT(f, count, "queries", "", "of the maps", plan->queries);
+    MURK_RESULT(f, count, "shadow_rays", "", "sightlines followed",
+                plan->shadow_rays);
+    MURK_RESULT(f, count, "sightlines_blocked_by_interfaces", "",
+                "sightlines that end at an interface",
+                plan->blocked_by_interfaces);
+    MURK_RESULT(f, count, "sightlines_totally_reflected", "",
+                "sightlines that no refracted way joins",
+                plan->totally_reflected);
+    murk_results_list_cut(f, plan ? &plan->place : NULL);
+}
+
+void murk_results_list_plan(murk_results_fields *f, const void *of)
+{
+    const murk_plan_results *r = of;
+    const murk_plan_result *plan = r ? r->plan : NULL;
+    const murk_scene_desc *scene = r ? r->session->scene : NULL;
+    const murk_sensor_results sensors =
+        r ? murk_plan_sensor_results(scene, plan) : (murk_sensor_results){0};
+    const murk_target_results targets = {scene, plan ? &plan->targets : NULL};
+    const murk_robust_results robust = {scene, plan ? &plan->robust : NULL};
+    const murk_place_result *place = plan ? &plan->place : NULL;
+    const murk_budget_results budget = {scene ? scene->sensors.budget : 0,
+                                        place};
+    murk_results_list_head(f, scene);
+    if (r && r->over) {
+        MURK_RESULT_OBJECT(f, "photons", "", murk_results_list_over_photons,
+                           r->over);
     } else {
-        cJSON_AddNullToObject(object, "cut_by");
+        MURK_RESULT_OBJECT(f, "photons", "photons of the light",
+                           murk_results_list_photons, r->session->traced);
+    }
+    murk_results_list_targets(f, &targets);
+    MURK_RESULT_OBJECT(f, "candidates", "places for sensors", list_candidates,
+                       plan);
+    murk_results_list_sensors(f, &sensors);
+    MURK_RESULT_OBJECT(f, "coverage", "coverage of the plan", list_coverage, r);
+    murk_results_list_shares(f, &sensors);
+    murk_results_list_robust(f, &robust);
+    murk_results_list_bound(f, place);
+    if (MURK_RESULT_IF(f, scene->sensors.target > 0)) {
+        MURK_RESULT_OBJECT(f, "target", "with a target", list_target, r);
+    }
+    if (MURK_RESULT_IF(f, budget.asked > 0)) {
+        MURK_RESULT_OBJECT(f, "budget", "with a budget",
+                           murk_results_list_budget, &budget);
+    }
+    murk_results_list_explore(f, scene, plan);
+    MURK_RESULT_OBJECT(f, "placement", "how the plan was found", list_placement,
+                       r);
+    if (MURK_RESULT_IF(f, r->over)) {
+        murk_results_list_over(f, r ? r->over : NULL);
+    }
+    if (MURK_RESULT_IF(f, r->repeat)) {
+        MURK_RESULT_OBJECT(f, "repeat", "with --repeat",
+                           murk_results_list_repeat, r->repeat);
     }
 }
+
+murk_sensor_results murk_plan_sensor_results(const murk_scene_desc *scene,
+                                             const murk_plan_result *plan)
+{
+    return (murk_sensor_results){scene, plan->sensor, plan->place.count,
+                                 &plan->in_sample, plan->held_out_region};
+}
+
+/* ---- the summary ---- */
 
 void murk_print_bound(const murk_place_result *place, bool has_budget,
                       const char *sample)
@@ -76,4 +291,105 @@ void murk_print_bound(const murk_place_result *place, bool has_budget,
             "            the search ended by its limit of work: the plan "
             "and the bound are those reached so far\n");
     }
+}
+
+static void print_coverage(const murk_session *session,
+                           const murk_plan_result *plan)
+{
+    const murk_place_result *place = &plan->place;
+    if (plan->is_dark) {
+        murk_print("coverage    none: it is dark, and no sensor is better than "
+                   "another\n");
+    } else {
+        murk_print("coverage    %.4f in sample (", plan->in_sample.total.value);
+        murk_print_maps(&plan->in_sample);
+        murk_print(")");
+        if (murk_plan_at_least(session->scene) == 0) {
+            murk_print("; all candidates: %.4f",
+                       murk_share(place->ceiling, place->whole));
+        }
+        murk_print("\n");
+        murk_print_weights(session->scene, &plan->in_sample);
+    }
+    if (plan->has_held_out) {
+        murk_print("held out    ");
+        murk_print_estimate(plan->held_out);
+        if (isfinite(plan->held_out.standard_error)) {
+            murk_print(" (one standard error, %s)",
+                       murk_error_by(session->scene));
+        }
+        murk_print("\n");
+    }
+    if (session->scene->sensors.target > 0 && !plan->is_dark) {
+        const size_t at_least = murk_plan_at_least(session->scene);
+        murk_print("target      %.4f ", session->scene->sensors.target);
+        if (at_least > 0) {
+            murk_print("seen by %zu or more ", at_least);
+        }
+        murk_print("takes %zu sensors, and no fewer than %zu", place->count,
+                   place->fewest);
+        if (at_least > 0) {
+            murk_print("; %.4f in sample, of all candidates %.4f",
+                       plan->in_sample.at_least.value,
+                       murk_share(place->ceiling, place->whole));
+        }
+        if (isfinite(plan->confirmed.value)) {
+            murk_print("; on a third map ");
+            murk_print_estimate(plan->confirmed);
+        }
+        murk_print("\n");
+    }
+}
+
+static void print_plan_bound(const murk_session *session,
+                             const murk_plan_result *plan,
+                             const murk_condition_plans *over)
+{
+    if (session->scene->placement.over == MURK_SCENE_OVER_REGRET) {
+        murk_over_print_bound(over, murk_sample_of(session->scene));
+    } else {
+        const size_t at_least = murk_plan_at_least(session->scene);
+        char sample[80];
+        snprintf(sample, sizeof sample, at_least ? "%s by %zu or more" : "%s",
+                 murk_sample_of(session->scene), at_least);
+        murk_print_bound(&plan->place, session->scene->sensors.budget > 0,
+                         sample);
+    }
+}
+
+void murk_print_plan(const murk_plan_results *results)
+{
+    const murk_session *session = results->session;
+    const murk_plan_result *plan = results->plan;
+    const murk_condition_plans *over = results->over;
+    const murk_place_result *place = &plan->place;
+    if (!over) {
+        murk_print_light(session);
+        murk_print_tallies(session);
+    }
+    murk_print_targets(&plan->targets);
+    murk_print_candidates(plan->candidates);
+    if (over) {
+        murk_over_print(over);
+    }
+    const murk_sensor_results sensors =
+        murk_plan_sensor_results(session->scene, plan);
+    murk_print_sensors(&sensors, session->results.folder);
+    print_coverage(session, plan);
+    murk_print_regions(&sensors);
+    murk_print_robust(session->scene, &plan->robust);
+    if (session->scene->sensors.budget > 0) {
+        murk_print("budget      %.10g of %.10g spent\n",
+                   (double)place->cost * MURK_COST_UNIT,
+                   session->scene->sensors.budget);
+    }
+    if (!plan->is_dark) {
+        print_plan_bound(session, plan, over);
+        murk_print_explore(plan, session->results.folder);
+    }
+    if (results->repeat) {
+        murk_print_repeat(results->repeat);
+    }
+    murk_print_time(&session->run, NULL, 0);
+    murk_print_files(session);
 }

@@ -1,10 +1,11 @@
-/* The parts of plan.json that need no scene, and the words of methods. */
+/* A plan as plan.json and as summary. */
 #ifndef MURK_RESULTS_PLAN_H
 #define MURK_RESULTS_PLAN_H
 
-#include "placement/place.h"
-
-#include <cjson/cJSON.h>
+#include "cases/condition_plans.h"
+#include "results/coverage.h"
+#include "results/repeat.h"
+#include "results/session.h"
 
 extern const char *const murk_method_names[]; /* by murk_place_method */
 extern const size_t murk_method_names_count;
@@ -12,14 +13,35 @@ extern const size_t murk_method_names_count;
 /* part / whole; NaN where there is nothing. */
 double murk_share(uint64_t part, uint64_t whole);
 
-/* "bound" and "curve". */
-void murk_json_bound(cJSON *root, const murk_place_result *place);
+/* Rows that a plan over a matrix has, too. "bound" and "curve", "nodes" and
+ * "cut_by" of "placement"; of: a murk_place_result. */
+void murk_results_list_bound(murk_results_fields *f, const void *of);
+void murk_results_list_cut(murk_results_fields *f, const void *of);
 
-/* "cut_by" of "placement". */
-void murk_json_cut(cJSON *object, const murk_place_result *place);
+/* Rows of "budget"; of: */
+typedef struct murk_budget_results {
+    double asked;
+    const murk_place_result *place;
+} murk_budget_results;
+void murk_results_list_budget(murk_results_fields *f, const void *of);
 
 /* The summary's line "bound". */
 void murk_print_bound(const murk_place_result *place, bool has_budget,
                       const char *sample);
+
+typedef struct murk_plan_results {
+    const murk_session *session;
+    const murk_plan_result *plan;
+    const murk_condition_plans *over;  /* NULL: the scene as it stands */
+    const murk_repeat_results *repeat; /* NULL: not repeated */
+} murk_plan_results;
+
+/* The plan's sensors with their coverage in sample. */
+murk_sensor_results murk_plan_sensor_results(const murk_scene_desc *scene,
+                                             const murk_plan_result *plan);
+
+/* Rows of plan.json, yet without `run`; of: a murk_plan_results. */
+void murk_results_list_plan(murk_results_fields *f, const void *of);
+void murk_print_plan(const murk_plan_results *results);
 
 #endif

@@ -1,115 +1,105 @@
+/* Repeated placements: rows of JSON and CSV, and lines of the summary. */
 #include "results/repeat.h"
 
-#include "results/coverage.h"
 #include "results/summary.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-/* ---- JSON ---- */
+#define CONFIDENCE 0.95 /* of the limits of murk_gap, cases/repeat.h */
 
-static cJSON *add_spread(cJSON *object, const char *key, murk_spread s)
+/* ---- rows ---- */
+
+static void list_spread(murk_results_fields *f, const void *of)
 {
-    cJSON *item = cJSON_AddObjectToObject(object, key);
-    murk_json_number(item, "median", s.median);
-    murk_json_number(item, "minimum", s.min);
-    murk_json_number(item, "maximum", s.max);
-    return item;
+    const murk_spread *s = of;
+    MURK_RESULT(f, number, "median", "", "over the runs", s->median);
+    MURK_RESULT(f, number, "minimum", "", "over the runs", s->min);
+    MURK_RESULT(f, number, "maximum", "", "over the runs", s->max);
 }
 
-static void add_gap(cJSON *object, const murk_gap *gap)
+static void list_upper(murk_results_fields *f, const void *of)
 {
-    if (gap->runs == 0) {
-        cJSON_AddNullToObject(object, "gap");
-        return;
-    }
-    cJSON *item = cJSON_AddObjectToObject(object, "gap");
-    murk_json_number(item, "value", gap->value);
-    murk_json_number(item, "lower", gap->lower);
-    murk_json_number(item, "upper", gap->upper);
-    murk_json_number(item, "confidence", 0.95);
-    cJSON_AddNumberToObject(item, "runs", (double)gap->runs);
+    const murk_repeat_summary *s = of;
+    list_spread(f, s ? &s->upper : NULL);
+    MURK_RESULT(f, number, "mean", "1", "over the runs", s->upper_mean.value);
+    MURK_RESULT(f, number, "standard_error", "1", "of the mean",
+                s->upper_mean.standard_error);
 }
 
-murk_status murk_json_repeat(cJSON *root, const murk_repeat *repeat,
-                             murk_error *err)
+static void list_plan(murk_results_fields *f, const void *of)
 {
-    murk_repeat_summary s;
-    const murk_status status = murk_repeat_sum_up(&s, repeat, err);
-    if (status) {
-        return status;
-    }
-    cJSON *object = cJSON_AddObjectToObject(root, "repeat");
-    cJSON_AddNumberToObject(object, "asked", (double)repeat->asked);
-    cJSON_AddNumberToObject(object, "runs", (double)repeat->runs);
-    cJSON_AddNumberToObject(object, "first_seed", repeat->run[0].seed);
-    add_spread(object, "sensors", s.sensors);
-    add_spread(object, "in_sample", s.in_sample);
-    add_spread(object, "held_out", s.held_out);
-    cJSON *upper = add_spread(object, "upper", s.upper);
-    murk_json_number(upper, "mean", s.upper_mean.value);
-    murk_json_number(upper, "standard_error", s.upper_mean.standard_error);
-    cJSON *plan = cJSON_AddObjectToObject(object, "plan");
-    murk_json_number(plan, "coverage", s.plan.value);
-    murk_json_number(plan, "standard_error", s.plan.standard_error);
-    add_gap(object, &s.gap);
-    if (s.best < repeat->runs) {
-        cJSON_AddNumberToObject(object, "best_seed", repeat->run[s.best].seed);
-    } else {
-        cJSON_AddNullToObject(object, "best_seed");
-    }
-    if (repeat->target > 0) {
-        cJSON_AddNumberToObject(object, "target_met", (double)s.met);
-    } else {
-        cJSON_AddNullToObject(object, "target_met");
-    }
-    return MURK_OK;
+    const murk_estimate *plan = of;
+    MURK_RESULT(f, number, "coverage", "1",
+                "of the first plan, by maps that did not choose it",
+                plan->value);
+    MURK_RESULT(f, number, "standard_error", "1", "of coverage",
+                plan->standard_error);
 }
 
-/* ---- CSV ---- */
-
-/* ",VALUE", or "," where there is none. */
-static void put(FILE *to, double value)
+static void list_gap(murk_results_fields *f, const void *of)
 {
-    char text[32] = "";
-    if (isfinite(value)) {
-        murk_number_text(text, value);
-    }
-    fprintf(to, ",%s", text);
+    const murk_gap *gap = of;
+    MURK_RESULT(f, number, "value", "1", "statistical gap to the best plan",
+                gap->value);
+    MURK_RESULT(f, number, "lower", "1", "confidence limit", gap->lower);
+    MURK_RESULT(f, number, "upper", "1", "confidence limit", gap->upper);
+    MURK_RESULT(f, number, "confidence", "1", "of the limits", CONFIDENCE);
+    MURK_RESULT(f, count, "runs", "", "that tell of the gap", gap->runs);
+}
+
+void murk_results_list_repeat(murk_results_fields *f, const void *of)
+{
+    const murk_repeat_results *r = of;
+    const murk_repeat *repeat = r ? r->repeat : NULL;
+    const murk_repeat_summary *s = r ? &r->summary : NULL;
+    MURK_RESULT(f, count, "asked", "", "runs asked for", repeat->asked);
+    MURK_RESULT(f, count, "runs", "", "runs that were finished", repeat->runs);
+    MURK_RESULT(f, count, "first_seed", "", "of the runs", repeat->run[0].seed);
+    MURK_RESULT_OBJECT(f, "sensors", "how many", list_spread, &s->sensors);
+    MURK_RESULT_OBJECT(f, "in_sample", "coverage in sample", list_spread,
+                       &s->in_sample);
+    MURK_RESULT_OBJECT(f, "held_out", "coverage held out", list_spread,
+                       &s->held_out);
+    MURK_RESULT_OBJECT(f, "upper", "the bound", list_upper, s);
+    MURK_RESULT_OBJECT(f, "plan", "the first run's plan", list_plan, &s->plan);
+    MURK_RESULT_OBJECT(f, "gap", "null if too few runs tell of it", list_gap,
+                       s->gap.runs ? &s->gap : NULL);
+    MURK_RESULT(f, number, "best_seed", "",
+                "of the run with the greatest held-out coverage",
+                s->best < repeat->runs ? (double)repeat->run[s->best].seed
+                                       : NAN);
+    MURK_RESULT(f, number, "target_met", "",
+                "runs whose held-out coverage meets the target",
+                repeat->target > 0 ? (double)s->met : NAN);
+}
+
+/* repeat.csv: one line for each finished run, in order of seeds. */
+void murk_results_list_run(murk_results_fields *f, const void *of, size_t i)
+{
+    const murk_repeat *repeat = of;
+    const murk_repeat_run *run = repeat ? &repeat->run[i] : NULL;
+    MURK_RESULT(f, count, "seed", "", "of the run", run->seed);
+    MURK_RESULT(f, count, "sensors", "", "of the run's plan", run->sensors);
+    MURK_RESULT(f, number, "in_sample", "1", "coverage of the run's plan",
+                run->in_sample);
+    MURK_RESULT_ESTIMATE(f, "held_out", "1",
+                         "coverage of the run's plan on a second map",
+                         run->held_out);
+    MURK_RESULT(f, number, "upper", "1", "the run's bound", run->upper);
+    MURK_RESULT(f, flag, "proven_optimal", "", "true if the bound is met",
+                run->proven_optimal);
+    MURK_RESULT_ESTIMATE(f, "plan", "1",
+                         "coverage of the first run's plan on this map",
+                         run->plan);
 }
 
 murk_status murk_add_repeat_csv(murk_results *results,
                                 const murk_repeat *repeat, murk_error *err)
 {
-    if (!results->folder) {
-        return MURK_OK;
-    }
-    char *text = NULL;
-    size_t size = 0;
-    FILE *to = open_memstream(&text, &size);
-    if (to) {
-        fputs("seed,sensors,in_sample,held_out,held_out_standard_error,upper,"
-              "proven_optimal,plan,plan_standard_error\n",
-              to);
-    }
-    for (size_t i = 0; to && i < repeat->runs; ++i) {
-        const murk_repeat_run *run = &repeat->run[i];
-        fprintf(to, "%lu,%zu", (unsigned long)run->seed, run->sensors);
-        put(to, run->in_sample);
-        put(to, run->held_out.value);
-        put(to, run->held_out.standard_error);
-        put(to, run->upper);
-        fprintf(to, ",%s", run->proven_optimal ? "true" : "false");
-        put(to, run->plan.value);
-        put(to, run->plan.standard_error);
-        fputc('\n', to);
-    }
-    const bool is_whole = to && fclose(to) == 0;
-    const murk_status status = murk_results_add_text(
-        results, "repeat.csv", is_whole ? text : NULL, err);
-    free(text);
-    return status;
+    return murk_results_add_csv(results, "repeat.csv", murk_results_list_run,
+                                repeat, repeat->runs, err);
 }
 
 /* ---- the summary ---- */
@@ -122,13 +112,10 @@ static void print_spread(const char *name, murk_spread s)
     }
 }
 
-murk_status murk_print_repeat(const murk_repeat *repeat, murk_error *err)
+void murk_print_repeat(const murk_repeat_results *results)
 {
-    murk_repeat_summary s;
-    const murk_status status = murk_repeat_sum_up(&s, repeat, err);
-    if (status) {
-        return status;
-    }
+    const murk_repeat *repeat = results->repeat;
+    const murk_repeat_summary s = results->summary;
     murk_print("repeat      %zu of %zu runs, seeds %lu..%lu; the plan is the "
                "first's\n",
                repeat->runs, repeat->asked, (unsigned long)repeat->run[0].seed,
@@ -157,5 +144,4 @@ murk_status murk_print_repeat(const murk_repeat *repeat, murk_error *err)
                    "%.4f..%.4f)\n",
                    s.gap.value, s.gap.lower, s.gap.upper);
     }
-    return MURK_OK;
 }

@@ -3,15 +3,22 @@
 #define MURK_RESULTS_REPEAT_H
 
 #include "cases/repeat.h"
-#include "results/results.h"
+#include "results/fields.h"
 
-murk_status murk_json_repeat(cJSON *root, const murk_repeat *repeat,
-                             murk_error *err);
+/* Rows of "repeat"; of: */
+typedef struct murk_repeat_results {
+    const murk_repeat *repeat; /* at least one run is finished */
+    murk_repeat_summary summary;
+} murk_repeat_results;
+void murk_results_list_repeat(murk_results_fields *f, const void *of);
 
-/* A row a finished run, in order of seeds. */
+/* Columns of repeat.csv; of: a murk_repeat. */
+void murk_results_list_run(murk_results_fields *f, const void *of, size_t i);
+
+/* repeat.csv: a line for each finished run, in order of seeds. */
 murk_status murk_add_repeat_csv(murk_results *results,
                                 const murk_repeat *repeat, murk_error *err);
 
-murk_status murk_print_repeat(const murk_repeat *repeat, murk_error *err);
+void murk_print_repeat(const murk_repeat_results *results);
 
 #endif

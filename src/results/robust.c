@@ -1,3 +1,4 @@
+/* Robustness of a plan: rows of JSON and lines of the summary. */
 #include "results/robust.h"
 
 #include "results/results.h"
@@ -7,87 +8,96 @@
 
 #define DEG_PER_RAD (180 / MURK_PI)
 
-/* Sensors are numbered from 1, as in coverage.csv. */
-static void add_number(cJSON *object, const char *key, size_t sensor)
-{
-    cJSON_AddNumberToObject(object, key, (double)sensor + 1);
-}
-
-static void add_drop_one(cJSON *object, const murk_robust *r)
-{
-    const murk_drop_one drop = murk_robust_drop_one(r);
-    cJSON *item = cJSON_AddObjectToObject(object, "drop_one");
-    if (isfinite(drop.worst_loss)) {
-        add_number(item, "worst_sensor", drop.worst);
-    } else {
-        cJSON_AddNullToObject(item, "worst_sensor");
-    }
-    murk_json_number(item, "worst_loss", drop.worst_loss);
-    murk_json_number(item, "mean_loss", drop.mean_loss);
-    cJSON *list = cJSON_AddArrayToObject(item, "without");
-    for (size_t i = 0; i < r->sensors; ++i) {
-        cJSON *one = cJSON_CreateObject();
-        add_number(one, "sensor", i);
-        murk_json_number(one, "in_sample", r->without[i]);
-        murk_json_number(one, "held_out",
-                         r->without_held_out ? r->without_held_out[i] : NAN);
-        cJSON_AddItemToArray(list, one);
-    }
-}
-
 static double asked_deg(const murk_scene_desc *scene)
 {
     return round(scene->placement.jitter_rad * DEG_PER_RAD * 1e9) / 1e9;
 }
 
-static void add_jitter(cJSON *object, const murk_scene_desc *scene,
-                       const murk_jittered *j)
+/* Sensors are numbered from 1, as in coverage.csv. */
+static void list_without(murk_results_fields *f, const void *of, size_t i)
 {
-    if (j->draws == 0) {
-        cJSON_AddNullToObject(object, "jitter");
-        return;
-    }
-    cJSON *item = cJSON_AddObjectToObject(object, "jitter");
-    murk_json_number(item, "jitter_m", scene->placement.jitter_m);
-    murk_json_number(item, "jitter_deg", asked_deg(scene));
-    cJSON_AddNumberToObject(item, "draws", (double)j->draws);
-    cJSON_AddStringToObject(item, "measured",
-                            j->on_held_out ? "held_out" : "in_sample");
-    murk_json_number(item, "as_planned", j->as_planned);
-    murk_json_number(item, "mean", j->mean.value);
-    murk_json_number(item, "mean_standard_error", j->mean.standard_error);
-    murk_json_number(item, "quantile_5", j->quantile);
-    murk_json_number(item, "quantile_5_lower", j->quantile_lower);
-    murk_json_number(item, "quantile_5_upper", j->quantile_upper);
-    cJSON_AddNumberToObject(item, "unmoved", (double)j->unmoved);
+    const murk_robust *r = of;
+    MURK_RESULT(f, count, "sensor", "", "number, from 1", i + 1);
+    MURK_RESULT(f, number, "in_sample", "1", "coverage without the sensor",
+                r->without[i]);
+    MURK_RESULT(f, number, "held_out", "1", "the same on a second map",
+                r->without_held_out ? r->without_held_out[i] : NAN);
 }
 
-static void add_links(cJSON *object, const murk_links *links)
+static void list_drop_one(murk_results_fields *f, const void *of)
 {
-    murk_json_number(object, "link_range_m", links->range_m);
-    murk_json_number(object, "plain_link_range_m", links->plain_range_m);
-    if (links->groups > 0) {
-        cJSON_AddNumberToObject(object, "link_groups", (double)links->groups);
-    } else {
-        cJSON_AddNullToObject(object, "link_groups");
-    }
-    cJSON *list = cJSON_AddArrayToObject(object, "links");
-    for (size_t i = 0; i < links->n; ++i) {
-        cJSON *one = cJSON_CreateObject();
-        add_number(one, "from", links->link[i].from);
-        add_number(one, "to", links->link[i].to);
-        murk_json_number(one, "length_m", links->link[i].length_m);
-        cJSON_AddItemToArray(list, one);
-    }
+    const murk_robust *r = of;
+    const murk_drop_one drop = r ? murk_robust_drop_one(r) : (murk_drop_one){0};
+    MURK_RESULT(f, number, "worst_sensor", "",
+                "the sensor whose loss lowers coverage most",
+                isfinite(drop.worst_loss) ? (double)drop.worst + 1 : NAN);
+    MURK_RESULT(f, number, "worst_loss", "1", "coverage lost with that sensor",
+                drop.worst_loss);
+    MURK_RESULT(f, number, "mean_loss", "1", "mean over the sensors",
+                drop.mean_loss);
+    MURK_RESULT_LIST(f, "without", "coverage without each sensor", list_without,
+                     r, r->sensors);
 }
 
-void murk_json_robust(cJSON *root, const murk_scene_desc *scene,
-                      const murk_robust *robust)
+static void list_jitter(murk_results_fields *f, const void *of)
 {
-    cJSON *object = cJSON_AddObjectToObject(root, "robustness");
-    add_drop_one(object, robust);
-    add_jitter(object, scene, &robust->jittered);
-    add_links(object, &robust->links);
+    const murk_robust_results *r = of;
+    const murk_jittered *j = r ? &r->robust->jittered : NULL;
+    MURK_RESULT(f, number, "jitter_m", "m", "radius of displacements",
+                r->scene->placement.jitter_m);
+    MURK_RESULT(f, number, "jitter_deg", "degrees", "largest turn",
+                asked_deg(r->scene));
+    MURK_RESULT(f, count, "draws", "", "displaced plans", j->draws);
+    MURK_RESULT(f, text, "measured", "", "held_out or in_sample",
+                j->on_held_out ? "held_out" : "in_sample");
+    MURK_RESULT(f, number, "as_planned", "1", "coverage without displacement",
+                j->as_planned);
+    MURK_RESULT_ESTIMATE(f, "mean", "1", "mean coverage of displaced plans",
+                         j->mean);
+    MURK_RESULT(f, number, "quantile_5", "1",
+                "coverage that 95 % of displaced plans exceed", j->quantile);
+    MURK_RESULT(f, number, "quantile_5_lower", "1",
+                "lower 95 % confidence limit of quantile_5", j->quantile_lower);
+    MURK_RESULT(f, number, "quantile_5_upper", "1",
+                "upper 95 % confidence limit of quantile_5", j->quantile_upper);
+    MURK_RESULT(f, count, "unmoved", "",
+                "displacements that found no free place", j->unmoved);
+}
+
+static void list_link(murk_results_fields *f, const void *of, size_t i)
+{
+    const murk_links *links = of;
+    MURK_RESULT(f, count, "from", "", "sensor, from 1",
+                links->link[i].from + 1);
+    MURK_RESULT(f, count, "to", "", "sensor, from 1", links->link[i].to + 1);
+    MURK_RESULT(f, number, "length_m", "m", "distance",
+                links->link[i].length_m);
+}
+
+static void list_robust(murk_results_fields *f, const void *of)
+{
+    const murk_robust_results *r = of;
+    const murk_links *links = r ? &r->robust->links : NULL;
+    MURK_RESULT_OBJECT(f, "drop_one", "coverage if one sensor fails",
+                       list_drop_one, r->robust);
+    MURK_RESULT_OBJECT(f, "jitter",
+                       "null, or coverage if sensors are displaced",
+                       list_jitter, r->robust->jittered.draws ? r : NULL);
+    MURK_RESULT(f, number, "link_range_m", "m",
+                "least range of links that joins all sensors by open ways",
+                links->range_m);
+    MURK_RESULT(f, number, "plain_link_range_m", "m",
+                "the same if all ways were open", links->plain_range_m);
+    MURK_RESULT(f, number, "link_groups", "", "groups that open ways join",
+                links->groups > 0 ? (double)links->groups : NAN);
+    MURK_RESULT_LIST(f, "links", "pairs of the shortest tree that joins them",
+                     list_link, links, links->n);
+}
+
+void murk_results_list_robust(murk_results_fields *f, const void *of)
+{
+    MURK_RESULT_OBJECT(f, "robustness", "coverage if the plan is not followed",
+                       list_robust, of);
 }
 
 static void print_jitter(const murk_scene_desc *scene, const murk_jittered *j,

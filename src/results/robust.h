@@ -3,12 +3,16 @@
 #define MURK_RESULTS_ROBUST_H
 
 #include "plan/robust.h"
+#include "results/fields.h"
 #include "scene/scene.h"
 
-#include <cjson/cJSON.h>
+/* Row "robustness"; of: */
+typedef struct murk_robust_results {
+    const murk_scene_desc *scene;
+    const murk_robust *robust;
+} murk_robust_results;
+void murk_results_list_robust(murk_results_fields *f, const void *of);
 
-void murk_json_robust(cJSON *root, const murk_scene_desc *scene,
-                      const murk_robust *robust);
 void murk_print_robust(const murk_scene_desc *scene, const murk_robust *robust);
 
 #endif

@@ -132,6 +132,18 @@ def check_results():
             for column in header.split(","):
                 n_columns += 1
                 check(says(everywhere, column), f"no page has the column {column} ({path})")
+    # the table of result fields, which the page includes
+    kind = None
+    for row in text_of(os.path.join(FOLDER, "..", "generated", "fields.md")).splitlines():
+        kind = row.split()[1] if re.match(r"\| (key|column) \|", row) else kind
+        name = re.match(r"\| `([^`]+)` \| (.+) \|$", row)
+        if not name:
+            continue
+        n_keys += kind == "key"
+        n_columns += kind == "column"
+        last = name[1].split(".")[-1]
+        check(says(page, last) and name[2].split(" (")[0] in " ".join(page.split()),
+              f"murk-results(5) lacks the {kind} {name[1]}")
     check(n_files > 15 and n_keys > 250 and n_columns > 30,
           f"{n_files} files, {n_keys} keys, {n_columns} columns found")
 

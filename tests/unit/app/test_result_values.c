@@ -3,6 +3,7 @@
 #include "base/file.h"
 #include "check.h"
 #include "report/results_in.h"
+#include "results/catalogue.h"
 #include "results/coverage.h"
 #include "results/ledger.h"
 #include "results/results.h"
@@ -133,23 +134,42 @@ static void test_shortest_decimals(void)
     CHECK_TEXT(text, "0.30000000000000004");
 }
 
-/* A row of a pose: cells quoted as RFC 4180 says, angles of what has an axis.
+/* A line of poses: cells quoted as RFC 4180 says, angles of what has an axis.
  */
-static void test_poses_as_rows(const murk_scene_desc *scene)
+static void test_poses_as_lines(const murk_scene_desc *scene)
 {
-    const murk_pose all_round = {.type = 0, .position = {1, 2.5, 0.1}};
-    const murk_pose cone = {.type = 1,
-                            .position = {0, 0, 1},
-                            .heading_rad = 350 * DEG,
-                            .tilt_rad = -30 * DEG};
+    const murk_pose pose[] = {{.type = 0, .position = {1, 2.5, 0.1}},
+                              {.type = 1,
+                               .position = {0, 0, 1},
+                               .heading_rad = 350 * DEG,
+                               .tilt_rad = -30 * DEG}};
+    const murk_sensor_results sensors = {scene, pose, 2, NULL, NULL};
     char *text = NULL;
     size_t size = 0;
     FILE *to = open_memstream(&text, &size);
-    murk_write_pose(to, 4, scene, &all_round);
-    fputc('|', to);
-    murk_write_pose(to, 5, scene, &cone);
+    murk_results_csv_heading(to, murk_results_list_place);
+    murk_results_csv_line(to, murk_results_list_place, &sensors, 0);
+    murk_results_csv_line(to, murk_results_list_place, &sensors, 1);
     fclose(to);
-    CHECK_TEXT(text, "4,1,2.5,0.1,node,,|5,0,0,1,\"a \"\"b\"\", c\",350,-30");
+    CHECK_TEXT(text, "type,x_m,y_m,z_m,heading_deg,tilt_deg\n"
+                     "node,1,2.5,0.1,,\n"
+                     "\"a \"\"b\"\", c\",0,0,1,350,-30\n");
+    free(text);
+}
+
+/* The description walks every table without results. */
+static void test_every_field_has_help(void)
+{
+    char *text = NULL;
+    size_t size = 0, rows = 0;
+    FILE *to = open_memstream(&text, &size);
+    murk_results_catalogue(to);
+    fclose(to);
+    for (char *line = strtok(text, "\n"); line; line = strtok(NULL, "\n")) {
+        CHECK(!strstr(line, "` |  |"));
+        rows += strncmp(line, "| `", 3) == 0;
+    }
+    CHECK(rows > 250);
     free(text);
 }
 
@@ -163,9 +183,8 @@ static void test_sensors_in_json(const murk_scene_desc *scene)
     double covers[] = {.5, .25}, only[] = {.125, NAN}, seen[] = {.75, .25};
     const murk_coverage_result coverage = {
         .covers = covers, .only_it_covers = only, .seen_by_at_least = seen};
-    cJSON *root = cJSON_CreateObject();
-    murk_json_sensors(root, scene, pose, 2, &coverage);
-    murk_json_seen(root, &coverage, 2);
+    const murk_sensor_results sensors = {scene, pose, 2, &coverage, NULL};
+    cJSON *root = murk_results_json(murk_results_list_sensors, &sensors);
     const cJSON *list = cJSON_GetObjectItem(root, "sensors");
     const cJSON *one = cJSON_GetArrayItem(list, 0);
     const cJSON *two = cJSON_GetArrayItem(list, 1);
@@ -181,6 +200,8 @@ static void test_sensors_in_json(const murk_scene_desc *scene)
     CHECK(cJSON_IsNull(cJSON_GetObjectItem(two, "only_it_covers")));
     axis = cJSON_GetObjectItem(two, "axis"); /* clockwise from north: east */
     CHECK_NEAR(cJSON_GetArrayItem(axis, 0)->valuedouble, 1, 1e-12);
+    cJSON_Delete(root);
+    root = murk_results_json(murk_results_list_shares, &sensors);
     const cJSON *by = cJSON_GetObjectItem(root, "seen_by_at_least");
     CHECK_NEAR(cJSON_GetArrayItem(by, 1)->valuedouble, .25, 0);
     cJSON_Delete(root);
@@ -203,10 +224,11 @@ int main(void)
     CHECK(stage != NULL);
     if (stage) {
         test_quanta_become_watts(stage);
-        test_poses_as_rows(stage->scene);
+        test_poses_as_lines(stage->scene);
         test_sensors_in_json(stage->scene);
     }
     test_numbers_that_json_has_not();
+    test_every_field_has_help();
     test_shortest_decimals();
     test_paths_of_folders();
     stage_text_destroy(stage);

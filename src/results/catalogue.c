@@ -1,0 +1,44 @@
+/* Lists every result file with the table of its fields. */
+#include "results/catalogue.h"
+
+#include "results/explore.h"
+#include "results/exports.h"
+#include "results/fit.h"
+#include "results/matrix.h"
+#include "results/over.h"
+#include "results/plan.h"
+#include "results/sense.h"
+
+typedef struct result_file {
+    const char *name;
+    murk_results_list list; /* of a JSON */
+    murk_results_item item; /* of a CSV */
+} result_file;
+
+static const result_file files[] = {
+    {"Every JSON", .list = murk_results_list_every},
+    {"plan.json", .list = murk_results_list_plan},
+    {"Matrix: plan.json", .list = murk_results_list_matrix_plan},
+    {"coverage.json", .list = murk_results_list_sense},
+    {"fit.json", .list = murk_results_list_fit},
+    {"sensors.csv", .item = murk_results_list_place},
+    {"coverage.csv", .item = murk_results_list_sensor},
+    {"explore.csv", .item = murk_results_list_step},
+    {"repeat.csv", .item = murk_results_list_run},
+    {"regret.csv", .item = murk_results_list_use},
+    {"candidates.csv", .item = murk_results_list_candidate},
+    {"fit.csv", .item = murk_results_list_fit_row}};
+
+void murk_results_catalogue(FILE *to)
+{
+    for (size_t i = 0; i < sizeof files / sizeof *files; ++i) {
+        fprintf(to, "## %s\n\n| %s | what |\n| --- | --- |\n", files[i].name,
+                files[i].list ? "key" : "column");
+        if (files[i].list) {
+            murk_results_describe(to, files[i].list);
+        } else {
+            murk_results_describe_csv(to, files[i].item);
+        }
+        fputc('\n', to);
+    }
+}

@@ -1,0 +1,289 @@
+#include "results/voxel_fields.h"
+
+#include "base/number.h"
+#include "plan/target_buffer.h"
+#include "sensing/places_seen.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define FIELDS_MAX (FIELDS_OF_A_BAND * MURK_BANDS_MAX) /* of all bands */
+
+#define VOXELS_USUAL     100000
+#define VALUES_USUAL     400000 /* voxels times bands */
+#define EDGE_MAX_M       1e9
+#define NO_DEPTH         (-1.0F)
+#define FIELDS_OF_A_BAND 5
+
+/* ---- the box ---- */
+
+/* Fills the box by voxels of that edge or a little less; how many. */
+static double fill_box(murk_field_box *out, double edge_m)
+{
+    const murk_vec3 all = murk_sub(out->box.max, out->box.min);
+    const double edge[3] = {all.x, all.y, all.z};
+    double voxels = 1;
+    for (int k = 0; k < 3; ++k) {
+        /* a multiple of the edge stays one, whatever rounding says */
+        const double n = fmax(1, ceil(edge[k] / edge_m * (1 - 1e-12)));
+        out->size[k] = n < 1e15 ? (size_t)n : (size_t)1e15;
+        voxels *= n;
+    }
+    return voxels;
+}
+
+/* The finest that has at most so many voxels, to some per cent. */
+static double edge_for(murk_field_box *out, double voxels)
+{
+    const murk_vec3 all = murk_sub(out->box.max, out->box.min);
+    double edge_m = cbrt(all.x * all.y * all.z / voxels);
+    while (!(fill_box(out, edge_m) <= voxels)) {
+        edge_m *= 1.01;
+    }
+    return edge_m;
+}
+
+murk_status murk_fields_box(murk_field_box *out, const murk_session *session,
+                            murk_error *err)
+{
+    const char *text = session->settings.voxel;
+    const double bands = session->scene->bands;
+    double edge_m = 0;
+    *out = (murk_field_box){.box = session->stage->world.domain.box};
+    if (!text) {
+        edge_for(out, fmin(VOXELS_USUAL, VALUES_USUAL / bands));
+        return MURK_OK;
+    }
+    if (!murk_number_parse(text, &edge_m) ||
+        !(edge_m > 0 && edge_m <= EDGE_MAX_M)) {
+        return murk_fail(err, MURK_BAD_VALUE, "--voxel",
+                         "%.80s, must be more than 0 and at most %g m", text,
+                         EDGE_MAX_M);
+    }
+    const double values = bands * fill_box(out, edge_m);
+    if (!(values <= MURK_FIELDS_MAX)) {
+        murk_field_box room = *out;
+        return murk_fail(err, MURK_BAD_VALUE, "--voxel",
+                         "%.80s m: %.3g voxels in the domain and its bands, "
+                         "must be at most %d: %.2g m would do",
+                         text, values, MURK_FIELDS_MAX,
+                         edge_for(&room, MURK_FIELDS_MAX / bands) * 1.05);
+    }
+    return MURK_OK;
+}
+
+/* ---- fields over the domain ---- */
+
+typedef struct domain_fields {
+    const murk_stage *stage;
+    murk_field_box box;
+    murk_affine to_world;
+    size_t voxels;
+    int band; /* that is worked on */
+    murk_voxel_field *field;
+    size_t n;
+} domain_fields;
+
+static murk_vec3 middle_of(const domain_fields *f, size_t voxel)
+{
+    const size_t *n = f->box.size;
+    return murk_affine_point(&f->to_world,
+                             murk_vec((double)(voxel % n[0]),
+                                      (double)(voxel / n[0] % n[1]),
+                                      (double)(voxel / n[0] / n[1])));
+}
+
+/* One field more, of f->band; NULL when out of memory. */
+static float *new_field(domain_fields *f, const murk_voxel_field *like)
+{
+    float *value = malloc(f->voxels * sizeof *value + 1);
+    if (value) {
+        murk_voxel_field *field = &f->field[f->n++];
+        *field = *like;
+        field->band = f->band;
+        field->value = value;
+        murk_field_name_of(field->name, like->name,
+                           f->stage->scene->band_nm[f->band]);
+    }
+    return value;
+}
+
+static murk_status no_memory(const domain_fields *f, murk_error *err)
+{
+    return murk_fail(err, MURK_NO_MEMORY, "--export",
+                     "no memory for %zu voxels", f->voxels);
+}
+
+static murk_status make_extinction(domain_fields *f, murk_error *err)
+{
+    static const murk_voxel_field like = {
+        .name = "extinction",
+        .unit = "1/m",
+        .quantity = "extinction",
+        .meaning = "of all media together, at the voxel's middle"};
+    float *value = new_field(f, &like);
+    for (size_t i = 0; value && i < f->voxels; ++i) {
+        const murk_vec3 p = middle_of(f, i);
+        const murk_inside inside =
+            f->stage->boundary_meshes
+                ? murk_boundary_meshes_at(f->stage->boundary_meshes, p)
+                : 0;
+        value[i] =
+            (float)murk_media_extinction(f->stage->media, f->band, inside, p);
+    }
+    return value ? MURK_OK : no_memory(f, err);
+}
+
+/* A photon in the middle of a voxel. */
+static murk_photon record_of(const void *context, size_t voxel)
+{
+    const domain_fields *f = context;
+    const murk_vec3 p = middle_of(f, voxel);
+    return (murk_photon){.position_m = {(float)p.x, (float)p.y, (float)p.z},
+                         .band = (uint8_t)f->band,
+                         .material = murk_target_medium(f->stage, f->band, p)};
+}
+
+typedef struct seen_fields {
+    float *coverage, *sensors, *clarity, *depth;
+} seen_fields;
+
+static murk_status new_seen_fields(domain_fields *f, seen_fields *out,
+                                   bool adds_up, murk_error *err)
+{
+    static const murk_voxel_field coverage = {
+        .name = "coverage",
+        .unit = "1",
+        .quantity = "coverage",
+        .meaning = "what a plan counts of a photon stored here: the clarity of "
+                   "the clearest sensor, or of several as detection and "
+                   "redundancy say"};
+    static const murk_voxel_field sensors = {
+        .name = "sensors",
+        .unit = "1",
+        .quantity = "number of sensors that see a photon stored here"};
+    static const murk_voxel_field clarity = {
+        .name = "clarity",
+        .unit = "1",
+        .quantity = "clarity of the clearest sensor"};
+    static const murk_voxel_field depth = {
+        .name = "optical_depth",
+        .unit = "1",
+        .quantity = "optical depth",
+        .meaning = "of the media, the least of all straight open sightlines "
+                   "from sensors within range and view; -1: none"};
+    *out = (seen_fields){.coverage = new_field(f, &coverage),
+                         .sensors = new_field(f, &sensors),
+                         .clarity = adds_up ? new_field(f, &clarity) : NULL,
+                         .depth = new_field(f, &depth)};
+    return out->coverage && out->sensors && (out->clarity || !adds_up) &&
+                   out->depth
+               ? MURK_OK
+               : no_memory(f, err);
+}
+
+static murk_status make_seen(domain_fields *f, const murk_sight *sight,
+                             const murk_pose *sensor, size_t n, murk_error *err)
+{
+    const murk_sight_desc *like = murk_sight_described(sight);
+    seen_fields fields;
+    murk_status status = new_seen_fields(
+        f, &fields,
+        like->redundancy > 1 || like->combining == MURK_COMBINE_INDEPENDENT,
+        err);
+    murk_place_seen *seen = malloc(f->voxels * sizeof *seen + 1);
+    if (!status && !seen) {
+        status = no_memory(f, err);
+    }
+    if (!status) {
+        const murk_places places = {.n = f->voxels,
+                                    .record = record_of,
+                                    .context = f,
+                                    .wants_depth = true,
+                                    .step = "fields"};
+        status = murk_places_see(seen, &places, sight, sensor, n, err);
+    }
+    for (size_t i = 0; !status && i < f->voxels; ++i) {
+        fields.coverage[i] = seen[i].worth;
+        fields.sensors[i] = (float)seen[i].sensors;
+        fields.depth[i] = isfinite(seen[i].depth) ? seen[i].depth : NO_DEPTH;
+        if (fields.clarity) {
+            fields.clarity[i] = seen[i].clarity;
+        }
+    }
+    free(seen);
+    return status;
+}
+
+/* The fields whose names begin so, beside one another. */
+static size_t pick(murk_voxel_field *out, const domain_fields *f,
+                   const char *const *begins)
+{
+    size_t n = 0;
+    for (; *begins; ++begins) {
+        for (size_t i = 0; i < f->n; ++i) {
+            const size_t length = strlen(*begins);
+            if (strncmp(f->field[i].name, *begins, length) == 0 &&
+                f->field[i].name[length] == '_') {
+                out[n++] = f->field[i];
+            }
+        }
+    }
+    return n;
+}
+
+static void add_files(murk_session *session, const domain_fields *f,
+                      murk_error *late)
+{
+    static const char *const extinction[] = {"extinction", NULL};
+    static const char *const coverage[] = {"coverage", "sensors", "clarity",
+                                           NULL};
+    static const char *const depth[] = {"optical_depth", NULL};
+    const struct {
+        const char *name, *const *begins;
+        murk_field_look look;
+    } file[] = {{"extinction.vdb", extinction, MURK_FIELD_AS_IT_IS},
+                {"coverage.vdb", coverage, MURK_FIELD_SCALED},
+                {"optical_depth.vdb", depth, MURK_FIELD_SCALED}};
+    murk_voxel_field picked[FIELDS_MAX];
+    for (size_t i = 0; i < sizeof file / sizeof *file; ++i) {
+        const size_t n = pick(picked, f, file[i].begins);
+        if (n > 0) {
+            (void)murk_field_add_vdb(&session->results, file[i].name,
+                                     session->scene, &f->box, picked, n,
+                                     file[i].look, late);
+        }
+    }
+    if (f->n > 0) {
+        (void)murk_field_add_vti(&session->results, "fields.vti",
+                                 session->scene, &f->box, f->field, f->n, late);
+    }
+}
+
+void murk_fields_add(murk_session *session, const murk_sight *sight,
+                     const murk_pose *sensor, size_t n, murk_error *late)
+{
+    murk_voxel_field field[FIELDS_MAX];
+    domain_fields f = {.stage = session->stage, .field = field};
+    murk_error told = {0};
+    murk_status status = murk_fields_box(&f.box, session, &told);
+    f.to_world = murk_field_to_world(&f.box);
+    f.voxels = murk_field_voxels(&f.box);
+    for (f.band = 0; !status && f.band < session->scene->bands; ++f.band) {
+        if (sight) {
+            status = make_seen(&f, sight, sensor, n, &told);
+        }
+        if (!status && murk_media_any(session->stage->media)) {
+            status = make_extinction(&f, &told);
+        }
+    }
+    if (status) {
+        (void)murk_fail(late, status, "--export", "fields: %s", told.text);
+    } else {
+        add_files(session, &f, late);
+    }
+    for (size_t i = 0; i < f.n; ++i) {
+        free((void *)(uintptr_t)field[i].value);
+    }
+}

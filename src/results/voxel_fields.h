@@ -1,0 +1,39 @@
+/* What --export fields writes: fields over the domain, and photon density
+ * beside the fluence rate of grid tallies.
+ *
+ * extinction.vdb     extinction_Bnm [1/m] at the voxels' middles; no file where
+ *                    there are no media
+ * coverage.vdb       coverage_Bnm, sensors_Bnm, and clarity_Bnm where views
+ *                    add up (sensing/places_seen.h), of a plan's sensors
+ * optical_depth.vdb  optical_depth_Bnm, likewise; -1 where there is no
+ * sightline fields.vti         all of them, for ParaView NAME_photons.vdb
+ * photon_density_Bnm [1/s/m2] and photon_density_error_Bnm of the grid tally
+ * NAME, and of several bands their sum NAME.vti           these and the tally's
+ * own, for ParaView
+ *
+ * B: each of the scene's bands, as 532 in coverage_532nm. */
+#ifndef MURK_RESULTS_VOXEL_FIELDS_H
+#define MURK_RESULTS_VOXEL_FIELDS_H
+
+#include "results/field_files.h"
+#include "results/session.h"
+#include "sensing/sight.h"
+
+/* Voxels times bands, at most. */
+#define MURK_FIELDS_MAX 10000000
+
+/* The domain in voxels of --voxel, each edge made a little less so that they
+ * fill it; without that option some 100,000 voxels, of many bands fewer. Fails
+ * with MURK_BAD_VALUE at --voxel. To be asked as soon as the world is built. */
+murk_status murk_fields_box(murk_field_box *out, const murk_session *session,
+                            murk_error *err);
+
+/* Adds the files of the domain. sight NULL: no plan, extinction alone. Files
+ * that cannot be had, and an interrupt, are told in *late. */
+void murk_fields_add(murk_session *session, const murk_sight *sight,
+                     const murk_pose *sensor, size_t n, murk_error *late);
+
+/* Adds those of grid tallies; none is worth a note. */
+void murk_fields_add_tallies(murk_session *session, murk_error *late);
+
+#endif
