@@ -4,10 +4,13 @@
 #include "results/explore.h"
 #include "results/exports.h"
 #include "results/fit.h"
+#include "results/ledger.h"
 #include "results/matrix.h"
 #include "results/over.h"
 #include "results/plan.h"
 #include "results/sense.h"
+#include "results/study.h"
+#include "results/tallies.h"
 
 typedef struct result_file {
     const char *name;
@@ -20,9 +23,12 @@ static const result_file files[] = {
     {"plan.json", .list = murk_results_list_plan},
     {"Matrix: plan.json", .list = murk_results_list_matrix_plan},
     {"coverage.json", .list = murk_results_list_sense},
+    {"ledger.json", .list = murk_results_list_ledger},
+    {"study.json", .list = murk_results_list_study},
     {"fit.json", .list = murk_results_list_fit},
     {"sensors.csv", .item = murk_results_list_place},
     {"coverage.csv", .item = murk_results_list_sensor},
+    {"tallies.csv", .item = murk_results_list_tally},
     {"explore.csv", .item = murk_results_list_step},
     {"repeat.csv", .item = murk_results_list_run},
     {"regret.csv", .item = murk_results_list_use},

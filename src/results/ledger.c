@@ -26,112 +26,119 @@ double murk_ledger_watts(const murk_traced *traced, const murk_tally *column)
 
 /* {"total": .., "bands": [..]} of quanta[channels], each of which is worth
  * packet[channel] a packet. */
-static void add_worth(cJSON *object, const char *key, const double *packet,
-                      size_t channels, const int64_t *quanta, int bands)
+static cJSON *worth_json(const murk_ledger_results *l, const int64_t *quanta,
+                         const double *packet)
 {
+    const int bands = l->stage->scene->bands;
     double total = 0, band[MURK_BANDS_MAX] = {0};
-    for (size_t c = 0; c < channels; ++c) {
+    for (size_t c = 0; c < l->traced->channels; ++c) {
         const double value = worth(quanta[c], packet[c]);
         total += value;
         band[c % (size_t)bands] += value;
     }
-    cJSON *both = cJSON_AddObjectToObject(object, key);
+    cJSON *both = cJSON_CreateObject();
     murk_json_number(both, "total", total);
     cJSON_AddItemToObject(both, "bands", cJSON_CreateDoubleArray(band, bands));
+    return both;
 }
 
-static void add_watts(cJSON *object, const char *key, const murk_traced *traced,
-                      const int64_t *quanta, int bands)
-{
-    add_worth(object, key, traced->packet_w, traced->channels, quanta, bands);
-}
-
-static void add_column(cJSON *object, const char *key,
-                       const murk_traced *traced, const murk_tally *column,
-                       int bands)
+static cJSON *column_json(const murk_ledger_results *l,
+                          const murk_tally *column, const double *packet)
 {
     int64_t quanta[EMITTERS_MAX];
-    for (size_t c = 0; c < traced->channels; ++c) {
+    for (size_t c = 0; c < l->traced->channels; ++c) {
         quanta[c] = murk_tally_read(&column[c]);
     }
-    add_watts(object, key, traced, quanta, bands);
+    return worth_json(l, quanta, packet);
 }
 
-/* What one material or medium took. */
-static void
-add_absorber(cJSON *object, const char *name, const murk_traced *traced,
-             int64_t (*absorbed)(const murk_ledger *, size_t, size_t),
-             size_t number, int bands)
+/* Watts that the materials, or the media, absorbed. */
+static cJSON *absorbed_json(const murk_ledger_results *l, bool of_media)
 {
-    int64_t quanta[EMITTERS_MAX];
-    for (size_t c = 0; c < traced->channels; ++c) {
-        quanta[c] = absorbed(traced->ledger, c, number);
+    const murk_scene_desc *scene = l->stage->scene;
+    cJSON *object = cJSON_CreateObject();
+    const size_t n = of_media ? scene->n_media : scene->n_materials;
+    for (size_t i = 0; i < n; ++i) {
+        int64_t quanta[EMITTERS_MAX];
+        for (size_t c = 0; c < l->traced->channels; ++c) {
+            quanta[c] = of_media
+                            ? murk_ledger_by_medium(l->traced->ledger, c, i)
+                            : murk_ledger_by_material(l->traced->ledger, c, i);
+        }
+        cJSON_AddItemToObject(
+            object, of_media ? scene->media[i].name : scene->materials[i].name,
+            worth_json(l, quanta, l->traced->packet_w));
     }
-    add_watts(object, name, traced, quanta, bands);
+    return object;
 }
 
-static void add_absorbers(cJSON *object, const murk_traced *traced,
-                          const murk_scene_desc *scene)
+/* The light that left the sources, in the scene's units. */
+static cJSON *emitted_json(const murk_ledger_results *l)
 {
-    cJSON *surfaces = cJSON_AddObjectToObject(object, "absorbed_by_material_w");
-    for (size_t i = 0; i < scene->n_materials; ++i) {
-        add_absorber(surfaces, scene->materials[i].name, traced,
-                     murk_ledger_by_material, i, scene->bands);
-    }
-    cJSON *media = cJSON_AddObjectToObject(object, "absorbed_by_medium_w");
-    for (size_t i = 0; i < scene->n_media; ++i) {
-        add_absorber(media, scene->media[i].name, traced, murk_ledger_by_medium,
-                     i, scene->bands);
-    }
-}
-
-/* What left the lights as users read it: "emitted_lm". Nothing for watts. */
-static void add_emitted(cJSON *object, const murk_traced *traced,
-                        const murk_stage *stage)
-{
-    const murk_scene_desc *scene = stage->scene;
-    if (scene->units == MURK_RADIOMETRIC) {
-        return;
-    }
-    const murk_units units = murk_units_of(scene->units);
-    char key[40];
     double packet[EMITTERS_MAX];
-    int64_t quanta[EMITTERS_MAX];
-    murk_units_packets(packet, scene->units, stage, traced->packet_w);
-    for (size_t c = 0; c < traced->channels; ++c) {
-        quanta[c] = murk_tally_read(&traced->ledger->emitted[c]);
-    }
-    snprintf(key, sizeof key, "emitted_%s", units.suffix);
-    add_worth(object, key, packet, traced->channels, quanta, scene->bands);
+    murk_units_packets(packet, l->stage->scene->units, l->stage,
+                       l->traced->packet_w);
+    return column_json(l, l->traced->ledger->emitted, packet);
 }
 
-void murk_json_ledger(cJSON *object, const murk_traced *traced,
-                      const murk_stage *stage)
+static void list_lost(murk_results_fields *f, const void *of)
 {
-    const murk_ledger *ledger = traced->ledger;
-    const int bands = stage->scene->bands;
-    add_column(object, "emitted_w", traced, ledger->emitted, bands);
-    add_emitted(object, traced, stage);
-    add_column(object, "absorbed_surfaces_w", traced, ledger->absorbed_surfaces,
-               bands);
-    add_column(object, "absorbed_media_w", traced, ledger->absorbed_media,
-               bands);
-    add_column(object, "escaped_w", traced, ledger->escaped, bands);
-    add_column(object, "lost_w", traced, ledger->lost, bands);
-    add_absorbers(object, traced, stage->scene);
-    cJSON_AddNumberToObject(object, "photons_emitted",
-                            (double)murk_tally_read(&ledger->photons));
-    cJSON_AddNumberToObject(object, "collisions",
-                            (double)murk_tally_read(&ledger->collisions));
     static const char *const cause[MURK_LOSSES] = {
         [MURK_LOSS_EVENTS] = "events",
         [MURK_LOSS_WRAPS] = "wraps",
         [MURK_LOSS_NUMERICAL] = "numerical"};
-    cJSON *lost = cJSON_AddObjectToObject(object, "lost");
+    static const char *const help[MURK_LOSSES] = {
+        [MURK_LOSS_EVENTS] = "ended by the cap of 100000 events",
+        [MURK_LOSS_WRAPS] = "ended by the cap of passages through periodic "
+                            "sides",
+        [MURK_LOSS_NUMERICAL] = "could not be followed"};
+    const murk_ledger *ledger = of;
     for (int i = 0; i < MURK_LOSSES; ++i) {
-        cJSON_AddNumberToObject(
-            lost, cause[i], (double)murk_tally_read(&ledger->lost_photons[i]));
+        MURK_RESULT(f, count, cause[i], "", help[i],
+                    (uint64_t)murk_tally_read(&ledger->lost_photons[i]));
     }
-    cJSON_AddNumberToObject(object, "imbalance_quanta",
-                            (double)murk_ledger_imbalance(ledger));
+}
+
+void murk_results_list_ledger(murk_results_fields *f, const void *of)
+{
+    static const char total[] = "total, and bands";
+    const murk_ledger_results *l = of;
+    const murk_ledger *ledger = l ? l->traced->ledger : NULL;
+    const double *packet = l ? l->traced->packet_w : NULL;
+    const murk_quantity units = l ? l->stage->scene->units : MURK_RADIOMETRIC;
+    char emitted[40] = "emitted_lm";
+    MURK_RESULT(f, json, "emitted_w", "W", total,
+                column_json(l, ledger->emitted, packet));
+    if (units != MURK_RADIOMETRIC) {
+        snprintf(emitted, sizeof emitted, "emitted_%s",
+                 murk_units_of(units).suffix);
+    }
+    if (MURK_RESULT_IF(f, units != MURK_RADIOMETRIC)) {
+        MURK_RESULT(f, json, emitted, "",
+                    "or emitted_photons_per_s, emitted_umol_per_s: in the "
+                    "scene's units, if these are not watts",
+                    emitted_json(l));
+    }
+    MURK_RESULT(f, json, "absorbed_surfaces_w", "W", total,
+                column_json(l, ledger->absorbed_surfaces, packet));
+    MURK_RESULT(f, json, "absorbed_media_w", "W", total,
+                column_json(l, ledger->absorbed_media, packet));
+    MURK_RESULT(f, json, "escaped_w", "W", total,
+                column_json(l, ledger->escaped, packet));
+    MURK_RESULT(f, json, "lost_w", "W", total,
+                column_json(l, ledger->lost, packet));
+    MURK_RESULT(f, json, "absorbed_by_material_w", "W",
+                "by name, each total and bands", absorbed_json(l, false));
+    MURK_RESULT(f, json, "absorbed_by_medium_w", "W",
+                "by name, each total and bands", absorbed_json(l, true));
+    MURK_RESULT(f, count, "photons_emitted", "", "emitted photons",
+                (uint64_t)murk_tally_read(&ledger->photons));
+    MURK_RESULT(f, count, "collisions", "", "real collisions in media",
+                (uint64_t)murk_tally_read(&ledger->collisions));
+    MURK_RESULT_OBJECT(f, "lost",
+                       "photons dropped, by cause; more than 1 % refuse the "
+                       "run",
+                       list_lost, ledger);
+    MURK_RESULT(f, number, "imbalance_quanta", "", "emitted less all else: 0",
+                (double)murk_ledger_imbalance(ledger));
 }

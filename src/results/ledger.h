@@ -3,12 +3,14 @@
 #define MURK_RESULTS_LEDGER_H
 
 #include "lightmap/lightmap.h"
+#include "results/fields.h"
 
-#include <cjson/cJSON.h>
-
-/* ledger.json's own fields. */
-void murk_json_ledger(cJSON *object, const murk_traced *traced,
-                      const murk_stage *stage);
+/* Rows of ledger.json but for the head; of: */
+typedef struct murk_ledger_results {
+    const murk_traced *traced;
+    const murk_stage *stage;
+} murk_ledger_results;
+void murk_results_list_ledger(murk_results_fields *f, const void *of);
 
 /* Watts of one ledger column, over all channels. */
 double murk_ledger_watts(const murk_traced *traced, const murk_tally *column);

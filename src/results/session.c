@@ -126,11 +126,17 @@ murk_status murk_session_add_light(murk_session *session, murk_error *err)
                                           session->scene->resolved, err);
 }
 
+static void list_ledger(murk_results_fields *f, const void *of)
+{
+    const murk_session *session = of;
+    const murk_ledger_results ledger = {session->traced, session->stage};
+    murk_results_list_head(f, session->scene);
+    murk_results_list_ledger(f, &ledger);
+}
+
 cJSON *murk_session_ledger(const murk_session *session)
 {
-    cJSON *root = murk_json_begin(session->scene);
-    murk_json_ledger(root, session->traced, session->stage);
-    return root;
+    return murk_results_json(list_ledger, session);
 }
 
 murk_status murk_session_add_ledger(murk_session *session, murk_error *err)

@@ -44,45 +44,30 @@ static bool collect(columns *c, const murk_study_row *row)
 
 /* ---- table.csv ---- */
 
-static void write_cell(FILE *file, const char *text)
+static void write_header(FILE *file, const murk_study_file *study,
+                         const columns *c)
 {
-    if (!strpbrk(text, ",\"\r\n")) {
-        fputs(text, file);
-        return;
+    for (size_t a = 0; a < study->axes; ++a) {
+        murk_results_csv_cell(file, study->axis[a].name);
+        fputc(',', file);
     }
-    fputc('"', file);
-    for (; *text; ++text) {
-        if (*text == '"') {
-            fputc('"', file);
-        }
-        fputc(*text, file);
+    for (size_t i = 0; i < c->n; ++i) {
+        murk_results_csv_cell(file, c->name[i]);
+        fputc(',', file);
+        murk_results_csv_cell(file, c->name[i]);
+        fputs("_standard_error,", file);
     }
-    fputc('"', file);
+    fputs("failed\n", file);
 }
 
-static void write_number(FILE *file, double value)
+/* A cell of a value; nothing if there is none. */
+static void write_number(FILE *file, const char *before, double value)
 {
     char text[32] = "";
     if (isfinite(value)) {
         murk_number_text(text, value);
     }
-    fprintf(file, ",%s", text);
-}
-
-static void write_header(FILE *file, const murk_study_file *study,
-                         const columns *c)
-{
-    for (size_t a = 0; a < study->axes; ++a) {
-        write_cell(file, study->axis[a].name);
-        fputc(',', file);
-    }
-    for (size_t i = 0; i < c->n; ++i) {
-        write_cell(file, c->name[i]);
-        fputc(',', file);
-        write_cell(file, c->name[i]);
-        fputs("_standard_error,", file);
-    }
-    fputs("failed\n", file);
+    fprintf(file, "%s%s", before, text);
 }
 
 static void write_row(FILE *file, const murk_sweep *sweep, size_t row,
@@ -94,23 +79,16 @@ static void write_row(FILE *file, const murk_sweep *sweep, size_t row,
     murk_study_row_indices(study, row, index);
     for (size_t a = 0; a < study->axes; ++a) {
         fputs(a ? "," : "", file);
-        write_cell(file, study->axis[a].text[index[a]]);
+        murk_results_csv_cell(file, study->axis[a].text[index[a]]);
     }
     for (size_t i = 0; i < c->n; ++i) {
         const murk_study_value *v = murk_study_row_get(found, c->name[i]);
-        if (i == 0 && study->axes == 0) {
-            char text[32] = "";
-            if (v && isfinite(v->of.value)) {
-                murk_number_text(text, v->of.value);
-            }
-            fputs(text, file);
-        } else {
-            write_number(file, v ? v->of.value : NAN);
-        }
-        write_number(file, v ? v->of.standard_error : NAN);
+        write_number(file, i + study->axes > 0 ? "," : "",
+                     v ? v->of.value : NAN);
+        write_number(file, ",", v ? v->of.standard_error : NAN);
     }
     fputs(study->axes + c->n > 0 ? "," : "", file);
-    write_cell(file, found->failed);
+    murk_results_csv_cell(file, found->failed);
     fputc('\n', file);
 }
 
@@ -151,24 +129,19 @@ murk_status murk_add_table(murk_results *results, const murk_sweep *sweep,
 
 /* ---- study.json ---- */
 
-static void add_axes(cJSON *root, const murk_study_file *study)
+static void list_axis(murk_results_fields *f, const void *of, size_t a)
 {
-    cJSON *list = cJSON_AddArrayToObject(root, "axes");
-    for (size_t a = 0; a < study->axes; ++a) {
-        const murk_study_axis *axis = &study->axis[a];
-        cJSON *item = cJSON_CreateObject();
-        cJSON_AddStringToObject(item, "key", axis->name);
-        cJSON *values = cJSON_AddArrayToObject(item, "values");
-        for (size_t i = 0; i < axis->n; ++i) {
-            cJSON_AddItemToArray(values, cJSON_CreateString(axis->text[i]));
-        }
-        cJSON_AddItemToArray(list, item);
-    }
+    const murk_study_axis *axis =
+        of ? &((const murk_study_file *)of)->axis[a] : NULL;
+    MURK_RESULT(f, text, "key", "", "of the scene", axis->name);
+    MURK_RESULT(
+        f, json, "values", "", "as given",
+        cJSON_CreateStringArray((const char *const *)axis->text, (int)axis->n));
 }
 
-static void add_values(cJSON *item, const murk_study_row *row)
+static cJSON *values_json(const murk_study_row *row)
 {
-    cJSON *values = cJSON_AddObjectToObject(item, "values");
+    cJSON *values = cJSON_CreateObject();
     for (size_t i = 0; i < row->values; ++i) {
         const murk_study_value *v = &row->value[i];
         cJSON *value = cJSON_AddObjectToObject(values, v->name);
@@ -176,78 +149,100 @@ static void add_values(cJSON *item, const murk_study_row *row)
         murk_json_number(value, "standard_error", v->of.standard_error);
         cJSON_AddStringToObject(value, "unit", v->unit);
     }
+    return values;
 }
 
-static void add_sensors(cJSON *item, const char *name,
-                        const murk_study_sensor *sensor, size_t n)
+static void list_sensor(murk_results_fields *f, const void *of, size_t i)
 {
-    cJSON *list = cJSON_AddArrayToObject(item, name);
-    for (size_t i = 0; i < n; ++i) {
-        cJSON *one = cJSON_CreateObject();
-        cJSON_AddStringToObject(one, "type", sensor[i].type);
-        murk_json_vector(one, "position_m", sensor[i].position);
-        murk_json_number(one, "heading_deg", sensor[i].heading_deg);
-        murk_json_number(one, "tilt_deg", sensor[i].tilt_deg);
-        cJSON_AddItemToArray(list, one);
-    }
+    const murk_study_row *row = of;
+    const murk_study_sensor *sensor = row ? &row->sensor[i] : NULL;
+    MURK_RESULT(f, text, "type", "", "name of the sensor type", sensor->type);
+    MURK_RESULT(f, vector, "position_m", "m", "position", sensor->position);
+    MURK_RESULT(f, number, "heading_deg", "degrees", "clockwise from north",
+                sensor->heading_deg);
+    MURK_RESULT(f, number, "tilt_deg", "degrees", "up from the horizon",
+                sensor->tilt_deg);
 }
 
-static void add_text(cJSON *item, const char *key, const char *text)
+static void list_sensors(murk_results_fields *f, const murk_study_row *row)
 {
-    if (text[0]) {
-        cJSON_AddStringToObject(item, key, text);
-    } else {
-        cJSON_AddNullToObject(item, key);
-    }
+    MURK_RESULT_LIST(f, "sensors", "of the plan", list_sensor, row,
+                     row->sensors);
 }
 
-static cJSON *row_json(const murk_sweep *sweep, size_t i)
+static const char *or_null(const char *text)
 {
-    const murk_study_file *study = sweep->desc.study;
-    const murk_sweep_row *row = &sweep->row[i];
+    return text[0] ? text : NULL;
+}
+
+/* The value of each axis in row i. */
+static cJSON *axes_json(const murk_study_file *study, size_t i)
+{
     size_t index[MURK_STUDY_AXES_MAX];
+    cJSON *axes = cJSON_CreateObject();
     murk_study_row_indices(study, i, index);
-    cJSON *item = cJSON_CreateObject();
-    cJSON_AddNumberToObject(item, "row", (double)(i + 1));
-    cJSON *axes = cJSON_AddObjectToObject(item, "axes");
     for (size_t a = 0; a < study->axes; ++a) {
         cJSON_AddStringToObject(axes, study->axis[a].name,
                                 study->axis[a].text[index[a]]);
     }
-    add_values(item, &row->found);
-    add_sensors(item, "sensors", row->found.sensor, row->found.sensors);
-    cJSON_AddNumberToObject(item, "photons_emitted",
-                            (double)row->found.emitted);
-    murk_json_number(item, "light",
-                     row->group == SIZE_MAX ? NAN : (double)(row->group + 1));
-    add_text(item, "note", row->found.note);
-    add_text(item, "failed", row->found.failed);
-    return item;
+    return axes;
 }
 
-/* Which rows share what was traced. */
-static void add_lights(cJSON *root, const murk_sweep *sweep)
+/* The rows of a study that are done, by number. */
+typedef struct done_rows {
+    const murk_sweep *sweep;
+    size_t n, *row; /* [n] */
+} done_rows;
+
+static void list_row(murk_results_fields *f, const void *of, size_t k)
 {
-    cJSON *list = cJSON_AddArrayToObject(root, "lights");
-    for (size_t g = 0; g < sweep->groups; ++g) {
-        const murk_sweep_group *group = &sweep->group[g];
-        cJSON *item = cJSON_CreateObject();
-        cJSON_AddNumberToObject(item, "light", (double)(g + 1));
-        cJSON *rows = cJSON_AddArrayToObject(item, "rows");
-        for (size_t k = 0; k < group->n; ++k) {
-            cJSON_AddItemToArray(
-                rows, cJSON_CreateNumber((double)(group->row[k] + 1)));
-        }
-        cJSON_AddNumberToObject(item, "scaled_lights", (double)group->lights);
-        cJSON_AddItemToArray(list, item);
+    const done_rows *done = of;
+    const size_t i = done ? done->row[k] : 0;
+    const murk_sweep_row *row = done ? &done->sweep->row[i] : NULL;
+    MURK_RESULT(f, count, "row", "", "number, from 1", i + 1);
+    MURK_RESULT(f, json, "axes", "", "value of each axis, by key",
+                axes_json(done->sweep->desc.study, i));
+    MURK_RESULT(f, json, "values", "",
+                "by name, each value, standard_error, unit",
+                values_json(&row->found));
+    list_sensors(f, row ? &row->found : NULL);
+    MURK_RESULT(f, count, "photons_emitted", "", "emitted photons",
+                row->found.emitted);
+    MURK_RESULT(f, number, "light", "", "number of the light that rows share",
+                row->group == SIZE_MAX ? NAN : (double)(row->group + 1));
+    MURK_RESULT(f, text, "note", "", "null, or notes on the row",
+                or_null(row->found.note));
+    MURK_RESULT(f, text, "failed", "", "null, or the reason of the failure",
+                or_null(row->found.failed));
+}
+
+/* Numbers from 1 of n rows. */
+static cJSON *numbers_json(const size_t *row, size_t n)
+{
+    cJSON *list = cJSON_CreateArray();
+    for (size_t k = 0; k < n; ++k) {
+        cJSON_AddItemToArray(list, cJSON_CreateNumber((double)(row[k] + 1)));
     }
+    return list;
 }
 
-static void add_estimate(cJSON *to, const char *name, murk_estimate of)
+static void list_light(murk_results_fields *f, const void *of, size_t g)
 {
-    cJSON *item = cJSON_AddObjectToObject(to, name);
-    murk_json_number(item, "value", of.value);
-    murk_json_number(item, "standard_error", of.standard_error);
+    const murk_sweep *sweep = of;
+    const murk_sweep_group *group = sweep ? &sweep->group[g] : NULL;
+    MURK_RESULT(f, count, "light", "", "number, from 1", g + 1);
+    MURK_RESULT(f, json, "rows", "", "that share the traced light",
+                numbers_json(group->row, group->n));
+    MURK_RESULT(f, count, "scaled_lights", "",
+                "light sources whose powers rows scale", group->lights);
+}
+
+static void list_estimate(murk_results_fields *f, const void *of)
+{
+    const murk_estimate *e = of;
+    MURK_RESULT(f, number, "value", "1", "coverage", e->value);
+    MURK_RESULT(f, number, "standard_error", "1", "of value",
+                e->standard_error);
 }
 
 static double value_of(const murk_study_row *found, const char *name)
@@ -256,74 +251,114 @@ static double value_of(const murk_study_row *found, const char *name)
     return v ? v->of.value : NAN;
 }
 
-static cJSON *plan_json(const murk_sweep *sweep, const murk_sweep_plan *plan)
+/* One plan for all rows. */
+typedef struct plan_of_rows {
+    const murk_sweep *sweep;
+    const murk_sweep_plan *plan;
+} plan_of_rows;
+
+static void list_plan(murk_results_fields *f, const void *of)
 {
-    const murk_study_row *found = &plan->found;
-    const size_t rows = sweep->desc.study->rows;
-    cJSON *item = cJSON_CreateObject();
-    add_sensors(item, "sensors", found->sensor, found->sensors);
-    add_estimate(item, "mean", plan->mean);
-    add_estimate(item, "worst", plan->worst);
-    murk_json_number(item, "worst_row",
-                     plan->worst_row < rows ? (double)(plan->worst_row + 1)
-                                            : NAN);
-    murk_json_number(item, "in_sample", value_of(found, "in_sample"));
-    murk_json_number(item, "upper_bound", value_of(found, "upper_bound"));
-    cJSON *by = cJSON_AddArrayToObject(item, "chosen_for_rows");
-    for (size_t i = 0; i < sweep->choosers; ++i) {
-        cJSON_AddItemToArray(
-            by, cJSON_CreateNumber((double)(sweep->chooser[i] + 1)));
-    }
-    add_text(item, "failed", found->failed);
-    return item;
+    const plan_of_rows *p = of;
+    const murk_sweep *sweep = p ? p->sweep : NULL;
+    const murk_sweep_plan *plan = p ? p->plan : NULL;
+    list_sensors(f, plan ? &plan->found : NULL);
+    MURK_RESULT_OBJECT(f, "mean", "over the rows", list_estimate, &plan->mean);
+    MURK_RESULT_OBJECT(f, "worst", "of the rows", list_estimate, &plan->worst);
+    MURK_RESULT(f, number, "worst_row", "", "number, from 1",
+                plan->worst_row < sweep->desc.study->rows
+                    ? (double)(plan->worst_row + 1)
+                    : NAN);
+    MURK_RESULT(f, number, "in_sample", "1", "on the light that chose",
+                value_of(&plan->found, "in_sample"));
+    MURK_RESULT(f, number, "upper_bound", "1", "on in_sample",
+                value_of(&plan->found, "upper_bound"));
+    MURK_RESULT(f, json, "chosen_for_rows", "", "numbers, from 1",
+                numbers_json(sweep->chooser, sweep->choosers));
+    MURK_RESULT(f, text, "failed", "", "null, or the reason of the failure",
+                or_null(plan->found.failed));
 }
 
 /* One plan for all rows, as far as it was asked for. */
-static void add_plans(cJSON *root, const murk_sweep *sweep)
+static void list_plans(murk_results_fields *f, const void *of)
 {
     static const char *const names[] = {
         [MURK_SWEEP_MEAN] = "mean", [MURK_SWEEP_WORST] = "worst"};
-    cJSON *plans = cJSON_AddObjectToObject(root, "plans");
+    const murk_sweep *sweep = of;
     for (int p = 0; p < MURK_SWEEP_PLANS; ++p) {
-        if (sweep->plan[p].is_wanted) {
-            cJSON_AddItemToObject(plans, names[p],
-                                  plan_json(sweep, &sweep->plan[p]));
+        const plan_of_rows plan = {sweep, sweep ? &sweep->plan[p] : NULL};
+        if (MURK_RESULT_IF(f, plan.plan->is_wanted)) {
+            MURK_RESULT_OBJECT(f, names[p], "the plan for this criterion",
+                               list_plan, &plan);
         }
     }
+}
+
+static void list_run(murk_results_fields *f, const void *of)
+{
+    const murk_sweep *sweep = of;
+    size_t kept = 0, traced = 0;
+    for (size_t g = 0; sweep && g < sweep->groups; ++g) {
+        traced += sweep->group[g].was_traced;
+    }
+    for (size_t i = 0; sweep && i < sweep->desc.study->rows; ++i) {
+        kept += sweep->row[i].is_kept;
+    }
+    MURK_RESULT(f, count, "lights_traced", "", "by this run", traced);
+    MURK_RESULT(f, count, "rows_kept", "", "from earlier runs", kept);
+}
+
+typedef struct study_results {
+    done_rows done;
+    bool is_interrupted;
+} study_results;
+
+void murk_results_list_study(murk_results_fields *f, const void *of)
+{
+    const study_results *r = of;
+    const murk_sweep *sweep = r ? r->done.sweep : NULL;
+    const murk_study_file *study = sweep ? sweep->desc.study : NULL;
+    if (!murk_results_describes(f)) {
+        murk_results_list_murk(f, NULL);
+    }
+    MURK_RESULT(f, text, "study", "", "the study file as named", study->path);
+    MURK_RESULT(f, text, "study_sha256", "", "of the study file",
+                study->sha256);
+    MURK_RESULT(f, text, "scene", "", "the base scene", study->base);
+    MURK_RESULT(f, text, "scene_sha256", "", "of the base scene",
+                sweep->scene_sha256);
+    MURK_RESULT(f, count, "seed", "", "of all random numbers", sweep->seed);
+    MURK_RESULT(f, text, "mode", "", "grid or paired",
+                study->is_paired ? "paired" : "grid");
+    MURK_RESULT_LIST(f, "axes", "the keys that vary", list_axis, study,
+                     study->axes);
+    MURK_RESULT(f, count, "rows_asked", "", "of the study", study->rows);
+    MURK_RESULT(f, count, "rows_done", "", "failed ones included",
+                murk_sweep_done(sweep));
+    MURK_RESULT(f, count, "rows_failed", "", "of those done",
+                murk_sweep_failed(sweep));
+    MURK_RESULT(f, flag, "interrupted", "", "true if the run was",
+                r->is_interrupted);
+    MURK_RESULT_LIST(f, "rows", "those done", list_row, &r->done, r->done.n);
+    MURK_RESULT_OBJECT(f, "plans", "one plan for all rows, as asked for",
+                       list_plans, sweep);
+    MURK_RESULT_LIST(f, "lights", "groups of rows that share a light",
+                     list_light, sweep, sweep->groups);
+    MURK_RESULT_OBJECT(f, "run", "beside the keys of every JSON", list_run,
+                       sweep);
 }
 
 cJSON *murk_study_json(const murk_sweep *sweep, bool is_interrupted)
 {
-    const murk_study_file *study = sweep->desc.study;
-    const size_t rows = study->rows;
-    size_t kept = 0, traced = 0;
-    cJSON *root = murk_json_begin_murk();
-    cJSON_AddStringToObject(root, "study", study->path);
-    cJSON_AddStringToObject(root, "study_sha256", study->sha256);
-    cJSON_AddStringToObject(root, "scene", study->base);
-    cJSON_AddStringToObject(root, "scene_sha256", sweep->scene_sha256);
-    cJSON_AddNumberToObject(root, "seed", sweep->seed);
-    cJSON_AddStringToObject(root, "mode", study->is_paired ? "paired" : "grid");
-    add_axes(root, study);
-    cJSON_AddNumberToObject(root, "rows_asked", (double)rows);
-    cJSON_AddNumberToObject(root, "rows_done", (double)murk_sweep_done(sweep));
-    cJSON_AddNumberToObject(root, "rows_failed",
-                            (double)murk_sweep_failed(sweep));
-    cJSON_AddBoolToObject(root, "interrupted", is_interrupted);
-    cJSON *list = cJSON_AddArrayToObject(root, "rows");
-    for (size_t i = 0; i < rows; ++i) {
+    const size_t rows = sweep->desc.study->rows;
+    study_results r = {{sweep, 0, calloc(rows + 1, sizeof *r.done.row)},
+                       is_interrupted};
+    for (size_t i = 0; r.done.row && i < rows; ++i) {
         if (sweep->row[i].is_done) {
-            cJSON_AddItemToArray(list, row_json(sweep, i));
+            r.done.row[r.done.n++] = i;
         }
-        kept += sweep->row[i].is_kept;
     }
-    add_plans(root, sweep);
-    add_lights(root, sweep);
-    for (size_t g = 0; g < sweep->groups; ++g) {
-        traced += sweep->group[g].was_traced;
-    }
-    cJSON *run = cJSON_AddObjectToObject(root, "run");
-    cJSON_AddNumberToObject(run, "lights_traced", (double)traced);
-    cJSON_AddNumberToObject(run, "rows_kept", (double)kept);
+    cJSON *root = murk_results_json(murk_results_list_study, &r);
+    free(r.done.row);
     return root;
 }

@@ -3,13 +3,16 @@
 #define MURK_RESULTS_STUDY_H
 
 #include "cases/sweep.h"
-#include "results/results.h"
+#include "results/fields.h"
 
 /* Adds table.csv: rows that are done, in the study's order; a column an axis,
  * then each value and its standard error, last `failed`. Empty cells: there is
  * no such value. */
 murk_status murk_add_table(murk_results *results, const murk_sweep *sweep,
                            murk_error *err);
+
+/* Rows of study.json; of: known to murk_study_json() alone. */
+void murk_results_list_study(murk_results_fields *f, const void *of);
 
 /* study.json, with what of `run` is known. */
 cJSON *murk_study_json(const murk_sweep *sweep, bool is_interrupted);

@@ -62,22 +62,51 @@ static const char *unit_of(const murk_tally_desc *desc, const murk_units *units)
 
 /* ---- tallies.csv ---- */
 
+/* One value of a tally. */
+typedef struct tally_value {
+    const tally *of;
+    int band;
+    size_t bin, direction; /* direction: from 0 */
+    murk_estimate value;
+} tally_value;
+
+/* Bins along the first or second axis of a plane; 1 of a sphere. */
+static size_t bins_of(const murk_tally_desc *d, int axis)
+{
+    return d->type == MURK_TALLY_PLANE ? d->bins[axis] : 1;
+}
+
+void murk_results_list_tally(murk_results_fields *f, const void *of, size_t i)
+{
+    const tally_value *v = of;
+    const murk_tally_desc *d = v ? v->of->desc : NULL;
+    (void)i; /* each value is of its own */
+    MURK_RESULT(f, text, "tally", "", "name", d->name);
+    MURK_RESULT(f, rounded, "band_nm", "nm", "band",
+                v->of->scene->band_nm[v->band], 9);
+    MURK_RESULT(f, count, "bin_i", "", "along the first axis, from 0",
+                v->bin % bins_of(d, 0));
+    MURK_RESULT(f, count, "bin_j", "", "along the second axis, from 0",
+                v->bin / bins_of(d, 0) % bins_of(d, 1));
+    MURK_RESULT(f, count, "bin_k", "", "of angle, from 0",
+                v->bin / bins_of(d, 0) / bins_of(d, 1));
+    MURK_RESULT(f, text, "direction", "", "forward, backward, up or down",
+                direction_of(d, v->direction));
+    MURK_RESULT(f, rounded, "value", "", "in the unit", v->value.value, 12);
+    MURK_RESULT(f, rounded, "standard_error", "", "of value",
+                v->value.standard_error, 6);
+    MURK_RESULT(f, text, "unit", "", "of value", unit_of(d, &v->of->units));
+}
+
 static void write_rows(const tally *t, FILE *file)
 {
     const murk_tally_desc *d = t->desc;
-    const bool is_plane = d->type == MURK_TALLY_PLANE;
-    const size_t bins_i = is_plane ? d->bins[0] : 1;
-    const size_t bins_j = is_plane ? d->bins[1] : 1;
     const size_t bins = murk_tally_cells(d) / murk_tally_directions(d);
     for (int band = 0; band < t->scene->bands; ++band) {
         for (size_t c = 0; c < murk_tally_cells(d); ++c) {
-            const murk_estimate e = read_cell(t, band, c);
-            const size_t bin = c % bins;
-            fprintf(file, "%s,%.9g,%zu,%zu,%zu,%s,%.12g,%.6g,%s\n", d->name,
-                    t->scene->band_nm[band], bin % bins_i,
-                    bin / bins_i % bins_j, bin / bins_i / bins_j,
-                    direction_of(d, c / bins), e.value, e.standard_error,
-                    unit_of(d, &t->units));
+            const tally_value v = {t, band, c % bins, c / bins,
+                                   read_cell(t, band, c)};
+            murk_results_csv_line(file, murk_results_list_tally, &v, 0);
         }
     }
 }
@@ -91,9 +120,7 @@ static murk_status write_csv(const char *path, const void *context,
     if (status) {
         return status;
     }
-    fputs("tally,band_nm,bin_i,bin_j,bin_k,direction,value,standard_error,"
-          "unit\n",
-          murk_file_stream(file));
+    murk_results_csv_heading(murk_file_stream(file), murk_results_list_tally);
     for (size_t i = 0; i < murk_tallies_count(session->traced->tallies); ++i) {
         const tally t = tally_of(session, i);
         if (t.desc->type != MURK_TALLY_GRID) {

@@ -2,6 +2,7 @@
 #ifndef MURK_RESULTS_TALLIES_H
 #define MURK_RESULTS_TALLIES_H
 
+#include "results/fields.h"
 #include "results/session.h"
 
 /* Adds tallies.csv and, of each grid, NAME.vdb and NAME_error.vdb; nothing
@@ -15,5 +16,8 @@ void murk_print_tallies(const murk_session *session);
 /* What check says of them. */
 void murk_json_tallies(cJSON *root, const murk_session *session);
 void murk_print_asked_tallies(const murk_session *session);
+
+/* Columns of tallies.csv; of: one value of a tally. */
+void murk_results_list_tally(murk_results_fields *f, const void *of, size_t i);
 
 #endif

@@ -62,8 +62,8 @@ static void test_quanta_become_watts(const murk_stage *stage)
     murk_tally_add(&t->ledger->photons, 40);
     murk_tally_add(&t->ledger->collisions, 77);
     murk_tally_add(&t->ledger->lost_photons[MURK_LOSS_WRAPS], 3);
-    cJSON *root = cJSON_CreateObject();
-    murk_json_ledger(root, t, stage);
+    const murk_ledger_results ledger = {t, stage};
+    cJSON *root = murk_results_json(murk_results_list_ledger, &ledger);
     CHECK_NEAR(at(root, "emitted_w", "total", -1), 100, 1e-12);
     CHECK_NEAR(at(root, "emitted_w", "bands", 0), 10 * (1 + 3), 1e-12);
     CHECK_NEAR(at(root, "emitted_w", "bands", 1), 10 * (2 + 4), 1e-12);
