@@ -147,12 +147,11 @@ static murk_status choose_all(choosing *ch, murk_error *err)
         murk_place_release(&place);
     }
     /* The plans by each objective, among them the one that is asked for. */
-    const char *const name[] = {[MURK_SCENE_OVER_MEAN] = "mean",
-                                [MURK_SCENE_OVER_WORST] = "worst",
-                                [MURK_SCENE_OVER_REGRET] = "regret"};
-    const murk_scene_over last =
-        is_regret ? MURK_SCENE_OVER_REGRET : MURK_SCENE_OVER_WORST;
-    for (murk_scene_over k = MURK_SCENE_OVER_MEAN; !status && k <= last; ++k) {
+    static const murk_scene_over objectives[] = {
+        MURK_SCENE_OVER_MEAN, MURK_SCENE_OVER_WORST, MURK_SCENE_OVER_REGRET};
+    for (size_t i = 0; !status && i < (is_regret ? 3 : 2); ++i) {
+        const murk_scene_over k = objectives[i];
+        const char *name = murk_scene_word("placement.over", (int)k);
         murk_place_result place = {0};
         if (k == objective && is_regret) {
             asked.with_curve = false; /* references are of this count */
@@ -164,12 +163,12 @@ static murk_status choose_all(choosing *ch, murk_error *err)
         }
         if (k == objective) {
             ch->plans->chosen = ch->plans->plans;
-            status = keep(ch, name[k], &ch->plan->place, err);
+            status = keep(ch, name, &ch->plan->place, err);
         } else if (k == MURK_SCENE_OVER_MEAN || ch->scenarios->matrix) {
             status =
                 murk_scenarios_place(&place, ch->scenarios, k, &ch->desc, err);
             if (!status) {
-                status = keep(ch, name[k], &place, err);
+                status = keep(ch, name, &place, err);
             }
         }
         murk_place_release(&place);

@@ -11,10 +11,6 @@
 
 #define DIGITS 9 /* of shares and lengths in explore.csv */
 
-const char *const murk_knowledge_names[] = {[MURK_SCENE_KNOWN] = "known",
-                                            [MURK_SCENE_UNKNOWN] = "unknown",
-                                            [MURK_SCENE_EXPLORE] = "explore"};
-
 static const char *const END_NAMES[] = {[MURK_EXPLORE_COUNT] = "count",
                                         [MURK_EXPLORE_TARGET] = "target",
                                         [MURK_EXPLORE_CONSTRAINTS] = "rules",

@@ -5,9 +5,6 @@
 
 #include "results/fields.h"
 
-/* By murk_scene_knowledge. */
-extern const char *const murk_knowledge_names[];
-
 /* Row "explore". */
 void murk_results_list_explore(murk_results_fields *f,
                                const murk_scene_desc *scene,

@@ -43,10 +43,6 @@ static murk_estimate best_known_of(const murk_condition_plans *over,
                : in_sample_of(over, plan, by, &worst);
 }
 
-static const char *const over_names[] = {[MURK_SCENE_OVER_MEAN] = "mean",
-                                         [MURK_SCENE_OVER_WORST] = "worst",
-                                         [MURK_SCENE_OVER_REGRET] = "regret"};
-
 /* The criterion that selects the worst condition. */
 static murk_scene_over judged_by(const murk_condition_plans *over)
 {
@@ -343,7 +339,8 @@ void murk_results_list_over(murk_results_fields *f, const void *of)
 {
     const murk_condition_plans *over = of;
     MURK_RESULT(f, text, "over", "", "over conditions: mean, worst or regret",
-                over_names[over->conditions->scene->placement.over]);
+                murk_scene_word("placement.over",
+                                (int)over->conditions->scene->placement.over));
     MURK_RESULT(f, text, "worst_condition", "",
                 "covered least, or with the largest regret", worst_of(over));
     MURK_RESULT_LIST(f, "conditions", "the conditions, dark ones last",

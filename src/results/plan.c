@@ -162,10 +162,6 @@ static void list_target(murk_results_fields *f, const void *of)
 
 static void list_placement(murk_results_fields *f, const void *of)
 {
-    static const char *const through_names[] = {[MURK_SCENE_THIN] = "thin",
-                                                [MURK_SCENE_BLOCK] = "block",
-                                                [MURK_SCENE_REFRACT] =
-                                                    "refract"};
     const murk_plan_results *r = of;
     const murk_plan_result *plan = r ? r->plan : NULL;
     const murk_scene_placement *asked =
@@ -173,7 +169,7 @@ static void list_placement(murk_results_fields *f, const void *of)
     MURK_RESULT(f, text, "method", "", "best, spoq, greedy or exact",
                 asked->knowledge == MURK_SCENE_EXPLORE
                     ? "greedy"
-                    : murk_method_names[asked->method]);
+                    : murk_scene_word("placement.method", (int)asked->method));
     MURK_RESULT(f, text, "detection", "",
                 "weighted, independent, threshold or power",
                 murk_detection_name(asked->detection));
@@ -191,9 +187,9 @@ static void list_placement(murk_results_fields *f, const void *of)
     MURK_RESULT(f, text, "visibility", "", "ray or normal",
                 asked->by_normal ? "normal" : "ray");
     MURK_RESULT(f, text, "through", "", "thin, block or refract",
-                through_names[asked->through]);
+                murk_scene_word("placement.through", (int)asked->through));
     MURK_RESULT(f, text, "knowledge", "", "known, unknown or explore",
-                murk_knowledge_names[asked->knowledge]);
+                murk_scene_word("placement.knowledge", (int)asked->knowledge));
     MURK_RESULT(f, count, "restarts", "", "starts asked for", asked->restarts);
     MURK_RESULT(f, count, "starts", "", "starts made", plan->place.restarts);
     MURK_RESULT(f, count, "evaluations", "", "of plans",

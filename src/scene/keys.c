@@ -1,6 +1,8 @@
 #include "scene/keys.h"
 
+#include <assert.h>
 #include <float.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "scene/keys_rows.h"
@@ -146,6 +148,47 @@ const murk_keys murk_scene_keys = {
     .check = check_scene,
     .key = SCENE_ROWS,
 };
+
+/* The row at a path such as "placement.over". */
+static const murk_key *find_path(const char *path)
+{
+    const murk_keys *keys = &murk_scene_keys;
+    const murk_key *key = NULL;
+    while (*path && keys) {
+        const size_t length = strcspn(path, ".");
+        char name[MURK_SCENE_NAME_SIZE];
+        snprintf(name, sizeof name, "%.*s", (int)length, path);
+        key = murk_keys_find(keys, name);
+        keys = key ? key->keys : NULL;
+        path += length + (path[length] == '.');
+    }
+    return *path ? NULL : key;
+}
+
+const char *murk_scene_word(const char *path, int value)
+{
+    const murk_key *key = find_path(path);
+    assert(key && key->words);
+    for (const murk_word *word = key->words; word->text; ++word) {
+        if (word->value == value) {
+            return word->text;
+        }
+    }
+    return NULL;
+}
+
+bool murk_scene_word_find(const char *path, const char *text, int *value)
+{
+    const murk_key *key = find_path(path);
+    assert(key && key->words);
+    for (const murk_word *word = key->words; word->text; ++word) {
+        if (strcmp(word->text, text) == 0) {
+            *value = word->value;
+            return true;
+        }
+    }
+    return false;
+}
 
 const murk_key *murk_keys_find(const murk_keys *keys, const char *name)
 {

@@ -569,4 +569,11 @@ murk_status murk_scene_desc_parse(murk_scene_desc **out, const char *text,
                                   size_t n_overrides, murk_error *err);
 void murk_scene_desc_destroy(murk_scene_desc *scene); /* NULL is fine */
 
+/* The word of a key that stands for a value, such as "worst" for
+ * "placement.over" and MURK_SCENE_OVER_WORST; NULL: no word does. */
+const char *murk_scene_word(const char *path, int value);
+
+/* The value of a word of a key; false if the key has no such word. */
+bool murk_scene_word_find(const char *path, const char *text, int *value);
+
 #endif

@@ -153,17 +153,12 @@ static murk_status read_fluence_size(const reading *r)
 
 static murk_status read_units(const reading *r)
 {
-    static const char *const words[] = {[MURK_RADIOMETRIC] = "radiometric",
-                                        [MURK_PHOTOMETRIC] = "photometric",
-                                        [MURK_PHOTONS] = "photons",
-                                        [MURK_PAR] = "par"};
     const murk_yaml *node = murk_yaml_get(r->root, "units");
-    for (int k = 0; node && k < 4; ++k) {
-        if (node->kind == MURK_YAML_SCALAR &&
-            strcmp(node->text, words[k]) == 0) {
-            r->study->has_units = true;
-            r->study->units = (murk_quantity)k;
-        }
+    int value = 0;
+    if (node && node->kind == MURK_YAML_SCALAR &&
+        murk_scene_word_find("units", node->text, &value)) {
+        r->study->has_units = true;
+        r->study->units = (murk_quantity)value;
     }
     return !node || r->study->has_units
                ? MURK_OK
