@@ -1,3 +1,5 @@
+/* The cameras of a scene as murk check reports them, with the memory that a
+ * picture by maps takes. */
 #include "app/check_cameras.h"
 
 #include "base/log.h"

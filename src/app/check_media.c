@@ -1,3 +1,5 @@
+/* The media and regions of a scene as murk check reports them: coefficients,
+ * grids, phase functions and bounds. */
 #include "app/check_media.h"
 
 #include <math.h>
@@ -122,6 +124,7 @@ void murk_json_media(cJSON *root, const murk_stage *stage)
         const murk_scene_medium *m = &scene->media[i];
         cJSON *item = cJSON_CreateObject();
         cJSON_AddStringToObject(item, "name", m->name);
+        /* Coefficients: a profile, a spectrum or grids. */
         if (m->profile_z_m.n > 0) {
             add_profile(item, m, scene->origin.z, scene->bands);
         } else {
@@ -213,6 +216,8 @@ static void print_medium(const murk_stage *stage, size_t medium)
     const murk_fillings *fillings = stage->fillings;
     const murk_grid *grid = fillings->grid[medium];
     const murk_grid *albedo = fillings->albedo[medium];
+    /* The extinction of a profile or of an even medium, then albedo and grid.
+     */
     if (m->profile_z_m.n > 0) {
         murk_print(
             "medium      %s: %zu heights, %.4g to %.4g m, extinction up to "
@@ -246,11 +251,13 @@ void murk_print_media(const murk_stage *stage)
 {
     const murk_scene_desc *scene = stage->scene;
     const int digits = murk_coordinate_digits(scene, 4);
+    /* The media. */
     for (size_t i = 0; i < scene->n_media; ++i) {
         print_medium(stage, i);
         murk_print("%s\n", scene->bands > 1 ? " (first band)" : "");
         print_phases(stage, i);
     }
+    /* The regions: shape, bounds, index and waves. */
     for (size_t i = 0; i < scene->n_regions; ++i) {
         const murk_scene_region *r = &scene->regions[i];
         const murk_box box = region_box(stage, i);

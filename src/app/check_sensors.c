@@ -1,3 +1,5 @@
+/* The sensor types of a scene as murk check reports them, with the number of
+ * their candidates. */
 #include "app/check_sensors.h"
 
 #include "results/summary.h"
@@ -6,6 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
+/* Degrees in a radian. */
 #define DEG_PER_RAD  (180 / MURK_PI)
 #define NO_MAX_COUNT 1000000 /* what `max_count` is where none is given */
 
@@ -81,6 +84,7 @@ void murk_print_sensor_types(const murk_scene_desc *scene,
             murk_print(", %zu of %d bands", type->bands_nm.n, scene->bands);
         }
         murk_print("; cost %.10g", type->cost);
+        /* Limits of the number, and the candidates that are usable. */
         if (type->min_count > 0) {
             murk_print(", at least %llu", (unsigned long long)type->min_count);
         }

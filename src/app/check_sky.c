@@ -1,3 +1,5 @@
+/* The lights of a scene as murk check reports them: power, the position of sun
+ * and moon, irradiance, and the share that the media of the domain take. */
 #include "app/check_sky.h"
 
 #include "results/summary.h"
@@ -75,6 +77,7 @@ void murk_print_lights(const murk_stage *stage)
     for (size_t i = 0; i < scene->n_lights; ++i) {
         const murk_sky_facts *facts = &stage->sky[i];
         const murk_scene_light *l = &scene->lights[i];
+        /* Lamps have a line only when they are off. */
         if (!murk_scene_light_is_of_sky(l)) {
             if (!facts->is_on) {
                 murk_print("light       %zu, %s: off\n", i,
@@ -82,6 +85,7 @@ void murk_print_lights(const murk_stage *stage)
             }
             continue;
         }
+        /* Lights of the sky: irradiance and direction. */
         murk_print("light       %zu, %s: %.4g %s in the bands", i,
                    murk_source_type_name(l->type), irradiance_of(stage, i),
                    murk_units_of(scene->units).irradiance);
@@ -125,6 +129,7 @@ static void add_taken(cJSON *item, const murk_stage *stage, size_t light)
 void murk_json_lights(cJSON *root, const murk_stage *stage)
 {
     const murk_scene_desc *scene = stage->scene;
+    /* All lights together, also in the units of the scene. */
     const murk_units units = murk_units_of(scene->units);
     cJSON *lights = cJSON_AddObjectToObject(root, "lights");
     cJSON_AddNumberToObject(lights, "count",
@@ -136,6 +141,7 @@ void murk_json_lights(cJSON *root, const murk_stage *stage)
         snprintf(key, sizeof key, "power_%s", units.suffix);
         cJSON_AddNumberToObject(lights, key, power_of(stage, scene->units));
     }
+    /* Each light, with its place in the sky. */
     cJSON *list = cJSON_AddArrayToObject(lights, "sky");
     for (size_t i = 0; i < scene->n_lights; ++i) {
         const murk_sky_facts *facts = &stage->sky[i];

@@ -1,3 +1,6 @@
+/* murk check: reads and builds a scene, and reports surfaces, media, lights,
+ * candidates, sensors, cameras, doubtful points and the memory that a run
+ * takes. */
 #include "app/check_cameras.h"
 #include "app/check_media.h"
 #include "app/check_sensors.h"
@@ -47,8 +50,10 @@ static void add_surfaces(cJSON *root, const findings *f)
     cJSON_AddNumberToObject(object, "solids", (double)f->surfaces.solids);
     cJSON_AddNumberToObject(object, "sheets", (double)f->surfaces.sheets);
     cJSON_AddNumberToObject(object, "area_m2", f->surfaces.area_m2);
+    /* Bounds are in the coordinates of the user. */
     const murk_box bounds = murk_scene_user_box(scene, f->surfaces.bounds_m);
     murk_json_box(object, "bounds", &bounds);
+    /* The materials, with the area that each one has. */
     cJSON *materials = cJSON_AddArrayToObject(object, "materials");
     for (size_t i = 0; i < scene->n_materials; ++i) {
         const murk_scene_material *m = &scene->materials[i];
@@ -94,6 +99,7 @@ static cJSON *check_json(const findings *f)
     murk_json_vector(domain, "max_m", box.max);
     cJSON_AddStringToObject(
         domain, "sides", stage->world.domain.is_periodic ? "periodic" : "open");
+    /* Surfaces, media and lights. */
     add_surfaces(root, f);
     add_mesh_materials(root, f);
     murk_json_media(root, stage);
@@ -106,6 +112,7 @@ static cJSON *check_json(const findings *f)
     murk_json_sensor_types(root, f->session->scene, f->poses);
     murk_json_tallies(root, f->session);
     murk_json_cameras(root, f->session->scene, &f->forecast);
+    /* The forecast of a full run. */
     cJSON *forecast = cJSON_AddObjectToObject(root, "forecast");
     cJSON_AddNumberToObject(forecast, "pilot_photons",
                             (double)f->forecast.pilot_photons);
@@ -173,6 +180,7 @@ static void print_findings(const findings *f)
     print_mesh_materials(f);
     murk_print_media(stage);
     murk_print_lights(stage);
+    /* Candidates, sensors, tallies and cameras. */
     if (f->candidates) {
         murk_print_candidates(f->candidates);
         murk_print_sensor_types(f->session->scene, f->poses);
@@ -206,6 +214,7 @@ murk_status murk_command_check(const murk_options *options, murk_error *err)
         status = murk_mesh_materials(&f.mesh_name, &f.mesh_names, session.stage,
                                      err);
     }
+    /* A pilot run of few photons gives the forecast, and warnings. */
     if (!status) {
         status = murk_lightmap_forecast(&f.forecast, session.stage, 0,
                                         options->threads, err);
@@ -215,6 +224,7 @@ murk_status murk_command_check(const murk_options *options, murk_error *err)
         murk_warn_of_escape(session.stage, f.forecast.escaped_share);
         murk_warn_of_thin_forecast(session.scene, &f.forecast);
     }
+    /* Targets, candidates and poses, where the scene has them. */
     if (!status && session.scene->placement.targets.given) {
         status = murk_targets_check(session.stage, options->threads, err);
     }
@@ -227,6 +237,7 @@ murk_status murk_command_check(const murk_options *options, murk_error *err)
             &f.poses, session.scene, &session.stage->world.domain,
             f.candidates->position, f.candidates->usable, err);
     }
+    /* The report as JSON or as text. */
     if (!status && options->json) {
         status = murk_session_finish(&session, NULL, check_json(&f), err);
     } else if (!status && murk_session_speaks(&session)) {

@@ -1,3 +1,5 @@
+/* murk fit: reads measurements and free keys, calibrates the scene to them or
+ * predicts them, and writes the results. */
 #include "app/session.h"
 #include "calibrate/covered.h"
 #include "results/fit.h"
@@ -76,6 +78,7 @@ static murk_status parameters_of(const murk_yaml **out, const murk_yaml *root,
                          "%zu parameters, must be 1..%d", list->n,
                          MURK_FREE_MAX);
     }
+    /* Each parameter needs a key and a number. */
     for (size_t i = 0; i < list->n; ++i) {
         const murk_yaml *item = list->child[i];
         const bool is_map = item->kind == MURK_YAML_MAP;
@@ -205,6 +208,7 @@ static murk_status read_input(fit *f, const murk_session *session,
     f->asked = o->fit.free.word;
     f->n_asked = o->fit.free.n;
     murk_status status = MURK_OK;
+    /* With --predict the free keys are those of a finished fit. */
     if (o->fit.predict) {
         status = murk_yaml_read(values, o->fit.predict, err);
         if (!status) {
@@ -217,6 +221,7 @@ static murk_status read_input(fit *f, const murk_session *session,
             murk_fit_warn_refused(o->fit.predict);
         }
     }
+    /* The measurements, then the free keys with their bounds and starts. */
     if (!status) {
         status =
             murk_measurements_read(&f->measured, o->fit.data, session->scene,
@@ -296,10 +301,12 @@ static murk_status run(fit *f, murk_session *session, murk_error *err)
         .watch = tell_step,
         .forecast = tell_memory,
         .context = f};
+    /* Fit, or predict. */
     const uint64_t next = murk_option_number(o, "--next", 0);
     murk_progress_begin_over("fit", 0, "steps");
     murk_status status = murk_calibrate(&f->found, &desc, err);
     murk_progress_end();
+    /* Propose the next measurements, if asked for. */
     if (!status && next > 0) {
         murk_progress_begin_over("next", 0, "");
         status =

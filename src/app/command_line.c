@@ -1,3 +1,5 @@
+/* The command line as results record it: quoted for a shell, without options
+ * that change no result. */
 #include "app/command_line.h"
 
 #include "app/option_table.h"

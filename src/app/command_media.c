@@ -97,6 +97,8 @@ static murk_status read_scene(resolved *r, const murk_options *options,
     size_t size = 0;
     FILE *to = open_memstream(&yaml, &size);
     bool is_whole = set && text && shown && to;
+    /* Keys of --set belong to the medium, except those of bands and seed;
+     * messages show them as they were typed. */
     for (size_t i = 0; i < n && is_whole; ++i) {
         const murk_override *given = &options->overrides[i];
         const size_t room = strlen(given->text) + sizeof MEDIUM;
@@ -111,6 +113,7 @@ static murk_status read_scene(resolved *r, const murk_options *options,
                                      given->option ? given->option : shown[i]};
         }
     }
+    /* A scene with this one medium, at the usual wavelengths of the preset. */
     if (to) {
         fputs("murk: 1\nbands_nm: [", to);
         put_bands(to, r->preset);
@@ -120,6 +123,7 @@ static murk_status read_scene(resolved *r, const murk_options *options,
                 r->preset->name);
         is_whole = fclose(to) == 0 && is_whole;
     }
+    /* Read it as any scene is read. */
     const murk_status status =
         is_whole ? murk_scene_desc_parse(&r->scene, yaml, r->preset->name, set,
                                          n, err)
@@ -297,8 +301,10 @@ static cJSON *one_json(const resolved *r)
     cJSON_AddStringToObject(root, "about", preset->about);
     cJSON_AddItemToObject(root, "wavelength_nm",
                           cJSON_CreateDoubleArray(preset->wavelength_nm, 2));
+    /* The words that the preset knows, and the optics of each band. */
     add_words(root, r);
     add_bands(root, r);
+    /* Sources and doubts. */
     cJSON *sources = cJSON_AddArrayToObject(root, "sources");
     for (size_t i = 0; i < preset->sources; ++i) {
         const murk_preset_source *s = &preset->source[i];
@@ -368,6 +374,7 @@ murk_status murk_command_media(const murk_options *options, murk_error *err)
     if (options->profile) {
         return murk_command_media_profile(options, err);
     }
+    /* Options of --profile have no meaning without it. */
     if (options->out || murk_option_text(options, "--column") ||
         murk_option_text(options, "--rows") || options->voxel ||
         murk_option_text(options, "--width")) {
@@ -375,6 +382,7 @@ murk_status murk_command_media(const murk_options *options, murk_error *err)
                          "-o, --column, --rows, --voxel and --width need "
                          "--profile");
     }
+    /* One preset, or the list of all. */
     if (options->input) {
         return say_one(options, err);
     }

@@ -1,4 +1,5 @@
-/* murk media --profile: a measured profile as a grid. */
+/* murk media --profile: reads a measured profile of a coefficient from a CSV
+ * file and writes it as a grid of layers. */
 #include "app/identity.h"
 #include "app/media_profile.h"
 #include "base/number.h"
@@ -38,6 +39,7 @@ static murk_status print_json(const murk_profile_layers *l,
     murk_json_number(root, "width_m", l->width_m);
     murk_json_number(root, "top_m", l->top_m);
     murk_json_number(root, "optical_depth", l->depth);
+    /* The identity and the checksum of the grid. */
     const murk_status status =
         murk_identify_alone(root, options, "", options->out, err);
     if (status) {
@@ -70,6 +72,7 @@ murk_status murk_command_media_profile(const murk_options *options,
         return murk_fail(err, MURK_BAD_VALUE, "--profile",
                          "misses -o, must be the name of the grid's file");
     }
+    /* Lengths that the user gives. */
     murk_status status =
         read_length("--voxel", options->voxel, &settings.voxel_m, err);
     if (!status) {
@@ -79,6 +82,7 @@ murk_status murk_command_media_profile(const murk_options *options,
     if (status) {
         return status;
     }
+    /* Read the profile and write it as a grid. */
     murk_profile_layers layers;
     status = murk_profile_layers_read(&layers, &settings, err);
     if (!status) {
@@ -89,6 +93,7 @@ murk_status murk_command_media_profile(const murk_options *options,
     if (!status) {
         status = murk_profile_layers_write(&layers, options->out, err);
     }
+    /* Report the grid. */
     if (!status && options->json) {
         status = print_json(&layers, options, err);
     } else if (!status && !options->quiet) {

@@ -1,3 +1,5 @@
+/* Files, formats and examples of each command, which the man pages and --help
+ * show beside the options. */
 #include "app/command_notes.h"
 
 #include <stddef.h>

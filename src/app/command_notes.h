@@ -8,6 +8,7 @@ typedef struct murk_note_pair {
                                 what it is for */
 } murk_note_pair;
 
+/* Entries of a command, with the empty one at the end. */
 #define MURK_NOTES_FILES    24
 #define MURK_NOTES_EXAMPLES 6
 

@@ -1,3 +1,6 @@
+/* murk place: traces, senses and places for a scene or for its conditions,
+ * repeats the job with other seeds if asked for, and writes the results. A
+ * coverage matrix from a file is handled in place_matrix.c. */
 #include "app/place_matrix.h"
 #include "app/session.h"
 #include "cases/condition_plans_make.h"
@@ -18,6 +21,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+/* Bytes of the name of a result file of a condition, "scene-NAME.yaml". */
 #define FILE_SIZE (MURK_SCENE_NAME_SIZE + 16)
 
 static murk_status write_light(murk_session *session, murk_error *err)
@@ -95,12 +99,14 @@ static murk_status check_repeat(const murk_session *session, uint64_t runs,
                                 murk_error *err)
 {
     const murk_scene_desc *scene = session->scene;
+    /* Every run has a seed of its own. */
     if (runs > 0 && scene->seed + (runs - 1) > UINT32_MAX) {
         return murk_fail(err, MURK_BAD_VALUE, "--repeat",
                          "%llu seeds from %lu on, must end at 4294967295 at "
                          "most",
                          (unsigned long long)runs, (unsigned long)scene->seed);
     }
+    /* Goals that repeats or the exported problem cannot state. */
     if ((runs > 0 || session->settings.exports & MURK_EXPORT_LP) &&
         murk_plan_at_least(scene) > 0) {
         return murk_fail(err, MURK_BAD_VALUE, scene->placement.where,
@@ -110,6 +116,7 @@ static murk_status check_repeat(const murk_session *session, uint64_t runs,
                                     "placement.redundancy"
                                   : "use --export matrix or or-library");
     }
+    /* A seed fixed by a condition would be the same in all runs. */
     const bool is_over = scene->placement.over != MURK_SCENE_OVER_NONE;
     for (size_t c = 0; runs > 0 && is_over && c < scene->n_conditions; ++c) {
         if (scene->conditions[c].scene->seed != scene->seed) {

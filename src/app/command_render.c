@@ -101,12 +101,14 @@ static murk_status take_picture(job *j, murk_error *err)
                           .surface = s->traced ? s->traced->surface : NULL,
                           .volume = s->traced ? s->traced->volume : NULL,
                           .threads = s->settings.threads};
+    /* The edges of each band, for the colours. */
     for (int b = 0; b < scene->bands; ++b) {
         const bool edges = scene->has_edges;
         render.from_nm[b] = edges ? scene->band_edge_nm[b] : scene->band_nm[b];
         render.to_nm[b] =
             edges ? scene->band_edge_nm[b + 1] : scene->band_nm[b];
     }
+    /* Render, then add the coverage by sensors. */
     const double begun_s = murk_clock_s();
     murk_status status = murk_render_run(&j->picture, &render, err);
     if (!status && j->viewpoint.sensors > 0 && !murk_interrupted()) {
@@ -128,6 +130,7 @@ static void warn_of_few_records(const job *j)
     const double *nm = j->session.scene->band_nm;
     size_t few = MURK_GATHER_FEW, others = 0;
     int band = 0, map = 0;
+    /* Find the map and band with the fewest records. */
     for (int m = 0; m < 2; ++m) {
         for (int b = 0; b < p->bands; ++b) {
             const size_t n = p->records[m][b];
@@ -257,6 +260,7 @@ static void print_summary(const job *j)
     if (s->traced) {
         murk_print_light(s);
     }
+    /* The camera and the method. */
     murk_print("camera      %s: %zu x %zu pixels, %zu sample%s; ", v->name,
                p->width, p->height, v->samples, v->samples == 1 ? "" : "s");
     if (is_all_round(j)) {
@@ -267,6 +271,7 @@ static void print_summary(const job *j)
                    v->tilt_deg);
     }
     murk_print("method      %s\n", method_of(j));
+    /* The radiance, and what limits it. */
     print_radiance(j);
     if (p->lost > 0) {
         murk_print("lost        %llu of %llu rays, by caps or rounding\n",
@@ -306,6 +311,7 @@ static cJSON *facts_json(const job *j)
     const murk_viewpoint *v = &j->viewpoint;
     cJSON *root = murk_json_begin(j->session.scene);
     add_images(root, j);
+    /* The camera. */
     cJSON_AddStringToObject(root, "camera", v->name);
     cJSON_AddStringToObject(root, "projection",
                             is_all_round(j) ? "equirectangular"
@@ -318,6 +324,7 @@ static cJSON *facts_json(const job *j)
                             j->options->by_path     ? "path"
                             : j->options->maps_only ? "maps-only"
                                                     : "maps");
+    /* Size, samples and rays. */
     cJSON *pixels = cJSON_AddArrayToObject(root, "pixels");
     cJSON_AddItemToArray(pixels, cJSON_CreateNumber((double)p->width));
     cJSON_AddItemToArray(pixels, cJSON_CreateNumber((double)p->height));
@@ -326,6 +333,7 @@ static cJSON *facts_json(const job *j)
     murk_json_number(root, "rays", (double)p->rays);
     murk_json_number(root, "lost", (double)p->lost);
     murk_json_number(root, "unsure_errors", (double)p->unsure);
+    /* The mean radiance with its error, and the checksums of the files. */
     murk_spectrum mean = {{0}}, error = {{0}};
     for (int b = 0; b < p->bands; ++b) {
         mean.band[b] = p->mean[b];

@@ -1,3 +1,5 @@
+/* murk replay: traces one photon of a scene again, by its index, and shows
+ * each event. */
 #include "app/session.h"
 #include "results/summary.h"
 
@@ -110,6 +112,7 @@ murk_status murk_command_replay(const murk_options *options, murk_error *err)
     if (status) {
         goto done;
     }
+    /* The photon must be one that the scene emits. */
     const uint64_t emit = session.scene->photons.emit;
     if (emit && photon >= emit) {
         status =
@@ -123,6 +126,7 @@ murk_status murk_command_replay(const murk_options *options, murk_error *err)
     if (status) {
         goto done;
     }
+    /* Events go to a table or to a JSON list. */
     replay r = {.session = &session, .photon = photon};
     if (options->json) {
         root = murk_json_begin(session.scene);
@@ -132,6 +136,7 @@ murk_status murk_command_replay(const murk_options *options, murk_error *err)
         murk_print("event kind            x m       y m       z m  direction "
                    "out            path m\n");
     }
+    /* Trace the batch up to the photon; the sink drops all other photons. */
     murk_trace trace = murk_stage_trace(session.stage);
     trace.first = photon / MURK_BATCH_PHOTONS * MURK_BATCH_PHOTONS;
     trace.last = photon + 1;

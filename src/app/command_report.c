@@ -35,6 +35,7 @@ static murk_status tell(const murk_options *options, const char *path,
 {
     struct stat known = {0};
     (void)stat(path, &known);
+    /* One line for the terminal. */
     if (!options->json) {
         if (!options->quiet) {
             murk_print("%s: %.2f MB", path, (double)known.st_size / 1e6);
@@ -47,6 +48,7 @@ static murk_status tell(const murk_options *options, const char *path,
         }
         return MURK_OK;
     }
+    /* The same as JSON. */
     cJSON *root = cJSON_CreateObject();
     cJSON_AddStringToObject(root, "report", path);
     cJSON_AddNumberToObject(root, "bytes", (double)known.st_size);
@@ -90,6 +92,7 @@ murk_status murk_command_report(const murk_options *options, murk_error *err)
     }
     murk_progress_set(options->quiet ? MURK_PROGRESS_NEVER : options->progress);
     murk_progress_begin_over("report", 0, "");
+    /* Read the folder. */
     char *path = options->out ? strdup(options->out)
                               : murk_path_join(options->input, "report.html");
     murk_report *report = NULL;
@@ -99,6 +102,8 @@ murk_status murk_command_report(const murk_options *options, murk_error *err)
         status = murk_fail(err, MURK_NO_MEMORY, "", "no memory for the page");
     }
     if (!status) {
+        /* Name files of other runs, and replace no page that murk did not
+         * write. */
         facts = murk_report_describe(report);
         warn_of_strangers(options->input, facts.results->strangers);
         status = murk_file_check_owner(path, MURK_MARK_PAGE,

@@ -1,3 +1,5 @@
+/* murk sense: measures the coverage of given sensors on the light of a scene,
+ * and writes the results. */
 #include "app/session.h"
 #include "plan/dark.h"
 #include "plan/few_photons.h"
@@ -79,6 +81,7 @@ static murk_status measure(measured *of, murk_session *session,
         status =
             murk_goals_check_seen(stage->goals, murk_goals_seen(sight), err);
     }
+    /* Coverage, robustness and jitter. */
     if (!status) {
         status =
             murk_coverage_result_measure(&of->coverage, sight, sensor, n, err);
@@ -94,6 +97,7 @@ static murk_status measure(measured *of, murk_session *session,
         status = murk_robust_jitter(&of->robust, stage, sight, sensor,
                                     &of->coverage, false, err);
     }
+    /* The cloud of photons for viewers, and the exports. */
     if (!status) {
         status = add_points(session, sight, sensor, n, err);
     }

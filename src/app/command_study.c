@@ -1,3 +1,5 @@
+/* murk study: runs the rows of a study, writes its table and its JSON, and
+ * prints a summary. */
 #include "app/identity.h"
 #include "app/log_once.h"
 #include "results/results.h"
@@ -15,7 +17,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define VERSION_SIZE 128
+#define VERSION_SIZE 128 /* bytes of a version and a commit */
 
 typedef struct study_session {
     const murk_options *options;
@@ -115,6 +117,7 @@ static murk_status begin(study_session *s, murk_error *err)
     murk_progress_set(o->quiet ? MURK_PROGRESS_NEVER : o->progress);
     snprintf(version, sizeof version, "%s %s", MURK_VERSION,
              murk_version_commit());
+    /* Read the study and the scenes of its rows. */
     murk_status status = murk_study_file_read(&s->study, o->input, err);
     if (status) {
         return status;
@@ -132,6 +135,7 @@ static murk_status begin(study_session *s, murk_error *err)
     if (!status) {
         status = murk_results_begin(&s->results, o->out, o->force, err);
     }
+    /* Judge the files that will be written before any row runs. */
     if (!status) {
         read_base(s);
         status = expect_files(s, err);
@@ -166,6 +170,7 @@ static murk_status write_files(study_session *s, bool is_interrupted,
     const murk_run_facts run = {.command = s->options->typed,
                                 .threads = s->options->threads,
                                 .total_s = murk_clock_s() - s->begun_s};
+    /* The table, the base scene and the grids. */
     murk_status status = murk_add_table(&s->results, s->sweep, err);
     if (!status && s->base) {
         status =
@@ -174,6 +179,7 @@ static murk_status write_files(study_session *s, bool is_interrupted,
     if (!status) {
         status = note_fluence(s, err);
     }
+    /* The JSON comes last and names the other files. */
     cJSON *root = murk_study_json(s->sweep, is_interrupted);
     murk_json_identify(root, s->identity, &s->results, "study.json");
     char *text = murk_json_end(root, &run);
@@ -225,6 +231,7 @@ static void print_study(const study_session *s)
     for (size_t i = 0; i < s->study->rows; ++i) {
         kept += s->sweep->row[i].is_kept;
     }
+    /* The rows, the plans for all rows, and counts. */
     murk_print_study_rows(s->sweep, s->options->out);
     for (int p = 0; p < MURK_SWEEP_PLANS; ++p) {
         print_plan(s, p);
@@ -234,6 +241,7 @@ static void print_study(const study_session *s)
                s->study->rows, kept, murk_sweep_failed(s->sweep), traced);
     const murk_run_facts run = {.total_s = murk_clock_s() - s->begun_s};
     murk_print_time(&run, NULL, 0);
+    /* The files. */
     if (s->options->out) {
         murk_print("files       %s: study.json table.csv %s %srows/\n",
                    s->options->out, MURK_SCENE_NAME,

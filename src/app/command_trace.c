@@ -1,3 +1,5 @@
+/* murk trace: traces the light of a scene and writes the maps, the ledger and
+ * the tallies. */
 #include "app/session.h"
 #include "results/exports.h"
 #include "results/summary.h"

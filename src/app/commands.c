@@ -1,3 +1,5 @@
+/* The table of commands: name, arguments, summary and the function that runs
+ * it. */
 /* The commands, with what --help says of each. */
 #include "app/options.h"
 

@@ -1,4 +1,5 @@
-/* --help, from the tables of commands and options. */
+/* Prints the help of the program and of each command, from the tables of
+ * commands and options. */
 #include "app/command_notes.h"
 #include "app/help_text.h"
 #include "app/option_table.h"
@@ -7,6 +8,8 @@
 #include <stdbool.h>
 #include <string.h>
 
+/* Columns: of a line, within the 80 of a terminal, and of the text of an
+ * option. */
 #define WIDTH             78
 #define INDENT            24
 #define INDENT_OF_COMMAND 5 /* of the lines after the first */
@@ -123,6 +126,7 @@ static void print_examples(FILE *to, const murk_note_pair *example)
 
 void murk_help_print(FILE *to, const murk_command *command)
 {
+    /* The help of one command. */
     if (command) {
         fprintf(to, "usage: murk %s %s [OPTIONS]\n\n", command->name,
                 command->arguments);
@@ -133,6 +137,7 @@ void murk_help_print(FILE *to, const murk_command *command)
         fprintf(to, "\nmore: man murk-%s\n", command->name);
         return;
     }
+    /* The help of the program. */
     fputs("usage: murk COMMAND SCENE [OPTIONS]\n\n", to);
     wrap(to, murk_help_about, 0, 0);
     fputs("\ncommands:\n", to);

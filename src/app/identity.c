@@ -1,3 +1,6 @@
+/* The identity of a result: a hash of the version, the command, the seed, the
+ * options that change results, and the scene with the contents of its files,
+ * wherever they lie. */
 #include "app/identity.h"
 
 #include "app/option_table.h"

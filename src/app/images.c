@@ -1,3 +1,5 @@
+/* The files of a picture: their names, the texts about the picture in their
+ * headers, and the OpenEXR and PNG files themselves. */
 #include "app/images.h"
 
 #include "base/file.h"
@@ -13,6 +15,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Lines in the header of a picture, and bytes of a line that is made of
+ * numbers. */
 #define TEXTS_MAX 24
 #define TEXT_SIZE 96
 
@@ -128,6 +132,7 @@ murk_status murk_images_name(murk_image_files *out, const murk_options *options,
 {
     const murk_render_options *settings = &options->render;
     const char *given = options->out;
+    /* Bands and the channel in false colour must have names. */
     murk_status status = check_bands(scene, err);
     if (!status && settings->false_colour) {
         status = find_channel(out, options, scene, err);
@@ -135,6 +140,8 @@ murk_status murk_images_name(murk_image_files *out, const murk_options *options,
     if (status) {
         return status;
     }
+    /* The name of the OpenEXR file; the names of the PNG files follow from it.
+     */
     if (given) {
         const size_t length = strlen(given);
         if (length > 4 && strcmp(given + length - 4, ".png") == 0) {
@@ -301,6 +308,7 @@ static murk_status write_false_colour(murk_image_files *images,
     if (!list) {
         return murk_fail(err, MURK_NO_MEMORY, "render", "no memory for names");
     }
+    /* The channel and its range. */
     const size_t n =
         murk_channels_list(picture, picture->bands, facts->scene->band_nm,
                            picture->seen_by != NULL, list);
@@ -308,6 +316,7 @@ static murk_status write_false_colour(murk_image_files *images,
     murk_status status = choose_colours(
         images, channel, picture->width * picture->height, settings, err);
     const murk_false_colour *colours = &images->colours;
+    /* Draw it, and write it with the texts. */
     murk_raster raster = {0};
     if (!status) {
         status = murk_false_colour_raster(&raster, channel, picture->width,

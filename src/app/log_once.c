@@ -1,3 +1,5 @@
+/* Filters texts so that each is shown once. Texts that differ only in their
+ * numbers count as the same text. */
 #include "app/log_once.h"
 
 #include <ctype.h>

@@ -1,3 +1,5 @@
+/* The program: sets up signals, parses the command line, runs the command, and
+ * turns its status into an exit code. */
 #include "app/options.h"
 #include "app/terminate_bridge.h"
 #include "base/inputs.h"

@@ -152,6 +152,7 @@ static void see_also(FILE *to, const murk_command *self,
         see(to, f, length, 5, ",");
         f += length;
     }
+    /* All other commands, with a comma after each but the last. */
     const char *before = NULL;
     for (size_t i = 0; i < murk_commands_count; ++i) {
         char page[64];
@@ -177,16 +178,19 @@ static void command_page(FILE *to, const murk_command *command)
     char page[64];
     snprintf(page, sizeof page, "murk-%s", command->name);
     head(to, page, command->summary);
+    /* Synopsis and description. */
     bold(to, "murk ");
     bold(to, command->name);
     fputs(" \\fI", to);
     put(to, command->arguments);
     fputs("\\fR [\\fIOPTIONS\\fR]\n.SH DESCRIPTION\n", to);
     line(to, command->text);
+    /* Options: those of the command, then those of every command. */
     fputs(".SH OPTIONS\n", to);
     options(to, command->name, true);
     fputs(".SS Of every command\n", to);
     options(to, command->name, false);
+    /* Files and examples. */
     if (notes->file[0].name) {
         fputs(".SH FILES\n", to);
         for (const murk_note_pair *f = notes->file; f->name; ++f) {
@@ -207,6 +211,7 @@ static void program_page(FILE *to)
     fputs("\\fBmurk\\fR \\fICOMMAND\\fR \\fISCENE\\fR [\\fIOPTIONS\\fR]\n"
           ".SH DESCRIPTION\n",
           to);
+    /* The commands. */
     line(to, murk_help_about);
     fputs(".SH COMMANDS\nEach has a page of its own.\n", to);
     for (size_t i = 0; i < murk_commands_count; ++i) {
@@ -220,6 +225,7 @@ static void program_page(FILE *to)
         put(to, c->summary);
         fprintf(to, ":\n.BR murk\\-%s (1)\n", c->name);
     }
+    /* Options of every command, and formats of files. */
     fputs(
         ".SH OPTIONS\nWhat follows \\-\\- is no option, as a file named \\-x. "
         "Those of every command:\n",
@@ -233,6 +239,7 @@ static void program_page(FILE *to)
     }
     fputs(".PP\n", to);
     line(to, murk_help_files);
+    /* Environment, examples and codes. */
     fputs(".SH ENVIRONMENT\n", to);
     tagged(to, "TERM",
            "Where it is dumb or not set, progress is told in whole lines, of "

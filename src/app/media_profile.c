@@ -1,3 +1,6 @@
+/* Reads a measured profile of a coefficient from a CSV file, finds its columns
+ * by the units in their names, and averages it into layers of equal height,
+ * which keep the optical depth. */
 #include "app/media_profile.h"
 
 #include "medium/grid_write.h"
@@ -8,6 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Layers and width where the user gives none; and an extinction far above that
+ * of any matter that light enters. */
 #define LAYERS_USUAL  100
 #define WIDTH_USUAL_M 1000.0
 #define PER_M_MAX     1e9
@@ -95,6 +100,7 @@ static murk_status find_coefficient(const murk_table *t, const char *wanted,
                                     column *found, murk_error *err)
 {
     *found = (column){-1, 0};
+    /* The column that the user names must have a unit. */
     if (wanted) {
         found->at = murk_table_column(t, wanted);
         if (found->at < 0) {
@@ -109,6 +115,7 @@ static murk_status find_coefficient(const murk_table *t, const char *wanted,
                                "[1/cm]",
                                wanted);
     }
+    /* Otherwise exactly one column may look like a coefficient. */
     for (size_t i = 0; i < t->columns; ++i) {
         double factor;
         if (before_unit(t->name[i], COEFFICIENTS, &factor) == 0) {
@@ -242,6 +249,7 @@ static murk_status read_profile(profile *p, const murk_table *t,
     if (status) {
         return status;
     }
+    /* Take the rows that the user chose. */
     snprintf(name, 64, "%.63s", t->name[coefficient.at]);
     p->z_m = calloc(t->rows + 1, sizeof *p->z_m);
     p->per_m = calloc(t->rows + 1, sizeof *p->per_m);
@@ -257,6 +265,7 @@ static murk_status read_profile(profile *p, const murk_table *t,
             status = add_row(p, t, row, &place, &coefficient, &way, err);
         }
     }
+    /* A profile needs two places, and runs from the top down. */
     if (!status && !(p->n >= 2 && way)) {
         status = murk_fail(err, MURK_BAD_VALUE, t->path,
                            "%zu rows of a profile%s%s, must be 2 or more at "

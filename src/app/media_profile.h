@@ -19,6 +19,7 @@
 
 #include <stddef.h>
 
+/* A layer is a voxel of a grid; lengths are those that a scene may have. */
 #define MURK_PROFILE_LAYERS_MAX   1000000
 #define MURK_PROFILE_LENGTH_MAX_M 1e9
 

@@ -1,3 +1,5 @@
+/* Readers of the values of single options: numbers, words, lists and files of
+ * keys. Each checks its value and stores it. */
 #include "app/option_values.h"
 
 #include "base/file.h"
@@ -9,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define LOSS_WIDTH_MAX 1e6
+#define LOSS_WIDTH_MAX 1e6 /* standard errors: no residual is larger */
 
 /* A whole number, also as 1e6; strict. */
 static bool read_count(const char *text, uint64_t *out)
@@ -112,6 +114,7 @@ murk_status murk_option_exports(murk_options *out, const char *name,
 {
     static const char *const words[] = {"matrix", "or-library", "lp",
                                         "fields", "photons",    "surfaces"};
+    /* Word by word between commas. */
     for (const char *word = value;;) {
         const size_t length = strcspn(word, ",");
         unsigned bit = 0;
@@ -138,6 +141,7 @@ murk_status murk_option_exports(murk_options *out, const char *name,
 static murk_status take_words(murk_words_given *words, const char *value,
                               const char *name, murk_error *err)
 {
+    /* Word by word between commas. */
     for (const char *at = value;;) {
         const size_t length = strcspn(at, ",");
         char *word = strndup(at, length);
@@ -179,8 +183,11 @@ murk_status murk_option_loss(murk_options *out, const char *name,
 {
     murk_fit_options *fit = &out->fit;
     static const char *const losses[] = {"none", "huber", "cauchy"};
+    /* Widths of 95 % efficiency on normal residuals (Holland and Welsch,
+     * Commun. Stat. A 6 (1977) 813, doi:10.1080/03610927708827533). */
     static const double widths[] = {1, 1.345, 2.385};
     const size_t length = strcspn(value, ":");
+    /* The name of the loss, then its width if one is given. */
     for (int i = 0; i < 3; ++i) {
         if (strlen(losses[i]) != length ||
             strncmp(losses[i], value, length) != 0) {
@@ -216,6 +223,7 @@ static murk_status add_value(murk_options *out, const murk_yaml *map, size_t i,
                          "KEY: VALUE a line",
                          map->key[i]);
     }
+    /* Messages about the key name the file. */
     const size_t size = strlen(file) + 16;
     char *option = malloc(size);
     char **kept = realloc(out->kept, (out->n_kept + 1) * sizeof *kept);
@@ -242,6 +250,7 @@ static murk_status values_of(murk_options *out, const char *file,
         return murk_fail(err, MURK_BAD_VALUE, "--set @",
                          "no name, must be --set @FILE");
     }
+    /* Read the map and set each key. */
     murk_status status =
         murk_file_read(&text, &size, file, MURK_YAML_MAX_BYTES, err);
     if (!status) {

@@ -1,3 +1,5 @@
+/* Parses the command line by the table of options, and checks that the options
+ * belong to the command and to each other. */
 #include "app/options.h"
 
 #include "app/command_line.h"
@@ -186,6 +188,7 @@ static murk_status check_belonging(const murk_options *out, int argc,
 
 static murk_status check_exports(const murk_options *out, murk_error *err)
 {
+    /* Exports need a folder and a command that has what they export. */
     const bool is_place = strcmp(out->command->name, "place") == 0;
     const bool is_media = strcmp(out->command->name, "media") == 0;
     if (out->exports && !out->out) {

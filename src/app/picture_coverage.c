@@ -1,3 +1,6 @@
+/* Coverage of a picture: turns the surface points that the pixels show into
+ * records of a map, and counts for each the sensors that see it and the
+ * largest clarity. */
 #include "app/picture_coverage.h"
 
 #include "base/interrupt.h"
@@ -154,6 +157,7 @@ static murk_status look_at_all(strip *s, murk_error *err)
     const size_t together = rows_together(p->width);
     const uint32_t bands = bands_of_sensors(s);
     const size_t cells = together * p->width;
+    /* Counts and clarities of the rows that are looked at together. */
     s->count = calloc(2 * cells, sizeof *s->count);
     if (!s->count) {
         return murk_fail(err, MURK_NO_MEMORY, "render",
@@ -161,6 +165,7 @@ static murk_status look_at_all(strip *s, murk_error *err)
     }
     s->clearest = s->count + cells;
     murk_status status = MURK_OK;
+    /* Strip by strip; in each strip the bands that sensors use. */
     for (size_t y = 0; y < p->height && !status; y += together) {
         s->first_row = y;
         s->rows = p->height - y < together ? p->height - y : together;

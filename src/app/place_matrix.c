@@ -1,3 +1,5 @@
+/* murk place --matrix: places for a coverage matrix from a file, without any
+ * scene. */
 #include "app/place_matrix.h"
 
 #include "app/identity.h"
@@ -17,6 +19,8 @@
 #include <string.h>
 
 #define MATRIX_SHARE 0.7 /* of the free memory, as for a scene's */
+/* The ranges of the keys of a scene with these names: scene/keys_placement.c
+ * and scene/keys_sensors.c. */
 #define RESTARTS_MAX 1000000
 #define NODES_MAX    UINT64_C(1000000000000000)
 #define COUNT_MAX    1000000
@@ -54,6 +58,8 @@ static murk_status set_method(murk_matrix_plan *p, const char *name,
 static murk_status set_key(murk_matrix_plan *p, const char *key,
                            const char *name, const char *value, murk_error *err)
 {
+    /* The number of sensors, the target or the budget; then the settings of
+     * the search. */
     uint64_t n = 0;
     if (strcmp(key, "sensors.count") == 0) {
         if (!count_in(value, 1, COUNT_MAX, &n)) {
@@ -125,6 +131,7 @@ static murk_status read_settings(murk_matrix_plan *p,
                          "a matrix is one sample, other seeds have no other; "
                          "leave it out with --matrix");
     }
+    /* The keys that the command line sets. */
     for (size_t i = 0; i < options->n_overrides; ++i) {
         const murk_override *o = &options->overrides[i];
         char key[64], name[96];
@@ -137,6 +144,7 @@ static murk_status read_settings(murk_matrix_plan *p,
             return status;
         }
     }
+    /* One goal, and only one. */
     const int settings_list =
         (p->desc.count > 0) + (p->target > 0) + (p->budget > 0);
     if (settings_list != 1) {
@@ -219,6 +227,7 @@ static murk_status measure(murk_matrix_plan *p, const murk_problem *problem,
         murk_views_release(&views);
         return status;
     }
+    /* What each column covers alone. */
     for (size_t k = 0; k < n; ++k) {
         murk_sparse_row row;
         problem->get_row(problem->context, 0, p->place.sensor[k], &row);
@@ -229,6 +238,7 @@ static murk_status measure(murk_matrix_plan *p, const murk_problem *problem,
         murk_views_add(&views, (uint32_t)k, &row);
         c->sum += c->alone[k];
     }
+    /* What only that column covers. */
     for (size_t k = 0; k < n && views.dose; ++k) {
         murk_sparse_row row;
         problem->get_row(problem->context, 0, p->place.sensor[k], &row);
@@ -237,6 +247,7 @@ static murk_status measure(murk_matrix_plan *p, const murk_problem *problem,
     if (!views.dose) {
         murk_views_only(&views, m->weight, c->only);
     }
+    /* Weight of the rows that at least so many columns cover. */
     for (size_t i = 0; i < m->rows; ++i) {
         c->whole_rows += m->weight[i];
         if (views.sensors[i]) {
@@ -324,6 +335,7 @@ murk_status murk_place_matrix(const murk_options *options, murk_error *err)
     if (!status) {
         status = choose(&p, err);
     }
+    /* Exports, results, summary. */
     murk_error late = {0};
     if (!status && options->exports) {
         const murk_lp_goal goal = {p.desc.target ? 0 : p.desc.count,

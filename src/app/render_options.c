@@ -1,3 +1,4 @@
+/* Options of murk render: size, exposure and range of a picture. */
 #include "app/render_options.h"
 
 #include "render/render.h"
@@ -6,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Pixels along a side: the range of the key of a scene. */
 #define SIDE_MAX     65536
 #define EXPOSURE_MAX 100.0 /* stops: 2^100 is beyond any radiance */
 

@@ -1,3 +1,5 @@
+/* What the commands on a scene share: reading the scene, building its world,
+ * and tracing its light or reading it from a file. */
 #include "app/session.h"
 
 #include "app/identity.h"
@@ -148,6 +150,7 @@ murk_status murk_session_light(murk_session *session, murk_error *err)
     const unsigned threads = session->settings.threads;
     const double begun_s = murk_clock_s();
     murk_status status;
+    /* Read the light from a file, or trace it. */
     if (session->settings.light) {
         if (murk_owned_look(session->settings.light) == MURK_OF_ANOTHER_RUN) {
             murk_warn(session->settings.light,

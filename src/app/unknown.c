@@ -1,3 +1,5 @@
+/* Messages about unknown commands and options, with a guess at the intended
+ * one. */
 #include "app/unknown.h"
 
 #include "app/option_table.h"
@@ -6,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#define COMMANDS_MAX 32
+#define COMMANDS_MAX 32 /* more than the table of commands has */
 
 murk_status murk_unknown_command(const char *name, murk_error *err)
 {
@@ -14,6 +16,7 @@ murk_status murk_unknown_command(const char *name, murk_error *err)
     char all[160] = "", shown[64];
     size_t at = 0;
     const size_t n = murk_commands_count;
+    /* The list of all commands, for the message. */
     for (size_t i = 0; i < n && i < COMMANDS_MAX; ++i) {
         known[i] = murk_commands[i].name;
         at += (size_t)snprintf(all + at, at < sizeof all ? sizeof all - at : 0,
@@ -23,6 +26,7 @@ murk_status murk_unknown_command(const char *name, murk_error *err)
                                            : " and ",
                                known[i]);
     }
+    /* The nearest name, or a hint that a file comes second. */
     murk_words_show(shown, sizeof shown, name);
     const char *meant = murk_words_meant(name, known, n);
     if (meant) {

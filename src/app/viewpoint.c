@@ -1,3 +1,5 @@
+/* The camera of a picture: a camera of the scene or the view of a sensor, its
+ * place and direction, and doubts about the place. */
 #include "app/viewpoint.h"
 
 #include "base/log.h"
@@ -11,12 +13,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Degrees in a radian. */
 #define DEG_PER_RAD (180 / MURK_PI)
 
 /* Of a sensor's picture, where nothing says its size. */
 #define WIDTH   640
 #define SAMPLES 16
 
+/* Pixels along a side: the range of the key of a scene. */
 #define SIDE_MAX 65536
 
 /* ---- the camera that is named ---- */
@@ -53,6 +57,8 @@ murk_status murk_viewpoint_choose(murk_viewpoint *out,
     } else if (wanted) {
         snprintf(out->mark, sizeof out->mark, "%s", wanted);
     }
+    /* The scene must have types of sensors for --sensors, and a camera unless
+     * the picture is of a sensor. */
     if (options->sensors && !scene->sensors.given) {
         return murk_fail(err, MURK_BAD_VALUE, scene->path,
                          "sensors: the scene has none, so --sensors has no "
@@ -67,6 +73,7 @@ murk_status murk_viewpoint_choose(murk_viewpoint *out,
                          "rendered: {name, from_m, to_m}; or --sensors FILE "
                          "--from-sensor N");
     }
+    /* The camera of that name, or the first one. */
     for (size_t i = 0; i < scene->n_cameras && !out->named; ++i) {
         const murk_scene_camera *camera = &scene->cameras[i];
         if (!wanted || strcmp(camera->name, wanted) == 0) {
@@ -156,12 +163,14 @@ murk_status murk_viewpoint_stand(murk_viewpoint *v, const murk_stage *stage,
     if (status) {
         return status;
     }
+    /* The sensor must be one of the file. */
     if (settings->from_sensor > v->sensors) {
         return murk_fail(err, MURK_BAD_VALUE, "--from-sensor",
                          "%llu, must be 1..%zu: %s has no more sensors",
                          (unsigned long long)settings->from_sensor, v->sensors,
                          options->sensors);
     }
+    /* Samples and camera. */
     v->samples = settings->samples ? (size_t)settings->samples
                  : v->named        ? v->named->samples
                                    : SAMPLES;
@@ -171,6 +180,7 @@ murk_status murk_viewpoint_stand(murk_viewpoint *v, const murk_stage *stage,
     } else {
         stand_at_camera(v, scene, settings->pixels);
     }
+    /* The direction for the user, and the check of the place. */
     tell_direction(v, scene->north);
     const murk_vec3 p = v->camera.from;
     if (!murk_box_contains(box, p)) {
