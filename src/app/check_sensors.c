@@ -12,10 +12,6 @@
 #define DEG_PER_RAD  (180 / MURK_PI)
 #define NO_MAX_COUNT 1000000 /* what `max_count` is where none is given */
 
-static const char *const VIEW_NAME[] = {[MURK_SCENE_VIEW_SPHERE] = "sphere",
-                                        [MURK_SCENE_VIEW_CONE] = "cone",
-                                        [MURK_SCENE_VIEW_FRUSTUM] = "frustum"};
-
 static size_t poses_of(const murk_poses *poses, size_t type)
 {
     size_t n = 0;
@@ -42,7 +38,7 @@ void murk_json_sensor_types(cJSON *root, const murk_scene_desc *scene,
         const murk_scene_sensor_type *type = &scene->sensors.type[k];
         cJSON *item = cJSON_CreateObject();
         cJSON_AddStringToObject(item, "type", type->name);
-        cJSON_AddStringToObject(item, "view", VIEW_NAME[type->view]);
+        cJSON_AddStringToObject(item, "view", murk_view_name(type->view));
         murk_json_number(item, "least_range_m", type->least_range_m);
         murk_json_number(item, "range_m", type->range_m);
         murk_json_number(item, "cost", type->cost);
@@ -53,11 +49,11 @@ void murk_json_sensor_types(cJSON *root, const murk_scene_desc *scene,
 
 static void print_view(const murk_scene_sensor_type *type)
 {
-    if (type->view == MURK_SCENE_VIEW_SPHERE) {
+    if (type->view == MURK_VIEW_SPHERE) {
         murk_print("all round");
         return;
     }
-    if (type->view == MURK_SCENE_VIEW_CONE) {
+    if (type->view == MURK_VIEW_CONE) {
         murk_print("cone of %.4g degrees", type->cone_rad * DEG_PER_RAD);
     } else {
         murk_print("%.4g x %.4g degrees", type->hfov_rad * DEG_PER_RAD,

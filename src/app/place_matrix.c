@@ -45,11 +45,10 @@ static bool count_in(const char *text, uint64_t low, uint64_t high,
 static murk_status set_method(murk_matrix_plan *p, const char *name,
                               const char *value, murk_error *err)
 {
-    for (size_t i = 0; i < murk_method_names_count; ++i) {
-        if (strcmp(murk_method_names[i], value) == 0) {
-            p->desc.method = (murk_place_method)i;
-            return MURK_OK;
-        }
+    int method = 0;
+    if (murk_scene_word_find("placement.method", value, &method)) {
+        p->desc.method = (murk_place_method)method;
+        return MURK_OK;
     }
     return bad_key(name, value, "best | spoq | greedy | exact", err);
 }

@@ -118,7 +118,7 @@ static void stand_at_sensor(murk_viewpoint *v, const murk_scene_desc *scene,
     size_t width = asked[0], height = asked[1];
     if (!width) {
         width = v->named ? v->named->pixels[0] : WIDTH;
-        height = rows_for(width, type->view == MURK_SCENE_VIEW_FRUSTUM
+        height = rows_for(width, type->view == MURK_VIEW_FRUSTUM
                                      ? tan(type->hfov_rad / 2) /
                                            tan(type->vfov_rad / 2)
                                      : 2);
@@ -126,7 +126,7 @@ static void stand_at_sensor(murk_viewpoint *v, const murk_scene_desc *scene,
     snprintf(v->name, sizeof v->name, "sensor %llu (%s)",
              (unsigned long long)number, type->name);
     v->where = "--from-sensor";
-    if (type->view == MURK_SCENE_VIEW_FRUSTUM) {
+    if (type->view == MURK_VIEW_FRUSTUM) {
         v->camera =
             murk_camera_view(pose->position, frame.axis, frame.right,
                              type->hfov_rad, type->vfov_rad, width, height);

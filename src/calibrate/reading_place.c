@@ -107,7 +107,7 @@ static murk_status read_sensor(murk_reading *out, const murk_reading_row *at)
         }
     }
     out->pose = (murk_pose){.type = (uint32_t)k, .position = out->position};
-    if (sensors->type[k].view == MURK_SCENE_VIEW_SPHERE) {
+    if (sensors->type[k].view == MURK_VIEW_SPHERE) {
         return MURK_OK;
     }
     const murk_status status =

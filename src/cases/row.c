@@ -47,7 +47,7 @@ murk_status murk_study_row_set_sensors(murk_study_row *row,
     for (size_t i = 0; i < n; ++i) {
         const murk_scene_sensor_type *type =
             &scene->sensors.type[sensor[i].type];
-        const bool is_round = type->view == MURK_SCENE_VIEW_SPHERE;
+        const bool is_round = type->view == MURK_VIEW_SPHERE;
         murk_study_sensor *s = &row->sensor[i];
         memcpy(s->type, type->name, sizeof s->type);
         s->position = murk_scene_user(scene, sensor[i].position);

@@ -2,6 +2,7 @@
 #ifndef MURK_PLACEMENT_SETTINGS_H
 #define MURK_PLACEMENT_SETTINGS_H
 
+#include "base/kinds.h"
 #include "placement/constraints.h"
 #include "placement/problem.h"
 
@@ -14,13 +15,6 @@
 /* MURK_PLACE_BEST stops after this many starts in a row without gain. A choice,
  * not a measurement. */
 #define MURK_STARTS_WITHOUT_GAIN 20
-
-typedef enum murk_place_method {
-    MURK_PLACE_BEST,
-    MURK_PLACE_SPOQ,
-    MURK_PLACE_GREEDY,
-    MURK_PLACE_EXACT
-} murk_place_method;
 
 typedef struct murk_place_desc {
     murk_place_method method;

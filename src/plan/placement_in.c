@@ -36,7 +36,7 @@ static murk_status read_sensor(murk_pose *out, const char *where,
                          murk_position_show(local).text);
     }
     *out = (murk_pose){.type = (uint32_t)k, .position = local};
-    if (settings->type[k].view == MURK_SCENE_VIEW_SPHERE) {
+    if (settings->type[k].view == MURK_VIEW_SPHERE) {
         return MURK_OK;
     }
     if (!(fabs(heading_deg) <= 360) || !(fabs(tilt_deg) <= 90)) {

@@ -19,13 +19,8 @@ static const murk_estimate NO_ESTIMATE = {NAN, NAN};
 
 murk_place_desc murk_plan_desc(const murk_scene_desc *scene)
 {
-    static const murk_place_method method_of[] = {
-        [MURK_SCENE_BEST] = MURK_PLACE_BEST,
-        [MURK_SCENE_SPOQ] = MURK_PLACE_SPOQ,
-        [MURK_SCENE_GREEDY] = MURK_PLACE_GREEDY,
-        [MURK_SCENE_EXACT] = MURK_PLACE_EXACT};
     murk_place_desc desc = murk_place_defaults();
-    desc.method = method_of[scene->placement.method];
+    desc.method = scene->placement.method;
     desc.count = (size_t)scene->sensors.count;
     desc.restarts = (size_t)scene->placement.restarts;
     desc.nodes = scene->placement.nodes;

@@ -16,11 +16,6 @@
 
 /* ---- types ---- */
 
-static const murk_view VIEW_OF[] = {[MURK_SCENE_VIEW_SPHERE] = MURK_VIEW_SPHERE,
-                                    [MURK_SCENE_VIEW_CONE] = MURK_VIEW_CONE,
-                                    [MURK_SCENE_VIEW_FRUSTUM] =
-                                        MURK_VIEW_FRUSTUM};
-
 murk_sensor_type *murk_poses_types(const murk_scene_desc *scene)
 {
     const murk_scene_sensors *settings = &scene->sensors;
@@ -30,7 +25,7 @@ murk_sensor_type *murk_poses_types(const murk_scene_desc *scene)
         out[k] =
             (murk_sensor_type){.least_range_m = type->least_range_m,
                                .range_m = type->range_m,
-                               .view = VIEW_OF[type->view],
+                               .view = type->view,
                                .cone_rad = type->cone_rad,
                                .hfov_rad = type->hfov_rad,
                                .vfov_rad = type->vfov_rad,
@@ -50,21 +45,21 @@ murk_sensor_type *murk_poses_types(const murk_scene_desc *scene)
 
 static size_t headings_of(const murk_scene_sensor_type *type)
 {
-    return type->view == MURK_SCENE_VIEW_SPHERE ? 1
-           : type->headings_deg.n               ? type->headings_deg.n
-                                                : (size_t)type->headings;
+    return type->view == MURK_VIEW_SPHERE ? 1
+           : type->headings_deg.n         ? type->headings_deg.n
+                                          : (size_t)type->headings;
 }
 
 static size_t tilts_of(const murk_scene_sensor_type *type)
 {
-    return type->view == MURK_SCENE_VIEW_SPHERE ? 1 : type->tilts_deg.n;
+    return type->view == MURK_VIEW_SPHERE ? 1 : type->tilts_deg.n;
 }
 
 static murk_pose pose_of(const murk_scene_sensor_type *type, size_t number,
                          murk_vec3 site, size_t heading, size_t tilt)
 {
     murk_pose pose = {.type = (uint32_t)number, .position = site};
-    if (type->view != MURK_SCENE_VIEW_SPHERE) {
+    if (type->view != MURK_VIEW_SPHERE) {
         const double heading_deg =
             type->headings_deg.n
                 ? type->headings_deg.value[heading]

@@ -147,7 +147,7 @@ static murk_status read_fields(murk_report_fields *out,
         char name[NAME_SIZE];
         const murk_scene_tally *asked = &out->scene->tallies[i];
         snprintf(name, sizeof name, "%s.vdb", asked->name);
-        const bool is_there = asked->type == MURK_SCENE_TALLY_GRID &&
+        const bool is_there = asked->type == MURK_TALLY_GRID &&
                               murk_results_has(results->folder, name);
         for (int b = 0; is_there && !status && b < out->scene->bands; ++b) {
             status = read_field(out, i, b, results, err);

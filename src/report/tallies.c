@@ -346,7 +346,7 @@ static part part_at(const murk_table *t, size_t begin,
     }
     for (size_t i = 0; scene && i < scene->n_tallies; ++i) {
         if (strcmp(scene->tallies[i].name, p.name) == 0 &&
-            scene->tallies[i].type == MURK_SCENE_TALLY_PLANE) {
+            scene->tallies[i].type == MURK_TALLY_PLANE) {
             p.asked = &scene->tallies[i];
         }
     }

@@ -34,9 +34,6 @@ static double radians(double degrees)
 static void add_sensor(murk_data *item, const murk_report_scene *s,
                        const murk_shown_sensor *sensor)
 {
-    static const char *const views[] = {[MURK_SCENE_VIEW_SPHERE] = "sphere",
-                                        [MURK_SCENE_VIEW_CONE] = "cone",
-                                        [MURK_SCENE_VIEW_FRUSTUM] = "frustum"};
     const murk_scene_sensor_type *type = sensor->of;
     const murk_pose pose = {.position = sensor->place,
                             .heading_rad = radians(sensor->heading_deg),
@@ -52,8 +49,8 @@ static void add_sensor(murk_data *item, const murk_report_scene *s,
     murk_data_number(item, "heading_deg", sensor->heading_deg);
     murk_data_number(item, "tilt_deg", sensor->tilt_deg);
     murk_data_text(item, "view",
-                   views[type ? type->view : MURK_SCENE_VIEW_SPHERE]);
-    const bool is_cone = type && type->view == MURK_SCENE_VIEW_CONE;
+                   murk_view_name(type ? type->view : MURK_VIEW_SPHERE));
+    const bool is_cone = type && type->view == MURK_VIEW_CONE;
     const double angle[2] = {type ? is_cone ? type->cone_rad : type->hfov_rad
                                   : 0,
                              type ? type->vfov_rad : 0};

@@ -31,7 +31,7 @@ static double degrees(double rad)
 
 static bool is_all_round(const murk_scene_desc *scene, const murk_pose *sensor)
 {
-    return scene->sensors.type[sensor->type].view == MURK_SCENE_VIEW_SPHERE;
+    return scene->sensors.type[sensor->type].view == MURK_VIEW_SPHERE;
 }
 
 void murk_results_list_type(murk_results_fields *f, murk_posed p)

@@ -150,7 +150,7 @@ static murk_status check_names(const murk_session *session, murk_error *err)
             is_taken |= strncmp(tally->name, other, length) == 0 &&
                         strcmp(tally->name + length, "_photons") == 0;
         }
-        if (is_taken && tally->type == MURK_SCENE_TALLY_GRID) {
+        if (is_taken && tally->type == MURK_TALLY_GRID) {
             return murk_fail(err, MURK_BAD_VALUE, tally->where,
                              "name: %s, which a file of --export fields has; "
                              "must be another",

@@ -131,7 +131,7 @@ static void list_placement(murk_results_fields *f, const void *of)
                                          "sightlines_totally_reflected"};
     const murk_matrix_plan *p = of;
     MURK_RESULT(f, text, "method", "", "best, spoq, greedy or exact",
-                murk_method_names[p->desc.method]);
+                murk_place_method_name(p->desc.method));
     MURK_RESULT(f, text, "detection", "", "weighted or independent",
                 murk_detection_name(p->detection));
     MURK_RESULT(f, null, "threshold", "", "null", 0);

@@ -12,13 +12,6 @@
 
 #include <math.h>
 
-const char *const murk_method_names[] = {[MURK_PLACE_BEST] = "best",
-                                         [MURK_PLACE_SPOQ] = "spoq",
-                                         [MURK_PLACE_GREEDY] = "greedy",
-                                         [MURK_PLACE_EXACT] = "exact"};
-const size_t murk_method_names_count =
-    sizeof murk_method_names / sizeof *murk_method_names;
-
 double murk_share(uint64_t part, uint64_t whole)
 {
     return whole ? (double)part / (double)whole : NAN;
@@ -169,7 +162,7 @@ static void list_placement(murk_results_fields *f, const void *of)
     MURK_RESULT(f, text, "method", "", "best, spoq, greedy or exact",
                 asked->knowledge == MURK_SCENE_EXPLORE
                     ? "greedy"
-                    : murk_scene_word("placement.method", (int)asked->method));
+                    : murk_place_method_name(asked->method));
     MURK_RESULT(f, text, "detection", "",
                 "weighted, independent, threshold or power",
                 murk_detection_name(asked->detection));

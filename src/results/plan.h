@@ -7,9 +7,6 @@
 #include "results/repeat.h"
 #include "results/session.h"
 
-extern const char *const murk_method_names[]; /* by murk_place_method */
-extern const size_t murk_method_names_count;
-
 /* part / whole; NaN where there is nothing. */
 double murk_share(uint64_t part, uint64_t whole);
 

@@ -63,7 +63,7 @@ static murk_status expect_tallies(murk_session *session, murk_error *err)
             ? murk_results_expect(&session->results, "tallies.csv", NULL, err)
             : MURK_OK;
     for (size_t i = 0; i < scene->n_tallies && !status; ++i) {
-        if (scene->tallies[i].type == MURK_SCENE_TALLY_GRID) {
+        if (scene->tallies[i].type == MURK_TALLY_GRID) {
             status = expect_grid(session, scene->tallies[i].name, err);
         }
     }

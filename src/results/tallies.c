@@ -319,10 +319,6 @@ void murk_print_tallies(const murk_session *session)
 
 /* ---- check ---- */
 
-static const char *const type_name[] = {[MURK_TALLY_PLANE] = "plane",
-                                        [MURK_TALLY_GRID] = "grid",
-                                        [MURK_TALLY_SPHERE] = "sphere"};
-
 void murk_json_tallies(cJSON *root, const murk_session *session)
 {
     const murk_units units = murk_units_of(session->scene->units);
@@ -331,7 +327,7 @@ void murk_json_tallies(cJSON *root, const murk_session *session)
         const murk_tally_desc *d = &session->stage->tally[i];
         cJSON *item = cJSON_CreateObject();
         cJSON_AddStringToObject(item, "name", d->name);
-        cJSON_AddStringToObject(item, "type", type_name[d->type]);
+        cJSON_AddStringToObject(item, "type", murk_tally_type_name(d->type));
         cJSON_AddNumberToObject(item, "cells", (double)murk_tally_cells(d));
         cJSON_AddStringToObject(item, "unit", unit_of(d, &units));
         cJSON_AddItemToArray(list, item);

@@ -38,13 +38,13 @@ static bool explores(const murk_scene_desc *s)
 
 static bool restarts(const murk_scene_desc *s)
 {
-    return s->placement.method == MURK_SCENE_BEST;
+    return s->placement.method == MURK_PLACE_BEST;
 }
 
 static bool branches(const murk_scene_desc *s)
 {
-    return (s->placement.method == MURK_SCENE_BEST ||
-            s->placement.method == MURK_SCENE_EXACT) &&
+    return (s->placement.method == MURK_PLACE_BEST ||
+            s->placement.method == MURK_PLACE_EXACT) &&
            s->placement.knowledge == MURK_SCENE_KNOWN;
 }
 

@@ -28,13 +28,9 @@ static const murk_keys WEIGHTS = {
     .key = WEIGHTS_ROWS,
 };
 
-static const murk_word METHOD_WORDS[] = {
-    {"best", MURK_SCENE_BEST},
-    {"spoq", MURK_SCENE_SPOQ},
-    {"greedy", MURK_SCENE_GREEDY},
-    {"exact", MURK_SCENE_EXACT},
-    WORDS_END,
-};
+#define METHOD_WORD(id, name) {name, MURK_PLACE_##id},
+static const murk_word METHOD_WORDS[] = {MURK_PLACE_METHODS(METHOD_WORD)
+                                             WORDS_END};
 
 #define DETECTION_WORD(id, name, is) {name, MURK_DETECTION_##id},
 static const murk_word DETECTION_WORDS[] = {MURK_DETECTIONS(DETECTION_WORD)
@@ -147,7 +143,7 @@ static murk_status check_at_least(murk_key_reader *walk, const murk_yaml *map,
     const char *cause =
         murk_detection_is(placement->detection, MURK_DETECTION_BY_CHANCE)
             ? detection
-        : placement->method == MURK_SCENE_SPOQ ? "method: best, greedy or exact"
+        : placement->method == MURK_PLACE_SPOQ ? "method: best, greedy or exact"
         : placement->knowledge != MURK_SCENE_KNOWN ? "knowledge: known"
         : placement->over != MURK_SCENE_OVER_NONE  ? "over: null"
                                                    : NULL;

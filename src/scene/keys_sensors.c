@@ -6,17 +6,18 @@
 
 /* ---- types ---- */
 
-static const char *const VIEW_VARIANTS[] = {"sphere", "cone", "frustum"};
+#define VIEW_NAME(id, name) name,
+static const char *const VIEW_VARIANTS[] = {MURK_VIEWS(VIEW_NAME)};
 
-#define CONE    .variants = BIT(MURK_SCENE_VIEW_CONE)
-#define FRUSTUM .variants = BIT(MURK_SCENE_VIEW_FRUSTUM)
+#define CONE    .variants = BIT(MURK_VIEW_CONE)
+#define FRUSTUM .variants = BIT(MURK_VIEW_FRUSTUM)
 
 #define FOV                                                              \
     NEEDED, .above = true, .below = true, .max = 180, .unit = "degrees", \
             .factor = MURK_PI / 180, FRUSTUM
 
 static const murk_word VIEW_WORDS[] = {
-    {"sphere", MURK_SCENE_VIEW_SPHERE},
+    {"sphere", MURK_VIEW_SPHERE},
     WORDS_END,
 };
 
@@ -33,8 +34,8 @@ static murk_status choose_view(murk_key_reader *walk, const murk_yaml *map,
                                int *variant)
 {
     (void)walk;
-    *variant = murk_yaml_get(map, "cone_deg") ? MURK_SCENE_VIEW_CONE
-                                              : MURK_SCENE_VIEW_FRUSTUM;
+    *variant =
+        murk_yaml_get(map, "cone_deg") ? MURK_VIEW_CONE : MURK_VIEW_FRUSTUM;
     return MURK_OK;
 }
 
@@ -211,7 +212,7 @@ static murk_status check_fixed(murk_key_reader *walk, const murk_yaml *map,
     }
     const bool has_pose =
         murk_yaml_get(map, "heading_deg") || murk_yaml_get(map, "tilt_deg");
-    if (has_pose && all->type[fixed->type].view == MURK_SCENE_VIEW_SPHERE) {
+    if (has_pose && all->type[fixed->type].view == MURK_VIEW_SPHERE) {
         return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
                               "heading_deg or tilt_deg, but type %s sees all "
                               "round",

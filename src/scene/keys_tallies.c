@@ -6,11 +6,10 @@ static murk_status check_tally(murk_key_reader *walk, const murk_yaml *map,
                                void *item)
 {
     const murk_scene_tally *tally = item;
-    if (tally->type == MURK_SCENE_TALLY_GRID) {
+    if (tally->type == MURK_TALLY_GRID) {
         return murk_check_box(walk, map, tally->box);
     }
-    if (tally->type == MURK_SCENE_TALLY_PLANE &&
-        !(murk_length(tally->normal) > 0)) {
+    if (tally->type == MURK_TALLY_PLANE && !(murk_length(tally->normal) > 0)) {
         return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
                               "normal is [0, 0, 0], must point somewhere");
     }
@@ -19,16 +18,12 @@ static murk_status check_tally(murk_key_reader *walk, const murk_yaml *map,
 
 static const char *const TALLY_VARIANTS[] = {"plane", "grid", "sphere"};
 
-#define PLANE  .variants = BIT(MURK_SCENE_TALLY_PLANE)
-#define GRID   .variants = BIT(MURK_SCENE_TALLY_GRID)
-#define SPHERE .variants = BIT(MURK_SCENE_TALLY_SPHERE)
+#define PLANE  .variants = BIT(MURK_TALLY_PLANE)
+#define GRID   .variants = BIT(MURK_TALLY_GRID)
+#define SPHERE .variants = BIT(MURK_TALLY_SPHERE)
 
-static const murk_word TALLY_WORDS[] = {
-    {"plane", MURK_SCENE_TALLY_PLANE},
-    {"grid", MURK_SCENE_TALLY_GRID},
-    {"sphere", MURK_SCENE_TALLY_SPHERE},
-    WORDS_END,
-};
+#define TALLY_WORD(id, name) {name, MURK_TALLY_##id},
+static const murk_word TALLY_WORDS[] = {MURK_TALLY_TYPES(TALLY_WORD) WORDS_END};
 
 static const murk_key TALLY_ROWS[] = {
     ROW("name", TEXT, NEEDED, AT(murk_scene_tally, name)),

@@ -10,6 +10,7 @@
 #include "base/bands.h"
 #include "base/calendar.h"
 #include "base/detection.h"
+#include "base/kinds.h"
 #include "base/phase_kind.h"
 #include "base/photometry.h"
 #include "base/shape.h"
@@ -209,16 +210,10 @@ typedef struct murk_scene_photons {
     uint64_t max_stored;
 } murk_scene_photons;
 
-typedef enum murk_scene_tally_type {
-    MURK_SCENE_TALLY_PLANE,
-    MURK_SCENE_TALLY_GRID,
-    MURK_SCENE_TALLY_SPHERE
-} murk_scene_tally_type;
-
 typedef struct murk_scene_tally {
     murk_scene_name name;
     murk_scene_where where;
-    murk_scene_tally_type type;
+    murk_tally_type type;
     murk_vec3 point, normal; /* plane */
     size_t bins[2], angle_bins;
     murk_box box; /* grid */
@@ -298,17 +293,11 @@ typedef struct murk_scene_candidates {
     size_t avoids, withins;
 } murk_scene_candidates;
 
-typedef enum murk_scene_view {
-    MURK_SCENE_VIEW_SPHERE,
-    MURK_SCENE_VIEW_CONE,
-    MURK_SCENE_VIEW_FRUSTUM
-} murk_scene_view;
-
 typedef struct murk_scene_sensor_type {
     murk_scene_name name; /* each its own */
     murk_scene_where where;
     double least_range_m, range_m;
-    murk_scene_view view;
+    murk_view view;
     double cone_rad, hfov_rad, vfov_rad; /* whole angles */
     uint64_t headings; /* evenly round from north; 0: those of the list */
     murk_scene_numbers headings_deg, tilts_deg; /* n 0: sees all round */
@@ -388,13 +377,6 @@ typedef struct murk_scene_targets {
     double band_nm; /* 0: the first band */
 } murk_scene_targets;
 
-typedef enum murk_scene_method {
-    MURK_SCENE_BEST,
-    MURK_SCENE_SPOQ,
-    MURK_SCENE_GREEDY,
-    MURK_SCENE_EXACT
-} murk_scene_method;
-
 typedef enum murk_scene_knowledge {
     MURK_SCENE_KNOWN,
     MURK_SCENE_UNKNOWN,
@@ -416,7 +398,7 @@ typedef enum murk_scene_through {
 
 typedef struct murk_scene_placement {
     murk_scene_where where;
-    murk_scene_method method;
+    murk_place_method method;
     murk_detection detection;
     double threshold;          /* of transmittance, for detection: threshold */
     double power_radius_m;     /* for detection: power; 0: not given */

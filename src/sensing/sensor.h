@@ -6,16 +6,11 @@
 #ifndef MURK_SENSING_SENSOR_H
 #define MURK_SENSING_SENSOR_H
 
+#include "base/kinds.h"
 #include "base/vector.h"
 
 #include <stdbool.h>
 #include <stdint.h>
-
-typedef enum murk_view {
-    MURK_VIEW_SPHERE, /* all round: heading and tilt mean nothing */
-    MURK_VIEW_CONE,
-    MURK_VIEW_FRUSTUM /* a rectangular picture, in the pinhole's projection */
-} murk_view;
 
 typedef struct murk_sensor_type {
     double least_range_m; /* what is nearer is not seen; 0: none */

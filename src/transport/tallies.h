@@ -19,6 +19,7 @@
 #ifndef MURK_TRANSPORT_TALLIES_H
 #define MURK_TRANSPORT_TALLIES_H
 
+#include "base/kinds.h"
 #include "base/stats.h"
 #include "base/status.h"
 #include "base/tally.h"
@@ -36,12 +37,6 @@
 #define MURK_TALLY_NAME_SIZE 64
 #define MURK_TALLY_CELLS_MAX (UINT64_C(1) << 31) /* of all tallies together */
 #define MURK_PLANE_CELLS_MAX 1000000             /* of one plane */
-
-typedef enum murk_tally_type {
-    MURK_TALLY_PLANE,
-    MURK_TALLY_GRID,
-    MURK_TALLY_SPHERE
-} murk_tally_type;
 
 /* What is asked for; members of the other types are not looked at. */
 typedef struct murk_tally_desc {

@@ -7,12 +7,8 @@
 
 static murk_tally_desc desc_of(const murk_scene_tally *t)
 {
-    static const murk_tally_type type[] = {
-        [MURK_SCENE_TALLY_PLANE] = MURK_TALLY_PLANE,
-        [MURK_SCENE_TALLY_GRID] = MURK_TALLY_GRID,
-        [MURK_SCENE_TALLY_SPHERE] = MURK_TALLY_SPHERE};
     murk_tally_desc desc = {.where = t->where,
-                            .type = type[t->type],
+                            .type = t->type,
                             .point = t->point,
                             .normal = t->normal,
                             .bins = {t->bins[0], t->bins[1]},

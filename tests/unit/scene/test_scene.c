@@ -116,13 +116,13 @@ static void test_tallies(const murk_scene_desc *scene)
     CHECK(scene->n_tallies == 3);
     const murk_scene_tally *tally = scene->tallies;
     CHECK_TEXT(tally[0].name, "up");
-    CHECK(tally[0].type == MURK_SCENE_TALLY_PLANE && tally[0].point.z == 9);
+    CHECK(tally[0].type == MURK_TALLY_PLANE && tally[0].point.z == 9);
     CHECK(tally[0].normal.z == 1 && tally[0].angle_bins == 1);
     CHECK(tally[0].bins[0] == 32 && tally[0].bins[1] == 1);
-    CHECK(tally[1].type == MURK_SCENE_TALLY_GRID);
+    CHECK(tally[1].type == MURK_TALLY_GRID);
     CHECK(tally[1].size[0] == 60 && tally[1].size[2] == 20);
     CHECK(tally[1].box.max.y == 20);
-    CHECK(tally[2].type == MURK_SCENE_TALLY_SPHERE && tally[2].hemispheres);
+    CHECK(tally[2].type == MURK_TALLY_SPHERE && tally[2].hemispheres);
     CHECK(tally[2].center.x == 5 && tally[2].radius_m == 0.2);
 }
 
@@ -171,7 +171,7 @@ static void test_the_rest(const murk_scene_desc *scene)
           settings->avoid[1].radius_m == 2);
 
     const murk_scene_placement *placement = &scene->placement;
-    CHECK(placement->method == MURK_SCENE_SPOQ && placement->restarts == 20);
+    CHECK(placement->method == MURK_PLACE_SPOQ && placement->restarts == 20);
     CHECK(placement->by_normal);
     CHECK(placement->knowledge == MURK_SCENE_UNKNOWN);
     CHECK(placement->through == MURK_SCENE_BLOCK);
@@ -197,7 +197,7 @@ static void test_defaults(void)
     CHECK(!scene->photons.store_hits);
     CHECK(scene->photons.max_stored == 100000000);
     CHECK_TEXT(scene->photons.where, "fog.yaml: photons");
-    CHECK(scene->placement.method == MURK_SCENE_BEST);
+    CHECK(scene->placement.method == MURK_PLACE_BEST);
     CHECK(scene->placement.balanced && scene->placement.hold_out);
     CHECK(scene->placement.restarts == 200);
     CHECK(scene->placement.through == MURK_SCENE_THIN);
