@@ -4,6 +4,7 @@
 
 #include "scene/words.h"
 
+#include <stdio.h>
 #include <string.h>
 
 static const char *const WORDS[] = {
@@ -14,14 +15,16 @@ static const char *const WORDS[] = {
     [MURK_OUTPUT_ONE_MEAN] = "coverage_one_mean",
     [MURK_OUTPUT_ONE_WORST] = "coverage_one_worst",
     [MURK_OUTPUT_FLUENCE] = "fluence_vdb"};
+#define N_WORDS (sizeof WORDS / sizeof *WORDS)
 
 murk_output murk_output_of(const char *word)
 {
-    murk_output k = 0;
-    while (k < MURK_OUTPUT_TALLY && strcmp(WORDS[k], word) != 0) {
-        ++k;
+    for (size_t i = 0; i < N_WORDS; ++i) {
+        if (strcmp(WORDS[i], word) == 0) {
+            return (murk_output)i;
+        }
     }
-    return k;
+    return MURK_OUTPUT_TALLY;
 }
 
 static bool is_tally(const murk_scene_desc *scene, const char *name)
@@ -40,9 +43,12 @@ static murk_status unknown(const murk_study_file *study,
 {
     const char *names[MURK_OUTPUTS + 64];
     char shown[MURK_SCENE_NAME_SIZE];
-    size_t n = 0;
-    for (murk_output k = 0; k < MURK_OUTPUT_TALLY; ++k) {
-        names[n++] = WORDS[k];
+    char allowed[160] = "";
+    size_t n = 0, length = 0;
+    for (; n < N_WORDS; ++n) {
+        names[n] = WORDS[n];
+        length += (size_t)snprintf(allowed + length, sizeof allowed - length,
+                                   "%s%s", n ? ", " : "", WORDS[n]);
     }
     for (size_t i = 0; i < scene->n_tallies && i < 64; ++i) {
         names[n++] = scene->tallies[i].name;
@@ -50,11 +56,9 @@ static murk_status unknown(const murk_study_file *study,
     const char *meant = murk_words_meant(word, names, n);
     murk_words_show(shown, sizeof shown, word);
     return murk_fail(err, MURK_BAD_VALUE, study->outputs_where,
-                     "%s is no output%s%s%s, must be density, stored, "
-                     "coverage_fixed, coverage_best, coverage_one_mean, "
-                     "coverage_one_worst, fluence_vdb or the name of a tally",
+                     "%s is no output%s%s%s, must be %s or the name of a tally",
                      shown, meant ? ", did you mean " : "", meant ? meant : "",
-                     meant ? "?" : "");
+                     meant ? "?" : "", allowed);
 }
 
 static bool places(const murk_scene_desc *scene)
