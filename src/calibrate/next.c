@@ -1,5 +1,6 @@
 #include "calibrate/next.h"
 
+#include "calibrate/reading_cells.h"
 #include "plan/poses.h"
 #include "plan/sites.h"
 
@@ -40,13 +41,14 @@ static murk_status choose_kind(murk_next *out, const murk_reading **example,
                                const murk_measurements *measured,
                                murk_error *err)
 {
-    size_t count[MURK_READ_TRANSMITTANCE + 1] = {0};
+    size_t count[MURK_READING_KINDS] = {0};
     for (size_t i = 0; i < measured->rows; ++i) {
         const murk_reading *reading = reading_of(measured, i);
-        count[reading->kind] += !reading->is_held_out;
+        count[reading->kind] +=
+            !reading->is_held_out && reading->kind != MURK_READ_TRANSMITTANCE;
     }
     out->kind = MURK_READ_COVERAGE;
-    for (int kind = 0; kind < MURK_READ_TRANSMITTANCE; ++kind) {
+    for (int kind = 0; kind < MURK_READING_KINDS; ++kind) {
         out->kind = count[kind] > count[out->kind] ? (murk_reading_kind)kind
                                                    : out->kind;
     }

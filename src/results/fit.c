@@ -1,6 +1,7 @@
 /* A fit: rows of fit.json, predict.json and fit.csv, and the summary. */
 #include "results/fit.h"
 
+#include "calibrate/reading_cells.h"
 #include "calibrate/verdict.h"
 #include "results/coverage.h"
 #include "results/summary.h"
@@ -13,11 +14,6 @@ static const char *const kinds[] = {[MURK_FREE_MEDIUM] = "medium",
                                     [MURK_FREE_LIGHT] = "light",
                                     [MURK_FREE_GAIN] = "gain",
                                     [MURK_FREE_WORLD] = "world"};
-static const char *const reading_kinds[] = {
-    [MURK_READ_COVERAGE] = "coverage",
-    [MURK_READ_FLUENCE] = "fluence",
-    [MURK_READ_IRRADIANCE] = "irradiance",
-    [MURK_READ_TRANSMITTANCE] = "transmittance"};
 
 static const char *condition_of(const murk_scene_desc *scene, size_t condition)
 {
@@ -152,7 +148,7 @@ static void list_next(murk_results_fields *fields, const void *of)
     const murk_next *next = f ? f->next : NULL;
     MURK_RESULT(fields, text, "kind", "",
                 "coverage, fluence, irradiance or transmittance",
-                reading_kinds[next->kind]);
+                murk_reading_kinds[next->kind]);
     MURK_RESULT(fields, text, "unit", "", "of the reading",
                 murk_reading_unit_name(next->unit));
     MURK_RESULT(fields, text, "condition", "", "of the reading",
@@ -305,7 +301,7 @@ void murk_results_list_fit_row(murk_results_fields *fields, const void *of,
     MURK_RESULT(fields, count, "line", "", "of the data", r->line);
     MURK_RESULT(fields, text, "kind", "",
                 "coverage, fluence, irradiance or transmittance",
-                reading_kinds[r->kind]);
+                murk_reading_kinds[r->kind]);
     MURK_RESULT(fields, text, "condition", "", "of the reading",
                 condition_of(f->scene, r->condition));
     MURK_RESULT(fields, text, "group", "", "of readings",
@@ -420,8 +416,8 @@ static void print_next(const murk_fit_facts *f)
         const murk_vec3 at = murk_scene_user(f->scene, p->pose.position);
         const int digits = murk_coordinate_digits(f->scene, 4);
         murk_print("%-11s %s at (%.*g, %.*g, %.*g) m", i ? "" : "next",
-                   reading_kinds[f->next->kind], digits, at.x, digits, at.y,
-                   digits, at.z);
+                   murk_reading_kinds[f->next->kind], digits, at.x, digits,
+                   at.y, digits, at.z);
         if (f->next->kind == MURK_READ_IRRADIANCE) {
             murk_print(" on a face to (%.3g, %.3g, %.3g)", d.x, d.y, d.z);
         }
