@@ -184,9 +184,9 @@ static void tell_memory(void *context, double bytes, double have_bytes)
                        have_bytes / 1e9);
 }
 
-/* What would else come up when all has been traced. */
-static murk_status
-check_settings_list(const fit *f, const murk_session *session, murk_error *err)
+/* Refuses before any trace what would otherwise fail after all of them. */
+static murk_status check_before_trace(const fit *f, const murk_session *session,
+                                      murk_error *err)
 {
     const murk_measurements *m = f->measured;
     murk_status status = MURK_OK;
@@ -243,7 +243,7 @@ static murk_status read_input(fit *f, const murk_session *session,
     if (!status && list) {
         status = set_values(f, list, err);
     }
-    return status ? status : check_settings_list(f, session, err);
+    return status ? status : check_before_trace(f, session, err);
 }
 
 static murk_status write_files(const fit *f, murk_session *session,

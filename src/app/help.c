@@ -85,7 +85,7 @@ static void print_options(FILE *to, const char *command)
 }
 
 /* Bytes of the word at `text`: up to a blank that is not in quotes. */
-static size_t boundary_word_length(const char *text)
+static size_t quoted_word_length(const char *text)
 {
     size_t n = 0;
     bool is_quoted = false;
@@ -101,7 +101,7 @@ static void print_command(FILE *to, const char *text)
 {
     size_t at = (size_t)fprintf(to, " ");
     while (*text) {
-        const size_t word = boundary_word_length(text);
+        const size_t word = quoted_word_length(text);
         if (at > INDENT_OF_COMMAND && at + 1 + word + 2 > WIDTH) {
             at = (size_t)fprintf(to, " \\\n%*s", INDENT_OF_COMMAND, "") - 3;
         }

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define LOSS_WIDTH_MAX 1e6 /* standard errors: no residual is larger */
+#define LOSS_WIDTH_MAX 1e6 /* standard errors: far beyond any outlier */
 
 /* A whole number, also as 1e6; strict. */
 static bool read_count(const char *text, uint64_t *out)

@@ -144,13 +144,12 @@ static murk_status read_settings(murk_matrix_plan *p,
         }
     }
     /* One goal, and only one. */
-    const int settings_list =
-        (p->desc.count > 0) + (p->target > 0) + (p->budget > 0);
-    if (settings_list != 1) {
+    const int goals = (p->desc.count > 0) + (p->target > 0) + (p->budget > 0);
+    if (goals != 1) {
         return murk_fail(err, MURK_BAD_VALUE, "--matrix",
                          "needs one of --count N, --target C and --budget B, "
                          "%d are given",
-                         settings_list);
+                         goals);
     }
     return MURK_OK;
 }

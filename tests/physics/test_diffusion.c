@@ -107,8 +107,7 @@ typedef struct far_away {
     double inner[LAMP_PHOTONS], outer[LAMP_PHOTONS];
 } far_away;
 
-static void note_boundaries(void *context, uint64_t batch,
-                            const murk_event *event)
+static void note_shells(void *context, uint64_t batch, const murk_event *event)
 {
     far_away *f = context;
     chords_note(&f->balls, batch, event);
@@ -135,7 +134,7 @@ static void test_far_from_a_lamp(uint32_t seed)
     for (size_t i = 0; i < 4; ++i) {
         f->balls.place[i] = chord_ball(lamp.position, radius[i]);
     }
-    test_world_trace(&w, LAMP_PHOTONS, seed, note_boundaries, f);
+    test_world_trace(&w, LAMP_PHOTONS, seed, note_shells, f);
     const murk_estimate got =
         murk_ratio_estimate(f->outer, f->inner, LAMP_PHOTONS, LAMP_PHOTONS);
     const double k = decay(albedo), diffusion = sqrt(3 * (1 - albedo));

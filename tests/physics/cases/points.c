@@ -44,22 +44,22 @@ typedef struct source_case {
 } source_case;
 
 /* Shells about the radii of a table, and what they have collected. */
-typedef struct boundaries {
+typedef struct shells {
     size_t n;
     double from[BOUNDARIES_MAX], to[BOUNDARIES_MAX];
     validation_reference reference[BOUNDARIES_MAX];
     char quantity[BOUNDARIES_MAX][48];
     uint64_t photons, blocks;
     double sum[BOUNDARIES_MAX], square[BOUNDARIES_MAX]; /* of blocks' means */
-} boundaries;
+} shells;
 
-static void lay_boundaries(boundaries *s, const point_table *t, double stretch)
+static void lay_shells(shells *s, const point_table *t, double stretch)
 {
-    *s = (boundaries){0};
+    *s = (shells){0};
     for (size_t i = 1; i < t->n && t->r[i] <= FARTHEST; ++i) {
         const double r = t->r[i], r0 = r / stretch, r1 = r * stretch;
-        const double f = t->g == 0 ? point_exact_boundary(t->albedo, r0, r1)
-                                   : point_table_boundary(t, r0, r1);
+        const double f = t->g == 0 ? point_exact_shell(t->albedo, r0, r1)
+                                   : point_table_shell(t, r0, r1);
         snprintf(s->quantity[s->n], sizeof s->quantity[s->n],
                  "4 pi r^2 fluence, r %.3g..%.3g", r0, r1);
         s->from[s->n] = r0;
@@ -72,7 +72,7 @@ static void lay_boundaries(boundaries *s, const point_table *t, double stretch)
 }
 
 /* Block means of f by shell. */
-static void add_block(boundaries *s, const double *f, uint64_t photons)
+static void add_block(shells *s, const double *f, uint64_t photons)
 {
     for (size_t i = 0; i < s->n; ++i) {
         s->sum[i] += f[i];
@@ -82,7 +82,7 @@ static void add_block(boundaries *s, const double *f, uint64_t photons)
     ++s->blocks;
 }
 
-static murk_estimate estimate_of(const boundaries *s, size_t i)
+static murk_estimate estimate_of(const shells *s, size_t i)
 {
     const double n = (double)s->blocks, mean = s->sum[i] / n;
     return (murk_estimate){
@@ -90,8 +90,8 @@ static murk_estimate estimate_of(const boundaries *s, size_t i)
 }
 
 /* A wrong constant shows as soon as errors are known at all. */
-static bool are_done(const validation *v, const source_case *c,
-                     const boundaries *s, uint64_t max)
+static bool are_done(const validation *v, const source_case *c, const shells *s,
+                     uint64_t max)
 {
     if (s->blocks < BLOCKS_MIN) {
         return false;
@@ -105,7 +105,7 @@ static bool are_done(const validation *v, const source_case *c,
 }
 
 static void report(validation *v, const source_case *c, const char *name,
-                   const boundaries *s)
+                   const shells *s)
 {
     char wrong[32];
     snprintf(wrong, sizeof wrong, "albedo %g", c->traced_albedo);
@@ -126,7 +126,7 @@ static void report(validation *v, const source_case *c, const char *name,
 
 /* ---- by tallies ---- */
 
-static murk_tallies *balls_made(const boundaries *s, const test_world *w,
+static murk_tallies *balls_made(const shells *s, const test_world *w,
                                 unsigned threads)
 {
     murk_tally_desc desc[2 * BOUNDARIES_MAX] = {0};
@@ -164,8 +164,8 @@ static void trace_tallies(validation *v, const source_case *c)
         return;
     }
     const point_table table = point_table_read(c->albedo, c->g);
-    boundaries s;
-    lay_boundaries(&s, &table, TALLY_STRETCH);
+    shells s;
+    lay_shells(&s, &table, TALLY_STRETCH);
     const murk_source lamp = test_point(murk_vec(0, 0, 0));
     const murk_medium medium = test_medium(1, c->traced_albedo, c->g);
     const murk_region region = test_everywhere(0);
@@ -219,7 +219,7 @@ static const char map_scene[] =
 
 /* The mean of f in each shell from the records of one map, per photon. */
 static void read_map(const murk_traced *light, const murk_stage *stage,
-                     const boundaries *s, double *f)
+                     const shells *s, double *f)
 {
     const murk_vec3 lamp = {0, 0, 0};
     const murk_photon *photon = murk_photon_map_photons(light->volume);
@@ -260,8 +260,8 @@ static void trace_map(validation *v, const source_case *c)
         return;
     }
     const point_table table = point_table_read(c->albedo, c->g);
-    boundaries s;
-    lay_boundaries(&s, &table, MAP_STRETCH);
+    shells s;
+    lay_shells(&s, &table, MAP_STRETCH);
     const uint64_t block = validation_is_quick(v) ? 20000 : 200000;
     while (!are_done(v, c, &s, PHOTONS_MAX_MAP)) {
         char text[1024];
@@ -303,15 +303,15 @@ static void check_table(double albedo)
     for (size_t i = 1; i < t.n && t.r[i] <= FARTHEST; ++i) {
         const double r = t.r[i], thin = 1e-5;
         const double at =
-            point_exact_boundary(albedo, r * (1 - thin), r * (1 + thin));
+            point_exact_shell(albedo, r * (1 - thin), r * (1 + thin));
         require(fabs(point_table_at(&t, i) / at - 1) < 3e-7,
                 "table and formula differ", albedo, r);
         for (int k = 0; k < 2; ++k) {
             const double stretch = k ? TALLY_STRETCH : MAP_STRETCH;
             const double exact =
-                point_exact_boundary(albedo, r / stretch, r * stretch);
+                point_exact_shell(albedo, r / stretch, r * stretch);
             const double spline =
-                point_table_boundary(&t, r / stretch, r * stretch);
+                point_table_shell(&t, r / stretch, r * stretch);
             require(fabs(spline / exact - 1) < point_table_error(stretch),
                     "the spline errs by more than it says", albedo, r);
         }

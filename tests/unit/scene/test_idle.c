@@ -171,11 +171,10 @@ static void test_a_condition_may_make_it_act(void)
 /* All defaults are written out there, which are nobody's wishes. */
 static void test_the_scene_as_resolved_says_the_same(void)
 {
-    const char *const settings_list[] = {"placement.threshold=0.2",
-                                         "placement.start_m=[1, 1, 1]", NULL};
+    const char *const overrides[] = {"placement.threshold=0.2",
+                                     "placement.start_m=[1, 1, 1]", NULL};
     for (size_t first = 0; first < 3; ++first) {
-        murk_scene_desc *scene = scene_with(settings_list + first),
-                        *again = NULL;
+        murk_scene_desc *scene = scene_with(overrides + first), *again = NULL;
         murk_error err = {0};
         CHECK(scene && !murk_scene_desc_parse(&again, scene->resolved,
                                               "scene.yaml", NULL, 0, &err));
