@@ -114,6 +114,14 @@ static inline bool murk_box_contains(const murk_box *box, murk_vec3 p)
            p.y <= box->max.y && p.z >= box->min.z && p.z <= box->max.z;
 }
 
+/* The largest coordinate of the box's corners [m], without the sign. */
+static inline double murk_box_largest_coordinate(const murk_box *box)
+{
+    const murk_vec3 a = box->min, b = box->max;
+    return fmax(fmax(fmax(fabs(a.x), fabs(a.y)), fabs(a.z)),
+                fmax(fmax(fabs(b.x), fabs(b.y)), fabs(b.z)));
+}
+
 /* The part of the line origin + t direction inside the box, cut to
  * [*t0, *t1] as given; false when nothing is left. direction components may
  * be 0. */

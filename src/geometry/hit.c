@@ -148,3 +148,8 @@ murk_vec3 murk_surfaces_leave(const murk_surfaces *s, murk_vec3 point,
 {
     return murk_along(point, s->leave_m, normal);
 }
+
+double murk_surfaces_leave_step_m(const murk_surfaces *s)
+{
+    return s->leave_m;
+}

@@ -122,9 +122,7 @@ static void drop_degenerate(murk_mesh *mesh)
     mesh->triangles = kept;
     /* The step of single precision at the largest coordinate. */
     const murk_box *b = &mesh->bounds_m;
-    const double farthest = fmax(fmax(fmax(fabs(b->min.x), fabs(b->max.x)),
-                                      fmax(fabs(b->min.y), fabs(b->max.y))),
-                                 fmax(fabs(b->min.z), fabs(b->max.z)));
+    const double farthest = murk_box_largest_coordinate(b);
     mesh->step_m = farthest > 0 ? exp2(floor(log2(farthest))) * FLT_EPSILON : 0;
     mesh->bounds_m = (murk_box){murk_add(b->min, mesh->origin_m),
                                 murk_add(b->max, mesh->origin_m)};

@@ -95,6 +95,9 @@ bool murk_surfaces_hit(const murk_surfaces *surfaces, murk_vec3 origin,
 murk_vec3 murk_surfaces_leave(const murk_surfaces *surfaces, murk_vec3 point,
                               murk_vec3 normal);
 
+/* The length [m] of that step. */
+double murk_surfaces_leave_step_m(const murk_surfaces *surfaces);
+
 /* The number (from 1) of the innermost solid that encloses a point, or 0. It
  * tells in which solid a light source is. */
 uint16_t murk_surfaces_solid_at(const murk_surfaces *surfaces, murk_vec3 point);

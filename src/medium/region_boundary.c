@@ -12,11 +12,7 @@
 
 double murk_region_boundary_near(const murk_box *domain)
 {
-    const murk_vec3 a = domain->min, b = domain->max;
-    const double x = fmax(fabs(a.x), fabs(b.x));
-    const double y = fmax(fabs(a.y), fabs(b.y));
-    const double z = fmax(fabs(a.z), fabs(b.z));
-    return MURK_INTERFACE_NEAR * fmax(x, fmax(y, z));
+    return MURK_INTERFACE_NEAR * murk_box_largest_coordinate(domain);
 }
 
 static double part(murk_vec3 v, int axis)

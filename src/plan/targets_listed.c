@@ -129,7 +129,6 @@ murk_status murk_targets_read(murk_target_buffer *surface,
                               const murk_stage *stage, murk_error *err)
 {
     const murk_scene_desc *scene = stage->scene;
-    const murk_vec3 zero = {0, 0, 0}, up = {0, 0, 1};
     murk_table *table = NULL;
     murk_status status =
         murk_table_read(&table, scene->placement.targets.points, err);
@@ -139,8 +138,7 @@ murk_status murk_targets_read(murk_target_buffer *surface,
     list l = {.stage = stage,
               .table = table,
               .band = murk_targets_band(scene),
-              .step_m =
-                  murk_length(murk_surfaces_leave(stage->surfaces, zero, up)),
+              .step_m = murk_surfaces_leave_step_m(stage->surfaces),
               .surface = surface,
               .volume = volume};
     status = find_columns(&l, err);

@@ -24,10 +24,8 @@ static murk_status no_memory(const murk_pieces *pieces, murk_error *err)
 bool murk_piece_is_within(const murk_piece *piece, const murk_domain *domain)
 {
     const murk_vec3 p = piece->middle, a = domain->box.min, b = domain->box.max;
-    const double maximum =
-        fmax(fmax(fmax(fabs(a.x), fabs(a.y)), fmax(fabs(a.z), fabs(b.x))),
-             fmax(fabs(b.y), fabs(b.z)));
-    const double tolerance_m = SIDE_SHARE * maximum;
+    const double tolerance_m =
+        SIDE_SHARE * murk_box_largest_coordinate(&domain->box);
     return p.x >= a.x - tolerance_m && p.y >= a.y - tolerance_m &&
            p.z >= a.z - tolerance_m && p.x <= b.x + tolerance_m &&
            p.y <= b.y + tolerance_m && p.z <= b.z + tolerance_m;

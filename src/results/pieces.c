@@ -94,14 +94,12 @@ murk_status murk_pieces_create(murk_pieces *out, const murk_surfaces *surfaces,
                                murk_error *err)
 {
     const murk_surfaces_facts facts = murk_surfaces_describe(surfaces);
-    const murk_vec3 up = murk_vec(0, 0, 1), origin = murk_vec(0, 0, 0);
-    *out = (murk_pieces){
-        .surfaces = surfaces,
-        .triangles = facts.triangles,
-        .spheres = facts.spheres,
-        .wholes = facts.triangles + OCTANTS * facts.spheres,
-        .step_m = LEAVES_BEFORE *
-                  murk_length(murk_surfaces_leave(surfaces, origin, up))};
+    *out = (murk_pieces){.surfaces = surfaces,
+                         .triangles = facts.triangles,
+                         .spheres = facts.spheres,
+                         .wholes = facts.triangles + OCTANTS * facts.spheres,
+                         .step_m = LEAVES_BEFORE *
+                                   murk_surfaces_leave_step_m(surfaces)};
     double *longest_m = calloc(out->wholes + 1, sizeof *longest_m);
     out->cut = malloc(out->wholes * sizeof *out->cut + 1);
     out->first = malloc((out->wholes + 1) * sizeof *out->first);

@@ -186,10 +186,7 @@ murk_status murk_entry_faces_create(murk_entry_faces **out,
         return murk_fail(err, MURK_NO_MEMORY, light->where,
                          "no memory for a light");
     }
-    const murk_vec3 a = o->box.min, b = o->box.max;
-    o->at_once_m = AT_ONCE * fmax(fmax(fmax(fabs(a.x), fabs(b.x)),
-                                       fmax(fabs(a.y), fabs(b.y))),
-                                  fmax(fabs(a.z), fabs(b.z)));
+    o->at_once_m = AT_ONCE * murk_box_largest_coordinate(&o->box);
     if (o->are_portals) {
         lay_portals(o, light->portal, light->portals);
     } else {

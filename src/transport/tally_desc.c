@@ -83,9 +83,7 @@ static murk_status check_pair(const murk_tally_desc *a,
 
 static double rounding_of(const murk_box *box)
 {
-    const murk_vec3 a = box->min, b = box->max;
-    return ROUNDING * fmax(fmax(fmax(fabs(a.x), fabs(a.y)), fabs(a.z)),
-                           fmax(fmax(fabs(b.x), fabs(b.y)), fabs(b.z)));
+    return ROUNDING * murk_box_largest_coordinate(box);
 }
 
 /* False also for what is not a number. */
