@@ -2,7 +2,7 @@
 
 #include "base/position.h"
 #include "medium/acceptance.h"
-#include "sensing/passage.h"
+#include "path/viewpoint.h"
 #include "world/stage_media.h"
 
 #include <assert.h>
@@ -60,9 +60,10 @@ static murk_status check_reading(const murk_stage *stage,
             "must be open",
             murk_position_show(a).text, murk_position_show(b).text);
     }
-    const murk_passages way =
-        murk_passages_from(stage->media, stage->boundary_meshes, domain, a);
-    if (murk_passage_bends(&way, b)) {
+    const murk_path_space space = murk_path_space_of(
+        stage->surfaces, stage->media, stage->boundary_meshes, domain);
+    const murk_path_viewpoint way = murk_path_viewpoint_at(&space, a);
+    if (murk_path_bends_to(&way, b)) {
         return murk_fail(err, MURK_BAD_VALUE, where,
                          "the index of refraction changes on the segment "
                          "%s to %s m, which must be "
@@ -142,14 +143,16 @@ void murk_beams_destroy(murk_beams *beams)
 static double through(const murk_beams *beams, const murk_media *media,
                       const murk_reading *reading)
 {
-    const murk_passages way = murk_passages_from(
-        media, beams->boundary_meshes, &beams->domain, reading->position);
+    const murk_path_space space =
+        murk_path_space_of(NULL, media, beams->boundary_meshes, &beams->domain);
+    const murk_path_viewpoint way =
+        murk_path_viewpoint_at(&space, reading->position);
     if (reading->band >= 0) {
-        return murk_passage_transmittance(&way, reading->band, reading->to);
+        return murk_path_transmittance_to(&way, reading->band, reading->to);
     }
     double sum = 0;
     for (int band = 0; band < beams->bands; ++band) {
-        sum += murk_passage_transmittance(&way, band, reading->to);
+        sum += murk_path_transmittance_to(&way, band, reading->to);
     }
     return sum / beams->bands;
 }

@@ -277,34 +277,3 @@ murk_inside murk_media_wrapped(const murk_media *media, murk_inside inside,
     }
     return wrapped;
 }
-
-bool murk_media_interface_between(const murk_media *media, murk_vec3 from,
-                                  murk_vec3 to)
-{
-    const murk_vec3 way = murk_sub(to, from);
-    const double length = murk_length(way);
-    if (media->n_boundaries == 0 || !(length > 0)) {
-        return false;
-    }
-    const murk_vec3 direction = murk_scale(1 / length, way);
-    murk_inside inside = murk_media_inside(media, from);
-    const double ior = murk_media_index(media, inside);
-    if (murk_media_index(media, murk_media_inside(media, to)) != ior) {
-        return true;
-    }
-    double gone = 0;
-    murk_boundary b;
-    /* A convex shell is entered and left once. */
-    for (size_t i = 0;
-         i < 2 * media->n_boundaries &&
-         murk_media_boundary(media, inside, murk_along(from, gone, direction),
-                             direction, length - gone, &b);
-         ++i) {
-        inside ^= b.crossed;
-        gone += b.distance_m;
-        if (murk_media_index(media, inside) != ior) {
-            return true;
-        }
-    }
-    return false;
-}

@@ -72,8 +72,4 @@ bool murk_media_boundary(const murk_media *media, murk_inside inside,
 murk_inside murk_media_wrapped(const murk_media *media, murk_inside inside,
                                murk_vec3 point, int axis);
 
-/* Whether the index changes anywhere on the straight way between two points. */
-bool murk_media_interface_between(const murk_media *media, murk_vec3 from,
-                                  murk_vec3 to);
-
 #endif

@@ -2,7 +2,7 @@
 
 #include "base/rng.h"
 #include "geometry/disc.h"
-#include "medium/interfaces.h"
+#include "path/viewpoint.h"
 
 /* Less than this share of a kernel in sight is too little to be measured so: a
  * corner between three walls leaves a quarter of a disc, an eighth of a
@@ -24,27 +24,16 @@
  * common with how many there are, so that each has one. */
 #define BOUNDARIES 29
 
-static murk_inside meshes_at(const murk_transport_world *world, murk_vec3 place)
-{
-    return world->boundary_meshes
-               ? murk_boundary_meshes_at(world->boundary_meshes, place)
-               : 0;
-}
-
 static double index_at(const murk_scenery *scenery, murk_vec3 place)
 {
-    const murk_transport_world *world = scenery->world;
-    return scenery->bends
-               ? murk_media_index(world->media,
-                                  meshes_at(world, place) |
-                                      murk_media_inside(world->media, place))
-               : 1;
+    return scenery->bends ? murk_path_index_at(&scenery->space, place) : 1;
 }
 
-static double scattering_at(const murk_transport_world *world, int band,
+static double scattering_at(const murk_scenery *scenery, int band,
                             murk_vec3 place)
 {
-    return murk_media_scattering(world->media, band, meshes_at(world, place),
+    return murk_media_scattering(scenery->world->media, band,
+                                 murk_path_inside(&scenery->space, place),
                                  place);
 }
 
@@ -225,7 +214,7 @@ static double mean_scattering(const murk_probing *probing, int band,
             index_at(scenery, place[i]) != kernel->index) {
             continue;
         }
-        const double scattering = scattering_at(world, band, place[i]);
+        const double scattering = scattering_at(scenery, band, place[i]);
         sum += weight * scattering;
         there += scattering > 0 ? weight : 0;
     }
@@ -256,7 +245,7 @@ static murk_kernel in_medium(const murk_probing *probing,
         kernel.radius_m /= 2;
     }
     if (!(share >= MIN_SHARE)) {
-        mean = scattering_at(scenery->world, photon->band, from);
+        mean = scattering_at(scenery, photon->band, from);
     }
     const double r = kernel.radius_m;
     kernel.mass = mean * 8 * MURK_PI / 15 * r * r * r;

@@ -1,24 +1,23 @@
-/* The world as pictures of it need it, and straight ways through it.
+/* The world as pictures of it need it, and straight rays through it.
  *
- * A way passes media and, where wanted, thin sheets; it ends at anything else,
- * and where the index of refraction changes, since light bends there. In a
- * periodic domain it goes on at the opposite side. */
+ * A ray passes media and, if wanted, thin sheets. The ray ends at anything
+ * else, and at a change of the index of refraction, since light bends there. In
+ * a periodic domain the ray goes on at the opposite side. */
 #ifndef MURK_RENDER_SCENERY_H
 #define MURK_RENDER_SCENERY_H
 
 #include "base/status.h"
-#include "sensing/passage.h"
+#include "path/pieces.h"
 #include "transport/trace.h"
 
-/* Immutable; any number of threads may use it. */
+/* Immutable; any number of threads may use it. Not to be copied: it holds
+ * pointers to itself. */
 typedef struct murk_scenery {
     const murk_transport_world *world;
+    murk_path_space space;
+    murk_path_tiling tiling;
     bool any_surfaces, any_sheets, any_media, bends;
     double margin_m; /* what surfaces in single precision are off by, at most */
-    double piece_m;  /* no straight piece is longer sideways */
-    /* Heights below and above which there is no surface and no bounded region:
-     * there nothing depends on x and y. */
-    double free_below_m, free_above_m;
     size_t *lit[MURK_BANDS_MAX];    /* [n_lit] lights with power in a band */
     double *chance[MURK_BANDS_MAX]; /* [n_lit] cumulative, of being drawn */
     size_t n_lit[MURK_BANDS_MAX];

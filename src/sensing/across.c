@@ -5,13 +5,14 @@
 static void count_lost(const murk_across *a, const murk_side *facing,
                        murk_vec3 from, bool is_reflected)
 {
-    const murk_passages *p = a->passages;
-    const murk_vec3 image = murk_nearest_image(p->domain, from, p->sensor);
-    const murk_vec3 way = murk_sub(image, p->sensor);
+    const murk_path_viewpoint *p = a->sensor;
+    const murk_vec3 image =
+        murk_path_nearest_image(p->space->domain, from, p->position);
+    const murk_vec3 way = murk_sub(image, p->position);
     if (murk_dot(way, way) <= a->range_m * a->range_m &&
         murk_field_contains(a->field, way) &&
         (!facing ||
-         murk_side_faces(facing, image, p->sensor, a->position_error_m))) {
+         murk_side_faces(facing, image, p->position, a->position_error_m))) {
         murk_tally_add(is_reflected ? a->reflected : a->blocked, 1);
     }
 }
@@ -33,14 +34,14 @@ static bool is_open(const murk_across *a, const murk_photon *photon,
         return false;
     }
     murk_tally_add(a->shadow_rays, 1);
-    return !murk_way_blocked(way, a->passages, a->surfaces, a->through_sheets);
+    return !murk_way_blocked(way, a->sensor, a->surfaces, a->through_sheets);
 }
 
 size_t murk_across_look(const murk_across *a, const murk_photon *photon,
                         const murk_side *facing, murk_vec3 from, double index,
                         murk_sightline line[MURK_WAYS_MAX])
 {
-    const murk_passages *p = a->passages;
+    const murk_path_viewpoint *p = a->sensor;
     murk_way way[MURK_WAYS_MAX];
     bool is_reflected;
     const size_t ways =
@@ -51,7 +52,7 @@ size_t murk_across_look(const murk_across *a, const murk_photon *photon,
     size_t lines = 0;
     for (size_t i = 0; i < ways; ++i) {
         const murk_snell *s = &way[i].snell;
-        const murk_vec3 to = murk_sub(s->crossing, p->sensor);
+        const murk_vec3 to = murk_sub(s->crossing, p->position);
         const murk_vec3 apparent =
             murk_scale(s->apparent_m / murk_length(to), to);
         if (!is_open(a, photon, facing, &way[i], apparent)) {

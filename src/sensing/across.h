@@ -15,7 +15,7 @@
 
 typedef struct murk_across {
     const murk_interfaces *interfaces;
-    const murk_passages *passages; /* from the sensor */
+    const murk_path_viewpoint *sensor;
     const murk_surfaces *surfaces;
     const murk_field *field;
     bool through_sheets;

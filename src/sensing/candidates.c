@@ -3,9 +3,9 @@
 #include "base/interrupt.h"
 #include "base/pool.h"
 #include "base/position.h"
+#include "path/segment.h"
 #include "sensing/listed.h"
 #include "sensing/reach.h"
-#include "sensing/segment.h"
 
 #include <assert.h>
 #include <stdio.h>
@@ -121,7 +121,7 @@ static murk_status check_listed(const murk_candidate_desc *desc,
                              murk_position_show(p).text);
         }
     }
-    const double min_m = 2 * murk_sight_tolerance_m(surfaces, domain);
+    const double min_m = 2 * murk_path_surface_tolerance_m(surfaces, domain);
     for (size_t i = 0; i < desc->mounts; ++i) {
         if (!(desc->mount[i].offset_m > min_m)) {
             return murk_fail(err, MURK_BAD_VALUE, where,
@@ -267,8 +267,7 @@ static murk_status refuse_none(const murk_candidates *c, double clearance_m,
                                murk_error *err)
 {
     /* How far rays start from a surface: nearer places are not told apart. */
-    const murk_vec3 zero = {0, 0, 0}, up = {0, 0, 1};
-    const double step_m = murk_length(murk_surfaces_leave(surfaces, zero, up));
+    const double step_m = murk_surfaces_leave_step_m(surfaces);
     char more[96] = "";
     if (c->too_close > 0 && step_m > fmax(clearance_m, MIN_STEP_M)) {
         return murk_fail(err, MURK_BAD_VALUE, where,

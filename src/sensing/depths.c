@@ -1,7 +1,7 @@
 #include "sensing/depths.h"
 
+#include "path/viewpoint.h"
 #include "sensing/facing.h"
-#include "sensing/passage.h"
 #include "sensing/sight_parts.h"
 
 /* Where sightlines to a photon start. */
@@ -30,18 +30,20 @@ void murk_sight_depths(double *depth, double *sheets, const murk_sight *sight,
             const murk_photon *p = murk_sight_photon(sight, photon[i]);
             const murk_vec3 from = start_of(p, desc->surfaces, sides);
             const murk_vec3 to =
-                murk_nearest_image(&desc->domain, pose->position, from);
-            sheets[i] = murk_segment_sheets(desc->surfaces, &desc->domain, from,
-                                            to, p->band);
+                murk_path_nearest_image(&desc->domain, pose->position, from);
+            sheets[i] = murk_path_sheets(desc->surfaces, &desc->domain, from,
+                                         to, p->band);
         }
     }
     for (size_t m = 0; m < count; ++m) {
-        const murk_passages passages = murk_passages_from(
-            media[m], desc->boundary_meshes, &desc->domain, pose->position);
+        const murk_path_space space = murk_path_space_of(
+            desc->surfaces, media[m], desc->boundary_meshes, &desc->domain);
+        const murk_path_viewpoint viewpoint =
+            murk_path_viewpoint_at(&space, pose->position);
         for (size_t i = 0; i < n; ++i) {
             const murk_photon *p = murk_sight_photon(sight, photon[i]);
-            depth[i * count + m] = murk_passage_depth(
-                &passages, p->band, start_of(p, desc->surfaces, sides));
+            depth[i * count + m] = murk_path_depth_to(
+                &viewpoint, p->band, start_of(p, desc->surfaces, sides));
         }
     }
 }

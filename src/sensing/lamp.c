@@ -1,6 +1,6 @@
 #include "sensing/lamp.h"
 
-#include "sensing/segment.h"
+#include "path/segment.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -170,7 +170,8 @@ size_t murk_lamp_places(const murk_surfaces *surfaces,
 {
     ways_out w = {.surfaces = surfaces,
                   .domain = domain,
-                  .tolerance_m = murk_sight_tolerance_m(surfaces, domain),
+                  .tolerance_m =
+                      murk_path_surface_tolerance_m(surfaces, domain),
                   .place = place};
     choose_ways(w.way);
     add_sides(&w, lamp);

@@ -1,7 +1,7 @@
 #include "sensing/links.h"
 
 #include "base/interrupt.h"
-#include "sensing/segment.h"
+#include "path/segment.h"
 #include "sensing/ways.h"
 
 #include <stdlib.h>
@@ -30,7 +30,7 @@ static void spread(search *s, size_t from)
             continue;
         }
         const murk_vec3 to =
-            murk_nearest_image(s->domain, s->pose[j].position, at);
+            murk_path_nearest_image(s->domain, s->pose[j].position, at);
         const double length_m = murk_length(murk_sub(to, at));
         if (length_m < s->nearest[j].length_m &&
             (!s->ways || murk_way_is_open(s->ways, at, to))) {

@@ -4,8 +4,8 @@
 #include "base/interrupt.h"
 #include "base/pool.h"
 #include "base/progress.h"
+#include "path/segment.h"
 #include "sensing/lamp.h"
-#include "sensing/segment.h"
 
 #include <stdlib.h>
 
@@ -235,7 +235,7 @@ static bool any_way(const judging *j, neighbours *near, murk_vec3 point)
     bool is_open = false;
     for (size_t i = 0; i < near->n && !is_open; ++i) {
         const murk_vec3 to =
-            murk_nearest_image(&j->reach->domain, point, near->point[i]);
+            murk_path_nearest_image(&j->reach->domain, point, near->point[i]);
         is_open = !blocked[i] && murk_way_is_open(&j->ways, near->point[i], to);
     }
     near->tried += near->n;
@@ -270,7 +270,7 @@ static bool is_joined(const judging *j, murk_vec3 point)
     }
     for (size_t i = 0; i < j->lamps; ++i) {
         const murk_vec3 to =
-            murk_nearest_image(&j->reach->domain, point, j->lamp[i]);
+            murk_path_nearest_image(&j->reach->domain, point, j->lamp[i]);
         if (murk_way_is_open(&j->ways, j->lamp[i], to)) {
             return true;
         }

@@ -13,12 +13,13 @@
 typedef struct look {
     murk_sight *sight;
     murk_vec3 sensor;
+    murk_path_space space;
     double range_m, reach_m; /* of the type; of what may appear in it */
     const murk_sensor_type *type;
     murk_field field;
-    bool is_picky;  /* something but the range limits the view */
-    uint32_t bands; /* seen, by bits */
-    murk_passages passages;
+    bool is_picky;                 /* something but the range limits the view */
+    uint32_t bands;                /* seen, by bits */
+    murk_path_viewpoint viewpoint; /* of the sensor, in that space */
     murk_across across; /* where there are interfaces to see through */
     uint32_t *photon;
     uint16_t *clarity;
@@ -44,9 +45,9 @@ static void test_surfaces(const look *l, const murk_vec3 *from, size_t n,
     }
     for (size_t i = 0; i < n; ++i) {
         const murk_vec3 to =
-            murk_nearest_image(&desc->domain, l->sensor, from[i]);
-        blocked[i] = murk_segment_blocked(desc->surfaces, &desc->domain,
-                                          from[i], to, desc->through_sheets);
+            murk_path_nearest_image(&desc->domain, l->sensor, from[i]);
+        blocked[i] = murk_path_blocked(desc->surfaces, &desc->domain, from[i],
+                                       to, desc->through_sheets);
     }
 }
 
@@ -58,7 +59,7 @@ static void test_sightlines(const look *l, const murk_vec3 *from, size_t n,
     const bool may_bend =
         l->sight->has_interfaces && desc->visibility == MURK_VISIBILITY_RAY;
     for (size_t i = 0; may_bend && i < n; ++i) {
-        if (!blocked[i] && murk_passage_bends(&l->passages, from[i])) {
+        if (!blocked[i] && murk_path_bends_to(&l->viewpoint, from[i])) {
             blocked[i] = true;
             murk_tally_add(&l->sight->blocked_by_interfaces, 1);
         }
@@ -93,14 +94,13 @@ static uint16_t clarity_of(const look *l, const murk_photon *p, size_t i,
     const int band = p->band;
     const murk_sight *sight = l->sight;
     const murk_vec3 to =
-        murk_nearest_image(&sight->desc.domain, l->sensor, from);
-    double through =
-        sight->has_sheets
-            ? murk_segment_sheets(sight->desc.surfaces, &sight->desc.domain,
-                                  from, to, band)
-            : 1;
+        murk_path_nearest_image(&sight->desc.domain, l->sensor, from);
+    double through = sight->has_sheets
+                         ? murk_path_sheets(sight->desc.surfaces,
+                                            &sight->desc.domain, from, to, band)
+                         : 1;
     if (sight->has_media && through > 0) {
-        through *= murk_passage_transmittance(&l->passages, band, from);
+        through *= murk_path_transmittance_to(&l->viewpoint, band, from);
     }
     if (!sight->power) {
         return murk_sight_clarity(sight, through);
@@ -192,7 +192,7 @@ static void look_at(look *l, const murk_photon_map *map, uint32_t first)
         const murk_photon *p = &photon[found[i]];
         murk_vec3 at = murk_photon_place(p);
         const murk_vec3 sensor =
-            is_periodic ? murk_nearest_image(&desc->domain, l->sensor, at)
+            is_periodic ? murk_path_nearest_image(&desc->domain, l->sensor, at)
                         : l->sensor;
         if (l->across.interfaces) {
             const murk_side *facing =
@@ -200,8 +200,8 @@ static void look_at(look *l, const murk_photon_map *map, uint32_t first)
                     ? NULL
                     : murk_side_recall(sides, desc->surfaces, p->normal);
             const murk_vec3 start = facing ? murk_add(at, facing->off) : at;
-            const double index = murk_passage_index(&l->passages, start);
-            if (index != l->passages.index) {
+            const double index = murk_path_index_at(&l->space, start);
+            if (index != l->viewpoint.index) {
                 keep_seen(l, photon, first, number, from, filled);
                 filled = 0;
                 keep_across(l, p, facing, start, index, first, found[i]);
@@ -239,7 +239,7 @@ static void see_across(look *l, double range_m)
 {
     murk_sight *sight = l->sight;
     l->across = (murk_across){.interfaces = sight->interfaces,
-                              .passages = &l->passages,
+                              .sensor = &l->viewpoint,
                               .surfaces = sight->desc.surfaces,
                               .field = &l->field,
                               .through_sheets = sight->desc.through_sheets,
@@ -249,7 +249,7 @@ static void see_across(look *l, double range_m)
                               .blocked = &sight->blocked_by_interfaces,
                               .reflected = &sight->totally_reflected};
     l->reach_m = fmin(sight->max_m, murk_ways_reach(sight->interfaces,
-                                                    &l->passages, range_m));
+                                                    &l->viewpoint, range_m));
 }
 
 void murk_sight_row(murk_sight *sight, unsigned worker, const murk_pose *pose,
@@ -270,12 +270,13 @@ void murk_sight_row(murk_sight *sight, unsigned worker, const murk_pose *pose,
               .is_picky = type->view != MURK_VIEW_SPHERE || type->bands ||
                           type->toward || type->least_range_m > 0,
               .bands = type->bands ? type->bands : UINT32_MAX,
-              .passages = murk_passages_from(
-                  accepting ? accepting : desc->media, desc->boundary_meshes,
-                  &desc->domain, pose->position),
+              .space = murk_path_space_of(desc->surfaces,
+                                          accepting ? accepting : desc->media,
+                                          desc->boundary_meshes, &desc->domain),
               .photon = s->photon,
               .clarity = s->clarity,
               .all_clear = true};
+    l.viewpoint = murk_path_viewpoint_at(&l.space, pose->position);
     if (sight->interfaces) {
         see_across(&l, type->range_m);
     }

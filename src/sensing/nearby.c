@@ -1,6 +1,6 @@
 #include "sensing/nearby.h"
 
-#include "sensing/segment.h"
+#include "path/segment.h"
 
 #include <stdlib.h>
 
@@ -28,7 +28,7 @@ static size_t keep_nearest(uint32_t *found, size_t n, const murk_photon *photon,
     size_t kept = 0;
     for (size_t f = 0; f < n; ++f) {
         const float *x = photon[found[f]].position_m;
-        const murk_vec3 nearest = murk_nearest_image(
+        const murk_vec3 nearest = murk_path_nearest_image(
             domain, sensor, murk_vec((double)x[0], (double)x[1], (double)x[2]));
         /* Half a period decides; images are a whole one apart. */
         if (fabs(nearest.x - image.x) < period.x / 2 &&

@@ -1,8 +1,8 @@
 #include "sensing/open_space.h"
 
+#include "path/segment.h"
 #include "sensing/lamp.h"
 #include "sensing/reach.h"
-#include "sensing/segment.h"
 #include "sensing/ways.h"
 
 #include <assert.h>
@@ -90,7 +90,8 @@ typedef struct start {
 static bool leads_to(const murk_open_space *space, const start *from,
                      murk_vec3 to)
 {
-    const murk_vec3 near = murk_nearest_image(&space->domain, to, from->point);
+    const murk_vec3 near =
+        murk_path_nearest_image(&space->domain, to, from->point);
     const murk_vec3 way = murk_sub(near, from->point);
     const bool is_free = murk_dot(from->normal, from->normal) == 0;
     return (is_free || murk_dot(from->normal, way) > 0) &&

@@ -1,7 +1,6 @@
 #include "sensing/outlook.h"
 
-#include "medium/interfaces.h"
-#include "sensing/passage.h"
+#include "path/viewpoint.h"
 
 void murk_outlook_init(murk_outlook *out, const murk_sight_desc *sight,
                        int bands)
@@ -50,14 +49,16 @@ static bool is_clear_enough(const murk_outlook_view *view, murk_vec3 place)
     if (!murk_media_any(sight->media) && !murk_media_bends(sight->media)) {
         return true;
     }
-    const murk_passages passages = murk_passages_from(
-        sight->media, sight->boundary_meshes, &sight->domain, view->place);
-    if (murk_passage_bends(&passages, place)) {
+    const murk_path_space space = murk_path_space_of(
+        sight->surfaces, sight->media, sight->boundary_meshes, &sight->domain);
+    const murk_path_viewpoint viewpoint =
+        murk_path_viewpoint_at(&space, view->place);
+    if (murk_path_bends_to(&viewpoint, place)) {
         return false;
     }
     for (int band = 0; band < view->outlook->bands; ++band) {
         if ((view->bands >> band & 1) &&
-            murk_passage_transmittance(&passages, band, place) >=
+            murk_path_transmittance_to(&viewpoint, band, place) >=
                 MURK_OUTLOOK_MIN) {
             return true;
         }
@@ -74,7 +75,8 @@ bool murk_outlook_sees(const murk_outlook_view *view, murk_vec3 place)
     }
     return murk_dot(way, way) <= view->range_m * view->range_m &&
            murk_field_contains(&view->field, way) &&
-           is_same(murk_nearest_image(domain, place, view->place), place) &&
+           is_same(murk_path_nearest_image(domain, place, view->place),
+                   place) &&
            murk_outlook_is_open(view->outlook, view->place, place) &&
            is_clear_enough(view, place);
 }

@@ -3,8 +3,8 @@
 #include "base/interrupt.h"
 #include "base/pool.h"
 #include "base/progress.h"
+#include "path/segment.h"
 #include "sensing/lamp.h"
-#include "sensing/segment.h"
 #include "sensing/ways.h"
 
 #include <stdlib.h>
@@ -168,7 +168,7 @@ static void ask_light(void *context, uint64_t batch)
         }
         const murk_vec3 point = murk_candidate_grid_point(s->grid, i);
         const murk_vec3 to =
-            murk_nearest_image(&s->reach->domain, point, s->light);
+            murk_path_nearest_image(&s->reach->domain, point, s->light);
         if (murk_way_is_open(&s->ways, s->light, to)) {
             s->reached[i] = SEEN_BY_LIGHT;
         }

@@ -9,16 +9,18 @@
 /* Of what faces may be off and still be one: rounding of the crossing. */
 #define NEAR_TIMES 8
 
-void murk_interfaces_find(murk_interfaces *out, const murk_media *media,
-                          const murk_boundary_meshes *boundary_meshes,
-                          const murk_domain *domain)
+void murk_interfaces_find(murk_interfaces *out, const murk_path_space *space)
 {
-    out->near_m = NEAR_TIMES * MURK_INTERFACE_NEAR * murk_domain_extent(domain);
+    const murk_media *media = space->media;
+    out->near_m = NEAR_TIMES * MURK_INTERFACE_NEAR *
+                  murk_box_largest_coordinate(&space->domain->box);
     out->n = murk_media_flats(media, out->flat);
     out->indices = murk_media_indices(media, out->index);
     out->any_mesh = false;
     const murk_inside meshes =
-        boundary_meshes ? murk_boundary_meshes_regions(boundary_meshes) : 0;
+        space->boundary_meshes
+            ? murk_boundary_meshes_regions(space->boundary_meshes)
+            : 0;
     for (int i = 0; i < MURK_REGIONS_MAX; ++i) {
         const murk_inside bit = (murk_inside)1 << i;
         /* The index of a region alone: 1 where it has none, or bends not. */
@@ -35,47 +37,47 @@ static murk_vec3 direction_of(murk_vec3 from, murk_vec3 to)
     return murk_unit(murk_sub(to, from));
 }
 
-static murk_vec3 inside_domain(const murk_passages *p, murk_vec3 point)
+static murk_vec3 inside_domain(const murk_path_viewpoint *v, murk_vec3 point)
 {
-    const murk_box *box = &p->domain->box;
-    return murk_nearest_image(p->domain, point,
-                              murk_scale(0.5, murk_add(box->min, box->max)));
+    const murk_box *box = &v->space->domain->box;
+    return murk_path_nearest_image(
+        v->space->domain, point, murk_scale(0.5, murk_add(box->min, box->max)));
 }
 
 /* A tilted face may go on beyond the domain, where no light is. */
-static bool is_in_domain(const murk_interfaces *at, const murk_passages *p,
-                         murk_vec3 point)
+static bool is_in_domain(const murk_interfaces *at,
+                         const murk_path_viewpoint *v, murk_vec3 point)
 {
     const murk_vec3 near = {at->near_m, at->near_m, at->near_m};
-    const murk_box box = {murk_sub(p->domain->box.min, near),
-                          murk_add(p->domain->box.max, near)};
-    return murk_box_contains(&box, inside_domain(p, point));
+    const murk_box box = {murk_sub(v->space->domain->box.min, near),
+                          murk_add(v->space->domain->box.max, near)};
+    return murk_box_contains(&box, inside_domain(v, point));
 }
 
-/* The first leg's change is the crossing: `inside` becomes the set beyond. */
-static bool reaches_crossing(const murk_interfaces *at, const murk_passages *p,
+/* The first segment's change is the crossing: `inside` becomes the set beyond.
+ */
+static bool reaches_crossing(const murk_interfaces *at,
+                             const murk_path_viewpoint *v,
                              const murk_snell *path, const double n[2],
                              murk_inside *inside)
 {
-    const double tolerance =
-        p->boundary_meshes
-            ? murk_boundary_meshes_tolerance_m(p->boundary_meshes)
-            : 0;
-    murk_leg leg[MURK_SEGMENT_PIECES];
-    murk_index_change change;
-    const int legs = murk_passage_legs(p, path->crossing, leg);
-    for (int i = 0; i + 1 < legs; ++i) {
-        if (leg[i].length_m > 0 && murk_passage_change(p, &leg[i], &change)) {
+    const double tolerance = v->space->mesh_tolerance_m;
+    murk_path segment[MURK_PATH_SEGMENTS_MAX];
+    murk_path_change change;
+    const int segments = murk_path_to(v, path->crossing, segment);
+    for (int i = 0; i + 1 < segments; ++i) {
+        if (segment[i].length_m > 0 &&
+            murk_path_next_change(&segment[i], &change)) {
             return false;
         }
     }
-    murk_leg *last = &leg[legs - 1];
+    murk_path *last = &segment[segments - 1];
     const double end = last->length_m;
     if (!(end > 0)) {
         return false;
     }
     last->length_m += at->near_m / path->cosine[0] + 3 * tolerance;
-    if (!murk_passage_change(p, last, &change) || change.before != n[0] ||
+    if (!murk_path_next_change(last, &change) || change.before != n[0] ||
         change.beyond != n[1]) {
         return false;
     }
@@ -84,24 +86,22 @@ static bool reaches_crossing(const murk_interfaces *at, const murk_passages *p,
     return off * path->cosine[0] <= at->near_m || off <= 2 * tolerance;
 }
 
-/* The second leg, from the crossing on, in the regions `inside`. */
-static bool goes_on(const murk_passages *p, const murk_snell *path,
+/* The second segment, from the crossing on, in the regions `inside`. */
+static bool goes_on(const murk_path_viewpoint *v, const murk_snell *path,
                     murk_vec3 photon, murk_inside inside)
 {
-    murk_passages beyond = *p;
-    beyond.sensor = inside_domain(p, path->crossing);
+    murk_path_viewpoint beyond = *v;
+    beyond.position = inside_domain(v, path->crossing);
     const murk_vec3 to =
-        murk_add(photon, murk_sub(beyond.sensor, path->crossing));
-    murk_leg leg[MURK_SEGMENT_PIECES];
-    murk_index_change change;
-    const int legs = murk_passage_legs(&beyond, to, leg);
-    leg[0].inside = inside;
-    leg[0].look_from_m =
-        p->boundary_meshes
-            ? murk_boundary_meshes_tolerance_m(p->boundary_meshes)
-            : 0;
-    for (int i = 0; i < legs; ++i) {
-        if (leg[i].length_m > 0 && murk_passage_change(p, &leg[i], &change)) {
+        murk_add(photon, murk_sub(beyond.position, path->crossing));
+    murk_path segment[MURK_PATH_SEGMENTS_MAX];
+    murk_path_change change;
+    const int segments = murk_path_to(&beyond, to, segment);
+    segment[0].inside = inside;
+    segment[0].skip_m = v->space->mesh_tolerance_m;
+    for (int i = 0; i < segments; ++i) {
+        if (segment[i].length_m > 0 &&
+            murk_path_next_change(&segment[i], &change)) {
             return false;
         }
     }
@@ -109,14 +109,14 @@ static bool goes_on(const murk_passages *p, const murk_snell *path,
 }
 
 /* Adds the way through a plane, if there is one that is not had already. */
-static size_t add_way(const murk_interfaces *at, const murk_passages *p,
+static size_t add_way(const murk_interfaces *at, const murk_path_viewpoint *v,
                       const murk_interface_plane *plane, murk_vec3 photon,
                       const double n[2], murk_way *way, size_t had)
 {
     murk_snell path;
     murk_inside inside;
     if (had == MURK_WAYS_MAX ||
-        !murk_snell_path(p->sensor, photon, plane, n, &path)) {
+        !murk_snell_path(v->position, photon, plane, n, &path)) {
         return had;
     }
     for (size_t i = 0; i < had; ++i) {
@@ -125,9 +125,9 @@ static size_t add_way(const murk_interfaces *at, const murk_passages *p,
             return had;
         }
     }
-    if (!is_in_domain(at, p, path.crossing) ||
-        !reaches_crossing(at, p, &path, n, &inside) ||
-        !goes_on(p, &path, photon, inside)) {
+    if (!is_in_domain(at, v, path.crossing) ||
+        !reaches_crossing(at, v, &path, n, &inside) ||
+        !goes_on(v, &path, photon, inside)) {
         return had;
     }
     way[had] = (murk_way){path, photon};
@@ -137,24 +137,25 @@ static size_t add_way(const murk_interfaces *at, const murk_passages *p,
 /* ---- all ways ---- */
 
 /* Where the straight line first meets another index, if it does. */
-static bool first_change(const murk_passages *p, murk_vec3 photon,
-                         murk_index_change *change, murk_vec3 *place)
+static bool first_change(const murk_path_viewpoint *v, murk_vec3 photon,
+                         murk_path_change *change, murk_vec3 *place)
 {
-    murk_leg leg[MURK_SEGMENT_PIECES];
-    const int legs = murk_passage_legs(p, photon, leg);
+    murk_path segment[MURK_PATH_SEGMENTS_MAX];
+    const int segments = murk_path_to(v, photon, segment);
     double gone = 0;
-    for (int i = 0; i < legs; ++i) {
-        if (leg[i].length_m > 0 && murk_passage_change(p, &leg[i], change)) {
-            *place = murk_along(p->sensor, gone + change->distance_m,
-                                direction_of(p->sensor, photon));
+    for (int i = 0; i < segments; ++i) {
+        if (segment[i].length_m > 0 &&
+            murk_path_next_change(&segment[i], change)) {
+            *place = murk_along(v->position, gone + change->distance_m,
+                                direction_of(v->position, photon));
             return true;
         }
-        gone += leg[i].length_m;
+        gone += segment[i].length_m;
     }
     return false;
 }
 
-static bool is_beyond_critical(const murk_index_change *change,
+static bool is_beyond_critical(const murk_path_change *change,
                                murk_vec3 direction)
 {
     const double ratio = fmax(change->before, change->beyond) /
@@ -163,55 +164,56 @@ static bool is_beyond_critical(const murk_index_change *change,
     return sine * ratio >= 1;
 }
 
-size_t murk_ways_across(const murk_interfaces *at, const murk_passages *p,
+size_t murk_ways_across(const murk_interfaces *at, const murk_path_viewpoint *v,
                         murk_vec3 photon, double photon_index,
                         murk_way way[MURK_WAYS_MAX], bool *is_reflected)
 {
-    const murk_vec3 image = murk_nearest_image(p->domain, photon, p->sensor);
+    const murk_vec3 image =
+        murk_path_nearest_image(v->space->domain, photon, v->position);
     const murk_vec3 shift = murk_sub(image, photon);
     const bool is_here = murk_dot(shift, shift) == 0;
-    const double n[2] = {p->index, photon_index};
+    const double n[2] = {v->index, photon_index};
     assert(n[0] != n[1]);
     size_t ways = 0;
     for (size_t i = 0; i < at->n; ++i) {
         /* A face that does not reach from side to side may be near the sensor,
          * or near the photon in another period. */
         murk_interface_plane plane = {at->flat[i].point, at->flat[i].normal};
-        ways = add_way(at, p, &plane, image, n, way, ways);
+        ways = add_way(at, v, &plane, image, n, way, ways);
         if (!is_here) {
             plane.point = murk_add(plane.point, shift);
-            ways = add_way(at, p, &plane, image, n, way, ways);
+            ways = add_way(at, v, &plane, image, n, way, ways);
         }
     }
     *is_reflected = false;
-    murk_index_change change;
+    murk_path_change change;
     murk_vec3 place;
     if ((at->any_mesh || ways == 0) &&
-        first_change(p, image, &change, &place)) {
+        first_change(v, image, &change, &place)) {
         if (change.is_mesh) {
             const murk_interface_plane plane = {place, change.normal};
-            ways = add_way(at, p, &plane, image, n, way, ways);
+            ways = add_way(at, v, &plane, image, n, way, ways);
         }
         *is_reflected =
             ways == 0 &&
-            is_beyond_critical(&change, direction_of(p->sensor, image));
+            is_beyond_critical(&change, direction_of(v->position, image));
     }
     return ways;
 }
 
-double murk_ways_reach(const murk_interfaces *at, const murk_passages *p,
+double murk_ways_reach(const murk_interfaces *at, const murk_path_viewpoint *v,
                        double range_m)
 {
     double reach = range_m;
-    if (at->any_mesh || p->domain->is_periodic) {
+    if (at->any_mesh || v->space->domain->is_periodic) {
         return INFINITY;
     }
     for (size_t i = 0; i < at->n; ++i) {
         const murk_flat *flat = &at->flat[i];
         const double height =
-            fabs(murk_dot(murk_sub(p->sensor, flat->point), flat->normal));
+            fabs(murk_dot(murk_sub(v->position, flat->point), flat->normal));
         for (size_t k = 0; k < at->indices; ++k) {
-            const double n[2] = {p->index, at->index[k]};
+            const double n[2] = {v->index, at->index[k]};
             if (n[0] != n[1]) {
                 reach = fmax(reach, murk_snell_reach(range_m, height, n));
             }
@@ -228,62 +230,63 @@ static murk_vec3 crossing_near(const murk_way *way, murk_vec3 photon)
     return murk_add(way->snell.crossing, murk_sub(photon, way->photon));
 }
 
-double murk_way_transmittance(const murk_way *way, const murk_passages *p,
+double murk_way_transmittance(const murk_way *way, const murk_path_viewpoint *v,
                               int band)
 {
-    const murk_vec3 photon = inside_domain(p, way->photon);
-    const murk_passages back =
-        murk_passages_from(p->media, p->boundary_meshes, p->domain, photon);
-    const murk_vec3 crossing = inside_domain(p, way->snell.crossing);
-    return murk_passage_transmittance(p, band, crossing) *
-           murk_passage_transmittance(&back, band, crossing);
+    const murk_vec3 photon = inside_domain(v, way->photon);
+    const murk_path_viewpoint back = murk_path_viewpoint_at(v->space, photon);
+    const murk_vec3 crossing = inside_domain(v, way->snell.crossing);
+    return murk_path_transmittance_to(v, band, crossing) *
+           murk_path_transmittance_to(&back, band, crossing);
 }
 
-/* The crossing moved along `direction`, at most to the end of the leg ahead. */
+/* The crossing moved along `direction`, at most to the end of the segment
+ * ahead. */
 static murk_vec3 beyond(murk_vec3 crossing, murk_vec3 direction,
                         double tolerance_m, double leg_m)
 {
     return murk_along(crossing, fmin(tolerance_m, leg_m), direction);
 }
 
-bool murk_way_blocked(const murk_way *way, const murk_passages *p,
+bool murk_way_blocked(const murk_way *way, const murk_path_viewpoint *v,
                       const murk_surfaces *surfaces, bool through_sheets)
 {
     const murk_snell *s = &way->snell;
-    const double sight_tolerance = murk_sight_tolerance_m(surfaces, p->domain);
-    const murk_vec3 photon = inside_domain(p, way->photon);
+    const double sight_tolerance =
+        murk_path_surface_tolerance_m(surfaces, v->space->domain);
+    const murk_vec3 photon = inside_domain(v, way->photon);
     const murk_vec3 crossing = crossing_near(way, photon);
-    /* Each leg goes on beyond the crossing, so that neither misses a surface
-     * that lies in the boundary. */
-    return murk_segment_blocked(surfaces, p->domain, p->sensor,
-                                beyond(s->crossing,
-                                       direction_of(p->sensor, s->crossing),
-                                       sight_tolerance, s->leg_m[1]),
-                                through_sheets) ||
-           murk_segment_blocked(surfaces, p->domain, photon,
-                                beyond(crossing, direction_of(photon, crossing),
-                                       sight_tolerance, s->leg_m[0]),
-                                through_sheets);
+    /* Each segment goes on beyond the crossing, so that neither misses a
+     * surface that lies in the boundary. */
+    return murk_path_blocked(surfaces, v->space->domain, v->position,
+                             beyond(s->crossing,
+                                    direction_of(v->position, s->crossing),
+                                    sight_tolerance, s->leg_m[1]),
+                             through_sheets) ||
+           murk_path_blocked(surfaces, v->space->domain, photon,
+                             beyond(crossing, direction_of(photon, crossing),
+                                    sight_tolerance, s->leg_m[0]),
+                             through_sheets);
 }
 
-double murk_way_sheets(const murk_way *way, const murk_passages *p,
+double murk_way_sheets(const murk_way *way, const murk_path_viewpoint *v,
                        const murk_surfaces *surfaces, int band)
 {
     const murk_snell *s = &way->snell;
-    const double sight_tolerance = murk_sight_tolerance_m(surfaces, p->domain);
-    const murk_vec3 photon = inside_domain(p, way->photon);
+    const double sight_tolerance =
+        murk_path_surface_tolerance_m(surfaces, v->space->domain);
+    const murk_vec3 photon = inside_domain(v, way->photon);
     const murk_vec3 crossing = crossing_near(way, photon);
-    double through = murk_segment_sheets(
-        surfaces, p->domain, p->sensor,
-        beyond(s->crossing, direction_of(p->sensor, s->crossing),
+    double through = murk_path_sheets(
+        surfaces, v->space->domain, v->position,
+        beyond(s->crossing, direction_of(v->position, s->crossing),
                sight_tolerance, s->leg_m[1]),
         band);
     if (s->leg_m[1] > sight_tolerance) {
-        through *=
-            murk_segment_sheets(surfaces, p->domain, photon,
-                                murk_along(crossing, sight_tolerance,
-                                           direction_of(crossing, photon)),
-                                band);
+        through *= murk_path_sheets(surfaces, v->space->domain, photon,
+                                    murk_along(crossing, sight_tolerance,
+                                               direction_of(crossing, photon)),
+                                    band);
     }
     return through;
 }

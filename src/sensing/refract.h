@@ -11,7 +11,7 @@
 #define MURK_SENSING_REFRACT_H
 
 #include "medium/interfaces.h"
-#include "sensing/passage.h"
+#include "path/viewpoint.h"
 #include "sensing/snell.h"
 
 /* What bends in a world, made ready once. */
@@ -23,9 +23,7 @@ typedef struct murk_interfaces {
     double index[MURK_REGIONS_MAX + 1];
 } murk_interfaces;
 
-void murk_interfaces_find(murk_interfaces *out, const murk_media *media,
-                          const murk_boundary_meshes *boundary_meshes,
-                          const murk_domain *domain);
+void murk_interfaces_find(murk_interfaces *out, const murk_path_space *space);
 
 typedef struct murk_way {
     murk_snell snell;
@@ -40,22 +38,22 @@ typedef struct murk_way {
  * whether the straight line meets the first boundary from the denser side
  * beyond the critical angle. */
 size_t murk_ways_across(const murk_interfaces *interfaces,
-                        const murk_passages *passages, murk_vec3 photon,
+                        const murk_path_viewpoint *sensor, murk_vec3 photon,
                         double photon_index, murk_way way[MURK_WAYS_MAX],
                         bool *is_reflected);
 
 /* Nothing that appears nearer than range_m through a face is farther from the
  * sensor than this [m]; may be infinite. */
 double murk_ways_reach(const murk_interfaces *interfaces,
-                       const murk_passages *passages, double range_m);
+                       const murk_path_viewpoint *sensor, double range_m);
 
 /* Both legs: what media let through, whether surfaces block, what thin sheets
  * let through. What lies in the boundary counts once. */
 double murk_way_transmittance(const murk_way *way,
-                              const murk_passages *passages, int band);
-bool murk_way_blocked(const murk_way *way, const murk_passages *passages,
+                              const murk_path_viewpoint *sensor, int band);
+bool murk_way_blocked(const murk_way *way, const murk_path_viewpoint *sensor,
                       const murk_surfaces *surfaces, bool through_sheets);
-double murk_way_sheets(const murk_way *way, const murk_passages *passages,
+double murk_way_sheets(const murk_way *way, const murk_path_viewpoint *sensor,
                        const murk_surfaces *surfaces, int band);
 
 #endif

@@ -223,7 +223,7 @@ murk_status murk_sight_create(murk_sight **out, const murk_sight_desc *desc,
         goto done;
     }
     sight->position_error_m =
-        POSITION_ERROR * murk_domain_extent(&desc->domain);
+        POSITION_ERROR * murk_box_largest_coordinate(&desc->domain.box);
     sight->has_media = murk_media_any(desc->media);
     sight->has_sheets = desc->through_sheets &&
                         desc->visibility == MURK_VISIBILITY_RAY &&
@@ -237,8 +237,9 @@ murk_status murk_sight_create(murk_sight **out, const murk_sight_desc *desc,
                 murk_fail(err, MURK_NO_MEMORY, "", "no memory for a sight");
             goto done;
         }
-        murk_interfaces_find(sight->interfaces, desc->media,
-                             desc->boundary_meshes, &desc->domain);
+        const murk_path_space space = murk_path_space_of(
+            desc->surfaces, desc->media, desc->boundary_meshes, &desc->domain);
+        murk_interfaces_find(sight->interfaces, &space);
     }
     sight->photons = murk_photon_map_count(desc->surface_map) +
                      murk_photon_map_count(desc->volume_map);

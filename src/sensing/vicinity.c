@@ -1,7 +1,7 @@
 #include "sensing/vicinity.h"
 
+#include "path/segment.h"
 #include "sensing/nearby.h"
-#include "sensing/segment.h"
 
 #include <assert.h>
 #include <stdlib.h>

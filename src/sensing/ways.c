@@ -1,6 +1,6 @@
 #include "sensing/ways.h"
 
-#include "sensing/segment.h"
+#include "path/segment.h"
 
 /* Of its offset: what rises less over a mount's wall is part of it, as
  * skirtings and the steps between panels are. */
@@ -10,7 +10,8 @@ murk_ways murk_ways_of(const murk_surfaces *surfaces, const murk_domain *domain)
 {
     murk_ways ways = {.surfaces = surfaces,
                       .domain = domain,
-                      .tolerance_m = murk_sight_tolerance_m(surfaces, domain)};
+                      .tolerance_m =
+                          murk_path_surface_tolerance_m(surfaces, domain)};
     /* At right angles, so that no seam runs along both; tilted, so that no way
      * along an axis does. */
     murk_vec3 aside[3] = {{0.537, 0.781, 0.319}};
@@ -23,12 +24,12 @@ murk_ways murk_ways_of(const murk_surfaces *surfaces, const murk_domain *domain)
 
 bool murk_way_is_open(const murk_ways *w, murk_vec3 from, murk_vec3 to)
 {
-    if (murk_segment_blocked(w->surfaces, w->domain, from, to, !w->by_sheets)) {
+    if (murk_path_blocked(w->surfaces, w->domain, from, to, !w->by_sheets)) {
         return false;
     }
     for (int i = 0; i < 2; ++i) {
-        if (murk_segment_blocked(w->surfaces, w->domain, from,
-                                 murk_add(to, w->aside[i]), !w->by_sheets)) {
+        if (murk_path_blocked(w->surfaces, w->domain, from,
+                              murk_add(to, w->aside[i]), !w->by_sheets)) {
             return false;
         }
     }

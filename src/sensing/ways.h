@@ -22,7 +22,7 @@ typedef struct murk_ways {
     const murk_surfaces *surfaces;
     const murk_domain *domain;
     bool by_sheets;     /* sheets that transmit block, too; false as made */
-    double tolerance_m; /* murk_sight_tolerance_m() */
+    double tolerance_m; /* murk_path_surface_tolerance_m() */
     murk_vec3 aside[2]; /* half a hair */
 } murk_ways;
 

@@ -45,11 +45,8 @@ murk_status murk_jump_heights(double (**out)[2], size_t *n,
         return murk_fail(err, MURK_NO_MEMORY, "render",
                          "no memory for the heights of %zu lights", lights);
     }
-    const murk_box *box = &world->domain.box;
     const double grow =
-        GROWN_BY * fmax(fmax(fmax(fabs(box->min.x), fabs(box->max.x)),
-                             fmax(fabs(box->min.y), fabs(box->max.y))),
-                        fmax(fabs(box->min.z), fabs(box->max.z)));
+        GROWN_BY * murk_box_largest_coordinate(&world->domain.box);
     const murk_box surfaces = murk_surfaces_describe(world->surfaces).bounds_m;
     const murk_box regions = murk_media_bounds(world->media);
     add(height, n, surfaces.min.z, surfaces.max.z, grow);
@@ -66,12 +63,12 @@ murk_status murk_jump_heights(double (**out)[2], size_t *n,
 double murk_jump_ahead(const murk_walker *w)
 {
     const murk_walk_setup *course = w->course;
-    const double z = w->position.z, dz = w->direction.z;
+    const double z = w->path.position.z, dz = w->path.direction.z;
     if (w->wraps < WRAPS_BEFORE || !course->jumps || dz == 0) {
         return 0;
     }
-    const murk_walls *walls = &course->walls;
-    double end = walls->z[dz > 0];
+    const murk_path_sides *sides = &course->space.sides;
+    double end = sides->z[dz > 0];
     for (size_t i = 0; i < course->n_busy; ++i) {
         const double *busy = course->busy[i];
         if (z > busy[0] && z < busy[1]) {
@@ -84,35 +81,38 @@ double murk_jump_ahead(const murk_walker *w)
         }
     }
     const double run = (end - z) / dz;
-    const double x = run * fabs(w->direction.x) / (walls->x[1] - walls->x[0]);
-    const double y = run * fabs(w->direction.y) / (walls->y[1] - walls->y[0]);
+    const double x =
+        run * fabs(w->path.direction.x) / (sides->x[1] - sides->x[0]);
+    const double y =
+        run * fabs(w->path.direction.y) / (sides->y[1] - sides->y[0]);
     return fmax(x, y) > MIN_PERIODS ? run : 0;
 }
 
-static double brought_back(double x, const double wall[2])
+static double brought_back(double x, const double side[2])
 {
-    const double period = wall[1] - wall[0];
-    return murk_wall_held(x - period * floor((x - wall[0]) / period), wall);
+    const double period = side[1] - side[0];
+    return murk_path_side_hold(x - period * floor((x - side[0]) / period),
+                               side);
 }
 
 void murk_jump(murk_walker *w, double length_m)
 {
-    const murk_walls *walls = &w->course->walls;
-    const murk_vec3 from = w->position;
-    murk_vec3 end = murk_along(from, length_m, w->direction);
-    end.z = murk_wall_held(end.z, walls->z);
+    const murk_path_sides *sides = &w->course->space.sides;
+    const murk_vec3 from = w->path.position;
+    murk_vec3 end = murk_along(from, length_m, w->path.direction);
+    end.z = murk_path_side_hold(end.z, sides->z);
     if (w->sums->are_legs_wanted) {
         murk_walker_score(w, from, length_m, w->quanta, end, 0);
     }
-    w->position = end;
+    w->path.position = end;
     if (murk_walker_is_heard(w)) {
         murk_event event = murk_walker_event(w, MURK_EVENT_WRAPPED);
-        event.direction_out = w->direction;
+        event.direction_out = w->path.direction;
         event.path_m = length_m;
         murk_walker_tell(w, &event);
     }
-    w->position = murk_vec(brought_back(end.x, walls->x),
-                           brought_back(end.y, walls->y), end.z);
-    w->probe = w->position;
+    w->path.position = murk_vec(brought_back(end.x, sides->x),
+                                brought_back(end.y, sides->y), end.z);
+    w->probe = w->path.position;
     ++w->wraps;
 }

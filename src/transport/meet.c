@@ -27,35 +27,36 @@ static bool bounce_at(const murk_walker *w, const murk_boundary *b,
     if (b->mean_square_slope > 0) {
         const murk_address address = murk_walker_address(w, MURK_SURFACE);
         return murk_meet_facets(&address, n_from, n_to, b->mean_square_slope,
-                                w->direction, b->normal, bounce);
+                                w->path.direction, b->normal, bounce);
     }
-    *bounce = murk_refract(n_from, n_to, w->direction, b->normal,
+    *bounce = murk_refract(n_from, n_to, w->path.direction, b->normal,
                            murk_walker_draw(w, MURK_SURFACE).u[3]);
     return true;
 }
 
-bool murk_meet_boundary(murk_walker *w, const murk_ahead *ahead,
+bool murk_meet_boundary(murk_walker *w, const murk_path_boundary *ahead,
                         murk_fate *ended)
 {
-    const murk_boundary *b = &ahead->boundary;
-    const murk_vec3 arriving = w->direction;
-    const double lead = murk_dot(murk_sub(w->probe, w->position), arriving);
-    const murk_vec3 from = w->position;
-    w->position = murk_walls_hold(&w->course->walls,
-                                  murk_along(from, b->distance_m, arriving));
+    const murk_boundary *b = &ahead->met;
+    const murk_vec3 arriving = w->path.direction;
+    const double lead =
+        murk_dot(murk_sub(w->probe, w->path.position), arriving);
+    const murk_vec3 from = w->path.position;
+    w->path.position = murk_path_sides_hold(
+        &w->course->space.sides, murk_along(from, b->distance_m, arriving));
     if (w->sums->are_legs_wanted) {
-        murk_walker_score(w, from, b->distance_m, w->quanta, w->position,
+        murk_walker_score(w, from, b->distance_m, w->quanta, w->path.position,
                           w->course->in_plane_m);
     }
     if (!(lead > b->distance_m)) {
-        w->probe = w->position;
+        w->probe = w->path.position;
     }
-    const murk_inside beyond = w->inside ^ b->crossed;
-    w->skip_m = ahead->is_mesh ? w->course->near_m : 0;
-    const double n_from = murk_walker_index(w, &w->solids, w->inside);
+    const murk_inside beyond = w->path.inside ^ b->crossed;
+    w->path.skip_m = ahead->has_mesh ? w->course->space.near_m : 0;
+    const double n_from = murk_walker_index(w, &w->solids, w->path.inside);
     const double n_to = murk_walker_index(w, &w->solids, beyond);
     if (n_from == n_to) {
-        w->inside = beyond;
+        w->path.inside = beyond;
         w->silent_m += b->distance_m;
         return true;
     }
@@ -73,11 +74,11 @@ bool murk_meet_boundary(murk_walker *w, const murk_ahead *ahead,
         event.path_m = b->distance_m;
         murk_walker_tell(w, &event);
     }
-    w->direction = bent.direction;
+    w->path.direction = bent.direction;
     if (bent.outcome == MURK_TRANSMITTED) {
-        w->inside = beyond;
-    } else if (ahead->is_mesh) {
-        w->skip_m = REFLECTED_SKIP * w->course->near_m;
+        w->path.inside = beyond;
+    } else if (ahead->has_mesh) {
+        w->path.skip_m = REFLECTED_SKIP * w->course->space.near_m;
     }
     note_specular(w);
     return true;
@@ -89,24 +90,25 @@ bool murk_meet_surface(murk_walker *w, const murk_hit *hit, double path_m,
     const murk_surfaces *surfaces = w->course->world->surfaces;
     const murk_material *material =
         murk_surfaces_material(surfaces, hit->material);
-    murk_solids beyond = w->solids;
-    murk_inside inside = w->inside;
+    murk_path_solids beyond = w->solids;
+    murk_inside inside = w->path.inside;
     double n_from = 0, n_to = 0;
     if (hit->solid && material->ior > 0) {
-        if (!murk_solids_cross(&beyond, hit->solid, material->ior)) {
+        if (!murk_path_solids_cross(&beyond, hit->solid, material->ior)) {
             *ended = murk_walker_lose(w, MURK_LOSS_NUMERICAL);
             return false;
         }
         inside ^= crossed;
-        n_from = murk_walker_index(w, &w->solids, w->inside);
+        n_from = murk_walker_index(w, &w->solids, w->path.inside);
         n_to = murk_walker_index(w, &beyond, inside);
     }
-    const murk_vec3 place = murk_along(w->probe, hit->distance_m, w->direction);
+    const murk_vec3 place =
+        murk_along(w->probe, hit->distance_m, w->path.direction);
     if (w->sums->are_legs_wanted) {
-        murk_walker_score(w, w->position, path_m, w->quanta, place,
+        murk_walker_score(w, w->path.position, path_m, w->quanta, place,
                           w->course->in_plane_m);
     }
-    w->position = place;
+    w->path.position = place;
     w->absorber = hit->material;
     murk_random4 random = murk_walker_draw(w, MURK_SURFACE);
     const int64_t before = w->quanta;
@@ -117,8 +119,9 @@ bool murk_meet_surface(murk_walker *w, const murk_hit *hit, double path_m,
                                        w->absorber)) {
         random.u[0] = w->quanta > 0 ? random.u[0] * kept : 1;
     }
-    const murk_bounce b = murk_surface_bounce(
-        material, w->band, n_from, n_to, w->direction, hit->normal, random.u);
+    const murk_bounce b =
+        murk_surface_bounce(material, w->band, n_from, n_to, w->path.direction,
+                            hit->normal, random.u);
     if (murk_walker_is_heard(w)) {
         murk_event event = murk_walker_event(w, MURK_EVENT_SURFACE);
         event.outcome = b.outcome;
@@ -140,11 +143,11 @@ bool murk_meet_surface(murk_walker *w, const murk_hit *hit, double path_m,
     w->is_beyond = through;
     if (through) {
         w->solids = beyond;
-        w->inside = inside;
+        w->path.inside = inside;
     }
-    w->direction = b.direction;
-    w->position = w->probe = murk_surfaces_leave(
-        surfaces, w->position,
+    w->path.direction = b.direction;
+    w->path.position = w->probe = murk_surfaces_leave(
+        surfaces, w->path.position,
         through ? murk_scale(-1, hit->normal) : hit->normal);
     note_specular(w);
     if (b.outcome == MURK_DIFFUSE) {
@@ -154,47 +157,50 @@ bool murk_meet_surface(murk_walker *w, const murk_hit *hit, double path_m,
 }
 
 bool murk_meet_mesh_beyond(murk_walker *w, const murk_hit *hit,
-                           murk_ahead *ahead, murk_fate *ended)
+                           murk_path_boundary *ahead, murk_fate *ended)
 {
     if (!hit->solid) {
         ++w->number;
-        ahead->boundary.distance_m = 0;
+        ahead->met.distance_m = 0;
         if (!murk_meet_boundary(w, ahead, ended)) {
             return false;
         }
     }
-    w->skip_m = w->course->near_m / fabs(murk_dot(w->direction, hit->normal));
+    w->path.skip_m = w->course->space.near_m /
+                     fabs(murk_dot(w->path.direction, hit->normal));
     return true;
 }
 
 void murk_walker_enter(murk_walker *w)
 {
-    w->probe = murk_along(w->position, -w->course->margin_m, w->direction);
-    if (w->course->any_solids) {
-        w->solids = murk_solids_around(w->course->world->surfaces, w->probe,
-                                       w->direction);
+    w->probe = murk_along(w->path.position, -w->course->space.margin_m,
+                          w->path.direction);
+    if (w->course->space.any_solids) {
+        w->solids = murk_path_solids_around(w->course->world->surfaces,
+                                            w->probe, w->path.direction);
     }
 }
 
 /* Just out of a side of the domain, so that planes in it count what passes. */
 static murk_vec3 beyond_side(const murk_walker *w, int axis, bool upper)
 {
-    const double step = upper ? w->course->margin_m : -w->course->margin_m;
-    return murk_add(w->position,
+    const double step =
+        upper ? w->course->space.margin_m : -w->course->space.margin_m;
+    return murk_add(w->path.position,
                     murk_vec(axis == 0 ? step : 0, axis == 1 ? step : 0,
                              axis == 2 ? step : 0));
 }
 
 bool murk_meet_side(murk_walker *w, double path_m, murk_fate *ended)
 {
-    const murk_walls *walls = &w->course->walls;
-    const murk_vec3 d = w->direction;
-    const int axis = murk_walls_axis(walls, w->position, d);
+    const murk_path_sides *sides = &w->course->space.sides;
+    const murk_vec3 d = w->path.direction;
+    const int axis = murk_path_sides_axis(sides, w->path.position, d);
     const bool upper = (axis == 0 ? d.x : axis == 1 ? d.y : d.z) > 0;
     const bool wraps = w->course->world->domain.is_periodic && axis != 2;
-    const murk_vec3 from = w->position;
-    w->position = murk_walls_hold(walls, murk_along(from, path_m, d));
-    murk_walls_put(walls, axis, upper, &w->position);
+    const murk_vec3 from = w->path.position;
+    w->path.position = murk_path_sides_hold(sides, murk_along(from, path_m, d));
+    murk_path_sides_put(sides, axis, upper, &w->path.position);
     if (w->sums->are_legs_wanted) {
         murk_walker_score(w, from, path_m, w->quanta,
                           beyond_side(w, axis, upper), 0);
@@ -215,14 +221,14 @@ bool murk_meet_side(murk_walker *w, double path_m, murk_fate *ended)
         return false;
     }
     ++w->wraps;
-    murk_walls_put(walls, axis, !upper, &w->position);
+    murk_path_sides_put(sides, axis, !upper, &w->path.position);
     if (w->sums->scorer) {
         murk_score_jump(w->sums->scorer,
                         (murk_station){beyond_side(w, axis, !upper), 0});
     }
-    if (w->course->any_boundaries) {
-        w->inside =
-            murk_inside_wrapped(w->course->world, w->inside, w->position, axis);
+    if (w->course->space.any_boundaries) {
+        w->path.inside = murk_path_inside_wrapped(
+            &w->course->space, w->path.inside, w->path.position, axis);
     }
     murk_walker_enter(w);
     return true;

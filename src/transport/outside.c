@@ -11,8 +11,7 @@
 #include "transport/outside.h"
 
 #include "medium/fresnel.h"
-#include "medium/interfaces.h"
-#include "transport/ahead.h"
+#include "path/path.h"
 
 /* Share of the domain's diagonal by which the column lies inside of the side:
  * above what single-precision meshes are off by, below any layer's size. */
@@ -46,34 +45,34 @@ static void refract(beam *b, double index)
 static void descend(beam *b, const murk_transport_world *world, int band,
                     murk_vec3 at, murk_vec3 along, double length_m)
 {
-    murk_inside inside = murk_inside_at(world, at, along);
-    double skip_m = 0;
-    b->index = murk_media_index(world->media, inside);
+    const murk_path_space space = murk_path_space_of(
+        world->surfaces, world->media, world->boundary_meshes, &world->domain);
+    murk_path path = {.space = &space,
+                      .position = at,
+                      .direction = along,
+                      .length_m = length_m,
+                      .inside = murk_path_inside_ahead(&space, at, along)};
+    b->index = murk_media_index(world->media, path.inside);
     for (int i = 0; i < LAYERS_MAX && b->share > 0; ++i) {
-        /* the layer ends at the next boundary, or at the place */
-        murk_ahead ahead;
-        const bool is_boundary = murk_look_ahead(world, &inside, at, along,
-                                                 skip_m, length_m, &ahead) &&
-                                 ahead.boundary.distance_m < length_m;
-        const double piece_m =
-            is_boundary ? ahead.boundary.distance_m : length_m;
+        /* The layer ends at the next boundary, or at the place. */
+        murk_path_boundary next;
+        const bool is_boundary =
+            murk_path_next_boundary(&path, length_m, &next) &&
+            next.met.distance_m < length_m;
+        const double end_m = is_boundary ? next.met.distance_m : length_m;
         const double depth = murk_media_optical_depth(
-            world->media, band, inside, at, along, piece_m);
+            world->media, band, path.inside, murk_along(at, path.gone_m, along),
+            along, end_m - path.gone_m);
         b->share *= exp(-depth / b->cosine);
         if (!is_boundary) {
             return;
         }
-        /* beyond the boundary */
-        inside ^= ahead.boundary.crossed;
-        const double index = murk_media_index(world->media, inside);
+        /* Beyond the boundary. */
+        murk_path_pass(&path, &next);
+        const double index = murk_media_index(world->media, path.inside);
         if (index != b->index) {
             refract(b, index);
         }
-        at = murk_along(at, piece_m, along);
-        length_m -= piece_m;
-        skip_m = ahead.is_mesh && world->boundary_meshes
-                     ? murk_boundary_meshes_tolerance_m(world->boundary_meshes)
-                     : 0;
     }
 }
 

@@ -9,7 +9,7 @@
  * stop its light.
  *
  * `inside`, not the position, says on which side of the boundaries of
- * refractive regions and of meshes the photon is; see transport/ahead.h. */
+ * refractive regions and of meshes the photon is; see path/path.h. */
 #include "transport/walk.h"
 
 #include "medium/phase.h"
@@ -18,38 +18,14 @@
 #include "transport/outside.h"
 #include "transport/turn.h"
 
-/* Share of the domain's largest coordinate by which the box for surfaces is
- * grown: some times what rays in single precision are off by, and what
- * murk_surfaces_leave() moves by. */
-#define GROWN_BY 4e-6
-
-/* Likewise, how near to a place that was worked out in double a plane has it in
- * it: some hundred times what it is off by. */
+/* A plane nearer than this share of the domain's largest coordinate to a place
+ * that was computed in double precision contains the place: some hundred times
+ * the rounding. */
 #define IN_PLANE_BY 1e-13
-
-/* Cosine between a surface and a boundary above which one lies in the other;
- * below it they merely cross there, and the boundary is met in its turn. */
-#define ALIKE 0.9
 
 /* A jump that leads to a boundary ends at this share of the way, and the
  * boundary is met from near. */
 #define BEFORE_BOUNDARY 0.999
-
-/* The nearest surface; *distance_m is along the leg from w->position. */
-static bool meets_surface(const murk_walker *w, murk_hit *hit,
-                          double *distance_m)
-{
-    const double maximum =
-        murk_walls_ahead(&w->course->grown, w->probe, w->direction);
-    if (!murk_surfaces_hit(w->course->world->surfaces, w->probe, w->direction,
-                           maximum, hit)) {
-        return false;
-    }
-    const double ahead =
-        murk_dot(murk_sub(w->probe, w->position), w->direction);
-    *distance_m = fmax(0, hit->distance_m + ahead);
-    return true;
-}
 
 /* u: two numbers in (0, 1). Given that it scatters, what the roulette leaves of
  * its number is again uniform, and serves as the azimuth: so one collision
@@ -64,16 +40,17 @@ static bool scatter(murk_walker *w, const murk_collision *c, const double u[2])
         murk_walker_splits(w, c->albedo, u[0], MURK_FATE_MEDIA, w->absorber);
     const bool scatters = is_split ? w->quanta > 0 : u[0] < c->albedo;
     const double azimuth = is_split ? u[0] : u[0] / c->albedo;
-    const murk_vec3 arriving = w->direction;
-    const murk_vec3 from = w->position;
+    const murk_vec3 arriving = w->path.direction;
+    const murk_vec3 from = w->path.position;
     ++w->sums->collisions;
-    w->position = w->probe = murk_walls_hold(
-        &w->course->walls, murk_along(from, c->distance_m, w->direction));
+    w->path.position = w->probe = murk_path_sides_hold(
+        &w->course->space.sides,
+        murk_along(from, c->distance_m, w->path.direction));
     if (w->sums->are_legs_wanted) {
-        murk_walker_score(w, from, c->distance_m, before, w->position, 0);
+        murk_walker_score(w, from, c->distance_m, before, w->path.position, 0);
     }
     if (scatters) {
-        w->direction = murk_turned_direction(
+        w->path.direction = murk_turned_direction(
             arriving, murk_phase_sample(c->phase, u[1]), azimuth);
     }
     if (murk_walker_is_heard(w)) {
@@ -81,7 +58,7 @@ static bool scatter(murk_walker *w, const murk_collision *c, const double u[2])
         event.outcome = scatters ? MURK_SCATTERED : MURK_ABSORBED;
         event.material_or_medium = (uint8_t)c->medium;
         event.direction_in = arriving;
-        event.direction_out = scatters ? w->direction : murk_vec(0, 0, 0);
+        event.direction_out = scatters ? w->path.direction : murk_vec(0, 0, 0);
         event.weight = murk_packet_share(before);
         event.leaving = scatters ? murk_packet_share(w->quanta) : 0;
         event.reflectance = c->albedo;
@@ -106,28 +83,12 @@ static inline bool collides(const murk_walker *w, double length_m,
     const double tau = -log(random.u[0]);
     if (w->course->trace->by_delta) {
         const murk_address address = murk_walker_address(w, MURK_FLIGHT);
-        return murk_media_fly_delta(media, w->band, w->inside, w->position,
-                                    w->direction, length_m, tau, random.u[1],
-                                    &address, c);
+        return murk_media_fly_delta(media, w->band, w->path.inside,
+                                    w->path.position, w->path.direction,
+                                    length_m, tau, random.u[1], &address, c);
     }
-    return murk_media_fly(media, w->band, w->inside, w->position, w->direction,
-                          length_m, tau, random.u[1], c);
-}
-
-/* Which comes first: the boundary, the surface at path_m, or both at once?
- * Surfaces are known in single precision only, so within what they are moved
- * off by a boundary counts as lying in them: the floor of a tank is wet, and
- * glass that holds water lets light straight through from one to the other. */
-typedef enum order { BOUNDARY_FIRST, TOGETHER, SURFACE_FIRST } order;
-
-static order order_of(const murk_walker *w, const murk_boundary *b,
-                      double path_m)
-{
-    const double gap =
-        (path_m - b->distance_m) * fabs(murk_dot(b->normal, w->direction));
-    return gap > w->course->near_m    ? BOUNDARY_FIRST
-           : gap < -w->course->near_m ? SURFACE_FIRST
-                                      : TOGETHER;
+    return murk_media_fly(media, w->band, w->path.inside, w->path.position,
+                          w->path.direction, length_m, tau, random.u[1], c);
 }
 
 /* How far this leg can lead at most. Meshes are looked for only so far, which
@@ -136,7 +97,7 @@ static inline double as_far_as_media_let(const murk_walker *w)
 {
     murk_collision collision;
     double rest[2];
-    return w->course->world->boundary_meshes && w->course->any_media &&
+    return w->course->space.boundary_meshes && w->course->any_media &&
                    w->solids.n == 0 && collides(w, INFINITY, &collision, rest)
                ? collision.distance_m
                : INFINITY;
@@ -145,8 +106,9 @@ static inline double as_far_as_media_let(const murk_walker *w)
 static murk_fate follow(murk_walker *w)
 {
     const murk_walk_setup *r = w->course;
-    const bool only_media = r->any_media && !r->any_surfaces;
-    const bool media_too = r->any_media && r->any_surfaces;
+    const murk_path_space *space = &r->space;
+    const bool only_media = r->any_media && !space->any_surfaces;
+    const bool media_too = r->any_media && space->any_surfaces;
     for (;;) {
         ++w->number;
         if (w->number > r->trace->events_max) {
@@ -154,15 +116,14 @@ static murk_fate follow(murk_walker *w)
         }
         murk_collision collision;
         double rest[2];
-        murk_ahead ahead;
-        const murk_boundary *boundary = &ahead.boundary;
-        bool bends =
-            r->any_boundaries &&
-            murk_look_ahead(r->world, &w->inside, w->position, w->direction,
-                            w->skip_m, as_far_as_media_let(w), &ahead);
-        w->skip_m = 0;
+        murk_path_boundary ahead;
+        const bool bends =
+            space->any_boundaries &&
+            murk_path_next_boundary(&w->path, as_far_as_media_let(w), &ahead);
+        const double boundary_m = bends ? ahead.met.distance_m : INFINITY;
+        w->path.skip_m = 0;
         double run = r->jumps ? murk_jump_ahead(w) : 0;
-        run = bends ? fmin(run, BEFORE_BOUNDARY * boundary->distance_m) : run;
+        run = bends ? fmin(run, BEFORE_BOUNDARY * boundary_m) : run;
         if (run > 0) {
             const bool met_medium =
                 r->any_media && collides(w, run, &collision, rest);
@@ -175,57 +136,43 @@ static murk_fate follow(murk_walker *w)
         }
         /* With no surfaces most legs end in a medium: the others alone look
          * for the side. */
-        if (only_media &&
-            collides(w, bends ? boundary->distance_m : INFINITY, &collision,
-                     rest) &&
-            murk_walls_contain(
-                &r->walls,
-                murk_along(w->position, collision.distance_m, w->direction))) {
+        if (only_media && collides(w, boundary_m, &collision, rest) &&
+            murk_path_sides_contain(&space->sides,
+                                    murk_along(w->path.position,
+                                               collision.distance_m,
+                                               w->path.direction))) {
             if (!scatter(w, &collision, rest)) {
                 return MURK_FATE_MEDIA;
             }
             continue;
         }
-        double length_m =
-            murk_walls_ahead(&r->walls, w->position, w->direction);
-        /* Also false for what is not a number. */
-        if (!(murk_walls_contain(&r->grown, w->position) &&
-              length_m < INFINITY)) {
+        murk_path_event event;
+        if (!murk_path_first_event(&w->path, w->probe, bends ? &ahead : NULL,
+                                   &event)) {
             return murk_walker_lose(w, MURK_LOSS_NUMERICAL);
         }
-        murk_hit hit;
-        const bool met = r->any_surfaces && meets_surface(w, &hit, &length_m);
-        murk_inside crossed = 0;
-        if (bends && met) {
-            const order o = order_of(w, boundary, length_m);
-            bends = o == BOUNDARY_FIRST;
-            const double alike = fabs(murk_dot(boundary->normal, hit.normal));
-            crossed = o == TOGETHER && alike > ALIKE ? boundary->crossed : 0;
-        }
-        bends = bends && boundary->distance_m < length_m;
-        if (bends) {
-            length_m = boundary->distance_m;
-        }
         if (media_too && w->solids.n == 0 &&
-            collides(w, length_m, &collision, rest)) {
+            collides(w, event.distance_m, &collision, rest)) {
             if (!scatter(w, &collision, rest)) {
                 return MURK_FATE_MEDIA;
             }
             continue;
         }
         murk_fate ended;
-        if (bends) {
+        if (event.kind == MURK_PATH_BOUNDARY) {
             if (!murk_meet_boundary(w, &ahead, &ended)) {
                 return ended;
             }
             continue;
         }
-        if (met ? !murk_meet_surface(w, &hit, length_m, crossed, &ended)
-                : !murk_meet_side(w, length_m, &ended)) {
+        if (event.kind == MURK_PATH_SURFACE
+                ? !murk_meet_surface(w, &event.hit, event.distance_m,
+                                     event.crossed, &ended)
+                : !murk_meet_side(w, event.distance_m, &ended)) {
             return ended;
         }
-        if (crossed && ahead.is_mesh && w->is_beyond &&
-            !murk_meet_mesh_beyond(w, &hit, &ahead, &ended)) {
+        if (event.crossed && ahead.has_mesh && w->is_beyond &&
+            !murk_meet_mesh_beyond(w, &event.hit, &ahead, &ended)) {
             return ended;
         }
     }
@@ -235,12 +182,13 @@ static void start(murk_walker *w, murk_ray ray)
 {
     const murk_walk_setup *r = w->course;
     const murk_source *light = murk_sources_get(r->world->lights, w->light);
-    w->position = w->probe = ray.origin;
-    w->direction = ray.direction;
-    if (r->any_boundaries) {
-        w->inside = murk_inside_at(r->world, ray.origin, ray.direction);
+    w->path.position = w->probe = ray.origin;
+    w->path.direction = ray.direction;
+    if (r->space.any_boundaries) {
+        w->path.inside =
+            murk_path_inside_ahead(&r->space, ray.origin, ray.direction);
     }
-    if (!r->any_surfaces) {
+    if (!r->space.any_surfaces) {
         return;
     }
     if (murk_source_is_distant(light)) {
@@ -249,9 +197,9 @@ static void start(murk_walker *w, murk_ray ray)
     }
     const murk_vec3 off = murk_source_face(light, ray.direction);
     w->probe = murk_surfaces_leave(r->world->surfaces, ray.origin, off);
-    if (r->any_solids) {
-        w->solids =
-            murk_solids_around(r->world->surfaces, w->probe, w->direction);
+    if (r->space.any_solids) {
+        w->solids = murk_path_solids_around(r->world->surfaces, w->probe,
+                                            w->path.direction);
     }
 }
 
@@ -259,12 +207,13 @@ static void start(murk_walker *w, murk_ray ray)
 static void start_inside(murk_walker *w)
 {
     const murk_walk_setup *r = w->course;
-    if (r->any_boundaries) {
-        w->inside = murk_inside_at(r->world, w->position, w->direction);
+    if (r->space.any_boundaries) {
+        w->path.inside = murk_path_inside_ahead(&r->space, w->path.position,
+                                                w->path.direction);
     }
-    if (r->any_solids) {
-        w->solids =
-            murk_solids_around(r->world->surfaces, w->probe, w->direction);
+    if (r->space.any_solids) {
+        w->solids = murk_path_solids_around(r->world->surfaces, w->probe,
+                                            w->path.direction);
     }
 }
 
@@ -274,7 +223,7 @@ static murk_fate spend(murk_walker *w)
     ++w->number;
     if (murk_walker_is_heard(w)) {
         murk_event event = murk_walker_event(w, MURK_EVENT_ESCAPED);
-        event.direction_out = w->direction;
+        event.direction_out = w->path.direction;
         murk_walker_tell(w, &event);
     }
     return MURK_FATE_ESCAPED;
@@ -309,40 +258,25 @@ static murk_station first_station(const murk_walker *w)
     const murk_source *light =
         murk_sources_get(w->course->world->lights, w->light);
     return murk_source_is_distant(light)
-               ? (murk_station){murk_along(w->position, -w->course->margin_m,
-                                           w->direction),
+               ? (murk_station){murk_along(w->path.position,
+                                           -w->course->space.margin_m,
+                                           w->path.direction),
                                 0}
-               : (murk_station){w->position, w->course->in_plane_m};
+               : (murk_station){w->path.position, w->course->in_plane_m};
 }
 
 murk_walk_setup murk_course_of(const murk_trace *trace)
 {
     const murk_transport_world *world = trace->world;
-    const murk_surfaces_facts facts = murk_surfaces_describe(world->surfaces);
-    const murk_box box = world->domain.box;
-    const double size =
-        fmax(fmax(fmax(fabs(box.min.x), fabs(box.min.y)), fabs(box.min.z)),
-             fmax(fmax(fabs(box.max.x), fabs(box.max.y)), fabs(box.max.z)));
-    const double grow = GROWN_BY * size;
-    const murk_vec3 zero = {0, 0, 0}, up = {0, 0, 1};
-    const double step =
-        murk_length(murk_surfaces_leave(world->surfaces, zero, up));
+    const double size = murk_box_largest_coordinate(&world->domain.box);
+    const double step = murk_surfaces_leave_step_m(world->surfaces);
     return (murk_walk_setup){
         .trace = trace,
         .world = world,
-        .walls = murk_walls_of(&box, 0),
-        .grown = murk_walls_of(&box, grow),
-        .margin_m = grow,
-        .near_m = fmax(2 * step, world->boundary_meshes
-                                     ? murk_boundary_meshes_tolerance_m(
-                                           world->boundary_meshes)
-                                     : 0),
+        .space = murk_path_space_of(world->surfaces, world->media,
+                                    world->boundary_meshes, &world->domain),
         .in_plane_m = fmax(step / 2, IN_PLANE_BY * size),
-        .any_surfaces = facts.triangles + facts.spheres > 0,
-        .any_solids = facts.solids > 0,
         .any_media = murk_media_any(world->media),
-        .any_boundaries =
-            murk_media_bends(world->media) || world->boundary_meshes,
         .purpose_shift = MURK_STREAM * trace->stream,
         .min_quanta = llround(trace->least_weight * (double)MURK_PACKET)};
 }
@@ -360,7 +294,8 @@ void murk_walk_photon(const murk_walk_setup *r, murk_sums *s, uint64_t batch,
                      .channel = channel,
                      .light = channel / (size_t)world->bands,
                      .band = (int)(channel % (size_t)world->bands),
-                     .event_class = MURK_CLASS_FIRST};
+                     .event_class = MURK_CLASS_FIRST,
+                     .path = {.space = &r->space, .length_m = INFINITY}};
     ++s->emitted[channel];
     murk_ray ray = murk_sources_emit(world->lights, r->trace->seed,
                                      r->trace->stream, photon);
@@ -372,7 +307,7 @@ void murk_walk_photon(const murk_walk_setup *r, murk_sums *s, uint64_t batch,
     if (murk_walker_is_heard(&w)) {
         murk_event event = murk_walker_event(&w, MURK_EVENT_EMITTED);
         event.direction_in = murk_vec(0, 0, 0);
-        event.direction_out = w.direction;
+        event.direction_out = w.path.direction;
         murk_walker_tell(&w, &event);
     }
     if (s->scorer) {
@@ -397,9 +332,11 @@ void murk_walk_from(const murk_walk_setup *r, murk_sums *s, uint64_t photon,
                      .quanta = MURK_PACKET,
                      .band = band,
                      .event_class = MURK_CLASS_FIRST,
-                     .position = ray.origin,
-                     .probe = ray.origin,
-                     .direction = ray.direction};
+                     .path = {.space = &r->space,
+                              .position = ray.origin,
+                              .direction = ray.direction,
+                              .length_m = INFINITY},
+                     .probe = ray.origin};
     start_inside(&w);
     const murk_fate fate = follow(&w);
     s->ended[0][fate] += w.quanta;

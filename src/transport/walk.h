@@ -2,9 +2,9 @@
 #ifndef MURK_TRANSPORT_WALK_H
 #define MURK_TRANSPORT_WALK_H
 
+#include "path/path.h"
 #include "transport/score.h"
 #include "transport/trace.h"
-#include "transport/walls.h"
 
 #define MURK_EMISSIONS_MAX (MURK_SOURCES_MAX * MURK_BANDS_MAX)
 
@@ -20,14 +20,10 @@ typedef enum murk_fate {
 typedef struct murk_walk_setup {
     const murk_trace *trace;
     const murk_transport_world *world;
-    murk_walls walls;  /* the domain's */
-    murk_walls grown;  /* where surfaces are looked for */
-    double margin_m;   /* by how much it is grown */
-    double near_m;     /* a boundary nearer to a surface lies in it */
+    murk_path_space space;
     double in_plane_m; /* a plane nearer to a surface has the surface in it */
-    bool any_surfaces, any_solids, any_media;
-    bool any_boundaries; /* of regions that bend or are meshes */
-    bool jumps;          /* where the domain is periodic: transport/jump.h */
+    bool any_media;
+    bool jumps; /* where the domain is periodic: transport/jump.h */
     const double (*busy)[2]; /* [n_busy] heights that are not free */
     size_t n_busy;
     uint32_t purpose_shift;

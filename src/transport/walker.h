@@ -4,8 +4,8 @@
 #define MURK_TRANSPORT_WALKER_H
 
 #include "base/rng.h"
-#include "medium/interfaces.h"
-#include "transport/solids.h"
+#include "path/path.h"
+#include "path/solids.h"
 #include "transport/walk.h"
 
 /* A photon under way. */
@@ -19,12 +19,11 @@ typedef struct murk_walker {
     int band;
     uint32_t number, wraps;
     murk_event_class event_class;
-    murk_vec3 position, direction, probe;
-    murk_solids solids;
-    murk_inside inside; /* regions with a boundary that it is in */
-    double silent_m;    /* flown to boundaries that were no event, since one */
-    double skip_m;      /* no mesh is looked for nearer on the next leg */
-    bool is_beyond;     /* the surface met last let it through */
+    murk_path path;  /* begins at the photon's place */
+    murk_vec3 probe; /* surfaces are looked for from here on */
+    murk_path_solids solids;
+    double silent_m; /* flown to boundaries that were no event, since one */
+    bool is_beyond;  /* the surface met last let it through */
 } murk_walker;
 
 static inline murk_address murk_walker_address(const murk_walker *w,
@@ -86,8 +85,8 @@ static inline murk_event murk_walker_event(const murk_walker *w,
                         .band = (uint8_t)w->band,
                         .weight = murk_packet_share(w->quanta),
                         .leaving = murk_packet_share(w->quanta),
-                        .position = w->position,
-                        .direction_in = w->direction};
+                        .position = w->path.position,
+                        .direction_in = w->path.direction};
 }
 
 static inline void murk_walker_tell(murk_walker *w, murk_event *event)
@@ -104,10 +103,10 @@ static inline bool murk_walker_is_heard(const murk_walker *w)
 
 /* The index of refraction in these solids and regions. */
 static inline double murk_walker_index(const murk_walker *w,
-                                       const murk_solids *solids,
+                                       const murk_path_solids *solids,
                                        murk_inside inside)
 {
-    return solids->n > 0 ? murk_solids_ior(solids)
+    return solids->n > 0 ? murk_path_solids_index(solids)
                          : murk_media_index(w->course->world->media, inside);
 }
 
@@ -119,7 +118,7 @@ static inline void murk_walker_score(const murk_walker *w, murk_vec3 from,
 {
     const murk_trace *trace = w->course->trace;
     if (w->sums->scorer) {
-        murk_score_leg(w->sums->scorer, from, w->direction, length_m,
+        murk_score_leg(w->sums->scorer, from, w->path.direction, length_m,
                        (double)quanta, (murk_station){end, reach_m});
     }
     if (trace->leg) {
@@ -128,12 +127,12 @@ static inline void murk_walker_score(const murk_walker *w, murk_vec3 from,
             .light = (uint16_t)w->light,
             .band = (uint8_t)w->band,
             .is_in_solid = w->solids.n > 0,
-            .inside = w->inside,
+            .inside = w->path.inside,
             .from = from,
-            .direction = w->direction,
+            .direction = w->path.direction,
             .length_m = length_m,
             .weight = murk_packet_share(quanta),
-            .index = murk_walker_index(w, &w->solids, w->inside)};
+            .index = murk_walker_index(w, &w->solids, w->path.inside)};
         trace->leg(trace->context, w->batch, &leg);
     }
 }

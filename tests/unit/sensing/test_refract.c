@@ -62,12 +62,12 @@ static answer ask(const murk_media *media,
                   const murk_boundary_meshes *boundary_meshes,
                   const murk_domain *domain, murk_vec3 sensor, murk_vec3 photon)
 {
+    const murk_path_space space =
+        murk_path_space_of(NULL, media, boundary_meshes, domain);
     murk_interfaces at;
-    murk_interfaces_find(&at, media, boundary_meshes, domain);
-    const murk_passages p =
-        murk_passages_from(media, boundary_meshes, domain, sensor);
-    const murk_passages q =
-        murk_passages_from(media, boundary_meshes, domain, photon);
+    murk_interfaces_find(&at, &space);
+    const murk_path_viewpoint p = murk_path_viewpoint_at(&space, sensor);
+    const murk_path_viewpoint q = murk_path_viewpoint_at(&space, photon);
     answer a = {0};
     a.n = murk_ways_across(&at, &p, photon, q.index, a.way, &a.is_reflected);
     return a;
@@ -314,14 +314,15 @@ static void test_periodic_ways_are_those_to_the_nearest_image(void)
     one[1].box = (murk_box){{0.5, 0.5, 0.5}, {1.5, 3.5, 1}};
     one[0].below_z_m = -0.5;
     murk_media *small = media_of(one, 2, NULL, &tiled);
+    const murk_path_space space = murk_path_space_of(NULL, small, NULL, &tiled);
     size_t across = 0;
     for (uint64_t i = 0; i < PAIRS; ++i) {
         const murk_vec3 sensor = point_in(&tiled.box, i, 0);
         const murk_vec3 photon = point_in(&tiled.box, i, 1);
-        const murk_vec3 image = murk_nearest_image(&tiled, photon, sensor);
+        const murk_vec3 image = murk_path_nearest_image(&tiled, photon, sensor);
         const murk_vec3 shift = murk_sub(image, photon);
-        const murk_passages p = murk_passages_from(small, NULL, &tiled, sensor);
-        const murk_passages q = murk_passages_from(small, NULL, &tiled, photon);
+        const murk_path_viewpoint p = murk_path_viewpoint_at(&space, sensor);
+        const murk_path_viewpoint q = murk_path_viewpoint_at(&space, photon);
         if (p.index == q.index) {
             continue;
         }
@@ -357,6 +358,7 @@ static void test_media_attenuate_along_both_legs(void)
     murk_region two[2] = {region_of(MURK_REGION_EVERYWHERE, 0),
                           region_of(MURK_REGION_BELOW, WATER)};
     murk_media *media = media_of(two, 2, per_m, &cube);
+    const murk_path_space space = murk_path_space_of(NULL, media, NULL, &cube);
     for (uint64_t i = 0; i < 100; ++i) {
         murk_vec3 sensor = point_in(&cube.box, i, 0);
         murk_vec3 photon = point_in(&cube.box, i, 1);
@@ -365,8 +367,8 @@ static void test_media_attenuate_along_both_legs(void)
         const answer there = ask(media, NULL, &cube, sensor, photon);
         const answer back = ask(media, NULL, &cube, photon, sensor);
         CHECK(there.n == 1 && back.n == 1);
-        const murk_passages p = murk_passages_from(media, NULL, &cube, sensor);
-        const murk_passages q = murk_passages_from(media, NULL, &cube, photon);
+        const murk_path_viewpoint p = murk_path_viewpoint_at(&space, sensor);
+        const murk_path_viewpoint q = murk_path_viewpoint_at(&space, photon);
         const double got = murk_way_transmittance(&there.way[0], &p, 0);
         const double *leg = there.way[0].snell.leg_m;
         const double want = exp(-0.7 * leg[0] - 0.3 * leg[1]);
@@ -383,12 +385,13 @@ static void test_surfaces_count_along_both_legs(void)
 {
     murk_region water = region_of(MURK_REGION_BELOW, WATER);
     murk_media *media = media_of(&water, 1, NULL, &cube);
+    const murk_path_space space = murk_path_space_of(NULL, media, NULL, &cube);
     const murk_vec3 sensor = {-2, 0, 1}, photon = {2, 0, -1};
     const answer a = ask(media, NULL, &cube, sensor, photon);
     CHECK(a.n == 1);
     const murk_way *way = &a.way[0];
     const murk_vec3 x = way->snell.crossing;
-    const murk_passages p = murk_passages_from(media, NULL, &cube, sensor);
+    const murk_path_viewpoint p = murk_path_viewpoint_at(&space, sensor);
     const murk_vec3 at[4] = {murk_scale(0.5, murk_add(sensor, x)),
                              murk_scale(0.5, murk_add(photon, x)), x,
                              murk_scale(0.5, murk_add(sensor, photon))};
@@ -418,13 +421,14 @@ static void test_reach_is_that_of_the_faces(void)
 {
     murk_region water = region_of(MURK_REGION_BELOW, 4. / 3);
     murk_media *media = media_of(&water, 1, NULL, &cube);
+    const murk_path_space space = murk_path_space_of(NULL, media, NULL, &cube);
     murk_interfaces at;
-    murk_interfaces_find(&at, media, NULL, &cube);
+    murk_interfaces_find(&at, &space);
     const double n[2] = {1, 4. / 3}, back[2] = {4. / 3, 1};
-    const murk_passages above =
-        murk_passages_from(media, NULL, &cube, murk_vec(0, 0, 2));
-    const murk_passages below =
-        murk_passages_from(media, NULL, &cube, murk_vec(0, 0, -1));
+    const murk_path_viewpoint above =
+        murk_path_viewpoint_at(&space, murk_vec(0, 0, 2));
+    const murk_path_viewpoint below =
+        murk_path_viewpoint_at(&space, murk_vec(0, 0, -1));
     CHECK_NEAR(murk_ways_reach(&at, &above, 3), murk_snell_reach(3, 2, n),
                1e-12);
     CHECK_NEAR(murk_ways_reach(&at, &below, 3), murk_snell_reach(3, 1, back),

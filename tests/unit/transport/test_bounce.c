@@ -1,8 +1,8 @@
 /* Turning, the roulette at a surface, and the stack of solids, by hand: nothing
  * here is random. */
 #include "check.h"
+#include "path/solids.h"
 #include "transport/bounce.h"
-#include "transport/solids.h"
 #include "transport/turn.h"
 
 static void test_turn_once_is_the_circle(void)
@@ -96,17 +96,21 @@ static void test_solids_split_by_fresnel(void)
 
 static void test_solids_nest(void)
 {
-    murk_solids s = {0};
-    CHECK(murk_solids_ior(&s) == 1);
-    CHECK(murk_solids_cross(&s, 3, 1.5) && murk_solids_ior(&s) == 1.5);
-    CHECK(murk_solids_cross(&s, 1, 1.33) && murk_solids_ior(&s) == 1.33);
-    CHECK(murk_solids_cross(&s, 3, 1.5) && murk_solids_ior(&s) == 1.33);
-    CHECK(murk_solids_cross(&s, 1, 1.33) && murk_solids_ior(&s) == 1);
-    for (uint16_t i = 1; i <= MURK_SOLIDS_DEEP; ++i) {
-        CHECK(murk_solids_cross(&s, i, 1 + i));
+    murk_path_solids s = {0};
+    CHECK(murk_path_solids_index(&s) == 1);
+    CHECK(murk_path_solids_cross(&s, 3, 1.5) &&
+          murk_path_solids_index(&s) == 1.5);
+    CHECK(murk_path_solids_cross(&s, 1, 1.33) &&
+          murk_path_solids_index(&s) == 1.33);
+    CHECK(murk_path_solids_cross(&s, 3, 1.5) &&
+          murk_path_solids_index(&s) == 1.33);
+    CHECK(murk_path_solids_cross(&s, 1, 1.33) &&
+          murk_path_solids_index(&s) == 1);
+    for (uint16_t i = 1; i <= MURK_PATH_SOLIDS_MAX; ++i) {
+        CHECK(murk_path_solids_cross(&s, i, 1 + i));
     }
-    CHECK(!murk_solids_cross(&s, 99, 2));
-    CHECK(s.n == MURK_SOLIDS_DEEP);
+    CHECK(!murk_path_solids_cross(&s, 99, 2));
+    CHECK(s.n == MURK_PATH_SOLIDS_MAX);
 }
 
 int main(void)

@@ -1,17 +1,19 @@
-#include "transport/solids.h"
+/* Solids around a point of a ray: see path/solids.h. A solid encloses a point
+ * if a ray from the point meets the solid's boundary an odd number of times. */
+#include "path/solids.h"
 
-/* Boundaries of solids looked at along the ray, and surfaces of all kinds: a
- * ray that meets more has its count cut, which matters only where the point is
+/* Boundaries of solids looked at along the ray, and surfaces of all kinds. The
+ * count of a ray that meets more is cut, which matters only if the point is
  * inside one of the last. */
 #define BOUNDARIES_MAX 64
 #define STEPS_MAX      1024
 
-double murk_solids_ior(const murk_solids *solids)
+double murk_path_solids_index(const murk_path_solids *solids)
 {
     return solids->n > 0 ? solids->ior[solids->n - 1] : 1;
 }
 
-static int find(const murk_solids *solids, uint16_t solid)
+static int find(const murk_path_solids *solids, uint16_t solid)
 {
     for (int i = solids->n - 1; i >= 0; --i) {
         if (solids->solid[i] == solid) {
@@ -21,7 +23,8 @@ static int find(const murk_solids *solids, uint16_t solid)
     return -1;
 }
 
-bool murk_solids_cross(murk_solids *solids, uint16_t solid, double ior)
+bool murk_path_solids_cross(murk_path_solids *solids, uint16_t solid,
+                            double ior)
 {
     const int found = find(solids, solid);
     if (found >= 0) {
@@ -32,7 +35,7 @@ bool murk_solids_cross(murk_solids *solids, uint16_t solid, double ior)
         }
         return true;
     }
-    if (solids->n == MURK_SOLIDS_DEEP) {
+    if (solids->n == MURK_PATH_SOLIDS_MAX) {
         return false;
     }
     solids->solid[solids->n] = solid;
@@ -40,14 +43,14 @@ bool murk_solids_cross(murk_solids *solids, uint16_t solid, double ior)
     return true;
 }
 
-/* Walks outwards, noting each boundary of a solid: a solid whose boundary is
- * met an odd number of times is around the point. Read from the far end, the
- * first boundary met of each such solid is the one that leaves it last; those
- * are put on the stack, and even counts take themselves off again. */
-murk_solids murk_solids_around(const murk_surfaces *surfaces, murk_vec3 point,
-                               murk_vec3 direction)
+/* Follows the ray outwards and notes each boundary of a solid. Read from the
+ * far end, the first boundary met of each solid with an odd count is the one
+ * that leaves the solid last: those solids are put on the stack, and solids
+ * with even counts take themselves off again. */
+murk_path_solids murk_path_solids_around(const murk_surfaces *surfaces,
+                                         murk_vec3 point, murk_vec3 direction)
 {
-    murk_solids around = {0};
+    murk_path_solids around = {0};
     if (murk_surfaces_solid_at(surfaces, point) == 0) {
         return around;
     }
@@ -68,7 +71,7 @@ murk_solids murk_solids_around(const murk_surfaces *surfaces, murk_vec3 point,
             murk_scale(-1, hit.normal));
     }
     while (n-- > 0) {
-        murk_solids_cross(&around, solid[n], ior[n]);
+        murk_path_solids_cross(&around, solid[n], ior[n]);
     }
     return around;
 }

@@ -1,8 +1,8 @@
-/* Sightlines through regions that are meshes: what they let through is exact,
- * and where the index changes they end, as with regions of other shapes.
+/* Sightlines: through regions that are meshes their transmittance is exact, and
+ * they end at changes of the index, as in regions of other shapes.
  *
- * Deterministic: never cries wolf. */
-#include "sensing/passage.h"
+ * Deterministic: no false alarms. */
+#include "path/viewpoint.h"
 
 #include "check.h"
 #include "closed_mesh.h"
@@ -19,6 +19,7 @@ static const murk_domain tiled = {.box = {{-1, -1, -1}, {1, 1, 1}},
 typedef struct place {
     murk_media *media;
     murk_boundary_meshes *boundary_meshes;
+    murk_path_space space;
 } place;
 
 /* One region of extinction 2 per m: a mesh, or (NULL) the box. */
@@ -43,6 +44,7 @@ static place place_of(murk_mesh *mesh, murk_box box, double ior,
     CHECK(murk_media_create(&p.media, &fog, 1, &region, 1, &domain->box,
                             &err) == MURK_OK);
     CHECK_TEXT(err.text, "");
+    p.space = murk_path_space_of(NULL, p.media, p.boundary_meshes, domain);
     return p;
 }
 
@@ -95,13 +97,13 @@ static void test_transmittance_through_a_concave_mesh_is_exact(void)
     for (uint64_t i = 0; i < PAIRS; ++i) {
         const murk_vec3 sensor = random_point(SEED, i / 8);
         const murk_vec3 photon = random_point(SEED + 1, i);
-        const murk_passages way =
-            murk_passages_from(p.media, p.boundary_meshes, &cube, sensor);
-        const double got = murk_passage_transmittance(&way, 0, photon);
+        const murk_path_viewpoint way =
+            murk_path_viewpoint_at(&p.space, sensor);
+        const double got = murk_path_transmittance_to(&way, 0, photon);
         const double inside = length_inside(u, sensor, photon);
         maximum = fmax(maximum, fabs(got - exp(-2 * inside)));
         teeth = fmax(teeth, fabs(got - exp(-2.001 * inside)));
-        CHECK(!murk_passage_bends(&way, photon));
+        CHECK(!murk_path_bends_to(&way, photon));
     }
     /* Two crossings at most 16 float steps of 0.8 apart may cancel. */
     CHECK(maximum < 2 * 2 * 16 * 0x1p-23);
@@ -127,18 +129,18 @@ static void test_a_box_is_the_same_as_its_mesh(void)
         for (uint64_t i = 0; i < PAIRS; ++i) {
             const murk_vec3 sensor = random_point(SEED + 2, i / 8);
             const murk_vec3 photon = random_point(SEED + 3, i);
-            const murk_passages a =
-                murk_passages_from(plain.media, NULL, domain, sensor);
-            const murk_passages b = murk_passages_from(
-                meshed.media, meshed.boundary_meshes, domain, sensor);
+            const murk_path_viewpoint a =
+                murk_path_viewpoint_at(&plain.space, sensor);
+            const murk_path_viewpoint b =
+                murk_path_viewpoint_at(&meshed.space, sensor);
             maximum =
-                fmax(maximum, fabs(murk_passage_transmittance(&a, 0, photon) -
-                                   murk_passage_transmittance(&b, 0, photon)));
+                fmax(maximum, fabs(murk_path_transmittance_to(&a, 0, photon) -
+                                   murk_path_transmittance_to(&b, 0, photon)));
             /* The box goes on beyond the side that its face lies in; in the
              * periodic domain the mesh ends there, and another begins. */
             if (domain == &cube) {
-                const bool bends = murk_passage_bends(&a, photon);
-                wrong += bends != murk_passage_bends(&b, photon);
+                const bool bends = murk_path_bends_to(&a, photon);
+                wrong += bends != murk_path_bends_to(&b, photon);
                 bent += bends;
             }
         }
@@ -163,16 +165,16 @@ static void test_a_slab_across_a_periodic_domain(void)
     for (uint64_t i = 0; i < PAIRS; ++i) {
         const murk_vec3 sensor = random_point(SEED + 4, i / 8);
         const murk_vec3 photon = random_point(SEED + 5, i);
-        const murk_passages a =
-            murk_passages_from(plain.media, NULL, &tiled, sensor);
-        const murk_passages b = murk_passages_from(
-            meshed.media, meshed.boundary_meshes, &tiled, sensor);
-        const bool bends = murk_passage_bends(&a, photon);
-        wrong += bends != murk_passage_bends(&b, photon);
+        const murk_path_viewpoint a =
+            murk_path_viewpoint_at(&plain.space, sensor);
+        const murk_path_viewpoint b =
+            murk_path_viewpoint_at(&meshed.space, sensor);
+        const bool bends = murk_path_bends_to(&a, photon);
+        wrong += bends != murk_path_bends_to(&b, photon);
         bent += bends;
         maximum =
-            fmax(maximum, fabs(murk_passage_transmittance(&a, 0, photon) -
-                               murk_passage_transmittance(&b, 0, photon)));
+            fmax(maximum, fabs(murk_path_transmittance_to(&a, 0, photon) -
+                               murk_path_transmittance_to(&b, 0, photon)));
     }
     CHECK(wrong == 0);
     CHECK(bent > PAIRS / 4 && bent < PAIRS);
@@ -189,21 +191,64 @@ static void test_the_floor_under_water_is_seen(void)
         closed_box(murk_vec(-0.7, -0.7, -0.7), murk_vec(0.7, 0.7, 0.1));
     place p = place_of(mesh, (murk_box){0}, 1.33, &cube);
     const murk_vec3 wet = {0.3, 0.1, 0}, dry = {0.3, 0.1, 0.5};
-    const murk_passages from_wet =
-        murk_passages_from(p.media, p.boundary_meshes, &cube, wet);
-    const murk_passages from_dry =
-        murk_passages_from(p.media, p.boundary_meshes, &cube, dry);
+    const murk_path_viewpoint from_wet = murk_path_viewpoint_at(&p.space, wet);
+    const murk_path_viewpoint from_dry = murk_path_viewpoint_at(&p.space, dry);
     for (int i = -1; i <= 1; ++i) {
         const murk_vec3 floor = {-0.2, 0.3, -0.7 + i * 1e-7};
-        CHECK(!murk_passage_bends(&from_wet, floor));
-        CHECK(murk_passage_bends(&from_dry, floor));
+        CHECK(!murk_path_bends_to(&from_wet, floor));
+        CHECK(murk_path_bends_to(&from_dry, floor));
     }
     leave(&p);
     murk_mesh_destroy(mesh);
 }
 
+/* ---- regions of other shapes ---- */
+
+static bool bends(const murk_path_space *space, murk_vec3 from, murk_vec3 to)
+{
+    const murk_path_viewpoint viewpoint = murk_path_viewpoint_at(space, from);
+    return murk_path_bends_to(&viewpoint, to);
+}
+
+/* Water below z = 0, with a ball of air and a ball of the water's own index. */
+static void test_a_path_bends_at_changes_of_the_index_alone(void)
+{
+    const murk_domain domain = {.box = {{-10, -10, -10}, {10, 10, 10}}};
+    const murk_medium clear = {.albedo = {{0.5}}};
+    const murk_region regions[] = {
+        {.shape = MURK_REGION_BELOW, .below_z_m = 0, .ior = 1.34},
+        {.shape = MURK_REGION_SPHERE,
+         .center = {0, 0, -5},
+         .radius_m = 1,
+         .to_world = murk_affine_identity(),
+         .ior = 1},
+        {.shape = MURK_REGION_SPHERE,
+         .center = {9, 0, -5},
+         .radius_m = 1,
+         .to_world = murk_affine_identity(),
+         .ior = 1.34}};
+    for (size_t n = 0; n <= 3; n += 3) {
+        murk_media *media = NULL;
+        CHECK(murk_media_create(&media, &clear, 1, regions, n, &domain.box,
+                                NULL) == MURK_OK);
+        const murk_path_space space =
+            murk_path_space_of(NULL, media, NULL, &domain);
+        const murk_vec3 deep = {0, 0, -9}, high = {0, 0, 3}, flat = {4, 0, -1};
+        CHECK(bends(&space, deep, high) == (n > 0));
+        CHECK(bends(&space, high, flat) == (n > 0));
+        CHECK(bends(&space, deep, murk_vec(0, 0, -1)) == (n > 0));
+        CHECK(!bends(&space, deep, flat));
+        CHECK(!bends(&space, high, murk_vec(3, 0, 0.01)));
+        CHECK(!bends(&space, deep, deep));
+        /* A boundary between equal indices bends nothing. */
+        CHECK(!bends(&space, murk_vec(9, 0, -9), murk_vec(9, 0, -1)));
+        murk_media_destroy(media);
+    }
+}
+
 int main(void)
 {
+    test_a_path_bends_at_changes_of_the_index_alone();
     test_transmittance_through_a_concave_mesh_is_exact();
     test_a_box_is_the_same_as_its_mesh();
     test_a_slab_across_a_periodic_domain();

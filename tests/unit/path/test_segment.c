@@ -3,7 +3,7 @@
  * Deterministic: never cries wolf. */
 #include "base/rng.h"
 #include "check.h"
-#include "sensing/segment.h"
+#include "path/segment.h"
 
 static const murk_domain around = {.box = {{-1, 2, 0}, {9, 8, 4}},
                                    .is_periodic = true};
@@ -22,10 +22,10 @@ static void test_pieces_lie_inside_and_add_up(void)
         const murk_random4 q = murk_random(1, MURK_TEST, i, 0, 1);
         const murk_vec3 a = {-1 + 10 * r.u[0], 2 + 6 * r.u[1], 4 * r.u[2]};
         const murk_vec3 b = {-1 + 10 * q.u[0], 2 + 6 * q.u[1], 4 * q.u[2]};
-        const murk_vec3 to = murk_nearest_image(&around, b, a);
+        const murk_vec3 to = murk_path_nearest_image(&around, b, a);
         CHECK(fabs(to.x - a.x) <= 5 && fabs(to.y - a.y) <= 3 && to.z == b.z);
-        murk_segment piece[MURK_SEGMENT_PIECES];
-        const int n = murk_segment_cut(&around, a, to, 0, piece);
+        murk_path_segment piece[MURK_PATH_SEGMENTS_MAX];
+        const int n = murk_path_cut(&around, a, to, 0, piece);
         const murk_vec3 way = murk_sub(to, a);
         double length = 0;
         for (int k = 0; k < n; ++k) {
@@ -47,9 +47,9 @@ static void test_an_open_domain_is_never_cut(void)
     murk_domain open = around;
     open.is_periodic = false;
     const murk_vec3 a = {-0.9, 2.1, 1}, b = {8.9, 7.9, 3};
-    const murk_vec3 to = murk_nearest_image(&open, b, a);
-    murk_segment piece[MURK_SEGMENT_PIECES];
-    CHECK(murk_segment_cut(&open, a, to, 1, piece) == 1);
+    const murk_vec3 to = murk_path_nearest_image(&open, b, a);
+    murk_path_segment piece[MURK_PATH_SEGMENTS_MAX];
+    CHECK(murk_path_cut(&open, a, to, 1, piece) == 1);
     CHECK(murk_length(murk_sub(piece[0].from, a)) == 0);
     CHECK(murk_length(murk_sub(piece[0].to, b)) == 0);
 }
@@ -57,8 +57,8 @@ static void test_an_open_domain_is_never_cut(void)
 static void test_pieces_overlap_the_sides(void)
 {
     const murk_vec3 a = {8, 5, 1}, to = {10, 5, 1};
-    murk_segment piece[MURK_SEGMENT_PIECES];
-    CHECK(murk_segment_cut(&around, a, to, 0.25, piece) == 2);
+    murk_path_segment piece[MURK_PATH_SEGMENTS_MAX];
+    CHECK(murk_path_cut(&around, a, to, 0.25, piece) == 2);
     CHECK_NEAR(piece[0].to.x, 9.25, 1e-12);
     CHECK_NEAR(piece[1].from.x, -1.25, 1e-12);
     CHECK_NEAR(piece[1].to.x, 0, 1e-12);

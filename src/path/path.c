@@ -1,0 +1,328 @@
+/* Straight rays through regions and surfaces: see path/path.h.
+ *
+ * The next boundary is the nearer of two: the one of half spaces, boxes and
+ * spheres, exact in double precision, and the one of closed meshes, exact to a
+ * tolerance. Within that tolerance both are crossed in one step, at the place
+ * of the exact one; otherwise rounding would put a gap between regions that
+ * touch, and gaps reflect totally. Optical depth asks for the meshes alone:
+ * regions of other shapes tell by themselves which part of a ray they hold
+ * (medium/media.h). */
+#include "path/path.h"
+
+/* Share of the domain's largest coordinate by which the box for surfaces is
+ * grown: some times the error of rays in single precision and the step of
+ * murk_surfaces_leave(). */
+#define GROWN_BY 4e-6
+
+/* Farther from a mesh than this many tolerances, a point is surely on one side
+ * of the mesh. */
+#define OFF_TOLERANCES 2
+#define OFF_NEARS      2 /* likewise for other shapes */
+
+/* No scene has more boundaries than this on one ray: rounding has caught the
+ * ray between two of them. */
+#define STEPS_MAX 100000
+
+/* Cosine between a surface and a boundary above which the boundary lies in the
+ * surface; below it they merely cross there. */
+#define ALIKE 0.9
+
+/* ---- the space ---- */
+
+murk_path_space murk_path_space_of(const murk_surfaces *surfaces,
+                                   const murk_media *media,
+                                   const murk_boundary_meshes *boundary_meshes,
+                                   const murk_domain *domain)
+{
+    const double margin_m =
+        GROWN_BY * murk_box_largest_coordinate(&domain->box);
+    murk_path_space space = {
+        .surfaces = surfaces,
+        .media = media,
+        .boundary_meshes = boundary_meshes,
+        .domain = domain,
+        .sides = murk_path_sides_of(&domain->box, 0),
+        .grown = murk_path_sides_of(&domain->box, margin_m),
+        .margin_m = margin_m,
+        .mesh_tolerance_m =
+            boundary_meshes ? murk_boundary_meshes_tolerance_m(boundary_meshes)
+                            : 0,
+        .any_boundaries = murk_media_bends(media) || boundary_meshes};
+    space.near_m = space.mesh_tolerance_m;
+    if (surfaces) {
+        const murk_surfaces_facts facts = murk_surfaces_describe(surfaces);
+        space.any_surfaces = facts.triangles + facts.spheres > 0;
+        space.any_solids = facts.solids > 0;
+        space.near_m =
+            fmax(2 * murk_surfaces_leave_step_m(surfaces), space.near_m);
+    }
+    return space;
+}
+
+murk_inside murk_path_inside(const murk_path_space *space, murk_vec3 point)
+{
+    const murk_inside meshes =
+        space->boundary_meshes
+            ? murk_boundary_meshes_at(space->boundary_meshes, point)
+            : 0;
+    return meshes | murk_media_inside(space->media, point);
+}
+
+murk_inside murk_path_inside_ahead(const murk_path_space *space,
+                                   murk_vec3 point, murk_vec3 direction)
+{
+    const double near_m =
+        MURK_INTERFACE_NEAR * murk_box_largest_coordinate(&space->domain->box);
+    murk_inside inside = murk_media_inside(
+        space->media, murk_along(point, OFF_NEARS * near_m, direction));
+    if (space->boundary_meshes) {
+        const double off_m = OFF_TOLERANCES * space->mesh_tolerance_m;
+        inside |= murk_boundary_meshes_at(space->boundary_meshes,
+                                          murk_along(point, off_m, direction));
+    }
+    return inside;
+}
+
+murk_inside murk_path_inside_wrapped(const murk_path_space *space,
+                                     murk_inside inside, murk_vec3 point,
+                                     int axis)
+{
+    inside = murk_media_wrapped(space->media, inside, point, axis);
+    if (space->boundary_meshes) {
+        /* Meshes are asked for just inside the domain: a face in the side does
+         * not count. */
+        const murk_box *box = &space->domain->box;
+        const double off = OFF_TOLERANCES * space->mesh_tolerance_m;
+        const murk_vec3 middle = murk_scale(0.5, murk_add(box->min, box->max));
+        const murk_vec3 in =
+            axis == 0 ? murk_vec(point.x < middle.x ? off : -off, 0, 0)
+                      : murk_vec(0, point.y < middle.y ? off : -off, 0);
+        inside =
+            (inside & ~murk_boundary_meshes_regions(space->boundary_meshes)) |
+            murk_boundary_meshes_at(space->boundary_meshes,
+                                    murk_add(point, in));
+    }
+    return inside;
+}
+
+/* ---- boundaries ---- */
+
+murk_path murk_path_between(const murk_path_space *space, murk_vec3 from,
+                            murk_vec3 to)
+{
+    const murk_vec3 way = murk_sub(to, from);
+    const double length_m = murk_length(way);
+    murk_path path = {.space = space,
+                      .position = from,
+                      .length_m = length_m,
+                      .inside = murk_path_inside(space, from)};
+    if (length_m > 0) {
+        path.direction = murk_scale(1 / length_m, way);
+    }
+    return path;
+}
+
+/* The next face of a mesh, on the way to max_m. */
+static bool next_face(murk_path *path, double max_m, murk_crossing *crossing)
+{
+    return murk_boundary_meshes_next(
+        path->space->boundary_meshes, path->position, path->direction,
+        path->skip_m, max_m, &path->inside, crossing);
+}
+
+static bool is_well_inside(const murk_box *box, murk_vec3 p, double margin)
+{
+    return p.x > box->min.x + margin && p.x < box->max.x - margin &&
+           p.y > box->min.y + margin && p.y < box->max.y - margin &&
+           p.z > box->min.z + margin && p.z < box->max.z - margin;
+}
+
+/* The region listed last among those of a set. */
+static size_t last_of(murk_inside set)
+{
+    size_t region = 0;
+    while (set >>= 1) {
+        ++region;
+    }
+    return region;
+}
+
+bool murk_path_next_boundary(murk_path *path, double mesh_max_m,
+                             murk_path_boundary *boundary)
+{
+    const murk_path_space *space = path->space;
+    murk_boundary *met = &boundary->met;
+    const bool any = murk_media_boundary(
+        space->media, path->inside,
+        murk_along(path->position, path->gone_m, path->direction),
+        path->direction, path->length_m - path->gone_m, met);
+    if (any) {
+        met->distance_m += path->gone_m;
+    }
+    boundary->has_shape = any;
+    boundary->has_mesh = false;
+    if (!space->boundary_meshes) {
+        return any;
+    }
+    /* A mesh counts up to its tolerance beyond the other boundary, but not in
+     * a side of the domain. */
+    const double tolerance = space->mesh_tolerance_m;
+    murk_crossing c;
+    if (!next_face(path,
+                   any ? fmin(mesh_max_m, met->distance_m + tolerance)
+                       : mesh_max_m,
+                   &c) ||
+        !is_well_inside(
+            &space->domain->box,
+            murk_along(path->position, c.distance_m, path->direction),
+            tolerance)) {
+        return any;
+    }
+    boundary->has_mesh = true;
+    boundary->mesh_m = c.distance_m;
+    if (!any || c.distance_m + tolerance < met->distance_m) {
+        boundary->has_shape = false;
+        *met = (murk_boundary){.distance_m = fmax(0, c.distance_m),
+                               .crossed = c.changed,
+                               .region = last_of(c.changed),
+                               .normal = c.normal};
+        return true;
+    }
+    /* Both together, at the place of the exact one. */
+    met->crossed |= c.changed;
+    const size_t region = last_of(met->crossed);
+    met->mean_square_slope = region == met->region ? met->mean_square_slope : 0;
+    met->region = region;
+    return true;
+}
+
+void murk_path_pass(murk_path *path, const murk_path_boundary *boundary)
+{
+    path->gone_m = boundary->met.distance_m;
+    path->inside ^= boundary->met.crossed;
+    if (boundary->has_mesh) {
+        path->skip_m = boundary->mesh_m + path->space->mesh_tolerance_m;
+    }
+}
+
+bool murk_path_next_change(murk_path *path, murk_path_change *change)
+{
+    const murk_media *media = path->space->media;
+    const double mesh_max_m = path->length_m - path->space->mesh_tolerance_m;
+    double before = 0;
+    for (int step = 0; step < STEPS_MAX; ++step) {
+        murk_path_boundary b;
+        const bool any = murk_path_next_boundary(path, mesh_max_m, &b);
+        if (step == 0) {
+            before = murk_media_index(media, path->inside);
+        }
+        if (!any) {
+            return false;
+        }
+        murk_path_pass(path, &b);
+        const double beyond = murk_media_index(media, path->inside);
+        if (beyond != before) {
+            *change = (murk_path_change){.distance_m = path->gone_m,
+                                         .normal = b.met.normal,
+                                         .is_mesh = !b.has_shape,
+                                         .before = before,
+                                         .beyond = beyond,
+                                         .inside = path->inside};
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Optical depth of the ray from gone_m to to_m, in the regions around it. */
+static double depth_to(const murk_path *path, int band, double to_m)
+{
+    return murk_media_optical_depth(
+        path->space->media, band, path->inside,
+        murk_along(path->position, path->gone_m, path->direction),
+        path->direction, to_m - path->gone_m);
+}
+
+double murk_path_depth(const murk_path *path, int band)
+{
+    murk_path p = *path;
+    double depth = 0;
+    murk_crossing c;
+    for (int step = 0; p.space->boundary_meshes && step < STEPS_MAX &&
+                       next_face(&p, p.length_m, &c);
+         ++step) {
+        depth += depth_to(&p, band, c.distance_m);
+        p.gone_m = c.distance_m;
+        p.skip_m = c.distance_m + p.space->mesh_tolerance_m;
+        p.inside = c.inside;
+    }
+    return depth + depth_to(&p, band, p.length_m);
+}
+
+/* ---- the first event ---- */
+
+/* The nearest surface; *distance_m is from the ray's position. */
+static bool meets_surface(const murk_path *path, murk_vec3 probe, murk_hit *hit,
+                          double *distance_m)
+{
+    const murk_path_space *space = path->space;
+    const double max_m =
+        murk_path_sides_ahead(&space->grown, probe, path->direction);
+    if (!murk_surfaces_hit(space->surfaces, probe, path->direction, max_m,
+                           hit)) {
+        return false;
+    }
+    const double ahead =
+        murk_dot(murk_sub(probe, path->position), path->direction);
+    *distance_m = fmax(0, hit->distance_m + ahead);
+    return true;
+}
+
+/* Whether the boundary comes before the surface at surface_m. Surfaces are
+ * known in single precision only, so within the step that leaves a surface a
+ * boundary lies in the surface: the floor of a tank is wet, and glass that
+ * holds water lets light straight through from one to the other. *crossed then
+ * tells the regions beyond such a surface. */
+static bool comes_first(const murk_path *path, const murk_boundary *boundary,
+                        const murk_hit *hit, double surface_m,
+                        murk_inside *crossed)
+{
+    const double gap_m = (surface_m - boundary->distance_m) *
+                         fabs(murk_dot(boundary->normal, path->direction));
+    const double near_m = path->space->near_m;
+    if (!(gap_m > near_m) && !(gap_m < -near_m) &&
+        fabs(murk_dot(boundary->normal, hit->normal)) > ALIKE) {
+        *crossed = boundary->crossed;
+    }
+    return gap_m > near_m;
+}
+
+bool murk_path_first_event(const murk_path *path, murk_vec3 probe,
+                           const murk_path_boundary *boundary,
+                           murk_path_event *event)
+{
+    const murk_path_space *space = path->space;
+    event->kind = MURK_PATH_SIDE;
+    event->crossed = 0;
+    event->distance_m =
+        murk_path_sides_ahead(&space->sides, path->position, path->direction);
+    /* Also false for numbers that are none. */
+    if (!(murk_path_sides_contain(&space->grown, path->position) &&
+          event->distance_m < INFINITY)) {
+        return false;
+    }
+    if (space->any_surfaces &&
+        meets_surface(path, probe, &event->hit, &event->distance_m)) {
+        event->kind = MURK_PATH_SURFACE;
+        if (boundary && !comes_first(path, &boundary->met, &event->hit,
+                                     event->distance_m, &event->crossed)) {
+            return true;
+        }
+    }
+    if (boundary && boundary->met.distance_m < event->distance_m) {
+        event->kind = MURK_PATH_BOUNDARY;
+        event->distance_m = boundary->met.distance_m;
+        event->crossed = 0;
+    }
+    return true;
+}

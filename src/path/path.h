@@ -1,0 +1,131 @@
+/* A straight ray through surfaces and through regions with a boundary: the one
+ * walker behind photons, sightlines and cameras.
+ *
+ * Regions with a boundary are those with an index of refraction
+ * (medium/interfaces.h) and those bounded by a closed mesh
+ * (geometry/boundary_meshes.h). A ray carries the set of such regions around
+ * it. The set, and not the position, tells on which side of a boundary the ray
+ * is: nothing is nudged, and the ray may stand on the boundary that it has just
+ * crossed.
+ *
+ * Surfaces and boundary meshes are known in single precision only, boundaries
+ * of other shapes in double. So boundaries that lie within the tolerance of a
+ * mesh are crossed together with it, and a face of a mesh in a side of the
+ * domain is no boundary. */
+#ifndef MURK_PATH_PATH_H
+#define MURK_PATH_PATH_H
+
+#include "geometry/boundary_meshes.h"
+#include "geometry/surfaces.h"
+#include "medium/interfaces.h"
+#include "path/sides.h"
+
+/* Everything that a ray can meet, and the tolerances that follow from it. The
+ * pointers are borrowed; immutable, so any number of threads may read it. */
+typedef struct murk_path_space {
+    const murk_surfaces *surfaces; /* NULL: none */
+    const murk_media *media;
+    const murk_boundary_meshes *boundary_meshes; /* NULL: no region is a mesh */
+    const murk_domain *domain;
+    murk_path_sides sides;   /* of the domain */
+    murk_path_sides grown;   /* of the larger box in which surfaces are looked
+                                for: rounding may put one outside of the domain */
+    double margin_m;         /* from `sides` to `grown` */
+    double near_m;           /* a boundary nearer to a surface lies in it */
+    double mesh_tolerance_m; /* of boundary meshes; 0 without */
+    bool any_surfaces, any_solids;
+    bool any_boundaries; /* some region has an index or is a mesh */
+} murk_path_space;
+
+murk_path_space murk_path_space_of(const murk_surfaces *surfaces,
+                                   const murk_media *media,
+                                   const murk_boundary_meshes *boundary_meshes,
+                                   const murk_domain *domain);
+
+/* The regions with a boundary around a point. In a boundary itself, to
+ * rounding, either answer may come. */
+murk_inside murk_path_inside(const murk_path_space *space, murk_vec3 point);
+
+/* The regions around light that sets out from a point along `direction`: on a
+ * boundary, the regions that lie ahead. */
+murk_inside murk_path_inside_ahead(const murk_path_space *space,
+                                   murk_vec3 point, murk_vec3 direction);
+
+/* The regions around a ray that goes on at `point` of the opposite side of a
+ * periodic domain, across an axis (0 x, 1 y). */
+murk_inside murk_path_inside_wrapped(const murk_path_space *space,
+                                     murk_inside inside, murk_vec3 point,
+                                     int axis);
+
+/* A ray, and how far it has been followed. */
+typedef struct murk_path {
+    const murk_path_space *space;
+    murk_vec3 position, direction; /* where it begins; unit */
+    double length_m;               /* may be INFINITY */
+    double gone_m;      /* from `position` to the last boundary passed */
+    double skip_m;      /* faces of meshes nearer to `position` do not count:
+                           the ray begins in one, or has just passed it */
+    murk_inside inside; /* regions around the ray beyond gone_m */
+} murk_path;
+
+/* The whole ray between two points of the domain; of length 0 where they are
+ * one. */
+murk_path murk_path_between(const murk_path_space *space, murk_vec3 from,
+                            murk_vec3 to);
+
+typedef struct murk_path_boundary {
+    murk_boundary met; /* distance_m counts from the ray's position */
+    bool has_mesh;     /* some of the boundaries crossed are faces of meshes */
+    bool has_shape;    /* some are boundaries of other shapes */
+    double mesh_m;     /* to the faces of meshes */
+} murk_path_boundary;
+
+/* The next boundary on the ray. The set `inside` is put right by the meshes
+ * ahead, which are looked for up to mesh_max_m from the ray's position. False:
+ * there is none. */
+bool murk_path_next_boundary(murk_path *path, double mesh_max_m,
+                             murk_path_boundary *boundary);
+
+/* The same ray beyond the boundary. */
+void murk_path_pass(murk_path *path, const murk_path_boundary *boundary);
+
+/* A place on the ray at which the index of refraction changes. */
+typedef struct murk_path_change {
+    double distance_m;
+    murk_vec3 normal; /* unit, faces where the ray came from */
+    bool is_mesh;     /* of a mesh alone */
+    double before, beyond;
+    murk_inside inside; /* beyond */
+} murk_path_change;
+
+/* Follows the ray to the first change of the index. False: there is none.
+ * Meshes within their tolerance of the ray's end do not count: the floor of a
+ * tank lies in the water's face. */
+bool murk_path_next_change(murk_path *path, murk_path_change *change);
+
+/* Optical depth in a band over the whole length of a ray that has not been
+ * followed yet. */
+double murk_path_depth(const murk_path *path, int band);
+
+typedef enum murk_path_event_kind {
+    MURK_PATH_SURFACE,
+    MURK_PATH_BOUNDARY,
+    MURK_PATH_SIDE /* of the domain */
+} murk_path_event_kind;
+
+typedef struct murk_path_event {
+    murk_path_event_kind kind;
+    double distance_m;   /* from the ray's position */
+    murk_hit hit;        /* surface: as seen from `probe` */
+    murk_inside crossed; /* surface: regions whose boundary lies in it */
+} murk_path_event;
+
+/* What the ray meets first: the nearest surface that `probe`, a point on the
+ * ray's line, looks at; or `boundary`, the next one (NULL: none); or the side
+ * of the domain. A surface comes before a boundary that lies in it. False: the
+ * ray is not in the domain, or a number is not finite. */
+bool murk_path_first_event(const murk_path *path, murk_vec3 probe,
+                           const murk_path_boundary *boundary,
+                           murk_path_event *event);
+
+#endif

@@ -1,0 +1,30 @@
+/* The solids around a point of a ray, one inside the other: which index of
+ * refraction holds, and whether a boundary is entered or left. */
+#ifndef MURK_PATH_SOLIDS_H
+#define MURK_PATH_SOLIDS_H
+
+#include "geometry/surfaces.h"
+
+#define MURK_PATH_SOLIDS_MAX 8
+
+/* The innermost, whose index holds, comes last. */
+typedef struct murk_path_solids {
+    int n;
+    uint16_t solid[MURK_PATH_SOLIDS_MAX];
+    double ior[MURK_PATH_SOLIDS_MAX];
+} murk_path_solids;
+
+/* Index of refraction of the innermost solid: 1 outside all. */
+double murk_path_solids_index(const murk_path_solids *solids);
+
+/* Goes through the boundary of a solid: out of a solid that is among them, else
+ * into it. False, and nothing changed, if there are too many. */
+bool murk_path_solids_cross(murk_path_solids *solids, uint16_t solid,
+                            double ior);
+
+/* The solids around a point, found along a ray from it. If solids overlap, the
+ * one left first counts as the innermost. */
+murk_path_solids murk_path_solids_around(const murk_surfaces *surfaces,
+                                         murk_vec3 point, murk_vec3 direction);
+
+#endif
