@@ -34,6 +34,7 @@ murk_path_space murk_path_space_of(const murk_surfaces *surfaces,
                                    const murk_boundary_meshes *boundary_meshes,
                                    const murk_domain *domain)
 {
+    /* The domain, and a slightly larger box for surfaces. */
     const double margin_m =
         GROWN_BY * murk_box_largest_coordinate(&domain->box);
     murk_path_space space = {
@@ -48,6 +49,7 @@ murk_path_space murk_path_space_of(const murk_surfaces *surfaces,
             boundary_meshes ? murk_boundary_meshes_tolerance_m(boundary_meshes)
                             : 0,
         .any_boundaries = murk_media_bends(media) || boundary_meshes};
+    /* Tolerances and facts of the surfaces. */
     space.near_m = space.mesh_tolerance_m;
     if (surfaces) {
         const murk_surfaces_facts facts = murk_surfaces_describe(surfaces);
@@ -213,12 +215,14 @@ bool murk_path_next_change(murk_path *path, murk_path_change *change)
     for (int step = 0; step < STEPS_MAX; ++step) {
         murk_path_boundary b;
         const bool any = murk_path_next_boundary(path, mesh_max_m, &b);
+        /* The meshes ahead have put the first set right. */
         if (step == 0) {
             before = murk_media_index(media, path->inside);
         }
         if (!any) {
             return false;
         }
+        /* Beyond the boundary another index may hold. */
         murk_path_pass(path, &b);
         const double beyond = murk_media_index(media, path->inside);
         if (beyond != before) {

@@ -109,12 +109,14 @@ murk_path_stop murk_path_piece_stop(const murk_path_pieces *p, double margin_m)
         is_jump ? murk_vec(0, 0, copysign(1, p->direction.z)) : p->direction;
     murk_path_stop stop = {.length_m =
                                murk_length(murk_sub(piece->to, piece->from))};
+    /* The nearest surface; no surface lies in heights of a jump. */
     if (space->any_surfaces && !is_jump &&
         murk_surfaces_hit(space->surfaces, piece->from, way,
                           stop.length_m + margin_m, &stop.hit)) {
         stop.is_surface = true;
         stop.length_m = stop.hit.distance_m;
     }
+    /* A change of the index before the surface. */
     if (murk_media_bends(space->media)) {
         const murk_vec3 end = murk_path_sides_hold(
             &space->sides, murk_along(piece->from, stop.length_m, way));

@@ -43,6 +43,7 @@ int murk_path_cut(const murk_domain *domain, murk_vec3 from, murk_vec3 to,
 {
     crossing cut[2];
     int cuts = 0;
+    /* The sides that the line crosses, nearest first. */
     if (domain->is_periodic) {
         const murk_box *box = &domain->box;
         const double x = leaves_at(from.x, to.x, box->min.x, box->max.x);
@@ -63,6 +64,7 @@ int murk_path_cut(const murk_domain *domain, murk_vec3 from, murk_vec3 to,
             cut[0] = first;
         }
     }
+    /* One segment up to each side, each moved back into the domain. */
     const murk_vec3 way = murk_sub(to, from);
     const double length = murk_length(way);
     const double beyond = length > 0 ? beyond_m / length : 0;

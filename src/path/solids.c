@@ -62,6 +62,7 @@ murk_path_solids murk_path_solids_around(const murk_surfaces *surfaces,
         if (!murk_surfaces_hit(surfaces, point, direction, INFINITY, &hit)) {
             break;
         }
+        /* Note the boundary of a solid. */
         if (hit.solid) {
             solid[n] = hit.solid;
             ior[n++] = murk_surfaces_material(surfaces, hit.material)->ior;
@@ -70,6 +71,7 @@ murk_path_solids murk_path_solids_around(const murk_surfaces *surfaces,
             surfaces, murk_along(point, hit.distance_m, direction),
             murk_scale(-1, hit.normal));
     }
+    /* From the far end back: out of or into each solid. */
     while (n-- > 0) {
         murk_path_solids_cross(&around, solid[n], ior[n]);
     }

@@ -5,6 +5,8 @@
 
 #include "geometry/surfaces.h"
 
+/* Far more than glass in water in glass; a photon in more is counted as lost.
+ */
 #define MURK_PATH_SOLIDS_MAX 8
 
 /* The innermost, whose index holds, comes last. */
