@@ -77,7 +77,8 @@ static void look_by_sensor(void *context, unsigned worker, uint64_t batch)
     murk_sight_row(s->sight, worker, pose, &row);
     for (size_t i = 0; i < row.seen; ++i) {
         const size_t at =
-            murk_sight_photon(s->sight, row.photon[i])->emitted - first;
+            murk_photon_emitted(murk_sight_photon(s->sight, row.photon[i])) -
+            first;
         atomic_fetch_add_explicit(&s->count[at], 1, memory_order_relaxed);
         raise(&s->clearest[at], row.clarity ? row.clarity[i] : MURK_CLEAR);
     }
@@ -91,7 +92,7 @@ static void keep(const strip *s, const murk_photon_map *points)
     const murk_photon *point = murk_photon_map_photons(points);
     const size_t n = murk_photon_map_count(points);
     for (size_t i = 0; i < n; ++i) {
-        const size_t pixel = point[i].emitted;
+        const size_t pixel = murk_photon_emitted(&point[i]);
         const size_t at = pixel - s->first_row * p->width;
         p->seen_by[pixel] = (float)s->count[at];
         p->clarity[pixel] = (float)s->clearest[at] / MURK_CLEAR;

@@ -289,9 +289,11 @@ static void number_records(murk_recorder *r, size_t first, size_t surface,
     for (size_t i = first; i < r->all.n; ++i) {
         const uint32_t receiver = r->all.contribution[i].receiver;
         if (receiver == MURK_RECORD_OF_SURFACE) {
-            r->buffers->surface.photon[surface++].emitted = (uint32_t)i;
+            murk_photon_set_emitted(&r->buffers->surface.photon[surface++],
+                                    (uint32_t)i);
         } else if (receiver == MURK_RECORD_OF_VOLUME) {
-            r->buffers->volume.photon[volume++].emitted = (uint32_t)i;
+            murk_photon_set_emitted(&r->buffers->volume.photon[volume++],
+                                    (uint32_t)i);
         }
     }
     assert(!r->desc->keeps_records || (surface == r->buffers->surface.n &&

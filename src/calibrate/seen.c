@@ -225,16 +225,18 @@ static void weigh(const incumbent *f)
     const bool has_regions = sight->interest && sight->interest->n > 0;
     for (size_t i = 0; i < photons; ++i) {
         const murk_photon *p = murk_sight_photon(f->sight, i);
-        const murk_contribution *c = &followed->contribution[p->emitted];
+        const murk_contribution *c =
+            &followed->contribution[murk_photon_emitted(p)];
         const double factor =
             has_regions ? murk_interest_factor(sight->interest,
                                                murk_sight_regions(f->sight, i))
                         : 1;
-        f->seen->worth_w[p->emitted] =
+        f->seen->worth_w[murk_photon_emitted(p)] =
             followed->packet_w[c->light * bands + c->band] * (double)c->value *
             factor;
-        f->seen->kind[p->emitted] =
-            (uint8_t)(p->band * 2 + (murk_photon_is_volume(p) ? 1 : 0));
+        f->seen->kind[murk_photon_emitted(p)] =
+            (uint8_t)(murk_photon_band(p) * 2 +
+                      (murk_photon_is_volume(p) ? 1 : 0));
     }
 }
 

@@ -54,7 +54,7 @@ static void keep(murk_sightlines *lines, const murk_sightlines_through *t,
                       media);
     for (size_t i = 0; i < n; ++i) {
         const murk_photon *p = murk_sight_photon(t->sight, photon[i]);
-        const double *extinction = t->extinction + p->band * media;
+        const double *extinction = t->extinction + murk_photon_band(p) * media;
         const double rest = sheets[i] * exp(-other[i]);
         double kept = 0;
         for (size_t m = 0; m < media; ++m) {
@@ -63,7 +63,7 @@ static void keep(murk_sightlines *lines, const murk_sightlines_through *t,
         if (!(rest * exp(-kept) >= MIN_THROUGH)) {
             continue;
         }
-        lines->contribution[lines->n] = p->emitted;
+        lines->contribution[lines->n] = murk_photon_emitted(p);
         for (size_t m = 0; m < media; ++m) {
             lines->path_m[lines->n * media + m] = (float)depth[i * media + m];
         }

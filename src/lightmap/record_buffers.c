@@ -11,17 +11,17 @@
 static murk_photon record_of(const murk_event *event, double share)
 {
     const bool is_volume = event->kind == MURK_EVENT_MEDIUM;
-    return (murk_photon){
-        .position_m = {(float)event->position.x, (float)event->position.y,
-                       (float)event->position.z},
-        .direction = murk_direction_pack(event->direction_in),
-        .normal = is_volume ? 0 : murk_direction_pack(event->normal),
-        .power_w = (float)share,
-        .emitted = (uint32_t)event->photon,
-        .band = event->band,
-        .light = (uint8_t)event->light,
-        .material = event->material_or_medium,
-        .kind = murk_photon_kind(is_volume, (int)event->event_class)};
+    return murk_photon_make(
+        &(murk_photon_values){.position_m = event->position,
+                              .direction = event->direction_in,
+                              .normal = event->normal,
+                              .power_w = share,
+                              .emitted = (uint32_t)event->photon,
+                              .band = event->band,
+                              .light = (uint8_t)event->light,
+                              .material = event->material_or_medium,
+                              .is_volume = is_volume,
+                              .event_class = (int)event->event_class});
 }
 
 /* Appends a record; the capacity grows by half. False when out of memory. */
@@ -102,7 +102,7 @@ uint64_t murk_record_buffers_photon_of(const murk_record_buffers *h,
     for (size_t b = 0; b < MURK_WAVE_BATCHES; ++b) {
         const murk_record_list *buffer = &h->buffer[b];
         if (before + buffer->n >= wanted) {
-            return buffer->photon[wanted - before - 1].emitted;
+            return murk_photon_emitted(&buffer->photon[wanted - before - 1]);
         }
         before += buffer->n;
     }
@@ -116,8 +116,9 @@ murk_status murk_record_buffers_gather(murk_record_buffers *h, uint64_t last,
     for (size_t b = 0; b < MURK_WAVE_BATCHES; ++b) {
         murk_record_list *buffer = &h->buffer[b];
         bool fits = !buffer->is_short_of_memory;
-        for (size_t i = 0;
-             fits && i < buffer->n && buffer->photon[i].emitted <= last; ++i) {
+        for (size_t i = 0; fits && i < buffer->n &&
+                           murk_photon_emitted(&buffer->photon[i]) <= last;
+             ++i) {
             const murk_photon *photon = &buffer->photon[i];
             fits = put(murk_photon_is_volume(photon) ? &h->volume : &h->surface,
                        photon);
@@ -142,8 +143,9 @@ static void price(murk_record_list *buffer, const double *packet_w, int bands)
 {
     for (size_t i = 0; i < buffer->n; ++i) {
         murk_photon *p = &buffer->photon[i];
-        const size_t channel = (size_t)p->light * (size_t)bands + p->band;
-        p->power_w = (float)((double)p->power_w * packet_w[channel]);
+        const size_t channel =
+            (size_t)murk_photon_light(p) * (size_t)bands + murk_photon_band(p);
+        murk_photon_set_power_w(p, murk_photon_power_w(p) * packet_w[channel]);
     }
 }
 

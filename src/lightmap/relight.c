@@ -173,12 +173,13 @@ static murk_status scale_map(murk_photon_map **out, const murk_photon_map *map,
     /* The factor depends on the channel of the record. */
     for (size_t i = 0; i < n; ++i) {
         const size_t channel =
-            (size_t)from[i].light * (size_t)bands + from[i].band;
+            (size_t)murk_photon_light(&from[i]) * (size_t)bands +
+            murk_photon_band(&from[i]);
         const float power_w =
-            (float)((double)from[i].power_w * factor[channel]);
+            (float)(murk_photon_power_w(&from[i]) * factor[channel]);
         if (power_w > 0) {
             photon[kept] = from[i];
-            photon[kept++].power_w = power_w;
+            murk_photon_set_power_w(&photon[kept++], (double)power_w);
         }
     }
     if (kept == 0) {

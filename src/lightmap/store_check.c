@@ -116,31 +116,36 @@ static const char *flaw_of(const murk_photon *p, bool is_volume,
 {
     const murk_scene_desc *scene = stage->scene;
     const size_t materials = is_volume ? scene->n_media : scene->n_materials;
-    const size_t channel =
-        (size_t)p->light * (size_t)scene->bands + (size_t)p->band;
+    const size_t channel = (size_t)murk_photon_light(p) * (size_t)scene->bands +
+                           (size_t)murk_photon_band(p);
     /* Indices must exist in the scene; then class and kind must exist. */
-    if (p->band >= scene->bands || p->light >= scene->n_lights ||
-        p->material >= materials || p->emitted >= emitted) {
+    if (murk_photon_band(p) >= scene->bands ||
+        murk_photon_light(p) >= scene->n_lights ||
+        murk_photon_material(p) >= materials ||
+        murk_photon_emitted(p) >= emitted) {
         return "an index that is out of range";
     }
-    if (murk_photon_class(p) > 2 || p->kind > 7 ||
+    if (murk_photon_class(p) > 2 || murk_photon_tag(p) > 7 ||
         (murk_photon_is_volume(p) != 0) != is_volume) {
         return "a kind that its map has not";
     }
     /* The number of a photon determines its channel, the channel limits its
      * power. */
-    if (murk_sources_channel_of(stage->lights, p->emitted) != channel) {
+    if (murk_sources_channel_of(stage->lights, murk_photon_emitted(p)) !=
+        channel) {
         return "a photon of another light or band than its number's";
     }
-    if (!(p->power_w >= 0 &&
-          (double)p->power_w <= packet_w[channel] * (1 + POWER_TOLERANCE))) {
+    if (!(murk_photon_power_w(p) >= 0 &&
+          murk_photon_power_w(p) <=
+              packet_w[channel] * (1 + POWER_TOLERANCE))) {
         return "a power that is not 0 to its photon packet's";
     }
     /* Position and directions. */
     if (!murk_box_contains(within, murk_photon_place(p))) {
         return "a position outside the domain";
     }
-    if (p->direction == 0 || (p->normal == 0) != is_volume) {
+    if (murk_photon_packed_direction(p) == 0 ||
+        (murk_photon_packed_normal(p) == 0) != is_volume) {
         return "a direction or normal that is missing";
     }
     return NULL;

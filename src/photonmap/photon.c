@@ -48,3 +48,18 @@ murk_vec3 murk_direction_unpack(uint32_t packed)
     return murk_unit(z < 0 ? murk_vec(fold(u, v), fold(v, u), z)
                            : murk_vec(u, v, z));
 }
+
+murk_photon murk_photon_make(const murk_photon_values *v)
+{
+    const murk_vec3 at = v->position_m;
+    return (murk_photon){
+        .position_m = {(float)at.x, (float)at.y, (float)at.z},
+        .direction = murk_direction_pack(v->direction),
+        .normal = v->is_volume ? 0 : murk_direction_pack(v->normal),
+        .power_w = (float)v->power_w,
+        .emitted = v->emitted,
+        .band = v->band,
+        .light = v->light,
+        .material = v->material,
+        .kind = murk_photon_kind(v->is_volume, v->event_class)};
+}

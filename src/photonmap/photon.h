@@ -1,9 +1,14 @@
-/* One stored photon of either map: 32 bytes. */
+/* One stored photon of either map: 32 bytes.
+ *
+ * Other rooms make a record by murk_photon_make(), read it by the functions
+ * below and change it by murk_photon_set_...(), so that only this room knows
+ * how a record is stored. */
 #ifndef MURK_PHOTONMAP_PHOTON_H
 #define MURK_PHOTONMAP_PHOTON_H
 
 #include "base/vector.h"
 
+#include <stdbool.h>
 #include <stdint.h>
 
 typedef struct murk_photon {
@@ -32,10 +37,47 @@ static inline int murk_photon_class(const murk_photon *p)
 {
     return p->kind & 3;
 }
+/* Map and event class in one number, 0..7. */
+static inline uint8_t murk_photon_tag(const murk_photon *p)
+{
+    return p->kind;
+}
 static inline murk_vec3 murk_photon_place(const murk_photon *p)
 {
     return murk_vec((double)p->position_m[0], (double)p->position_m[1],
                     (double)p->position_m[2]);
+}
+static inline double murk_photon_power_w(const murk_photon *p)
+{
+    return (double)p->power_w;
+}
+static inline uint32_t murk_photon_emitted(const murk_photon *p)
+{
+    return p->emitted;
+}
+static inline uint8_t murk_photon_band(const murk_photon *p)
+{
+    return p->band;
+}
+static inline uint8_t murk_photon_light(const murk_photon *p)
+{
+    return p->light;
+}
+/* Of a surface record the number of the material, of a volume record that of
+ * the medium. */
+static inline uint8_t murk_photon_material(const murk_photon *p)
+{
+    return p->material;
+}
+/* The normal as murk_direction_pack() gave it: equal numbers are equal normals,
+ * and 0 is none. Likewise the direction. */
+static inline uint32_t murk_photon_packed_normal(const murk_photon *p)
+{
+    return p->normal;
+}
+static inline uint32_t murk_photon_packed_direction(const murk_photon *p)
+{
+    return p->direction;
 }
 
 /* A unit vector as two 16-bit octahedral coordinates: axis directions are
@@ -46,5 +88,42 @@ static inline murk_vec3 murk_photon_place(const murk_photon *p)
 #define MURK_DIRECTION_ERROR_RAD 6.48e-5
 uint32_t murk_direction_pack(murk_vec3 unit);
 murk_vec3 murk_direction_unpack(uint32_t packed);
+
+/* Incoming, of travel: unit. */
+static inline murk_vec3 murk_photon_direction(const murk_photon *p)
+{
+    return murk_direction_unpack(p->direction);
+}
+/* Faces the arriving photon: unit; zero in the volume map. */
+static inline murk_vec3 murk_photon_normal(const murk_photon *p)
+{
+    return murk_direction_unpack(p->normal);
+}
+
+/* The values of a record before they are stored. */
+typedef struct murk_photon_values {
+    murk_vec3 position_m;
+    murk_vec3 direction, normal; /* unit, or zero: none */
+    double power_w;
+    uint32_t emitted;
+    uint8_t band, light, material;
+    bool is_volume;
+    int event_class; /* 0 first, 1 specular only, 2 later */
+} murk_photon_values;
+
+murk_photon murk_photon_make(const murk_photon_values *values);
+
+static inline void murk_photon_set_power_w(murk_photon *p, double power_w)
+{
+    p->power_w = (float)power_w;
+}
+static inline void murk_photon_set_emitted(murk_photon *p, uint32_t emitted)
+{
+    p->emitted = emitted;
+}
+static inline void murk_photon_set_material(murk_photon *p, uint8_t material)
+{
+    p->material = material;
+}
 
 #endif

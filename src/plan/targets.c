@@ -28,13 +28,12 @@ murk_photon murk_target_of(murk_vec3 place, murk_vec3 normal, uint32_t number,
                            int band)
 {
     const bool is_volume = murk_dot(normal, normal) == 0;
-    return (murk_photon){
-        .position_m = {(float)place.x, (float)place.y, (float)place.z},
-        .normal = is_volume ? 0 : murk_direction_pack(normal),
-        .power_w = 1,
-        .emitted = number,
-        .band = (uint8_t)band,
-        .kind = murk_photon_kind(is_volume, 0)};
+    return murk_photon_make(&(murk_photon_values){.position_m = place,
+                                                  .normal = normal,
+                                                  .power_w = 1,
+                                                  .emitted = number,
+                                                  .band = (uint8_t)band,
+                                                  .is_volume = is_volume});
 }
 
 uint8_t murk_target_medium(const murk_stage *stage, int band, murk_vec3 place)

@@ -64,7 +64,7 @@ static void keep(found *f, murk_vec3 place, murk_vec3 normal, int band,
                  uint8_t material)
 {
     f->photon[f->n] = murk_target_of(place, normal, 0, band);
-    f->photon[f->n++].material = material;
+    murk_photon_set_material(&f->photon[f->n++], material);
 }
 
 /* ---- surfaces ---- */
@@ -172,8 +172,8 @@ static murk_status take_up(murk_target_buffer *buffer, const drawing *d,
          ++i) {
         found *f = &d->wave[i];
         for (int k = 0; k < f->n; ++k) {
-            f->photon[k].emitted =
-                (uint32_t)(d->source->first_number + *points);
+            murk_photon_set_emitted(
+                &f->photon[k], (uint32_t)(d->source->first_number + *points));
             if (!murk_target_buffer_put(buffer, &f->photon[k])) {
                 return murk_fail(err, MURK_NO_MEMORY, "placement.targets",
                                  "no memory for more than %zu targets",
@@ -197,7 +197,7 @@ static murk_estimate price(murk_target_buffer *buffer, uint64_t points,
     const double variance =
         (k - both + 4 * both) / n - (sides / n) * (sides / n);
     for (size_t i = 0; i < buffer->n; ++i) {
-        buffer->photon[i].power_w = (float)each;
+        murk_photon_set_power_w(&buffer->photon[i], each);
     }
     return (murk_estimate){
         sides * each, n > 1 ? size * sqrt(fmax(0, variance) / (n - 1)) : NAN};

@@ -114,9 +114,10 @@ static murk_status read_row(list *l, size_t row, murk_error *err)
     const bool is_volume = !(murk_length(normal) > 0);
     normal = is_volume ? (murk_vec3){0, 0, 0} : murk_unit(normal);
     murk_photon photon = murk_target_of(place, normal, 0, l->band);
-    photon.power_w = (float)value[WEIGHT];
-    photon.material = is_volume ? murk_target_medium(l->stage, l->band, place)
-                                : material_at(l, place, normal);
+    murk_photon_set_power_w(&photon, value[WEIGHT]);
+    murk_photon_set_material(
+        &photon, is_volume ? murk_target_medium(l->stage, l->band, place)
+                           : material_at(l, place, normal));
     l->weight += value[WEIGHT];
     return murk_target_buffer_put(is_volume ? l->volume : l->surface, &photon)
                ? MURK_OK

@@ -47,15 +47,16 @@ static bool is_in_solid(const murk_scenery *scenery, const murk_photon *p)
     return !murk_photon_is_volume(p) &&
            murk_surfaces_solid_at(
                surfaces, murk_along(murk_photon_place(p), scenery->margin_m,
-                                    murk_direction_unpack(p->normal))) > 0;
+                                    murk_photon_normal(p))) > 0;
 }
 
 static bool counts(const murk_gathering_desc *desc, const murk_photon *p,
                    int band)
 {
-    return p->band == band &&
+    return murk_photon_band(p) == band &&
            (desc->takes_first || murk_photon_class(p) != 0 ||
-            !murk_sources_can_shine(desc->scenery->world->lights, p->light) ||
+            !murk_sources_can_shine(desc->scenery->world->lights,
+                                    murk_photon_light(p)) ||
             is_in_solid(desc->scenery, p));
 }
 
@@ -67,7 +68,7 @@ static murk_status pick(murk_photon_map **out, const murk_gathering_desc *desc,
     const size_t n = murk_photon_map_count(map);
     size_t maximum = 0, kept = 0;
     for (size_t i = 0; i < n; ++i) {
-        maximum += all[i].band == band;
+        maximum += murk_photon_band(&all[i]) == band;
     }
     murk_photon *photons = malloc((maximum + 1) * sizeof *photons);
     if (!photons) {
@@ -99,14 +100,16 @@ static murk_ball_extent extent_of(const murk_scenery *scenery,
 {
     const double r = kernel->radius_m;
     murk_ball_extent e = {.radius = (float)r};
-    const murk_vec3 n = murk_direction_unpack(p->normal);
+    const murk_vec3 n = murk_photon_normal(p);
+    const murk_vec3 center = murk_photon_place(p);
     const double along[3] = {n.x, n.y, n.z};
+    const double at[3] = {center.x, center.y, center.z};
     /* A disc on a plane is flat, to rounding of places and normals. */
     const bool is_flat = !murk_photon_is_volume(p) && !kernel->is_cut;
     for (int axis = 0; axis < 3; ++axis) {
         const double flat = r * sqrt(fmax(0, 1 - along[axis] * along[axis])) +
                             1e-3 * r + scenery->margin_m;
-        e.center[axis] = p->position_m[axis];
+        e.center[axis] = (float)at[axis];
         e.reach[axis] = (float)(is_flat ? fmin(flat, r) : r);
     }
     return e;
@@ -173,7 +176,9 @@ static uint32_t last_emitted(const murk_photon_map *map)
     const murk_photon *photons = murk_photon_map_photons(map);
     uint32_t last = 0;
     for (size_t i = 0; i < murk_photon_map_count(map); ++i) {
-        last = photons[i].emitted > last ? photons[i].emitted : last;
+        last = murk_photon_emitted(&photons[i]) > last
+                   ? murk_photon_emitted(&photons[i])
+                   : last;
     }
     return last;
 }
@@ -263,14 +268,13 @@ typedef struct asking {
 static double sent(const murk_shading_point *place, const murk_photon *p)
 {
     if (!place->phase) {
-        return (double)p->power_w / MURK_PI;
+        return murk_photon_power_w(p) / MURK_PI;
     }
-    const double mu =
-        -murk_dot(murk_direction_unpack(p->direction), place->sight);
+    const double mu = -murk_dot(murk_photon_direction(p), place->sight);
     if (mu > place->cone && murk_photon_class(p) == MURK_CLASS_LATER) {
         return 0;
     }
-    return (double)p->power_w *
+    return murk_photon_power_w(p) *
            murk_phase_density(place->phase, fmax(-1, fmin(1, mu)));
 }
 
@@ -285,7 +289,8 @@ static void take(void *context, size_t record, double square)
     if (kernel->mass > 0 &&
         murk_kernel_holds(a->gather->scenery, p, kernel, a->place->position,
                           a->place->normal, index)) {
-        const size_t group = (size_t)(p->emitted * a->gather->per_photon);
+        const size_t group =
+            (size_t)(murk_photon_emitted(p) * a->gather->per_photon);
         const double light =
             a->scale * (1 - square) / kernel->mass * sent(a->place, p);
         a->group[group] += light;

@@ -144,7 +144,7 @@ static murk_kernel on_surface(const murk_probing *probing,
     const murk_scenery *scenery = probing->scenery;
     const murk_transport_world *world = scenery->world;
     const murk_vec3 from = murk_photon_place(photon);
-    const murk_vec3 up = murk_direction_unpack(photon->normal);
+    const murk_vec3 up = murk_photon_normal(photon);
     murk_kernel kernel = {
         .radius_m = radius_m,
         .index = index_at(scenery, murk_along(from, scenery->margin_m, up))};
@@ -237,15 +237,15 @@ static murk_kernel in_medium(const murk_probing *probing,
         murk_surfaces_near(scenery->world->surfaces, from, radius_m);
     double mean = 0, share = 0;
     for (int i = 0; i < HALVINGS; ++i) {
-        mean =
-            mean_scattering(probing, photon->band, from, &kernel, axis, &share);
+        mean = mean_scattering(probing, murk_photon_band(photon), from, &kernel,
+                               axis, &share);
         if (share >= MIN_SHARE) {
             break;
         }
         kernel.radius_m /= 2;
     }
     if (!(share >= MIN_SHARE)) {
-        mean = scattering_at(scenery, photon->band, from);
+        mean = scattering_at(scenery, murk_photon_band(photon), from);
     }
     const double r = kernel.radius_m;
     kernel.mass = mean * 8 * MURK_PI / 15 * r * r * r;
@@ -256,8 +256,9 @@ murk_kernel murk_kernel_of(const murk_probing *probing,
                            const murk_photon *photon, double radius_m,
                            uint64_t number)
 {
-    const murk_random4 turn = murk_random(probing->seed, MURK_KERNEL, number,
-                                          photon->kind, photon->band);
+    const murk_random4 turn =
+        murk_random(probing->seed, MURK_KERNEL, number, murk_photon_tag(photon),
+                    murk_photon_band(photon));
     return murk_photon_is_volume(photon)
                ? in_medium(probing, photon, radius_m, turn.u)
                : on_surface(probing, photon, radius_m, turn.u[0]);
@@ -268,7 +269,7 @@ bool murk_kernel_holds(const murk_scenery *scenery, const murk_photon *photon,
                        murk_vec3 normal, double index)
 {
     const bool is_volume = murk_photon_is_volume(photon);
-    const murk_vec3 up = murk_direction_unpack(photon->normal);
+    const murk_vec3 up = murk_photon_normal(photon);
     if ((!is_volume && murk_dot(up, normal) <= ALIKE) ||
         (scenery->bends && index != kernel->index)) {
         return false;

@@ -22,16 +22,15 @@ static murk_photon point_at(const search *s, size_t x, size_t y)
         murk_camera_sight(c, (double)x + 0.5, (double)y + 0.5);
     const murk_scenery_end end = murk_scenery_look(s->scenery, c->from, sight);
     if (!end.is_surface) {
-        return (murk_photon){.power_w = 0};
+        return murk_photon_make(&(murk_photon_values){.power_w = 0});
     }
-    const murk_vec3 p = end.position;
-    return (murk_photon){.position_m = {(float)p.x, (float)p.y, (float)p.z},
-                         .direction = murk_direction_pack(sight),
-                         .normal = murk_direction_pack(end.normal),
-                         .power_w = 1,
-                         .emitted = (uint32_t)(y * c->width + x),
-                         .band = (uint8_t)s->band,
-                         .kind = murk_photon_kind(0, 0)};
+    return murk_photon_make(
+        &(murk_photon_values){.position_m = end.position,
+                              .direction = sight,
+                              .normal = end.normal,
+                              .power_w = 1,
+                              .emitted = (uint32_t)(y * c->width + x),
+                              .band = (uint8_t)s->band});
 }
 
 static void look_along_row(void *context, uint64_t batch)
@@ -58,7 +57,7 @@ murk_status murk_points_find(murk_photon **out, size_t *n,
     murk_pool_run(threads, rows, look_along_row, &s);
     size_t kept = 0;
     for (size_t i = 0; i < all; ++i) {
-        if (s.point[i].power_w > 0) {
+        if (murk_photon_power_w(&s.point[i]) > 0) {
             s.point[kept++] = s.point[i];
         }
     }

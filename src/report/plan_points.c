@@ -176,9 +176,10 @@ static void take_map(murk_plan_points *out, size_t room,
         const murk_photon *p = &photon[next - before];
         murk_plan_point *to = &out->point[out->n++];
         *to = (murk_plan_point){.is_volume = murk_photon_is_volume(p)};
+        const murk_vec3 place = murk_photon_place(p);
+        const float at[3] = {(float)place.x, (float)place.y, (float)place.z};
         for (int k = 0; k < 3; ++k) {
-            to->place_m[k] =
-                fabsf(p->position_m[k]) <= FARTHEST_M ? p->position_m[k] : 0;
+            to->place_m[k] = fabsf(at[k]) <= FARTHEST_M ? at[k] : 0;
         }
     }
 }

@@ -46,10 +46,9 @@ static void locate_batch(void *context, uint64_t batch)
     const size_t first = (size_t)batch * BATCH;
     const size_t end = first + BATCH < l->n ? first + BATCH : l->n;
     for (size_t i = first; i < end; ++i) {
-        const float *x = l->photon[i].position_m;
-        l->piece[i] = murk_pieces_at(
-            l->pieces, murk_vec((double)x[0], (double)x[1], (double)x[2]),
-            murk_direction_unpack(l->photon[i].normal));
+        l->piece[i] =
+            murk_pieces_at(l->pieces, murk_photon_place(&l->photon[i]),
+                           murk_photon_normal(&l->photon[i]));
     }
     murk_progress_add(end - first);
 }
@@ -110,11 +109,12 @@ static void light_piece(const lighting *l, size_t i)
     for (size_t k = 0; k < n; ++k) {
         const uint32_t record = l->order[l->begin[i] + k];
         const murk_photon *photon = &l->photon[record];
-        const murk_material *material =
-            murk_surfaces_material(pieces->surfaces, photon->material);
-        l->room[k] = (arrival){photon->emitted, record,
-                               (double)photon->power_w /
-                                   material->diffuse.band[photon->band]};
+        const murk_material *material = murk_surfaces_material(
+            pieces->surfaces, murk_photon_material(photon));
+        l->room[k] =
+            (arrival){murk_photon_emitted(photon), record,
+                      murk_photon_power_w(photon) /
+                          material->diffuse.band[murk_photon_band(photon)]};
     }
     qsort(l->room, n, sizeof *l->room, by_emitted);
     for (size_t k = 0; k < n;) {
@@ -253,12 +253,11 @@ static murk_photon middle_of(const void *context, size_t i)
 {
     const middles *m = context;
     const murk_piece piece = murk_piece_of(m->pieces, m->piece[i / 2]);
-    const murk_vec3 p = piece.middle;
-    return (murk_photon){
-        .position_m = {(float)p.x, (float)p.y, (float)p.z},
-        .normal = murk_direction_pack(murk_scale(i % 2 ? -1 : 1, piece.normal)),
+    return murk_photon_make(&(murk_photon_values){
+        .position_m = piece.middle,
+        .normal = murk_scale(i % 2 ? -1 : 1, piece.normal),
         .band = (uint8_t)m->band,
-        .material = piece.material};
+        .material = piece.material});
 }
 
 static void take_up(murk_lit_pieces *out, const middles *m,

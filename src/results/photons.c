@@ -63,60 +63,60 @@ static const uint8_t *color_of(const photons *p, const murk_photon *photon)
         {{255, 170, 60}, {255, 235, 120}, {205, 110, 60}, {205, 110, 60}},
         {{90, 200, 255}, {150, 240, 215}, {70, 110, 210}, {70, 110, 210}}};
     return p->session->scene->bands > 1
-               ? p->band_color[photon->band]
+               ? p->band_color[murk_photon_band(photon)]
                : by_event[murk_photon_is_volume(photon) ? 1 : 0]
                          [murk_photon_class(photon)];
 }
 
 /* ---- values ---- */
 
-static void put_vector(uint32_t packed, void *item)
+static void put_vector(murk_vec3 v, void *item)
 {
-    const murk_vec3 v = murk_direction_unpack(packed);
     const float xyz[3] = {(float)v.x, (float)v.y, (float)v.z};
     memcpy(item, xyz, sizeof xyz);
 }
 
 static void put_place(const void *context, size_t i, void *item)
 {
-    const float *at = photon_at(context, i)->position_m;
     murk_place_put(((const photons *)context)->session->scene,
-                   murk_vec((double)at[0], (double)at[1], (double)at[2]), item);
+                   murk_photon_place(photon_at(context, i)), item);
 }
 
 static void put_normal(const void *context, size_t i, void *item)
 {
-    put_vector(photon_at(context, i)->normal, item);
+    put_vector(murk_photon_normal(photon_at(context, i)), item);
 }
 
 static void put_direction(const void *context, size_t i, void *item)
 {
-    put_vector(photon_at(context, i)->direction, item);
+    put_vector(murk_photon_direction(photon_at(context, i)), item);
 }
 
 static void put_power(const void *context, size_t i, void *item)
 {
-    memcpy(item, &photon_at(context, i)->power_w, 4);
+    const float power_w = (float)murk_photon_power_w(photon_at(context, i));
+    memcpy(item, &power_w, sizeof power_w);
 }
 
 static void put_emitted(const void *context, size_t i, void *item)
 {
-    memcpy(item, &photon_at(context, i)->emitted, 4);
+    const uint32_t emitted = murk_photon_emitted(photon_at(context, i));
+    memcpy(item, &emitted, sizeof emitted);
 }
 
 static void put_band(const void *context, size_t i, void *item)
 {
-    memcpy(item, &photon_at(context, i)->band, 1);
+    *(uint8_t *)item = murk_photon_band(photon_at(context, i));
 }
 
 static void put_light(const void *context, size_t i, void *item)
 {
-    memcpy(item, &photon_at(context, i)->light, 1);
+    *(uint8_t *)item = murk_photon_light(photon_at(context, i));
 }
 
 static void put_material(const void *context, size_t i, void *item)
 {
-    memcpy(item, &photon_at(context, i)->material, 1);
+    *(uint8_t *)item = murk_photon_material(photon_at(context, i));
 }
 
 static void put_kind(const void *context, size_t i, void *item)

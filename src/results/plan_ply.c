@@ -111,9 +111,7 @@ static void put_map(FILE *to, const parts *p, const murk_photon_map *map,
 {
     const murk_photon *photon = murk_photon_map_photons(map);
     for (size_t i = 0; i < murk_photon_map_count(map); ++i) {
-        const float *at = photon[i].position_m;
-        put_vertex(to, p, murk_vec((double)at[0], (double)at[1], (double)at[2]),
-                   kind, seen[i]);
+        put_vertex(to, p, murk_photon_place(&photon[i]), kind, seen[i]);
     }
 }
 

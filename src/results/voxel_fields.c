@@ -140,9 +140,11 @@ static murk_photon record_of(const void *context, size_t voxel)
 {
     const domain_fields *f = context;
     const murk_vec3 p = middle_of(f, voxel);
-    return (murk_photon){.position_m = {(float)p.x, (float)p.y, (float)p.z},
-                         .band = (uint8_t)f->band,
-                         .material = murk_target_medium(f->stage, f->band, p)};
+    return murk_photon_make(&(murk_photon_values){
+        .position_m = p,
+        .band = (uint8_t)f->band,
+        .material = murk_target_medium(f->stage, f->band, p),
+        .is_volume = true});
 }
 
 typedef struct seen_fields {

@@ -30,7 +30,7 @@ static bool is_open(const murk_across *a, const murk_photon *photon,
     }
     if (a->field->toward &&
         !murk_field_takes(a->field, murk_sub(way->photon, s->crossing),
-                          murk_direction_unpack(photon->direction))) {
+                          murk_photon_direction(photon))) {
         return false;
     }
     murk_tally_add(a->shadow_rays, 1);
@@ -62,8 +62,9 @@ size_t murk_across_look(const murk_across *a, const murk_photon *photon,
         line[lines++] = (murk_sightline){
             .transmittance =
                 s->transmittance *
-                murk_way_sheets(&way[i], p, a->surfaces, photon->band) *
-                murk_way_transmittance(&way[i], p, photon->band),
+                murk_way_sheets(&way[i], p, a->surfaces,
+                                murk_photon_band(photon)) *
+                murk_way_transmittance(&way[i], p, murk_photon_band(photon)),
             .way = apparent,
             .leaving = murk_unit(murk_sub(s->crossing, way[i].photon)),
             .gain = ratio * ratio};

@@ -318,9 +318,10 @@ static murk_status find_errors(murk_coverage_result *out, const measure *m,
         goto done;
     }
     for (size_t i = 0; i < m->photons; ++i) {
-        const uint64_t emitted = i < m->surface_photons
-                                     ? s[i].emitted
-                                     : v[i - m->surface_photons].emitted;
+        const uint64_t emitted =
+            i < m->surface_photons
+                ? murk_photon_emitted(&s[i])
+                : murk_photon_emitted(&v[i - m->surface_photons]);
         keys[i] = emitted << 32 | i;
     }
     const uint64_t *sorted =

@@ -9,13 +9,13 @@ static murk_vec3 start_of(const murk_photon *photon,
                           const murk_surfaces *surfaces,
                           murk_side sides[MURK_SIDES])
 {
-    const float *x = photon->position_m;
-    const murk_vec3 at = murk_vec((double)x[0], (double)x[1], (double)x[2]);
+    const murk_vec3 at = murk_photon_place(photon);
     return murk_photon_is_volume(photon)
                ? at
-               : murk_add(
-                     at,
-                     murk_side_recall(sides, surfaces, photon->normal)->off);
+               : murk_add(at,
+                          murk_side_recall(sides, surfaces,
+                                           murk_photon_packed_normal(photon))
+                              ->off);
 }
 
 void murk_sight_depths(double *depth, double *sheets, const murk_sight *sight,
@@ -32,7 +32,7 @@ void murk_sight_depths(double *depth, double *sheets, const murk_sight *sight,
             const murk_vec3 to =
                 murk_path_nearest_image(&desc->domain, pose->position, from);
             sheets[i] = murk_path_sheets(desc->surfaces, &desc->domain, from,
-                                         to, p->band);
+                                         to, murk_photon_band(p));
         }
     }
     for (size_t m = 0; m < count; ++m) {
@@ -42,8 +42,9 @@ void murk_sight_depths(double *depth, double *sheets, const murk_sight *sight,
             murk_path_viewpoint_at(&space, pose->position);
         for (size_t i = 0; i < n; ++i) {
             const murk_photon *p = murk_sight_photon(sight, photon[i]);
-            depth[i * count + m] = murk_path_depth_to(
-                &viewpoint, p->band, start_of(p, desc->surfaces, sides));
+            depth[i * count + m] =
+                murk_path_depth_to(&viewpoint, murk_photon_band(p),
+                                   start_of(p, desc->surfaces, sides));
         }
     }
 }

@@ -9,9 +9,9 @@ static bool is_of_kind(const murk_interest_region *region,
 {
     const bool is_volume = murk_photon_is_volume(photon);
     return (region->material < 0 ||
-            (!is_volume && photon->material == region->material)) &&
+            (!is_volume && murk_photon_material(photon) == region->material)) &&
            (region->medium < 0 ||
-            (is_volume && photon->material == region->medium));
+            (is_volume && murk_photon_material(photon) == region->medium));
 }
 
 static bool box_holds(const murk_box *box, murk_vec3 p, double slack_m)
@@ -35,7 +35,7 @@ static uint64_t boundary_meshes_around(const murk_interest *interest,
     if (murk_photon_is_volume(photon)) {
         return murk_boundary_meshes_at(interest->boundary_meshes, p);
     }
-    const murk_vec3 normal = murk_direction_unpack(photon->normal);
+    const murk_vec3 normal = murk_photon_normal(photon);
     const double off =
         slack_m + murk_boundary_meshes_tolerance_m(interest->boundary_meshes);
     return murk_boundary_meshes_at(interest->boundary_meshes,

@@ -83,15 +83,16 @@ static uint16_t clarity_along(const look *l, const murk_photon *p, size_t i,
                                         &line[k]);
     }
     return murk_sight_clarity(
-        sight, murk_power_chance(l->type, signal_w,
-                                 sight->desc.power.band_nm[p->band]));
+        sight,
+        murk_power_chance(l->type, signal_w,
+                          sight->desc.power.band_nm[murk_photon_band(p)]));
 }
 
 /* By the straight line from where sightlines to it start. */
 static uint16_t clarity_of(const look *l, const murk_photon *p, size_t i,
                            murk_vec3 from)
 {
-    const int band = p->band;
+    const int band = murk_photon_band(p);
     const murk_sight *sight = l->sight;
     const murk_vec3 to =
         murk_path_nearest_image(&sight->desc.domain, l->sensor, from);
@@ -143,11 +144,10 @@ static bool is_taken(const look *l, const murk_photon *photon, murk_vec3 at,
                      murk_vec3 sensor)
 {
     const murk_vec3 way = murk_sub(at, sensor);
-    return (l->bands >> photon->band & 1) &&
+    return (l->bands >> murk_photon_band(photon) & 1) &&
            murk_field_contains(&l->field, way) &&
            (!l->field.toward ||
-            murk_field_takes(&l->field, way,
-                             murk_direction_unpack(photon->direction)));
+            murk_field_takes(&l->field, way, murk_photon_direction(photon)));
 }
 
 /* The query reaches farther than the range where things may appear nearer. */
@@ -165,7 +165,7 @@ static void keep_across(look *l, const murk_photon *p, const murk_side *facing,
 {
     murk_sightline line[MURK_WAYS_MAX];
     const size_t lines =
-        l->bands >> p->band & 1
+        l->bands >> murk_photon_band(p) & 1
             ? murk_across_look(&l->across, p, facing, from, index, line)
             : 0;
     const uint16_t clarity = clarity_along(l, p, number, line, lines);
@@ -198,7 +198,8 @@ static void look_at(look *l, const murk_photon_map *map, uint32_t first)
             const murk_side *facing =
                 murk_photon_is_volume(p)
                     ? NULL
-                    : murk_side_recall(sides, desc->surfaces, p->normal);
+                    : murk_side_recall(sides, desc->surfaces,
+                                       murk_photon_packed_normal(p));
             const murk_vec3 start = facing ? murk_add(at, facing->off) : at;
             const double index = murk_path_index_at(&l->space, start);
             if (index != l->viewpoint.index) {
@@ -215,8 +216,8 @@ static void look_at(look *l, const murk_photon_map *map, uint32_t first)
             continue;
         }
         if (!murk_photon_is_volume(p)) {
-            const murk_side *facing =
-                murk_side_recall(sides, desc->surfaces, p->normal);
+            const murk_side *facing = murk_side_recall(
+                sides, desc->surfaces, murk_photon_packed_normal(p));
             if (!murk_side_faces(facing, at, sensor,
                                  l->sight->position_error_m)) {
                 continue;

@@ -27,9 +27,8 @@ static size_t keep_nearest(uint32_t *found, size_t n, const murk_photon *photon,
     const murk_vec3 period = murk_sub(domain->box.max, domain->box.min);
     size_t kept = 0;
     for (size_t f = 0; f < n; ++f) {
-        const float *x = photon[found[f]].position_m;
         const murk_vec3 nearest = murk_path_nearest_image(
-            domain, sensor, murk_vec((double)x[0], (double)x[1], (double)x[2]));
+            domain, sensor, murk_photon_place(&photon[found[f]]));
         /* Half a period decides; images are a whole one apart. */
         if (fabs(nearest.x - image.x) < period.x / 2 &&
             fabs(nearest.y - image.y) < period.y / 2) {

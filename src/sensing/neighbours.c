@@ -89,10 +89,9 @@ static size_t look(const murk_neighbours *neighbours,
 
 bool murk_neighbours_alike(const murk_photon *of, const murk_photon *photon)
 {
-    return of->band == photon->band &&
+    return murk_photon_band(of) == murk_photon_band(photon) &&
            (murk_photon_is_volume(of) ||
-            murk_dot(murk_direction_unpack(of->normal),
-                     murk_direction_unpack(photon->normal)) > 0);
+            murk_dot(murk_photon_normal(of), murk_photon_normal(photon)) > 0);
 }
 
 size_t murk_neighbours_find(const murk_neighbours *neighbours,
@@ -116,8 +115,8 @@ size_t murk_neighbours_find(const murk_neighbours *neighbours,
                 *radius_m = neighbours->max_m;
                 return kept;
             }
-            const bool counts =
-                p->emitted != emitted && murk_neighbours_alike(of, p);
+            const bool counts = murk_photon_emitted(p) != emitted &&
+                                murk_neighbours_alike(of, p);
             const bool is_last = ends && n == m && i + 1 == n;
             if (is_last || (counts && kept + 1 == neighbours->k)) {
                 *radius_m = sqrt(one->distance2_m2);

@@ -60,9 +60,8 @@ static murk_status piece_fill(piece *p, const work *w, murk_error *err)
     for (size_t i = 0; i < p->n; ++i) {
         murk_photon record =
             w->places->record(w->places->context, p->first + i);
-        record.power_w = 1;
-        record.emitted = (uint32_t)i;
-        record.kind = murk_photon_kind(record.normal == 0, 0);
+        murk_photon_set_power_w(&record, 1);
+        murk_photon_set_emitted(&record, (uint32_t)i);
         if (murk_photon_is_volume(&record)) {
             volume[in++] = record;
         } else {
@@ -90,7 +89,8 @@ static murk_status sight_onto(murk_sight **out, murk_sight_desc desc,
 static murk_place_seen *place_of(const work *w, const piece *p,
                                  const murk_sight *sight, uint32_t photon)
 {
-    return &w->out[p->first + murk_sight_photon(sight, photon)->emitted];
+    return &w->out[p->first +
+                   murk_photon_emitted(murk_sight_photon(sight, photon))];
 }
 
 static murk_status see(const work *w, const piece *p, murk_error *err)

@@ -62,7 +62,7 @@ static uint64_t path_of(const murk_power *power, const murk_photon *of)
     const bool is_own = murk_photon_is_volume(of)
                             ? desc->volume_map == desc->light.volume_map
                             : desc->surface_map == desc->light.surface_map;
-    return is_own ? of->emitted : MURK_VICINITY_ALL;
+    return is_own ? murk_photon_emitted(of) : MURK_VICINITY_ALL;
 }
 
 /* What tells of a place: its numbers are found[0..n). */
@@ -124,7 +124,7 @@ static void survey_surface(void *context, unsigned worker, uint64_t batch)
             murk_vicinity_photons(power->surface, g.level);
         double sum_w = 0;
         for (size_t k = 0; k < g.n; ++k) {
-            sum_w += (double)photon[found[k]].power_w;
+            sum_w += murk_photon_power_w(&photon[found[k]]);
         }
         power->radiance[i] =
             (float)(g.factor * sum_w /
@@ -206,10 +206,11 @@ static murk_status check(const murk_power_desc *desc, murk_error *err)
     const murk_photon_map *map = desc->light.volume_map;
     const murk_photon *photon = murk_photon_map_photons(map);
     for (size_t i = 0; i < murk_photon_map_count(map); ++i) {
-        if (photon[i].material >= murk_media_count(desc->media)) {
+        if (murk_photon_material(&photon[i]) >= murk_media_count(desc->media)) {
             return murk_fail(err, MURK_BAD_FILE, "volume map",
                              "record %zu: medium %d of %zu cannot be", i,
-                             photon[i].material, murk_media_count(desc->media));
+                             murk_photon_material(&photon[i]),
+                             murk_media_count(desc->media));
         }
     }
     return MURK_OK;
@@ -374,10 +375,10 @@ double murk_power_source(const murk_power *power, size_t i, murk_vec3 toward)
     double sum = 0;
     for (uint32_t k = c->begin[at]; k < c->begin[at + 1]; ++k) {
         const murk_photon *p = &photon[c->list[k]];
-        const double mu = murk_dot(murk_direction_unpack(p->direction), toward);
-        const murk_phase *phase =
-            murk_media_phase(power->desc.media, p->material, p->band);
-        sum += (double)p->power_w *
+        const double mu = murk_dot(murk_photon_direction(p), toward);
+        const murk_phase *phase = murk_media_phase(
+            power->desc.media, murk_photon_material(p), murk_photon_band(p));
+        sum += murk_photon_power_w(p) *
                murk_phase_density(phase, fmax(-1, fmin(1, mu)));
     }
     return sum * (double)c->factor[at];
@@ -397,8 +398,7 @@ double murk_power_signal_w(const murk_power *power,
         murk_photon_is_volume(photon)
             ? murk_power_source(power, i, line->leaving) * type->target_m3
             : murk_power_radiance(power, i) * type->target_m2 *
-                  fmax(0, murk_dot(murk_direction_unpack(photon->normal),
-                                   line->leaving));
+                  fmax(0, murk_dot(murk_photon_normal(photon), line->leaving));
     return line->transmittance * line->gain * sent * taken;
 }
 

@@ -32,7 +32,7 @@ static int map_of(const sums *s, size_t i)
 static double power_w(const sums *s, size_t i)
 {
     const int p = map_of(s, i);
-    return (double)s->photon[p][i - s->first[p]].power_w;
+    return murk_photon_power_w(&s->photon[p][i - s->first[p]]);
 }
 
 static void add_up(sums *s, murk_photon_view seen, const void *context)

@@ -38,16 +38,17 @@ static murk_status check_map(const murk_photon_map *map, const char *name,
     const size_t n = murk_photon_map_count(map);
     for (size_t i = 0; i < n; ++i) {
         const murk_photon *p = &photon[i];
-        const float *x = p->position_m;
-        if (!(p->power_w >= 0 && isfinite(p->power_w)) || !isfinite(x[0]) ||
-            !isfinite(x[1]) || !isfinite(x[2]) || p->band >= MURK_BANDS_MAX ||
-            p->emitted >= emitted) {
+        const murk_vec3 at = murk_photon_place(p);
+        const double power_w = murk_photon_power_w(p);
+        if (!(power_w >= 0 && isfinite(power_w)) || !murk_is_finite(at) ||
+            murk_photon_band(p) >= MURK_BANDS_MAX ||
+            murk_photon_emitted(p) >= emitted) {
             return murk_fail(err, MURK_BAD_FILE, name,
                              "record %zu: power %g W, band %d, photon %u of "
                              "%llu at [%g, %g, %g] m cannot be",
-                             i, (double)p->power_w, p->band, p->emitted,
-                             (unsigned long long)emitted, (double)x[0],
-                             (double)x[1], (double)x[2]);
+                             i, power_w, murk_photon_band(p),
+                             murk_photon_emitted(p),
+                             (unsigned long long)emitted, at.x, at.y, at.z);
         }
     }
     return MURK_OK;
@@ -350,10 +351,10 @@ uint64_t murk_sight_regions(const murk_sight *sight, size_t i)
 double murk_sight_power_w(const murk_sight *sight, size_t i)
 {
     const murk_photon *photon = murk_sight_photon(sight, i);
-    return sight->regions ? (double)photon->power_w *
+    return sight->regions ? murk_photon_power_w(photon) *
                                 murk_interest_factor(sight->desc.interest,
                                                      sight->regions[i])
-                          : (double)photon->power_w;
+                          : murk_photon_power_w(photon);
 }
 
 const murk_sight_desc *murk_sight_described(const murk_sight *sight)

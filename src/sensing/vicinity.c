@@ -34,7 +34,8 @@ typedef struct thinning {
 
 static bool is_kept(const thinning *t, const murk_photon *photon, size_t i)
 {
-    return t->by_record ? i % 2 == 0 : photon[i].emitted < t->emitted;
+    return t->by_record ? i % 2 == 0
+                        : murk_photon_emitted(&photon[i]) < t->emitted;
 }
 
 static size_t count_kept(const murk_photon_map *map, const thinning *t)
@@ -172,7 +173,7 @@ murk_around murk_vicinity_find(const murk_vicinity *v, murk_vec3 place,
                                            place, v->radius_m, found);
     const murk_photon *photon = murk_vicinity_photons(v, around.level);
     for (size_t k = 0; k < all; ++k) {
-        if (photon[found[k]].emitted != emitted) {
+        if (murk_photon_emitted(&photon[found[k]]) != emitted) {
             found[around.n++] = found[k];
         }
     }

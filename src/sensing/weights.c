@@ -15,7 +15,7 @@ typedef struct powers {
 
 static double power_of(const powers *p, size_t i)
 {
-    const double power_w = (double)p->photon[i].power_w;
+    const double power_w = murk_photon_power_w(&p->photon[i]);
     return p->regions
                ? power_w * murk_interest_factor(p->interest, p->regions[i])
                : power_w;

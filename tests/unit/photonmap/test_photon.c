@@ -80,18 +80,56 @@ static void test_kinds_say_map_and_class(void)
 {
     for (int volume = 0; volume <= 1; ++volume) {
         for (int class = 0; class <= 2; ++class) {
-            const murk_photon p = {.kind = murk_photon_kind(volume, class)};
+            const murk_photon p = murk_photon_make(&(murk_photon_values){
+                .is_volume = volume, .event_class = class});
+            CHECK(murk_photon_tag(&p) == murk_photon_kind(volume, class));
             CHECK(murk_photon_is_volume(&p) == volume);
             CHECK(murk_photon_class(&p) == class);
         }
     }
 }
 
-static void test_place_is_the_position(void)
+static bool is_same(murk_vec3 a, murk_vec3 b)
 {
-    const murk_photon p = {.position_m = {1.5F, -2.25F, 3}};
-    const murk_vec3 at = murk_photon_place(&p);
-    CHECK(at.x == 1.5 && at.y == -2.25 && at.z == 3);
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+static void test_values_come_back(void)
+{
+    const murk_photon_values stored = {.position_m = {1.5, -2.25, 3},
+                                       .direction = {0, 0, -1},
+                                       .normal = {0, 1, 0},
+                                       .power_w = 0.375,
+                                       .emitted = 4000000000U,
+                                       .band = 15,
+                                       .light = 200,
+                                       .material = 255,
+                                       .event_class = 2};
+    murk_photon p = murk_photon_make(&stored);
+    CHECK(is_same(murk_photon_place(&p), stored.position_m));
+    CHECK(is_same(murk_photon_direction(&p), stored.direction));
+    CHECK(is_same(murk_photon_normal(&p), stored.normal));
+    CHECK(murk_photon_packed_direction(&p) ==
+          murk_direction_pack(stored.direction));
+    CHECK(murk_photon_packed_normal(&p) == murk_direction_pack(stored.normal));
+    CHECK(murk_photon_power_w(&p) == 0.375);
+    CHECK(murk_photon_emitted(&p) == 4000000000U);
+    CHECK(murk_photon_band(&p) == 15 && murk_photon_light(&p) == 200);
+    CHECK(murk_photon_material(&p) == 255 && murk_photon_class(&p) == 2);
+    murk_photon_set_power_w(&p, 2);
+    murk_photon_set_emitted(&p, 7);
+    murk_photon_set_material(&p, 9);
+    CHECK(murk_photon_power_w(&p) == 2 && murk_photon_emitted(&p) == 7);
+    CHECK(murk_photon_material(&p) == 9 && murk_photon_band(&p) == 15);
+}
+
+/* A record of the volume has no normal, whatever is given. */
+static void test_the_volume_has_no_normal(void)
+{
+    const murk_photon p = murk_photon_make(
+        &(murk_photon_values){.normal = {0, 0, 1}, .is_volume = true});
+    CHECK(murk_photon_packed_normal(&p) == 0);
+    CHECK(is_same(murk_photon_normal(&p), murk_vec(0, 0, 0)));
 }
 
 int main(void)
@@ -102,6 +140,7 @@ int main(void)
     test_folds_and_signs();
     test_nothing_packs_to_zero();
     test_kinds_say_map_and_class();
-    test_place_is_the_position();
+    test_values_come_back();
+    test_the_volume_has_no_normal();
     return check_done();
 }

@@ -69,13 +69,13 @@ static inline murk_surfaces *surfaces_of(const murk_surface_desc *desc,
 static inline murk_photon a_photon(murk_vec3 p, murk_vec3 normal,
                                    uint32_t emitted)
 {
-    const int is_volume = murk_dot(normal, normal) == 0;
-    return (murk_photon){.position_m = {(float)p.x, (float)p.y, (float)p.z},
-                         .direction = murk_direction_pack(murk_vec(0, 0, -1)),
-                         .normal = is_volume ? 0 : murk_direction_pack(normal),
-                         .power_w = 1,
-                         .emitted = emitted,
-                         .kind = murk_photon_kind(is_volume, 0)};
+    return murk_photon_make(
+        &(murk_photon_values){.position_m = p,
+                              .direction = murk_vec(0, 0, -1),
+                              .normal = normal,
+                              .power_w = 1,
+                              .emitted = emitted,
+                              .is_volume = murk_dot(normal, normal) == 0});
 }
 
 static inline murk_photon_map *map_of(const murk_photon *photons, size_t n)
