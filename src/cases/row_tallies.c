@@ -133,7 +133,7 @@ static void add_fluence(murk_row_tallies *g, const murk_study_file *study,
     murk_tally_desc desc = {
         .where = study->outputs_where, .type = MURK_TALLY_GRID, .box = *domain};
     const murk_candidate_grid own =
-        murk_candidate_grid_over(domain, FLUENCE_CELLS);
+        murk_candidate_grid_fill(domain, FLUENCE_CELLS);
     for (int i = 0; i < 3; ++i) {
         desc.size[i] =
             study->fluence_size[i] ? study->fluence_size[i] : own.size[i];

@@ -37,7 +37,7 @@ murk_status murk_stage_free_space(murk_open_space **out,
         return status;
     }
     murk_candidate_grid grid[MURK_OPEN_SPACE_GRIDS] = {
-        murk_candidate_grid_over(&stage->world.domain.box, POINTS_ALL)};
+        murk_candidate_grid_fill(&stage->world.domain.box, POINTS_ALL)};
     const size_t grids = 1 + grid_of_sensors(stage, &grid[1]);
     status = murk_open_space_create(out, grid, grids, stage->surfaces, &reach,
                                     threads, where, err);

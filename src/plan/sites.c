@@ -23,7 +23,7 @@ static murk_candidate_grid grid_of(const murk_stage *stage)
                                      .clearance_m = settings->clearance_m};
     }
     murk_candidate_grid grid =
-        murk_candidate_grid_over(&stage->world.domain.box, LAID_POINTS);
+        murk_candidate_grid_fill(&stage->world.domain.box, LAID_POINTS);
     grid.clearance_m = settings->clearance_m;
     return grid;
 }
@@ -86,8 +86,8 @@ static murk_status lay_mount(murk_candidate_mount *mount,
     mount->offset_m = settings->offset_m;
     face(settings, &lay, mount);
     const murk_status status = murk_surfaces_mount_sites(
-        foot, &mount->feet, stage->surfaces, &lay, settings->where, err);
-    if (!status && mount->feet == 0) {
+        foot, &mount->sites, stage->surfaces, &lay, settings->where, err);
+    if (!status && mount->sites == 0) {
         return murk_fail(err, MURK_BAD_VALUE, settings->where,
                          "nothing to mount on: in the domain no surface of "
                          "these materials, heights and ways of facing");
@@ -101,7 +101,7 @@ static murk_status lay_mount(murk_candidate_mount *mount,
 typedef struct asking {
     murk_candidate_desc desc;
     murk_vec3 *point;
-    murk_mount_site **foot; /* [mounts] */
+    murk_mount_site **site; /* [mounts] */
     murk_candidate_mount *mount;
     murk_zones *avoid, *within;
     murk_vec3 *lamp;
@@ -109,10 +109,10 @@ typedef struct asking {
 
 static void release(asking *a)
 {
-    for (size_t i = 0; a->foot && i < a->desc.mounts; ++i) {
-        free(a->foot[i]);
+    for (size_t i = 0; a->site && i < a->desc.mounts; ++i) {
+        free(a->site[i]);
     }
-    free(a->foot);
+    free(a->site);
     free(a->mount);
     free(a->point);
     free(a->lamp);
@@ -124,7 +124,7 @@ static murk_status ask(asking *a, const murk_stage *stage, murk_error *err)
 {
     const murk_scene_candidates *settings = &stage->scene->sensors.candidates;
     a->desc.grid = grid_of(stage);
-    a->desc.is_laid =
+    a->desc.is_reach_grid =
         !settings->has_grid && (settings->points.given || settings->mounts > 0);
     murk_status status =
         murk_site_points_read(&a->point, &a->desc.points, stage->scene,
@@ -134,17 +134,17 @@ static murk_status ask(asking *a, const murk_stage *stage, murk_error *err)
     }
     a->desc.point = a->point;
     a->mount = calloc(settings->mounts + 1, sizeof *a->mount);
-    a->foot = calloc(settings->mounts + 1, sizeof *a->foot);
-    if (!a->mount || !a->foot) {
+    a->site = calloc(settings->mounts + 1, sizeof *a->site);
+    if (!a->mount || !a->site) {
         return murk_fail(err, MURK_NO_MEMORY, settings->where,
                          "no memory for its mounts");
     }
     a->desc.mount = a->mount;
     for (size_t i = 0; i < settings->mounts && !status; ++i) {
         ++a->desc.mounts;
-        status = lay_mount(&a->mount[i], &a->foot[i], &settings->mount[i],
+        status = lay_mount(&a->mount[i], &a->site[i], &settings->mount[i],
                            stage, err);
-        a->mount[i].foot = a->foot[i];
+        a->mount[i].site = a->site[i];
     }
     if (!status) {
         status = murk_site_zones_create(&a->avoid, &a->within, stage->scene,

@@ -26,7 +26,7 @@ static double coordinate(double min, double max, size_t i, size_t n)
     return i + 1 == n ? max : min + (max - min) * (double)i / (double)(n - 1);
 }
 
-murk_candidate_grid murk_candidate_grid_over(const murk_box *box, size_t points)
+murk_candidate_grid murk_candidate_grid_fill(const murk_box *box, size_t points)
 {
     const murk_vec3 extent = murk_sub(box->max, box->min);
     const double maximum = (double)points;
@@ -155,16 +155,16 @@ static murk_status check(const murk_candidate_desc *desc,
 
 /* All that is asked, with a verdict on each: first the grid, unless it is
  * laid, then what is listed. */
-typedef struct asking {
+typedef struct request {
     const murk_candidate_desc *desc;
     murk_free_space space;
     size_t grid; /* points of it that are candidates */
     murk_listed *listed;
     size_t n_listed;
     uint8_t *verdict; /* [grid + n_listed] murk_verdict */
-} asking;
+} request;
 
-static murk_verdict judge(const asking *a, size_t i)
+static murk_verdict classify(const request *a, size_t i)
 {
     const murk_free_space *space = &a->space;
     const murk_closeness closeness = (murk_closeness)space->closeness[i];
@@ -184,18 +184,18 @@ static murk_verdict judge(const asking *a, size_t i)
                                           : MURK_SITE_USABLE;
 }
 
-static void judge_grid(void *context, uint64_t batch)
+static void classify_grid(void *context, uint64_t batch)
 {
-    asking *a = context;
+    request *a = context;
     const size_t begin = (size_t)batch * BATCH_POINTS;
     for (size_t i = begin; i < a->grid && i < begin + BATCH_POINTS; ++i) {
-        a->verdict[i] = (uint8_t)judge(a, i);
+        a->verdict[i] = (uint8_t)classify(a, i);
     }
 }
 
-static murk_status ask(asking *a, const murk_surfaces *surfaces,
-                       const murk_reach *reach, unsigned threads,
-                       const char *where, murk_error *err)
+static murk_status classify_sites(request *a, const murk_surfaces *surfaces,
+                                  const murk_reach *reach, unsigned threads,
+                                  const char *where, murk_error *err)
 {
     const size_t *n = a->desc->grid.size;
     murk_status status = murk_listed_all(&a->listed, &a->n_listed, a->desc,
@@ -203,7 +203,7 @@ static murk_status ask(asking *a, const murk_surfaces *surfaces,
     if (status) {
         return status;
     }
-    a->grid = a->desc->is_laid ? 0 : n[0] * n[1] * n[2];
+    a->grid = a->desc->is_reach_grid ? 0 : n[0] * n[1] * n[2];
     const size_t all = a->grid + a->n_listed;
     if (all < 1 || all > MURK_CANDIDATES_MAX) {
         return murk_fail(err, MURK_BAD_VALUE, where,
@@ -221,7 +221,7 @@ static murk_status ask(asking *a, const murk_surfaces *surfaces,
         return status;
     }
     murk_pool_run(threads, (a->grid + BATCH_POINTS - 1) / BATCH_POINTS,
-                  judge_grid, a);
+                  classify_grid, a);
     if (murk_interrupted()) {
         return murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
     }
@@ -232,7 +232,7 @@ static murk_status ask(asking *a, const murk_surfaces *surfaces,
                                    where, err);
 }
 
-static void release(asking *a)
+static void release(request *a)
 {
     murk_free_space_release(&a->space);
     free(a->listed);
@@ -246,7 +246,7 @@ static bool is_usable(murk_verdict verdict)
     return verdict == MURK_SITE_USABLE || verdict == MURK_SITE_DOUBTFUL;
 }
 
-static void count(murk_candidates *c, const asking *a)
+static void count(murk_candidates *c, const request *a)
 {
     c->asked = a->grid + a->n_listed;
     for (size_t i = 0; i < c->asked; ++i) {
@@ -288,7 +288,7 @@ static murk_status refuse_none(const murk_candidates *c, double clearance_m,
                      c->asked, c->unreached, c->too_close, clearance_m, more);
 }
 
-static void keep_one(murk_candidates *c, size_t to, const asking *a, size_t i)
+static void keep_one(murk_candidates *c, size_t to, const request *a, size_t i)
 {
     if (i < a->grid) {
         c->position[to] = murk_candidate_grid_point(&a->desc->grid, i);
@@ -304,7 +304,7 @@ static void keep_one(murk_candidates *c, size_t to, const asking *a, size_t i)
     }
 }
 
-static murk_status keep_usable(murk_candidates *c, const asking *a,
+static murk_status keep_usable(murk_candidates *c, const request *a,
                                const murk_surfaces *surfaces, const char *where,
                                murk_error *err)
 {
@@ -336,12 +336,12 @@ murk_status murk_candidates_create(murk_candidates **out,
 {
     assert(out && desc && surfaces && reach && threads >= 1 && where);
     murk_candidates *candidates = NULL;
-    asking a = {.desc = desc};
+    request a = {.desc = desc};
     murk_status status = check(desc, surfaces, &reach->domain, where, err);
     if (status) {
         goto done;
     }
-    status = ask(&a, surfaces, reach, threads, where, err);
+    status = classify_sites(&a, surfaces, reach, threads, where, err);
     if (status) {
         goto done;
     }

@@ -18,12 +18,12 @@
 #include <string.h>
 
 /* Looks held at a time, per thread. */
-#define LOOKS_EACH 4
+#define ROWS_EACH 4
 
-typedef struct kept_look {
+typedef struct stored_row {
     murk_sparse_row row; /* its arrays owned */
     bool has_failed;
-} kept_look;
+} stored_row;
 
 typedef struct measure {
     murk_sight *sight;
@@ -31,13 +31,13 @@ typedef struct measure {
     size_t sensors, photons, surface_photons;
     const uint32_t *weight;
     murk_views views;
-    kept_look *block;       /* [LOOKS_EACH * threads] */
-    size_t first;           /* sensor of block[0] */
-    uint64_t *alone, *only; /* [sensors], in weight * clarity */
-    bool is_again;          /* each looks once more, for what only it sees */
-    uint64_t *seen_by;      /* [sensors + 1]: weight seen by that many */
-    size_t at_least;        /* 0, or: a photon that so many sensors see counts
-                               whole, any other not at all */
+    stored_row *block;             /* [LOOKS_EACH * threads] */
+    size_t first;                  /* sensor of block[0] */
+    uint64_t *single_value, *only; /* [sensors], in weight * clarity */
+    bool is_second_pass; /* each looks once more, for what only it sees */
+    uint64_t *seen_by;   /* [sensors + 1]: weight seen by that many */
+    size_t at_least;     /* 0, or: a photon that so many sensors see counts
+                            whole, any other not at all */
 } measure;
 
 /* What one map holds and how much of it is seen, times clarity: in the plan's
@@ -62,7 +62,7 @@ static void *copy(const void *from, size_t bytes)
 static void find_row(void *context, unsigned worker, uint64_t batch)
 {
     measure *m = context;
-    kept_look *s = &m->block[batch];
+    stored_row *s = &m->block[batch];
     murk_sparse_row row;
     murk_sight_row(m->sight, worker, &m->pose[m->first + batch], &row);
     s->row.seen = row.seen;
@@ -72,35 +72,36 @@ static void find_row(void *context, unsigned worker, uint64_t batch)
     s->has_failed = !s->row.photon || (row.clarity && !s->row.clarity);
 }
 
-static void take_up(measure *m, uint32_t sensor, const murk_sparse_row *row)
+static void add_row(measure *m, uint32_t sensor, const murk_sparse_row *row)
 {
-    if (m->is_again) {
+    if (m->is_second_pass) {
         m->only[sensor] = murk_views_only_of(&m->views, m->weight, row);
         return;
     }
     for (size_t k = 0; k < row->seen; ++k) {
-        m->alone[sensor] += (uint64_t)m->weight[row->photon[k]] *
-                            (row->clarity ? row->clarity[k] : MURK_CLEAR);
+        m->single_value[sensor] +=
+            (uint64_t)m->weight[row->photon[k]] *
+            (row->clarity ? row->clarity[k] : MURK_CLEAR);
     }
     murk_views_add(&m->views, sensor, row);
 }
 
-static void release_block(kept_look *block, size_t n)
+static void release_block(stored_row *block, size_t n)
 {
     for (size_t i = 0; block && i < n; ++i) {
         free((void *)(uintptr_t)block[i].row.photon);
         free((void *)(uintptr_t)block[i].row.clarity);
-        block[i] = (kept_look){0};
+        block[i] = (stored_row){0};
     }
 }
 
 static murk_status find_rows(measure *m, murk_error *err)
 {
     const unsigned threads = murk_sight_described(m->sight)->threads;
-    const size_t room = (size_t)LOOKS_EACH * threads;
-    for (m->first = 0; m->first < m->sensors; m->first += room) {
+    const size_t capacity = (size_t)ROWS_EACH * threads;
+    for (m->first = 0; m->first < m->sensors; m->first += capacity) {
         const size_t left = m->sensors - m->first;
-        const size_t n = left < room ? left : room;
+        const size_t n = left < capacity ? left : capacity;
         murk_pool_run_workers(threads, n, find_row, m);
         bool has_failed = false;
         for (size_t i = 0; i < n; ++i) {
@@ -114,17 +115,17 @@ static murk_status find_rows(measure *m, murk_error *err)
                              "no memory to look from %zu sensors", n);
         }
         for (size_t i = 0; i < n; ++i) {
-            take_up(m, (uint32_t)(m->first + i), &m->block[i].row);
+            add_row(m, (uint32_t)(m->first + i), &m->block[i].row);
         }
         release_block(m->block, n);
     }
     return MURK_OK;
 }
 
-static murk_status look_for_only(measure *m, murk_error *err)
+static murk_status find_only(measure *m, murk_error *err)
 {
-    m->is_again = m->views.dose;
-    if (m->is_again) {
+    m->is_second_pass = m->views.dose;
+    if (m->is_second_pass) {
         return find_rows(m, err);
     }
     murk_views_only(&m->views, m->weight, m->only);
@@ -189,9 +190,9 @@ static void fill(murk_coverage_result *out, const measure *m, uint64_t whole)
     }
     out->sum_of_views = 0;
     for (size_t j = 0; j < m->sensors; ++j) {
-        out->covers[j] = ratio(m->alone[j], whole);
+        out->covers[j] = ratio(m->single_value[j], whole);
         out->only_it_covers[j] = ratio(m->only[j], whole);
-        out->sum_of_views += ratio(m->alone[j], whole / m->views.layers);
+        out->sum_of_views += ratio(m->single_value[j], whole / m->views.layers);
     }
 }
 
@@ -373,14 +374,14 @@ static murk_status check(const murk_sight_desc *desc, const murk_pose *pose,
     return MURK_OK;
 }
 
-static murk_status set_aside(measure *m, murk_coverage_result *out,
-                             murk_error *err)
+static murk_status allocate(measure *m, murk_coverage_result *out,
+                            murk_error *err)
 {
     const size_t n = m->sensors;
-    const size_t room =
-        (size_t)LOOKS_EACH * murk_sight_described(m->sight)->threads;
-    m->block = calloc(room, sizeof *m->block);
-    m->alone = calloc(n + 1, sizeof *m->alone);
+    const size_t capacity =
+        (size_t)ROWS_EACH * murk_sight_described(m->sight)->threads;
+    m->block = calloc(capacity, sizeof *m->block);
+    m->single_value = calloc(n + 1, sizeof *m->single_value);
     m->only = calloc(n + 1, sizeof *m->only);
     m->seen_by = calloc(n + 1, sizeof *m->seen_by);
     out->covers = calloc(n + 1, sizeof *out->covers);
@@ -392,7 +393,7 @@ static murk_status set_aside(measure *m, murk_coverage_result *out,
     const murk_sight_desc *desc = murk_sight_described(m->sight);
     if (murk_views_init(&m->views, m->photons, desc->combining,
                         desc->redundancy > 1 ? desc->redundancy : 1) &&
-        m->block && m->alone && m->only && m->seen_by && out->covers &&
+        m->block && m->single_value && m->only && m->seen_by && out->covers &&
         out->only_it_covers && out->seen_by_at_least &&
         (out->region || !regions)) {
         return MURK_OK;
@@ -419,13 +420,13 @@ murk_status murk_coverage_result_measure(murk_coverage_result *out,
     if (status) {
         goto done;
     }
-    status = set_aside(&m, &coverage, err);
+    status = allocate(&m, &coverage, err);
     if (status) {
         goto done;
     }
     status = find_rows(&m, err);
     if (!status) {
-        status = look_for_only(&m, err);
+        status = find_only(&m, err);
     }
     if (status) {
         goto done;
@@ -445,10 +446,10 @@ murk_status murk_coverage_result_measure(murk_coverage_result *out,
     coverage = (murk_coverage_result){0};
 done:
     murk_coverage_result_release(&coverage);
-    release_block(m.block, (size_t)LOOKS_EACH * desc->threads);
+    release_block(m.block, (size_t)ROWS_EACH * desc->threads);
     murk_views_release(&m.views);
     free(m.block);
-    free(m.alone);
+    free(m.single_value);
     free(m.only);
     free(m.seen_by);
     return status;

@@ -1,24 +1,27 @@
-/* Which side of its surface a stored photon is seen from. Internal to the room.
- */
+/* The side of a surface from which a stored photon is seen. Internal to the
+ * room. */
 #ifndef MURK_SENSING_FACING_H
 #define MURK_SENSING_FACING_H
 
 #include "geometry/surfaces.h"
 #include "photonmap/photon.h"
 
-/* A normal unpacked. */
+/* An unpacked normal. */
 typedef struct murk_side {
     uint32_t packed;
     murk_vec3 normal;
-    murk_vec3 off; /* the step off the surface, the same wherever it lies */
-    double tilt2;  /* squared sine of what storing may have turned it by */
+    murk_vec3 off; /* step off the surface, the same at every position */
+    double tilt2;  /* squared sine of the largest error of a stored normal */
 } murk_side;
 
+/* Unpacks a normal. */
 murk_side murk_side_of(const murk_surfaces *surfaces, uint32_t packed);
 
-/* Built places have few normals, so those met last are kept; where among them
- * is told by the upper bits of its hash (Fibonacci). All zero to begin with: 0
- * is nothing's normal, and sees nothing. */
+/* A cache of unpacked normals, because buildings have few distinct normals. The
+ * entry is chosen by the upper bits of the hash (Fibonacci hashing, Knuth, The
+ * Art of Computer Programming, vol. 3, 6.4). A cache starts with all bytes
+ * zero: 0 is the packed form of no normal, and faces nothing. 64 entries fit
+ * the first-level cache of a processor. */
 #define MURK_SIDES_LOG2 6
 #define MURK_SIDES      (1 << MURK_SIDES_LOG2)
 
@@ -34,7 +37,7 @@ static inline const murk_side *murk_side_recall(murk_side sides[MURK_SIDES],
     return s;
 }
 
-/* normal . (sensor - photon) > what storage may have moved it by. */
+/* True if normal . (sensor - photon) exceeds the possible error of storage. */
 static inline bool murk_side_faces(const murk_side *s, murk_vec3 photon,
                                    murk_vec3 sensor, double position_error_m)
 {

@@ -26,8 +26,8 @@ static double wrap(double x, double min, double max)
     return in < min || in > max ? min : in; /* rounding */
 }
 
-static bool set_down(murk_vec3 *place, const murk_jitter *j,
-                     const murk_ways *ways, const murk_address *address)
+static bool move_within_ball(murk_vec3 *place, const murk_jitter *j,
+                             const murk_ways *ways, const murk_address *address)
 {
     const murk_box *box = &j->domain->box;
     for (uint32_t k = 0; k < TRIES; ++k) {
@@ -83,7 +83,7 @@ size_t murk_jitter_draw(murk_pose *out, const murk_pose *pose, size_t n,
                                       (uint32_t)i};
         out[i] = pose[i];
         if (jitter->step_m > 0 &&
-            !set_down(&out[i].position, jitter, &ways, &address)) {
+            !move_within_ball(&out[i].position, jitter, &ways, &address)) {
             ++unmoved;
         }
         if (jitter->turn_rad > 0 &&

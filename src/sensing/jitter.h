@@ -1,11 +1,11 @@
-/* Sensors not quite where and how they were meant to stand.
+/* Random deviations of installed sensors from the planned poses.
  *
- * Each is set down somewhere in the ball of radius step_m about its place, all
- * of it alike, and its axis turned to somewhere in the cone of half angle
- * turn_rad about its own, all directions alike: limits that a fitter keeps, not
- * a spread. Where it may be set down: within the domain (periodic sides wrap),
- * not on a surface, and where a straight way leads from its place past no
- * surface, sheets too. Its picture stays upright. */
+ * The position is uniform in a ball of radius step_m around the planned one,
+ * and the axis is uniform in a cone of half angle turn_rad around the planned
+ * one: limits of a tolerance, not standard deviations. A position must lie
+ * within the domain (periodic sides wrap), off all surfaces, and be joined to
+ * the planned position by a straight segment that meets no surface and no
+ * sheet. The picture of the sensor stays upright. */
 #ifndef MURK_SENSING_JITTER_H
 #define MURK_SENSING_JITTER_H
 
@@ -21,10 +21,10 @@ typedef struct murk_jitter {
     murk_vec3 north;
 } murk_jitter;
 
-/* out[n]: the sensors of draw number `draw`, a pure function of seed, draw, and
- * the sensor's place in the list. Sensors whose type sees all round are not
- * turned; type[] is what poses name. Returns how many of them found no free
- * place in a hundred tries and stay where they are. */
+/* out[n]: the sensors of draw number `draw`, a pure function of seed, draw and
+ * index in the list. Types that see all round are not turned; poses refer to
+ * type[]. Returns the number of sensors that found no free position in a
+ * hundred tries and stay at the planned one. */
 size_t murk_jitter_draw(murk_pose *out, const murk_pose *pose, size_t n,
                         const murk_sensor_type *type, const murk_jitter *jitter,
                         uint64_t draw);

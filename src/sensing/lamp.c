@@ -6,23 +6,23 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define WAYS 6
+#define DIRECTIONS 6
 
 /* Surfaces that one way is followed through, and solids remembered. */
 #define CROSSINGS_MAX 64
 
-typedef struct ways_out {
+typedef struct lamp_search {
     const murk_surfaces *surfaces;
     const murk_domain *domain;
     double tolerance_m;
-    murk_vec3 way[WAYS];
+    murk_vec3 direction[DIRECTIONS];
     uint16_t around[CROSSINGS_MAX]; /* the solids that the lamp stands in */
     size_t n_around;
     murk_vec3 *place;
     size_t n_places;
-} ways_out;
+} lamp_search;
 
-static void add_place(ways_out *w, murk_vec3 place)
+static void add_place(lamp_search *w, murk_vec3 place)
 {
     if (w->n_places < MURK_LAMP_PLACES_MAX) {
         w->place[w->n_places++] = place;
@@ -31,19 +31,19 @@ static void add_place(ways_out *w, murk_vec3 place)
 
 /* To and fro along three axes, tilted so that none follows a seam of what is
  * built at right angles. */
-static void choose_ways(murk_vec3 way[WAYS])
+static void choose_directions(murk_vec3 direction[DIRECTIONS])
 {
-    way[0] = murk_unit(murk_vec(0.937, 0.281, 0.207));
-    murk_frame(way[0], &way[1], &way[2]);
+    direction[0] = murk_unit(murk_vec(0.937, 0.281, 0.207));
+    murk_frame(direction[0], &direction[1], &direction[2]);
     for (int i = 0; i < 3; ++i) {
-        way[3 + i] = murk_scale(-1, way[i]);
+        direction[3 + i] = murk_scale(-1, direction[i]);
     }
 }
 
 /* ---- on a surface ---- */
 
 /* The places just off it; the lamp's own where it hangs free. */
-static void add_sides(ways_out *w, murk_vec3 lamp)
+static void add_sides(lamp_search *w, murk_vec3 lamp)
 {
     static const murk_vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     const double tolerance = w->tolerance_m;
@@ -54,12 +54,13 @@ static void add_sides(ways_out *w, murk_vec3 lamp)
     for (int i = 0; i < 3; ++i) {
         for (int sign = -1; sign <= 1; sign += 2) {
             murk_hit hit;
-            const murk_vec3 way = murk_scale(sign, axes[i]);
-            const murk_vec3 start = murk_along(lamp, -4 * tolerance, way);
-            if (murk_surfaces_hit(w->surfaces, start, way, 8 * tolerance,
+            const murk_vec3 direction = murk_scale(sign, axes[i]);
+            const murk_vec3 start = murk_along(lamp, -4 * tolerance, direction);
+            if (murk_surfaces_hit(w->surfaces, start, direction, 8 * tolerance,
                                   &hit)) {
                 /* Two hairs off: the ways are asked half a hair aside. */
-                const murk_vec3 on = murk_along(start, hit.distance_m, way);
+                const murk_vec3 on =
+                    murk_along(start, hit.distance_m, direction);
                 add_place(w, murk_along(on, 2 * tolerance, hit.normal));
                 add_place(w, murk_along(on, -2 * tolerance, hit.normal));
                 return;
@@ -86,18 +87,19 @@ static bool lets_light_through(const murk_surfaces *surfaces,
 }
 
 /* The next surface on the way; *at moves to just behind it. */
-static bool step(const ways_out *w, murk_vec3 *at, murk_vec3 way, murk_hit *hit)
+static bool step(const lamp_search *w, murk_vec3 *at, murk_vec3 direction,
+                 murk_hit *hit)
 {
-    if (!murk_surfaces_hit(w->surfaces, *at, way, INFINITY, hit)) {
+    if (!murk_surfaces_hit(w->surfaces, *at, direction, INFINITY, hit)) {
         return false;
     }
-    *at =
-        murk_surfaces_leave(w->surfaces, murk_along(*at, hit->distance_m, way),
-                            murk_scale(-1, hit->normal));
+    *at = murk_surfaces_leave(w->surfaces,
+                              murk_along(*at, hit->distance_m, direction),
+                              murk_scale(-1, hit->normal));
     return true;
 }
 
-static bool holds(const uint16_t *solids, size_t n, uint16_t solid)
+static bool contains(const uint16_t *solids, size_t n, uint16_t solid)
 {
     for (size_t i = 0; i < n; ++i) {
         if (solids[i] == solid) {
@@ -108,28 +110,28 @@ static bool holds(const uint16_t *solids, size_t n, uint16_t solid)
 }
 
 /* The solids that a way crosses, through all that stands there. */
-static size_t crossed(const ways_out *w, murk_vec3 from, murk_vec3 way,
+static size_t crossed(const lamp_search *w, murk_vec3 from, murk_vec3 direction,
                       uint16_t solid[CROSSINGS_MAX])
 {
     size_t n = 0;
     murk_hit hit;
-    for (int k = 0; k < CROSSINGS_MAX && step(w, &from, way, &hit); ++k) {
-        if (hit.solid && !holds(solid, n, hit.solid)) {
+    for (int k = 0; k < CROSSINGS_MAX && step(w, &from, direction, &hit); ++k) {
+        if (hit.solid && !contains(solid, n, hit.solid)) {
             solid[n++] = hit.solid;
         }
     }
     return n;
 }
 
-static void find_around(ways_out *w, murk_vec3 from)
+static void find_around(lamp_search *w, murk_vec3 from)
 {
-    w->n_around = crossed(w, from, w->way[0], w->around);
-    for (int i = 1; i < WAYS && w->n_around > 0; ++i) {
+    w->n_around = crossed(w, from, w->direction[0], w->around);
+    for (int i = 1; i < DIRECTIONS && w->n_around > 0; ++i) {
         uint16_t solid[CROSSINGS_MAX];
-        const size_t n = crossed(w, from, w->way[i], solid);
+        const size_t n = crossed(w, from, w->direction[i], solid);
         size_t kept = 0;
         for (size_t k = 0; k < w->n_around; ++k) {
-            if (holds(solid, n, w->around[k])) {
+            if (contains(solid, n, w->around[k])) {
                 w->around[kept++] = w->around[k];
             }
         }
@@ -138,7 +140,7 @@ static void find_around(ways_out *w, murk_vec3 from)
 }
 
 /* Two hairs behind a surface, unless another is nearer. */
-static void add_outside(ways_out *w, murk_vec3 behind, murk_vec3 onward)
+static void add_outside(lamp_search *w, murk_vec3 behind, murk_vec3 onward)
 {
     const double off = 2 * w->tolerance_m;
     const murk_vec3 place = murk_along(behind, off, onward);
@@ -150,12 +152,12 @@ static void add_outside(ways_out *w, murk_vec3 behind, murk_vec3 onward)
     }
 }
 
-static void walk_out(ways_out *w, murk_vec3 from, murk_vec3 way)
+static void walk_out(lamp_search *w, murk_vec3 from, murk_vec3 direction)
 {
     murk_hit hit;
-    for (int k = 0; k < CROSSINGS_MAX && step(w, &from, way, &hit); ++k) {
+    for (int k = 0; k < CROSSINGS_MAX && step(w, &from, direction, &hit); ++k) {
         if (!lets_light_through(w->surfaces, &hit) ||
-            (hit.solid && !holds(w->around, w->n_around, hit.solid))) {
+            (hit.solid && !contains(w->around, w->n_around, hit.solid))) {
             return;
         }
         if (hit.solid) {
@@ -168,12 +170,12 @@ size_t murk_lamp_places(const murk_surfaces *surfaces,
                         const murk_domain *domain, murk_vec3 lamp,
                         murk_vec3 place[MURK_LAMP_PLACES_MAX])
 {
-    ways_out w = {.surfaces = surfaces,
+    lamp_search w = {.surfaces = surfaces,
                   .domain = domain,
                   .tolerance_m =
                       murk_path_surface_tolerance_m(surfaces, domain),
                   .place = place};
-    choose_ways(w.way);
+    choose_directions(w.direction);
     add_sides(&w, lamp);
     if (murk_surfaces_describe(surfaces).solids == 0) {
         return w.n_places;
@@ -181,8 +183,8 @@ size_t murk_lamp_places(const murk_surfaces *surfaces,
     for (size_t i = 0, n = w.n_places; i < n; ++i) {
         const murk_vec3 from = w.place[i];
         find_around(&w, from);
-        for (int k = 0; k < WAYS && w.n_around > 0; ++k) {
-            walk_out(&w, from, w.way[k]);
+        for (int k = 0; k < DIRECTIONS && w.n_around > 0; ++k) {
+            walk_out(&w, from, w.direction[k]);
         }
     }
     return w.n_places;

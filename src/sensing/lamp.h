@@ -1,8 +1,9 @@
-/* Where the light of a lamp sets out from. Internal to the room.
+/* The places from which the light of a lamp starts. Internal to the room.
  *
- * A lamp that hangs free shines from its place; one on a surface, from just off
- * either side. One in glass also lights what is around: then places just
- * outside the glass count too, each along one of six fixed ways. */
+ * The light of a lamp in free space starts at the lamp; that of a lamp on a
+ * surface starts just off both sides. A lamp in glass also lights the space
+ * around: then places just outside of the glass count as well, in six fixed
+ * directions. */
 #ifndef MURK_SENSING_LAMP_H
 #define MURK_SENSING_LAMP_H
 
@@ -11,11 +12,13 @@
 
 #include <stddef.h>
 
+/* Two sides of a surface, and several crossings in each of six directions. */
 #define MURK_LAMP_PLACES_MAX 64
 
-/* Writes the places, and returns how many, >= 1. Only solids that a lamp stands
- * in are passed: all six ways out of the lamp cross them, so their hollow
- * counts as in. What is opaque, or absorbs all, ends a way. */
+/* Writes the places and returns their number, >= 1. Only solids that contain
+ * the lamp are passed: all six directions from the lamp cross them, so the
+ * hollow of a solid counts as inside. A surface that is opaque or absorbs all
+ * light ends a direction. */
 size_t murk_lamp_places(const murk_surfaces *surfaces,
                         const murk_domain *domain, murk_vec3 lamp,
                         murk_vec3 place[MURK_LAMP_PLACES_MAX]);

@@ -6,18 +6,18 @@
 
 #include <stdlib.h>
 
-typedef struct reach {
+typedef struct nearest_link {
     double length_m; /* from the tree; INFINITY: no way found */
     size_t from;
-} reach;
+} nearest_link;
 
 typedef struct search {
     const murk_pose *pose;
     size_t n;
     const murk_ways *ways; /* NULL: all are open */
     const murk_domain *domain;
-    reach *nearest; /* [n] */
-    bool *is_in;    /* [n] */
+    nearest_link *nearest; /* [n] */
+    bool *is_in;           /* [n] */
 } search;
 
 /* Shortens what has a way from the sensor that has just come in. Only ways
@@ -34,7 +34,7 @@ static void spread(search *s, size_t from)
         const double length_m = murk_length(murk_sub(to, at));
         if (length_m < s->nearest[j].length_m &&
             (!s->ways || murk_way_is_open(s->ways, at, to))) {
-            s->nearest[j] = (reach){length_m, from};
+            s->nearest[j] = (nearest_link){length_m, from};
         }
     }
 }
@@ -63,7 +63,7 @@ static bool grow(search *s, murk_links *out)
     double longest_m = 0;
     for (size_t k = 0; k < s->n && !murk_interrupted(); ++k) {
         const size_t j = next_of(s);
-        const reach r = s->nearest[j];
+        const nearest_link r = s->nearest[j];
         if (isfinite(r.length_m)) {
             longest_m = fmax(longest_m, r.length_m);
             out->link[out->n++] = (murk_link){r.from, j, r.length_m};

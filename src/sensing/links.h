@@ -1,11 +1,11 @@
-/* How far links between sensors must reach to join them all.
+/* The range that links between sensors need to join all sensors of a plan.
  *
- * Two sensors can be linked where the straight way between them is open: no
- * surface lies in it but a thin sheet that lets light through. Geometry alone:
- * media, waves round corners and through walls are not looked at. The least
- * range that joins all is the longest link of a minimum spanning tree (Prim,
- * Bell Syst. Tech. J. 36 (1957) 1389, doi:10.1002/j.1538-7305.1957.tb01515.x),
- * and no set of links joins them with less. In a periodic domain ways go to
+ * Two sensors can be linked if the straight segment between them meets no
+ * surface except thin transmitting sheets. This is geometry alone: attenuation
+ * by media, diffraction and transmission through walls are not considered. The
+ * smallest range that joins all sensors is the longest link of a minimum
+ * spanning tree (Prim, Bell Syst. Tech. J. 36 (1957) 1389,
+ * doi:10.1002/j.1538-7305.1957.tb01515.x). In a periodic domain segments go to
  * the nearest image. */
 #ifndef MURK_SENSING_LINKS_H
 #define MURK_SENSING_LINKS_H
@@ -16,24 +16,26 @@
 
 #include <stddef.h>
 
-/* Pairs are tried one by one: more sensors are not looked at. */
+/* The algorithm tests pairs of sensors, so the time grows with the square: for
+ * more sensors links are not computed. */
 #define MURK_LINKED_SENSORS_MAX 3000
 
 typedef struct murk_link {
-    size_t from, to; /* sensors, from 0 */
+    size_t from, to; /* indices of sensors */
     double length_m;
 } murk_link;
 
 typedef struct murk_links {
-    murk_link *link; /* [n], n = sensors - groups: the tree of open ways, or one
-                        in each group, each link with a sensor new to it */
+    murk_link *link; /* [n], n = sensors - groups: the spanning tree, or one for
+                        each group; each link adds a sensor */
     size_t n;
-    size_t groups;  /* that open ways join; 1: all; 0: not looked at */
-    double range_m; /* longest link; NaN where there is more than one group */
-    double plain_range_m; /* the same, were all ways open */
+    size_t groups;  /* groups that open segments join; 1: all joined; 0: not
+                       computed */
+    double range_m; /* longest link; NaN with more than one group */
+    double plain_range_m; /* the same if all segments were open */
 } murk_links;
 
-/* One sensor needs no links: 0 m. Release with murk_links_release(). Fails with
+/* A single sensor needs a range of 0 m. Call murk_links_release(). Fails with
  * MURK_NO_MEMORY or MURK_INTERRUPTED. */
 murk_status murk_links_find(murk_links *out, const murk_pose *pose, size_t n,
                             const murk_surfaces *surfaces,

@@ -11,8 +11,8 @@
 
 #define BATCH_SITES 256
 /* A way is sought to so many reached points of the grid, among so many. */
-#define NEAREST_MAX   1000
-#define LOOKED_AT_MAX 32768
+#define NEAREST_MAX  1000
+#define EXAMINED_MAX 32768
 
 /* One of the first few is open as a rule; else all others at once are faster.
  */
@@ -36,8 +36,8 @@ static size_t count_all(const murk_candidate_desc *desc)
     size_t n = desc->points;
     for (size_t i = 0; i < desc->mounts; ++i) {
         const murk_candidate_mount *m = &desc->mount[i];
-        for (size_t k = 0; k < m->feet; ++k) {
-            const double up = m->foot[k].normal.z;
+        for (size_t k = 0; k < m->sites; ++k) {
+            const double up = m->site[k].normal.z;
             n += (size_t)faces_so(m, up) + (size_t)faces_so(m, -up);
         }
     }
@@ -49,8 +49,8 @@ static double wrapped(double x, double min, double max)
     return x < min ? x + (max - min) : x > max ? x - (max - min) : x;
 }
 
-static murk_vec3 stand(const murk_mount_site *foot, murk_vec3 normal,
-                       double offset_m, const murk_domain *domain)
+static murk_vec3 mount_position(const murk_mount_site *foot, murk_vec3 normal,
+                                double offset_m, const murk_domain *domain)
 {
     const murk_box *box = &domain->box;
     murk_vec3 p = murk_along(foot->position, offset_m, normal);
@@ -65,13 +65,13 @@ static size_t list_mount(murk_listed *site, const murk_candidate_mount *m,
                          const murk_domain *domain)
 {
     size_t n = 0;
-    for (size_t k = 0; k < m->feet; ++k) {
+    for (size_t k = 0; k < m->sites; ++k) {
         for (int side = 1; side >= -1; side -= 2) {
-            const murk_vec3 normal = murk_scale(side, m->foot[k].normal);
+            const murk_vec3 normal = murk_scale(side, m->site[k].normal);
             if (faces_so(m, normal.z)) {
                 site[n++] = (murk_listed){
-                    stand(&m->foot[k], normal, m->offset_m, domain), normal,
-                    m->offset_m};
+                    mount_position(&m->site[k], normal, m->offset_m, domain),
+                    normal, m->offset_m};
             }
         }
     }
@@ -150,7 +150,8 @@ static murk_status find_duplicates(uint8_t *verdict, const murk_listed *site,
     for (size_t i = 0; i < n && !status; ++i) {
         comparison c = {site, site[i].position, tolerance_m};
         const bool is_one =
-            (!desc->is_laid && is_of_grid(&desc->grid, c.point, tolerance_m)) ||
+            (!desc->is_reach_grid &&
+             is_of_grid(&desc->grid, c.point, tolerance_m)) ||
             murk_cells_search(cells, c.point, tolerance_m, is_same, &c);
         verdict[i] = is_one ? MURK_SITE_DUPLICATE : MURK_SITE_USABLE;
         status = murk_cells_add(cells, c.point, err);
@@ -161,7 +162,7 @@ static murk_status find_duplicates(uint8_t *verdict, const murk_listed *site,
 
 /* ---- ways ---- */
 
-typedef struct judging {
+typedef struct classification {
     const murk_candidate_desc *desc;
     const murk_free_space *space;
     const murk_reach *reach;
@@ -171,17 +172,17 @@ typedef struct judging {
     uint8_t *verdict;
     murk_vec3 *lamp; /* [lamps] places that light sets out from */
     size_t lamps;
-} judging;
+} classification;
 
 /* Reached points of the grid, as they are found around a site. */
 typedef struct neighbours {
-    size_t looked_at, tried, n;
+    size_t examined, tried, n;
     murk_vec3 point[NEAREST_MAX];
 } neighbours;
 
-static void look_at(const judging *j, neighbours *near, size_t index)
+static void examine(const classification *j, neighbours *near, size_t index)
 {
-    ++near->looked_at;
+    ++near->examined;
     if (j->space->is_reached[index] && near->tried + near->n < NEAREST_MAX) {
         near->point[near->n++] =
             murk_candidate_grid_point(&j->desc->grid, index);
@@ -199,8 +200,8 @@ static size_t max_of(size_t at, size_t r, size_t n)
 }
 
 /* The points r steps away along one axis or more. */
-static void look_at_boundary(const judging *j, neighbours *near,
-                             const size_t at[3], size_t r)
+static void examine_ring(const classification *j, neighbours *near,
+                         const size_t at[3], size_t r)
 {
     const size_t *n = j->desc->grid.size;
     for (size_t z = min_of(at[2], r); z <= max_of(at[2], r, n[2]); ++z) {
@@ -210,21 +211,22 @@ static void look_at_boundary(const judging *j, neighbours *near,
                 y == at[1] + r) {
                 for (size_t x = min_of(at[0], r); x <= max_of(at[0], r, n[0]);
                      ++x) {
-                    look_at(j, near, row + x);
+                    examine(j, near, row + x);
                 }
                 continue;
             }
             if (at[0] >= r) {
-                look_at(j, near, row + at[0] - r);
+                examine(j, near, row + at[0] - r);
             }
             if (r > 0 && at[0] + r < n[0]) {
-                look_at(j, near, row + at[0] + r);
+                examine(j, near, row + at[0] + r);
             }
         }
     }
 }
 
-static bool any_way(const judging *j, neighbours *near, murk_vec3 point)
+static bool is_any_open(const classification *j, neighbours *near,
+                        murk_vec3 point)
 {
     bool blocked[NEAREST_MAX] = {false};
     const bool is_periodic = j->reach->domain.is_periodic;
@@ -243,27 +245,27 @@ static bool any_way(const judging *j, neighbours *near, murk_vec3 point)
     return is_open;
 }
 
-static bool joins_grid(const judging *j, murk_vec3 point)
+static bool joins_grid(const classification *j, murk_vec3 point)
 {
     const size_t *n = j->desc->grid.size;
     size_t at[3];
     nearest_of_grid(&j->desc->grid, point, at);
     const size_t last = (n[0] > n[1] ? n[0] : n[1]) + n[2];
     neighbours near;
-    near.looked_at = near.tried = near.n = 0;
+    near.examined = near.tried = near.n = 0;
     for (size_t r = 0; r < last && near.tried + near.n < NEAREST_MAX &&
-                       near.looked_at < LOOKED_AT_MAX;
+                       near.examined < EXAMINED_MAX;
          ++r) {
-        look_at_boundary(j, &near, at, r);
+        examine_ring(j, &near, at, r);
         if (near.tried < FIRST_TRIES && near.n > 0 &&
-            any_way(j, &near, point)) {
+            is_any_open(j, &near, point)) {
             return true;
         }
     }
-    return near.n > 0 && any_way(j, &near, point);
+    return near.n > 0 && is_any_open(j, &near, point);
 }
 
-static bool is_joined(const judging *j, murk_vec3 point)
+static bool is_joined(const classification *j, murk_vec3 point)
 {
     if (joins_grid(j, point)) {
         return true;
@@ -286,7 +288,7 @@ static bool is_mounted(const murk_listed *site)
 }
 
 /* Something else is between a mount and its foot. */
-static bool is_cut_off(const judging *j, const murk_listed *site,
+static bool is_cut_off(const classification *j, const murk_listed *site,
                        const murk_mount_site *foot)
 {
     const murk_surfaces *s = j->ways.surfaces;
@@ -295,7 +297,7 @@ static bool is_cut_off(const judging *j, const murk_listed *site,
         true);
 }
 
-static murk_verdict judge(const judging *j, const murk_listed *site)
+static murk_verdict classify(const classification *j, const murk_listed *site)
 {
     const murk_mount_site foot = {
         murk_along(site->position, -site->offset_m, site->normal),
@@ -321,20 +323,21 @@ static murk_verdict judge(const judging *j, const murk_listed *site)
                                             : MURK_SITE_USABLE;
 }
 
-static void judge_batch(void *context, uint64_t batch)
+static void classify_batch(void *context, uint64_t batch)
 {
-    judging *j = context;
+    classification *j = context;
     const size_t begin = (size_t)batch * BATCH_SITES;
     const size_t end = begin + BATCH_SITES < j->n ? begin + BATCH_SITES : j->n;
     for (size_t i = begin; i < end; ++i) {
         if (j->verdict[i] != MURK_SITE_DUPLICATE) {
-            j->verdict[i] = (uint8_t)judge(j, &j->site[i]);
+            j->verdict[i] = (uint8_t)classify(j, &j->site[i]);
         }
     }
     murk_progress_add(end - begin);
 }
 
-static murk_status place_lamps(judging *j, const char *where, murk_error *err)
+static murk_status place_lamps(classification *j, const char *where,
+                               murk_error *err)
 {
     const murk_reach *reach = j->reach;
     j->lamp =
@@ -357,13 +360,13 @@ murk_status murk_listed_judge(uint8_t *verdict, const murk_listed *sites,
                               const murk_reach *reach, unsigned threads,
                               const char *where, murk_error *err)
 {
-    judging j = {.desc = desc,
-                 .space = space,
-                 .reach = reach,
-                 .ways = murk_ways_of(surfaces, &reach->domain),
-                 .site = sites,
-                 .n = n,
-                 .verdict = verdict};
+    classification j = {.desc = desc,
+                        .space = space,
+                        .reach = reach,
+                        .ways = murk_ways_of(surfaces, &reach->domain),
+                        .site = sites,
+                        .n = n,
+                        .verdict = verdict};
     murk_status status =
         find_duplicates(verdict, sites, n, desc, j.ways.tolerance_m, err);
     if (!status) {
@@ -371,8 +374,8 @@ murk_status murk_listed_judge(uint8_t *verdict, const murk_listed *sites,
     }
     if (!status) {
         murk_progress_begin("sites", n, "sites");
-        murk_pool_run(threads, (n + BATCH_SITES - 1) / BATCH_SITES, judge_batch,
-                      &j);
+        murk_pool_run(threads, (n + BATCH_SITES - 1) / BATCH_SITES,
+                      classify_batch, &j);
         murk_progress_end();
         if (murk_interrupted()) {
             status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");

@@ -1,5 +1,5 @@
-/* Sites that are listed, free or mounted, beside those of a grid: which of them
- * are usable. Internal to the room. */
+/* Listed sites, free or mounted, and the test which of them are usable.
+ * Internal to the room. */
 #ifndef MURK_SENSING_LISTED_H
 #define MURK_SENSING_LISTED_H
 
@@ -12,24 +12,25 @@ typedef enum murk_verdict {
     MURK_SITE_FORBIDDEN,
     MURK_SITE_TOO_CLOSE,
     MURK_SITE_UNREACHED,
-    MURK_SITE_BARELY_UNREACHED /* but for a diagonal step */
+    MURK_SITE_BARELY_UNREACHED /* a diagonal step would reach it */
 } murk_verdict;
 
 typedef struct murk_listed {
     murk_vec3 position;
-    murk_vec3 normal; /* out of the wall; zero: stands free */
-    double offset_m;  /* from its foot */
+    murk_vec3 normal; /* out of the surface; zero: a free site */
+    double offset_m;  /* from the mounting point */
 } murk_listed;
 
-/* In the order that candidates.h states; (*out)[*n] is the caller's: free(). A
- * mount that leaves a periodic domain by a side comes in by the other. */
+/* Lists the sites in the order that candidates.h states. The caller frees *out.
+ * A mount that leaves a periodic domain through a side enters through the
+ * opposite side. */
 murk_status murk_listed_all(murk_listed **out, size_t *n,
                             const murk_candidate_desc *desc,
                             const murk_domain *domain, const char *where,
                             murk_error *err);
 
-/* verdict[n] for sites[n], after the grid of `desc` whose free space is known.
- * Fails with MURK_NO_MEMORY or MURK_INTERRUPTED. */
+/* Fills verdict[n] for sites[n]. `space` is the free space of desc->grid. Fails
+ * with MURK_NO_MEMORY or MURK_INTERRUPTED. */
 murk_status murk_listed_judge(uint8_t *verdict, const murk_listed *sites,
                               size_t n, const murk_candidate_desc *desc,
                               const murk_free_space *space,
@@ -37,6 +38,7 @@ murk_status murk_listed_judge(uint8_t *verdict, const murk_listed *sites,
                               const murk_reach *reach, unsigned threads,
                               const char *where, murk_error *err);
 
+/* True if the zones of the request exclude the point. */
 bool murk_site_is_forbidden(const murk_candidate_desc *desc, murk_vec3 point);
 
 #endif

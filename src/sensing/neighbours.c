@@ -8,8 +8,8 @@
 
 /* Photons looked at around one, by k: first, and at most. Work is bounded where
  * many lie near that are of other bands or sides. */
-#define FIRST_LOOK 2
-#define LAST_LOOK  32
+#define FIRST_QUERY 2
+#define LAST_QUERY  32
 
 typedef struct near_one {
     double distance2_m2;
@@ -24,14 +24,14 @@ struct murk_neighbours_workspace {
 
 murk_neighbours_workspace *murk_neighbours_workspace_create(size_t k)
 {
-    const size_t room = LAST_LOOK * k;
+    const size_t capacity = LAST_QUERY * k;
     murk_neighbours_workspace *workspace = calloc(1, sizeof *workspace);
     if (!workspace) {
         return NULL;
     }
-    workspace->found = calloc(room, sizeof *workspace->found);
-    workspace->distance2_m2 = calloc(room, sizeof *workspace->distance2_m2);
-    workspace->nearest = calloc(IMAGES * room, sizeof *workspace->nearest);
+    workspace->found = calloc(capacity, sizeof *workspace->found);
+    workspace->distance2_m2 = calloc(capacity, sizeof *workspace->distance2_m2);
+    workspace->nearest = calloc(IMAGES * capacity, sizeof *workspace->nearest);
     if (!workspace->found || !workspace->distance2_m2 || !workspace->nearest) {
         murk_neighbours_workspace_destroy(workspace);
         return NULL;
@@ -60,9 +60,9 @@ static int by_distance(const void *a, const void *b)
 
 /* The m nearest, over all images of the place: what lies beyond half a period
  * may be there twice. */
-static size_t look(const murk_neighbours *neighbours,
-                   murk_neighbours_workspace *workspace, murk_vec3 place,
-                   size_t m)
+static size_t nearest_of_images(const murk_neighbours *neighbours,
+                                murk_neighbours_workspace *workspace,
+                                murk_vec3 place, size_t m)
 {
     const murk_domain *domain = neighbours->domain;
     const murk_vec3 period = murk_sub(domain->box.max, domain->box.min);
@@ -103,9 +103,9 @@ size_t murk_neighbours_find(const murk_neighbours *neighbours,
     const murk_photon *photon = murk_photon_map_photons(neighbours->map);
     const murk_vec3 place = murk_photon_place(of);
     const double most2_m2 = neighbours->max_m * neighbours->max_m;
-    const size_t last = LAST_LOOK * neighbours->k;
-    for (size_t m = FIRST_LOOK * neighbours->k;; m *= 2) {
-        const size_t n = look(neighbours, workspace, place, m);
+    const size_t last = LAST_QUERY * neighbours->k;
+    for (size_t m = FIRST_QUERY * neighbours->k;; m *= 2) {
+        const size_t n = nearest_of_images(neighbours, workspace, place, m);
         const bool ends = n < m || m >= last;
         size_t kept = 0;
         for (size_t i = 0; i < n; ++i) {

@@ -1,13 +1,14 @@
-/* The nearest photons that tell of the light where one is stored. Internal to
- * the room.
+/* The nearest photons that inform about the light at the place of a stored
+ * photon. Internal to the room.
  *
- * They are of its band, on a surface of its side, and left by other emitted
- * photons: its own path says nothing of how much is stored there. The k-th is
- * as far as the place's radius reaches and no part of it: so the others' power
- * over the area or volume within that radius is without bias, and its relative
- * error, 1 / sqrt(k - 2), is the same however many photons there are. Where the
- * k-th is farther than a largest radius, all within that one count, which is
- * without bias too.
+ * These photons have the same band, lie on the same side of a surface, and
+ * belong to other emitted photons: the photon's own path says nothing about the
+ * density of stored photons. The distance of the k-th such photon is the radius
+ * of the estimate, and the k-th photon itself does not count. So the power of
+ * the others over the area or volume within the radius is an estimate without
+ * bias, and its relative error, 1 / sqrt(k - 2), does not depend on the number
+ * of photons. If the k-th photon lies beyond a maximum radius, all photons
+ * within the maximum radius count, which is without bias, too.
  *
  * Source: Moore and Yackel, IEEE Trans. Comput. 26 (1977) 143,
  * doi:10.1109/TC.1977.5009294 (k - 1 in place of k). */
@@ -17,31 +18,32 @@
 #include "base/vector.h"
 #include "photonmap/map.h"
 
-/* Borrows what it names. */
+/* Borrows all members. */
 typedef struct murk_neighbours {
     const murk_photon_map *map;
     const murk_domain *domain;
     size_t k;     /* at least 2 */
-    double max_m; /* the largest radius; half a period at most */
+    double max_m; /* maximum radius; at most half a period */
 } murk_neighbours;
 
-/* What one thread works in. NULL without memory. */
+/* Workspace of one thread. NULL when out of memory. */
 typedef struct murk_neighbours_workspace murk_neighbours_workspace;
 murk_neighbours_workspace *murk_neighbours_workspace_create(size_t k);
 void murk_neighbours_workspace_destroy(
-    murk_neighbours_workspace *workspace); /* or NULL */
+    murk_neighbours_workspace *workspace); /* accepts NULL */
 
-/* Writes the numbers of those within the radius, nearest first, to found[k],
- * and the radius. Returns how many. Leaves out what `emitted` left. Where few
- * of the nearest are of its kind, it ends after a number of them, and the
- * radius is the last one's. */
+/* Writes the indices of the photons within the radius, nearest first, to
+ * found[k], and the radius. Returns their number. Photons of the emitted photon
+ * `emitted` are left out. If few of the nearest photons are of the same band
+ * and side, the search ends after a limited number, and the radius is the
+ * distance of the last one. */
 size_t murk_neighbours_find(const murk_neighbours *neighbours,
                             murk_neighbours_workspace *workspace,
                             const murk_photon *of, uint64_t emitted,
                             uint32_t *found, double *radius_m);
 
-/* Whether a photon tells of the place where another is stored: by band and
- * side. */
+/* True if the photon has the band of `of` and lies on the same side of a
+ * surface. */
 bool murk_neighbours_alike(const murk_photon *of, const murk_photon *photon);
 
 #endif

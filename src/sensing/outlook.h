@@ -1,13 +1,13 @@
-/* What a sensor sees of free space: which places to stand at lie in its view,
- * and whether a straight way between two places is open.
+/* The part of free space that a sensor sees, for exploration: the places in
+ * view, and the open segments between places.
  *
- * A place is seen when it is within range and in the field of view, the
- * straight way to it is open, the index of refraction does not change on it,
- * and at least MURK_OUTLOOK_MIN of the light comes through in the clearest of
- * the type's bands. A way is open when no surface is in it: what is seen can be
- * gone to, so a pane of glass closes it, and so do walls with
- * MURK_VISIBILITY_NORMAL. Ways do not cross periodic sides, and a way back is
- * open when the way there is. */
+ * A place is seen if it is within range and in the field of view, the straight
+ * segment to it is open, the refractive index does not change along the
+ * segment, and at least MURK_OUTLOOK_MIN of the light is transmitted in the
+ * clearest band of the type. A segment is open if it meets no surface. A robot
+ * must be able to go to a place that is seen, so a pane of glass closes a
+ * segment, and so do walls with MURK_VISIBILITY_NORMAL. Segments do not cross
+ * periodic sides. A segment is open in both directions or in none. */
 #ifndef MURK_SENSING_OUTLOOK_H
 #define MURK_SENSING_OUTLOOK_H
 
@@ -15,37 +15,39 @@
 #include "sensing/sight.h"
 #include "sensing/ways.h"
 
-/* The contrast at which the meteorological optical range ends. */
+/* The contrast at the end of the meteorological optical range (World
+ * Meteorological Organization, Guide No. 8). */
 #define MURK_OUTLOOK_MIN 0.05
 
 typedef struct murk_outlook {
     const murk_sight_desc *sight;
     int bands;
     murk_ways ways;
-    murk_tally tried; /* straight ways, so far */
+    murk_tally tried; /* segments tested so far */
 } murk_outlook;
 
-/* `bands` is how many the scene has. Of the description's surfaces, media,
- * boundary meshes, domain, types and north, which it borrows; the first and the
- * domain are enough for murk_outlook_is_open(). */
+/* `bands` is the number of bands of the scene. Borrows surfaces, media,
+ * boundary meshes, domain, types and north of the description; for
+ * murk_outlook_is_open() surfaces and domain are enough. */
 void murk_outlook_init(murk_outlook *out, const murk_sight_desc *sight,
                        int bands);
 
+/* True if the segment between two places is open. */
 bool murk_outlook_is_open(murk_outlook *outlook, murk_vec3 from, murk_vec3 to);
 
-/* One pose's view. */
+/* The view of one pose. */
 typedef struct murk_outlook_view {
     murk_outlook *outlook;
     murk_vec3 place;
     double range_m;
     murk_field field;
-    uint32_t bands; /* by bits */
+    uint32_t bands; /* one bit for each band */
 } murk_outlook_view;
 
 murk_outlook_view murk_outlook_from(murk_outlook *outlook,
                                     const murk_pose *pose);
 
-/* The pose's own place is always seen. */
+/* True if the pose sees the place. The pose's own place is always seen. */
 bool murk_outlook_sees(const murk_outlook_view *view, murk_vec3 place);
 
 #endif

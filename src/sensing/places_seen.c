@@ -27,7 +27,7 @@ typedef struct work {
     size_t piece;  /* places in one */
     bool is_shown; /* by a bar */
     murk_place_seen *out;
-    murk_error *told; /* [pieces] */
+    murk_error *error; /* [pieces] */
 } work;
 
 /* The places of a piece, as maps; a record's emitted index is its number. */
@@ -161,14 +161,14 @@ static void see_piece(void *context, uint64_t number)
     const size_t first = (size_t)number * w->piece;
     const size_t left = w->places->n - first;
     piece p = {.first = first, .n = left < w->piece ? left : w->piece};
-    murk_error *told = &w->told[number];
+    murk_error *error = &w->error[number];
     memset(&w->out[first], 0, p.n * sizeof *w->out);
-    murk_status status = piece_fill(&p, w, told);
+    murk_status status = piece_fill(&p, w, error);
     if (!status) {
-        status = see(w, &p, told);
+        status = see(w, &p, error);
     }
     if (!status && w->places->wants_depth) {
-        status = measure_depths(w, &p, told);
+        status = measure_depths(w, &p, error);
     }
     piece_release(&p);
     if (w->is_shown) {
@@ -239,8 +239,8 @@ static murk_status run(work *w, unsigned threads, murk_error *err)
 {
     const size_t n = w->places->n;
     const size_t pieces = (n + w->piece - 1) / w->piece;
-    w->told = calloc(pieces + 1, sizeof *w->told);
-    if (!w->told) {
+    w->error = calloc(pieces + 1, sizeof *w->error);
+    if (!w->error) {
         return no_memory(err);
     }
     if (w->is_shown) {
@@ -254,12 +254,12 @@ static murk_status run(work *w, unsigned threads, murk_error *err)
         murk_interrupted() ? murk_fail(err, MURK_INTERRUPTED, "", "interrupted")
                            : MURK_OK;
     for (size_t i = 0; i < pieces && !status; ++i) {
-        if (w->told[i].status) {
-            status = murk_fail(err, w->told[i].status, w->told[i].where, "%s",
-                               w->told[i].text);
+        if (w->error[i].status) {
+            status = murk_fail(err, w->error[i].status, w->error[i].where, "%s",
+                               w->error[i].text);
         }
     }
-    free(w->told);
+    free(w->error);
     return status;
 }
 

@@ -224,7 +224,7 @@ static murk_status no_memory(const murk_power_desc *desc, murk_error *err)
                          murk_photon_map_count(desc->volume_map));
 }
 
-static murk_status set_aside(murk_power *power, murk_error *err)
+static murk_status allocate(murk_power *power, murk_error *err)
 {
     const murk_power_desc *desc = &power->desc;
     const murk_power_light *light = &desc->light;
@@ -241,8 +241,8 @@ static murk_status set_aside(murk_power *power, murk_error *err)
     if (status) {
         return status;
     }
-    const size_t a = murk_vicinity_room(power->surface);
-    const size_t b = murk_vicinity_room(power->volume);
+    const size_t a = murk_vicinity_capacity(power->surface);
+    const size_t b = murk_vicinity_capacity(power->volume);
     power->chunks = batches_of(desc->volume_map);
     power->chunk = calloc(power->chunks + 1, sizeof *power->chunk);
     power->radiance = malloc(
@@ -251,16 +251,16 @@ static murk_status set_aside(murk_power *power, murk_error *err)
     power->workspace = calloc(desc->threads, sizeof *power->workspace);
     power->few = calloc(batches_of(desc->surface_map) + power->chunks + 1,
                         sizeof *power->few);
-    bool has_room = power->chunk && power->radiance && power->found &&
-                    power->workspace && power->few;
-    for (unsigned i = 0; has_room && i < desc->threads; ++i) {
+    bool has_memory = power->chunk && power->radiance && power->found &&
+                      power->workspace && power->few;
+    for (unsigned i = 0; has_memory && i < desc->threads; ++i) {
         power->found[i] = malloc(
             ((a > b ? a : b) + desc->neighbours) * sizeof *power->found[i] + 1);
         power->workspace[i] =
             murk_neighbours_workspace_create(desc->neighbours + 1);
-        has_room = power->found[i] && power->workspace[i];
+        has_memory = power->found[i] && power->workspace[i];
     }
-    return has_room ? MURK_OK : no_memory(desc, err);
+    return has_memory ? MURK_OK : no_memory(desc, err);
 }
 
 static void release_found(murk_power *power)
@@ -315,7 +315,7 @@ murk_status murk_power_create(murk_power **out, const murk_power_desc *desc,
         goto done;
     }
     power->desc = *desc;
-    status = set_aside(power, err);
+    status = allocate(power, err);
     if (!status) {
         status = survey(power, err);
     }

@@ -1,9 +1,10 @@
-/* Which points of a grid lie in free space. Internal to the room.
+/* The points of a grid that lie in free space. Internal to the room.
  *
- * Free space is what light reaches: a point that a lamp (or an open side of
- * the domain, for distant light) has an unblocked straight way to, and then
- * whatever unblocked steps between grid neighbours lead to. The answer is a
- * closure, so it does not depend on the order of steps or on threads. */
+ * Free space is the space that light reaches: points joined to a lamp (or, for
+ * distant light, to an open side of the domain) by an unblocked straight
+ * segment, and then all points that unblocked steps between grid neighbours
+ * lead to. The result is a closure, so it does not depend on the order of the
+ * steps or on threads. */
 #ifndef MURK_SENSING_REACH_H
 #define MURK_SENSING_REACH_H
 
@@ -14,14 +15,14 @@
 #include <stdint.h>
 
 typedef struct murk_free_space {
-    uint8_t *closeness;  /* [points] murk_closeness */
-    uint8_t *is_reached; /* [points] */
-    uint8_t
-        *is_doubtful; /* [points] unreached, but for an open diagonal step */
+    uint8_t *closeness;   /* [points] murk_closeness */
+    uint8_t *is_reached;  /* [points] */
+    uint8_t *is_doubtful; /* [points] unreached, although a diagonal step from a
+                             reached point is open */
 } murk_free_space;
 
-/* Fills *out for a grid already checked. Fails with MURK_NO_MEMORY or
- * MURK_INTERRUPTED, leaving nothing to release. */
+/* Finds the free space of a grid that has been checked. Fails with
+ * MURK_NO_MEMORY or MURK_INTERRUPTED, and then leaves nothing to release. */
 murk_status murk_free_space_find(murk_free_space *out,
                                  const murk_candidate_grid *grid,
                                  const murk_surfaces *surfaces,

@@ -53,7 +53,7 @@ static void add_up(sums *s, murk_photon_view seen, const void *context)
 }
 
 /* Fills mean and scale; returns the coverage, NaN where nothing has weight. */
-static double settle(share *part, const murk_map_weights *weights)
+static double set_coverage(share *part, const murk_map_weights *weights)
 {
     const double given[2] = {weights->surface, weights->volume};
     double seen = 0, whole = 0;
@@ -78,7 +78,7 @@ static double settle(share *part, const murk_map_weights *weights)
     return coverage;
 }
 
-static void take_residual(sums *s, uint64_t touched)
+static void add_squares(sums *s, uint64_t touched)
 {
     for (size_t r = 0; r < s->desc->interest->n; ++r) {
         if (touched >> r & 1) {
@@ -95,7 +95,7 @@ static void square_residuals(sums *s, const uint64_t *key,
     uint64_t touched = 0;
     for (size_t k = 0; k < s->photons; ++k) {
         if (k > 0 && key[k] >> 32 != key[k - 1] >> 32) {
-            take_residual(s, touched);
+            add_squares(s, touched);
             touched = 0;
         }
         const size_t i = (size_t)(key[k] & UINT32_MAX);
@@ -111,7 +111,7 @@ static void square_residuals(sums *s, const uint64_t *key,
             }
         }
     }
-    take_residual(s, touched);
+    add_squares(s, touched);
 }
 
 void murk_region_coverage_measure(murk_region_coverage *out,
@@ -129,7 +129,7 @@ void murk_region_coverage_measure(murk_region_coverage *out,
     add_up(&s, seen, context);
     for (size_t r = 0; r < desc->interest->n; ++r) {
         out[r].photons = s.part[r].photons;
-        out[r].coverage.value = settle(&s.part[r], &desc->weights);
+        out[r].coverage.value = set_coverage(&s.part[r], &desc->weights);
     }
     square_residuals(&s, key, seen, context);
     const double emitted = (double)desc->photons_emitted;

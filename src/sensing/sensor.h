@@ -1,8 +1,8 @@
-/* Sensors: what a type of them takes up, and where one stands and looks.
+/* Sensor types and poses: the directions and photons that a sensor can detect.
  *
- * Headings are clockwise from north as seen from above, tilts upward from the
- * horizon. A sensor looks along its axis; its picture is upright: `right` is
- * level, whatever the tilt. */
+ * Headings are clockwise from north as seen from above, tilts are upward from
+ * the horizon. A sensor looks along its axis. The picture is upright: `right`
+ * is horizontal for every tilt. */
 #ifndef MURK_SENSING_SENSOR_H
 #define MURK_SENSING_SENSOR_H
 
@@ -13,23 +13,24 @@
 #include <stdint.h>
 
 typedef struct murk_sensor_type {
-    double least_range_m; /* what is nearer is not seen; 0: none */
+    double least_range_m; /* nearer photons are not seen; 0: no limit */
     double range_m;       /* above least_range_m, may be INFINITY */
     murk_view view;
     double cone_rad;           /* whole angle, above 0 and at most 2 pi */
-    double hfov_rad, vfov_rad; /* frustum: whole angles, above 0, below pi */
-    double acceptance_rad; /* light scattered forward by less still counts as
-                              not scattered (medium/acceptance.h), 0..pi */
-    bool toward;    /* sees only light that travels toward it: against the axis,
-                       for a sphere toward its place */
-    uint32_t bands; /* bit b: sees band b; 0: all bands */
-    /* For detection by power (sensing/power.h). */
+    double hfov_rad, vfov_rad; /* whole angles, above 0 and below pi */
+    double acceptance_rad; /* light scattered forward by less than this counts
+                              as not scattered (medium/acceptance.h), 0..pi */
+    bool toward; /* detects only light that travels toward the sensor: against
+                    the axis, for a sphere toward the position */
+    uint32_t bands; /* bit b: detects band b; 0: all bands */
+    /* For detection by power only (sensing/power.h). */
     double aperture_m2, quantum_efficiency, exposure_s;
-    double target_m2, target_m3; /* what is to be noticed */
+    double target_m2,
+        target_m3; /* area and volume of the target to be detected */
 } murk_sensor_type;
 
 typedef struct murk_pose {
-    uint32_t type; /* of the list of types it goes with */
+    uint32_t type; /* index in the list of types */
     murk_vec3 position;
     double heading_rad, tilt_rad; /* 0 for spheres */
 } murk_pose;
@@ -38,28 +39,29 @@ typedef struct murk_sensor_frame {
     murk_vec3 axis, right, up; /* orthonormal */
 } murk_sensor_frame;
 
-/* `north` is level and of length 1. */
+/* The frame of a pose. `north` is horizontal and has length 1. */
 murk_sensor_frame murk_pose_frame(const murk_pose *pose, murk_vec3 north);
 
-/* A type's field of view, made ready for one pose. */
+/* The field of view of a pose. */
 typedef struct murk_field {
     murk_view view;
     murk_sensor_frame frame;
-    double cosine;           /* of half the cone */
+    double cosine;           /* of half the cone angle */
     double h_slope, v_slope; /* tangents of half the frustum's angles */
-    double least2_m2;        /* least range, squared */
+    double least2_m2;        /* minimum range, squared */
     bool toward;
 } murk_field;
 
+/* Makes the field of view of a pose. */
 murk_field murk_field_of(const murk_sensor_type *type, const murk_pose *pose,
                          murk_vec3 north);
 
-/* Whether what lies `way` from the sensor is in view, edges included. The
- * farthest range is not asked here. */
+/* True if a point at `way` from the sensor is in the field of view, edges
+ * included. The maximum range is not tested. */
 bool murk_field_contains(const murk_field *field, murk_vec3 way);
 
-/* Whether light that travels along `travel`, from `way` off the sensor, is
- * such as the type takes up. */
+/* True if the type can detect light that travels along `travel`, from a point
+ * at `way` from the sensor. */
 bool murk_field_takes(const murk_field *field, murk_vec3 way, murk_vec3 travel);
 
 #endif

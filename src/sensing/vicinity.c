@@ -13,7 +13,7 @@
 
 /* Of the records that a half of the emitted photons left, at most: else few
  * paths left them, and records are halved themselves. */
-#define MAX_KEPT 0.75
+#define SHARE_MAX 0.75
 
 struct murk_vicinity {
     const murk_domain *domain;
@@ -32,18 +32,18 @@ typedef struct thinning {
     bool by_record;
 } thinning;
 
-static bool is_kept(const thinning *t, const murk_photon *photon, size_t i)
+static bool is_in_part(const thinning *t, const murk_photon *photon, size_t i)
 {
     return t->by_record ? i % 2 == 0
                         : murk_photon_emitted(&photon[i]) < t->emitted;
 }
 
-static size_t count_kept(const murk_photon_map *map, const thinning *t)
+static size_t count_part(const murk_photon_map *map, const thinning *t)
 {
     const murk_photon *photon = murk_photon_map_photons(map);
     size_t kept = 0;
     for (size_t i = 0; i < murk_photon_map_count(map); ++i) {
-        kept += is_kept(t, photon, i);
+        kept += is_in_part(t, photon, i);
     }
     return kept;
 }
@@ -53,14 +53,14 @@ static murk_status thin(murk_photon_map **out, const murk_photon_map *map,
 {
     const murk_photon *photon = murk_photon_map_photons(map);
     const size_t n = murk_photon_map_count(map);
-    murk_photon *copy = malloc(count_kept(map, t) * sizeof *copy + 1);
+    murk_photon *copy = malloc(count_part(map, t) * sizeof *copy + 1);
     if (!copy) {
         return murk_fail(err, MURK_NO_MEMORY, "",
                          "no memory for half of %zu photons", n);
     }
     size_t kept = 0;
     for (size_t i = 0; i < n; ++i) {
-        if (is_kept(t, photon, i)) {
+        if (is_in_part(t, photon, i)) {
             copy[kept++] = photon[i];
         }
     }
@@ -73,8 +73,8 @@ static murk_status halve(murk_vicinity *v, unsigned threads, murk_error *err)
     const int level = v->levels;
     const murk_photon_map *map = v->map[level - 1];
     thinning t = {.emitted = (v->emitted[level - 1] + 1) / 2};
-    const double maximum = MAX_KEPT * (double)murk_photon_map_count(map);
-    t.by_record = (double)count_kept(map, &t) > maximum;
+    const double maximum = SHARE_MAX * (double)murk_photon_map_count(map);
+    t.by_record = (double)count_part(map, &t) > maximum;
     v->emitted[level] = t.by_record ? v->emitted[level - 1] : t.emitted;
     v->each[level] = v->each[level - 1] * (t.by_record ? 2 : 1);
     const murk_status status = thin(&v->half[level], map, &t, threads, err);
@@ -124,7 +124,7 @@ void murk_vicinity_destroy(murk_vicinity *v)
     free(v);
 }
 
-size_t murk_vicinity_room(const murk_vicinity *v)
+size_t murk_vicinity_capacity(const murk_vicinity *v)
 {
     return murk_photon_map_count(v->map[0]) * (v->domain->is_periodic ? 2 : 1);
 }
@@ -177,8 +177,8 @@ murk_around murk_vicinity_find(const murk_vicinity *v, murk_vec3 place,
             found[around.n++] = found[k];
         }
     }
-    const uint64_t told = v->emitted[around.level];
-    const uint64_t others = told - (emitted < told);
+    const uint64_t emitted_here = v->emitted[around.level];
+    const uint64_t others = emitted_here - (emitted < emitted_here);
     around.factor = others > 0 ? v->each[around.level] * (double)v->emitted[0] /
                                      (double)others
                                : 0;

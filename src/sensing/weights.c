@@ -1,7 +1,7 @@
 #include "sensing/weights.h"
 
 /* The sum of all weights, times the views that count, stays below this. */
-#define WHOLE 0x1p47
+#define WEIGHT_SUM 0x1p47
 
 #define WEIGHT_MAX 4294967295.0
 
@@ -79,7 +79,8 @@ murk_photon_weights(uint32_t *weight, const murk_photon_map *surface,
                     const murk_photon_factors *factors, unsigned views,
                     const char *where, murk_error *err)
 {
-    const double a = maps->surface, b = maps->volume, whole = WHOLE / views;
+    const double a = maps->surface, b = maps->volume,
+                 whole = WEIGHT_SUM / views;
     if (!maps->balanced &&
         !(a >= 0 && b >= 0 && a + b > 0 && isfinite(a + b))) {
         return murk_fail(err, MURK_BAD_VALUE, "placement.weights",

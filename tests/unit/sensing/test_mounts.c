@@ -53,9 +53,9 @@ static murk_candidates *candidates_of(const asking *a, unsigned threads,
                                        .within = a->domain.box,
                                        .max_rise = 1,
                                        .max = 1000000};
-        CHECK(murk_surfaces_mount_sites(&foot, &mount.feet, surfaces, &lay,
+        CHECK(murk_surfaces_mount_sites(&foot, &mount.sites, surfaces, &lay,
                                         "here", NULL) == MURK_OK);
-        mount.foot = foot;
+        mount.site = foot;
         desc.mount = &mount;
         desc.mounts = 1;
     }
@@ -104,7 +104,7 @@ static void test_points_are_joined_to_the_grid(void)
     murk_candidates_destroy(c);
 
     a.desc.grid.clearance_m = .05;
-    a.desc.is_laid = true; /* only the points are asked */
+    a.desc.is_reach_grid = true; /* only the points are asked */
     c = candidates_of(&a, 1, NULL);
     CHECK(c->asked == 5 && c->usable == 2 && c->too_close == 2 &&
           c->unreached == 1);
@@ -121,7 +121,7 @@ static void test_a_way_to_any_point_of_the_grid_will_do(void)
     a.desc.grid.max.x = 3.5;
     a.desc.point = point;
     a.desc.points = 2;
-    a.desc.is_laid = true;
+    a.desc.is_reach_grid = true;
     murk_candidates *c = candidates_of(&a, 1, NULL);
     /* the lower one sees through the gap of 10 cm, the other does not */
     CHECK(c->usable == 1 && c->unreached == 1 && c->position[0].z == .05);
@@ -138,7 +138,7 @@ static void test_a_lamp_joins_too(void)
     a.desc.grid.size[0] = a.desc.grid.size[1] = a.desc.grid.size[2] = 2;
     a.desc.point = &point;
     a.desc.points = 1;
-    a.desc.is_laid = true;
+    a.desc.is_reach_grid = true;
     murk_candidates *c = candidates_of(&a, 1, NULL);
     CHECK(c && c->usable == 1);
     murk_candidates_destroy(c);
@@ -156,7 +156,7 @@ static void test_duplicates_are_counted_once(void)
     murk_candidates *c = candidates_of(&a, 1, NULL);
     CHECK(c->asked == 246 && c->duplicates == 4 && c->usable == 242);
     murk_candidates_destroy(c);
-    a.desc.is_laid = true;
+    a.desc.is_reach_grid = true;
     c = candidates_of(&a, 1, NULL);
     CHECK(c->asked == 6 && c->duplicates == 2 && c->usable == 4);
     murk_candidates_destroy(c);
@@ -169,7 +169,7 @@ static void test_duplicates_are_counted_once(void)
 static void test_mounts_stand_off_walls(void)
 {
     asking a = asking_of(false);
-    a.desc.is_laid = true;
+    a.desc.is_reach_grid = true;
     a.desc.grid.clearance_m = .2; /* its own wall does not count */
     a.spacing_m = .5;
     murk_candidates *c = candidates_of(&a, 1, NULL);
@@ -203,7 +203,7 @@ static void test_mounts_stand_off_walls(void)
 static void test_mounts_face_as_asked(void)
 {
     asking a = asking_of(true);
-    a.desc.is_laid = true;
+    a.desc.is_reach_grid = true;
     a.spacing_m = .5;
     a.min_up = .7;
     murk_candidates *c = candidates_of(&a, 1, NULL);
@@ -235,7 +235,7 @@ static void test_mounts_do_not_pass_through(void)
     asking a = asking_of(false);
     a.surface[a.surfaces++] =
         a_rect(murk_vec(.08, 0, 0), murk_vec(0, 3, 0), murk_vec(0, 0, 2), 0);
-    a.desc.is_laid = true;
+    a.desc.is_reach_grid = true;
     a.spacing_m = .5;
     murk_candidates *c = candidates_of(&a, 1, NULL);
     size_t before = 0, beyond = 0;
@@ -267,7 +267,7 @@ static void test_ways_through_periodic_sides(void)
     a.desc.grid.min.x = 1;
     a.desc.point = &point;
     a.desc.points = 1;
-    a.desc.is_laid = true;
+    a.desc.is_reach_grid = true;
     murk_candidates *c = candidates_of(&a, 1, NULL);
     CHECK(c && c->usable == 1);
     murk_candidates_destroy(c);
@@ -285,7 +285,7 @@ static void test_mounts_on_a_periodic_side(void)
     a.domain.is_periodic = true;
     a.surface[0] =
         a_rect(murk_vec(0, 0, 0), murk_vec(0, 3, 0), murk_vec(0, 0, 2.5), 0);
-    a.desc.is_laid = true;
+    a.desc.is_reach_grid = true;
     a.spacing_m = .5;
     murk_candidates *c = candidates_of(&a, 1, NULL);
     CHECK(c->asked == 60 && c->usable == 60);
@@ -396,7 +396,7 @@ static void test_bad_lists_are_refused(void)
     candidates_of(&a, 1, &err);
     CHECK_MENTIONS(err.text, "offset_m is 1e-05 m, must be more than");
     a = asking_of(false);
-    a.desc.is_laid = true;
+    a.desc.is_reach_grid = true;
     candidates_of(&a, 1, &err);
     CHECK_TEXT(err.text, "0 candidates are asked for, must be 1..10000000");
 }

@@ -205,7 +205,7 @@ static void test_a_spot_is_looked_at_in_part(void)
     murk_error err = {0};
     CHECK(murk_vicinity_create(&v, p.surface, &room, N, 0.1, 100, 1, &err) ==
           MURK_OK);
-    uint32_t *found = malloc(murk_vicinity_room(v) * sizeof *found);
+    uint32_t *found = malloc(murk_vicinity_capacity(v) * sizeof *found);
     const murk_around around =
         murk_vicinity_find(v, murk_vec(1, 2, 0), 5, found);
     CHECK(around.n > 40 && around.n <= 100);
@@ -229,7 +229,7 @@ static void test_few_paths_with_many_records(void)
     murk_vicinity *v = NULL;
     murk_error err = {0};
     CHECK(murk_vicinity_create(&v, map, &room, 10, 2, 100, 1, &err) == MURK_OK);
-    uint32_t *found = malloc(murk_vicinity_room(v) * sizeof *found);
+    uint32_t *found = malloc(murk_vicinity_capacity(v) * sizeof *found);
     const murk_around around =
         murk_vicinity_find(v, murk_vec(0, 0, 0), MURK_VICINITY_ALL, found);
     const double want = N * MURK_PI * 4 / 100;

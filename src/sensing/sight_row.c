@@ -10,24 +10,24 @@
 #define BLOCK 2048
 
 /* One look under way. */
-typedef struct look {
+typedef struct row_search {
     murk_sight *sight;
     murk_vec3 sensor;
     murk_path_space space;
-    double range_m, reach_m; /* of the type; of what may appear in it */
+    double range_m, query_m; /* of the type; of what may appear in it */
     const murk_sensor_type *type;
     murk_field field;
-    bool is_picky;                 /* something but the range limits the view */
+    bool has_filter;                 /* something but the range limits the view */
     uint32_t bands;                /* seen, by bits */
     murk_path_viewpoint viewpoint; /* of the sensor, in that space */
     murk_across across; /* where there are interfaces to see through */
     uint32_t *photon;
     uint16_t *clarity;
     size_t seen;
-    bool all_clear;
-} look;
+    bool is_binary;
+} row_search;
 
-static void test_surfaces(const look *l, const murk_vec3 *from, size_t n,
+static void test_surfaces(const row_search *l, const murk_vec3 *from, size_t n,
                           bool *blocked)
 {
     const murk_sight_desc *desc = &l->sight->desc;
@@ -51,8 +51,8 @@ static void test_surfaces(const look *l, const murk_vec3 *from, size_t n,
     }
 }
 
-static void test_sightlines(const look *l, const murk_vec3 *from, size_t n,
-                            bool *blocked)
+static void test_sightlines(const row_search *l, const murk_vec3 *from,
+                            size_t n, bool *blocked)
 {
     test_surfaces(l, from, n, blocked);
     const murk_sight_desc *desc = &l->sight->desc;
@@ -67,8 +67,9 @@ static void test_sightlines(const look *l, const murk_vec3 *from, size_t n,
 }
 
 /* The clarity of a photon, number i of its map, seen along these lines. */
-static uint16_t clarity_along(const look *l, const murk_photon *p, size_t i,
-                              const murk_sightline *line, size_t lines)
+static uint16_t clarity_along(const row_search *l, const murk_photon *p,
+                              size_t i, const murk_sightline *line,
+                              size_t lines)
 {
     const murk_sight *sight = l->sight;
     double through = 0, signal_w = 0;
@@ -89,7 +90,7 @@ static uint16_t clarity_along(const look *l, const murk_photon *p, size_t i,
 }
 
 /* By the straight line from where sightlines to it start. */
-static uint16_t clarity_of(const look *l, const murk_photon *p, size_t i,
+static uint16_t clarity_of(const row_search *l, const murk_photon *p, size_t i,
                            murk_vec3 from)
 {
     const int band = murk_photon_band(p);
@@ -116,8 +117,9 @@ static uint16_t clarity_of(const look *l, const murk_photon *p, size_t i,
 
 /* Takes up n photons (numbers within their map, sightlines from `from`) in
  * place: what is written never passes what is read. */
-static void keep_seen(look *l, const murk_photon *photon, uint32_t first,
-                      const uint32_t *number, const murk_vec3 *from, size_t n)
+static void add_visible(row_search *l, const murk_photon *photon,
+                        uint32_t first, const uint32_t *number,
+                        const murk_vec3 *from, size_t n)
 {
     bool blocked[BLOCK];
     test_sightlines(l, from, n, blocked);
@@ -132,7 +134,7 @@ static void keep_seen(look *l, const murk_photon *photon, uint32_t first,
                 continue;
             }
             l->clarity[l->seen] = clarity;
-            l->all_clear = l->all_clear && clarity == MURK_CLEAR;
+            l->is_binary = l->is_binary && clarity == MURK_CLEAR;
         }
         l->photon[l->seen++] = first + number[i];
     }
@@ -140,8 +142,8 @@ static void keep_seen(look *l, const murk_photon *photon, uint32_t first,
 
 /* Whether the photon is such, and lies where, the sensor takes it up. `sensor`
  * is the sensor's image nearest to it. */
-static bool is_taken(const look *l, const murk_photon *photon, murk_vec3 at,
-                     murk_vec3 sensor)
+static bool is_detectable(const row_search *l, const murk_photon *photon,
+                          murk_vec3 at, murk_vec3 sensor)
 {
     const murk_vec3 way = murk_sub(at, sensor);
     return (l->bands >> murk_photon_band(photon) & 1) &&
@@ -151,7 +153,7 @@ static bool is_taken(const look *l, const murk_photon *photon, murk_vec3 at,
 }
 
 /* The query reaches farther than the range where things may appear nearer. */
-static bool is_beyond(const look *l, murk_vec3 at, murk_vec3 sensor)
+static bool is_beyond(const row_search *l, murk_vec3 at, murk_vec3 sensor)
 {
     const murk_vec3 way = murk_sub(at, sensor);
     return !(murk_dot(way, way) <= l->range_m * l->range_m);
@@ -159,9 +161,9 @@ static bool is_beyond(const look *l, murk_vec3 at, murk_vec3 sensor)
 
 /* Takes up a photon that lies in another index than the sensor, if it is seen.
  * `from` is its place, off its surface. */
-static void keep_across(look *l, const murk_photon *p, const murk_side *facing,
-                        murk_vec3 from, double index, uint32_t first,
-                        uint32_t number)
+static void add_across(row_search *l, const murk_photon *p,
+                       const murk_side *facing, murk_vec3 from, double index,
+                       uint32_t first, uint32_t number)
 {
     murk_sightline line[MURK_WAYS_MAX];
     const size_t lines =
@@ -171,18 +173,19 @@ static void keep_across(look *l, const murk_photon *p, const murk_side *facing,
     const uint16_t clarity = clarity_along(l, p, number, line, lines);
     if (clarity > 0) {
         l->clarity[l->seen] = clarity;
-        l->all_clear = l->all_clear && clarity == MURK_CLEAR;
+        l->is_binary = l->is_binary && clarity == MURK_CLEAR;
         l->photon[l->seen++] = first + number;
     }
 }
 
-static void look_at(look *l, const murk_photon_map *map, uint32_t first)
+static void search_map(row_search *l, const murk_photon_map *map,
+                       uint32_t first)
 {
     const murk_sight_desc *desc = &l->sight->desc;
     const murk_photon *photon = murk_photon_map_photons(map);
     uint32_t *found = l->photon + l->seen;
     const size_t n =
-        murk_photons_nearby(map, &desc->domain, l->sensor, l->reach_m, found);
+        murk_photons_nearby(map, &desc->domain, l->sensor, l->query_m, found);
     const bool is_periodic = desc->domain.is_periodic;
     murk_vec3 from[BLOCK];
     uint32_t number[BLOCK];
@@ -203,16 +206,16 @@ static void look_at(look *l, const murk_photon_map *map, uint32_t first)
             const murk_vec3 start = facing ? murk_add(at, facing->off) : at;
             const double index = murk_path_index_at(&l->space, start);
             if (index != l->viewpoint.index) {
-                keep_seen(l, photon, first, number, from, filled);
+                add_visible(l, photon, first, number, from, filled);
                 filled = 0;
-                keep_across(l, p, facing, start, index, first, found[i]);
+                add_across(l, p, facing, start, index, first, found[i]);
                 continue;
             }
             if (is_beyond(l, at, sensor)) {
                 continue;
             }
         }
-        if (l->is_picky && !is_taken(l, p, at, sensor)) {
+        if (l->has_filter && !is_detectable(l, p, at, sensor)) {
             continue;
         }
         if (!murk_photon_is_volume(p)) {
@@ -227,16 +230,16 @@ static void look_at(look *l, const murk_photon_map *map, uint32_t first)
         from[filled] = at;
         number[filled++] = found[i];
         if (filled == BLOCK) {
-            keep_seen(l, photon, first, number, from, filled);
+            add_visible(l, photon, first, number, from, filled);
             filled = 0;
         }
     }
-    keep_seen(l, photon, first, number, from, filled);
+    add_visible(l, photon, first, number, from, filled);
 }
 
 /* Grazing, things may appear farther than anything is: range_m may be infinite
  * here. */
-static void see_across(look *l, double range_m)
+static void prepare_across(row_search *l, double range_m)
 {
     murk_sight *sight = l->sight;
     l->across = (murk_across){.interfaces = sight->interfaces,
@@ -249,7 +252,7 @@ static void see_across(look *l, double range_m)
                               .shadow_rays = &sight->shadow_rays,
                               .blocked = &sight->blocked_by_interfaces,
                               .reflected = &sight->totally_reflected};
-    l->reach_m = fmin(sight->max_m, murk_ways_reach(sight->interfaces,
+    l->query_m = fmin(sight->max_m, murk_ways_reach(sight->interfaces,
                                                     &l->viewpoint, range_m));
 }
 
@@ -262,13 +265,13 @@ void murk_sight_row(murk_sight *sight, unsigned worker, const murk_pose *pose,
     const double range_m = fmin(type->range_m, sight->max_m);
     const murk_scratch *s = &sight->worker[worker];
     const murk_media *accepting = sight->accepting[pose->type];
-    look l = {.sight = sight,
+    row_search l = {.sight = sight,
               .sensor = pose->position,
               .range_m = range_m,
-              .reach_m = range_m,
+              .query_m = range_m,
               .type = type,
               .field = murk_field_of(type, pose, desc->north),
-              .is_picky = type->view != MURK_VIEW_SPHERE || type->bands ||
+              .has_filter = type->view != MURK_VIEW_SPHERE || type->bands ||
                           type->toward || type->least_range_m > 0,
               .bands = type->bands ? type->bands : UINT32_MAX,
               .space = murk_path_space_of(desc->surfaces,
@@ -276,14 +279,14 @@ void murk_sight_row(murk_sight *sight, unsigned worker, const murk_pose *pose,
                                           desc->boundary_meshes, &desc->domain),
               .photon = s->photon,
               .clarity = s->clarity,
-              .all_clear = true};
+              .is_binary = true};
     l.viewpoint = murk_path_viewpoint_at(&l.space, pose->position);
     if (sight->interfaces) {
-        see_across(&l, type->range_m);
+        prepare_across(&l, type->range_m);
     }
     murk_tally_add(&sight->queries, 1);
-    look_at(&l, desc->surface_map, 0);
-    look_at(&l, desc->volume_map,
-            (uint32_t)murk_photon_map_count(desc->surface_map));
-    *out = (murk_sparse_row){l.seen, l.photon, l.all_clear ? NULL : l.clarity};
+    search_map(&l, desc->surface_map, 0);
+    search_map(&l, desc->volume_map,
+               (uint32_t)murk_photon_map_count(desc->surface_map));
+    *out = (murk_sparse_row){l.seen, l.photon, l.is_binary ? NULL : l.clarity};
 }
