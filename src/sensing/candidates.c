@@ -1,3 +1,7 @@
+/* Candidate sites: checks the request, finds the free space of the grid
+ * (sensing/reach.h), classifies the points of the grid and the listed sites
+ * (sensing/listed.h), and collects the usable ones. Each site gets one verdict,
+ * so the counts of the causes add up to the number of requested sites. */
 #include "sensing/candidates.h"
 
 #include "base/interrupt.h"
@@ -11,11 +15,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Nobody mounts a sensor nearer to a surface than this: precision finer than it
- * is not why a candidate is lost. */
+/* Sensors are not mounted nearer to a surface than a millimetre, so a coarser
+ * precision of the surfaces is reported as the cause of lost candidates. */
 #define MIN_STEP_M 1e-3
 
-#define POINTS_MAX   ((double)MURK_CANDIDATES_MAX)
+#define POINTS_MAX ((double)MURK_CANDIDATES_MAX)
+/* Grid points of a task: some 100 us of work (a choice). */
 #define BATCH_POINTS 4096
 
 static double coordinate(double min, double max, size_t i, size_t n)
@@ -86,6 +91,7 @@ static murk_status check_place(const murk_candidate_grid *grid,
         return murk_fail(err, MURK_BAD_VALUE, where,
                          "min_m or max_m is not finite");
     }
+    /* The grid must extend upwards along each axis, and lie in the domain. */
     for (int axis = 0; axis < 3; ++axis) {
         const bool is_line = grid->size[axis] > 1;
         if (!(is_line ? from[axis] < to[axis] : from[axis] <= to[axis])) {
@@ -153,12 +159,12 @@ static murk_status check(const murk_candidate_desc *desc,
 
 /* ---- verdicts ---- */
 
-/* All that is asked, with a verdict on each: first the grid, unless it is
- * laid, then what is listed. */
+/* The request, with a verdict on each site: first the grid, unless it only
+ * carries reach, then the listed sites. */
 typedef struct request {
     const murk_candidate_desc *desc;
     murk_free_space space;
-    size_t grid; /* points of it that are candidates */
+    size_t grid; /* candidates of the grid */
     murk_listed *listed;
     size_t n_listed;
     uint8_t *verdict; /* [grid + n_listed] murk_verdict */
@@ -197,6 +203,7 @@ static murk_status classify_sites(request *a, const murk_surfaces *surfaces,
                                   const murk_reach *reach, unsigned threads,
                                   const char *where, murk_error *err)
 {
+    /* List all sites. */
     const size_t *n = a->desc->grid.size;
     murk_status status = murk_listed_all(&a->listed, &a->n_listed, a->desc,
                                          &reach->domain, where, err);
@@ -215,6 +222,7 @@ static murk_status classify_sites(request *a, const murk_surfaces *surfaces,
         return murk_fail(err, MURK_NO_MEMORY, where,
                          "no memory for %zu candidates", all);
     }
+    /* Find the free space and classify the grid, then the listed sites. */
     status = murk_free_space_find(&a->space, &a->desc->grid, surfaces, reach,
                                   threads, where, err);
     if (status) {
@@ -239,7 +247,7 @@ static void release(request *a)
     free(a->verdict);
 }
 
-/* ---- what remains ---- */
+/* ---- the result ---- */
 
 static bool is_usable(murk_verdict verdict)
 {
@@ -266,7 +274,8 @@ static murk_status refuse_none(const murk_candidates *c, double clearance_m,
                                const murk_surfaces *surfaces, const char *where,
                                murk_error *err)
 {
-    /* How far rays start from a surface: nearer places are not told apart. */
+    /* Rays start this far from a surface: closer positions cannot be
+     * distinguished. */
     const double step_m = murk_surfaces_leave_step_m(surfaces);
     char more[96] = "";
     if (c->too_close > 0 && step_m > fmax(clearance_m, MIN_STEP_M)) {
@@ -311,6 +320,7 @@ static murk_status keep_usable(murk_candidates *c, const request *a,
     if (c->usable == 0) {
         return refuse_none(c, a->desc->grid.clearance_m, surfaces, where, err);
     }
+    /* Copy position, kind and normal of the usable sites. */
     const bool has_normals = a->desc->mounts > 0;
     c->position = malloc(c->usable * sizeof *c->position);
     c->kind = malloc(c->usable);
@@ -341,6 +351,7 @@ murk_status murk_candidates_create(murk_candidates **out,
     if (status) {
         goto done;
     }
+    /* Classify, count, and keep the usable sites. */
     status = classify_sites(&a, surfaces, reach, threads, where, err);
     if (status) {
         goto done;

@@ -1,11 +1,12 @@
-/* Coverage of a set of sensors, with its error.
+/* Coverage of a set of sensors, with the standard error.
  *
- * Records of one emitted photon are correlated, so the error is by emitted
- * photon e. With whole-number weights, X_e the seen and Y_e the whole weight of
- * its records, C = sum X / sum Y has the linearised residual r_e = (X_e - C
- * Y_e) / sum Y. `balanced` is a fixed mix of two such ratios, so its residual
- * is the same mix of theirs; photons that stored nothing have none. Then se^2
- * = N / (N - 1) sum r_e^2 (Cochran, Sampling Techniques, 1977, ch. 6). */
+ * Records of one emitted photon are correlated, so the error is computed by
+ * emitted photon e. With whole-number weights, X_e the covered and Y_e the
+ * whole weight of the records of e, C = sum X / sum Y has the linearised
+ * residual r_e = (X_e - C Y_e) / sum Y. The `balanced` coverage is a fixed mix
+ * of two such ratios, so the residual is the same mix of both residuals;
+ * photons without records have residual 0. Then se^2 = N / (N - 1) sum r_e^2
+ * (Cochran, Sampling Techniques, 1977, ch. 6). */
 #include "sensing/sight.h"
 
 #include "base/interrupt.h"
@@ -17,11 +18,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Looks held at a time, per thread. */
+/* Rows in memory at a time for each thread: enough that threads seldom wait (a
+ * choice). */
 #define ROWS_EACH 4
 
 typedef struct stored_row {
-    murk_sparse_row row; /* its arrays owned */
+    murk_sparse_row row; /* owns the arrays */
     bool has_failed;
 } stored_row;
 
@@ -31,24 +33,26 @@ typedef struct measure {
     size_t sensors, photons, surface_photons;
     const uint32_t *weight;
     murk_views views;
-    stored_row *block;             /* [LOOKS_EACH * threads] */
+    stored_row *block;             /* [ROWS_EACH * threads] */
     size_t first;                  /* sensor of block[0] */
-    uint64_t *single_value, *only; /* [sensors], in weight * clarity */
-    bool is_second_pass; /* each looks once more, for what only it sees */
-    uint64_t *seen_by;   /* [sensors + 1]: weight seen by that many */
-    size_t at_least;     /* 0, or: a photon that so many sensors see counts
-                            whole, any other not at all */
+    uint64_t *single_value, *only; /* [sensors] weight * clarity: alone, and
+                                      lost without the sensor */
+    bool is_second_pass; /* second pass, for the share that only one sensor sees
+                          */
+    uint64_t *seen_by;   /* [sensors + 1]: weight seen by exactly so many */
+    size_t at_least; /* 0, or: a photon seen by so many sensors counts fully,
+                        any other not at all */
 } measure;
 
-/* What one map holds and how much of it is seen, times clarity: in the plan's
- * whole-number weights, and in power. Weights may leave a map none, or round it
- * away; its own fraction goes by power. */
+/* The content of one map, and the covered part of it, times clarity: in the
+ * whole-number weights of the plan, and in power. Weights may give a map no
+ * weight, or round it away, so the map's own fraction uses power. */
 typedef struct share {
     uint64_t seen, whole;
     double seen_w, whole_w;
 } share;
 
-/* ---- looking ---- */
+/* ---- rows ---- */
 
 static void *copy(const void *from, size_t bytes)
 {
@@ -102,6 +106,8 @@ static murk_status find_rows(measure *m, murk_error *err)
     for (m->first = 0; m->first < m->sensors; m->first += capacity) {
         const size_t left = m->sensors - m->first;
         const size_t n = left < capacity ? left : capacity;
+        /* One block of rows over threads, then added in the order of the
+         * sensors. */
         murk_pool_run_workers(threads, n, find_row, m);
         bool has_failed = false;
         for (size_t i = 0; i < n; ++i) {
@@ -134,13 +140,13 @@ static murk_status find_only(measure *m, murk_error *err)
 
 /* ---- sums ---- */
 
-/* What is seen of a photon at most. */
+/* The value of a photon that is fully covered. */
 static uint32_t full_of(const measure *m)
 {
     return (uint32_t)m->views.layers * MURK_CLEAR;
 }
 
-/* What is seen of photon i. */
+/* The value of photon i for these sensors. */
 static uint32_t worth_of(const measure *m, size_t i)
 {
     return m->at_least == 0                     ? murk_views_worth(&m->views, i)
@@ -148,8 +154,8 @@ static uint32_t worth_of(const measure *m, size_t i)
                                                 : 0;
 }
 
-/* The records of a map, the first being photon `first`. Power is summed in the
- * map's order, which does not depend on threads. */
+/* Sums over the records of a map, which begin with photon `first`. Power is
+ * summed in the order of the map, which does not depend on threads. */
 static share add_up(const measure *m, const murk_photon_map *map, size_t first)
 {
     const size_t n = murk_photon_map_count(map);
@@ -172,7 +178,7 @@ static double ratio(uint64_t part, uint64_t whole)
     return whole > 0 ? (double)part / (double)whole : NAN;
 }
 
-/* NaN where the map is empty. */
+/* NaN for an empty map. */
 static double own_fraction(const share *s)
 {
     return s->whole_w > 0 ? s->seen_w / s->whole_w : NAN;
@@ -198,9 +204,9 @@ static void fill(murk_coverage_result *out, const measure *m, uint64_t whole)
 
 /* ---- errors by emitted photon ---- */
 
-/* Records in order of emitted photon: emitted << 32 | record. Two arrays of
- * `photons`; returns the one that holds the result. Least significant digit
- * first, so records of one photon stay in order. */
+/* Sorts the records by emitted photon, as emitted << 32 | record: radix sort by
+ * bytes, least significant first, which keeps the records of a photon in order.
+ * Uses two arrays of `photons`, and returns the one with the result. */
 static uint64_t *sort_by_emitted(uint64_t *keys, uint64_t *other, size_t n,
                                  uint64_t emitted)
 {
@@ -224,13 +230,13 @@ static uint64_t *sort_by_emitted(uint64_t *keys, uint64_t *other, size_t n,
 }
 
 typedef struct residuals {
-    double total;   /* sum of squares, in weight * clarity */
-    double part[2]; /* the same of each map's own, in power * clarity */
-    double map[2];  /* of the total's from each map's records alone */
+    double total;   /* sum of squared residuals, in weight * clarity */
+    double part[2]; /* the same of each map alone, in power * clarity */
+    double map[2];  /* of the total, from the records of each map alone */
 } residuals;
 
-/* The coverages in the total are those of the records' own map for `balanced`,
- * else both the total's. */
+/* Sums the squared residuals by emitted photon. For `balanced` each record is
+ * compared with the coverage of its own map, otherwise with the total. */
 static residuals square_residuals(const measure *m, const uint64_t *key,
                                   const share part[2], double c_total)
 {
@@ -246,6 +252,7 @@ static residuals square_residuals(const measure *m, const uint64_t *key,
     for (size_t k = 0; k < m->photons;) {
         const uint64_t emitted = key[k] >> 32;
         double own[2] = {0, 0}, of_map[2] = {0, 0};
+        /* All records of one emitted photon. */
         for (; k < m->photons && key[k] >> 32 == emitted; ++k) {
             const size_t i = (size_t)(key[k] & UINT32_MAX);
             const int p = i >= m->surface_photons;
@@ -275,8 +282,8 @@ static double error_of(double squares, double whole, double emitted)
                : NAN;
 }
 
-/* The share that the sight's at_least sensors see, as seen_by_at_least counts
- * it, with the error of a coverage that counts so. */
+/* The share seen by at least as many sensors as the sight asks for, in the way
+ * of seen_by_at_least, with the error. */
 static void find_at_least(murk_coverage_result *out, const measure *m,
                           const uint64_t *sorted)
 {
@@ -318,6 +325,7 @@ static murk_status find_errors(murk_coverage_result *out, const measure *m,
                            "no memory to sort %zu photons", m->photons);
         goto done;
     }
+    /* Sort the records by emitted photon, then sum. */
     for (size_t i = 0; i < m->photons; ++i) {
         const uint64_t emitted =
             i < m->surface_photons
@@ -336,7 +344,7 @@ static murk_status find_errors(murk_coverage_result *out, const measure *m,
     const uint64_t whole = part[0].whole + part[1].whole;
     out->total.standard_error = error_of(sum.total, (double)whole, emitted);
     for (int p = 0; p < 2; ++p) {
-        /* balanced: a half, but for the rounding of weights */
+        /* for `balanced` one half, except for the rounding of weights */
         const bool is_half =
             desc->weights.balanced && part[0].whole && part[1].whole;
         out->map[p].weight = is_half ? .5 : ratio(part[p].whole, whole);
@@ -355,7 +363,7 @@ done:
     return status;
 }
 
-/* ---- the measure ---- */
+/* ---- the whole ---- */
 
 static murk_status check(const murk_sight_desc *desc, const murk_pose *pose,
                          size_t n, murk_error *err)
@@ -380,6 +388,7 @@ static murk_status allocate(measure *m, murk_coverage_result *out,
     const size_t n = m->sensors;
     const size_t capacity =
         (size_t)ROWS_EACH * murk_sight_described(m->sight)->threads;
+    /* Rows, sums by sensor, and the arrays of the result. */
     m->block = calloc(capacity, sizeof *m->block);
     m->single_value = calloc(n + 1, sizeof *m->single_value);
     m->only = calloc(n + 1, sizeof *m->only);
@@ -424,6 +433,7 @@ murk_status murk_coverage_result_measure(murk_coverage_result *out,
     if (status) {
         goto done;
     }
+    /* Rows of all sensors, then the sums. */
     status = find_rows(&m, err);
     if (!status) {
         status = find_only(&m, err);
@@ -431,6 +441,7 @@ murk_status murk_coverage_result_measure(murk_coverage_result *out,
     if (status) {
         goto done;
     }
+    /* Values and errors. */
     const share part[2] = {add_up(&m, desc->surface_map, 0),
                            add_up(&m, desc->volume_map, m.surface_photons)};
     const uint64_t whole = part[0].whole + part[1].whole;

@@ -1,10 +1,13 @@
+/* Optical depths along the sightlines of a row, with the routines that the row
+ * itself uses (sensing/passage.h, sensing/segment.h), without rounding. */
 #include "sensing/depths.h"
 
 #include "path/viewpoint.h"
 #include "sensing/facing.h"
 #include "sensing/sight_parts.h"
 
-/* Where sightlines to a photon start. */
+/* The point from which sightlines to a photon start: off the surface of a
+ * surface photon. */
 static murk_vec3 start_of(const murk_photon *photon,
                           const murk_surfaces *surfaces,
                           murk_side sides[MURK_SIDES])
@@ -25,6 +28,7 @@ void murk_sight_depths(double *depth, double *sheets, const murk_sight *sight,
     const murk_sight_desc *desc = &sight->desc;
     murk_side sides[MURK_SIDES] = {{0}};
     for (size_t i = 0; i < n; ++i) {
+        /* The transmittance of the sheets on each sightline. */
         sheets[i] = 1;
         if (sight->has_sheets) {
             const murk_photon *p = murk_sight_photon(sight, photon[i]);
@@ -35,6 +39,7 @@ void murk_sight_depths(double *depth, double *sheets, const murk_sight *sight,
                                          to, murk_photon_band(p));
         }
     }
+    /* The optical depth in each of the media. */
     for (size_t m = 0; m < count; ++m) {
         const murk_path_space space = murk_path_space_of(
             desc->surfaces, media[m], desc->boundary_meshes, &desc->domain);

@@ -1,3 +1,6 @@
+/* Unpacks the normal of a stored surface photon. Normals along an axis are
+ * stored exactly; all others have the error of the packing
+ * (photonmap/photon.h). */
 #include "sensing/facing.h"
 
 murk_side murk_side_of(const murk_surfaces *surfaces, uint32_t packed)

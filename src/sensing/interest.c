@@ -1,7 +1,10 @@
+/* Finds the regions of interest that contain each photon, as a bit mask, and
+ * the factor of their weights. */
 #include "sensing/interest.h"
 
 #include "base/pool.h"
 
+/* Photons of a task (a choice). */
 #define BATCH_PHOTONS 4096
 
 static bool is_of_kind(const murk_interest_region *region,
@@ -22,8 +25,8 @@ static bool box_holds(const murk_box *box, murk_vec3 p, double slack_m)
     return murk_box_contains(&wide, p);
 }
 
-/* Whose boundary meshes hold the photon. One on a surface is asked for on both
- * sides of it, since the boundary mesh may be that very surface. */
+/* The boundary meshes that contain the photon. A surface photon is tested on
+ * both sides of the surface, because the boundary mesh may be that surface. */
 static uint64_t boundary_meshes_around(const murk_interest *interest,
                                        const murk_photon *photon,
                                        double slack_m)
@@ -47,6 +50,7 @@ static uint64_t boundary_meshes_around(const murk_interest *interest,
 uint64_t murk_interest_at(const murk_interest *interest,
                           const murk_photon *photon, double slack_m)
 {
+    /* Storage moves only surface photons off a boundary. */
     const murk_vec3 p = murk_photon_place(photon);
     const double slack = murk_photon_is_volume(photon) ? 0 : slack_m;
     const uint64_t boundary_meshes =

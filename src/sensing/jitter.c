@@ -1,13 +1,17 @@
+/* Random deviations of poses by rejection: positions uniform in the ball are
+ * drawn until one is free and joined to the planned position. Random numbers
+ * are addressed by seed, draw, sensor and try, so every draw can be repeated.
+ */
 #include "sensing/jitter.h"
 
 #include "base/rng.h"
 #include "sensing/ways.h"
 
-/* Of the ball, what can be reached may be a sliver; less than a hundredth is
- * as good as nothing. */
+/* Tries for a free position. If less than a hundredth of the ball is free, the
+ * sensor stays in place. */
 #define TRIES 100
 
-/* Slots of a sensor's random numbers: its turn, then a step each. */
+/* Slots of a sensor's random numbers: the turn first, then one for each try. */
 #define TURN_SLOT       0
 #define FIRST_STEP_SLOT 1
 
@@ -18,18 +22,19 @@ static murk_vec3 step_of(const murk_random4 *r, double step_m)
                       murk_about(up, 2 * r->u[1] - 1, 2 * MURK_PI * r->u[2]));
 }
 
-/* Into the first image. */
+/* Wraps a coordinate into the domain. */
 static double wrap(double x, double min, double max)
 {
     const double period = max - min;
     const double in = x - period * floor((x - min) / period);
-    return in < min || in > max ? min : in; /* rounding */
+    return in < min || in > max ? min : in; /* rounding may leave the domain */
 }
 
 static bool move_within_ball(murk_vec3 *place, const murk_jitter *j,
                              const murk_ways *ways, const murk_address *address)
 {
     const murk_box *box = &j->domain->box;
+    /* Draw a position, wrap it, and test it. */
     for (uint32_t k = 0; k < TRIES; ++k) {
         const murk_random4 r = murk_random_at(address, FIRST_STEP_SLOT + k);
         const murk_vec3 step = step_of(&r, j->step_m);
@@ -38,7 +43,7 @@ static bool move_within_ball(murk_vec3 *place, const murk_jitter *j,
         if (j->domain->is_periodic) {
             if (!(fabs(step.x) < box->max.x - box->min.x &&
                   fabs(step.y) < box->max.y - box->min.y)) {
-                continue; /* ways are within one period */
+                continue; /* segments are shorter than one period */
             }
             at.x = wrap(to.x, box->min.x, box->max.x);
             at.y = wrap(to.y, box->min.y, box->max.y);
@@ -58,7 +63,8 @@ static void turn(murk_pose *pose, const murk_jitter *j,
 {
     const murk_random4 r = murk_random_at(address, TURN_SLOT);
     const double half = sin(j->turn_rad / 2);
-    const double mu = 1 - 2 * half * half * r.u[0]; /* even over the cap */
+    const double mu =
+        1 - 2 * half * half * r.u[0]; /* uniform over the cap: mu is uniform */
     const murk_vec3 axis = murk_about(murk_pose_frame(pose, j->north).axis, mu,
                                       2 * MURK_PI * r.u[1]);
     const murk_vec3 up = {0, 0, 1}, east = murk_cross(j->north, up);

@@ -1,3 +1,6 @@
+/* The places from which the light of a lamp starts: the lamp, or both sides of
+ * the surface that it lies on; and for a lamp inside of solids, places just
+ * outside, found by following six directions through all surfaces. */
 #include "sensing/lamp.h"
 
 #include "path/segment.h"
@@ -6,9 +9,11 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+/* Both directions along three axes. */
 #define DIRECTIONS 6
 
-/* Surfaces that one way is followed through, and solids remembered. */
+/* Surfaces followed in one direction, and solids remembered: far more than
+ * nested solids have. */
 #define CROSSINGS_MAX 64
 
 typedef struct lamp_search {
@@ -16,7 +21,7 @@ typedef struct lamp_search {
     const murk_domain *domain;
     double tolerance_m;
     murk_vec3 direction[DIRECTIONS];
-    uint16_t around[CROSSINGS_MAX]; /* the solids that the lamp stands in */
+    uint16_t around[CROSSINGS_MAX]; /* solids that contain the lamp */
     size_t n_around;
     murk_vec3 *place;
     size_t n_places;
@@ -29,8 +34,8 @@ static void add_place(lamp_search *w, murk_vec3 place)
     }
 }
 
-/* To and fro along three axes, tilted so that none follows a seam of what is
- * built at right angles. */
+/* Both directions along three orthogonal axes, tilted so that no direction
+ * follows a seam of rectangular buildings. */
 static void choose_directions(murk_vec3 direction[DIRECTIONS])
 {
     direction[0] = murk_unit(murk_vec(0.937, 0.281, 0.207));
@@ -40,9 +45,10 @@ static void choose_directions(murk_vec3 direction[DIRECTIONS])
     }
 }
 
-/* ---- on a surface ---- */
+/* ---- a lamp on a surface ---- */
 
-/* The places just off it; the lamp's own where it hangs free. */
+/* Adds the places just off both sides; the lamp itself if it is off every
+ * surface. */
 static void add_sides(lamp_search *w, murk_vec3 lamp)
 {
     static const murk_vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -58,7 +64,8 @@ static void add_sides(lamp_search *w, murk_vec3 lamp)
             const murk_vec3 start = murk_along(lamp, -4 * tolerance, direction);
             if (murk_surfaces_hit(w->surfaces, start, direction, 8 * tolerance,
                                   &hit)) {
-                /* Two hairs off: the ways are asked half a hair aside. */
+                /* Two tolerances off, because segments are tested half a
+                 * tolerance aside as well. */
                 const murk_vec3 on =
                     murk_along(start, hit.distance_m, direction);
                 add_place(w, murk_along(on, 2 * tolerance, hit.normal));
@@ -70,14 +77,14 @@ static void add_sides(lamp_search *w, murk_vec3 lamp)
     add_place(w, lamp);
 }
 
-/* ---- in glass ---- */
+/* ---- a lamp in glass ---- */
 
 static bool lets_light_through(const murk_surfaces *surfaces,
                                const murk_hit *hit)
 {
     const murk_material *m = murk_surfaces_material(surfaces, hit->material);
     for (int i = 0; i < MURK_BANDS_MAX; ++i) {
-        /* Fresnel splits what a solid does not absorb. */
+        /* Fresnel's equations split the light that a solid does not absorb. */
         const double specular = hit->solid ? m->specular.band[i] : 0;
         if (m->transmit.band[i] + specular > 0) {
             return true;
@@ -86,7 +93,7 @@ static bool lets_light_through(const murk_surfaces *surfaces,
     return false;
 }
 
-/* The next surface on the way; *at moves to just behind it. */
+/* Finds the next surface in a direction; *at moves to just behind it. */
 static bool step(const lamp_search *w, murk_vec3 *at, murk_vec3 direction,
                  murk_hit *hit)
 {
@@ -109,7 +116,7 @@ static bool contains(const uint16_t *solids, size_t n, uint16_t solid)
     return false;
 }
 
-/* The solids that a way crosses, through all that stands there. */
+/* The solids crossed in a direction, through all surfaces. */
 static size_t crossed(const lamp_search *w, murk_vec3 from, murk_vec3 direction,
                       uint16_t solid[CROSSINGS_MAX])
 {
@@ -123,6 +130,7 @@ static size_t crossed(const lamp_search *w, murk_vec3 from, murk_vec3 direction,
     return n;
 }
 
+/* Finds the solids that all six directions cross: those contain the lamp. */
 static void find_around(lamp_search *w, murk_vec3 from)
 {
     w->n_around = crossed(w, from, w->direction[0], w->around);
@@ -139,7 +147,8 @@ static void find_around(lamp_search *w, murk_vec3 from)
     }
 }
 
-/* Two hairs behind a surface, unless another is nearer. */
+/* Adds the place two tolerances behind a surface, unless another surface is
+ * nearer. */
 static void add_outside(lamp_search *w, murk_vec3 behind, murk_vec3 onward)
 {
     const double off = 2 * w->tolerance_m;
@@ -152,6 +161,8 @@ static void add_outside(lamp_search *w, murk_vec3 behind, murk_vec3 onward)
     }
 }
 
+/* Follows a direction out of the solids around the lamp and adds the places
+ * outside of each. */
 static void walk_out(lamp_search *w, murk_vec3 from, murk_vec3 direction)
 {
     murk_hit hit;
@@ -171,10 +182,12 @@ size_t murk_lamp_places(const murk_surfaces *surfaces,
                         murk_vec3 place[MURK_LAMP_PLACES_MAX])
 {
     lamp_search w = {.surfaces = surfaces,
-                  .domain = domain,
-                  .tolerance_m =
-                      murk_path_surface_tolerance_m(surfaces, domain),
-                  .place = place};
+                     .domain = domain,
+                     .tolerance_m =
+                         murk_path_surface_tolerance_m(surfaces, domain),
+                     .place = place};
+    /* Places of the lamp itself, then places outside of the solids around each
+     * of them. */
     choose_directions(w.direction);
     add_sides(&w, lamp);
     if (murk_surfaces_describe(surfaces).solids == 0) {

@@ -1,3 +1,6 @@
+/* The range of links: a minimum spanning tree by Prim's algorithm in O(n^2)
+ * tests, once with surfaces and once without. A segment is tested only if it is
+ * shorter than the best known link of the sensor. */
 #include "sensing/links.h"
 
 #include "base/interrupt.h"
@@ -7,21 +10,21 @@
 #include <stdlib.h>
 
 typedef struct nearest_link {
-    double length_m; /* from the tree; INFINITY: no way found */
+    double
+        length_m; /* distance from the tree; INFINITY: no open segment found */
     size_t from;
 } nearest_link;
 
 typedef struct search {
     const murk_pose *pose;
     size_t n;
-    const murk_ways *ways; /* NULL: all are open */
+    const murk_ways *ways; /* NULL: all segments are open */
     const murk_domain *domain;
     nearest_link *nearest; /* [n] */
     bool *is_in;           /* [n] */
 } search;
 
-/* Shortens what has a way from the sensor that has just come in. Only ways
- * shorter than those known are tried. */
+/* Updates the distances from the tree after a sensor was added. */
 static void spread(search *s, size_t from)
 {
     const murk_vec3 at = s->pose[from].position;
@@ -39,8 +42,8 @@ static void spread(search *s, size_t from)
     }
 }
 
-/* The next sensor: the nearest to the tree, of equals the first; where no way
- * leads on, the first left over. */
+/* The next sensor: the nearest to the tree, the first of equals. If no open
+ * segment leads on, the first sensor left, which begins a new group. */
 static size_t next_of(const search *s)
 {
     size_t best = s->n;
@@ -53,7 +56,7 @@ static size_t next_of(const search *s)
     return best;
 }
 
-/* Fills *out but for its plain range; false when interrupted. */
+/* Fills *out except for the plain range. False if interrupted. */
 static bool grow(search *s, murk_links *out)
 {
     for (size_t j = 0; j < s->n; ++j) {
@@ -87,6 +90,7 @@ murk_status murk_links_find(murk_links *out, const murk_pose *pose, size_t n,
         *out = links;
         return MURK_OK;
     }
+    /* Allocate for both trees. */
     murk_ways ways = murk_ways_of(surfaces, domain);
     ways.by_sheets = !through_sheets;
     search s = {.pose = pose,
@@ -102,6 +106,7 @@ murk_status murk_links_find(murk_links *out, const murk_pose *pose, size_t n,
                            "no memory for the links of %zu sensors", n);
         goto done;
     }
+    /* First with all segments open, then with surfaces. */
     bool is_done = grow(&s, &plain);
     s.ways = &ways;
     is_done = is_done && grow(&s, &links);

@@ -1,3 +1,7 @@
+/* Listed sites: removes duplicates with a hash grid of cells, then tests each
+ * site for zones, clearance and reach. The segment to the reached grid points
+ * is sought in rings of growing distance: the first few points one by one,
+ * because one of them is open as a rule, then all others at once. */
 #include "sensing/listed.h"
 
 #include "base/cells.h"
@@ -9,13 +13,15 @@
 
 #include <stdlib.h>
 
+/* Sites of a task (a choice). */
 #define BATCH_SITES 256
-/* A way is sought to so many reached points of the grid, among so many. */
+/* Limits of the search for an open segment: reached points tried, and grid
+ * points examined (documented in candidates.h). */
 #define NEAREST_MAX  1000
 #define EXAMINED_MAX 32768
 
-/* One of the first few is open as a rule; else all others at once are faster.
- */
+/* Points tried one by one: a cell of the grid and its neighbours, 3^3. One of
+ * them is open as a rule; testing all others at once is faster. */
 #define FIRST_TRIES 27
 
 bool murk_site_is_forbidden(const murk_candidate_desc *desc, murk_vec3 point)
@@ -115,7 +121,7 @@ static bool is_same(void *context, size_t number)
            c->tolerance_m;
 }
 
-/* The index along an axis of the grid's point nearest to x. */
+/* The index of the nearest grid point along an axis. */
 static size_t nearest_index(double min, double max, size_t n, double x)
 {
     const double step = n > 1 ? (max - min) / (double)(n - 1) : 1;
@@ -140,7 +146,8 @@ static bool is_of_grid(const murk_candidate_grid *g, murk_vec3 p,
            tolerance_m;
 }
 
-/* A site within a hair of one before it, which may be a duplicate itself. */
+/* Marks a site as duplicate if an earlier site lies within the tolerance; the
+ * earlier site may be a duplicate itself. */
 static murk_status find_duplicates(uint8_t *verdict, const murk_listed *site,
                                    size_t n, const murk_candidate_desc *desc,
                                    double tolerance_m, murk_error *err)
@@ -160,7 +167,7 @@ static murk_status find_duplicates(uint8_t *verdict, const murk_listed *site,
     return status;
 }
 
-/* ---- ways ---- */
+/* ---- segments ---- */
 
 typedef struct classification {
     const murk_candidate_desc *desc;
@@ -170,11 +177,11 @@ typedef struct classification {
     const murk_listed *site;
     size_t n;
     uint8_t *verdict;
-    murk_vec3 *lamp; /* [lamps] places that light sets out from */
+    murk_vec3 *lamp; /* [lamps] places from which light starts */
     size_t lamps;
 } classification;
 
-/* Reached points of the grid, as they are found around a site. */
+/* Reached grid points around a site, collected for testing. */
 typedef struct neighbours {
     size_t examined, tried, n;
     murk_vec3 point[NEAREST_MAX];
@@ -199,7 +206,8 @@ static size_t max_of(size_t at, size_t r, size_t n)
     return n - 1 - at > r ? at + r : n - 1;
 }
 
-/* The points r steps away along one axis or more. */
+/* Examines the grid points at distance r in steps, along the axis of the
+ * largest distance. */
 static void examine_ring(const classification *j, neighbours *near,
                          const size_t at[3], size_t r)
 {
@@ -225,6 +233,8 @@ static void examine_ring(const classification *j, neighbours *near,
     }
 }
 
+/* True if a segment from the point to one of the collected points is open.
+ * Empties the collection. */
 static bool is_any_open(const classification *j, neighbours *near,
                         murk_vec3 point)
 {
@@ -265,6 +275,8 @@ static bool joins_grid(const classification *j, murk_vec3 point)
     return near.n > 0 && is_any_open(j, &near, point);
 }
 
+/* True if an open segment joins the point to the reached grid, to a lamp, or to
+ * an open side. */
 static bool is_joined(const classification *j, murk_vec3 point)
 {
     if (joins_grid(j, point)) {
@@ -280,14 +292,14 @@ static bool is_joined(const classification *j, murk_vec3 point)
     return j->reach->from_sides && murk_way_leads_out(&j->ways, point);
 }
 
-/* ---- verdicts ---- */
+/* ---- classification ---- */
 
 static bool is_mounted(const murk_listed *site)
 {
     return site->offset_m > 0;
 }
 
-/* Something else is between a mount and its foot. */
+/* True if another surface lies between a mount and its mounting point. */
 static bool is_cut_off(const classification *j, const murk_listed *site,
                        const murk_mount_site *foot)
 {
@@ -299,6 +311,7 @@ static bool is_cut_off(const classification *j, const murk_listed *site,
 
 static murk_verdict classify(const classification *j, const murk_listed *site)
 {
+    /* The surface that carries a mount does not count. */
     const murk_mount_site foot = {
         murk_along(site->position, -site->offset_m, site->normal),
         site->normal};
@@ -309,6 +322,7 @@ static murk_verdict classify(const classification *j, const murk_listed *site)
     if (murk_site_is_forbidden(j->desc, site->position)) {
         return MURK_SITE_FORBIDDEN;
     }
+    /* Clearance and reach. */
     const murk_closeness closeness = murk_ways_closeness(
         &j->ways, site->position, j->desc->grid.clearance_m, mounted_on);
     if (closeness == MURK_ON_SURFACE) {
@@ -360,6 +374,7 @@ murk_status murk_listed_judge(uint8_t *verdict, const murk_listed *sites,
                               const murk_reach *reach, unsigned threads,
                               const char *where, murk_error *err)
 {
+    /* Duplicates, lamps, then all sites over threads. */
     classification j = {.desc = desc,
                         .space = space,
                         .reach = reach,

@@ -1,3 +1,5 @@
+/* Range queries of a photon map for a sensor, with images in periodic domains.
+ */
 #include "sensing/nearby.h"
 
 #include "path/segment.h"
@@ -19,7 +21,8 @@ static int by_number(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Drops what has another image of the sensor nearer; returns how many stay. */
+/* Keeps the photons whose nearest image of the sensor is `image`. Returns their
+ * number. */
 static size_t keep_nearest(uint32_t *found, size_t n, const murk_photon *photon,
                            const murk_domain *domain, murk_vec3 sensor,
                            murk_vec3 image)
@@ -29,7 +32,7 @@ static size_t keep_nearest(uint32_t *found, size_t n, const murk_photon *photon,
     for (size_t f = 0; f < n; ++f) {
         const murk_vec3 nearest = murk_path_nearest_image(
             domain, sensor, murk_photon_place(&photon[found[f]]));
-        /* Half a period decides; images are a whole one apart. */
+        /* images are a whole period apart, so half a period decides */
         if (fabs(nearest.x - image.x) < period.x / 2 &&
             fabs(nearest.y - image.y) < period.y / 2) {
             found[kept++] = found[f];

@@ -1,13 +1,16 @@
+/* Finds the k nearest photons of the same band and side by queries of the
+ * kd-tree for 2 k, 4 k, .. nearest photons, until k of them are of that kind.
+ * In a periodic domain the nine nearest images are queried and merged. */
 #include "sensing/neighbours.h"
 
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 
-#define IMAGES 9 /* of a place in a periodic domain */
+#define IMAGES 9 /* images of a place in a periodic domain: 3 x 3 */
 
-/* Photons looked at around one, by k: first, and at most. Work is bounded where
- * many lie near that are of other bands or sides. */
+/* Photons queried, as multiples of k: at first, and at most. The maximum bounds
+ * the work if many photons of other bands or sides lie near. */
 #define FIRST_QUERY 2
 #define LAST_QUERY  32
 
@@ -19,7 +22,7 @@ typedef struct near_one {
 struct murk_neighbours_workspace {
     uint32_t *found;
     double *distance2_m2;
-    near_one *nearest; /* of all images */
+    near_one *nearest; /* photons of all images */
 };
 
 murk_neighbours_workspace *murk_neighbours_workspace_create(size_t k)
@@ -58,8 +61,8 @@ static int by_distance(const void *a, const void *b)
                    : (x->number > y->number) - (x->number < y->number);
 }
 
-/* The m nearest, over all images of the place: what lies beyond half a period
- * may be there twice. */
+/* The m nearest photons over all images of the place. A photon beyond half a
+ * period may occur twice. */
 static size_t nearest_of_images(const murk_neighbours *neighbours,
                                 murk_neighbours_workspace *workspace,
                                 murk_vec3 place, size_t m)
@@ -73,6 +76,7 @@ static size_t nearest_of_images(const murk_neighbours *neighbours,
         const double j = images > 1 ? image / 3 - 1 : 0;
         const murk_vec3 center = {place.x + i * period.x,
                                   place.y + j * period.y, place.z};
+        /* The nearest photons of this image. */
         const size_t n =
             murk_photon_map_nearest(neighbours->map, center, m,
                                     workspace->found, workspace->distance2_m2);
@@ -81,6 +85,7 @@ static size_t nearest_of_images(const murk_neighbours *neighbours,
                 (near_one){workspace->distance2_m2[k], workspace->found[k]};
         }
     }
+    /* Merge the images by distance. */
     if (images > 1) {
         qsort(workspace->nearest, all, sizeof *workspace->nearest, by_distance);
     }
@@ -102,12 +107,16 @@ size_t murk_neighbours_find(const murk_neighbours *neighbours,
     assert(neighbours->k >= 2 && neighbours->max_m > 0);
     const murk_photon *photon = murk_photon_map_photons(neighbours->map);
     const murk_vec3 place = murk_photon_place(of);
+    /* Query more and more photons, and collect those of the same kind in order
+     * of distance. */
     const double most2_m2 = neighbours->max_m * neighbours->max_m;
     const size_t last = LAST_QUERY * neighbours->k;
     for (size_t m = FIRST_QUERY * neighbours->k;; m *= 2) {
         const size_t n = nearest_of_images(neighbours, workspace, place, m);
         const bool ends = n < m || m >= last;
         size_t kept = 0;
+        /* The radius is the distance of the k-th photon of the kind, of the
+         * last photon queried, or the maximum. */
         for (size_t i = 0; i < n; ++i) {
             const near_one *one = &workspace->nearest[i];
             const murk_photon *p = &photon[one->number];

@@ -1,3 +1,6 @@
+/* Tests arbitrary points for free space, with up to two grids whose free space
+ * is known (sensing/reach.h): tries the reached corners of the grid cells
+ * around the point, then the places from which light starts. */
 #include "sensing/open_space.h"
 
 #include "path/segment.h"
@@ -14,7 +17,7 @@ struct murk_open_space {
     size_t n_grids, n_places;
     murk_candidate_grid grid[MURK_OPEN_SPACE_GRIDS];
     murk_free_space reached[MURK_OPEN_SPACE_GRIDS];
-    murk_vec3 *place; /* [n_places] where light starts */
+    murk_vec3 *place; /* [n_places] places from which light starts */
 };
 
 static murk_status find_places(murk_open_space *space,
@@ -50,6 +53,7 @@ murk_status murk_open_space_create(murk_open_space **out,
         return murk_fail(err, MURK_NO_MEMORY, where,
                          "no memory for the free space");
     }
+    /* The places of light, then the free space of each grid. */
     space->domain = reach->domain;
     space->ways = murk_ways_of(surfaces, &space->domain);
     murk_status status = find_places(space, surfaces, reach, where, err);
@@ -80,13 +84,13 @@ void murk_open_space_destroy(murk_open_space *space)
     free(space);
 }
 
-/* Where a way starts. */
+/* The start of a segment. */
 typedef struct start {
     murk_vec3 point, normal;
 } start;
 
-/* A way that starts back through the surface would not meet it: ends do not
- * block. */
+/* A segment that starts back through the surface must be excluded, because
+ * surfaces at the ends of a segment do not block it. */
 static bool leads_to(const murk_open_space *space, const start *from,
                      murk_vec3 to)
 {
@@ -98,7 +102,8 @@ static bool leads_to(const murk_open_space *space, const start *from,
            murk_way_is_open(&space->ways, from->point, near);
 }
 
-/* The grid's points first[axis] .. last[axis] around x. */
+/* The indices of the grid points of the cell around x and of the cells beside
+ * it. */
 static void cells_around(double x, double min, double max, size_t n,
                          size_t *first, size_t *last)
 {

@@ -1,3 +1,5 @@
+/* Tests which places a sensor sees in free space, in the order of cost: range
+ * and field of view, periodic images, surfaces, and transmittance. */
 #include "sensing/outlook.h"
 
 #include "path/viewpoint.h"
@@ -21,7 +23,7 @@ static bool comes_first(murk_vec3 a, murk_vec3 b)
     return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
 }
 
-/* Always asked from the same end, so that the way back is as open. */
+/* Always tested from the same end, so both directions give the same answer. */
 bool murk_outlook_is_open(murk_outlook *o, murk_vec3 from, murk_vec3 to)
 {
     const bool is_turned = comes_first(to, from);

@@ -1,5 +1,7 @@
-/* Pieces of the places are put in maps of their own, each seen by one thread:
- * so memory does not grow with their number, and no sum is shared. */
+/* Coverage of given places: divides the places into pieces, puts each piece
+ * into photon maps of its own, and computes the rows of all sensors for them,
+ * one piece a thread. So memory does not grow with the number of places, and no
+ * sum is shared between threads. */
 #include "sensing/places_seen.h"
 
 #include "base/interrupt.h"
@@ -13,24 +15,26 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Places in a piece. What judges by power looks through all light to begin
- * with, on all threads: so its pieces are large, and seen one by one. */
+/* Places in a piece: small pieces keep memory low. Detection by power first
+ * surveys all light on all threads, so its pieces are large and processed one
+ * after the other. */
 #define PIECE          8192
 #define PIECE_BY_POWER 1048576
 
 typedef struct work {
     const murk_places *places;
-    murk_sight_desc sight, open; /* as plans see; by surfaces alone */
-    const murk_media *media;     /* on open sightlines */
+    murk_sight_desc sight, open; /* as plans see; surfaces only */
+    const murk_media *media;     /* media along unblocked sightlines */
     const murk_pose *pose;
     size_t sensors;
-    size_t piece;  /* places in one */
-    bool is_shown; /* by a bar */
+    size_t piece;  /* places in a piece */
+    bool is_shown; /* with a progress bar */
     murk_place_seen *out;
     murk_error *error; /* [pieces] */
 } work;
 
-/* The places of a piece, as maps; a record's emitted index is its number. */
+/* The places of a piece, as photon maps. The emitted index of a record is the
+ * index of the place in the piece. */
 typedef struct piece {
     murk_photon_map *surface, *volume;
     size_t first, n;
@@ -57,6 +61,7 @@ static murk_status piece_fill(piece *p, const work *w, murk_error *err)
         free(volume);
         return no_memory(err);
     }
+    /* Sort the places into surface and volume records. */
     for (size_t i = 0; i < p->n; ++i) {
         murk_photon record =
             w->places->record(w->places->context, p->first + i);
@@ -102,6 +107,7 @@ static murk_status see(const work *w, const piece *p, murk_error *err)
     if (!status && !murk_views_init(&views, p->n, w->sight.combining, layers)) {
         status = no_memory(err);
     }
+    /* The row of each sensor; then the combined value of each place. */
     for (size_t k = 0; k < w->sensors && !status; ++k) {
         murk_sparse_row row;
         murk_sight_row(sight, 0, &w->pose[k], &row);
@@ -123,7 +129,7 @@ static murk_status see(const work *w, const piece *p, murk_error *err)
     return status;
 }
 
-/* Optical depths of one sensor's open sightlines. */
+/* The optical depths of the unblocked sightlines of one sensor. */
 static void take_depths(const work *w, const piece *p, murk_sight *sight,
                         const murk_pose *pose, double *depth, double *sheets)
 {
@@ -176,9 +182,9 @@ static void see_piece(void *context, uint64_t number)
     }
 }
 
-/* ---- what sees ---- */
+/* ---- the sight ---- */
 
-/* Types that see light however it travels. */
+/* Copies of the types that detect light from any direction. */
 static murk_sensor_type *any_arrival(const murk_sight_desc *like)
 {
     murk_sensor_type *type = malloc(like->types * sizeof *type + 1);
@@ -203,11 +209,13 @@ static void describe(work *w, const murk_sight *like,
                                w->sight.photons_emitted};
     }
     w->piece = by_power ? PIECE_BY_POWER : PIECE;
-    w->is_shown = w->places->step && !by_power; /* which has a bar itself */
+    w->is_shown = w->places->step &&
+                  !by_power; /* the survey of light has a progress bar itself */
     w->sight.threads = by_power ? w->sight.threads : 1;
 }
 
-/* The same without what dims; acceptance and power judge what is dimmed. */
+/* The same sight without attenuation. Acceptance angles and power are left out
+ * as well, because both depend on attenuated light. */
 static void describe_open(work *w, murk_sensor_type *type,
                           const murk_media *clear)
 {
@@ -246,6 +254,8 @@ static murk_status run(work *w, unsigned threads, murk_error *err)
     if (w->is_shown) {
         murk_progress_begin(w->places->step, n, "places");
     }
+    /* One piece a thread; the first error in the order of the pieces is
+     * reported. */
     murk_pool_run(w->sight.threads > 1 ? 1 : threads, pieces, see_piece, w);
     if (w->is_shown) {
         murk_progress_end();

@@ -26,8 +26,8 @@ typedef struct murk_place_seen {
 
 typedef struct murk_places {
     size_t n;
-    /* Record of place i: position, normal, band, material, and whether it lies in the
-     * volume. Called on any thread. */
+    /* Record of place i: position, normal, band, material, and whether it lies
+     * in the volume. Called on any thread. */
     murk_photon (*record)(const void *context, size_t i);
     const void *context;
     bool wants_depth;

@@ -1,3 +1,7 @@
+/* Detection by power: gathers the photons around every place once, in batches
+ * over all threads, and stores radiances of surface places as numbers and
+ * photons of volume places as lists, because the phase function depends on the
+ * direction to the sensor. Formulas: sensing/power.h. */
 #include "sensing/power.h"
 
 #include "base/interrupt.h"
@@ -9,13 +13,14 @@
 #include <assert.h>
 #include <stdlib.h>
 
+/* Places of a task, and of a list (a choice). */
 #define BATCH_PHOTONS 1024
 
-/* Of the largest radius: neighbours nearer than that are one spot. */
+/* Share of the maximum radius: photons nearer than that count as one spot. */
 #define MIN_RADIUS 1e-3
 
-/* The light around a batch's photons of the volume map: photon i's is
- * list[begin[i]] to list[begin[i + 1]]. */
+/* Photons around a batch of volume places: place i has list[begin[i]] ..
+ * list[begin[i + 1] - 1]. */
 typedef struct chunk {
     uint32_t begin[BATCH_PHOTONS + 1];
     uint32_t *list;
@@ -29,8 +34,9 @@ struct murk_power {
     float *radiance; /* [surface photons] */
     chunk **chunk;   /* [chunks], by batches of the volume map */
     size_t chunks;
-    uint32_t *few;    /* [batches of surface, then volume] places */
-    uint32_t **found; /* [threads], while it is made; so is */
+    uint32_t *few; /* places with few photons, [batches of the surface map, then
+                      of the volume map] */
+    uint32_t **found; /* [threads] scratch during creation, like */
     murk_neighbours_workspace **workspace;
 };
 
@@ -45,17 +51,18 @@ static size_t end_of(const murk_photon_map *map, size_t first)
     return n - first < BATCH_PHOTONS ? n : first + BATCH_PHOTONS;
 }
 
-/* ---- what lies around ---- */
+/* ---- gathering ---- */
 
-/* The radius within which all count. Where the neighbours decide, that is where
- * these lie next to each other: single precision tells it in domains of up to
- * some 1e5 times the least distance. */
+/* The fixed radius. With neighbours it is the radius of a single spot of light;
+ * single precision resolves it in domains of up to some 1e5 times that radius.
+ */
 static double within_m(const murk_power_desc *desc)
 {
     return desc->neighbours > 0 ? MIN_RADIUS * desc->radius_m : desc->radius_m;
 }
 
-/* The emitted photon that says nothing of this place. */
+/* The emitted photon to be left out at this place: that of the place, if the
+ * place is a record of the light itself. */
 static uint64_t path_of(const murk_power *power, const murk_photon *of)
 {
     const murk_power_desc *desc = &power->desc;
@@ -65,15 +72,16 @@ static uint64_t path_of(const murk_power *power, const murk_photon *of)
     return is_own ? murk_photon_emitted(of) : MURK_VICINITY_ALL;
 }
 
-/* What tells of a place: its numbers are found[0..n). */
+/* The photons of an estimate: found[0..n). */
 typedef struct gathered {
     size_t n;
-    int level; /* of its vicinity */
+    int level; /* thinning level of the vicinity */
     double radius_m, factor;
 } gathered;
 
-/* As far as enough reach, but where that is next to nothing (a beam's spot):
- * there, and with a radius that is given, all within it. */
+/* Gathers the photons of an estimate: the nearest ones; or, for a fixed radius
+ * and in a spot of light where the nearest ones lie next to each other, all
+ * within the fixed radius. */
 static gathered gather(const murk_power *power, const murk_vicinity *vicinity,
                        unsigned worker, const murk_photon *of)
 {
@@ -81,6 +89,7 @@ static gathered gather(const murk_power *power, const murk_vicinity *vicinity,
     const bool is_volume = murk_photon_is_volume(of);
     const uint64_t path = path_of(power, of);
     uint32_t *found = power->found[worker];
+    /* The nearest photons, unless their radius is that of a spot. */
     if (desc->neighbours > 0) {
         const murk_neighbours neighbours = {
             .map = is_volume ? desc->light.volume_map : desc->light.surface_map,
@@ -97,6 +106,8 @@ static gathered gather(const murk_power *power, const murk_vicinity *vicinity,
             return g;
         }
     }
+    /* All photons within the fixed radius that are of the same band and side.
+     */
     const murk_around a =
         murk_vicinity_find(vicinity, murk_photon_place(of), path, found);
     const murk_photon *photon = murk_vicinity_photons(vicinity, a.level);
@@ -134,7 +145,7 @@ static void survey_surface(void *context, unsigned worker, uint64_t batch)
     murk_progress_add(end - first);
 }
 
-/* False without memory. */
+/* False when out of memory. */
 static bool survey_place(murk_power *power, size_t i, unsigned worker, chunk *c)
 {
     const gathered g =
@@ -144,6 +155,7 @@ static bool survey_place(murk_power *power, size_t i, unsigned worker, chunk *c)
     if (begin + g.n > UINT32_MAX) {
         return false;
     }
+    /* Append the photons of the place to the list of the batch. */
     uint32_t *more = realloc(c->list, (begin + g.n + 1) * sizeof *more);
     if (!more) {
         return false;
@@ -241,6 +253,7 @@ static murk_status allocate(murk_power *power, murk_error *err)
     if (status) {
         return status;
     }
+    /* Results, and the workspace of each thread. */
     const size_t a = murk_vicinity_capacity(power->surface);
     const size_t b = murk_vicinity_capacity(power->volume);
     power->chunks = batches_of(desc->volume_map);
@@ -314,6 +327,7 @@ murk_status murk_power_create(murk_power **out, const murk_power_desc *desc,
         status = no_memory(desc, err);
         goto done;
     }
+    /* Allocate, then gather the photons around every place. */
     power->desc = *desc;
     status = allocate(power, err);
     if (!status) {
@@ -349,7 +363,7 @@ void murk_power_destroy(murk_power *power)
     free(power);
 }
 
-/* ---- asking ---- */
+/* ---- queries ---- */
 
 size_t murk_power_few(const murk_power *power)
 {

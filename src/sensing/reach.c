@@ -1,3 +1,8 @@
+/* Free space of a grid: distances to surfaces and steps between neighbours are
+ * tested in parallel; then a flood fill starts at every point that a lamp or an
+ * open side reaches. The steps are tested before the fill, so the result is a
+ * closure and does not depend on the order. Bytes instead of bits keep the
+ * tasks free of shared words. */
 #include "sensing/reach.h"
 
 #include "base/interrupt.h"
@@ -9,11 +14,12 @@
 
 #include <stdlib.h>
 
+/* Grid points of a task (a choice). */
 #define BATCH_POINTS 1024
 
 enum reached {
     UNREACHED,
-    SEEN_BY_LIGHT, /* its neighbours are still to be visited */
+    SEEN_BY_LIGHT, /* reached, but not yet expanded */
     REACHED
 };
 
@@ -26,10 +32,11 @@ typedef struct search {
     size_t stride[3];
     murk_ways ways;
     uint8_t *closeness;
-    uint8_t *open; /* bit `axis`: the step onward along the axis is open */
+    uint8_t *open; /* bit `axis`: the step to the next point along the axis is
+                      open */
     uint8_t *reached;
     uint32_t *stack;
-    murk_vec3 light; /* the place that points are asked to see */
+    murk_vec3 light; /* the place of light under test */
 } search;
 
 static size_t batch_end(const search *s, uint64_t batch)
@@ -53,9 +60,9 @@ static void measure_closeness(void *context, uint64_t batch)
 
 /* ---- steps between neighbours ---- */
 
-/* The next point along the axis that is not on a surface, and whether the way
- * there wraps at a periodic side. Passing over points on surfaces lets a sheet
- * that lies in a plane of the grid be crossed like any other. */
+/* The next point along the axis that is not on a surface; *wraps if the step
+ * crosses a periodic side. Points on a surface are skipped, so a transmitting
+ * sheet in a plane of the grid can be crossed like any other sheet. */
 static bool onward(const search *s, size_t point, int axis, size_t *next,
                    bool *wraps)
 {
@@ -74,7 +81,7 @@ static bool onward(const search *s, size_t point, int axis, size_t *next,
     return false;
 }
 
-/* The point whose onward step leads to `point`. */
+/* The point from which the step onward leads to `point`. */
 static bool backward(const search *s, size_t point, int axis, size_t *previous)
 {
     const size_t n = s->grid->size[axis];
@@ -135,8 +142,8 @@ static size_t push(search *s, size_t depth, size_t point)
     return depth;
 }
 
-/* Visits all that open steps lead to from `point`. A point is pushed once, so
- * the stack holds all. */
+/* Marks all points that open steps lead to from `point`. Each point is pushed
+ * once, so the stack has space for all. */
 static void flood(search *s, size_t point)
 {
     size_t depth = push(s, 0, point);
@@ -156,7 +163,7 @@ static void flood(search *s, size_t point)
     }
 }
 
-/* ---- where free space is entered from ---- */
+/* ---- points that light reaches ---- */
 
 static void ask_light(void *context, uint64_t batch)
 {
@@ -199,7 +206,7 @@ static void enter_by(search *s, murk_job ask)
     }
 }
 
-/* ---- doubt ---- */
+/* ---- doubtful points ---- */
 
 static bool diagonal_is_open(const search *s, size_t point, const int step[3])
 {
@@ -210,7 +217,9 @@ static bool diagonal_is_open(const search *s, size_t point, const int step[3])
             (step[axis] > 0 && at + 1 == s->grid->size[axis])) {
             return false;
         }
-        other += (size_t)step[axis] * s->stride[axis]; /* modular: may be < 0 */
+        other += (size_t)step[axis] *
+                 s->stride[axis]; /* unsigned arithmetic: the sum is right even
+                                     if the step is negative */
     }
     return s->reached[other] &&
            murk_way_is_open(&s->ways, murk_candidate_grid_point(s->grid, other),
@@ -241,6 +250,7 @@ static void find_doubtful(void *context, uint64_t batch)
     murk_progress_add(end - begin);
 }
 
+/* Runs the whole test: distances, steps, lamps, sides, doubtful points. */
 static void explore(search *s)
 {
     const uint64_t batches = (s->points + BATCH_POINTS - 1) / BATCH_POINTS;
@@ -277,6 +287,8 @@ murk_status murk_free_space_find(murk_free_space *out,
                 .points = n[0] * n[1] * n[2],
                 .stride = {1, n[0], n[0] * n[1]},
                 .ways = murk_ways_of(surfaces, &reach->domain)};
+    /* Allocate, explore, and hand the arrays over; `open` then has the doubtful
+     * points. */
     s.closeness = malloc(s.points);
     s.open = malloc(s.points);
     s.reached = calloc(s.points, 1);

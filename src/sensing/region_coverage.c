@@ -1,25 +1,27 @@
-/* A region's coverage is what the total would be if nothing else were there and
- * every region weighed 1; so is its error, by emitted photon (the formula:
- * sensing/coverage.c). */
+/* Coverage of regions of interest. The coverage of a region is the total that
+ * would result if all other photons were absent and every region had weight 1.
+ * The error is by emitted photon, with the formula of sensing/coverage.c; one
+ * pass over the sorted photons computes the residuals of all regions. */
 #include "sensing/region_coverage.h"
 
 #include <string.h>
 
-/* Of one region: power seen and all, by map. */
+/* One region: covered and whole power, by map. */
 typedef struct share {
     double seen_w[2], whole_w[2];
     size_t photons;
-    /* What a record adds to the residual, over its power: (seen - mean) *
-     * scale, by its map. */
+    /* A record adds power * (seen - mean) * scale to the residual, with the
+     * values of its map. */
     double mean[2], scale[2];
-    double residual, squares; /* of the emitted photon at hand; of all */
+    double residual,
+        squares; /* residual of the present emitted photon; sum of squares */
 } share;
 
 typedef struct sums {
     const murk_sight *sight;
     const murk_sight_desc *desc;
     const murk_photon *photon[2];
-    size_t first[2]; /* of each map's photons */
+    size_t first[2]; /* first photon of each map */
     size_t photons;
     share part[MURK_INTERESTS_MAX];
 } sums;
@@ -52,7 +54,8 @@ static void add_up(sums *s, murk_photon_view seen, const void *context)
     }
 }
 
-/* Fills mean and scale; returns the coverage, NaN where nothing has weight. */
+/* Sets mean and scale; returns the coverage, NaN for a region without weight.
+ */
 static double set_coverage(share *part, const murk_map_weights *weights)
 {
     const double given[2] = {weights->surface, weights->volume};
@@ -94,6 +97,7 @@ static void square_residuals(sums *s, const uint64_t *key,
 {
     uint64_t touched = 0;
     for (size_t k = 0; k < s->photons; ++k) {
+        /* A new emitted photon: square the residuals of the last one. */
         if (k > 0 && key[k] >> 32 != key[k - 1] >> 32) {
             add_squares(s, touched);
             touched = 0;
@@ -126,6 +130,7 @@ void murk_region_coverage_measure(murk_region_coverage *out,
               .first = {0, murk_photon_map_count(desc->surface_map)},
               .photons = murk_sight_photons(sight)};
     memset(out, 0, desc->interest->n * sizeof *out);
+    /* Coverage of each region, then the errors. */
     add_up(&s, seen, context);
     for (size_t r = 0; r < desc->interest->n; ++r) {
         out[r].photons = s.part[r].photons;

@@ -1,3 +1,6 @@
+/* Frames and fields of view of poses. The frame consists of horizontal and
+ * tilted unit vectors (heading clockwise from north); the field of view is
+ * tested by dot products only, without angles. */
 #include "sensing/sensor.h"
 
 #include <math.h>

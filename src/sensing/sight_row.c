@@ -1,26 +1,31 @@
-/* One look: which photons are near, face the sensor, and are seen through what
- * lies between. */
+/* The row of one sensor in the coverage matrix: queries both photon maps for
+ * photons within range, tests field of view, band and normal, tests the
+ * sightlines against surfaces in blocks, and computes the clarity. Photons
+ * beyond an interface are found by sensing/across.h. Writes to the worker's
+ * scratch buffers only. */
 #include "sensing/across.h"
 #include "sensing/nearby.h"
 #include "sensing/sight_parts.h"
 
 #include <assert.h>
 
-/* Sightlines tested together: neighbours of one map that share the sensor. */
+/* Sightlines tested together: neighbours in a map that end at one sensor.
+ * Bigger blocks no longer gain; the arrays stay on the stack. */
 #define BLOCK 2048
 
-/* One look under way. */
+/* The state of the search for one row. */
 typedef struct row_search {
     murk_sight *sight;
     murk_vec3 sensor;
     murk_path_space space;
-    double range_m, query_m; /* of the type; of what may appear in it */
+    double range_m, query_m; /* range of the type; radius of the query, which
+                                interfaces may enlarge */
     const murk_sensor_type *type;
     murk_field field;
-    bool has_filter;                 /* something but the range limits the view */
-    uint32_t bands;                /* seen, by bits */
+    bool has_filter;               /* the type limits more than the range */
+    uint32_t bands;                /* one bit for each band detected */
     murk_path_viewpoint viewpoint; /* of the sensor, in that space */
-    murk_across across; /* where there are interfaces to see through */
+    murk_across across;            /* if there are interfaces to look through */
     uint32_t *photon;
     uint16_t *clarity;
     size_t seen;
@@ -66,7 +71,8 @@ static void test_sightlines(const row_search *l, const murk_vec3 *from,
     }
 }
 
-/* The clarity of a photon, number i of its map, seen along these lines. */
+/* The clarity of photon i of its map along these sightlines. Without detection
+ * by power the largest transmittance counts; with power the signals add up. */
 static uint16_t clarity_along(const row_search *l, const murk_photon *p,
                               size_t i, const murk_sightline *line,
                               size_t lines)
@@ -89,7 +95,8 @@ static uint16_t clarity_along(const row_search *l, const murk_photon *p,
                           sight->desc.power.band_nm[murk_photon_band(p)]));
 }
 
-/* By the straight line from where sightlines to it start. */
+/* The clarity along the straight line from `from`, the start of sightlines to
+ * the photon. */
 static uint16_t clarity_of(const row_search *l, const murk_photon *p, size_t i,
                            murk_vec3 from)
 {
@@ -115,8 +122,9 @@ static uint16_t clarity_of(const row_search *l, const murk_photon *p, size_t i,
     return clarity_along(l, p, i, &line, 1);
 }
 
-/* Takes up n photons (numbers within their map, sightlines from `from`) in
- * place: what is written never passes what is read. */
+/* Adds n photons (indices in their map, sightlines from `from`) if they are
+ * visible. Works in place: the write position never passes the read position.
+ */
 static void add_visible(row_search *l, const murk_photon *photon,
                         uint32_t first, const uint32_t *number,
                         const murk_vec3 *from, size_t n)
@@ -140,8 +148,9 @@ static void add_visible(row_search *l, const murk_photon *photon,
     }
 }
 
-/* Whether the photon is such, and lies where, the sensor takes it up. `sensor`
- * is the sensor's image nearest to it. */
+/* True if the sensor can detect this photon: band, position and direction pass
+ * the filters of the type. `sensor` is the image of the sensor nearest to the
+ * photon. */
 static bool is_detectable(const row_search *l, const murk_photon *photon,
                           murk_vec3 at, murk_vec3 sensor)
 {
@@ -152,15 +161,16 @@ static bool is_detectable(const row_search *l, const murk_photon *photon,
             murk_field_takes(&l->field, way, murk_photon_direction(photon)));
 }
 
-/* The query reaches farther than the range where things may appear nearer. */
+/* True if the photon is beyond the range: the query is wider if objects behind
+ * interfaces may appear nearer. */
 static bool is_beyond(const row_search *l, murk_vec3 at, murk_vec3 sensor)
 {
     const murk_vec3 way = murk_sub(at, sensor);
     return !(murk_dot(way, way) <= l->range_m * l->range_m);
 }
 
-/* Takes up a photon that lies in another index than the sensor, if it is seen.
- * `from` is its place, off its surface. */
+/* Adds a photon in a medium of another refractive index, if it is visible.
+ * `from` is the position, off the surface. */
 static void add_across(row_search *l, const murk_photon *p,
                        const murk_side *facing, murk_vec3 from, double index,
                        uint32_t first, uint32_t number)
@@ -191,12 +201,15 @@ static void search_map(row_search *l, const murk_photon_map *map,
     uint32_t number[BLOCK];
     murk_side sides[MURK_SIDES] = {{0}};
     size_t filled = 0;
+    /* Filter the photons, and test those that remain in blocks. */
     for (size_t i = 0; i < n; ++i) {
         const murk_photon *p = &photon[found[i]];
         murk_vec3 at = murk_photon_place(p);
         const murk_vec3 sensor =
             is_periodic ? murk_path_nearest_image(&desc->domain, l->sensor, at)
                         : l->sensor;
+        /* A photon in another index is handled alone, after the block before
+         * it, so the order stays. */
         if (l->across.interfaces) {
             const murk_side *facing =
                 murk_photon_is_volume(p)
@@ -218,6 +231,7 @@ static void search_map(row_search *l, const murk_photon_map *map,
         if (l->has_filter && !is_detectable(l, p, at, sensor)) {
             continue;
         }
+        /* The normal of a surface photon must face the sensor. */
         if (!murk_photon_is_volume(p)) {
             const murk_side *facing = murk_side_recall(
                 sides, desc->surfaces, murk_photon_packed_normal(p));
@@ -237,8 +251,8 @@ static void search_map(row_search *l, const murk_photon_map *map,
     add_visible(l, photon, first, number, from, filled);
 }
 
-/* Grazing, things may appear farther than anything is: range_m may be infinite
- * here. */
+/* Prepares the search through interfaces. At grazing angles objects may appear
+ * farther than any real distance, so range_m may be infinite. */
 static void prepare_across(row_search *l, double range_m)
 {
     murk_sight *sight = l->sight;
@@ -265,21 +279,22 @@ void murk_sight_row(murk_sight *sight, unsigned worker, const murk_pose *pose,
     const double range_m = fmin(type->range_m, sight->max_m);
     const murk_scratch *s = &sight->worker[worker];
     const murk_media *accepting = sight->accepting[pose->type];
-    row_search l = {.sight = sight,
-              .sensor = pose->position,
-              .range_m = range_m,
-              .query_m = range_m,
-              .type = type,
-              .field = murk_field_of(type, pose, desc->north),
-              .has_filter = type->view != MURK_VIEW_SPHERE || type->bands ||
-                          type->toward || type->least_range_m > 0,
-              .bands = type->bands ? type->bands : UINT32_MAX,
-              .space = murk_path_space_of(desc->surfaces,
-                                          accepting ? accepting : desc->media,
-                                          desc->boundary_meshes, &desc->domain),
-              .photon = s->photon,
-              .clarity = s->clarity,
-              .is_binary = true};
+    row_search l = {
+        .sight = sight,
+        .sensor = pose->position,
+        .range_m = range_m,
+        .query_m = range_m,
+        .type = type,
+        .field = murk_field_of(type, pose, desc->north),
+        .has_filter = type->view != MURK_VIEW_SPHERE || type->bands ||
+                      type->toward || type->least_range_m > 0,
+        .bands = type->bands ? type->bands : UINT32_MAX,
+        .space = murk_path_space_of(desc->surfaces,
+                                    accepting ? accepting : desc->media,
+                                    desc->boundary_meshes, &desc->domain),
+        .photon = s->photon,
+        .clarity = s->clarity,
+        .is_binary = true};
     l.viewpoint = murk_path_viewpoint_at(&l.space, pose->position);
     if (sight->interfaces) {
         prepare_across(&l, type->range_m);

@@ -1,3 +1,7 @@
+/* Photons within a fixed radius, from copies of the map that are thinned step
+ * by step: each level keeps the records of the first half of the emitted
+ * photons, or every second record if that would keep too many. The level is
+ * chosen by the number of photons within the radius in the full map. */
 #include "sensing/vicinity.h"
 
 #include "path/segment.h"
@@ -7,26 +11,26 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Each holds at most three quarters of the one before: 2^32 records come to one
- * in 78. */
+/* Each level holds at most three quarters of the one before: after 78 levels
+ * 2^32 records are reduced to one. */
 #define LEVELS 80
 
-/* Of the records that a half of the emitted photons left, at most: else few
- * paths left them, and records are halved themselves. */
+/* Largest share of the records that halving the emitted photons may keep; with
+ * more, few paths left the records, and the records themselves are halved. */
 #define SHARE_MAX 0.75
 
 struct murk_vicinity {
     const murk_domain *domain;
     const murk_photon_map *map[LEVELS];
-    murk_photon_map *half[LEVELS]; /* owned; half[0] is none */
-    uint64_t emitted[LEVELS];      /* photons, of which a level tells */
-    double each[LEVELS];           /* records that one of a level stands for */
+    murk_photon_map *half[LEVELS]; /* owned; half[0] is NULL */
+    uint64_t emitted[LEVELS];      /* emitted photons of each level */
+    double each[LEVELS]; /* records that one record of a level stands for */
     int levels;
     double radius_m;
     size_t max;
 };
 
-/* Of the first emitted photons alone, or every second record. */
+/* A thinning step: the first emitted photons, or every second record. */
 typedef struct thinning {
     uint64_t emitted;
     bool by_record;
@@ -93,6 +97,7 @@ murk_status murk_vicinity_create(murk_vicinity **out,
                                  murk_error *err)
 {
     assert(maximum > 0 && radius_m > 0);
+    /* Add levels until one holds no more than the maximum. */
     murk_vicinity *v = calloc(1, sizeof *v);
     if (!v) {
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for a vicinity");
@@ -134,8 +139,8 @@ const murk_photon *murk_vicinity_photons(const murk_vicinity *v, int level)
     return murk_photon_map_photons(v->map[level]);
 }
 
-/* Images that are farther off count too often at most, and then the photons are
- * halved once more than needed. */
+/* The number of photons within the radius in the full map. Far images may be
+ * counted as well; then the photons are thinned once more than necessary. */
 static size_t count(const murk_vicinity *v, murk_vec3 center)
 {
     const murk_vec3 period = murk_sub(v->domain->box.max, v->domain->box.min);
@@ -151,8 +156,9 @@ static size_t count(const murk_vicinity *v, murk_vec3 center)
     return n;
 }
 
-/* By how many lie there in all, not by how many of a level do: the level must
- * not depend on which of them are left. */
+/* The level for n photons within the radius. It depends on the count in the
+ * full map, not on the records that a level kept, so the choice is independent
+ * of the thinning. */
 static int level_for(const murk_vicinity *v, size_t n)
 {
     const double all = (double)murk_photon_map_count(v->map[0]);

@@ -1,8 +1,13 @@
+/* Whole-number weights: scales the powers of the photons so that the weights
+ * use as many bits as 32 bits a photon and 47 bits for the sum allow, and
+ * rounds. `balanced` gives both maps the same sum. */
 #include "sensing/weights.h"
 
-/* The sum of all weights, times the views that count, stays below this. */
+/* The sum of all weights times the entries that count stays below this
+ * (placement/problem.h). */
 #define WEIGHT_SUM 0x1p47
 
+/* The largest 32-bit number. */
 #define WEIGHT_MAX 4294967295.0
 
 typedef struct powers {
@@ -38,8 +43,8 @@ static powers add_up(const murk_photon_map *map,
     return p;
 }
 
-/* Rounding adds half a unit a record at most, so a sum of `most - n` stays
- * under `most`. */
+/* The largest sum of unrounded weights: rounding adds at most half a unit a
+ * record, so a sum of `max - n` stays below max. */
 static double largest_sum(const powers *p, double max)
 {
     const double by_weight = p->max > 0 ? WEIGHT_MAX * (p->sum / p->max) : 0;
@@ -54,9 +59,10 @@ static void scale(uint32_t *weight, const powers *p, double factor)
     }
 }
 
-/* Each map's weights add up to the same; one without power leaves all to the
- * other. The mean weight of the larger map, whose weights are the smaller, is
- * made whole: so equal powers are not rounded there, all the same way. */
+/* Gives each map's weights the same sum; a map without power leaves all weight
+ * to the other. The mean weight of the map with more records, which has smaller
+ * weights, is a whole number, so equal powers are not all rounded the same way
+ * there. */
 static void balance(double *factor_surface, double *factor_volume,
                     const powers *surface, const powers *volume, double whole)
 {
@@ -79,6 +85,7 @@ murk_photon_weights(uint32_t *weight, const murk_photon_map *surface,
                     const murk_photon_factors *factors, unsigned views,
                     const char *where, murk_error *err)
 {
+    /* Refuse weights of the maps without a positive sum. */
     const double a = maps->surface, b = maps->volume,
                  whole = WEIGHT_SUM / views;
     if (!maps->balanced &&
@@ -90,6 +97,7 @@ murk_photon_weights(uint32_t *weight, const murk_photon_map *surface,
     }
     const powers s = add_up(surface, factors, 0);
     const powers v = add_up(volume, factors, s.n);
+    /* One factor for each map, as large as both limits allow. */
     double factor_surface, factor_volume;
     if (maps->balanced) {
         balance(&factor_surface, &factor_volume, &s, &v, whole);
