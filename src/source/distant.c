@@ -116,23 +116,20 @@ static double share_faces(murk_source_state *s, const murk_domain *domain)
     return area_m2;
 }
 
-static murk_status open_up(murk_source_state *s, const murk_domain *domain,
-                           double *area_m2, murk_error *err)
+static murk_status open_up(murk_source_state *s, murk_error *err)
 {
     const murk_status status =
-        murk_entry_faces_create(&s->entry_faces, &s->light, domain, err);
+        murk_entry_faces_create(&s->entry_faces, &s->light, s->domain, err);
     if (!status) {
-        *area_m2 = murk_entry_faces_area_m2(s->entry_faces);
+        s->power_scale = murk_entry_faces_area_m2(s->entry_faces);
     }
     return status;
 }
 
-static murk_status prepare_directional(murk_source_state *s,
-                                       const murk_domain *domain, bool is_dark,
-                                       double *area_m2, murk_error *err)
+static murk_status prepare_directional(murk_source_state *s, murk_error *err)
 {
     const double radius = s->light.angular_radius_rad;
-    murk_status status = check_portals(&s->light, domain, err);
+    murk_status status = check_portals(&s->light, s->domain, err);
     if (!status) {
         status = murk_source_prepare_direction(s, err);
     }
@@ -142,28 +139,28 @@ static murk_status prepare_directional(murk_source_state *s,
                            radius, MURK_DISC_RAD_MAX);
     }
     const murk_vec3 d = s->light.direction;
-    if (!status && domain->is_periodic && !is_dark && !(d.z < 0)) {
+    if (!status && s->domain->is_periodic && !s->is_dark && !(d.z < 0)) {
         status = murk_fail(err, MURK_BAD_VALUE, s->light.where,
                            "direction is [%g, %g, %g], must go down: light "
                            "enters a periodic domain through its top only",
                            d.x, d.y, d.z);
     }
     if (!status && (radius > 0 || s->light.portals > 0)) {
-        status = open_up(s, domain, area_m2, err);
+        status = open_up(s, err);
     } else if (!status) {
-        *area_m2 = share_faces(s, domain);
+        s->power_scale = share_faces(s, s->domain);
     }
     return status;
 }
 
 static murk_ray emit_directional(const murk_source_state *s,
-                                 const murk_box *box,
                                  const double u[MURK_ENTRY_FACES_NUMBERS])
 {
     if (s->entry_faces) {
         return murk_entry_faces_emit(s->entry_faces, u);
     }
     const murk_vec3 d = s->light.direction;
+    const murk_box *box = &s->domain->box;
     murk_vec3 p = {box->min.x + u[1] * (box->max.x - box->min.x),
                    box->min.y + u[2] * (box->max.y - box->min.y),
                    box->min.z + u[3] * (box->max.z - box->min.z)};
@@ -221,11 +218,9 @@ static murk_glare disc_glare(const murk_source_state *s, int band,
 
 /* ---- the sky ---- */
 
-static murk_status prepare_dome(murk_source_state *s, const murk_domain *domain,
-                                bool is_dark, double *area_m2, murk_error *err)
+static murk_status prepare_dome(murk_source_state *s, murk_error *err)
 {
-    (void)is_dark;
-    const murk_status status = check_portals(&s->light, domain, err);
+    const murk_status status = check_portals(&s->light, s->domain, err);
     if (status) {
         return status;
     }
@@ -246,13 +241,12 @@ static murk_status prepare_dome(murk_source_state *s, const murk_domain *domain,
                          "zero: this sky is brightest about the sun",
                          sun.x, sun.y, sun.z);
     }
-    return open_up(s, domain, area_m2, err);
+    return open_up(s, err);
 }
 
-static murk_ray emit_dome(const murk_source_state *s, const murk_box *box,
+static murk_ray emit_dome(const murk_source_state *s,
                           const double u[MURK_ENTRY_FACES_NUMBERS])
 {
-    (void)box;
     return murk_entry_faces_emit(s->entry_faces, u);
 }
 

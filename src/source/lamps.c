@@ -58,26 +58,21 @@ static murk_box ball_box(const murk_source *l)
 
 /* ---- sphere ---- */
 
-static murk_status prepare_sphere(murk_source_state *s,
-                                  const murk_domain *domain, bool is_dark,
-                                  double *power_scale, murk_error *err)
+static murk_status prepare_sphere(murk_source_state *s, murk_error *err)
 {
-    (void)is_dark;
-    (void)power_scale;
     const murk_source *l = &s->light;
     const double r = l->radius_m;
     if (!(r > 0 && isfinite(r))) {
         return murk_fail(err, MURK_BAD_VALUE, l->where,
                          "radius_m is %g m, must be above 0 m", r);
     }
-    return murk_source_check_inside(domain, l->position, murk_vec(r, r, r),
+    return murk_source_check_inside(s->domain, l->position, murk_vec(r, r, r),
                                     "the lamp", l->where, err);
 }
 
-static murk_ray emit_sphere(const murk_source_state *s, const murk_box *box,
+static murk_ray emit_sphere(const murk_source_state *s,
                             const double u[MURK_ENTRY_FACES_NUMBERS])
 {
-    (void)box;
     const murk_source *l = &s->light;
     const murk_vec3 normal = isotropic(u[0], u[1]);
     return (murk_ray){.origin = murk_along(l->position, l->radius_m, normal),
@@ -133,22 +128,18 @@ static murk_glare sphere_glare(const murk_source_state *s, int band,
 
 /* ---- rectangle ---- */
 
-static murk_status prepare_rect(murk_source_state *s, const murk_domain *domain,
-                                bool is_dark, double *power_scale,
-                                murk_error *err)
+static murk_status prepare_rect(murk_source_state *s, murk_error *err)
 {
-    (void)is_dark;
-    (void)power_scale;
     const murk_source *l = &s->light;
     const murk_portal sheet = {l->position, l->edge1, l->edge2};
     s->normal = murk_unit(murk_cross(l->edge1, l->edge2));
-    return murk_source_check_sheet(&sheet, domain, "the lamp's", l->where, err);
+    return murk_source_check_sheet(&sheet, s->domain, "the lamp's", l->where,
+                                   err);
 }
 
-static murk_ray emit_rect(const murk_source_state *s, const murk_box *box,
+static murk_ray emit_rect(const murk_source_state *s,
                           const double u[MURK_ENTRY_FACES_NUMBERS])
 {
-    (void)box;
     const murk_source *l = &s->light;
     const murk_vec3 p = murk_along(l->position, u[0], l->edge1);
     return (murk_ray){.origin = murk_along(p, u[1], l->edge2),
@@ -250,12 +241,8 @@ static double cone_of(const murk_source *beam)
     return 2 * s * s;
 }
 
-static murk_status prepare_beam(murk_source_state *s, const murk_domain *domain,
-                                bool is_dark, double *power_scale,
-                                murk_error *err)
+static murk_status prepare_beam(murk_source_state *s, murk_error *err)
 {
-    (void)is_dark;
-    (void)power_scale;
     const murk_source *l = &s->light;
     const double r = l->radius_m, half = l->divergence_rad;
     if (!(r >= 0 && isfinite(r))) {
@@ -275,14 +262,13 @@ static murk_status prepare_beam(murk_source_state *s, const murk_domain *domain,
     const murk_vec3 reach = {r * sqrt(d.y * d.y + d.z * d.z),
                              r * sqrt(d.x * d.x + d.z * d.z),
                              r * sqrt(d.x * d.x + d.y * d.y)};
-    return murk_source_check_inside(domain, l->position, reach,
+    return murk_source_check_inside(s->domain, l->position, reach,
                                     "the beam's disc", l->where, err);
 }
 
-static murk_ray emit_beam(const murk_source_state *s, const murk_box *box,
+static murk_ray emit_beam(const murk_source_state *s,
                           const double u[MURK_ENTRY_FACES_NUMBERS])
 {
-    (void)box;
     const murk_source *l = &s->light;
     murk_ray ray = {.origin = l->position, .direction = l->direction};
     murk_vec3 t, b;
@@ -379,21 +365,16 @@ static double beam_near(const murk_source *l, int band, murk_vec3 way,
 
 /* ---- point ---- */
 
-static murk_status prepare_point(murk_source_state *s,
-                                 const murk_domain *domain, bool is_dark,
-                                 double *power_scale, murk_error *err)
+static murk_status prepare_point(murk_source_state *s, murk_error *err)
 {
-    (void)is_dark;
-    (void)power_scale;
     const murk_vec3 none = {0, 0, 0};
-    return murk_source_check_inside(domain, s->light.position, none, "the lamp",
-                                    s->light.where, err);
+    return murk_source_check_inside(s->domain, s->light.position, none,
+                                    "the lamp", s->light.where, err);
 }
 
-static murk_ray emit_point(const murk_source_state *s, const murk_box *box,
+static murk_ray emit_point(const murk_source_state *s,
                            const double u[MURK_ENTRY_FACES_NUMBERS])
 {
-    (void)box;
     return (murk_ray){.origin = s->light.position,
                       .direction = isotropic(u[0], u[1])};
 }

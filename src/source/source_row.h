@@ -8,12 +8,11 @@
 #include "source/source_state.h"
 
 typedef struct murk_source_row {
-    /* Checks s->light against the domain and fills the rest of *s. Sets
-     * *power_scale for light given by irradiance; is_dark: without power. */
-    murk_status (*prepare)(murk_source_state *s, const murk_domain *domain,
-                           bool is_dark, double *power_scale, murk_error *err);
+    /* Checks s->light against s->domain and fills the rest of *s; for light
+     * that is given by irradiance also s->power_scale. */
+    murk_status (*prepare)(murk_source_state *s, murk_error *err);
     /* The start of a photon. */
-    murk_ray (*emit)(const murk_source_state *s, const murk_box *box,
+    murk_ray (*emit)(const murk_source_state *s,
                      const double u[MURK_ENTRY_FACES_NUMBERS]);
     /* As murk_sources_shine(); *shine is {0} but for distance_m and per_sr,
      * which are infinite. */

@@ -124,14 +124,12 @@ const murk_source_row *murk_source_row_of(const murk_source *light)
 }
 
 murk_status murk_source_state_prepare(murk_source_state *s, size_t bands,
-                                      const murk_domain *domain,
-                                      double *power_scale, murk_error *err)
+                                      murk_error *err)
 {
     const murk_status status = check_power(&s->light, bands, err);
-    *power_scale = 1;
-    return status ? status
-                  : murk_source_row_of(&s->light)->prepare(
-                        s, domain, is_dark(&s->light, bands), power_scale, err);
+    s->power_scale = 1;
+    s->is_dark = is_dark(&s->light, bands);
+    return status ? status : murk_source_row_of(&s->light)->prepare(s, err);
 }
 
 void murk_source_state_release(murk_source_state *s)
@@ -155,11 +153,11 @@ static murk_vec3 inside(const murk_box *box, murk_vec3 p)
                     held(p.z, box->min.z, box->max.z));
 }
 
-murk_ray murk_source_state_emit(const murk_source_state *s, const murk_box *box,
+murk_ray murk_source_state_emit(const murk_source_state *s,
                                 const double u[MURK_ENTRY_FACES_NUMBERS])
 {
-    murk_ray ray = murk_source_row_of(&s->light)->emit(s, box, u);
-    ray.origin = inside(box, ray.origin);
+    murk_ray ray = murk_source_row_of(&s->light)->emit(s, u);
+    ray.origin = inside(&s->domain->box, ray.origin);
     return ray;
 }
 

@@ -5,8 +5,12 @@
 #include "source/entry_faces.h"
 
 typedef struct murk_source_state {
-    murk_source light;  /* direction made unit; `where` and `portal` are our
-                          copies */
+    murk_source light; /* direction made unit; `where` and `portal` are our
+                         copies */
+    const murk_domain *domain;
+    bool is_dark;       /* without power */
+    double power_scale; /* watts for each unit of power_w: the lit area in m2
+                           where that is an irradiance, else 1 */
     murk_vec3 normal;   /* rect: where it shines to */
     double cone;        /* beam: 1 - cos(half angle) */
     double face_end[3]; /* parallel light onto the domain: cumulative shares of
@@ -14,13 +18,11 @@ typedef struct murk_source_state {
     murk_entry_faces *entry_faces; /* owned: other distant light; else NULL */
 } murk_source_state;
 
-/* Checks s->light, which the caller has set, against the domain, makes its
- * direction unit and fills the rest of *s, which must be zero.
- * *power_scale: watts for each unit of power_w (the lit area in m2 where that
- * is an irradiance, else 1). Also on failure: murk_source_state_release(). */
+/* Checks s->light against s->domain, both set by the caller, makes the light's
+ * direction unit and fills the rest of *s, which must be zero. Also on failure:
+ * murk_source_state_release(). */
 murk_status murk_source_state_prepare(murk_source_state *s, size_t bands,
-                                      const murk_domain *domain,
-                                      double *power_scale, murk_error *err);
+                                      murk_error *err);
 
 /* The checked light of that index. */
 const murk_source_state *murk_sources_state(const murk_sources *lights,
@@ -30,7 +32,7 @@ void murk_source_state_release(murk_source_state *s);
 
 /* A photon's start for uniform numbers, inside the domain's box. The first four
  * do where there are no openings. */
-murk_ray murk_source_state_emit(const murk_source_state *s, const murk_box *box,
+murk_ray murk_source_state_emit(const murk_source_state *s,
                                 const double u[MURK_ENTRY_FACES_NUMBERS]);
 
 #endif

@@ -63,14 +63,13 @@ static murk_status add(murk_sources *lights, size_t i, const murk_source *light,
     s->light.portals = portals;
     lights->n = i + 1;
 
-    double scale;
-    const murk_status status = murk_source_state_prepare(
-        s, lights->bands, &lights->domain, &scale, err);
+    s->domain = &lights->domain;
+    const murk_status status = murk_source_state_prepare(s, lights->bands, err);
     if (status) {
         return status;
     }
     for (size_t b = 0; b < lights->bands; ++b) {
-        const double power = scale * light->power_w.band[b];
+        const double power = s->power_scale * light->power_w.band[b];
         lights->power_w[i * lights->bands + b] = power;
         lights->all_power_w += power;
     }
@@ -202,7 +201,6 @@ murk_ray murk_sources_emit(const murk_sources *lights, uint32_t seed,
     const size_t channel = murk_sources_channel_of(lights, photon);
     const murk_source_state *source = &lights->sources[channel / lights->bands];
     const uint32_t purpose = MURK_EMIT + MURK_STREAM * stream;
-    const murk_box *box = &lights->domain.box;
     double u[MURK_ENTRY_FACES_NUMBERS] = {0};
     const murk_random4 four = murk_random(seed, purpose, photon, 0, 0);
     memcpy(u, four.u, sizeof four.u);
@@ -210,7 +208,7 @@ murk_ray murk_sources_emit(const murk_sources *lights, uint32_t seed,
         const murk_random4 more = murk_random(seed, purpose, photon, 0, 1);
         memcpy(u + 4, more.u, sizeof more.u);
     }
-    return murk_source_state_emit(source, box, u);
+    return murk_source_state_emit(source, u);
 }
 
 bool murk_sources_portal_is_lit(const murk_sources *lights, size_t light,
