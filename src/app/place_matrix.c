@@ -19,12 +19,6 @@
 #include <string.h>
 
 #define MATRIX_SHARE 0.7 /* of the free memory, as for a scene's */
-/* The ranges of the keys of a scene with these names: scene/keys_placement.c
- * and scene/keys_sensors.c. */
-#define RESTARTS_MAX 1000000
-#define NODES_MAX    UINT64_C(1000000000000000)
-#define COUNT_MAX    1000000
-#define BUDGET_MAX   1e12
 #define COST_MAX     1e6
 
 /* ---- the wish ---- */
@@ -34,12 +28,6 @@ static murk_status bad_key(const char *name, const char *value,
 {
     return murk_fail(err, MURK_BAD_VALUE, name, "%s, must be %s", value,
                      allowed);
-}
-
-static bool count_in(const char *text, uint64_t low, uint64_t high,
-                     uint64_t *out)
-{
-    return murk_count_parse(text, out) && *out >= low && *out <= high;
 }
 
 static murk_status set_method(murk_matrix_plan *p, const char *name,
@@ -53,66 +41,92 @@ static murk_status set_method(murk_matrix_plan *p, const char *name,
     return bad_key(name, value, "best | spoq | greedy | exact", err);
 }
 
+static murk_status set_detection(murk_matrix_plan *p, const char *name,
+                                 const char *value, murk_error *err)
+{
+    const murk_detection_text allowed =
+        murk_detection_list(MURK_DETECTION_SMOOTH, true, " | ");
+    return murk_detection_find(&p->detection, value) &&
+                   murk_detection_is(p->detection, MURK_DETECTION_SMOOTH)
+               ? MURK_OK
+               : bad_key(name, value, allowed.text, err);
+}
+
+/* A key of a scene that has a meaning for a matrix: a whole number min..max, a
+ * number above 0 up to number_max, or as `set` reads it. */
+typedef struct matrix_key {
+    const char *name, *allowed;
+    size_t at, size; /* member of murk_matrix_plan */
+    uint64_t min, max;
+    double number_max; /* 0: a whole number */
+    murk_status (*set)(murk_matrix_plan *p, const char *name, const char *value,
+                       murk_error *err);
+} matrix_key;
+
+#define MEMBER(member)                        \
+    .at = offsetof(murk_matrix_plan, member), \
+    .size = sizeof(((murk_matrix_plan *)0)->member)
+
+/* The ranges are those of the keys of a scene with these names:
+ * scene/keys_placement.c and scene/keys_sensors.c. */
+static const matrix_key KEYS[] = {
+    {"seed", "a whole number 0..4294967295", MEMBER(desc.seed),
+     .max = UINT32_MAX},
+    {"sensors.count", "a whole number 1..1000000", MEMBER(desc.count), .min = 1,
+     .max = 1000000},
+    {"sensors.target", "more than 0 and at most 1", MEMBER(target),
+     .number_max = 1},
+    {"sensors.budget", "more than 0 and at most 1e12", MEMBER(budget),
+     .number_max = 1e12},
+    {"placement.method", .set = set_method},
+    {"placement.detection", .set = set_detection},
+    {"placement.redundancy", "a whole number 1..16", MEMBER(redundancy),
+     .min = 1, .max = MURK_REDUNDANCY_MAX},
+    {"placement.restarts", "a whole number 1..1000000", MEMBER(desc.restarts),
+     .min = 1, .max = 1000000},
+    {"placement.nodes", "a whole number 0..1e15", MEMBER(desc.nodes),
+     .max = UINT64_C(1000000000000000)},
+};
+#define N_KEYS (sizeof KEYS / sizeof *KEYS)
+
+static murk_status set_number(murk_matrix_plan *p, const matrix_key *key,
+                              const char *name, const char *value,
+                              murk_error *err)
+{
+    char *member = (char *)p + key->at;
+    uint64_t n = 0;
+    double x = 0;
+    const bool is_good =
+        key->number_max > 0
+            ? murk_number_parse(value, &x) && x > 0 && x <= key->number_max
+            : murk_count_parse(value, &n) && n >= key->min && n <= key->max;
+    if (!is_good) {
+        return bad_key(name, value, key->allowed, err);
+    }
+    const uint32_t narrow = (uint32_t)n;
+    const void *from = key->number_max > 0          ? (const void *)&x
+                       : key->size == sizeof narrow ? (const void *)&narrow
+                                                    : (const void *)&n;
+    memcpy(member, from, key->size);
+    return MURK_OK;
+}
+
 /* One override: of a scene's keys, those that mean something here. */
 static murk_status set_key(murk_matrix_plan *p, const char *key,
                            const char *name, const char *value, murk_error *err)
 {
-    /* The number of sensors, the target or the budget; then the settings of
-     * the search. */
-    uint64_t n = 0;
-    if (strcmp(key, "sensors.count") == 0) {
-        if (!count_in(value, 1, COUNT_MAX, &n)) {
-            return bad_key(name, value, "a whole number 1..1000000", err);
+    char list[256] = "";
+    size_t length = 0;
+    for (size_t i = 0; i < N_KEYS; ++i) {
+        if (strcmp(KEYS[i].name, key) == 0) {
+            return KEYS[i].set ? KEYS[i].set(p, name, value, err)
+                               : set_number(p, &KEYS[i], name, value, err);
         }
-        p->desc.count = (size_t)n;
-    } else if (strcmp(key, "sensors.target") == 0) {
-        if (!murk_number_parse(value, &p->target) ||
-            !(p->target > 0 && p->target <= 1)) {
-            return bad_key(name, value, "more than 0 and at most 1", err);
-        }
-    } else if (strcmp(key, "sensors.budget") == 0) {
-        if (!murk_number_parse(value, &p->budget) ||
-            !(p->budget > 0 && p->budget <= BUDGET_MAX)) {
-            return bad_key(name, value, "more than 0 and at most 1e12", err);
-        }
-    } else if (strcmp(key, "seed") == 0) {
-        if (!count_in(value, 0, UINT32_MAX, &n)) {
-            return bad_key(name, value, "a whole number 0..4294967295", err);
-        }
-        p->desc.seed = (uint32_t)n;
-    } else if (strcmp(key, "placement.restarts") == 0) {
-        if (!count_in(value, 1, RESTARTS_MAX, &n)) {
-            return bad_key(name, value, "a whole number 1..1000000", err);
-        }
-        p->desc.restarts = (size_t)n;
-    } else if (strcmp(key, "placement.nodes") == 0) {
-        if (!count_in(value, 0, NODES_MAX, &p->desc.nodes)) {
-            return bad_key(name, value, "a whole number 0..1e15", err);
-        }
-    } else if (strcmp(key, "placement.redundancy") == 0) {
-        if (!count_in(value, 1, MURK_REDUNDANCY_MAX, &n)) {
-            return bad_key(name, value, "a whole number 1..16", err);
-        }
-        p->redundancy = (unsigned)n;
-    } else if (strcmp(key, "placement.detection") == 0) {
-        if (!murk_detection_find(&p->detection, value) ||
-            !murk_detection_is(p->detection, MURK_DETECTION_SMOOTH)) {
-            return bad_key(
-                name, value,
-                murk_detection_list(MURK_DETECTION_SMOOTH, true, " | ").text,
-                err);
-        }
-    } else if (strcmp(key, "placement.method") == 0) {
-        return set_method(p, name, value, err);
-    } else {
-        return murk_fail(err, MURK_BAD_VALUE, name,
-                         "with --matrix there is no such key; there are seed, "
-                         "sensors.count, sensors.target, sensors.budget, "
-                         "placement.method, placement.detection, "
-                         "placement.redundancy, "
-                         "placement.restarts, placement.nodes");
+        length += (size_t)snprintf(list + length, sizeof list - length, "%s%s",
+                                   i ? ", " : "", KEYS[i].name);
     }
-    return MURK_OK;
+    return murk_fail(err, MURK_BAD_VALUE, name,
+                     "with --matrix there is no such key; there are %s", list);
 }
 
 static murk_status read_settings(murk_matrix_plan *p,
