@@ -31,7 +31,7 @@ typedef struct fit {
 static murk_status begin(fit *f, murk_session *session, murk_error *err)
 {
     murk_status status = murk_session_scene(session, f->options, err);
-    murk_progress_begin_over("build", 0, "");
+    murk_progress_begin_group("build", 0, "");
     if (!status) {
         status = murk_imported_stages_import(&f->imported, session->scene, err);
     }
@@ -172,7 +172,7 @@ static void tell_step(void *context, size_t start, size_t traces, int iteration,
 {
     (void)context;
     (void)value;
-    murk_progress_add_over(1);
+    murk_progress_add_to_group(1);
     murk_progress_text("start %zu, light %zu, step %d: chi2 %.6g", start + 1,
                        traces, iteration, chi2);
 }
@@ -303,12 +303,12 @@ static murk_status run(fit *f, murk_session *session, murk_error *err)
         .context = f};
     /* Fit, or predict. */
     const uint64_t next = murk_option_number(o, "--next", 0);
-    murk_progress_begin_over("fit", 0, "steps");
+    murk_progress_begin_group("fit", 0, "steps");
     murk_status status = murk_calibrate(&f->found, &desc, err);
     murk_progress_end();
     /* Propose the next measurements, if asked for. */
     if (!status && next > 0) {
-        murk_progress_begin_over("next", 0, "");
+        murk_progress_begin_group("next", 0, "");
         status =
             murk_next_propose(&f->next, (size_t)next, &f->found, &desc, err);
         murk_progress_end();

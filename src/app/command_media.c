@@ -348,7 +348,7 @@ static murk_status say_one(const murk_options *options, murk_error *err)
 {
     resolved r = {0};
     murk_progress_set(options->quiet ? MURK_PROGRESS_NEVER : options->progress);
-    murk_progress_begin_over("media", 0, "");
+    murk_progress_begin_group("media", 0, "");
     murk_status status =
         murk_presets_read(&r.preset, options->input, "media", err);
     if (!status) {

@@ -91,7 +91,7 @@ murk_status murk_command_report(const murk_options *options, murk_error *err)
         murk_warn_to(NULL);
     }
     murk_progress_set(options->quiet ? MURK_PROGRESS_NEVER : options->progress);
-    murk_progress_begin_over("report", 0, "");
+    murk_progress_begin_group("report", 0, "");
     /* Read the folder. */
     char *path = options->out ? strdup(options->out)
                               : murk_path_join(options->input, "report.html");

@@ -115,7 +115,7 @@ murk_status murk_session_scene(murk_session *session,
                                const murk_options *options, murk_error *err)
 {
     murk_session_set(session, options);
-    murk_progress_begin_over("read", 0, "");
+    murk_progress_begin_group("read", 0, "");
     const murk_status status = read_scene(&session->scene, options, err);
     murk_progress_end();
     if (status) {
@@ -137,7 +137,7 @@ murk_status murk_session_read(murk_session *session,
 
 murk_status murk_session_build(murk_session *session, murk_error *err)
 {
-    murk_progress_begin_over("build", 0, "");
+    murk_progress_begin_group("build", 0, "");
     const murk_status status =
         murk_stage_create(&session->stage, session->scene, err);
     murk_progress_end();
@@ -157,7 +157,7 @@ murk_status murk_session_light(murk_session *session, murk_error *err)
                       "is of another run than the results beside it, or of "
                       "one that was killed while it wrote them");
         }
-        murk_progress_begin_over("read light", 0, "");
+        murk_progress_begin_group("read light", 0, "");
         status = murk_lightmap_load(&session->traced, session->stage,
                                     session->settings.light, threads, err);
         murk_progress_end();

@@ -1,11 +1,13 @@
-/* Wavelength bands: a photon belongs to one; every optical property may differ
- * from band to band. */
+/* Wavelength bands of a scene. A photon belongs to one band, and every optical
+ * property may differ from band to band. */
 #ifndef MURK_BASE_BANDS_H
 #define MURK_BASE_BANDS_H
 
+/* The largest number of bands of a scene, fixed by the scene format. */
 #define MURK_BANDS_MAX 16
 
-/* One value a band; the entries past the scene's number of bands are 0. */
+/* One value for each band. The entries past the number of bands of the scene
+ * are 0. */
 typedef struct murk_spectrum {
     double band[MURK_BANDS_MAX];
 } murk_spectrum;

@@ -1,22 +1,23 @@
-/* The C library's reading and printing of numbers under the locale "C".
+/* Reads and prints numbers with the C library under the locale "C".
  *
- * POSIX (2008) gives each thread a locale of its own: newlocale() makes one,
- * uselocale() sets it and says which one held before. glibc keeps "C" ready
- * for good, so that both cost some ten nanoseconds. */
+ * POSIX (2008) gives each thread a locale: newlocale() makes one, uselocale()
+ * sets it and returns the previous one. The C locale of glibc exists
+ * statically, so that both calls take some ten nanoseconds. */
 #include "base/c_locale.h"
 
 #include <locale.h>
 #include <pthread.h>
 
 static pthread_once_t once = PTHREAD_ONCE_INIT;
-static locale_t plain; /* 0 without memory for it: the host's locale holds */
+static locale_t plain; /* 0 if there was no memory: the locale of the host
+                        * program stays */
 
 static void make_plain(void)
 {
     plain = newlocale(LC_ALL_MASK, "C", (locale_t)0);
 }
 
-/* The locale that held before. */
+/* Returns the previous locale. */
 static locale_t enter(void)
 {
     pthread_once(&once, make_plain);

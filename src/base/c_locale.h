@@ -1,11 +1,12 @@
 /* Numbers are read and printed with a decimal point, whatever locale the host
- * program has set, and that locale stays as it is.
+ * program has set, and the locale of the host program is not changed.
  *
  * The build includes this file first in every C file of src/ (CMakeLists.txt),
- * so that no call can be forgotten: each of the functions below runs its
- * namesake of the C library with this thread's locale set to "C" for the length
- * of the call. One switch at the library's entries would not do: threads begin
- * with the host's locale, and every murk_ function is an entry. */
+ * so that no call can be forgotten: each of the functions below calls the
+ * function of the C library with the same name while the locale of this thread
+ * is "C". One switch where a program enters the library would not be enough,
+ * because threads begin with the locale of the host program and every murk_
+ * function is an entry. */
 #ifndef MURK_BASE_C_LOCALE_H
 #define MURK_BASE_C_LOCALE_H
 
@@ -23,9 +24,10 @@ int murk_c_snprintf(char *out, size_t size, const char *format, ...)
 int murk_c_vsnprintf(char *out, size_t size, const char *format, va_list args)
     __attribute__((format(printf, 3, 0)));
 
-/* Makes "C" the locale of the calling thread, around calls of other libraries;
- * leave() with what enter() gave. Child processes, where parsers of other
- * libraries run, stay in it. */
+/* Sets the locale "C" for the calling thread, around calls of other libraries.
+ * murk_c_locale_leave() takes the value that murk_c_locale_enter() returned. A
+ * subprocess that runs parsers of other libraries enters the locale and never
+ * leaves it. */
 void *murk_c_locale_enter(void);
 void murk_c_locale_leave(void *before);
 

@@ -1,10 +1,10 @@
-/* Results that took long, kept for whoever asks for the same again in this
+/* A cache of results that take long to compute, for later requests in the same
  * process: a fit reads one scene a thousand times.
  *
- * A result is kept under all the bytes that it follows from, which are held
- * against each other whole, so what is found is what would be computed, bit by
- * bit: whether it was kept shows in time alone. The one that was not asked for
- * the longest makes room. */
+ * The key of a result is the sequence of all bytes from which the result
+ * follows. Keys are compared in full, so a cached result equals the recomputed
+ * one bit by bit, and the cache changes nothing but the run time. The least
+ * recently used result is removed first. */
 #ifndef MURK_BASE_CACHE_H
 #define MURK_BASE_CACHE_H
 
@@ -13,10 +13,13 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/* Optical properties of droplets and phase tables of one scene are some tens of
+ * results. */
 #define MURK_CACHE_MAX       128
-#define MURK_CACHE_BYTES_MAX 33554432 /* of all in one place, keys included */
+#define MURK_CACHE_BYTES_MAX 33554432 /* keys and values of one cache */
 
-/* Static, begun as MURK_CACHE_NONE; any number of threads. */
+/* A static object, initialised with MURK_CACHE_NONE; any number of threads may
+ * use it. */
 typedef struct murk_cache {
     atomic_flag is_taken;
     size_t n, bytes;
@@ -24,7 +27,7 @@ typedef struct murk_cache {
     struct murk_cache_item {
         uint64_t sum[2], used;
         size_t key_size, size;
-        void *bytes; /* key, then value */
+        void *bytes; /* the key, followed by the value */
     } item[MURK_CACHE_MAX];
 } murk_cache;
 
@@ -33,13 +36,14 @@ typedef struct murk_cache {
         .is_taken = ATOMIC_FLAG_INIT \
     }
 
-/* A copy of what is kept under a key, for free(); NULL: nothing, or no
- * memory. */
-void *murk_cache_find(murk_cache *kept, const void *key, size_t key_size,
+/* Returns a copy of the value of a key, which the caller frees; NULL if the
+ * cache has no such key or there is no memory. */
+void *murk_cache_find(murk_cache *cache, const void *key, size_t key_size,
                       size_t *size);
 
-/* Keeps a copy. What is too large, or finds no memory, is not kept. */
-void murk_cache_put(murk_cache *kept, const void *key, size_t key_size,
+/* Stores a copy of the value. A key or value that is too large is not stored,
+ * nor is anything stored when there is no memory. */
+void murk_cache_put(murk_cache *cache, const void *key, size_t key_size,
                     const void *value, size_t size);
 
 #endif

@@ -1,3 +1,10 @@
+/* Reads and prints dates and clock times, and converts them to days and
+ * seconds.
+ *
+ * A date becomes a day number by counting years from March, so that the leap
+ * day is the last day of a year. Parsing takes one field after the other from
+ * the text; a function that reads a whole text accepts nothing behind the last
+ * field. */
 #include "base/calendar.h"
 
 #include <math.h>
@@ -5,15 +12,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define DAY_S 86400.0
+#define DAY_S 86400.0 /* without leap seconds */
 
-/* Of the Unix epoch. */
+/* The Julian date of the Unix epoch, 1970-01-01T00:00 UTC. */
 #define JULIAN_1970 2440587.5
 
-/* Zones on the earth lie within -12 and +14 hours; POSIX allows a day. */
+/* Time zones on the earth lie within -12 and +14 hours; this limit leaves some
+ * margin. */
 #define ZONE_HOURS_MAX 18
 
-/* Exactly n digits at *text, which moves on. */
+/* Reads exactly n digits at *text and moves *text behind them. */
 static bool digits(const char **text, int n, int *out)
 {
     int value = 0;
@@ -36,11 +44,13 @@ static bool is_leap(int year)
 
 static int days_in_month(int year, int month)
 {
+    /* The days of each month in a year that is no leap year. */
     static const int days[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
     return days[month - 1] + (month == 2 && is_leap(year));
 }
 
-/* Months are counted from March, so that the leap day is a year's last. */
+/* Counts months from March, so that the leap day is the last day of a year;
+ * (153 m + 2) / 5 is the number of days before month m then. */
 double murk_date_days(murk_date date)
 {
     const int year = date.year - (date.month <= 2);
@@ -55,7 +65,8 @@ double murk_date_days(murk_date date)
 
 murk_date murk_date_of_days(double days)
 {
-    /* off by a year at most: years have 365 or 366 days */
+    /* The estimate of the year is wrong by at most one, because years have 365
+     * or 366 days. */
     murk_date date = {1970 + (int)floor(days / 365.2425), 1, 1};
     while (murk_date_days(date) > days) {
         --date.year;
@@ -90,6 +101,7 @@ static bool take_date(const char **text, murk_date *out)
 
 static bool take_clock(const char **text, double *seconds)
 {
+    /* Hours and minutes, then optional seconds with an optional fraction. */
     const char *t = *text;
     int hours, minutes, whole = 0;
     double part = 0;
@@ -114,6 +126,7 @@ static bool take_clock(const char **text, double *seconds)
             } while (digits(&t, 1, &digit));
         }
     }
+    /* Refuse clock times past 24:00. */
     const double all = 3600.0 * hours + 60.0 * minutes + whole + part;
     if (minutes > 59 || whole > 59 || all > DAY_S) {
         return false;
@@ -132,6 +145,7 @@ static bool take_zone(const char **text, int *minutes)
         *minutes = 0;
         return true;
     }
+    /* A sign and one or two digits of hours. */
     const int sign = *t == '-' ? -1 : 1;
     if (*t != '+' && *t != '-') {
         return false;
@@ -140,6 +154,7 @@ static bool take_zone(const char **text, int *minutes)
     if (!digits(&t, 2, &hours) && !digits(&t, 1, &hours)) {
         return false;
     }
+    /* Optional minutes, with or without a colon. */
     if (*t == ':') {
         ++t;
         if (!digits(&t, 2, &rest)) {

@@ -1,5 +1,5 @@
 /* Dates and times as people write them (ISO 8601, Gregorian calendar) and as
- * ephemerides want them (Julian dates).
+ * ephemerides need them (Julian dates).
  *
  * Seconds are counted from 1970-01-01T00:00:00 UTC without leap seconds, as
  * POSIX does. */
@@ -12,26 +12,32 @@ typedef struct murk_date {
     int year, month, day; /* 0..9999, 1..12, 1..31 */
 } murk_date;
 
-/* Of the proleptic Gregorian calendar. */
+/* Conversion between dates of the proleptic Gregorian calendar and days. */
 double murk_date_days(murk_date date); /* since 1970-01-01 */
 murk_date murk_date_of_days(double days);
 
-/* Each reads all of the text or says false, and then leaves *out alone:
- * "2026-06-21"; */
+/* Each of the functions below reads the whole text. If the text is malformed,
+ * the function returns false and leaves the results unchanged.
+ *
+ * A date: "2026-06-21". */
 bool murk_date_read(const char *text, murk_date *out);
-/* "06:00", "06:00:30", "06:00:30.5", up to 24:00, in seconds since midnight; */
+/* A clock time in seconds since midnight: "06:00", "06:00:30", "06:00:30.5", up
+ * to "24:00". */
 bool murk_clock_read(const char *text, double *seconds);
-/* "Z", "+02:00", "-0330", "+5", within 18 hours, in minutes east of Greenwich;
- */
+/* A time zone within 18 hours in minutes east of Greenwich: "Z", "+02:00",
+ * "-0330", "+5". */
 bool murk_zone_read(const char *text, int *minutes);
-/* "2026-06-21T12:00:00Z", "2026-06-21 12:00+02:00", and without the zone. */
+/* A date with a clock time, with or without a zone: "2026-06-21T12:00:00Z",
+ * "2026-06-21 12:00+02:00". */
 bool murk_time_read(const char *text, double *local_s, bool *has_zone,
                     int *zone_min);
 
-/* Of seconds since 1970, UTC. */
+/* The Julian date of a number of seconds since 1970, UTC. */
 double murk_julian_date(double unix_s);
 
-/* "2026-06-21T14:00:00+02:00"; seconds rounded. */
+/* Prints "2026-06-21T14:00:00+02:00", with seconds rounded. The longest such
+ * text has 25 characters; the buffer leaves space for years of more than four
+ * digits. */
 #define MURK_TIME_SIZE 40
 void murk_time_print(char out[MURK_TIME_SIZE], double unix_s, int zone_min);
 

@@ -1,21 +1,27 @@
+/* A hash table with chained buckets: each point enters the bucket of its cell.
+ * The number of buckets is at least twice the number of points, so a search
+ * looks at few points of other cells. */
 #include "base/cells.h"
 
 #include <stdint.h>
 #include <stdlib.h>
 
-#define FIRST_BUCKETS 1024
+#define FIRST_BUCKETS 1024 /* 4 kB: small beside any scene */
 
-/* Cells hash to buckets, whose points are chained; other cells' points in a
- * bucket are left for the caller to tell apart. */
+/* Different cells may hash to the same bucket; the caller separates their
+ * points by distance. */
 struct murk_cells {
     double size_m;
-    size_t n, room, buckets; /* buckets: a power of two, more than n */
-    uint32_t *head;          /* [buckets] number + 1; 0: none */
-    uint32_t *next;          /* [room] likewise */
-    uint32_t *hash;          /* [room] */
+    size_t n, capacity, buckets; /* buckets: a power of two, at least twice the
+                                  * capacity */
+    uint32_t *head;              /* [buckets] number of the newest point + 1; 0:
+                                  * empty */
+    uint32_t *next; /* [capacity] next point of the chain, likewise */
+    uint32_t *hash; /* [capacity] hash of the cell of each point */
 };
 
-/* Far beyond any cell that a double can tell from its neighbour. */
+/* Cell numbers are cut here, within the range of int64_t; doubles of this size
+ * no longer resolve single cells. */
 #define CELL_LIMIT 9e18
 
 static int64_t cell_of(double x, double size_m)
@@ -23,8 +29,8 @@ static int64_t cell_of(double x, double size_m)
     return (int64_t)fmax(-CELL_LIMIT, fmin(CELL_LIMIT, floor(x / size_m)));
 }
 
-/* Finalisation of MurmurHash3 (A. Appleby, public domain): each bit of the
- * cell turns half of the hash's. */
+/* The finalisation of MurmurHash3 (A. Appleby, public domain): each bit of the
+ * cell number flips half of the bits of the hash. */
 static uint32_t hash_of(const int64_t cell[3])
 {
     uint64_t h = 0;
@@ -78,24 +84,27 @@ static void chain(murk_cells *cells, size_t i)
 
 static murk_status grow(murk_cells *cells, murk_error *err)
 {
-    const size_t room = cells->room ? 2 * cells->room : FIRST_BUCKETS / 2;
-    uint32_t *next = realloc(cells->next, room * sizeof *next);
+    const size_t capacity =
+        cells->capacity ? 2 * cells->capacity : FIRST_BUCKETS / 2;
+    /* Twice the capacity in all arrays; arrays that have grown before a failure
+     * stay valid. */
+    uint32_t *next = realloc(cells->next, capacity * sizeof *next);
     if (next) {
         cells->next = next;
     }
-    uint32_t *hash = realloc(cells->hash, room * sizeof *hash);
+    uint32_t *hash = realloc(cells->hash, capacity * sizeof *hash);
     if (hash) {
         cells->hash = hash;
     }
-    uint32_t *head = calloc(2 * room, sizeof *head);
+    uint32_t *head = calloc(2 * capacity, sizeof *head);
     if (!next || !hash || !head) {
         free(head);
         return no_memory(cells->n, err);
     }
     free(cells->head);
     cells->head = head;
-    cells->room = room;
-    cells->buckets = 2 * room;
+    cells->capacity = capacity;
+    cells->buckets = 2 * capacity;
     for (size_t i = 0; i < cells->n; ++i) {
         chain(cells, i);
     }
@@ -107,7 +116,7 @@ murk_status murk_cells_add(murk_cells *cells, murk_vec3 point, murk_error *err)
     if (cells->n >= UINT32_MAX) {
         return no_memory(cells->n, err);
     }
-    if (cells->n == cells->room) {
+    if (cells->n == cells->capacity) {
         const murk_status status = grow(cells, err);
         if (status) {
             return status;
@@ -123,7 +132,7 @@ murk_status murk_cells_add(murk_cells *cells, murk_vec3 point, murk_error *err)
 }
 
 bool murk_cells_search(const murk_cells *cells, murk_vec3 point,
-                       double radius_m, murk_cells_meet meet, void *context)
+                       double radius_m, murk_cells_visit visit, void *context)
 {
     const double at[3] = {point.x, point.y, point.z};
     int64_t first[3], last[3];
@@ -138,7 +147,7 @@ bool murk_cells_search(const murk_cells *cells, murk_vec3 point,
                 const size_t bucket = hash_of(cell) & (cells->buckets - 1);
                 for (uint32_t i = cells->head[bucket]; i;
                      i = cells->next[i - 1]) {
-                    if (meet(context, i - 1)) {
+                    if (visit(context, i - 1)) {
                         return true;
                     }
                 }

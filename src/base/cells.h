@@ -1,9 +1,9 @@
-/* Points sorted into cubic cells, to find those near a place as they come:
- * for dropping what lies too near to something listed before.
+/* A hash table of points in cubic cells, for finding the points near a place
+ * while points are being added: callers drop a new point that lies too near to
+ * an earlier one.
  *
- * The points themselves stay with the caller, who knows them by number: the
- * order in which they were added, from 0. Eight bytes a point and as many
- * again for the table. */
+ * The caller stores the points. A point is known by a number, the order in
+ * which it was added, from 0. The table takes 16 bytes for each point. */
 #ifndef MURK_BASE_CELLS_H
 #define MURK_BASE_CELLS_H
 
@@ -14,21 +14,22 @@
 
 typedef struct murk_cells murk_cells;
 
-/* size_m > 0: the side of a cell. *out is the caller's: murk_cells_destroy().
- * Fails with MURK_NO_MEMORY. */
+/* size_m > 0 is the side of a cell. The caller destroys *out with
+ * murk_cells_destroy(). Fails with MURK_NO_MEMORY. */
 murk_status murk_cells_create(murk_cells **out, double size_m, murk_error *err);
 void murk_cells_destroy(murk_cells *cells); /* NULL is fine */
 
-/* Fails with MURK_NO_MEMORY, and beyond 2^32 - 1 points. */
+/* Adds a point. Fails with MURK_NO_MEMORY, also beyond 2^32 - 1 points. */
 murk_status murk_cells_add(murk_cells *cells, murk_vec3 point, murk_error *err);
 
-/* True ends the search. */
-typedef bool (*murk_cells_meet)(void *context, size_t number);
+/* Called with the number of a point; true ends the search. */
+typedef bool (*murk_cells_visit)(void *context, size_t number);
 
-/* Calls meet() for every point in the cells that the cube of half side
- * radius_m <= size_m about `point` touches, newest first in each; others may
- * come too, and a point twice. Whether a call ended the search. */
+/* Calls visit() for every point in the cells that the cube of half side
+ * radius_m <= size_m about `point` touches. In each cell the newest point comes
+ * first. visit() may also receive points of other cells, and a point twice.
+ * Returns true if a call of visit() ended the search. */
 bool murk_cells_search(const murk_cells *cells, murk_vec3 point,
-                       double radius_m, murk_cells_meet meet, void *context);
+                       double radius_m, murk_cells_visit visit, void *context);
 
 #endif

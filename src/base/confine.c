@@ -1,11 +1,10 @@
-/* The sandbox of child processes that read files of others: a list of the
- * system calls that a parser makes, by libseccomp; whatever else is called
- * fails with ENOSYS, so that the C library takes an older call where there is
- * one.
+/* The sandbox of subprocesses that read untrusted files: libseccomp installs a
+ * list of the system calls that a parser makes. Every other call fails with
+ * ENOSYS, so that the C library falls back to an older call if there is one.
  *
- * A list of what is allowed, not of what is forbidden: what a kernel learns
- * tomorrow is refused. The process ends by its own error then, which the parent
- * reports as a malformed file. */
+ * The list names the allowed calls, not the forbidden ones, so that calls of
+ * future kernels are refused. A process that needs a refused call ends with an
+ * error, which the parent reports as a malformed file. */
 #include "base/confine.h"
 
 #include <errno.h>
@@ -18,23 +17,23 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-/* Calls allowed whatever their arguments. Names that a processor or a release
- * of libseccomp does not know are passed over. */
+/* Calls that are allowed with any arguments. Names that are unknown to the
+ * processor or to the version of libseccomp are skipped. */
 static const char *const ALLOWED[] = {
-    /* files that are open */
+    /* open files */
     "read", "readv", "pread64", "preadv", "preadv2", "write", "writev", "close",
     "lseek", "_llseek", "fstat", "fstat64", "fadvise64", "poll", "ppoll", "dup",
-    /* what files there are */
+    /* properties and listings of files */
     "stat", "stat64", "lstat", "lstat64", "newfstatat", "fstatat64", "statx",
     "access", "faccessat", "faccessat2", "readlink", "readlinkat", "getcwd",
     "getdents", "getdents64",
     /* memory */
     "mmap", "mmap2", "munmap", "mremap", "mprotect", "madvise", "brk",
     "mincore",
-    /* pipes within the process, by which the undefined-behaviour sanitizer
-     * finds out whether memory may be read */
+    /* pipes within the process: the undefined-behaviour sanitizer uses them to
+     * find out whether memory may be read */
     "pipe", "pipe2",
-    /* threads, signals, the end */
+    /* threads, signals, exit */
     "futex", "futex_time64", "set_robust_list", "get_robust_list", "rseq",
     "sched_yield", "sched_getaffinity", "set_tid_address", "membarrier",
     "rt_sigaction", "rt_sigprocmask", "rt_sigreturn", "sigreturn",
@@ -54,7 +53,8 @@ static int allow(scmp_filter_ctx filter, const char *name)
                : seccomp_rule_add(filter, SCMP_ACT_ALLOW, call, 0);
 }
 
-/* The call when argument `at` under the mask has that value. */
+/* Allows the call if argument number `at` under the mask has the given
+ * value. */
 static int allow_if(scmp_filter_ctx filter, const char *name, unsigned at,
                     scmp_datum_t mask, scmp_datum_t value)
 {
@@ -65,10 +65,11 @@ static int allow_if(scmp_filter_ctx filter, const char *name, unsigned at,
                : seccomp_rule_add_array(filter, SCMP_ACT_ALLOW, call, 1, &is);
 }
 
-/* Calls that depend on an argument; 0 or a negative error number. */
+/* Allows calls that depend on an argument. Returns 0 or a negative error
+ * number. */
 static int allow_some(scmp_filter_ctx filter)
 {
-    /* O_TMPFILE has the bit of O_DIRECTORY, which reading may have */
+    /* O_TMPFILE contains the bit of O_DIRECTORY, which readers may use. */
     const scmp_datum_t writes = O_ACCMODE | O_CREAT | O_TRUNC | O_APPEND |
                                 (scmp_datum_t)(O_TMPFILE & ~O_DIRECTORY);
     const scmp_datum_t all = ~(scmp_datum_t)0;
@@ -79,14 +80,14 @@ static int allow_some(scmp_filter_ctx filter)
     } some[] = {
         {"open", 1, writes, O_RDONLY},
         {"openat", 2, writes, O_RDONLY},
-        {"clone", 0, CLONE_THREAD, CLONE_THREAD},   /* threads, no processes */
+        {"clone", 0, CLONE_THREAD, CLONE_THREAD},   /* threads only */
         {"tgkill", 0, all, (scmp_datum_t)getpid()}, /* abort() */
         {"prctl", 0, all, PR_SET_NAME},
         {"ioctl", 1, all, TCGETS}, /* is it a terminal? */
         {"fcntl", 1, all, F_GETFL},
         {"fcntl", 1, all, F_GETFD},
         {"fcntl", 1, all, F_SETFD},
-        {"prlimit64", 2, all, 0}, /* asks; sets nothing */
+        {"prlimit64", 2, all, 0}, /* queries only */
     };
     int failure = 0;
     for (size_t i = 0; i < sizeof some / sizeof *some && !failure; ++i) {
@@ -100,7 +101,8 @@ bool murk_confine(int fd)
 {
     const struct rlimit none = {0, 0};
     (void)setrlimit(RLIMIT_FSIZE, &none);
-    /* What the parent has open is none of the parser's business. */
+    /* Close the files that the parent has open, because the parser does not
+     * need them. */
     if (fd > STDERR_FILENO + 1) {
         (void)close_range(STDERR_FILENO + 1, (unsigned)fd - 1, 0);
     }

@@ -1,3 +1,7 @@
+/* Reads and writes whole files. A file is written under a temporary name
+ * (base/staging.c), flushed to the disk and renamed, so that a crash leaves
+ * either the old file or the complete new one. Checksums are XXH3 (xxHash) and
+ * SHA-256 (libmd). */
 #include "base/file.h"
 
 #include "base/inputs.h"
@@ -12,8 +16,10 @@
 #include <unistd.h>
 #include <xxhash.h>
 
-#define PIECE_BYTES ((size_t)1 << 20)
-#define HEAD_BYTES  ((size_t)1 << 16) /* of images with 200 channels, too */
+#define PIECE_BYTES ((size_t)1 << 20) /* read at once for a checksum */
+/* Bytes that are searched for the mark of murk. The mark of an image stands
+ * behind the list of channels, which fits for 200 channels, too. */
+#define HEAD_BYTES ((size_t)1 << 16)
 
 struct murk_file {
     FILE *stream;
@@ -30,8 +36,9 @@ static char *join(const char *a, const char *b)
     return out;
 }
 
-/* The folder entry itself reaches the disk only with the folder. Failure is
- * no failure of the file: some file systems refuse it. */
+/* Flushes the folder of a file: only then is the new folder entry on the disk.
+ * Failure does not make the file fail, because some file systems refuse to
+ * flush folders. */
 static void sync_folder_of(const char *path)
 {
     char *folder = murk_path_beside(path, ".");
@@ -59,8 +66,8 @@ murk_status murk_file_check_input(const char *path, murk_error *err)
                : MURK_OK;
 }
 
-/* Fails with "WHAT: REASON", or with the name of the folder that would hold
- * `made` where nothing may be written into that folder. */
+/* Fails with "WHAT: REASON". If nothing may be written into the folder that
+ * would hold `made`, the message names that folder. */
 static murk_status cannot_make(const char *what, const char *path,
                                const char *made, int reason, murk_error *err)
 {
@@ -88,6 +95,7 @@ murk_status murk_file_create(murk_file **out, const char *path, murk_error *err)
     murk_file *file = calloc(1, sizeof *file);
     struct stat known;
     int fd = -1;
+    /* Refuse paths that are no regular file or an input of this run. */
     if (!file || !(file->path = join(path, ""))) {
         status = murk_fail(err, MURK_NO_MEMORY, path, "no memory to open it");
         goto done;
@@ -101,12 +109,14 @@ murk_status murk_file_create(murk_file **out, const char *path, murk_error *err)
     if (status) {
         goto done;
     }
+    /* Open the temporary file, locked. */
     fd = murk_staging_file(path, &file->temporary);
     if (fd < 0) {
         status = cannot_make("cannot write", path, path, errno, err);
         goto done;
     }
-    const mode_t mask = umask(0); /* mkstemp gives 0600: back to the usual */
+    const mode_t mask = umask(0); /* mkstemp() gives mode 0600; set the usual
+                                   * mode. */
     umask(mask);
     (void)fchmod(fd, 0666 & ~mask);
     file->stream = fdopen(fd, "wb");
@@ -133,6 +143,7 @@ murk_status murk_file_commit(murk_file **file_io, murk_error *err)
     murk_file *file = *file_io;
     *file_io = NULL;
     errno = 0;
+    /* Flush first: a full disk is often reported only here. */
     const int failed = ferror(file->stream) | fflush(file->stream) |
                        fsync(fileno(file->stream));
     const int reason = errno;
@@ -142,7 +153,7 @@ murk_status murk_file_commit(murk_file **file_io, murk_error *err)
                            reason ? strerror(reason)
                                   : "an error while writing (disk full?)");
     } else if (murk_file_check_input(file->path,
-                                     err)) { /* read in the meantime */
+                                     err)) { /* read since murk_file_create() */
         status = MURK_BAD_VALUE;
     } else if (rename(file->temporary, file->path) != 0) {
         status = murk_fail(err, MURK_RUN_FAILED, file->path, "cannot write: %s",
@@ -179,21 +190,22 @@ murk_status murk_file_write(const char *path, const void *bytes, size_t size,
     if (status) {
         return status;
     }
-    (void)fwrite(bytes, 1, size, file->stream); /* commit asks ferror */
+    (void)fwrite(bytes, 1, size, file->stream); /* murk_file_commit() asks
+                                                 * ferror() */
     return murk_file_commit(&file, err);
 }
 
-/* Whose a file that is read is. */
+/* The owner of a file that is read. */
 typedef enum owner {
-    INPUT, /* the user's: not written over by this run */
-    OWN    /* murk's, which may be written anew */
+    INPUT, /* the user: this run must not write over the file */
+    OWN    /* murk: this run may replace the file */
 } owner;
 
-/* Opens a regular file of at most `most` bytes for reading. */
+/* Opens a regular file of at most `max` bytes for reading. */
 static murk_status open_regular(int *out, struct stat *info, uint64_t max,
                                 owner whose, const char *path, murk_error *err)
 {
-    /* not blocking, so that a pipe without a writer cannot hang us */
+    /* non-blocking, so that a pipe without a writer cannot block the run */
     const int fd = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     if (fd < 0 || fstat(fd, info) != 0) {
         const int reason = errno;
@@ -232,12 +244,14 @@ static murk_status read_whole(char **out, size_t *size, const char *path,
     if (status) {
         return status;
     }
+    /* The size of the file at opening counts, with one byte more for '\0'. */
     const size_t length = (size_t)info.st_size;
     bytes = malloc(length + 1);
     if (!bytes) {
         status = murk_fail(err, MURK_NO_MEMORY, path, "no memory to read it");
         goto done;
     }
+    /* A read may return fewer bytes than asked for. */
     size_t got = 0;
     while (got < length) {
         const ssize_t n = read(fd, bytes + got, length - got);
@@ -304,7 +318,8 @@ murk_status murk_file_check_owner(const char *path, const char *mark,
     const murk_status status = murk_file_check_input(path, err);
     if (status || force || lstat(path, &known) != 0 ||
         (stat(path, &known) == 0 && !S_ISREG(known.st_mode))) {
-        return status; /* what is no file is refused when it is written */
+        return status; /* paths that are no regular file are refused when they
+                        * are written */
     }
     return has_mark(path, mark, size) ? MURK_OK : murk_file_not_ours(path, err);
 }
@@ -315,13 +330,13 @@ murk_status murk_folder_make(const char *path, murk_error *err)
     if (!part) {
         return murk_fail(err, MURK_NO_MEMORY, path, "no memory for its name");
     }
-    /* make each folder on the way that is not there yet */
+    /* create each folder on the path that does not exist yet */
     int refusal = 0;
     for (char *slash = strchr(part + 1, '/'); slash && !refusal;
          slash = strchr(slash + 1, '/')) {
         *slash = '\0';
         refusal = mkdir(part, 0777) == 0 || errno == EEXIST ? 0 : errno;
-        *slash = refusal ? '\0' : '/'; /* `part` ends where it is refused */
+        *slash = refusal ? '\0' : '/'; /* `part` ends with the refused folder */
     }
     struct stat info;
     murk_status status = MURK_OK;
@@ -343,39 +358,6 @@ murk_status murk_folder_make(const char *path, murk_error *err)
     return MURK_OK;
 }
 
-char *murk_path_beside(const char *beside, const char *path)
-{
-    const char *slash = strrchr(beside, '/');
-    if (path[0] == '/' || !slash) {
-        return join(path, "");
-    }
-    const size_t folder = (size_t)(slash - beside) + 1;
-    char *out = malloc(folder + strlen(path) + 1);
-    if (out) {
-        memcpy(out, beside, folder);
-        strcpy(out + folder, path);
-    }
-    return out;
-}
-
-char *murk_path_join(const char *folder, const char *name)
-{
-    const size_t size = strlen(folder) + strlen(name) + 2;
-    const size_t length = strlen(folder);
-    const char *slash = length > 0 && folder[length - 1] == '/' ? "" : "/";
-    char *path = malloc(size);
-    if (path) {
-        snprintf(path, size, "%s%s%s", folder, slash, name);
-    }
-    return path;
-}
-
-const char *murk_path_name(const char *path)
-{
-    const char *slash = strrchr(path, '/');
-    return slash ? slash + 1 : path;
-}
-
 void murk_sha256_hex(const void *bytes, size_t size, char out[65])
 {
     SHA256Data(bytes, size, out);
@@ -388,7 +370,7 @@ void murk_checksum(const void *bytes, size_t size, uint64_t out[2])
     out[1] = hash.high64;
 }
 
-/* Hands a regular file's bytes on, piece by piece. */
+/* Passes the bytes of a regular file to take(), one block after the other. */
 static murk_status read_pieces(const char *path, uint64_t max, owner whose,
                                void (*take)(void *context, const void *bytes,
                                             size_t size),
@@ -404,6 +386,7 @@ static murk_status read_pieces(const char *path, uint64_t max, owner whose,
     if (!piece) {
         status = murk_fail(err, MURK_NO_MEMORY, path, "no memory to read it");
     }
+    /* Read block by block until the end of the file. */
     ssize_t n;
     while (!status && (n = read(fd, piece, PIECE_BYTES)) != 0) {
         if (n > 0) {

@@ -1,10 +1,11 @@
-/* The set of files that were read: a hash table in memory that processes
- * share.
+/* The set of files that a run reads: a hash table with open addressing in
+ * memory that processes share.
  *
- * A slot holds a 64-bit hash of device and inode, 0 while it is free. Slots
- * are claimed by compare-and-swap and never freed, so no lock is needed, and a
- * process that is killed cannot leave one behind. Two files with one hash
- * would at worst make a run refuse to write: chance 2^-64 a pair. */
+ * A slot holds a 64-bit hash of device and inode, or 0 if the slot is free.
+ * Slots are claimed by compare-and-swap and never freed, so no lock is needed,
+ * and a process that is killed cannot leave a lock behind. Two files with the
+ * same hash would at worst make a run refuse to write one of them: the
+ * probability is 2^-64 for a pair. */
 #include "base/inputs.h"
 
 #include <stdatomic.h>
@@ -12,12 +13,13 @@
 #include <sys/mman.h>
 #include <xxhash.h>
 
-/* Eight times the files that the largest studies name; pages that are not
- * touched take no memory. */
+/* Eight times the number of files that the largest studies name. Pages that are
+ * never touched take no memory. */
 #define SLOTS ((size_t)1 << 20)
 
-static _Atomic uint64_t *slots; /* [SLOTS]; NULL: nothing is remembered */
-static atomic_bool is_full;     /* then every file may be an input */
+static _Atomic uint64_t *slots; /* [SLOTS]; NULL: the set was not begun */
+static atomic_bool is_full;     /* set when a file did not fit: then every file
+                                 * counts as an input */
 
 void murk_inputs_begin(void)
 {

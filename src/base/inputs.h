@@ -1,12 +1,14 @@
-/* The files that a run reads, so that it never writes over one of them.
+/* The set of files that a run reads, so that the run never writes over one of
+ * them.
  *
- * One list for the whole process and all processes that it starts: readers of
- * meshes and grids and the rows of a study work apart, and what they open
- * counts, too. A file is known by device and inode, so by whatever path or
- * link it is reached.
+ * The set is shared by the process and all processes that it starts: readers of
+ * meshes and grids and the rows of a study run in subprocesses, and the files
+ * that they open count, too. A file is identified by device and inode, so that
+ * every path and link to the file is recognised.
  *
- * The program keeps the list; a library's caller, who may well read a file and
- * write it again, does not unless it begins one. */
+ * The program begins the set. A caller of the library may want to read a file
+ * and write it again; for such a caller the set stays empty unless
+ * murk_inputs_begin() is called. */
 #ifndef MURK_BASE_INPUTS_H
 #define MURK_BASE_INPUTS_H
 
@@ -14,17 +16,18 @@
 #include <stdio.h>
 #include <sys/stat.h>
 
-/* From now on files are remembered. Call it once, before any thread or child
- * process; without it the list stays empty. */
+/* Begins the set. Call it once, before any thread or subprocess starts; without
+ * it the set stays empty. */
 void murk_inputs_begin(void);
 
-/* Remembers a file that is opened for reading, by its fstat(). */
+/* Adds a file that is opened for reading, as fstat() describes it. */
 void murk_inputs_add(const struct stat *file);
 
-/* fopen(path, "rb") of a file that counts as an input. NULL: errno says why. */
+/* Opens a file with fopen(path, "rb") and adds it to the set. NULL: errno has
+ * the reason. */
 FILE *murk_inputs_open(const char *path);
 
-/* Whether this file was added; false where there is no such file. */
+/* True if the file at `path` was added; false if there is no such file. */
 bool murk_inputs_has(const char *path);
 
 #endif

@@ -1,3 +1,6 @@
+/* One atomic flag that the handler of SIGINT and SIGTERM sets and long
+ * computations poll. The handler is installed for one signal only, so that a
+ * second signal kills a program that does not react. */
 #include "base/interrupt.h"
 
 #include <signal.h>
@@ -16,7 +19,8 @@ void murk_interrupt_install(void)
 {
     struct sigaction action = {.sa_handler = on_signal};
     sigemptyset(&action.sa_mask);
-    action.sa_flags = (int)SA_RESETHAND; /* the second one kills */
+    action.sa_flags = (int)SA_RESETHAND; /* the second signal kills the
+                                          * process */
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
 }

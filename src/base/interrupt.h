@@ -1,5 +1,5 @@
-/* Ctrl-C and friends: long work stops at the next batch, nothing half-written
- * stays behind, and the program ends with 130. */
+/* Interruption by SIGINT and SIGTERM: long computations stop at the next batch,
+ * remove unfinished files, and the program ends with exit code 130. */
 #ifndef MURK_BASE_INTERRUPT_H
 #define MURK_BASE_INTERRUPT_H
 
@@ -9,10 +9,10 @@
  * program at once. */
 void murk_interrupt_install(void);
 
-/* True from the first signal on. */
+/* True after the first signal. */
 bool murk_interrupted(void);
 
-/* Raises the flag, as a signal would: for callers of the library. */
+/* Sets the flag as a signal would; for callers of the library. */
 void murk_interrupt_request(void);
 
 #endif

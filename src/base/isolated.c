@@ -1,3 +1,6 @@
+/* Forks, runs a computation in the subprocess and reads messages from a pipe
+ * until the subprocess reports the end of the computation with its status and
+ * error. A message is a header (kind, status, size) and its bytes. */
 #include "base/isolated.h"
 
 #include "base/c_locale.h"
@@ -17,7 +20,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* Messages, then the end with the work's status and error. */
+/* The subprocess sends messages, then the end with status and error. The values
+ * are arbitrary marks that detect garbage in the pipe. */
 typedef enum kind { MESSAGE = 0x6d736721, END = 0x656e6421 } kind;
 
 typedef struct head {
@@ -29,43 +33,45 @@ struct murk_isolated {
     int fd;
 };
 
-murk_status murk_isolated_send(murk_isolated *apart, const void *bytes,
+murk_status murk_isolated_send(murk_isolated *process, const void *bytes,
                                size_t size, murk_error *err)
 {
     const head h = {MESSAGE, MURK_OK, size};
-    return murk_pipe_write(apart->fd, &h, sizeof h) &&
-                   murk_pipe_write(apart->fd, bytes, size)
+    return murk_pipe_write(process->fd, &h, sizeof h) &&
+                   murk_pipe_write(process->fd, bytes, size)
                ? MURK_OK
                : murk_fail(err, MURK_RUN_FAILED, "",
                            "nobody listens to it any more");
 }
 
-static _Noreturn void be_apart(int fd, pid_t parent, murk_isolated_work work,
-                               void *context)
+static _Noreturn void run_and_exit(int fd, pid_t parent,
+                                   murk_isolated_work work, void *context)
 {
     (void)murk_c_locale_enter();
-    signal(SIGINT, SIG_IGN); /* the parent decides, and kills */
+    signal(SIGINT, SIG_IGN); /* the parent handles the interrupt and kills this
+                              * process */
     signal(SIGTERM, SIG_DFL);
 #ifdef __linux__
-    prctl(PR_SET_PDEATHSIG, SIGKILL); /* or runs on for nobody */
+    prctl(PR_SET_PDEATHSIG, SIGKILL); /* end with the parent */
 #endif
     if (getppid() != parent) {
         _exit(1);
     }
-    murk_isolated apart = {fd};
+    murk_isolated process = {fd};
     murk_error err = {0};
-    const murk_status status = work(&apart, context, &err);
+    const murk_status status = work(&process, context, &err);
     const head h = {END, (uint32_t)status, sizeof err};
     const bool sent = murk_pipe_write(fd, &h, sizeof h) &&
                       murk_pipe_write(fd, &err, sizeof err);
-    _exit(sent ? 0 : 1); /* what it shares with the parent is not flushed */
+    _exit(sent ? 0 : 1); /* buffers that were filled before the fork are not
+                          * flushed */
 }
 
-/* What the other process said last, or why it says no more. */
+/* The last thing that the subprocess sent, or the reason why reading ended. */
 typedef struct ending {
     murk_pipe_verdict verdict;
-    murk_status received; /* of receive() */
-    murk_error told;
+    murk_status received; /* status of the last receive() */
+    murk_error error;
 } ending;
 
 static bool take_message(int fd, const head *h, murk_isolated_receive receive,
@@ -99,9 +105,9 @@ static void listen(int fd, murk_isolated_receive receive, void *context,
         if (end->verdict != MURK_PIPE_RECEIVED) {
             return;
         }
-        if (h.kind == END && h.size == sizeof end->told) {
+        if (h.kind == END && h.size == sizeof end->error) {
             end->verdict =
-                murk_pipe_read(fd, &end->told, sizeof end->told, INFINITY);
+                murk_pipe_read(fd, &end->error, sizeof end->error, INFINITY);
             return;
         }
         if (h.kind != MESSAGE) {
@@ -132,9 +138,10 @@ static murk_status explain(const ending *end, int ended, murk_error *err)
                    : murk_fail(err, MURK_RUN_FAILED, "",
                                "its process ended without a word");
     }
-    return end->told.status ? murk_fail(err, end->told.status, end->told.where,
-                                        "%s", end->told.text)
-                            : MURK_OK;
+    return end->error.status
+               ? murk_fail(err, end->error.status, end->error.where, "%s",
+                           end->error.text)
+               : MURK_OK;
 }
 
 murk_status murk_isolated_run(murk_isolated_work work, void *work_context,
@@ -146,6 +153,7 @@ murk_status murk_isolated_run(murk_isolated_work work, void *work_context,
         return murk_fail(err, MURK_RUN_FAILED, "", "cannot open a pipe: %s",
                          strerror(errno));
     }
+    /* No other thread may run during fork(): stop the progress display. */
     murk_progress_pause();
     const pid_t self = getpid(), pid = fork();
     if (pid < 0) {
@@ -155,11 +163,14 @@ murk_status murk_isolated_run(murk_isolated_work work, void *work_context,
         return murk_fail(err, MURK_RUN_FAILED, "", "cannot start a process: %s",
                          strerror(errno));
     }
+    /* Subprocess: run the computation and exit. */
     if (pid == 0) {
         close(ends[0]);
-        murk_progress_apart();
-        be_apart(ends[1], self, work, work_context);
+        murk_progress_in_subprocess();
+        run_and_exit(ends[1], self, work, work_context);
     }
+    /* Parent: read messages, then kill the subprocess unless it sent its
+     * end. */
     close(ends[1]);
     ending end = {0};
     listen(ends[0], receive, receive_context, &end, err);

@@ -1,8 +1,9 @@
-/* Work in a process of its own: it may have threads and ray devices, which end
- * with it, and whatever it dies of leaves this one whole. What it finds comes
- * back as messages, one by one.
+/* Runs a computation in a subprocess. The subprocess may start threads and ray
+ * devices, which end with it, and a crash of the subprocess leaves the calling
+ * process intact. Results return as messages through a pipe.
  *
- * Call it while this process has no threads and no ray device (fork). */
+ * The call forks, so the calling process must have no threads and no ray
+ * device. */
 #ifndef MURK_BASE_ISOLATED_H
 #define MURK_BASE_ISOLATED_H
 
@@ -12,24 +13,28 @@
 
 typedef struct murk_isolated murk_isolated;
 
-/* Runs in the other process. Its failure reaches the caller's err as it is.
- * Signals that interrupt are the caller's to act on: it ends the work. */
-typedef murk_status (*murk_isolated_work)(murk_isolated *apart, void *context,
+/* The computation, called in the subprocess. A failure is passed to the caller
+ * of murk_isolated_run() unchanged. Signals that interrupt are handled by the
+ * parent process, which kills the subprocess. */
+typedef murk_status (*murk_isolated_work)(murk_isolated *process, void *context,
                                           murk_error *err);
-/* One message, from within the work. Fails with MURK_RUN_FAILED where nobody
- * listens any more. */
-murk_status murk_isolated_send(murk_isolated *apart, const void *bytes,
+/* Sends one message from the subprocess. Fails with MURK_RUN_FAILED if the
+ * parent process no longer reads. */
+murk_status murk_isolated_send(murk_isolated *process, const void *bytes,
                                size_t size, murk_error *err);
 
-/* Runs here for each message, in order; bytes[size] is '\0', and they are lent
- * for the call. A failure ends the work. */
+/* Called in the parent process for each message, in order of sending.
+ * bytes[size] is '\0', and the bytes are valid during the call only. A failure
+ * ends the computation. */
 typedef murk_status (*murk_isolated_receive)(void *context, const char *bytes,
                                              size_t size, murk_error *err);
 
-#define MURK_ISOLATED_MESSAGE_MAX 67108864u /* bytes */
+/* Bytes: far above the longest row of a study, so that a damaged length is
+ * noticed before memory is taken for it. */
+#define MURK_ISOLATED_MESSAGE_MAX 67108864u
 
-/* Fails as the work did, or receive(), or with MURK_INTERRUPTED; with
- * MURK_RUN_FAILED where the process died (out of memory, for one). */
+/* Fails with the failure of work() or receive(), with MURK_INTERRUPTED, or with
+ * MURK_RUN_FAILED if the subprocess died (for example, out of memory). */
 murk_status murk_isolated_run(murk_isolated_work work, void *work_context,
                               murk_isolated_receive receive,
                               void *receive_context, murk_error *err);

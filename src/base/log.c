@@ -1,7 +1,8 @@
-/* Warnings and notes: to standard error, to another sink, or nowhere. On
- * standard error the same words for the same place stand once in a run of the
- * program, since scenes are read, and worlds built, for each condition, start
- * and seed. */
+/* Prints warnings and notes on standard error or passes them to another sink.
+ * On standard error a message with the same words for the same place is printed
+ * once in a run of the program, because scenes are read, and worlds built, for
+ * each condition, start and seed. Printed messages are recognised by a 128-bit
+ * checksum. */
 #include "base/log.h"
 
 #include "base/file.h"
@@ -15,12 +16,13 @@
 #include <stdio.h>
 #include <string.h>
 
-#define WHOLE_SIZE (3 * TEXT_SIZE)
+#define WHOLE_SIZE (3 * TEXT_SIZE) /* kind, place and text */
 
-#define TEXT_SIZE 640
-/* Four bytes for each of a text and of a place as long. */
+#define TEXT_SIZE 640 /* as in murk_error (base/status.h) */
+/* An escaped character takes at most four bytes (base/utf8.h). */
 #define SHOWN_SIZE (4 * TEXT_SIZE + 1)
-/* Messages that are remembered; of more, the oldest are forgotten. */
+/* The number of printed messages that are remembered; the oldest is forgotten
+ * first. */
 #define SAID_MAX 256
 
 void murk_message(const char *kind, const char *where, const char *text)
@@ -28,13 +30,13 @@ void murk_message(const char *kind, const char *where, const char *text)
     char shown_where[SHOWN_SIZE], shown_text[SHOWN_SIZE];
     murk_utf8_escape(shown_where, sizeof shown_where, where);
     murk_utf8_escape(shown_text, sizeof shown_text, text);
-    murk_progress_hide(); /* a step that was cut short may have left a line */
+    murk_progress_hide(); /* an unfinished step may have left a progress line */
     fprintf(stderr, "murk: %s%s%s%s\n", kind, shown_where, *where ? ": " : "",
             shown_text);
     murk_progress_show();
 }
 
-/* True for the second message of the same words, and from then on. */
+/* True if the same message was printed before. */
 static bool is_said_before(const char *kind, const char *where,
                            const char *text)
 {

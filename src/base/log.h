@@ -1,33 +1,35 @@
-/* Warnings and notes: things the user should know that stop nothing. A note is
- * of what is as it should be, and yet may surprise: a lamp that is off. */
+/* Warnings and notes: information for the user that does not stop the run. A
+ * note concerns a correct input with an effect that may surprise, such as a
+ * lamp that is switched off. */
 #ifndef MURK_BASE_LOG_H
 #define MURK_BASE_LOG_H
 
 #include <stdbool.h>
 
-/* One line: "murk: warning: WHERE: TEXT" on standard error by default, where
- * the same line is printed once in a run of the program. */
+/* Prints one line, "murk: warning: WHERE: TEXT", on standard error by default.
+ * The same line is printed once in a run of the program. */
 void murk_warn(const char *where, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* The same with "murk: note: ". */
+/* Like murk_warn(), with "murk: note: ". */
 void murk_note(const char *where, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* Sends both elsewhere; NULL silences them. Set it while no thread runs that
- * might warn. Returns where they went before. */
+/* Redirects warnings and notes to `sink`; NULL silences them. Returns the
+ * previous sink. Call it while no thread runs that might warn. */
 typedef void (*murk_warn_sink)(const char *where, const char *text);
 murk_warn_sink murk_warn_to(murk_warn_sink sink);
 void murk_warn_to_stderr(const char *where, const char *text);
 
-/* Prints "murk: KINDWHERE: TEXT" as one line on standard error: the one way by
- * which messages reach a terminal. `where` may be empty. Control characters in
- * `where` and `text`, which may be of a file or an option, are shown escaped
- * (base/utf8.h). */
+/* Prints "murk: KINDWHERE: TEXT" as one line on standard error. All messages to
+ * a terminal are printed by this function. `where` may be empty. `where` and
+ * `text` may come from a file or an option, so control characters in them are
+ * shown escaped (base/utf8.h). */
 void murk_message(const char *kind, const char *where, const char *text);
 
-/* Whether this thread keeps silent: of what is read a second time, all has been
- * said. Gives back what held before. */
+/* Silences warnings and notes of the calling thread, for reading a file a
+ * second time: all its warnings were given at the first reading. Returns the
+ * previous state. */
 bool murk_warn_quiet(bool is_silent);
 
 #endif

@@ -1,3 +1,5 @@
+/* Calls lgamma_r() of POSIX, the thread-safe form of lgamma(), and drops the
+ * sign, which is positive for x > 0. */
 #include "base/log_gamma.h"
 
 #include <assert.h>

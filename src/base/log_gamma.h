@@ -1,5 +1,5 @@
-/* The logarithm of the gamma function, safe on any thread: C's lgamma() also
- * writes its sign to a global variable. */
+/* The logarithm of the gamma function, safe on any thread: lgamma() of the C
+ * library also writes a global variable, the sign. */
 #ifndef MURK_BASE_LOG_GAMMA_H
 #define MURK_BASE_LOG_GAMMA_H
 

@@ -1,3 +1,5 @@
+/* Memory of the machine as the operating system reports it: /proc/meminfo and
+ * the limits and usage of the process. */
 #include "base/machine.h"
 
 #include <math.h>

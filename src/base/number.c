@@ -1,10 +1,13 @@
+/* Parses decimal numbers more strictly than strtod(), which also accepts
+ * hexadecimal numbers, infinities and leading blanks, and prints the shortest
+ * text that reads back as the same double. */
 #include "base/number.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Every whole double up to here is exact. */
+/* All whole numbers up to 2^53 are exact in a double. */
 #define EXACT_WHOLE 9007199254740992.0
 
 static const char *skip_digits(const char *p)
@@ -15,9 +18,10 @@ static const char *skip_digits(const char *p)
     return p;
 }
 
-/* strtod alone would also take hexadecimals, infinities and leading blanks. */
+/* True if the text is a decimal number and nothing else. */
 static bool is_decimal(const char *text)
 {
+    /* Sign, digits with an optional point, optional exponent. */
     const char *p = text + (*text == '+' || *text == '-');
     const char *whole = skip_digits(p);
     long digits = whole - p;
@@ -67,6 +71,7 @@ bool murk_count_parse(const char *text, uint64_t *out)
         *out = (uint64_t)value;
         return true;
     }
+    /* Digits only: up to 2^64 - 1. */
     uint64_t value = 0;
     for (; p < end; ++p) {
         const uint64_t digit = (uint64_t)(*p - '0');

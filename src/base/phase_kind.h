@@ -18,7 +18,7 @@
     X(FOURNIER_FORAND, "fournier_forand", 2) \
     X(TABLE, "table", 0)
 
-#define MURK_PHASE_NUMBERS_MAX 3
+#define MURK_PHASE_NUMBERS_MAX 3 /* of two_hg */
 
 #define MURK_PHASE_ENUMERATOR(id, name, numbers) MURK_PHASE_##id,
 typedef enum murk_phase_kind {

@@ -1,18 +1,26 @@
+/* Photometric and quantum conversions of radiant power, by the tables and
+ * constants of base/photometry.h. Within a band, the spectral integrals are
+ * sums over midpoints of equal steps. */
 #include "base/photometry.h"
 
 #include <assert.h>
 #include <math.h>
 #include <stddef.h>
 
-#define HC_J_NM     1.986445857148929e-16 /* joule nanometres */
+/* h c in joule nanometres (SI 2019) */
+#define HC_J_NM 1.986445857148929e-16
+/* The table of V, the limits of PAR and the unit of PAR (base/photometry.h). */
 #define V_FROM_NM   380.0
 #define V_STEP_NM   5.0
 #define PAR_FROM_NM 400.0
 #define PAR_TO_NM   700.0
 #define UMOL        1e6
+/* Steps of the midpoint rule: V changes by at most 3 % of its maximum in 1
+ * nm. */
 #define MAX_STEP_NM 1.0
-#define MAX_STEPS   20000 /* beyond it steps get longer */
+#define MAX_STEPS   20000 /* beyond this number the steps become longer */
 
+/* The luminous efficiency V every V_STEP_NM (ISO/CIE 11664-1:2019). */
 static const double efficiency[] = {
     0.000039, 0.000064, 0.000120, 0.000217, 0.000396, 0.000640, 0.001210,
     0.002180, 0.004000, 0.007300, 0.011600, 0.016840, 0.023000, 0.029800,
@@ -26,6 +34,7 @@ static const double efficiency[] = {
     0.005723, 0.004102, 0.002929, 0.002091, 0.001484, 0.001047, 0.000740,
     0.000520, 0.000361, 0.000249, 0.000172, 0.000120, 0.000085, 0.000060,
     0.000042, 0.000030, 0.000021, 0.000015};
+/* The last index of the table. */
 #define LAST ((int)(sizeof efficiency / sizeof *efficiency) - 1)
 
 double murk_luminous_efficiency(double wavelength_nm)
@@ -34,8 +43,8 @@ double murk_luminous_efficiency(double wavelength_nm)
     if (!(x >= 0 && x <= LAST)) {
         return 0;
     }
-    /* Lagrange's cubic through two values on either side, or the four at an
-     * end */
+    /* Lagrange cubic through two values on either side of x, or through the
+     * outermost four at an end of the table. */
     int i = (int)x - 1;
     i = i < 0 ? 0 : i > LAST - 3 ? LAST - 3 : i;
     const double t = x - i;
@@ -51,7 +60,7 @@ double murk_photons_per_joule(double wavelength_nm)
     return wavelength_nm / HC_J_NM;
 }
 
-/* Of one watt at a wavelength. */
+/* The amount of a quantity in one watt at a wavelength. */
 static double per_watt(murk_quantity quantity, double wavelength_nm)
 {
     switch (quantity) {
@@ -70,7 +79,7 @@ static double per_watt(murk_quantity quantity, double wavelength_nm)
     return 1;
 }
 
-static double even(const void *context, double wavelength_nm)
+static double constant(const void *context, double wavelength_nm)
 {
     (void)context;
     (void)wavelength_nm;
@@ -81,7 +90,7 @@ typedef struct weighed {
     double power, counted;
 } weighed;
 
-/* Adds the middles of equal steps between two wavelengths. */
+/* Adds the midpoints of equal steps between two wavelengths to the sums. */
 static void add_piece(weighed *sums, murk_quantity quantity, double from_nm,
                       double to_nm, murk_spectral_shape shape,
                       const void *context)
@@ -105,7 +114,8 @@ double murk_quantity_per_watt_of(murk_quantity quantity, double from_nm,
     if (from_nm == to_nm || quantity == MURK_RADIOMETRIC) {
         return per_watt(quantity, from_nm);
     }
-    /* cut where V and PAR begin and end, so that no step straddles a jump */
+    /* Divide the band at the ends of V and PAR, so that no step contains a
+     * jump. */
     static const double cuts[] = {V_FROM_NM, PAR_FROM_NM, PAR_TO_NM,
                                   V_FROM_NM + V_STEP_NM * LAST};
     weighed sums = {0, 0};
@@ -118,7 +128,8 @@ double murk_quantity_per_watt_of(murk_quantity quantity, double from_nm,
     }
     add_piece(&sums, quantity, start, to_nm, shape, context);
     if (!(sums.power > 0)) {
-        return murk_quantity_per_watt_of(quantity, from_nm, to_nm, even, NULL);
+        return murk_quantity_per_watt_of(quantity, from_nm, to_nm, constant,
+                                         NULL);
     }
     return sums.counted / sums.power;
 }
@@ -126,5 +137,5 @@ double murk_quantity_per_watt_of(murk_quantity quantity, double from_nm,
 double murk_quantity_per_watt(murk_quantity quantity, double from_nm,
                               double to_nm)
 {
-    return murk_quantity_per_watt_of(quantity, from_nm, to_nm, even, NULL);
+    return murk_quantity_per_watt_of(quantity, from_nm, to_nm, constant, NULL);
 }

@@ -1,22 +1,24 @@
-/* From watts to what eyes, plants and counters take of light: lumens, photons,
- * photosynthetic photons.
+/* Converts radiant power [W] to lumens, photons and photosynthetic photons.
  *
- * A band is a line (from_nm == to_nm) or the wavelengths between two edges.
- * Within a band light is taken as even in wavelength, or as a given shape of
- * spectrum says.
+ * A band is a single wavelength (from_nm == to_nm) or the interval between two
+ * edges. Within a band, the spectrum of the light is constant or has a given
+ * shape.
  *
- * V: the photopic luminous efficiency CIE 1924, which is the 1931 standard
- * observer's y (ISO/CIE 11664-1:2019), at 5 nm, cubic between; 380-780 nm, 0
- * elsewhere. 683 lm/W at V = 1. Photons by hc = 1.98644586e-25 J m (SI 2019).
- * PAR: the photons of 400-700 nm (McCree, Agric. Meteorol. 10 (1972) 443,
- * doi:10.1016/0002-1571(72)90045-3). */
+ * The luminous efficiency V is the photopic function CIE 1924, which equals the
+ * y function of the 1931 standard observer (ISO/CIE 11664-1:2019), tabulated
+ * every 5 nm from 380 to 780 nm, interpolated by cubics, and 0 elsewhere; 683
+ * lm/W at V = 1. Photons are counted with hc = 1.98644586e-25 J m (SI 2019).
+ * PAR is the number of photons of 400 to 700 nm (McCree, Agric. Meteorol. 10
+ * (1972) 443, doi:10.1016/0002-1571(72)90045-3). */
 #ifndef MURK_BASE_PHOTOMETRY_H
 #define MURK_BASE_PHOTOMETRY_H
 
-#define MURK_LUMEN_PER_WATT 683.0 /* at V = 1 */
-#define MURK_AVOGADRO       6.02214076e23
+/* at V = 1, by the definition of the candela (SI) */
+#define MURK_LUMEN_PER_WATT 683.0
+#define MURK_AVOGADRO       6.02214076e23 /* 1/mol, SI 2019 */
 
-/* What a watt is read as, and the unit of an irradiance then. */
+/* The quantity that light is measured in, and the unit of irradiance in that
+ * quantity. */
 typedef enum murk_quantity {
     MURK_RADIOMETRIC, /* W/m2 */
     MURK_PHOTOMETRIC, /* lux */
@@ -24,23 +26,24 @@ typedef enum murk_quantity {
     MURK_PAR          /* umol/s/m2, 400-700 nm only */
 } murk_quantity;
 
-/* V at a wavelength, 0..1. */
+/* The luminous efficiency V at a wavelength, 0..1. */
 double murk_luminous_efficiency(double wavelength_nm);
 
 double murk_photons_per_joule(double wavelength_nm);
 
-/* Relative spectral power at a wavelength, in any unit, >= 0. */
+/* Relative spectral power at a wavelength, >= 0, in any unit. */
 typedef double (*murk_spectral_shape)(const void *context,
                                       double wavelength_nm);
 
-/* What one watt of light in a band counts as: 1, lumens, photons/s or umol/s.
- * So an irradiance [W/m2] times this is in the quantity's unit. Edges in nm,
- * 0 < from <= to. */
+/* The amount of a quantity that one watt of light in a band has: 1, lumens,
+ * photons/s or umol/s. An irradiance [W/m2] times this amount is in the unit of
+ * the quantity. Edges in nm, 0 < from <= to. */
 double murk_quantity_per_watt(murk_quantity quantity, double from_nm,
                               double to_nm);
 
-/* The same for light of a given shape within the band; even where the shape is
- * 0 throughout. The shape is asked at steps of 1 nm or less. */
+/* Like murk_quantity_per_watt(), for light with a given spectral shape within
+ * the band. A shape that is 0 in the whole band is replaced by a constant one.
+ * The shape is sampled at steps of 1 nm or less. */
 double murk_quantity_per_watt_of(murk_quantity quantity, double from_nm,
                                  double to_nm, murk_spectral_shape shape,
                                  const void *context);

@@ -1,3 +1,6 @@
+/* Blocking reads and writes of whole blocks of bytes on a pipe. Reading polls,
+ * so that an interrupt of the user and a deadline are noticed while the other
+ * process is silent. */
 #include "base/pipe.h"
 
 #include "base/interrupt.h"
@@ -29,6 +32,8 @@ murk_pipe_verdict murk_pipe_read(int fd, void *bytes, size_t size,
 {
     char *at = bytes;
     while (size > 0) {
+        /* Wait for bytes for 0.1 s at most, then look for an interrupt or the
+         * deadline. */
         struct pollfd ready = {.fd = fd, .events = POLLIN};
         const int n_ready = poll(&ready, 1, 100);
         if (murk_interrupted()) {
@@ -40,6 +45,8 @@ murk_pipe_verdict murk_pipe_read(int fd, void *bytes, size_t size,
         if (n_ready <= 0) {
             continue;
         }
+        /* A read may return fewer bytes than asked for, and 0 at the end of the
+         * pipe. */
         const ssize_t n = read(fd, at, size);
         if (n < 0 && errno == EINTR) {
             continue;

@@ -1,3 +1,6 @@
+/* A thread pool on POSIX threads. The workers of a run take the next batch from
+ * an atomic counter, the calling thread included. Threads are started for each
+ * run and joined at its end. */
 #include "base/pool.h"
 
 #include "base/interrupt.h"
@@ -11,10 +14,11 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#define THREADS_MAX 256
+#define THREADS_MAX 256 /* more processors than one machine has today */
 
-/* Of every thread at least. Tracing and placing take between 128 and 256 kB
- * (largest frame: 139 kB, transport), and `ulimit -s` may allow less. */
+/* The least stack size of every thread. Tracing and placing take between 128
+ * and 256 kB (largest frame: 139 kB, transport), and `ulimit -s` may allow
+ * less. */
 #define STACK_BYTES ((size_t)1 << 20)
 
 static unsigned threads_allowed = THREADS_MAX;
@@ -50,8 +54,8 @@ static void *work(void *argument)
     return NULL;
 }
 
-/* Starts a thread with a stack of STACK_BYTES at least; 0 or an error number,
- * as pthread_create(). */
+/* Starts a thread with a stack of at least STACK_BYTES. Returns 0 or an error
+ * number, as pthread_create() does. */
 static int start(pthread_t *thread, void *(*begin)(void *), void *argument)
 {
     pthread_attr_t attributes;
@@ -71,41 +75,42 @@ static int start(pthread_t *thread, void *(*begin)(void *), void *argument)
     return refusal;
 }
 
-/* ---- a stack of one's own ---- */
+/* ---- a stack that is large enough ---- */
 
-struct errand {
+struct task {
     void (*run)(void *);
     void *context;
-    sigset_t signals; /* that the caller took */
+    sigset_t signals; /* the signal mask of the caller */
 };
 
-static void *do_errand(void *argument)
+static void *run_task(void *argument)
 {
-    const struct errand *e = argument;
+    const struct task *e = argument;
     pthread_sigmask(SIG_SETMASK, &e->signals, NULL);
     e->run(e->context);
     return NULL;
 }
 
-void murk_pool_run_with_stack(void (*errand)(void *), void *context)
+void murk_pool_run_with_stack(void (*run_it)(void *), void *context)
 {
-    struct errand e = {.run = errand, .context = context};
+    struct task e = {.run = run_it, .context = context};
     struct rlimit limit;
     const bool is_small = getrlimit(RLIMIT_STACK, &limit) == 0 &&
                           limit.rlim_cur != RLIM_INFINITY &&
                           limit.rlim_cur < STACK_BYTES;
     pthread_t thread;
     sigset_t all;
-    /* Signals go to the thread that works: its system calls are to end. */
+    /* Block signals in the waiting thread, so that they interrupt the system
+     * calls of the working thread. */
     sigfillset(&all);
     pthread_sigmask(SIG_SETMASK, &all, &e.signals);
-    const bool is_apart = is_small && start(&thread, do_errand, &e) == 0;
-    if (is_apart) {
+    const bool has_own_thread = is_small && start(&thread, run_task, &e) == 0;
+    if (has_own_thread) {
         pthread_join(thread, NULL);
     }
     pthread_sigmask(SIG_SETMASK, &e.signals, NULL);
-    if (!is_apart) {
-        errand(context);
+    if (!has_own_thread) {
+        run_it(context);
     }
 }
 
@@ -135,7 +140,7 @@ static void run(unsigned threads, pool *c)
     }
 }
 
-/* Waits until all threads of a trial have been started. */
+/* Waits until all threads of the trial have been started. */
 static void *wait_for_release(void *argument)
 {
     pthread_mutex_t *held = argument;
@@ -151,7 +156,7 @@ murk_status murk_pool_allow(unsigned threads, murk_error *err)
     unsigned started = 0;
     int refusal = 0;
     threads_allowed = threads < THREADS_MAX ? threads : THREADS_MAX;
-    /* the calling thread works, too, so one less is started */
+    /* the calling thread works, too, so one thread less is started */
     pthread_mutex_lock(&held);
     while (!refusal && started + 1 < threads_allowed) {
         refusal = start(&thread[started], wait_for_release, &held);

@@ -1,4 +1,5 @@
-/* Prints positions of messages in the user's coordinates. */
+/* Adds the local origin to positions and prints them; the origin is one
+ * variable of the process, set while a scene is read. */
 #include "base/position.h"
 
 #include <stdio.h>

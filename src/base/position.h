@@ -1,22 +1,23 @@
-/* Positions in messages. A scene far from 0 is computed about a local origin
- * (scene/origin.h), of which the rooms below `study` know nothing; what they
- * say of a position is printed in the coordinates of the user's scene all the
- * same, because every message prints positions through this header. */
+/* Prints positions in messages. A scene far from 0 is computed about a local
+ * origin (scene/origin.h), which the rooms below `study` do not know. Every
+ * message prints positions through this header, so that users read them in the
+ * coordinates of their scene. */
 #ifndef MURK_BASE_POSITION_H
 #define MURK_BASE_POSITION_H
 
 #include "base/vector.h"
 
 typedef struct murk_position_text {
-    char text[96]; /* "[500001.5, 5500002, 3]" */
+    char text[96]; /* e.g. "[500001.5, 5500002, 3]" */
 } murk_position_text;
 
-/* The place in the user's coordinates that positions count from; 0 at first.
- * Set it while no other thread prints messages. */
+/* Sets the local origin in the coordinates of the user; at first it is 0. Call
+ * it while no other thread prints messages. */
 void murk_position_origin(murk_vec3 origin);
 
-/* A position that counts from there, as the user knows it: to 9 digits, and
- * with a local origin to 12, which are millimetres below 1e9 m. */
+/* Prints a position that is relative to the local origin in the coordinates of
+ * the user: with 9 digits, or with 12 if the local origin is not 0. 12 digits
+ * resolve millimetres below 1e9 m. */
 murk_position_text murk_position_show(murk_vec3 local);
 
 #endif

@@ -1,3 +1,7 @@
+/* The progress line: a stack of open steps, a count of each that workers
+ * increase atomically, and a thread that redraws the line every fifth of a
+ * second. The thread is stopped at every fork, because only the forking thread
+ * survives in the subprocess. */
 #include "base/progress.h"
 
 #include "base/progress_line.h"
@@ -15,30 +19,35 @@
 #include <time.h>
 #include <unistd.h>
 
-#define DRAWN_SIZE (LINE_SIZE + 16) /* a line and what moves the cursor */
+/* a line and the control sequences for the cursor */
+#define DRAWN_SIZE (LINE_SIZE + 16)
 
+/* Times of the display: steps shorter than FIRST_DRAW_S show nothing, a line is
+ * redrawn every DRAW_EVERY_S, and whole lines begin after FIRST_LINE_S. */
 #define FIRST_DRAW_S 0.5
 #define DRAW_EVERY_S 0.2
 #define FIRST_LINE_S 2.0
-#define LINE_GROWTH  1.25 /* of the time between whole lines */
-#define STEPS_MAX    4
-#define COLUMNS      80 /* where the terminal does not say */
-#define COLUMNS_MIN  20
-#define LINE_SIZE    512
+/* factor between the times of successive whole lines */
+#define LINE_GROWTH 1.25
+#define STEPS_MAX   4   /* study, row, step, inner step */
+#define COLUMNS     80  /* if the terminal does not report its width */
+#define COLUMNS_MIN 20  /* narrower windows wrap */
+#define LINE_SIZE   512 /* all pieces of a line */
 
-typedef enum style { SILENT, OVER_AND_OVER, WHOLE_LINES } style;
+typedef enum style { SILENT, REDRAWN_LINE, WHOLE_LINES } style;
 
 typedef struct step {
     const char *name, *unit;
     uint64_t total;
     atomic_uint_fast64_t done;
     double begun_s;
-    bool is_over; /* of other steps, whose counts are not its own */
+    bool is_group; /* a group of other steps: their counts do not add to it */
     char text[MURK_PROGRESS_TEXT_SIZE];
 } step;
 
-/* `lock` guards all but `done`, which workers add to without it; `steps` and
- * `parts` change between workers' work alone. */
+/* The state of the display. `lock` guards all members except `done`, which
+ * workers increase without it. `steps` and `parts` change only while no worker
+ * runs. */
 static struct {
     style style;
     pthread_mutex_t lock;
@@ -46,9 +55,10 @@ static struct {
     pthread_t drawer;
     bool has_drawer, is_ending, is_drawn;
     step step[STEPS_MAX];
-    int steps;        /* open; more than STEPS_MAX are not shown */
-    double next_s;    /* of whole lines */
-    bool told_a_line; /* of the outermost step */
+    int steps;        /* open steps; those beyond STEPS_MAX are not shown */
+    double next_s;    /* time of the next whole line */
+    bool has_printed; /* whether a whole line was printed for the outermost
+                       * step */
     uint64_t part, parts, parts_done, parts_done_first;
     double parts_begun_s;
 } bar = {.lock = PTHREAD_MUTEX_INITIALIZER};
@@ -59,7 +69,7 @@ static size_t window_columns(void)
     if (ioctl(STDERR_FILENO, TIOCGWINSZ, &window) != 0 || window.ws_col == 0) {
         return COLUMNS;
     }
-    /* in the last column some terminals wrap already */
+    /* some terminals wrap after the last column already */
     return window.ws_col > COLUMNS_MIN ? window.ws_col - 1u : COLUMNS_MIN;
 }
 
@@ -67,10 +77,11 @@ static murk_progress_facts facts_of(const step *s, double now_s)
 {
     const uint64_t made = bar.parts_done - bar.parts_done_first;
     const double spent_s = now_s - bar.parts_begun_s;
-    /* The step that counts the parts says where it is by its own count, and
-     * how long all take, where none was done before it began. */
-    const bool counts_parts = s->is_over && s->total == bar.parts;
-    const bool tells_all =
+    /* The step that counts the parts shows its own count instead of the number
+     * of a part. Its own estimate covers all parts, unless parts were done
+     * before it began. */
+    const bool counts_parts = s->is_group && s->total == bar.parts;
+    const bool knows_all =
         made > 0 && !(counts_parts && bar.parts_done_first == 0);
     return (murk_progress_facts){
         .step = s->name,
@@ -81,7 +92,7 @@ static murk_progress_facts facts_of(const step *s, double now_s)
         .elapsed_s = now_s - s->begun_s,
         .part = counts_parts ? 0 : bar.part,
         .parts = bar.parts,
-        .parts_left_s = tells_all ? spent_s / (double)made *
+        .parts_left_s = knows_all ? spent_s / (double)made *
                                         (double)(bar.parts - bar.parts_done)
                                   : NAN};
 }
@@ -100,8 +111,8 @@ static void wipe(void)
     }
 }
 
-/* The innermost step that has lasted long enough to be worth a line. */
-static void draw_over(double now_s)
+/* Redraws the line of the innermost step that has lasted long enough. */
+static void redraw_line(double now_s)
 {
     int top = bar.steps < STEPS_MAX ? bar.steps : STEPS_MAX;
     while (top > 0 && now_s - bar.step[top - 1].begun_s < FIRST_DRAW_S) {
@@ -118,8 +129,9 @@ static void draw_over(double now_s)
     bar.is_drawn = true;
 }
 
-/* The outermost step that knows how far it is, else the innermost. */
-static const step *told_step(void)
+/* Returns the outermost step with a known total or a text, else the innermost
+ * step. */
+static const step *printed_step(void)
 {
     const int open = bar.steps < STEPS_MAX ? bar.steps : STEPS_MAX;
     for (int k = 0; k < open; ++k) {
@@ -130,30 +142,31 @@ static const step *told_step(void)
     return &bar.step[open - 1];
 }
 
-static void tell_line(double now_s)
+static void print_line(double now_s)
 {
-    const murk_progress_facts facts = facts_of(told_step(), now_s);
+    const murk_progress_facts facts = facts_of(printed_step(), now_s);
     char line[LINE_SIZE], both[DRAWN_SIZE];
     murk_progress_sentence(line, sizeof line, &facts);
     snprintf(both, sizeof both, "%s\n", line);
     put(both);
-    bar.told_a_line = true;
+    bar.has_printed = true;
     const double spent_s = now_s - bar.step[0].begun_s;
     bar.next_s = bar.step[0].begun_s +
                  fmax(LINE_GROWTH * spent_s, spent_s + FIRST_LINE_S);
 }
 
-/* With the lock held. */
+/* Draws or prints the line if it is time to do so; the caller holds the
+ * lock. */
 static void draw(void)
 {
     const double now_s = murk_clock_s();
     if (bar.steps == 0) {
         return;
     }
-    if (bar.style == OVER_AND_OVER) {
-        draw_over(now_s);
+    if (bar.style == REDRAWN_LINE) {
+        redraw_line(now_s);
     } else if (bar.style == WHOLE_LINES && now_s >= bar.next_s) {
-        tell_line(now_s);
+        print_line(now_s);
     }
 }
 
@@ -188,7 +201,7 @@ static void start_drawer(void)
     pthread_cond_init(&bar.wakes, &attributes);
     pthread_condattr_destroy(&attributes);
     bar.is_ending = false;
-    sigfillset(&all); /* Ctrl-C is the main thread's */
+    sigfillset(&all); /* signals go to the main thread */
     pthread_sigmask(SIG_SETMASK, &all, &before);
     bar.has_drawer = pthread_create(&bar.drawer, NULL, keep_drawing, NULL) == 0;
     pthread_sigmask(SIG_SETMASK, &before, NULL);
@@ -216,11 +229,11 @@ void murk_progress_set(murk_progress_mode mode)
         is_terminal && terminal && *terminal && strcmp(terminal, "dumb") != 0;
     const bool speaks = mode == MURK_PROGRESS_ALWAYS ||
                         (mode == MURK_PROGRESS_AUTO && is_terminal);
-    bar.style = !speaks ? SILENT : can_wipe ? OVER_AND_OVER : WHOLE_LINES;
+    bar.style = !speaks ? SILENT : can_wipe ? REDRAWN_LINE : WHOLE_LINES;
 }
 
 static void begin(const char *name, uint64_t total, const char *unit,
-                  bool is_over)
+                  bool is_group)
 {
     pthread_mutex_lock(&bar.lock);
     if (bar.steps < STEPS_MAX) {
@@ -229,13 +242,13 @@ static void begin(const char *name, uint64_t total, const char *unit,
         s->unit = unit;
         s->total = total;
         s->text[0] = '\0';
-        s->is_over = is_over;
+        s->is_group = is_group;
         s->begun_s = murk_clock_s();
         atomic_store(&s->done, 0);
     }
     if (bar.steps == 0) {
         bar.next_s = bar.step[0].begun_s + FIRST_LINE_S;
-        bar.told_a_line = false;
+        bar.has_printed = false;
     }
     ++bar.steps;
     pthread_mutex_unlock(&bar.lock);
@@ -247,8 +260,8 @@ void murk_progress_begin(const char *name, uint64_t total, const char *unit)
     begin(name, total, unit, false);
 }
 
-void murk_progress_begin_over(const char *name, uint64_t total,
-                              const char *unit)
+void murk_progress_begin_group(const char *name, uint64_t total,
+                               const char *unit)
 {
     begin(name, total, unit, true);
 }
@@ -259,8 +272,8 @@ void murk_progress_end(void)
         stop_drawer();
     }
     pthread_mutex_lock(&bar.lock);
-    if (bar.steps == 1 && bar.style == WHOLE_LINES && bar.told_a_line) {
-        tell_line(murk_clock_s());
+    if (bar.steps == 1 && bar.style == WHOLE_LINES && bar.has_printed) {
+        print_line(murk_clock_s());
     }
     if (bar.steps == 1) {
         wipe();
@@ -269,10 +282,10 @@ void murk_progress_end(void)
     pthread_mutex_unlock(&bar.lock);
 }
 
-static void add(uint64_t done, bool to_over)
+static void add(uint64_t done, bool to_group)
 {
     const int top = bar.steps < STEPS_MAX ? bar.steps : STEPS_MAX;
-    if (top > 0 && bar.step[top - 1].is_over == to_over) {
+    if (top > 0 && bar.step[top - 1].is_group == to_group) {
         atomic_fetch_add(&bar.step[top - 1].done, done);
     }
 }
@@ -282,10 +295,11 @@ void murk_progress_add(uint64_t done)
     add(done, false);
 }
 
-void murk_progress_add_over(uint64_t done)
+void murk_progress_add_to_group(uint64_t done)
 {
     add(done, true);
-    if (!bar.has_drawer && bar.style == WHOLE_LINES) { /* paused */
+    if (!bar.has_drawer && bar.style == WHOLE_LINES) { /* the drawing thread is
+                                                        * stopped */
         pthread_mutex_lock(&bar.lock);
         draw();
         pthread_mutex_unlock(&bar.lock);
@@ -321,7 +335,8 @@ void murk_progress_part(uint64_t number, uint64_t parts, uint64_t done)
 void murk_progress_pause(void)
 {
     stop_drawer();
-    bar.is_drawn |= bar.style == OVER_AND_OVER; /* by a child, perhaps */
+    bar.is_drawn |= bar.style == REDRAWN_LINE; /* a subprocess may have drawn a
+                                                * line */
 }
 
 void murk_progress_resume(void)
@@ -331,7 +346,7 @@ void murk_progress_resume(void)
     }
 }
 
-void murk_progress_apart(void)
+void murk_progress_in_subprocess(void)
 {
     if (bar.style == WHOLE_LINES) {
         bar.style = SILENT;
@@ -342,8 +357,8 @@ void murk_progress_apart(void)
 void murk_progress_hide(void)
 {
     pthread_mutex_lock(&bar.lock);
-    if (bar.style == OVER_AND_OVER) {
-        bar.is_drawn = true; /* perhaps by a child */
+    if (bar.style == REDRAWN_LINE) {
+        bar.is_drawn = true; /* a subprocess may have drawn a line */
         wipe();
     }
 }

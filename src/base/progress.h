@@ -1,13 +1,14 @@
-/* One line for long steps, on standard error.
+/* A progress line for long steps, on standard error.
  *
  *   trace [##########..........] 51 %  51000 of 100000 photons  12 s, 11 s left
  *
- * On a terminal it is drawn over and over, as wide as the window allows, and
- * wiped when the step ends. A thread of its own draws it, so it moves while
- * nothing is added, too. Elsewhere (only when asked), and on terminals that
- * cannot wipe (TERM is dumb), whole lines tell the outermost step that knows
- * how far it is, ever more seldom: some forty in ten hours. Steps shorter than
- * half a second draw nothing. */
+ * On a terminal the line is redrawn in place, at most as wide as the window,
+ * and wiped when the step ends. A thread of the module redraws it, so that the
+ * times advance while no progress is reported, too. Elsewhere (only on
+ * request), and on terminals that cannot wipe a line (TERM is dumb), whole
+ * lines are printed. They report the outermost step with a known total, at
+ * growing intervals: some forty lines in ten hours. Steps shorter than half a
+ * second print nothing. */
 #ifndef MURK_BASE_PROGRESS_H
 #define MURK_BASE_PROGRESS_H
 
@@ -15,49 +16,54 @@
 
 typedef enum murk_progress_mode {
     MURK_PROGRESS_NEVER,
-    MURK_PROGRESS_AUTO, /* where standard error is a terminal */
+    MURK_PROGRESS_AUTO, /* if standard error is a terminal */
     MURK_PROGRESS_ALWAYS
 } murk_progress_mode;
 
-/* NEVER is where a process starts. Set it before any thread starts. */
+/* The mode of a new process is NEVER. Set the mode before any thread starts. */
 void murk_progress_set(murk_progress_mode mode);
 
-/* A step, within the one that is open if there is one: begun and ended by the
- * same thread. total 0: unknown. `step` and `unit` ("photons"; "": nothing is
- * counted) must outlive it. */
+/* Begins and ends a step, inside the open step if there is one; the same thread
+ * begins and ends it. total 0: unknown. `step` and `unit` ("photons"; "":
+ * nothing is counted) must stay valid until the step ends. */
 void murk_progress_begin(const char *step, uint64_t total, const char *unit);
 void murk_progress_end(void);
 
-/* To the innermost step; safe from any thread. */
+/* Adds to the count of the innermost step; safe from any thread. */
 void murk_progress_add(uint64_t done);
 
-/* A step that other steps make up, such as the rows of a study: what is added
- * to them, and to none, is not its own. */
-void murk_progress_begin_over(const char *step, uint64_t total,
-                              const char *unit);
-void murk_progress_add_over(uint64_t done);
+/* Begins a group: a step that consists of other steps, such as the rows of a
+ * study. murk_progress_add() inside a group counts for the inner steps only;
+ * murk_progress_add_to_group() counts for the group. */
+void murk_progress_begin_group(const char *step, uint64_t total,
+                               const char *unit);
+void murk_progress_add_to_group(uint64_t done);
 
-/* Where a search stands, behind the innermost step's numbers from now on. */
+/* Sets a text on the state of a search, which follows the numbers of the
+ * innermost step. */
 void murk_progress_text(const char *format, ...)
     __attribute__((format(printf, 1, 2)));
 
-/* Steps from here on belong to part `number`, from 1, of so many, of which
- * `done` are done: shown before them, with the time that all parts will take.
- * The first call begins to measure it. 0 of 0: of no part, as at first. */
+/* Declares that the following steps belong to part `number` (from 1) of
+ * `parts`, of which `done` are complete. The line shows the number of the part,
+ * and the estimated time for all parts, which is measured from the first call
+ * on. murk_progress_part(0, 0, ...) ends the parts. */
 void murk_progress_part(uint64_t number, uint64_t parts, uint64_t done);
 
-/* Around fork(), which no other thread may be alive at. A child that lives on
- * calls apart(): it draws the steps that are open and its own, while its parent
- * stays paused; whole lines are the parent's. */
+/* To be called around fork(): no other thread may exist then. A subprocess that
+ * reports progress calls murk_progress_in_subprocess(): it draws the open steps
+ * and its own steps, while the parent process stays paused. Whole lines are
+ * printed by the parent only. */
 void murk_progress_pause(void);
 void murk_progress_resume(void);
-void murk_progress_apart(void);
+void murk_progress_in_subprocess(void);
 
-/* Around other lines on standard error: wipes the line and holds it back. */
+/* To be called around other output on standard error: wipes the line and holds
+ * it back. */
 void murk_progress_hide(void);
 void murk_progress_show(void);
 
-/* Monotonic clock [s], for the run's own timings; never for results. */
+/* Monotonic clock [s], for timings of the run only, never for results. */
 double murk_clock_s(void);
 
 #endif

@@ -1,3 +1,5 @@
+/* Formats a progress line: name of the step, bar, percentage, count, times and
+ * text are formatted as separate pieces and joined. */
 #include "base/progress_line.h"
 
 #include "base/utf8.h"
@@ -6,12 +8,13 @@
 #include <stdio.h>
 #include <string.h>
 
-#define BAR_SIZE (BAR_CELLS + 3) /* brackets and the end */
+#define BAR_SIZE (BAR_CELLS + 3) /* cells, brackets and '\0' */
 
-#define BAR_CELLS  20
-#define PIECE_SIZE (MURK_PROGRESS_TEXT_SIZE + 64)
+#define BAR_CELLS  20                             /* 5 % each */
+#define PIECE_SIZE (MURK_PROGRESS_TEXT_SIZE + 64) /* text, two numbers */
 
-/* Whole numbers as such up to a million. */
+/* Formats a count: all digits up to a million, else three significant
+ * digits. */
 static void format_count(char *out, size_t size, uint64_t n)
 {
     if (n < 1000000) {
@@ -24,6 +27,7 @@ static void format_count(char *out, size_t size, uint64_t n)
 
 static void format_time(char *out, size_t size, double seconds)
 {
+    /* Limits: 100 hours, 90 s and 90 min. */
     if (!(seconds < 360000)) {
         snprintf(out, size, "%.0f days", seconds / 86400);
     } else if (seconds < 90) {
@@ -35,7 +39,7 @@ static void format_time(char *out, size_t size, double seconds)
     }
 }
 
-/* The parts that a line is put together from; "" where there is nothing. */
+/* The pieces of a line; "" if a piece is empty. */
 typedef struct pieces {
     char head[PIECE_SIZE], percent[16], count[PIECE_SIZE], time[64];
     char all[64], text[PIECE_SIZE];
@@ -45,6 +49,7 @@ static void make_pieces(pieces *p, const murk_progress_facts *f)
 {
     char done[24], total[24], elapsed[24], left[24];
     *p = (pieces){0};
+    /* The name of the step, with the number of the part. */
     if (f->part > 0) {
         snprintf(p->head, sizeof p->head, "%llu/%llu %s",
                  (unsigned long long)f->part, (unsigned long long)f->parts,
@@ -52,6 +57,7 @@ static void make_pieces(pieces *p, const murk_progress_facts *f)
     } else {
         snprintf(p->head, sizeof p->head, "%s", f->step);
     }
+    /* Share and count. A count beyond the total is cut in the share. */
     format_count(done, sizeof done, f->done);
     format_count(total, sizeof total, f->total);
     format_time(elapsed, sizeof elapsed, f->elapsed_s);
@@ -66,6 +72,7 @@ static void make_pieces(pieces *p, const murk_progress_facts *f)
     } else if (*f->unit) {
         snprintf(p->count, sizeof p->count, "%s %s", done, f->unit);
     }
+    /* Elapsed time, and time left in proportion to the count. */
     if (max > 0 && max < f->total) {
         format_time(left, sizeof left,
                     f->elapsed_s * ((double)f->total / (double)max - 1));
@@ -80,7 +87,7 @@ static void make_pieces(pieces *p, const murk_progress_facts *f)
     murk_utf8_escape(p->text, sizeof p->text, f->text);
 }
 
-/* Joins what is not empty, in order. */
+/* Joins the non-empty pieces in order. Returns the length. */
 static size_t join(char *out, size_t size, const char *const *piece, size_t n,
                    const char *between)
 {
@@ -103,6 +110,7 @@ void murk_progress_line(char *out, size_t size, const murk_progress_facts *f,
     const char *piece[] = {p.head, "",    p.percent, p.count,
                            p.time, p.all, p.text};
     const size_t n = sizeof piece / sizeof *piece;
+    /* Draw the bar. */
     char bar[BAR_SIZE] = "";
     if (f->total > 0) {
         const double share = fmin(1, (double)f->done / (double)f->total);
@@ -113,6 +121,8 @@ void murk_progress_line(char *out, size_t size, const murk_progress_facts *f,
         bar[BAR_CELLS + 1] = ']';
         piece[1] = bar;
     }
+    /* Leave out pieces until the line fits: bar, time of all parts, text
+     * (indices into `piece`). */
     static const size_t min_needed[] = {1, 5, 6};
     size_t length = join(out, size, piece, n, "  ");
     for (size_t k = 0; k < 3 && length > columns; ++k) {

@@ -1,3 +1,6 @@
+/* Student t quantiles by bisection of the distribution function, and
+ * distribution-free confidence limits of sample quantiles by summing binomial
+ * probabilities. Sources are in base/quantile.h. */
 #include "base/quantile.h"
 
 #include "base/log_gamma.h"
@@ -5,10 +8,11 @@
 #include <assert.h>
 #include <math.h>
 
-#define HALF_PI 1.5707963267948966
+#define HALF_PI 1.5707963267948966 /* pi / 2 */
 
-/* P(|T| <= t). With tan(angle) = t / sqrt(degrees): sums of powers of the
- * cosine, each term the one before times cos^2 and a ratio of whole numbers. */
+/* P(|T| <= t). With tan(angle) = t / sqrt(degrees), the probability is a sum of
+ * powers of cos(angle); each term follows from the previous one by a factor
+ * cos^2 and a ratio of whole numbers. */
 static double within(double t, size_t degrees)
 {
     const double angle = atan(t / sqrt((double)degrees));
@@ -22,7 +26,7 @@ static double within(double t, size_t degrees)
     return odd ? (angle + sin(angle) * sum) / HALF_PI : sin(angle) * sum;
 }
 
-/* Bisection, never in a hot loop. */
+/* Bisection to the precision of double; not for hot loops. */
 double murk_student_upper(double p, size_t degrees)
 {
     assert(p > 0 && p < 1 && degrees >= 1);
@@ -44,7 +48,7 @@ double murk_student_upper(double p, size_t degrees)
     return (low + high) / 2;
 }
 
-/* P(K = k), K binomial. */
+/* P(K = k) of a binomial variable K with n trials of probability q. */
 static double chance(size_t n, double q, size_t k)
 {
     const double all = (double)n, in = (double)k;
@@ -58,15 +62,15 @@ murk_ranks murk_quantile_ranks(size_t n, double q, double miss)
     assert(n >= 1 && q > 0 && q < 1 && miss > 0);
     const double middle = ceil(q * (double)n * (1 - 0x1p-51));
     murk_ranks ranks = {.value = middle < 1 ? 1 : (size_t)middle};
-    /* Rank r is above the quantile where fewer than r numbers lie below it,
-     * under it where at least r do. */
+    /* The number at rank r lies above the quantile if fewer than r numbers lie
+     * below the quantile, and below it if at least r do. */
     double below = 0; /* P(K < k) */
     for (size_t k = 0; k <= n; ++k) {
         if (below <= miss) {
-            ranks.lower = k; /* P(K < k): rank k is above */
+            ranks.lower = k; /* P(K < k): the number at rank k is above */
         }
         if (1 - below <= miss) {
-            ranks.upper = k; /* P(K >= k): rank k is under */
+            ranks.upper = k; /* P(K >= k): the number at rank k is below */
             break;
         }
         below += chance(n, q, k);

@@ -1,3 +1,6 @@
+/* Random numbers by Philox4x32-10 of the package Random123 (Salmon et al. 2011,
+ * base/rng.h). Seed and purpose are the key of the cipher; photon, event and
+ * slot are the counter. */
 #include "base/rng.h"
 
 #include <Random123/philox.h>

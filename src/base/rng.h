@@ -11,9 +11,10 @@
 
 #include <stdint.h>
 
-/* One purpose per independent use; append only, never renumber. The first
- * four are the tracer's; they are shifted by MURK_STREAM * stream, so that a
- * held-out map (stream 1) is independent of the map that chose (stream 0). */
+/* One purpose for each independent use. Append only, never renumber. The first
+ * four purposes belong to the photon tracer; they are shifted by MURK_STREAM *
+ * stream, so that a held-out photon map (stream 1) is independent of the map
+ * with which a plan was chosen (stream 0). */
 typedef enum murk_purpose {
     MURK_EMIT = 1,
     MURK_FLIGHT,
@@ -22,29 +23,33 @@ typedef enum murk_purpose {
     MURK_SPOQ_START = 16, /* photon: restart; event: draw */
     MURK_SPOQ_ORDER,      /* photon: restart; event: sweep; slot: position */
     MURK_SPOQ_TIE,        /* photon: restart; event: step */
-    MURK_TARGET = 20,     /* shifted as the tracer's; photon: draw; event: 0 on
-                             surfaces, 1 in the volume */
+    MURK_TARGET = 20,     /* shifted like the purposes of the tracer; photon:
+                           * draw; event: 0 on surfaces, 1 in the volume */
     MURK_JITTER = 24,     /* photon: draw; event: sensor */
-    MURK_LENS = 26,       /* photon: a camera's ray; event 0 */
-    MURK_SHINE = 27,      /* photon: a camera's ray; event: its event */
-    MURK_FREE_SPACE = 28, /* photon: place; event: which box or ball */
-    MURK_KERNEL = 29,     /* photon: record; event: its kind; slot: band */
+    MURK_LENS = 26,       /* photon: ray of a camera; event 0 */
+    MURK_SHINE = 27,      /* photon: ray of a camera; event: event of its
+                           * path */
+    MURK_FREE_SPACE = 28, /* photon: place; event: number of the box or ball */
+    MURK_KERNEL = 29,     /* photon: record; event: kind of record; slot:
+                           * band */
     MURK_FIT_START = 30,  /* photon: start; event: parameter */
     MURK_TEST = 31        /* for tests */
 } murk_purpose;
 
-#define MURK_STREAM 32u
+#define MURK_STREAM 32u /* above all purposes */
 
 typedef struct murk_random4 {
     double u[4];
 } murk_random4;
 
-/* Four numbers, uniform in the open interval (0, 1), so log(u) is finite.
- * Resolution 2^-32. purpose is a murk_purpose, shifted for other streams. */
+/* Four numbers, uniform in the open interval (0, 1), so log(u) is finite. The
+ * resolution is 2^-32. `purpose` is a murk_purpose, shifted for other
+ * streams. */
 murk_random4 murk_random(uint32_t seed, uint32_t purpose, uint64_t photon,
                          uint32_t event, uint32_t slot);
 
-/* All of a number's address but the slot: for what draws slot after slot. */
+/* The address of a random number without the slot, for callers that draw slot
+ * after slot. */
 typedef struct murk_address {
     uint32_t seed, purpose;
     uint64_t photon;
@@ -58,11 +63,12 @@ static inline murk_random4 murk_random_at(const murk_address *address,
                        address->event, slot);
 }
 
-/* The four words behind murk_random(). */
+/* The four random words from which murk_random() makes numbers. */
 void murk_random_words(uint32_t seed, uint32_t purpose, uint64_t photon,
                        uint32_t event, uint32_t slot, uint32_t word[4]);
 
-/* A whole number in [0, n), n > 0, from one word: unbiased to n / 2^32. */
+/* A whole number in [0, n), n > 0, from one random word. The bias of each
+ * probability is at most n / 2^32 of it. */
 static inline uint32_t murk_random_below(uint32_t word, uint32_t n)
 {
     return (uint32_t)(((uint64_t)word * n) >> 32);

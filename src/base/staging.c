@@ -1,14 +1,15 @@
-/* Staged files under lock.
+/* Creates, locks and removes staged files.
  *
- * Creating and locking are two steps, between which another run may find the
- * new entry unlocked and take it for a leftover. So after locking the creator
- * looks whether the name still leads to what it locked, and else begins anew.
+ * Creating and locking are two steps. Between them another run may find the new
+ * file without a lock and remove it as a leftover. Therefore the creator checks
+ * after locking that the name still leads to the locked file, and tries again
+ * otherwise.
  *
- * Where the file system has no locks (some network ones), nothing is held and
- * nothing is removed. */
+ * On a file system without locks (some network file systems) nothing is locked
+ * and nothing is removed. */
 #include "base/staging.h"
 
-#include "base/file.h"
+#include "base/path.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -23,10 +24,10 @@
 #include <unistd.h>
 
 #define PREFIX  ".murk.staged."
-#define UNIQUE  6 /* letters and digits behind it, by mkstemp() */
+#define UNIQUE  6 /* length of the random end of a name, by mkstemp() */
 #define LOCK    ".lock"
 #define MOVING  ".moving"
-#define TRIES   100 /* each is lost only to a cleaner at that very moment */
+#define TRIES   100 /* a try fails only if another run cleans at that moment */
 #define DECIMAL "0123456789"
 
 static char *join(const char *folder, const char *name)
@@ -41,7 +42,8 @@ static char *join(const char *folder, const char *name)
 
 /* ---- locks ---- */
 
-/* False where another process holds it, or it is gone from under this name. */
+/* Locks an open file. Returns false if another process holds the lock, or if
+ * `name` no longer leads to this file. */
 static bool hold(int fd, const char *name)
 {
     struct stat locked, named;
@@ -52,14 +54,14 @@ static bool hold(int fd, const char *name)
            locked.st_dev == named.st_dev && locked.st_ino == named.st_ino;
 }
 
-/* Whether a file's lock is free; it is then held until *fd is closed. */
+/* True if the file has no lock; the file is then locked until *fd is closed. */
 static bool is_left(const char *name, int *fd)
 {
     *fd = open(name, O_RDWR | O_NONBLOCK | O_CLOEXEC | O_NOFOLLOW);
     return *fd >= 0 && flock(*fd, LOCK_EX | LOCK_NB) == 0;
 }
 
-/* ---- making ---- */
+/* ---- creating ---- */
 
 int murk_staging_file(const char *path, char **name)
 {
@@ -84,7 +86,8 @@ int murk_staging_file(const char *path, char **name)
     return -1;
 }
 
-/* Locks the new folder; false: another run has taken it for a leftover. */
+/* Locks the new folder. Returns false if another run has removed it as a
+ * leftover. */
 static bool lock_folder(murk_staging *staging, char *folder)
 {
     char *name = join(folder, LOCK);
@@ -144,14 +147,14 @@ static void remove_folder(const char *folder)
     while (files && (entry = readdir(files))) {
         char *name = join(folder, entry->d_name);
         if (name && strcmp(entry->d_name, LOCK) != 0) {
-            (void)unlink(name); /* "." and ".." are none */
+            (void)unlink(name); /* fails for "." and ".." */
         }
         free(name);
     }
     if (files) {
         closedir(files);
     }
-    /* last, so that it stays a leftover to the end */
+    /* The lock goes last, so that the folder counts as staged until the end. */
     char *lock = join(folder, LOCK);
     if (lock) {
         (void)unlink(lock);
@@ -178,7 +181,8 @@ static void clean_folder(const char *folder, bool all)
         if (is_left(lock, &fd)) {
             remove_folder(folder);
         } else if (fd < 0 && errno == ENOENT) {
-            (void)rmdir(folder); /* killed before it had its lock */
+            (void)rmdir(folder); /* the run was killed before it could lock the
+                                  * folder */
         }
     }
     if (fd >= 0) {
@@ -206,9 +210,9 @@ static bool is_staged(const char *name)
            strlen(name) == length + UNIQUE;
 }
 
-/* Versions up to 0.1 wrote .NAME.staged.PID, and before that was whole
- * .NAME.staged.PID.tmp.XXXXXX, without locks: left where that process does not
- * live. */
+/* Recognises the staged names of murk up to version 0.1, .NAME.staged.PID, and
+ * of earlier versions, .NAME.staged.PID.tmp.XXXXXX. These files had no locks:
+ * they are leftovers if no process with that number exists. */
 static bool is_old_leftover(const char *name)
 {
     static const char mark[] = ".staged.";

@@ -1,9 +1,11 @@
-/* Files that are written before they are shown, and what a killed run leaves.
+/* Temporary (staged) files of a run, and the removal of staged files that a
+ * killed run left behind.
  *
- * What is being written has a hidden name, .murk.staged.XXXXXX, in the folder
- * where it will stand, and is held by a lock (flock) as long as its process
- * lives: a file by itself, a folder of several by the file .lock in it. What
- * nobody holds is a leftover of a run that was killed, and may be removed. */
+ * A staged file has a hidden name, .murk.staged.XXXXXX, in the folder of its
+ * final path, and is locked (flock) as long as its process lives. A single file
+ * is locked directly; a folder of several files is locked by the file .lock in
+ * it. A staged file or folder without a lock is left over from a killed run and
+ * may be removed. */
 #ifndef MURK_BASE_STAGING_H
 #define MURK_BASE_STAGING_H
 
@@ -12,33 +14,34 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Opens a new file beside `path`, locked. *name is the caller's to free();
- * removes it himself. Returns the descriptor, or -1 and errno. */
+/* Opens a new file in the folder of `path` and locks it. The caller frees
+ * *name, and removes or renames the file. Returns the descriptor, or -1 with
+ * errno. */
 int murk_staging_file(const char *path, char **name);
 
 typedef struct murk_staging {
-    char *folder; /* NULL: none */
-    int lock;     /* descriptor of its .lock */
+    char *folder; /* NULL: no staged folder */
+    int lock;     /* descriptor of the file .lock in the folder */
 } murk_staging;
 
-/* A new folder for files within `parent`, locked. */
+/* Creates a new, locked folder for staged files in `parent`. */
 murk_status murk_staging_begin(murk_staging *out, const char *parent,
                                murk_error *err);
 
-/* From now on its files move to their places. If the process is killed from
- * here on, murk_staging_clean() leaves the folder until it is told to take all:
- * what lies in it says whose the moved files are. */
+/* Declares that the files of the folder are being moved to their final paths.
+ * If the process is killed after this call, murk_staging_clean() removes the
+ * folder only if `all` is set, because the files in the folder name the owner
+ * of the files that were moved already. */
 void murk_staging_moving(const murk_staging *staging);
 
-/* Removes the folder with what is left in it. */
+/* Removes the folder and the files that are left in it. */
 void murk_staging_end(murk_staging *staging);
 
-/* Removes the leftovers in a folder that nobody holds; without `all` those
- * stay whose files were on the move. */
+/* Removes the unlocked staged files and folders in `parent`. Without `all`,
+ * folders whose files were being moved are left in place. */
 void murk_staging_clean(const char *parent, bool all);
 
-/* Calls `visit` for each leftover folder in `parent` (also those held by
- * someone). */
+/* Calls `visit` for each staged folder in `parent`, locked ones included. */
 void murk_staging_visit(const char *parent,
                         void (*visit)(void *context, const char *folder),
                         void *context);

@@ -1,3 +1,6 @@
+/* Estimates with standard errors, and tail probabilities of the normal and the
+ * chi-squared distribution. Sources are in base/stats.h and beside the
+ * functions. */
 #include "base/stats.h"
 
 #include "base/log_gamma.h"
@@ -5,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#define SQRT_2 1.41421356237309504880
+#define SQRT_2 1.41421356237309504880 /* square root of 2 */
 
 murk_estimate murk_ratio_estimate(const double *x, const double *y, size_t n,
                                   double units)
@@ -51,7 +54,8 @@ double murk_sidak_limit(double budget, double checks)
     return murk_normal_upper(each / 2);
 }
 
-/* Bisection on erfc: some sixty evaluations, never in a hot loop. */
+/* Bisection of erfc() to the precision of double, some hundred evaluations; not
+ * for hot loops. */
 double murk_normal_upper(double p)
 {
     double low = -40, high = 40;
@@ -66,9 +70,10 @@ double murk_normal_upper(double p)
     return (low + high) / 2;
 }
 
-/* Terms after which the series and the continued fraction below have converged
- * to rounding: both need some multiple of sqrt(a), so this suffices to a = 1e7,
- * which is twenty million degrees of freedom. */
+/* The largest number of terms of the series and of the continued fraction
+ * below. Both converge to rounding within some multiple of sqrt(a) terms, so
+ * this number suffices up to a = 1e7, which is twenty million degrees of
+ * freedom. */
 #define GAMMA_TERMS_MAX 100000
 
 /* The regularised incomplete gamma function Q(a, x) with a = freedom / 2 and
@@ -86,6 +91,7 @@ double murk_chi2_upper(double chi2, double freedom)
     }
     const double scale = exp(a * log(x) - x - murk_log_gamma(a));
     if (x < a + 1) {
+        /* Power series of P, all terms positive. */
         double term = 1 / a, sum = term;
         for (int i = 1; i < GAMMA_TERMS_MAX && term > DBL_EPSILON * sum; ++i) {
             term *= x / (a + i);
@@ -93,6 +99,7 @@ double murk_chi2_upper(double chi2, double freedom)
         }
         return 1 - scale * sum;
     }
+    /* Continued fraction of Q. */
     double b = x + 1 - a, c = 1 / DBL_MIN, d = 1 / b, fraction = d;
     for (int i = 1; i < GAMMA_TERMS_MAX; ++i) {
         const double numerator = -i * (i - a);

@@ -9,27 +9,29 @@ typedef struct murk_estimate {
     double value, standard_error;
 } murk_estimate;
 
-/* sum X / sum Y with its error by independent units (emitted photons): x[n]
- * and y[n] hold a unit's sums, units that brought nothing may be left out if
- * `units` counts them. se^2 = N/(N-1) sum (x - C y)^2 / (sum y)^2, the ratio
- * estimator (Cochran, Sampling Techniques, 1977, ch. 6). value is NaN where
- * sum y is 0. */
+/* The ratio sum X / sum Y with a standard error by independent units (emitted
+ * photons). x[n] and y[n] hold the sums of one unit each; units with x = y = 0
+ * may be left out if `units` counts them. se^2 = N/(N-1) sum (x - C y)^2 / (sum
+ * y)^2, the ratio estimator (Cochran, Sampling Techniques, 1977, ch. 6). value
+ * is NaN if sum y is 0. */
 murk_estimate murk_ratio_estimate(const double *x, const double *y, size_t n,
                                   double units);
 
-/* Mean of n numbers with its standard error (NaN for n < 2). */
+/* The mean of n numbers with its standard error (NaN for n < 2). */
 murk_estimate murk_mean_estimate(const double *x, size_t n);
 
-/* The two-sided limit in standard deviations at which `checks` independent
- * z-tests together raise a false alarm with probability `budget` (Sidak,
- * J. Am. Stat. Assoc. 62 (1967) 626, doi:10.2307/2283989). */
+/* The two-sided limit, in standard deviations, at which `checks` independent
+ * z-tests together raise a false alarm with probability `budget` (Sidak, J. Am.
+ * Stat. Assoc. 62 (1967) 626, doi:10.2307/2283989). */
 double murk_sidak_limit(double budget, double checks);
 
-/* Standard normal: the upper quantile z with P(Z > z) = p, 0 < p < 1. */
+/* The upper quantile z of the standard normal distribution: P(Z > z) = p, 0 < p
+ * < 1. */
 double murk_normal_upper(double p);
 
-/* Chi-squared with `freedom` > 0 degrees of freedom: P(X > chi2), chi2 >= 0;
- * NaN for other arguments. Relative error below 1e-9 up to 10,000 degrees. */
+/* P(X > chi2) of a chi-squared variable X with `freedom` > 0 degrees of
+ * freedom, chi2 >= 0; NaN for other arguments. The relative error is below 1e-9
+ * up to 10,000 degrees of freedom. */
 double murk_chi2_upper(double chi2, double freedom);
 
 #endif

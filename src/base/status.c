@@ -1,3 +1,5 @@
+/* Fills error messages and translates status codes to words and exit codes. An
+ * error holds at most one message, the first one. */
 #include "base/status.h"
 
 #include <stdarg.h>

@@ -1,7 +1,8 @@
-/* What went wrong, where in the user's input, and what would be allowed.
+/* Status codes and error messages: the problem, the place in the input of the
+ * user, and the allowed values.
  *
- * Set-up returns a murk_status and fills a murk_error; the photon loop does
- * neither, it counts. */
+ * Functions that set up a run return a murk_status and fill a murk_error. The
+ * photon loop does neither; it counts lost photons. */
 #ifndef MURK_BASE_STATUS_H
 #define MURK_BASE_STATUS_H
 
@@ -22,21 +23,22 @@ typedef enum murk_status {
 
 typedef struct murk_error {
     murk_status status;
-    char where[320]; /* place in the user's input: "fog.yaml:12:5: media.fog" */
-    char text[640];  /* what was found and what is allowed, with units */
+    char where[320]; /* place in the input of the user, e.g. "fog.yaml:12:5:
+                      * media.fog" */
+    char text[640];  /* the value found and the allowed values, with units */
 } murk_error;
 
 /* Fills err (which may be NULL) and returns status, so that a failing call
- * reads `return murk_fail(err, ...)`. Keeps the first message when err is
- * already filled: the deepest cause is the useful one. `where` may be "". */
+ * reads `return murk_fail(err, ...)`. A message that err contains already is
+ * kept, because the deepest cause is the most useful one. `where` may be "". */
 murk_status murk_fail(murk_error *err, murk_status status, const char *where,
                       const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
-/* The plain meaning of a status, as in MURK_STATUSES. */
+/* The meaning of a status in words, as in MURK_STATUSES. */
 const char *murk_status_text(murk_status status);
 
-/* The program's exit code: 0 done, 1 the run failed (also out of memory),
+/* The exit code of the program: 0 done, 1 the run failed (also out of memory),
  * 2 bad input, 130 interrupted. */
 int murk_status_exit_code(murk_status status);
 

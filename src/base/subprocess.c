@@ -1,3 +1,7 @@
+/* Forks, limits and confines the subprocess, and reads chunks of bytes from a
+ * pipe until the subprocess reports its end. The parent process trusts nothing
+ * that comes through the pipe: it checks kinds and sizes, and gives up at a
+ * deadline. */
 #include "base/subprocess.h"
 
 #include "base/c_locale.h"
@@ -19,6 +23,8 @@
 #include <unistd.h>
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+/* The address space and the speed of a sanitized program are not those of
+ * murk. */
 #define UNDER_SANITIZER 1
 #elif defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
@@ -26,22 +32,25 @@
 #endif
 #endif
 
-/* A file that takes this many times as long to read under a sanitizer is not
- * malformed (ASan slows a program by 2, TSan by 5 to 15, by their manuals). */
+/* Sanitizers slow a program down (ASan by 2, TSan by 5 to 15, according to
+ * their manuals), so that the time limits grow by this factor under them. */
 #ifdef UNDER_SANITIZER
 #define SECONDS_FACTOR 15
 #else
 #define SECONDS_FACTOR 1
 #endif
 
-#define MEGABYTE   UINT64_C(1000000)
-#define MIN_MEMORY (2000 * MEGABYTE)
+#define MEGABYTE UINT64_C(1000000) /* bytes */
+#define MIN_MEMORY \
+    (2000 * MEGABYTE) /* the parsing libraries alone take some of it */
 
-/* What travels through the pipe, in order: FREE or nothing, chunks, then the
- * end with the child's status and error. */
+/* The blocks in the pipe, in order: UNCONFINED or nothing, chunks, then the end
+ * with status and error of the parser. The values are arbitrary marks that
+ * detect garbage in the pipe. */
 typedef enum kind {
     CHUNK = 0x6d75726b,
-    FREE = 0x66726565, /* first, where the kernel cannot confine the child */
+    UNCONFINED = 0x66726565, /* the first block, if the kernel cannot confine
+                              * the subprocess */
     END = 0x656e6421
 } kind;
 
@@ -54,12 +63,12 @@ struct murk_subprocess {
     int fd;
 };
 
-murk_status murk_subprocess_send(murk_subprocess *child, const void *bytes,
+murk_status murk_subprocess_send(murk_subprocess *process, const void *bytes,
                                  size_t size)
 {
     const head h = {CHUNK, MURK_OK, size};
-    return murk_pipe_write(child->fd, &h, sizeof h) &&
-                   murk_pipe_write(child->fd, bytes, size)
+    return murk_pipe_write(process->fd, &h, sizeof h) &&
+                   murk_pipe_write(process->fd, bytes, size)
                ? MURK_OK
                : MURK_RUN_FAILED;
 }
@@ -83,8 +92,9 @@ static void set_limit(int what, uint64_t value)
 }
 
 #ifndef UNDER_SANITIZER
-/* Address space that the process has already: a child starts with all of its
- * parent's, which is not the file's doing. */
+/* Returns the current address space of the process: a subprocess starts with
+ * all of the address space of its parent, which must not count against the
+ * file. */
 static uint64_t address_space_now(void)
 {
     unsigned long pages = 0;
@@ -99,8 +109,9 @@ static uint64_t address_space_now(void)
 }
 #endif
 
-static _Noreturn void be_child(int fd, murk_subprocess_work work, void *context,
-                               const murk_subprocess_limits *limits)
+static _Noreturn void run_and_exit(int fd, murk_subprocess_work work,
+                                   void *context,
+                                   const murk_subprocess_limits *limits)
 {
     const int sink = open("/dev/null", O_WRONLY);
     if (sink >= 0) {
@@ -108,30 +119,32 @@ static _Noreturn void be_child(int fd, murk_subprocess_work work, void *context,
         dup2(sink, STDERR_FILENO);
     }
     (void)murk_c_locale_enter();
-    signal(SIGINT, SIG_IGN); /* the parent decides, and kills */
+    signal(SIGINT, SIG_IGN); /* the parent handles the interrupt and kills this
+                              * process */
     signal(SIGPIPE, SIG_DFL);
     set_limit(RLIMIT_CORE, 0);
     set_limit(RLIMIT_CPU, limits->seconds);
 #ifndef UNDER_SANITIZER
     set_limit(RLIMIT_AS, address_space_now() + limits->memory_bytes);
 #endif
-    const head free_head = {FREE, MURK_OK, 0};
+    const head unconfined = {UNCONFINED, MURK_OK, 0};
     if (!murk_confine(fd) &&
-        !murk_pipe_write(fd, &free_head, sizeof free_head)) {
+        !murk_pipe_write(fd, &unconfined, sizeof unconfined)) {
         _exit(1);
     }
-    murk_subprocess child = {fd};
+    murk_subprocess process = {fd};
     murk_error err = {0};
-    const murk_status status = work(&child, context, &err);
+    const murk_status status = work(&process, context, &err);
     const head h = {END, (uint32_t)status, sizeof err};
     const bool sent = murk_pipe_write(fd, &h, sizeof h) &&
                       murk_pipe_write(fd, &err, sizeof err);
-    _exit(sent ? 0 : 1); /* no atexit handlers: the file may have hurt them */
+    _exit(sent ? 0 : 1); /* no atexit handlers: the file may have damaged their
+                          * data */
 }
 
 typedef struct inbox {
     unsigned char *bytes;
-    size_t size, room;
+    size_t size, capacity;
 } inbox;
 
 typedef enum verdict {
@@ -142,26 +155,27 @@ typedef enum verdict {
     TOO_MUCH
 } verdict;
 
-static verdict make_room(inbox *in, uint64_t more, uint64_t max)
+static verdict reserve(inbox *in, uint64_t more, uint64_t max)
 {
     if (more > max || in->size > max - more) {
         return TOO_MUCH;
     }
     const size_t need = in->size + (size_t)more;
-    if (need <= in->room) {
+    if (need <= in->capacity) {
         return RECEIVED;
     }
-    const size_t room = need + need / 2 + 64;
-    unsigned char *grown = realloc(in->bytes, room);
+    const size_t capacity = need + need / 2 + 64;
+    unsigned char *grown = realloc(in->bytes, capacity);
     if (!grown) {
         return TOO_MUCH;
     }
     in->bytes = grown;
-    in->room = room;
+    in->capacity = capacity;
     return RECEIVED;
 }
 
-/* Once in a program: the kernel is the same for all files. */
+/* Printed once in a run of the program, because the kernel is the same for all
+ * files. */
 static void say_unconfined(void)
 {
     static atomic_flag is_said = ATOMIC_FLAG_INIT;
@@ -175,6 +189,8 @@ static void say_unconfined(void)
 static verdict receive(int fd, inbox *in, const murk_subprocess_limits *limits,
                        murk_error *err)
 {
+    /* Read one block after the other until the end, an error or the
+     * deadline. */
     const double deadline_s = murk_clock_s() + 2.0 * limits->seconds;
     for (;;) {
         head h;
@@ -185,14 +201,14 @@ static verdict receive(int fd, inbox *in, const murk_subprocess_limits *limits,
         if (h.kind == END && h.size == sizeof *err) {
             return (verdict)murk_pipe_read(fd, err, sizeof *err, deadline_s);
         }
-        if (h.kind == FREE) {
+        if (h.kind == UNCONFINED) {
             say_unconfined();
             continue;
         }
         if (h.kind != CHUNK) {
             return CUT_SHORT;
         }
-        v = make_room(in, h.size, limits->handed_bytes);
+        v = reserve(in, h.size, limits->handed_bytes);
         if (v == RECEIVED) {
             v = (verdict)murk_pipe_read(fd, in->bytes + in->size,
                                         (size_t)h.size, deadline_s);
@@ -204,13 +220,15 @@ static verdict receive(int fd, inbox *in, const murk_subprocess_limits *limits,
     }
 }
 
-/* One line for each way in which a child can end badly. What this process
- * decided comes first: its SIGKILL says nothing about the child. */
+/* The message for each way in which the subprocess can fail. Decisions of this
+ * process come first, because a SIGKILL that it sent says nothing about the
+ * parser. */
 static murk_status explain(verdict v, int ended,
                            const murk_subprocess_limits *limits,
                            const char *where, murk_error *err)
 {
     const double memory_gb = (double)limits->memory_bytes / 1e9;
+    /* Decisions of this process. */
     if (v == STOPPED) {
         return murk_fail(err, MURK_INTERRUPTED, where, "interrupted");
     }
@@ -226,6 +244,7 @@ static murk_status explain(verdict v, int ended,
                          "malformed, or too large",
                          limits->seconds, memory_gb);
     }
+    /* Crashes and refusals in the subprocess. */
     if (WIFSIGNALED(ended)) {
         return murk_fail(err, MURK_BAD_FILE, where,
                          "malformed: its reader crashed (%s)",
@@ -246,6 +265,7 @@ murk_status murk_subprocess_run(unsigned char **out, size_t *size,
         return murk_fail(err, MURK_RUN_FAILED, where, "cannot open a pipe: %s",
                          strerror(errno));
     }
+    /* No other thread may run during fork(): stop the progress display. */
     murk_progress_pause();
     const pid_t pid = fork();
     if (pid != 0) {
@@ -257,15 +277,18 @@ murk_status murk_subprocess_run(unsigned char **out, size_t *size,
         return murk_fail(err, MURK_RUN_FAILED, where,
                          "cannot start a reader: %s", strerror(errno));
     }
+    /* Subprocess: parse and exit. */
     if (pid == 0) {
         close(ends[0]);
-        be_child(ends[1], work, context, limits);
+        run_and_exit(ends[1], work, context, limits);
     }
     close(ends[1]);
 
+    /* Parent: receive, then kill the subprocess unless it has ended by
+     * itself. */
     inbox in = {0};
-    murk_error told = {0};
-    const verdict v = receive(ends[0], &in, limits, &told);
+    murk_error reported = {0};
+    const verdict v = receive(ends[0], &in, limits, &reported);
     close(ends[0]);
     if (v != RECEIVED && v != CUT_SHORT) {
         kill(pid, SIGKILL);
@@ -273,13 +296,15 @@ murk_status murk_subprocess_run(unsigned char **out, size_t *size,
     int ended = 0;
     while (waitpid(pid, &ended, 0) < 0 && errno == EINTR) {
     }
+    /* Report a failure of the subprocess, or the error of the parser. */
     if (v != RECEIVED) {
         free(in.bytes);
         return explain(v, ended, limits, where, err);
     }
-    if (told.status) {
+    if (reported.status) {
         free(in.bytes);
-        return murk_fail(err, told.status, told.where, "%s", told.text);
+        return murk_fail(err, reported.status, reported.where, "%s",
+                         reported.text);
     }
     *out = in.bytes;
     *size = in.size;

@@ -1,9 +1,10 @@
-/* Untrusted files are parsed in a child process with limits on memory and
- * processor time, confined to reading (base/confine.h; where the kernel cannot,
- * a note says so once), and handed over as plain bytes: whatever a broken file
- * does to the parser, the parent sees bytes or a clear error.
+/* Parses untrusted files in a subprocess with limits on memory and processor
+ * time. The subprocess is confined to reading (base/confine.h; a note tells
+ * once if the kernel cannot confine it) and returns plain bytes. Whatever a
+ * malformed file does to the parser, the parent process receives bytes or an
+ * error message.
  *
- * Call it before any thread or ray device exists (fork). */
+ * The call forks, so it must come before any thread or ray device exists. */
 #ifndef MURK_BASE_SUBPROCESS_H
 #define MURK_BASE_SUBPROCESS_H
 
@@ -12,29 +13,33 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Runs in the child: parse, then hand bytes over with murk_subprocess_send(). A
- * failure's err reaches the parent's err as it is. */
+/* The parser, called in the subprocess. It returns bytes by
+ * murk_subprocess_send(). The err of a failure is passed to the caller of
+ * murk_subprocess_run() unchanged. */
 typedef struct murk_subprocess murk_subprocess;
-typedef murk_status (*murk_subprocess_work)(murk_subprocess *child,
+typedef murk_status (*murk_subprocess_work)(murk_subprocess *process,
                                             void *context, murk_error *err);
-murk_status murk_subprocess_send(murk_subprocess *child, const void *bytes,
+murk_status murk_subprocess_send(murk_subprocess *process, const void *bytes,
                                  size_t size);
 
 typedef struct murk_subprocess_limits {
-    uint64_t memory_bytes; /* address space, beside what the parent has;
-                              ignored under sanitizers */
-    uint64_t handed_bytes; /* most that the child may send */
-    unsigned seconds;      /* processor time; wall time is twice that */
+    uint64_t memory_bytes; /* address space in addition to that of the parent;
+                            * ignored under sanitizers */
+    uint64_t handed_bytes; /* the largest number of bytes that the subprocess
+                            * may send */
+    unsigned seconds;      /* processor time; the limit of the elapsed time is
+                            * twice this */
 } murk_subprocess_limits;
 
-/* The default for a file of that size: the larger of 2 GB and 8 times the
- * file, 8 s of processor time and 1 s more for every 4 MB. */
+/* Default limits for a file of that size: memory of 2 GB or 8 times the file,
+ * whichever is larger, and 8 s of processor time plus 1 s for every 4 MB. */
 murk_subprocess_limits murk_subprocess_limits_for(uint64_t file_bytes);
 
-/* *out (malloc'ed, the caller's; 16-byte aligned) and *size hold all that the
- * child sent. Fails with the child's own error, or with MURK_BAD_FILE at
- * `where` when the child died or ran into a limit. What the child prints is
- * thrown away: warnings travel as data. */
+/* *out (from malloc(), 16-byte aligned, freed by the caller) and *size hold all
+ * bytes that the subprocess sent. Fails with the error of the parser, or with
+ * MURK_BAD_FILE at `where` if the subprocess died or exceeded a limit. Standard
+ * output and standard error of the subprocess are discarded: warnings have to
+ * be sent as data. */
 murk_status murk_subprocess_run(unsigned char **out, size_t *size,
                                 murk_subprocess_work work, void *context,
                                 const murk_subprocess_limits *limits,

@@ -1,15 +1,18 @@
-/* Energy bookkeeping in whole quanta.
+/* Energy accounting in whole quanta.
  *
- * Every photon packet leaves its lamp with MURK_PACKET quanta. Integers add up
- * the same in any order, so a tally does not depend on threads, and energy
- * balance can be tested with ==. int64_t holds 2^33 packets' worth in one
- * cell; longer runs are refused at set-up. */
+ * Every photon packet leaves its light source with MURK_PACKET quanta. Sums of
+ * integers do not depend on the order of the terms, so a tally does not depend
+ * on the number of threads, and energy balance can be tested with ==. An
+ * int64_t holds the quanta of 2^33 packets in one cell; longer runs are refused
+ * at set-up. */
 #ifndef MURK_BASE_TALLY_H
 #define MURK_BASE_TALLY_H
 
 #include <stdatomic.h>
 #include <stdint.h>
 
+/* 2^30 quanta resolve a packet to 1e-9; 2^33 packets of them fill an
+ * int64_t. */
 #define MURK_PACKET      (INT64_C(1) << 30)
 #define MURK_PACKETS_MAX (INT64_C(1) << 33)
 

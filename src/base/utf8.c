@@ -1,3 +1,6 @@
+/* Validation of UTF-8 by the table of well-formed byte sequences (RFC 3629,
+ * section 4), and escaping of text for terminals, so that a name in an input
+ * file cannot send control sequences. */
 #include "base/utf8.h"
 
 #include <stdint.h>
@@ -19,10 +22,10 @@ size_t murk_utf8_length(const char *text)
             return 0;
         }
     }
-    const bool is_bad = (c == 0xe0 && at[1] < 0xa0) || /* overlong */
-                        (c == 0xed && at[1] >= 0xa0) ||
-                        (c == 0xf0 && at[1] < 0x90) ||
-                        (c == 0xf4 && at[1] >= 0x90);
+    /* overlong, surrogate, overlong, beyond U+10FFFF */
+    const bool is_bad =
+        (c == 0xe0 && at[1] < 0xa0) || (c == 0xed && at[1] >= 0xa0) ||
+        (c == 0xf0 && at[1] < 0x90) || (c == 0xf4 && at[1] >= 0x90);
     return is_bad ? 0 : n;
 }
 
@@ -39,11 +42,12 @@ bool murk_utf8_is_printable(const char *text, size_t n)
     return true;
 }
 
-/* The code point of the character of `length` bytes at `text`. */
+/* Returns the code point of the character of `length` bytes at `text`. */
 static uint32_t code_point(const char *text, size_t length)
 {
     const unsigned char *at = (const unsigned char *)text;
-    /* the first byte of n holds 7 - n bits (of one: 7), the others 6 each */
+    /* The first byte of n bytes holds 7 - n bits (7 bits if n is 1), each other
+     * byte 6 bits. */
     uint32_t code = length == 1 ? at[0] : at[0] & (0x7fu >> length);
     for (size_t i = 1; i < length; ++i) {
         code = code << 6 | (at[i] & 0x3fu);
@@ -68,8 +72,9 @@ size_t murk_utf8_escape(char *out, size_t size, const char *text)
     size_t n = 0;
     while (*text) {
         const size_t length = murk_utf8_length(text);
-        const size_t taken = length ? length : 1; /* a stray byte goes alone */
-        char piece[20] = "";                      /* 4 bytes of \xNN at most */
+        const size_t taken = length ? length : 1; /* a malformed byte is escaped
+                                                   * alone */
+        char piece[20] = "";                      /* at most 4 times \xNN */
         const char *name = strchr(named, *text);
         if (name) {
             snprintf(piece, sizeof piece, "\\%c", letter[name - named]);
@@ -97,12 +102,13 @@ size_t murk_utf8_escape(char *out, size_t size, const char *text)
 
 /* ---- words of a POSIX shell ---- */
 
-/* What needs no quotes, wherever it stands in a word. */
+/* Characters that need no quotes anywhere in a word. */
 static const char shell_plain[] = "abcdefghijklmnopqrstuvwxyz"
                                   "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
                                   "0123456789_-+./:=@,%";
 
-/* 'it'\''s': out of the quotes for one, and in again. */
+/* A quote inside the word closes the quotes, is escaped and opens the quotes
+ * again: 'it'\''s'. */
 static void shell_quote(char *to, const char *word)
 {
     *to++ = '\'';
@@ -137,7 +143,7 @@ static void shell_escape(char *to, const char *word)
 
 char *murk_utf8_shell_word(const char *word)
 {
-    /* at most four characters for one, and the quotes */
+    /* at most four characters for each byte, and the quotes */
     char *out = malloc(4 * strlen(word) + 4);
     if (!out) {
         return NULL;

@@ -1,6 +1,9 @@
+/* Clipping of lines by boxes (slab method), and composition and inversion of
+ * affine transformations. */
 #include "base/vector.h"
 
-/* One pair of parallel planes; a line inside them and parallel stays. */
+/* Clips by one pair of parallel planes. A line parallel to the planes and
+ * between them is not cut. */
 static bool clip_slab(double min, double max, double origin, double direction,
                       double *t0, double *t1)
 {
@@ -46,6 +49,7 @@ murk_affine murk_affine_place(murk_vec3 rotate_deg, double scale,
 {
     double s, c;
     turn(rotate_deg.x, &s, &c);
+    /* Rotations about the axes, applied to column vectors. */
     const murk_affine x = {.matrix = {{1, 0, 0}, {0, c, -s}, {0, s, c}}};
     turn(rotate_deg.y, &s, &c);
     const murk_affine y = {.matrix = {{c, 0, s}, {0, 1, 0}, {-s, 0, c}}};

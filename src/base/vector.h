@@ -1,4 +1,4 @@
-/* Vectors, boxes and affine placements in double precision.
+/* Vectors, boxes and affine transformations in double precision.
  *
  * z is up, x east, y north by default; lengths in metres. Directions are unit
  * vectors along the direction of travel. */
@@ -8,7 +8,7 @@
 #include <math.h>
 #include <stdbool.h>
 
-#define MURK_PI 3.14159265358979323846
+#define MURK_PI 3.14159265358979323846 /* pi to 21 digits */
 
 typedef struct murk_vec3 {
     double x, y, z;
@@ -67,9 +67,9 @@ static inline bool murk_is_finite(murk_vec3 a)
     return isfinite(a.x) && isfinite(a.y) && isfinite(a.z);
 }
 
-/* Two unit vectors that form a right-handed orthonormal frame with unit n:
- * *t x *b = n. Continuous but for the sign of n.z (Duff et al., J. Comput.
- * Graph. Tech. 6 (2017) 1). */
+/* Two unit vectors that form a right-handed orthonormal frame with the unit
+ * vector n: *t x *b = n. The frame is continuous except where n.z changes sign
+ * (Duff et al., J. Comput. Graph. Tech. 6 (2017) 1). */
 static inline void murk_frame(murk_vec3 n, murk_vec3 *t, murk_vec3 *b)
 {
     const double sign = copysign(1.0, n.z);
@@ -79,7 +79,8 @@ static inline void murk_frame(murk_vec3 n, murk_vec3 *t, murk_vec3 *b)
     *b = (murk_vec3){q, sign + n.y * n.y * p, -n.y};
 }
 
-/* The unit vector at polar cosine mu and azimuth phi [rad] about unit n. */
+/* The unit vector at polar cosine mu and azimuth phi [rad] around the unit
+ * vector n. */
 static inline murk_vec3 murk_about(murk_vec3 n, double mu, double phi)
 {
     murk_vec3 t, b;
@@ -90,6 +91,7 @@ static inline murk_vec3 murk_about(murk_vec3 n, double mu, double phi)
     return murk_unit(murk_along(side, mu, n));
 }
 
+/* An axis-aligned box. */
 typedef struct murk_box {
     murk_vec3 min, max;
 } murk_box;
@@ -107,14 +109,14 @@ static inline murk_box murk_box_with(murk_box box, murk_vec3 p)
         {fmax(box.max.x, p.x), fmax(box.max.y, p.y), fmax(box.max.z, p.z)}};
 }
 
-/* Closed: points on the faces are inside. */
+/* True if p is inside the box or on a face of it. */
 static inline bool murk_box_contains(const murk_box *box, murk_vec3 p)
 {
     return p.x >= box->min.x && p.x <= box->max.x && p.y >= box->min.y &&
            p.y <= box->max.y && p.z >= box->min.z && p.z <= box->max.z;
 }
 
-/* The largest coordinate of the box's corners [m], without the sign. */
+/* The largest magnitude of a coordinate of the corners of the box [m]. */
 static inline double murk_box_largest_coordinate(const murk_box *box)
 {
     const murk_vec3 a = box->min, b = box->max;
@@ -122,20 +124,20 @@ static inline double murk_box_largest_coordinate(const murk_box *box)
                 fmax(fmax(fabs(b.x), fabs(b.y)), fabs(b.z)));
 }
 
-/* The part of the line origin + t direction inside the box, cut to
- * [*t0, *t1] as given; false when nothing is left. direction components may
- * be 0. */
+/* Cuts the interval [*t0, *t1] of the line origin + t direction to the part
+ * inside the box. Returns false if nothing is left. Components of the direction
+ * may be 0. */
 bool murk_box_clip(const murk_box *box, murk_vec3 origin, murk_vec3 direction,
                    double *t0, double *t1);
 
-/* The world's box (contract: domain). Open sides let photons escape; periodic
- * ones wrap in x and y. */
+/* The box of the world (scene key `domain`). Photons leave through open sides;
+ * periodic sides wrap in x and y. */
 typedef struct murk_domain {
     murk_box box;
     bool is_periodic;
 } murk_domain;
 
-/* x -> matrix x + shift; matrix[row][column]. */
+/* The map x -> matrix x + shift; matrix[row][column]. */
 typedef struct murk_affine {
     double matrix[3][3];
     murk_vec3 shift;
@@ -143,16 +145,17 @@ typedef struct murk_affine {
 
 murk_affine murk_affine_identity(void);
 
-/* The contract's order: rotate about x, then y, then z [degrees, right
- * handed], then scale, then translate [m]. */
+/* The transformation of the scene file: rotate about x, then y, then z
+ * [degrees, right-handed], then scale, then translate [m]. */
 murk_affine murk_affine_place(murk_vec3 rotate_deg, double scale,
                               murk_vec3 translate_m);
 
-/* outer after inner. */
+/* The map that applies `inner`, then `outer`. */
 murk_affine murk_affine_compose(const murk_affine *outer,
                                 const murk_affine *inner);
 
-/* False (and *out untouched) when the matrix is singular or not finite. */
+/* The inverse map. Returns false and leaves *out unchanged if the matrix is
+ * singular or not finite. */
 bool murk_affine_invert(const murk_affine *a, murk_affine *out);
 
 murk_vec3 murk_affine_point(const murk_affine *a, murk_vec3 p);

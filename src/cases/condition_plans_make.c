@@ -49,7 +49,7 @@ murk_status murk_condition_plans_prepare(murk_condition_plans *out,
                          "or sensors.budget");
     }
     /* Build the world of each condition and check what its plan needs. */
-    murk_progress_begin_over("build", 0, "");
+    murk_progress_begin_group("build", 0, "");
     murk_status status = murk_conditions_create(&out->conditions, scene, err);
     murk_progress_end();
     for (size_t c = 0; !status && c < scene->n_conditions; ++c) {

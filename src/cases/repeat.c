@@ -171,8 +171,8 @@ murk_status murk_repeat_make(murk_repeat *out, const murk_repeat_first *first,
     out->run[0].plan = out->run[0].held_out;
     murk_status status = MURK_OK;
     /* The other runs, one seed after the other. */
-    murk_progress_begin_over("repeat", asked, "seeds");
-    murk_progress_add_over(1);
+    murk_progress_begin_group("repeat", asked, "seeds");
+    murk_progress_add_to_group(1);
     for (out->runs = 1; out->runs < asked && !status;) {
         const uint32_t later = (uint32_t)out->runs;
         murk_repeat_run *run = &out->run[out->runs];
@@ -186,7 +186,7 @@ murk_status murk_repeat_make(murk_repeat *out, const murk_repeat_first *first,
                                (unsigned long)scene->seed + later, told.text);
         } else {
             ++out->runs;
-            murk_progress_add_over(1);
+            murk_progress_add_to_group(1);
         }
     }
     murk_progress_part(0, 0, 0);

@@ -203,7 +203,7 @@ static murk_status take_values(void *context, const char *bytes, size_t size,
     murk_status status = murk_sweep_receive(&found, &i, sweep->desc.study->rows,
                                             bytes, size, &text, err);
     if (!status) {
-        murk_progress_add_over(1);
+        murk_progress_add_to_group(1);
         status = put_values(sweep, i, &found, err);
     }
     if (!status && !found.failed[0]) {

@@ -180,9 +180,9 @@ static murk_status read_rows(reading *r, murk_error *err)
     murk_sweep *sweep = r->sweep;
     const size_t rows = sweep->desc.study->rows;
     murk_status status = MURK_OK;
-    murk_progress_begin_over("read", rows, "rows");
+    murk_progress_begin_group("read", rows, "rows");
     for (size_t i = 0; i < rows && !status; ++i) {
-        murk_progress_add_over(i > 0);
+        murk_progress_add_to_group(i > 0);
         status = murk_interrupted()
                      ? murk_fail(err, MURK_INTERRUPTED, "", "interrupted")
                      : read_row(r, i, err);
@@ -286,7 +286,7 @@ static murk_status take_row(void *context, const char *bytes, size_t size,
     }
     /* Report progress. */
     if (!status) {
-        murk_progress_add_over(1);
+        murk_progress_add_to_group(1);
     }
     if (!status && sweep->desc.row_done) {
         sweep->desc.row_done(sweep->desc.context, i);
@@ -302,7 +302,7 @@ static void fail_rest(murk_sweep *sweep, const murk_sweep_group *group,
         murk_sweep_row *row = &sweep->row[group->row[k]];
         if (!row->is_done) {
             tell_failure(row, why);
-            murk_progress_add_over(1);
+            murk_progress_add_to_group(1);
             if (sweep->desc.row_done) {
                 sweep->desc.row_done(sweep->desc.context, group->row[k]);
             }
@@ -351,14 +351,14 @@ murk_status murk_sweep_run(murk_sweep *sweep, murk_error *err)
     if (status) {
         return status;
     }
-    murk_progress_begin_over("study", rows, "rows");
-    murk_progress_add_over(kept);
+    murk_progress_begin_group("study", rows, "rows");
+    murk_progress_add_to_group(kept);
     murk_progress_part(0, rows, kept);
     status = run_groups(sweep, err);
     murk_progress_part(0, 0, 0);
     murk_progress_end();
     if (!status) {
-        murk_progress_begin_over("plans for all", rows, "rows");
+        murk_progress_begin_group("plans for all", rows, "rows");
         status = murk_sweep_plan_all(sweep, err);
         murk_progress_part(0, 0, 0);
         murk_progress_end();

@@ -205,7 +205,7 @@ static murk_status do_row(group_work *w, size_t k, murk_error *err)
     take_warnings(own);
     murk_study_row_add_note(&row, own);
     status = send_row(w, k, &row, err);
-    murk_progress_add_over(1);
+    murk_progress_add_to_group(1);
     murk_study_row_release(&row);
     murk_sweep_light_drop(l, k);
     return status;

@@ -186,7 +186,7 @@ static murk_status finish(murk_traced *traced, const murk_emission *emission,
         return status;
     }
     const double begun_s = murk_clock_s();
-    murk_progress_begin_over("maps", 0, "");
+    murk_progress_begin_group("maps", 0, "");
     murk_record_buffers_price(buffers, traced->packet_w,
                               emission->stage->scene->bands);
     status = murk_record_buffers_map(&traced->surface, &buffers->surface,

@@ -283,7 +283,7 @@ static murk_status measure_on(murk_plan_result *plan, uint32_t stream,
     murk_traced *other = NULL;
     murk_sight *sight = NULL;
     murk_coverage_result coverage = {0};
-    murk_progress_begin_over("hold out", 0, "");
+    murk_progress_begin_group("hold out", 0, "");
     murk_status status =
         murk_plan_see_anew(&other, stage, stream, threads, err);
     if (!status) {

@@ -1,11 +1,13 @@
-/* Clear air by Rayleigh's law, and aerosol by Angstrom's.
+/* Scattering of clear air (Rayleigh) and extinction of aerosol (Angstrom).
  *
- * Molecules: cross section
- *   24 pi^3 (n^2 - 1)^2 / (wavelength^4 N^2 (n^2 + 2)^2) F
- * for dry air at 288.15 K and 1013.25 hPa, N of its molecules per cm3, n by
- * Peck & Reeder for 300 ppm of CO2, F the King factor of nitrogen, oxygen,
- * argon and CO2, all as Bodhaine et al. take them. Their number goes as
- * pressure / temperature; the cross section does not depend on it.
+ * The cross section of a molecule is | 24 pi^3 (n^2 - 1)^2 / (wavelength^4 N^2
+ * (n^2 + 2)^2) F
+ *
+ * for dry air at 288.15 K and 1013.25 hPa, with N molecules per cm3, the index
+ * n of Peck & Reeder for 300 ppm of CO2, and the King factor F of nitrogen,
+ * oxygen, argon and CO2, all as in Bodhaine et al. The number of molecules is
+ * proportional to pressure / temperature; the cross section does not depend on
+ * it.
  *
  * Sources: Bodhaine, Wood, Dutton & Slusser, J. Atmos. Ocean. Tech. 16 (1999)
  * 1854, doi:10.1175/1520-0426(1999)016<1854:ORODC>2.0.CO;2; Peck & Reeder, J.
@@ -17,6 +19,8 @@
 
 #include <math.h>
 
+/* Constants and dry air by volume as in Bodhaine et al. 1999, sections 2
+ * and 3. */
 #define PI               3.14159265358979323846
 #define PER_CM3          2.546899e19 /* molecules at 288.15 K, 1013.25 hPa */
 #define STANDARD_K       288.15

@@ -1,26 +1,25 @@
-/* Absorption in case-1 water, from the attenuation of daylight that is
- * observed.
+/* Absorption in case-1 water, derived from the observed attenuation of
+ * daylight.
  *
- * Particle absorption after Bricaud et al. and dissolved matter as a fifth of
- * absorption at 440 nm (Morel & Maritorena), taken by themselves, make water
- * that is too clear above .3 mg/m3: their attenuation of daylight at 490 nm is
- * 18 % below the observed one at 1 mg/m3 and 30 % below at 5 mg/m3. Morel and
- * Maritorena derive the absorption from the observed attenuation instead, and
- * so does this file:
+ * A sum of particle absorption (Bricaud et al.) and dissolved matter, a fifth
+ * of absorption at 440 nm (Morel & Maritorena), makes water too clear above .3
+ * mg/m3: the attenuation of daylight at 490 nm is then 18 % below the observed
+ * one at 1 mg/m3 and 30 % below at 5 mg/m3. Morel and Maritorena derive the
+ * absorption from the observed attenuation instead, and so does this file:
  *
- * 1. Kd = Kw + chi C^e at six wavelengths is observed.
- * 2. Backscattering is the water's own and the particles'
- *    (water_contents.h, after Morel & Maritorena).
- * 3. The law of Lee, Du and Arnone for Kd by absorption and backscattering,
- *    solved for the absorption, gives the absorption; the water's own is
- *    subtracted.
- * 4. The spectrum between the six wavelengths has the shape of Bricaud's
- *    particles and the dissolved matter: the ratio of 3. to that sum is linear
- *    in wavelength. Beyond 555 nm water itself absorbs most of the light, the
- *    observed law is uncertain, and the ratio goes to 1 at 650 nm.
+ *  1. Kd = Kw + chi C^e at six wavelengths is observed.
+ *  2. Backscattering is that of pure water and of the particles
+ *     (water_contents.h, after Morel & Maritorena).
+ *  3. The law of Lee, Du and Arnone gives Kd by absorption and
+ *     backscattering. It is solved for the absorption, and the absorption of
+ *     pure water is subtracted.
+ *  4. Between the six wavelengths the spectrum has the shape of the sum
+ *     above: the ratio of 3. to that sum is linear in wavelength. Beyond
+ *     555 nm pure water absorbs most of the light, the observed law is
+ *     uncertain, and the ratio goes linearly to 1 at 650 nm.
  *
- * Where little is in the water, the observed Kd at 510 and 555 nm is below that
- * of water by itself with the sun there; the absorption is then 0.
+ * In very clear water the observed Kd at 510 and 555 nm is below that of pure
+ * water with the same sun; the absorption is then 0.
  *
  * Sources: Morel & Maritorena, J. Geophys. Res. 106 (2001) 7163,
  * doi:10.1029/2000JC000319; Morel et al., Remote Sens. Environ. 111 (2007) 69,
@@ -34,9 +33,9 @@
 #include <math.h>
 #include <stddef.h>
 
-/* Coefficients as the programs of Westberry et al., Global Biogeochem. Cycles
- * 22 (2008) GB2024, doi:10.1029/2007GB003078, quote Morel and Maritorena's
- * table; the row of 490 nm is confirmed by Morel et al. 2007. */
+/* Kw, chi and e of Morel and Maritorena as quoted by the programs of Westberry
+ * et al., Global Biogeochem. Cycles 22 (2008) GB2024, doi:10.1029/2007GB003078.
+ * Morel et al. 2007 confirm the row of 490 nm. */
 static const struct row {
     double nm, water_per_m, chi, e;
 } row[] = {
@@ -49,21 +48,22 @@ static const struct row {
 };
 enum { ROWS = sizeof row / sizeof *row };
 
-/* Not an angle that anybody observed: it was chosen so that the preset, lit by
- * this program, has the observed attenuation. The law of Lee et al. is for sun
- * and sky together. Light that is traced from a sun 30 degrees from the zenith,
- * without a sky, is attenuated 3 to 12 % less than the law says for that sun,
- * and within 7 % as the law says for 15 degrees (tests/physics/RESULTS.md). By
- * the law at 30 degrees the absorption, the water's own included, would be 6 %
- * less. */
+/* An effective zenith angle, not an observed one: with it the preset, traced by
+ * this program, has the observed attenuation. The law of Lee et al. holds for
+ * sun and sky together. Light traced from a sun at 30 degrees from the zenith,
+ * without a sky, is attenuated 3 to 12 % less than the law predicts for 30
+ * degrees, and agrees within 7 % with the prediction for 15 degrees
+ * (tests/physics/RESULTS.md). With 30 degrees in the law, the absorption, pure
+ * water included, would be 6 % less. */
 #define SUN_ZENITH_DEG 15.0
-#define BRICAUD_NM     650.0 /* from here on Bricaud's absorption as it is */
+#define BRICAUD_NM     650.0 /* from here on the ratio is 1 */
 
-/* Sea water in which the attenuation is observed. */
+/* The sea water in which the attenuation was observed. */
 #define TEMPERATURE_C 20.0
 #define SALINITY_PSU  35.0
 
-/* The row at or before a wavelength, and the share of the way to the next. */
+/* Returns the row at or before a wavelength, and the relative position between
+ * this row and the next. */
 static size_t place_of(double wavelength_nm, double *share)
 {
     size_t i = 0;
@@ -95,8 +95,9 @@ double murk_case_1_kd_of(double absorption_per_m, double backscattering_per_m,
                backscattering_per_m;
 }
 
-/* The absorption of an attenuation, by bisection: the law above rises with
- * absorption. 0 where backscattering alone attenuates more. */
+/* Solves the law of Lee et al. for the absorption, by bisection, because the
+ * attenuation rises with absorption. The result is 0 if backscattering alone
+ * attenuates more. */
 static double absorption_of(double kd, double backscattering)
 {
     double low = 0, high = kd;
@@ -109,7 +110,8 @@ static double absorption_of(double kd, double backscattering)
     return (low + high) / 2;
 }
 
-/* Bricaud's particles, and dissolved matter by the same chlorophyll. */
+/* The sum of particle absorption (Bricaud et al.) and dissolved matter for the
+ * same chlorophyll. */
 static double of_parts(double nm, double chlorophyll)
 {
     return murk_chlorophyll_absorption(nm, chlorophyll) +
@@ -117,7 +119,8 @@ static double of_parts(double nm, double chlorophyll)
                                 MURK_CDOM_SLOPE_OCEAN);
 }
 
-/* What the observed attenuation asks for, over what the parts absorb. */
+/* The ratio of the absorption from the observed attenuation to the sum
+ * of_parts(), at a wavelength of the table. */
 static double ratio_at(const struct row *r, double chlorophyll)
 {
     const double backscattering =

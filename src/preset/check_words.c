@@ -1,10 +1,13 @@
+/* Checks the words of a user against the ranges of a preset and completes them
+ * with the defaults of the preset. Of the words that state an amount only one
+ * may be given. */
 #include "preset/check_words.h"
 
 #include "preset/visibility.h"
 
 #include <stdio.h>
 
-/* mor_m is what visibility_m is, for another contrast. */
+/* The range of mor_m: that of visibility_m, converted to the other contrast. */
 static murk_preset_word of_mor(const murk_preset_word *visibility)
 {
     murk_preset_word mor = *visibility;
@@ -87,6 +90,7 @@ static murk_status check_amounts(const murk_words *words, const char *where,
 murk_status murk_preset_complete(murk_words *words, const murk_preset *preset,
                                  const char *where, murk_error *err)
 {
+    /* Check ranges and that at most one amount is given. */
     for (int i = 0; i < MURK_WORDS; ++i) {
         if (words->given[i]) {
             const murk_status status = murk_preset_check_word(
@@ -100,6 +104,7 @@ murk_status murk_preset_complete(murk_words *words, const murk_preset *preset,
     if (status) {
         return status;
     }
+    /* Convert mor_m, then fill in defaults. */
     if (words->given[MURK_WORD_MOR]) {
         words->given[MURK_WORD_VISIBILITY] = true;
         words->value[MURK_WORD_VISIBILITY][0] =

@@ -1,25 +1,27 @@
-/* The words of one preset: known ones, within their ranges, with defaults. */
+/* Checks the words that a user gave for a preset, and fills in defaults. */
 #ifndef MURK_PRESET_CHECK_WORDS_H
 #define MURK_PRESET_CHECK_WORDS_H
 
 #include "preset/preset.h"
 
-/* What the preset says of a word; mor_m by what it says of visibility_m. */
+/* The declaration of a word in a preset. That of mor_m follows from the
+ * declaration of visibility_m. */
 murk_preset_word murk_preset_word_of(const murk_preset *preset,
                                      murk_word_id word);
 
-/* MURK_BAD_VALUE at `where` when the preset does not know the word, or a number
- * of it is outside the preset's range. `value` has the word's numbers. */
+/* Fails with MURK_BAD_VALUE at `where` if the preset does not declare the word,
+ * or a number is outside the range of the preset. `value` has as many numbers
+ * as the word. */
 murk_status murk_preset_check_word(const murk_preset *preset, murk_word_id word,
                                    const double *value, const char *where,
                                    murk_error *err);
 
-/* Words that each say how much there is: a user may say one of them, and then
- * no default of another holds. */
+/* True for words that state the amount of the medium. A user may give only one
+ * of them, and defaults of the others are then ignored. */
 bool murk_word_is_amount(murk_word_id word);
 
-/* Checks the words that are given, turns mor_m into visibility_m, and adds the
- * preset's defaults. */
+/* Checks the given words, converts mor_m to visibility_m, and adds the defaults
+ * of the preset. */
 murk_status murk_preset_complete(murk_words *words, const murk_preset *preset,
                                  const char *where, murk_error *err);
 

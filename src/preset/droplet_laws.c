@@ -1,9 +1,11 @@
-/* Fog, cloud and haze of water droplets, computed when a preset is read.
+/* Fog, cloud and haze of water droplets, computed by Mie theory when a preset
+ * is read.
  *
- * Spheres are solved at wavelengths at most 8 % apart (at each one, where they
- * are farther apart); between them scattering and the phase function are
- * straight in ln(wavelength), and so is absorption over that of the bulk water,
- * which follows its bands at every wavelength. */
+ * Droplet populations are computed at wavelengths at most 8 % apart (or at each
+ * requested wavelength, if these are farther apart). In between, scattering and
+ * the phase function are linear in ln(wavelength). Absorption is interpolated
+ * as a ratio to the absorption of bulk water, so that it follows the absorption
+ * bands of water at every wavelength. */
 #include "preset/laws.h"
 
 #include <math.h>
@@ -16,13 +18,15 @@
 #include "preset/droplets.h"
 #include "preset/refraction.h"
 
-#define APART 1.08
+/* The largest ratio of neighbouring wavelengths at which droplets are
+ * computed. */
+#define NODE_RATIO_MAX 1.08
 
-/* Of cross sections and of the mean cosine; a fifth of what the library
- * promises. */
+/* Tolerance of cross sections and mean cosine: a fifth of the error that the
+ * presets promise. */
 #define TOLERANCE 2e-3
 
-#define DEGREE 0.017453292519943295
+#define DEGREE 0.017453292519943295 /* pi / 180 */
 
 typedef struct node {
     double nm;
@@ -46,24 +50,28 @@ static int by_wavelength(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Keeps what is needed of the rising wavelengths: both ends, and between them
- * those that leave no gap of more than APART, where there are any. */
+/* Thins out the rising wavelengths: both ends stay, and between them those
+ * without which a gap would exceed NODE_RATIO_MAX. */
 static void thin(nodes *all)
 {
-    size_t kept = 0;
+    size_t n = 0;
+    /* One phase function for each node. */
     for (size_t i = 0; i < all->n; ++i) {
         const bool is_end = i == 0 || i + 1 == all->n;
-        if (is_end || all->node[i + 1].nm > all->node[kept - 1].nm * APART) {
-            if (kept == 0 || all->node[i].nm > all->node[kept - 1].nm) {
-                all->node[kept++].nm = all->node[i].nm;
+        if (is_end ||
+            all->node[i + 1].nm > all->node[n - 1].nm * NODE_RATIO_MAX) {
+            if (n == 0 || all->node[i].nm > all->node[n - 1].nm) {
+                all->node[n++].nm = all->node[i].nm;
             }
         }
     }
-    all->n = kept;
+    all->n = n;
 }
 
-static murk_status lay(nodes *all, const murk_law_call *call, murk_error *err)
+static murk_status choose_nodes(nodes *all, const murk_law_call *call,
+                                murk_error *err)
 {
+    /* Sort the wavelengths of the call and thin them out. */
     all->n = call->n;
     all->angles = murk_droplet_angles(all->angle_deg);
     all->node = calloc(call->n, sizeof *all->node);
@@ -88,9 +96,9 @@ static murk_status lay(nodes *all, const murk_law_call *call, murk_error *err)
     return MURK_OK;
 }
 
-/* What droplets do does not depend on how many there are: a fit of visibility
- * asks for the same ones each time. */
-static murk_cache kept = MURK_CACHE_NONE;
+/* Solutions per droplet. They do not depend on the number of droplets, so a fit
+ * of visibility finds the same ones each time. */
+static murk_cache cache = MURK_CACHE_NONE;
 
 typedef struct solved {
     murk_droplet_optics optics;
@@ -104,7 +112,7 @@ static void solve_node(void *context, uint64_t batch)
     const double key[] = {all->shape.a, all->shape.b, all->shape.c, one->nm};
     const size_t phase_bytes = all->angles * sizeof *one->phase;
     size_t size;
-    solved *found = murk_cache_find(&kept, key, sizeof key, &size);
+    solved *found = murk_cache_find(&cache, key, sizeof key, &size);
     if (found) {
         one->optics = found->optics;
         memcpy(one->phase, found->phase, phase_bytes);
@@ -117,7 +125,7 @@ static void solve_node(void *context, uint64_t batch)
     if (!one->status) {
         solved made = {.optics = one->optics};
         memcpy(made.phase, one->phase, phase_bytes);
-        murk_cache_put(&kept, key, sizeof key, &made, sizeof made);
+        murk_cache_put(&cache, key, sizeof key, &made, sizeof made);
     }
 }
 
@@ -136,14 +144,14 @@ static murk_status solve(nodes *all, const char *where, murk_error *err)
     return MURK_OK;
 }
 
-/* Absorption of the bulk water, but for a factor. */
+/* The absorption of bulk water, except for a constant factor. */
 static double bulk(double nm)
 {
     return murk_water_refraction(nm).k / nm;
 }
 
-static void read_off(murk_law_result *out, size_t i, double nm,
-                     const nodes *all, double per_cm3)
+static void interpolate(murk_law_result *out, size_t i, double nm,
+                        const nodes *all, double per_cm3)
 {
     size_t right = all->n > 1 ? 1 : 0;
     while (right + 1 < all->n && all->node[right].nm < nm) {
@@ -169,10 +177,11 @@ static void read_off(murk_law_result *out, size_t i, double nm,
 static murk_status run(murk_law_result *out, const murk_law_call *call,
                        const double abc[3], murk_error *err)
 {
+    /* Compute the population at the chosen wavelengths. */
     nodes all = {.shape = {abc[0], abc[1], abc[2]}};
     murk_status status = murk_droplets_check(&all.shape, call->where, err);
     if (!status) {
-        status = lay(&all, call, err);
+        status = choose_nodes(&all, call, err);
     }
     if (!status) {
         status = solve(&all, call->where, err);
@@ -182,6 +191,8 @@ static murk_status run(murk_law_result *out, const murk_law_call *call,
                                            false, err);
     }
     if (!status) {
+        /* Convert to a number of droplets, and interpolate to each wavelength
+         * of the call. */
         const murk_words *words = call->words;
         const double per_cm3 =
             words->given[MURK_WORD_LIQUID_WATER]
@@ -191,7 +202,7 @@ static murk_status run(murk_law_result *out, const murk_law_call *call,
         memcpy(out->made->angle_deg, all.angle_deg,
                all.angles * sizeof *all.angle_deg);
         for (size_t i = 0; i < call->n; ++i) {
-            read_off(out, i, call->wavelength_nm[i], &all, per_cm3);
+            interpolate(out, i, call->wavelength_nm[i], &all, per_cm3);
         }
         out->has_phase = true;
     }

@@ -1,3 +1,6 @@
+/* Moments, range checks and integration limits of the modified gamma
+ * distribution of droplet radii. Moments are ratios of gamma functions; the
+ * share of uncounted droplets is an incomplete gamma function. */
 #include "preset/droplet_sizes.h"
 
 #include <assert.h>
@@ -6,9 +9,9 @@
 #include "base/log_gamma.h"
 #include "preset/mie.h"
 
-#define PI 3.141592653589793
+#define PI 3.141592653589793 /* to the digits of double */
 
-/* Share of the integrals that the ends leave out. */
+/* The share of an integral that is cut off at each end. */
 #define LEFT_OUT 1e-7
 
 murk_droplets murk_droplets_gamma(double effective_radius_um,
@@ -21,9 +24,10 @@ murk_droplets murk_droplets_gamma(double effective_radius_um,
                            .c = 1};
 }
 
-/* Share of the gamma distribution of that order that lies below t: the series
- * t^order e^-t / Gamma(order + 1) (1 + t / (order + 1) + ...), all of one
- * sign. Where it is 1 to rounding, no more terms are asked for. */
+/* The share of the gamma distribution of a given order below t: the series
+ * t^order e^-t / Gamma(order + 1) (1 + t / (order + 1) + ...), with positive
+ * terms only. For large t the share is 1 to rounding, and no terms are
+ * summed. */
 static double share_below(double order, double t)
 {
     if (!(t < order + 40 + 12 * sqrt(order))) {
@@ -37,14 +41,14 @@ static double share_below(double order, double t)
     return fmin(1, sum * exp(order * log(t) - t - murk_log_gamma(order + 1)));
 }
 
-/* Share of all droplets that are counted. */
+/* The share of all droplets that are counted. */
 static double counted(const murk_droplets *shape)
 {
     const double t = shape->b * pow(MURK_COUNTED_FROM_UM, shape->c);
     return 1 - share_below((shape->a + 1) / shape->c, t);
 }
 
-/* Mean of r^power over all droplets, counted or not. */
+/* The mean of r^power over all droplets, counted or not. */
 static double moment(const murk_droplets *shape, double power)
 {
     const double c = shape->c;
@@ -65,13 +69,14 @@ double murk_droplets_effective_variance(const murk_droplets *shape)
 
 double murk_droplets_water_g_per_m3(const murk_droplets *shape)
 {
-    /* um3 in a cm3 are 1e-12 parts; a cubic metre of water is 1e6 g */
+    /* 1 um3 in 1 cm3 is a share of 1e-12; 1 m3 of water has 1e6 g */
     return 4 * PI / 3 * moment(shape, 3) / counted(shape) * 1e-12 * 1e6;
 }
 
 murk_status murk_droplets_check(const murk_droplets *shape, const char *where,
                                 murk_error *err)
 {
+    /* Check the exponents and the factor. */
     if (!(shape->a >= 0 && shape->a <= 40)) {
         return murk_fail(err, MURK_BAD_VALUE, where,
                          "the power of r is %g, must be 0..40", shape->a);
@@ -88,6 +93,7 @@ murk_status murk_droplets_check(const murk_droplets *shape, const char *where,
                          "than 0 [um^-%g]",
                          shape->b, shape->c);
     }
+    /* Check the moments, then the share of counted droplets. */
     const double radius = murk_droplets_effective_radius_um(shape);
     if (!(radius >= .05 && radius <= 50)) {
         return murk_fail(err, MURK_BAD_VALUE, where,
@@ -131,9 +137,9 @@ murk_droplet_population murk_droplet_population_of(const murk_droplets *shape,
                     murk_log_gamma(order) - log(counted(shape))};
 }
 
-/* What the ends are judged by: what a sphere takes from light and where it
- * sends it, without the fringes. Small ones scatter as x^4 and absorb as x;
- * large ones scatter forward as x^2. */
+/* The weights with which the ends are judged approximate how a sphere scatters
+ * and absorbs, without interference fringes. Small spheres scatter as x^4 and
+ * absorb as x; the forward scattering of large spheres grows as x^2. */
 static double weight_small(double x)
 {
     return x / (1 + x);
@@ -144,19 +150,21 @@ static double weight_large(double x)
     return x * x * x * x / (1 + x * x);
 }
 
-/* Scanned in equal steps of ln x, which is safe as the integrand has one peak
- * and is wider than 1/40 for every shape that passes the check. */
+/* The sums use equal steps of ln x. This is sufficient because the integrand
+ * has one peak, which is wider than 1/40 for every shape that passes the
+ * check. */
 void murk_droplet_ends(const murk_droplet_population *population, double *min,
                        double *max)
 {
     const double step = 1. / 64;
-    const int from = -64 * 14, to = 64 * 10; /* x 8e-7..2.2e4 */
+    const int from = -64 * 14, to = 64 * 10; /* x from 8e-7 to 2.2e4 */
     double small = 0, large = 0;
     for (int i = from; i <= to; ++i) {
         const double x = exp(i * step), area = murk_droplet_area(population, x);
         small += area * weight_small(x);
         large += area * weight_large(x);
     }
+    /* Move each end inwards until the cut share exceeds LEFT_OUT. */
     int low = from, high = to;
     double sum = 0;
     for (; low < to; ++low) {

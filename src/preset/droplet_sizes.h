@@ -1,12 +1,13 @@
-/* How large droplets are: the modified gamma distribution
- *     n(r) = N norm r^a exp(-b r^c),    r in um, r > 0,
- * of which a = alpha, c = gamma in Deirmendjian's words and c = 1 is the gamma
- * distribution of Hansen and Travis. Only its shape is held here; N
- * multiplies what one droplet does on average.
+/* The size distribution of droplets: the modified gamma distribution | n(r) = N
+ * norm r^a exp(-b r^c), r in um, r > 0,
  *
- * Droplets are counted from a radius of MURK_COUNTED_FROM_UM on: what haze has
- * below no counter sees and light hardly does. For fog and cloud it makes no
- * difference; Haze L has 2.2 % of its number there.
+ * with a = alpha and c = gamma of Deirmendjian; c = 1 is the gamma distribution
+ * of Hansen and Travis. The structs hold the shape only; results are for one
+ * droplet per volume and are multiplied by N.
+ *
+ * Droplets are counted from a radius of MURK_COUNTED_FROM_UM, because counters
+ * do not detect smaller ones and they hardly affect light. For fog and cloud
+ * this makes no difference; Haze L has 2.2 % of the droplets below that radius.
  *
  * Sources: Deirmendjian, Electromagnetic Scattering on Spherical
  * Polydispersions (1969); Hansen & Travis, Space Sci. Rev. 16 (1974) 527,
@@ -16,44 +17,48 @@
 
 #include "base/status.h"
 
-#define MURK_COUNTED_FROM_UM .02
+#define MURK_COUNTED_FROM_UM .02 /* see above */
 
 typedef struct murk_droplets {
     double a, b, c; /* exponents, and b in um^-c */
 } murk_droplets;
 
-/* Hansen and Travis: by effective radius [um] and effective variance, more
- * than 0 and less than 1/3. */
+/* The gamma distribution of Hansen and Travis with an effective radius [um] > 0
+ * and an effective variance between 0 and 1/3. */
 murk_droplets murk_droplets_gamma(double effective_radius_um,
                                   double effective_variance);
 
-/* MURK_BAD_VALUE at `where` for shapes that no fog, cloud or haze has, which
- * bounds the work: a 0..40, c .1..6, effective radius .05..50 um, effective
- * variance .003..10, at least 1 % of the droplets counted. */
+/* Fails with MURK_BAD_VALUE at `where` for shapes that no fog, cloud or haze
+ * has. The limits bound the computing time: a 0..40, c .1..6, effective radius
+ * .05..50 um, effective variance .003..10, at least 1 % of the droplets
+ * counted. */
 murk_status murk_droplets_check(const murk_droplets *shape, const char *where,
                                 murk_error *err);
 
 double murk_droplets_effective_radius_um(const murk_droplets *shape);
 double murk_droplets_effective_variance(const murk_droplets *shape);
 
-/* Liquid water [g/m3] of one droplet a cubic centimetre. */
+/* The liquid water [g/m3] of one counted droplet per cubic centimetre. */
 double murk_droplets_water_g_per_m3(const murk_droplets *shape);
 
-/* The distribution by the size parameter x at a wavelength [nm]. */
+/* The distribution as a function of the size parameter x at a wavelength
+ * [nm]. */
 typedef struct murk_droplet_population {
     murk_droplets shape;
-    double radius_um; /* of x = 1 */
+    double radius_um; /* radius at x = 1 */
+    /* logarithm of `norm` for counted droplets */
     double log_norm;
 } murk_droplet_population;
 
 murk_droplet_population murk_droplet_population_of(const murk_droplets *shape,
                                                    double wavelength_nm);
 
-/* The distribution times r^2 [um2] at x, for dr = r d(ln x). */
+/* The distribution times r^2 [um2] at x, for an integral over dr = r d(ln
+ * x). */
 double murk_droplet_area(const murk_droplet_population *population, double x);
 
-/* The sizes that matter: those between which all but 1e-7 of the integral lies,
- * by the weight of each end; none that Mie's series does not take. */
+/* The range of sizes that contributes all but 1e-7 of the integral at each end,
+ * cut to the sizes that murk_mie_solve() accepts. */
 void murk_droplet_ends(const murk_droplet_population *population, double *min,
                        double *max);
 

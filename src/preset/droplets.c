@@ -1,9 +1,12 @@
-/* The integral over radii is a trapezoid sum in s = ln x + x / wide, x the
- * size parameter: equal steps in the logarithm for small spheres, in x for
- * large ones, where the fringes of an efficiency are equally wide in x. For a
- * smooth integrand that dies away at both ends such a sum converges faster
- * than any power of the step. Steps are halved, and what is already summed is
- * kept. */
+/* Averages the Mie solutions of spheres (preset/mie.h) over a size
+ * distribution.
+ *
+ * The integral over radii is a trapezoid sum in s = ln x + x / wide, where x is
+ * the size parameter: steps are equal in the logarithm for small spheres, and
+ * in x for large spheres, because the interference fringes of an efficiency are
+ * equally wide in x. For a smooth integrand that vanishes at both ends such a
+ * sum converges faster than any power of the step. The step is halved until the
+ * sums settle, and each level adds only the new spheres. */
 #include "preset/droplets.h"
 
 #include <assert.h>
@@ -12,47 +15,51 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define PI 3.141592653589793
+#define PI 3.141592653589793 /* to the digits of double */
 
-/* A faint absorption narrows no resonance that this one leaves: what spheres
- * absorb is worked out for it and is in proportion to k below. Light caught in
- * resonances that are narrower still, which chance sizes would hit or miss, is
- * left out: 3 % of the absorption of Cloud C.1 at 550 nm, itself 3e-7 of the
+/* The smallest imaginary index for which spheres are computed. For fainter
+ * absorption, spheres are computed with this index, and the absorption is
+ * scaled in proportion to k. The absorption of light caught in narrower
+ * resonances, which the sampled sizes would hit or miss by chance, is left out:
+ * 3 % of the absorption of Cloud C.1 at 550 nm, which is 3e-7 of the
  * extinction. */
 #define FAINT_K 1e-6
 
-/* A co-albedo that is no more than this need not settle. */
+/* A co-albedo up to this value need not settle. */
 #define FAINT 1e-3
 
-/* First step in s; x at which steps turn from relative to absolute ones; and
- * into how many at most the largest sphere's x is divided by the first step:
- * far larger spheres differ little from each other. */
+/* First step in s; least x at which steps change from relative to absolute;
+ * largest number of first steps in x up to the largest sphere (much larger
+ * spheres differ little from each other); and the largest number of halvings,
+ * which bounds the time. */
 #define FIRST_STEP .25
 #define WIDE_MIN   8.
 #define WIDE_PARTS 250.
 #define HALVINGS   7
 
-/* Fewer spheres leave fringes in a phase function. */
+/* The least number of spheres: with fewer, fringes remain in the phase
+ * function. */
 #define RADII_MIN 500
 
-/* The nodes of one level: s = from, from + step, ... */
-typedef struct ladder {
+/* The nodes of the first level: s = from, from + step, ... */
+typedef struct size_grid {
     double wide, from, step;
     size_t steps;
-} ladder;
+} size_grid;
 
-static ladder ladder_of(double min, double max)
+static size_grid size_grid_of(double min, double max)
 {
-    ladder out = {.wide = fmax(WIDE_MIN, max / WIDE_PARTS), .step = FIRST_STEP};
+    size_grid out = {.wide = fmax(WIDE_MIN, max / WIDE_PARTS),
+                     .step = FIRST_STEP};
     out.from = log(min) + min / out.wide;
     const double to = log(max) + max / out.wide;
     out.steps = (size_t)ceil((to - out.from) / out.step) + 1;
     return out;
 }
 
-/* x where ln x + x / wide is s: Newton in ln x, on a convex function, so from
- * the right-hand side it cannot overshoot. */
-static double size_at(const ladder *nodes, double s)
+/* Solves ln x + x / wide = s by Newton's method in ln x. The function is
+ * convex, so an iteration that starts on the right cannot overshoot. */
+static double size_at(const size_grid *nodes, double s)
 {
     double u = s < 1 ? s : log(nodes->wide * s);
     u = fmin(u, s);
@@ -70,30 +77,31 @@ static double size_at(const ladder *nodes, double s)
     return exp(u);
 }
 
-/* Sums over the nodes so far, times no step yet. */
+/* Sums over the nodes so far, before multiplication by the step. */
 typedef struct sums {
     double scattering, absorption;
-    double sent, turned; /* scattering of the spheres solved, and times g */
+    double sent, turned; /* `sent`: scattering of the computed spheres;
+                          * `turned`: the same times g */
     size_t radii;
 } sums;
 
 typedef struct task {
     murk_mie *mie;
     murk_droplet_population population;
-    murk_mie_index index; /* k at least FAINT_K */
-    double faint;         /* true k over that one */
+    murk_mie_index index; /* k is at least FAINT_K */
+    double faint;         /* true k / index.k */
     double max;           /* largest size parameter */
     size_t angles;
     const double *mu;
     double *intensity; /* [angles] */
 } task;
 
-static void add_sphere(sums *total, const task *job, const ladder *nodes,
+static void add_sphere(sums *total, const task *job, const size_grid *nodes,
                        double s)
 {
     const double x = size_at(nodes, s);
     if (!(x >= MURK_MIE_SIZE_MIN && x <= job->max)) {
-        return; /* rounding, or past the last step */
+        return; /* outside by rounding, or past the last step */
     }
     const double stretch = 1 / (1 + x / nodes->wide); /* d(ln x) / ds */
     const double weight = PI * murk_droplet_area(&job->population, x) * stretch;
@@ -121,7 +129,7 @@ static bool is_settled(const sums *now, const sums *before, double tolerance)
                tolerance;
 }
 
-/* The sums so far, times the step between them. */
+/* The sums multiplied by the step between nodes. */
 static sums times(const sums *total, double step)
 {
     return (sums){.scattering = step * total->scattering,
@@ -131,9 +139,9 @@ static sums times(const sums *total, double step)
                   .radii = total->radii};
 }
 
-/* Puts in the spheres of one level: all of the first, the new ones of others.
- * Gives the step between all spheres so far. */
-static double add_level(sums *total, const task *job, const ladder *first,
+/* Adds the spheres of one level: all nodes of the first level, the new nodes of
+ * later levels. Returns the step between all nodes so far. */
+static double add_level(sums *total, const task *job, const size_grid *first,
                         int level)
 {
     const double step = ldexp(first->step, -level);
@@ -144,8 +152,8 @@ static double add_level(sums *total, const task *job, const ladder *first,
     return step;
 }
 
-/* The level at which the results settle, or HALVINGS + 1. */
-static int settle(sums *now, const task *job, const ladder *first,
+/* Returns the level at which the results settle, or HALVINGS + 1. */
+static int settle(sums *now, const task *job, const size_grid *first,
                   double tolerance)
 {
     sums total = {0};
@@ -161,9 +169,10 @@ static int settle(sums *now, const task *job, const ladder *first,
     return HALVINGS + 1;
 }
 
-/* A level before the last is as near to it as was asked. */
-static void add_angles(task *job, const ladder *first, int level, size_t angles,
-                       const double *mu, double *phase_per_sr)
+/* Computes the phase function with one level less than the last one, which is
+ * already within the tolerance, unless that has too few spheres. */
+static void add_angles(task *job, const size_grid *first, int level,
+                       size_t angles, const double *mu, double *phase_per_sr)
 {
     memset(phase_per_sr, 0, angles * sizeof *phase_per_sr);
     job->angles = angles;
@@ -188,6 +197,7 @@ murk_status murk_droplets_solve(murk_droplet_optics *out,
     assert(out && shape && (angles == 0 || (mu && phase_per_sr)));
     assert(wavelength_nm >= 200 && wavelength_nm <= 20000);
     assert(tolerance >= 1e-4 && tolerance <= .1);
+    /* Replace a faint absorption, choose the range of sizes. */
     task job = {.population = murk_droplet_population_of(shape, wavelength_nm),
                 .index = {index.n, fmax(index.k, FAINT_K)}};
     job.faint = index.k / job.index.k;
@@ -197,7 +207,8 @@ murk_status murk_droplets_solve(murk_droplet_optics *out,
     if (status) {
         return status;
     }
-    const ladder first = ladder_of(min, job.max);
+    /* Sum level by level until the results settle. */
+    const size_grid first = size_grid_of(min, job.max);
     sums now;
     const int level = settle(&now, &job, &first, tolerance);
     if (level > HALVINGS) {
@@ -207,6 +218,7 @@ murk_status murk_droplets_solve(murk_droplet_optics *out,
                            tolerance, now.radii);
         goto done;
     }
+    /* Phase function, then the means. */
     if (angles > 0) {
         add_angles(&job, &first, level, angles, mu, phase_per_sr);
     }

@@ -1,5 +1,5 @@
-/* Many spheres: cross sections and phase function of droplets of all sizes, as
- * fog, cloud and haze hold them. */
+/* Cross sections and phase function of a population of spherical droplets, as
+ * in fog, cloud and haze. */
 #ifndef MURK_PRESET_DROPLETS_H
 #define MURK_PRESET_DROPLETS_H
 
@@ -9,23 +9,24 @@
 
 #include <stddef.h>
 
-/* What one counted droplet does on average. */
+/* The mean optical properties of one counted droplet. */
 typedef struct murk_droplet_optics {
     double extinction_um2, scattering_um2, absorption_um2;
     double mean_cosine;
-    size_t radii; /* spheres that were solved */
+    size_t radii; /* number of spheres that were computed */
 } murk_droplet_optics;
 
-/* Coefficients [1/m] are cross sections [um2] times this and droplets per
- * cubic centimetre. */
+/* A coefficient [1/m] is the cross section [um2] times this and the number of
+ * droplets per cubic centimetre. */
 #define MURK_PER_M_OF_UM2 1e-6
 
-/* A shape that passes the check, at a wavelength [nm] of 200..20000, of index
- * `index` at it. Steps in radius are halved until scattering (relative) and
- * mean cosine move by less than `tolerance`, 1e-4..0.1, and absorption by less
- * than ten times that. phase_per_sr[i] is the phase
- * function at the cosine mu[i]; with 0 angles both may be NULL. Fails with
- * MURK_NO_MEMORY, or MURK_RUN_FAILED where the tolerance is not met. */
+/* Computes the optical properties for a shape that passes
+ * murk_droplets_check(), at a wavelength [nm] of 200..20000 with the refractive
+ * index `index`. The step in radius is halved until scattering (relative) and
+ * mean cosine change by less than `tolerance`, 1e-4..0.1, and absorption by
+ * less than ten times that. phase_per_sr[i] is the phase function at the cosine
+ * mu[i]; with 0 angles both may be NULL. Fails with MURK_NO_MEMORY, or with
+ * MURK_RUN_FAILED if the tolerance is not met. */
 murk_status murk_droplets_solve(murk_droplet_optics *out,
                                 const murk_droplets *shape,
                                 double wavelength_nm, murk_mie_index index,
@@ -33,9 +34,10 @@ murk_status murk_droplets_solve(murk_droplet_optics *out,
                                 const double *mu, double *phase_per_sr,
                                 murk_error *err);
 
-/* Angles [degrees], 0..180, that carry the phase function of any droplets: by
- * 12 % each from .005 on, where the forward peak of the largest is flat, then
- * 2 degrees apart, 1 from the rainbows on, .25 in the glory. Gives how many. */
+/* Angles [degrees], 0..180, that resolve the phase function of any droplets:
+ * steps of 12 % from .005, below which the forward peak of the largest droplets
+ * is flat, then 2 degrees, 1 degree from the rainbows on, and .25 degrees in
+ * the glory. Returns the number of angles. */
 #define MURK_DROPLET_ANGLES_MAX 200
 size_t murk_droplet_angles(double angle_deg[MURK_DROPLET_ANGLES_MAX]);
 

@@ -1,5 +1,7 @@
-/* A preset's parts at every wavelength that the bands ask for, scaled to the
- * visibility, and brought together band by band. */
+/* Evaluates a preset: computes all parts at every wavelength that the bands
+ * require (one for a line, MURK_PRESET_SAMPLES midpoints for a band with
+ * edges), scales parts to the visibility, and averages the coefficients and
+ * phase functions of each band. */
 #include "preset/check_words.h"
 #include "preset/law.h"
 #include "preset/mixture.h"
@@ -10,7 +12,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Wavelengths, band by band; 550 nm is the last where parts are scaled. */
+/* Wavelengths, band by band. If parts are scaled, 550 nm follows as the last
+ * one. */
 typedef struct samples {
     size_t n, per_band;
     double nm[MURK_BANDS_MAX * MURK_PRESET_SAMPLES + 1];
@@ -50,9 +53,9 @@ static bool is_scaled(const murk_preset *preset, const murk_words *words)
     return any && words->given[MURK_WORD_VISIBILITY];
 }
 
-static murk_status lay_samples(samples *at, const murk_preset *preset,
-                               const murk_preset_bands *bands,
-                               const char *where, murk_error *err)
+static murk_status choose_samples(samples *at, const murk_preset *preset,
+                                  const murk_preset_bands *bands,
+                                  const char *where, murk_error *err)
 {
     at->per_band = bands->edge_nm ? MURK_PRESET_SAMPLES : 1;
     for (int b = 0; b < bands->n; ++b) {
@@ -103,7 +106,8 @@ static void multiply(murk_law_result *optics, size_t n, double factor)
     }
 }
 
-/* A law's numbers are ours to vouch for, but words of users come in. */
+/* Checks the coefficients of a part: the laws are tested, but the words of
+ * users enter them. */
 static murk_status check_optics(const murk_law_result *optics, size_t n,
                                 const char *name, const char *where,
                                 murk_error *err)
@@ -125,6 +129,7 @@ static murk_status run_part(evaluation *e, size_t index, const char *where,
                             murk_error *err)
 {
     const murk_preset_part *part = &e->preset->part[index];
+    /* Memory for the results. */
     murk_law_result *out = &e->part[index];
     const size_t n = e->at.n;
     murk_status status = MURK_OK;
@@ -134,6 +139,7 @@ static murk_status run_part(evaluation *e, size_t index, const char *where,
     if (!out->absorption_per_m || !out->scattering_per_m || !out->phase) {
         return murk_fail(err, MURK_NO_MEMORY, where, "no memory for a preset");
     }
+    /* Coefficients by the law or the table, times the word of the part. */
     if (part->law) {
         const murk_law_call call = {.n = n,
                                     .wavelength_nm = e->at.nm,
@@ -164,7 +170,8 @@ static double extinction_at_550(const evaluation *e, bool scaled)
     return sum;
 }
 
-/* What is scaled makes up what the other parts leave of the extinction. */
+/* Scales the scaled parts to the extinction that is left for them: the
+ * extinction of the visibility less that of the other parts. */
 static murk_status scale(evaluation *e, const char *where, murk_error *err)
 {
     const double visibility_m = e->words.value[MURK_WORD_VISIBILITY][0];
@@ -250,16 +257,18 @@ murk_status murk_preset_evaluate(murk_preset_result *out,
     if (!e) {
         return murk_fail(err, MURK_NO_MEMORY, where, "no memory for a preset");
     }
+    /* Complete the words and choose the wavelengths. */
     e->preset = preset;
     e->words = *words;
     murk_status status = murk_preset_complete(&e->words, preset, where, err);
     if (!status) {
-        status = lay_samples(&e->at, preset, bands, where, err);
+        status = choose_samples(&e->at, preset, bands, where, err);
     }
     const bool scaled = !status && is_scaled(preset, &e->words);
     if (scaled) {
         e->at.nm[e->at.n++] = MURK_VISIBILITY_NM;
     }
+    /* Evaluate and scale the parts, then combine them band by band. */
     for (size_t i = 0; i < preset->parts && !status; ++i) {
         status = run_part(e, i, where, err);
     }

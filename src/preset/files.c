@@ -1,3 +1,5 @@
+/* Finds a built-in file by name. The files themselves are in a source file that
+ * the build writes (cmake/built_in_files.cmake). */
 #include "preset/files.h"
 
 #include <string.h>

@@ -1,31 +1,33 @@
-/* Laws: what presets are made of, each a function of wavelength and words.
+/* Laws: the functions of wavelength and words from which presets are composed.
  *
- * To add one: a function in a file of this room, with its source (author, year,
- * doi), and a row in laws.c; its parameters are then keys of a part in
- * media/FAMILY/NAME.yaml, beside `law: NAME`. */
+ * To add a law, write a function in a file of this room, with the source
+ * (author, year, doi), and add a row in laws.c. The parameters of the law are
+ * then keys of a part in media/FAMILY/NAME.yaml, beside `law: NAME`. */
 #ifndef MURK_PRESET_LAW_H
 #define MURK_PRESET_LAW_H
 
 #include "preset/preset.h"
 
-/* What a law is asked. */
+/* The input of a law. */
 typedef struct murk_law_call {
     size_t n;
-    const double *wavelength_nm;    /* [n], within the preset's range */
-    const murk_words *words;        /* with defaults; see words.h */
-    const double *parameter;        /* as murk_law.parameter lists them */
-    const murk_preset_table *table; /* where murk_law.by_table says so */
-    const char *where;              /* for messages: the medium's place */
+    const double *wavelength_nm;    /* [n], within the range of the preset */
+    const murk_words *words;        /* with defaults, see preset/words.h */
+    const double *parameter;        /* in the order of murk_law.parameter */
+    const murk_preset_table *table; /* the table of the part, if
+                                     * murk_law.by_table is set */
+    const char *where;              /* for messages: the place of the medium in
+                                     * the scene file */
 } murk_law_call;
 
-/* What it answers. Coefficients start at 0. */
+/* The result of a law. Coefficients are 0 at first. */
 typedef struct murk_law_result {
     double *absorption_per_m, *scattering_per_m; /* [n] */
-    murk_preset_phase *phase; /* [n]; used where has_phase is set and the file
-                                 gives none */
+    murk_preset_phase *phase; /* [n]; used if has_phase is set and the file
+                               * gives no phase function */
     bool has_phase;
-    murk_preset_angles *made; /* angles that `phase` points to, if the law made
-                                 any: whoever called takes them */
+    murk_preset_angles *made; /* angles that `phase` refers to, if the law made
+                               * any; the caller destroys them */
 } murk_law_result;
 
 typedef struct murk_law_parameter {
@@ -33,22 +35,24 @@ typedef struct murk_law_parameter {
     double min, max;
 } murk_law_parameter;
 
-/* Words are given as a bit set: 1u << MURK_WORD_RAIN. */
+/* A row of the table of laws. Sets of words are bit sets: 1u <<
+ * MURK_WORD_RAIN. */
 struct murk_law {
     const char *name;
-    const char *about; /* one line, for murk media */
+    const char *about; /* one line for `murk media` */
     murk_status (*run)(murk_law_result *out, const murk_law_call *call,
                        murk_error *err);
     murk_law_parameter parameter[MURK_PRESET_PARAMETERS_MAX + 1];
-    bool by_table;  /* needs a table with diffuse_attenuation_per_m */
-    unsigned needs; /* words: the file must know them, with a default */
-    unsigned may;   /* words: may be without default, or not known */
+    bool by_table;  /* requires a table with diffuse_attenuation_per_m */
+    unsigned needs; /* words that the file must declare, with a default */
+    unsigned may;   /* words that the file may declare, with or without a
+                     * default */
 };
 
-/* NULL when there is none of that name. */
+/* Returns the law with that name, or NULL. */
 const murk_law *murk_law_find(const char *name);
 
-/* All of them, for tests and lists. */
+/* All laws, for tests and lists. */
 extern const murk_law murk_laws[];
 extern const size_t murk_laws_count;
 

@@ -1,3 +1,5 @@
+/* The table of laws: name, description, function, parameters with allowed
+ * ranges, and the words that a law uses. */
 #include "preset/laws.h"
 
 #include <string.h>

@@ -1,5 +1,5 @@
-/* The functions behind laws.c; inside this room only. What each takes and
- * where it comes from is said in its own file. */
+/* The functions in the table of laws (laws.c), for use inside this room. The
+ * file of each function states the inputs and the source. */
 #ifndef MURK_PRESET_LAWS_H
 #define MURK_PRESET_LAWS_H
 

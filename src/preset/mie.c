@@ -1,25 +1,28 @@
-/* With the Riccati-Bessel functions psi_n(x), chi_n(x) (Bohren and Huffman's
- * signs: xi = psi - i chi), and the logarithmic derivative D_n of psi_n at
- * m x, a coefficient is
+/* Evaluates the series of Lorenz-Mie theory (preset/mie.h).
+ *
+ * With the Riccati-Bessel functions psi_n(x), chi_n(x) (signs of Bohren and
+ * Huffman: xi = psi - i chi), and the logarithmic derivative D_n of psi_n at m
+ * x, a coefficient is
  *
  *     a_n = N / (N - i C),  N = A psi_n - psi_{n-1},  C = A chi_n - chi_{n-1},
  *
- * where A is D_n / m + n / x, and for b_n it is m D_n + n / x. The share that
- * a term absorbs is Re a_n - |a_n|^2. Written out, all that is left of it is
- * Im A times the Wronskian psi_n chi_{n-1} - psi_{n-1} chi_n = -1, over
- * |N - i C|^2: no difference of nearly equal numbers, however little is
- * absorbed. Extinction is then the sum of scattering and absorption.
+ * where A is D_n / m + n / x for a_n, and m D_n + n / x for b_n. The share that
+ * a term absorbs is Re a_n - |a_n|^2. Written out, this is Im A times the
+ * Wronskian psi_n chi_{n-1} - psi_{n-1} chi_n = -1, divided by |N - i C|^2: no
+ * difference of nearly equal numbers, however small the absorption is.
+ * Extinction is then the sum of scattering and absorption.
  *
- * D_n and the ratios psi_n / psi_{n-1} beyond n = x come by downward
- * recurrence, psi_n before that and chi_n upward: each the way that is
- * stable. */
+ * D_n, and the ratios psi_n / psi_{n-1} beyond n = x, are computed by downward
+ * recurrence; psi_n below n = x and chi_n by upward recurrence. Each direction
+ * is the stable one. */
 #include "preset/mie.h"
 
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 
-/* Angles that are worked on side by side. */
+/* The number of angles that are computed together: eight doubles fill a
+ * register of AVX-512. */
 #define LANES 8
 
 typedef struct complex_number {
@@ -27,14 +30,14 @@ typedef struct complex_number {
 } complex_number;
 
 struct murk_mie {
-    size_t room;           /* terms that there is memory for */
-    size_t terms;          /* of the sphere solved last */
+    size_t capacity;       /* number of terms for which there is memory */
+    size_t terms;          /* number of terms of the last sphere */
     complex_number *a, *b; /* [terms + 1], from index 1 on */
     complex_number *d;     /* [terms + 1] */
     double *ratio;         /* [terms + 1]: psi_n / psi_{n-1} */
 };
 
-static complex_number over(complex_number p, complex_number q)
+static complex_number divide(complex_number p, complex_number q)
 {
     const double scale = 1 / (q.re * q.re + q.im * q.im);
     return (complex_number){(p.re * q.re + p.im * q.im) * scale,
@@ -66,8 +69,8 @@ murk_status murk_mie_create(murk_mie **out, double largest, murk_error *err)
     assert(out && largest >= MURK_MIE_SIZE_MIN && largest <= MURK_MIE_SIZE_MAX);
     murk_mie *mie = calloc(1, sizeof *mie);
     if (mie) {
-        mie->room = murk_mie_terms(largest);
-        const size_t count = mie->room + 2;
+        mie->capacity = murk_mie_terms(largest);
+        const size_t count = mie->capacity + 2;
         mie->a = calloc(count, sizeof *mie->a);
         mie->b = calloc(count, sizeof *mie->b);
         mie->d = calloc(count, sizeof *mie->d);
@@ -93,8 +96,8 @@ void murk_mie_destroy(murk_mie *mie)
 }
 
 /* D_n(z), n = 1..terms. The recurrence D_{n-1} = n/z - 1/(D_n + n/z) forgets
- * where it began within a few |z|^(1/3) terms of n = |z|, the width over which
- * psi turns from an oscillation into a power. */
+ * the starting value within a few |z|^(1/3) terms of n = |z|, the width over
+ * which psi changes from an oscillation to a power. */
 static void derivatives(murk_mie *mie, complex_number z)
 {
     const double size = hypot(z.re, z.im);
@@ -102,13 +105,13 @@ static void derivatives(murk_mie *mie, complex_number z)
     if (n < mie->terms + 16) {
         n = mie->terms + 16;
     }
-    const complex_number inverse = over((complex_number){1, 0}, z);
+    const complex_number inverse = divide((complex_number){1, 0}, z);
     complex_number d = {(double)n * inverse.re, (double)n * inverse.im};
     for (; n > 1; --n) {
         const double order = (double)n;
         const complex_number step = {order * inverse.re, order * inverse.im};
         const complex_number sum = {d.re + step.re, d.im + step.im};
-        const complex_number part = over((complex_number){1, 0}, sum);
+        const complex_number part = divide((complex_number){1, 0}, sum);
         d = (complex_number){step.re - part.re, step.im - part.im};
         if (n - 1 <= mie->terms) {
             mie->d[n - 1] = d;
@@ -128,7 +131,8 @@ static void ratios(murk_mie *mie, double x)
     }
 }
 
-/* One coefficient, into *out; gives the share that the term absorbs. */
+/* Computes one coefficient into *out and returns the share that the term
+ * absorbs. */
 static double coefficient(complex_number *out, complex_number slope, double psi,
                           double psi_before, double chi, double chi_before)
 {
@@ -137,11 +141,11 @@ static double coefficient(complex_number *out, complex_number slope, double psi,
     const complex_number other = {slope.re * chi - chi_before, slope.im * chi};
     const complex_number whole = {numerator.re + other.im,
                                   numerator.im - other.re};
-    *out = over(numerator, whole);
+    *out = divide(numerator, whole);
     return -slope.im / squared(whole);
 }
 
-/* Fills a and b; gives the sum of (2 n + 1) times the absorbed shares. */
+/* Fills a and b. Returns the sum of (2 n + 1) times the absorbed shares. */
 static double solve_terms(murk_mie *mie, double x, murk_mie_index index)
 {
     const complex_number m = {index.n, index.k};
@@ -150,11 +154,13 @@ static double solve_terms(murk_mie *mie, double x, murk_mie_index index)
     double absorbed = 0;
     for (size_t i = 1; i <= mie->terms; ++i) {
         const double n = (double)i, up = (2 * n - 1) / x;
+        /* The next psi (by the ratio beyond n = x) and chi. */
         const double psi =
             n > x ? mie->ratio[i] * psi_before : up * psi_before - psi_older;
         const double chi = up * chi_before - chi_older;
         const complex_number d = mie->d[i];
-        complex_number electric = over(d, m);
+        /* A of a_n and of b_n, then both coefficients. */
+        complex_number electric = divide(d, m);
         electric.re += n / x;
         const complex_number magnetic = {m.re * d.re - m.im * d.im + n / x,
                                          m.re * d.im + m.im * d.re};
@@ -172,7 +178,7 @@ static double solve_terms(murk_mie *mie, double x, murk_mie_index index)
 
 murk_mie_sphere murk_mie_solve(murk_mie *mie, double x, murk_mie_index index)
 {
-    assert(mie && x >= MURK_MIE_SIZE_MIN && murk_mie_terms(x) <= mie->room);
+    assert(mie && x >= MURK_MIE_SIZE_MIN && murk_mie_terms(x) <= mie->capacity);
     assert(index.n > 0 && index.k >= 0);
     assert(hypot(index.n, index.k) <= MURK_MIE_INDEX_MAX);
     mie->terms = murk_mie_terms(x);
@@ -180,6 +186,8 @@ murk_mie_sphere murk_mie_solve(murk_mie *mie, double x, murk_mie_index index)
     ratios(mie, x);
     const double absorbed = solve_terms(mie, x, index);
 
+    /* Efficiencies and mean cosine as sums over the coefficients (Bohren and
+     * Huffman, sections 4.4 and 4.5). */
     double scattered = 0, turned = 0;
     for (size_t i = 1; i <= mie->terms; ++i) {
         const double n = (double)i;
@@ -198,8 +206,9 @@ murk_mie_sphere murk_mie_solve(murk_mie *mie, double x, murk_mie_index index)
                              .mean_cosine = 2 * turned / scattered};
 }
 
-/* Adds to count <= LANES angles. With p = pi_n + tau_n, q = pi_n - tau_n:
- * S1 + S2 is the sum of (a + b) p, S1 - S2 that of (a - b) q. */
+/* Adds the intensity at count <= LANES angles. With p = pi_n + tau_n and q =
+ * pi_n - tau_n, S1 + S2 is the sum of (a + b) p, and S1 - S2 the sum of (a - b)
+ * q. */
 static void add_lanes(const murk_mie *mie, double weight, size_t count,
                       const double *angles, double *intensity)
 {
@@ -210,6 +219,7 @@ static void add_lanes(const murk_mie *mie, double weight, size_t count,
         mu[j] = angles[j];
         now[j] = 1;
     }
+    /* Sum over terms, with upward recurrence of pi_n and tau_n. */
     for (size_t i = 1; i <= mie->terms; ++i) {
         const double n = (double)i, factor = (2 * n + 1) / (n * (n + 1));
         const double s_re = factor * (mie->a[i].re + mie->b[i].re);
@@ -229,6 +239,7 @@ static void add_lanes(const murk_mie *mie, double weight, size_t count,
             now[j] = ahead + grow * step;
         }
     }
+    /* (|S1|^2 + |S2|^2) / 2 = (|S1 + S2|^2 + |S1 - S2|^2) / 4. */
     for (size_t j = 0; j < count; ++j) {
         intensity[j] += weight / 4 *
                         (plus_re[j] * plus_re[j] + plus_im[j] * plus_im[j] +

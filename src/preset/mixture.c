@@ -1,3 +1,5 @@
+/* Merges phase functions with weights, in the order in which they are added,
+ * and copies the tables of the result. */
 #include "preset/mixture.h"
 
 #include <assert.h>
@@ -57,7 +59,7 @@ void murk_mixing_add_angles(murk_mixing *mixing,
     murk_mixing_add(mixing, &phase, weight * share);
 }
 
-/* Rows of one column, the part's own. */
+/* Copies the rows of one column to the part. */
 static bool copy_angles(murk_mixture_part *part, const murk_preset_phase *phase)
 {
     const murk_preset_angles *angles = phase->angles;
@@ -81,6 +83,7 @@ murk_status murk_mixing_finish(murk_mixture **out, const murk_mixing *mixing,
     for (size_t i = 0; i < mixing->n; ++i) {
         sum += mixing->weight[i];
     }
+    /* One part for each phase function, with weights divided by their sum. */
     murk_mixture *mixture = calloc(1, sizeof *mixture);
     if (mixture) {
         mixture->part = calloc(n, sizeof *mixture->part);

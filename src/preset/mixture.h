@@ -1,12 +1,12 @@
-/* Gathers how a band's light turns, phase function by phase function; inside
- * this room only. */
+/* Collects the phase function of a band as a weighted mixture; for use inside
+ * this room. */
 #ifndef MURK_PRESET_MIXTURE_H
 #define MURK_PRESET_MIXTURE_H
 
 #include "preset/preset.h"
 
-/* Each part of a preset gives at most two (neighbours of a table) in each
- * sample of a band. */
+/* Each part of a preset adds at most two phase functions (neighbouring columns
+ * of a table) at each wavelength of a band. */
 #define MURK_MIXING_MAX (2 * MURK_PRESET_PARTS_MAX * MURK_PRESET_SAMPLES)
 
 typedef struct murk_mixing {
@@ -15,18 +15,20 @@ typedef struct murk_mixing {
     murk_preset_phase phase[MURK_MIXING_MAX];
 } murk_mixing;
 
-/* Adds weight to this phase function; weight 0 is passed over. */
+/* Adds a phase function with a weight. Equal phase functions are merged; weight
+ * 0 adds nothing. */
 void murk_mixing_add(murk_mixing *mixing, const murk_preset_phase *phase,
                      double weight);
 
-/* The same for angles by wavelength, linear between the two columns next to
- * it. The wavelength lies within the columns'. */
+/* Adds tabulated phase functions by wavelength, interpolated linearly between
+ * the two columns next to the wavelength, which lies within the columns. */
 void murk_mixing_add_angles(murk_mixing *mixing,
                             const murk_preset_angles *angles,
                             double wavelength_nm, double weight);
 
-/* What has been gathered, tables copied; isotropic where nothing was. *out is
- * the caller's: murk_mixture_destroy(). */
+/* Returns the mixture with weights that sum to 1 and with copies of the tables.
+ * An empty mixture becomes isotropic. The caller destroys *out with
+ * murk_mixture_destroy(). */
 murk_status murk_mixing_finish(murk_mixture **out, const murk_mixing *mixing,
                                const char *where, murk_error *err);
 

@@ -1,3 +1,5 @@
+/* Memory of presets and of the results of presets, and interpolation in tables
+ * by wavelength. */
 #include "preset/preset.h"
 
 #include <stdint.h>

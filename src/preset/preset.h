@@ -1,15 +1,16 @@
-/* Presets: fog, rain, smoke, air and water in the words that users know, turned
- * into extinction, albedo and phase function, band by band.
+/* Presets describe fog, rain, smoke, air and water in the words of users; this
+ * room turns them into extinction, albedo and phase function for each band.
  *
- * A preset is a small file, media/FAMILY/NAME.yaml, built into the library
- * (files.h) and read by scene/presets.h into the plain structs here. It is a
- * sum of parts; a part takes its coefficients from a law (law.h) or from a
- * table by wavelength, and its phase function from the law or from the file.
- * Nothing is extrapolated: outside the file's wavelengths a preset is refused.
+ * A preset is a small file, media/FAMILY/NAME.yaml, which is built into the
+ * library (files.h) and which scene/presets.h reads into the plain structs
+ * below. A preset is a sum of parts. A part takes coefficients from a law
+ * (law.h) or from a table by wavelength, and a phase function from the law or
+ * from the file. Nothing is extrapolated: a band outside the wavelengths of the
+ * file is refused.
  *
- * Visibility is Koschmieder's: extinction at 550 nm = -ln(.02) / visibility_m =
- * -ln(.05) / mor_m (WMO Guide to Instruments and Methods of Observation, WMO-8,
- * chapter on visibility). */
+ * Visibility is defined by Koschmieder: extinction at 550 nm = -ln(.02) /
+ * visibility_m = -ln(.05) / mor_m (WMO Guide to Instruments and Methods of
+ * Observation, WMO-8, chapter on visibility). */
 #ifndef MURK_PRESET_PRESET_H
 #define MURK_PRESET_PRESET_H
 
@@ -21,23 +22,27 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+/* Parts and parameters: more than any preset in media/ has. */
 #define MURK_PRESET_PARTS_MAX      8
 #define MURK_PRESET_PARAMETERS_MAX 8
-#define MURK_PRESET_SAMPLES        16 /* wavelengths in a band with edges */
-#define MURK_VISIBILITY_NM         550
+#define MURK_PRESET_SAMPLES        16  /* midpoints of a band with edges */
+#define MURK_VISIBILITY_NM         550 /* WMO-8 */
 
 typedef struct murk_law murk_law; /* law.h */
 
-/* Phase functions by angle, one or more columns, each of any scale. */
+/* Tabulated phase functions by angle: one or more columns, each with an
+ * arbitrary scale. */
 typedef struct murk_preset_angles {
     size_t angles, columns;
-    double *wavelength_nm; /* [columns] rising; NULL: one column, for all */
-    double *angle_deg;     /* [angles] as murk_phase_rows wants them */
+    double *wavelength_nm; /* [columns] rising; NULL: one column for all
+                            * wavelengths */
+    double *angle_deg;     /* [angles] in the form that murk_phase_rows
+                            * requires */
     double *phase_per_sr;  /* [columns * angles], column by column */
 } murk_preset_angles;
 
-/* *out is the caller's: murk_preset_angles_destroy(). Arrays are zero; without
- * columns that differ (by_wavelength) there is no wavelength_nm. */
+/* The caller destroys *out with murk_preset_angles_destroy(). Arrays are filled
+ * with 0. by_wavelength says whether there is an array wavelength_nm. */
 murk_status murk_preset_angles_create(murk_preset_angles **out, size_t angles,
                                       size_t columns, bool by_wavelength,
                                       murk_error *err);
@@ -50,36 +55,46 @@ typedef struct murk_preset_phase {
     size_t column;
 } murk_preset_phase;
 
-/* Coefficients by wavelength, linear between. NULL columns are 0. */
+/* Coefficients by wavelength, linear between rows. A NULL column means 0. */
 typedef struct murk_preset_table {
     size_t n;
     double *wavelength_nm; /* rising */
     double *absorption_per_m, *scattering_per_m;
-    double *mean_cosine;               /* NULL: none; of Henyey-Greenstein */
-    double *diffuse_attenuation_per_m; /* for a law that is by it; else NULL */
+    double *mean_cosine;               /* of Henyey-Greenstein; NULL: none */
+    double *diffuse_attenuation_per_m; /* for laws that use it (by_table); else
+                                        * NULL */
 } murk_preset_table;
 
-/* A column of a table at a wavelength: linear between rows; before the first
- * and behind the last the line goes on. */
+/* The value of a column of a table at a wavelength, linear between rows. Beyond
+ * the first and the last row the nearest line is continued. */
 double murk_preset_table_at(const murk_preset_table *table,
                             const double *column, double wavelength_nm);
 
+/* A part of a preset; the properties of all parts add up. */
 typedef struct murk_preset_part {
-    const murk_law *law;                          /* NULL: the table */
-    double parameter[MURK_PRESET_PARAMETERS_MAX]; /* the law's, in its order */
-    murk_preset_table table;                      /* n 0: none */
-    int times;      /* a murk_word that multiplies the part; -1: none */
-    bool scaled;    /* to the visibility, where one is known */
-    bool has_phase; /* else the law, or the table's mean cosine */
+    const murk_law *law;                          /* NULL: the table gives the
+                                                   * coefficients */
+    double parameter[MURK_PRESET_PARAMETERS_MAX]; /* parameters of the law, in
+                                                   * the order of murk_law */
+    murk_preset_table table;                      /* n 0: no table */
+    int times;      /* the murk_word by which the part is multiplied; -1:
+                     * none */
+    bool scaled;    /* whether the part is scaled to the visibility of the
+                     * user */
+    bool has_phase; /* if false, the law or the mean cosine of the table gives
+                     * the phase function */
     murk_preset_phase phase;
-    murk_preset_angles *angles; /* of `phase`, by wavelength; or NULL */
+    murk_preset_angles *angles; /* columns of `phase` by wavelength; or NULL */
 } murk_preset_part;
 
+/* A literature reference of a preset. */
 typedef struct murk_preset_source {
-    char *what, *from;
-    char *quoted_by; /* where it was read; NULL: in the source itself */
+    char *what, *from; /* subject; citation */
+    char *quoted_by;   /* a secondary source that quotes it; NULL: read in the
+                        * source itself */
 } murk_preset_source;
 
+/* A word of a preset, with the default and the range of each number. */
 typedef struct murk_preset_word {
     bool is_known, has_preset;
     double preset[MURK_WORD_NUMBERS_MAX];
@@ -87,22 +102,22 @@ typedef struct murk_preset_word {
 } murk_preset_word;
 
 typedef struct murk_preset {
-    char *name; /* "fog/kruse" */
+    char *name; /* e.g. "fog/kruse" */
     char *about;
     murk_preset_source *source; /* [sources], at least 1 */
     size_t sources;
     char **doubt; /* [doubts] */
     size_t doubts;
-    double wavelength_nm[2];           /* least, most */
-    murk_preset_word word[MURK_WORDS]; /* mor_m is known where visibility_m is
-                                        */
+    double wavelength_nm[2];           /* smallest, largest */
+    murk_preset_word word[MURK_WORDS]; /* mor_m is known if visibility_m is */
     murk_preset_part part[MURK_PRESET_PARTS_MAX];
     size_t parts;
 } murk_preset;
 
 void murk_preset_destroy(murk_preset *preset); /* NULL is fine */
 
-/* How a band's light turns: phase functions by their share of scattering. */
+/* The phase function of a band: a mixture with weights in proportion to
+ * scattering. */
 typedef struct murk_mixture_part {
     double share;
     murk_phase_kind kind;
@@ -118,22 +133,24 @@ typedef struct murk_mixture {
 
 void murk_mixture_destroy(murk_mixture *mixture); /* NULL is fine */
 
-/* The scene's bands: lines, or n + 1 edges. */
+/* The bands of the scene: wavelengths, or n + 1 edges. */
 typedef struct murk_preset_bands {
     int n;
     const double *line_nm; /* [n] */
-    const double *edge_nm; /* [n + 1]; NULL: lines */
+    const double *edge_nm; /* [n + 1]; NULL: wavelengths */
 } murk_preset_bands;
 
+/* The optical properties of a preset, band by band. */
 typedef struct murk_preset_result {
-    murk_spectrum extinction_per_m, albedo; /* albedo 1 where there is none */
-    murk_mixture *mixture[MURK_BANDS_MAX];  /* bands past the last: NULL */
+    murk_spectrum extinction_per_m, albedo; /* albedo 1 if extinction is 0 */
+    murk_mixture *mixture[MURK_BANDS_MAX];  /* NULL for bands past the last */
 } murk_preset_result;
 
-/* At a line the value there, between edges the mean over the band. Fails with
- * MURK_BAD_VALUE at `where`: a word that the preset does not know, or outside
- * of the preset's range; a band outside of its wavelengths. The mixtures are
- * the caller's: murk_preset_result_release(). */
+/* Evaluates a preset: at a single wavelength the value there, for a band with
+ * edges the mean over the band. Fails with MURK_BAD_VALUE at `where` if a word
+ * is unknown to the preset or outside the range of the preset, or a band is
+ * outside the wavelengths of the preset. The caller releases *out with
+ * murk_preset_result_release(). */
 murk_status murk_preset_evaluate(murk_preset_result *out,
                                  const murk_preset *preset,
                                  const murk_words *words,

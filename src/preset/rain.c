@@ -1,16 +1,18 @@
-/* Rain by its rate R [mm/h].
+/* Extinction and absorption of rain by rain rate R [mm/h].
  *
- * rain_power: attenuation of k R^power dB/km, as radio engineers state it.
+ * rain_power: attenuation of k R^power dB/km, as used in radio engineering.
  *
  * marshall_palmer: N(D) = 8000 exp(-slope D) drops per m3 and mm of diameter,
- * slope = 4.1 R^-.21 per mm. Drops are so much larger than the wavelength that
- * each takes twice its cross section, half by rays and half by diffraction:
- * extinction = pi 8000 / slope^3 mm2/m3. At rate 0 there is none.
+ * slope = 4.1 R^-.21 per mm. Drops are much larger than the wavelength, so the
+ * extinction of each drop is twice the cross section, half of it by refracted
+ * and reflected rays and half by diffraction: extinction = pi 8000 / slope^3
+ * mm2/m3. At rate 0 the extinction is 0.
  *
- * Both give one half: what is diffracted (rays: 0), or the rays (rays: 1), of
- * which Marshall and Palmer's drops of that rate absorb a part.
+ * Each law returns one half of the extinction: diffraction (parameter rays: 0),
+ * or the rays (rays: 1), of which the drops absorb a share that is computed for
+ * the sizes of Marshall and Palmer at that rate.
  *
- * Source: Marshall & Palmer, J. Meteorol. 5 (1948) 165,
+ * Sources: Marshall & Palmer, J. Meteorol. 5 (1948) 165,
  * doi:10.1175/1520-0469(1948)005<0165:TDORWS>2.0.CO;2; van de Hulst, Light
  * Scattering by Small Particles, Wiley (1957), ch. 8. */
 #include "preset/rain.h"
@@ -21,26 +23,27 @@
 #include <math.h>
 #include <stdbool.h>
 
-#define PI         3.14159265358979323846
-#define DROPS      8000.0 /* per m3 and mm */
-#define SLOPE      4.1    /* per mm, at 1 mm/h */
-#define SLOPE_FALL .21
-#define M2_PER_MM2 1e-6
+#define PI         3.14159265358979323846 /* pi */
+#define DROPS      8000.0                 /* per m3 and mm */
+#define SLOPE      4.1                    /* per mm, at 1 mm/h */
+#define SLOPE_FALL .21                    /* exponent of the rate */
+#define M2_PER_MM2 1e-6                   /* square metres in a mm2 */
 
-/* Midpoints: of the angle of incidence, which leave 1e-4 of what is absorbed;
- * and of sizes, up to where 1e-5 of all cross section is larger. */
+/* Numbers of midpoints: of angles of incidence, with an error of 1e-4 of the
+ * absorbed share; and of diameters, up to SIZES_SLOPES / slope, beyond which
+ * 1e-5 of all cross section lies. */
 #define ANGLES       64
 #define SIZES        48
 #define SIZES_SLOPES 16.0
 
-/* 1 / slope [mm], so that no rain is no trouble. */
+/* 1 / slope [mm], which is finite without rain, too. */
 static double size_of(double rate)
 {
     return pow(rate, SLOPE_FALL) / SLOPE;
 }
 
-/* Of light that would go in but for the reflectance, along a chord that leaves
- * that share. */
+/* The absorbed share of a ray: it enters with probability 1 - reflectance, and
+ * each chord transmits the share `left`. */
 static double taken(double reflectance, double left)
 {
     return (1 - reflectance) * (1 - left) / (1 - reflectance * left);
@@ -62,7 +65,7 @@ double murk_drop_absorbs(double diameter_m, double n, double absorption_per_m)
     return sum * PI / 2 / ANGLES;
 }
 
-/* The share of rays that the drops of a rate absorb. */
+/* The share of the rays that the drops of a rain rate absorb. */
 static double rain_absorbs(double rate, double wavelength_nm)
 {
     const murk_mie_index index = murk_water_refraction(wavelength_nm);
@@ -78,7 +81,7 @@ static double rain_absorbs(double rate, double wavelength_nm)
     return sum / all;
 }
 
-/* One half of the extinction, by the parameter `rays`. */
+/* Fills in one half of the extinction, selected by the parameter `rays`. */
 static murk_status fill(murk_law_result *out, const murk_law_call *call,
                         double extinction_per_m, bool is_rays)
 {

@@ -1,18 +1,20 @@
-/* What a drop of rain absorbs: rays by Fresnel's and Beer's laws, for spheres
- * far larger than the wavelength.
+/* Absorption by a raindrop by geometrical optics (Fresnel and Beer), for
+ * spheres far larger than the wavelength.
  *
- * A ray that meets the drop at an angle goes in but for Fresnel's reflectance
- * and crosses it again and again by chords of one length, reflected inside each
- * time by the same reflectance. The light's two polarisations go apart.
+ * A ray enters the drop except for the Fresnel reflectance. It crosses the drop
+ * repeatedly by chords of equal length, and is reflected inside each time with
+ * the same reflectance. The two polarisations are treated separately.
  *
  * Source: Bohren & Huffman, Absorption and Scattering of Light by Small
- * Particles (1983), section 7.1, doi:10.1002/9783527618156. Mie's theory has
- * 1 to 2 % more for drops of half a millimetre, less for larger ones. */
+ * Particles (1983), section 7.1, doi:10.1002/9783527618156. Mie theory gives 1
+ * to 2 % more for drops of half a millimetre, and less than that for larger
+ * ones. */
 #ifndef MURK_PRESET_RAIN_H
 #define MURK_PRESET_RAIN_H
 
-/* Absorbed share of the light that falls on a drop, 0..1: its absorption over
- * its cross section. The index n is above 1, absorption that of its water. */
+/* The absorbed share of the light that falls on a drop, 0..1: absorption cross
+ * section divided by geometrical cross section. n > 1 is the index of the drop,
+ * absorption_per_m the absorption of the water in it. */
 double murk_drop_absorbs(double diameter_m, double n, double absorption_per_m);
 
 #endif

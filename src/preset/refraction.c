@@ -1,3 +1,6 @@
+/* Tables of the real part (Hale & Querry 1973) and the imaginary part
+ * (Segelstein 1981) of the refractive index of water, and their interpolation;
+ * see preset/refraction.h. */
 #include "preset/refraction.h"
 
 #include <assert.h>
@@ -8,6 +11,7 @@ typedef struct node {
     double wavelength_nm, value;
 } node;
 
+/* Hale & Querry 1973, table I. */
 static const node real_part[] = {
     {300, 1.349},  {325, 1.346},  {350, 1.343},  {375, 1.341},  {400, 1.339},
     {425, 1.338},  {450, 1.337},  {475, 1.336},  {500, 1.335},  {525, 1.334},
@@ -19,6 +23,7 @@ static const node real_part[] = {
     {2400, 1.279}, {2600, 1.242},
 };
 
+/* Segelstein 1981. */
 static const node imaginary_part[] = {
     {299.92, 4.148e-09},  {304.79, 3.826e-09},  {309.74, 3.546e-09},
     {314.77, 3.325e-09},  {319.89, 3.190e-09},  {325.09, 3.082e-09},
@@ -119,7 +124,7 @@ static const node imaginary_part[] = {
     {2477.42, 1.709e-03}, {2488.86, 1.810e-03}, {2500.35, 1.900e-03},
 };
 
-/* The node before that wavelength, of count nodes. */
+/* Returns the last node at or before a wavelength. */
 static const node *before(const node *nodes, size_t count, double wavelength_nm)
 {
     size_t low = 0, high = count - 1;
@@ -134,7 +139,7 @@ static const node *before(const node *nodes, size_t count, double wavelength_nm)
     return nodes + low;
 }
 
-static double way_along(const node *from, double wavelength_nm)
+static double fraction_along(const node *from, double wavelength_nm)
 {
     return (wavelength_nm - from[0].wavelength_nm) /
            (from[1].wavelength_nm - from[0].wavelength_nm);
@@ -149,8 +154,8 @@ murk_mie_index murk_water_refraction(double wavelength_nm)
     const node *faint =
         before(imaginary_part, sizeof imaginary_part / sizeof *imaginary_part,
                wavelength_nm);
-    const double to_real = way_along(real, wavelength_nm);
-    const double to_faint = way_along(faint, wavelength_nm);
+    const double to_real = fraction_along(real, wavelength_nm);
+    const double to_faint = fraction_along(faint, wavelength_nm);
     return (murk_mie_index){
         .n = real[0].value + to_real * (real[1].value - real[0].value),
         .k = faint[0].value * pow(faint[1].value / faint[0].value, to_faint)};

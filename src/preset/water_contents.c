@@ -1,3 +1,6 @@
+/* Absorption and scattering by the constituents of natural water, as power laws
+ * and exponentials of the literature; preset/water_contents.h states each
+ * formula with the source. */
 #include "preset/water_contents.h"
 
 #include "preset/water_pure.h"
@@ -57,7 +60,7 @@ static double index_of(double slope)
     return 1.01 + .1542 * (slope - 3);
 }
 
-/* Share of Fournier-Forand's scattering beyond 90 degrees: Fournier & Jonasz,
+/* The share of Fournier-Forand scattering beyond 90 degrees: Fournier & Jonasz,
  * Proc. SPIE 3761 (1999) 62, doi:10.1117/12.366488. */
 static double backward_of(double slope)
 {
@@ -69,7 +72,8 @@ static double backward_of(double slope)
 void murk_forand_of_backward(double backward, double *n, double *slope)
 {
     const double wanted = fmin(fmax(backward, .002), .1);
-    double low = 3.01, high = 4.5; /* the share grows with the slope */
+    double low = 3.01, high = 4.5; /* bisection: the share increases with the
+                                    * slope */
     for (int i = 0; i < 50; ++i) {
         const double middle = (low + high) / 2;
         *(backward_of(middle) < wanted ? &low : &high) = middle;

@@ -1,5 +1,5 @@
-/* Water's laws as parts of presets. Water itself is one part; what is in it are
- * others, and each speaks of itself alone. */
+/* The laws of water as parts of presets. Pure water is one part; each
+ * constituent is another part and gives coefficients for itself only. */
 #include "preset/laws.h"
 
 #include "preset/case_1.h"
@@ -10,7 +10,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* One row a degree: log-log between them is within 4e-5 of the law. */
+/* One row for each degree: log-log interpolation between them is within 4e-5 of
+ * the formula. */
 #define PHASE_ROWS 181
 
 static double word(const murk_law_call *call, murk_word_id id, double otherwise)
@@ -28,8 +29,9 @@ static double salinity(const murk_law_call *call)
     return word(call, MURK_WORD_SALINITY, 0);
 }
 
-static murk_status turn_as_molecules(murk_law_result *out,
-                                     const murk_law_call *call, murk_error *err)
+static murk_status scatter_as_molecules(murk_law_result *out,
+                                        const murk_law_call *call,
+                                        murk_error *err)
 {
     const murk_status status =
         murk_preset_angles_create(&out->made, PHASE_ROWS, 1, false, err);
@@ -59,7 +61,7 @@ murk_status murk_law_water(murk_law_result *out, const murk_law_call *call,
         out->scattering_per_m[i] =
             murk_water_scattering(nm, temperature(call), salinity(call));
     }
-    return turn_as_molecules(out, call, err);
+    return scatter_as_molecules(out, call, err);
 }
 
 murk_status murk_law_water_morel(murk_law_result *out,
@@ -71,10 +73,11 @@ murk_status murk_law_water_morel(murk_law_result *out,
         out->scattering_per_m[i] =
             murk_water_scattering_morel(nm, salinity(call));
     }
-    return turn_as_molecules(out, call, err);
+    return scatter_as_molecules(out, call, err);
 }
 
-/* Bricaud's spectra end before those of water. */
+/* Checks the wavelengths: the spectra of Bricaud et al. cover a smaller range
+ * than those of water. */
 static murk_status check_chlorophyll(const murk_law_call *call, murk_error *err)
 {
     for (size_t i = 0; i < call->n; ++i) {
@@ -90,8 +93,8 @@ static murk_status check_chlorophyll(const murk_law_call *call, murk_error *err)
     return MURK_OK;
 }
 
-/* What comes with chlorophyll: particles that scatter, and absorption by the
- * function given. */
+/* Particles that vary with chlorophyll: scattering, and absorption by the given
+ * function. */
 static murk_status with_chlorophyll(murk_law_result *out,
                                     const murk_law_call *call,
                                     double (*absorption)(double, double),
@@ -155,14 +158,15 @@ murk_status murk_law_sediment(murk_law_result *out, const murk_law_call *call,
     return MURK_OK;
 }
 
-/* What absorbs and scatters beside water, of a water known at one wavelength:
+/* Absorption and scattering of the constituents, known at one wavelength;
  * parameters in the order of laws.c. */
 typedef struct green {
     double absorption_per_m, scattering_per_m, at_nm;
     double absorption_per_nm, scattering_power;
 } green;
 
-/* By which all but the water is multiplied for a beam attenuation. */
+/* The factor of the constituents that gives the beam attenuation of the user,
+ * if there is one. */
 static murk_status scale_of(double *scale, const green *g,
                             const murk_law_call *call, murk_error *err)
 {
@@ -206,7 +210,8 @@ murk_status murk_law_in_green(murk_law_result *out, const murk_law_call *call,
     return MURK_OK;
 }
 
-/* Particles that scatter as a power of wavelength, and the water around. */
+/* Particles that scatter as a power of the wavelength, in water lit by the
+ * sun. */
 typedef struct daylight {
     double scattering_per_m, at_nm, power, sun_cosine;
     const murk_law_call *call;
@@ -217,8 +222,8 @@ static double particles(const daylight *d, double nm)
     return d->scattering_per_m * pow(nm / d->at_nm, -d->power);
 }
 
-/* Absorption beside water's that makes the attenuation of a row; below 0 where
- * water alone absorbs more. */
+/* The absorption of the constituents that gives the attenuation of a row of the
+ * table; below 0 if pure water alone absorbs more. */
 static double beside_water(const daylight *d, size_t row)
 {
     const murk_preset_table *table = d->call->table;
@@ -231,8 +236,8 @@ static double beside_water(const daylight *d, size_t row)
            murk_water_absorption(nm);
 }
 
-/* Water's spectrum is steep, what is beside it is smooth: so that is what is
- * interpolated between rows. */
+/* Interpolates the absorption of the constituents between rows, because it is
+ * smooth, while the spectrum of pure water is steep. */
 murk_status murk_law_diffuse_attenuation(murk_law_result *out,
                                          const murk_law_call *call,
                                          murk_error *err)

@@ -1,20 +1,18 @@
-/* Zhang, Hu & He: scattering at 90 degrees is
+/* Scattering by pure water and sea salt (Zhang, Hu & He 2009). The scattering
+ * at 90 degrees is
  *
  *   pi^2/2 wavelength^-4 kT compressibility (rho dn^2/drho)^2 F      density
  *   + 2 pi^2 wavelength^-4 n^2 (dn/dS)^2 S M / (rho N (-dln a/dS)) F     salt
  *
- * with F = (6 + 6 delta) / (6 - 7 delta) for depolarisation delta, and all of
- * it 8 pi/3 (2 + delta) / (1 + delta) times as much. What it is made of:
- *   n, dn/dS        Quan & Fry, Appl. Opt. 34 (1995) 3477,
- *                   doi:10.1364/AO.34.003477, times the index of air: Ciddor,
- *                   Appl. Opt. 35 (1996) 1566, doi:10.1364/AO.35.001566
- *   rho dn^2/drho   Proutiere, Megnassan & Hucteau, J. Phys. Chem. 96 (1992)
- *                   3485, doi:10.1021/j100187a058
- *   compressibility Millero et al., Deep-Sea Res. A 27 (1980) 255
- *   rho             UNESCO Tech. Pap. Mar. Sci. 38 (1981)
- *   a               activity of the water: Millero & Leung, Am. J. Sci. 276
- *                   (1976) 1035
- */
+ * with F = (6 + 6 delta) / (6 - 7 delta) for depolarisation delta. Total
+ * scattering is 8 pi/3 (2 + delta) / (1 + delta) times that. The quantities are
+ * from: | n, dn/dS Quan & Fry, Appl. Opt. 34 (1995) 3477, |
+ * doi:10.1364/AO.34.003477, times the index of air: Ciddor, | Appl. Opt. 35
+ * (1996) 1566, doi:10.1364/AO.35.001566 | rho dn^2/drho Proutiere, Megnassan &
+ * Hucteau, J. Phys. Chem. 96 (1992) | 3485, doi:10.1021/j100187a058 |
+ * compressibility Millero et al., Deep-Sea Res. A 27 (1980) 255 | rho UNESCO
+ * Tech. Pap. Mar. Sci. 38 (1981) | a activity of the water: Millero & Leung,
+ * Am. J. Sci. 276 | (1976) 1035 */
 #include "preset/water_pure.h"
 
 #include "preset/water_tables.h"
@@ -22,11 +20,11 @@
 #include <math.h>
 #include <stddef.h>
 
-#define PI           3.14159265358979324
-#define BOLTZMANN    1.3806503e-23   /* J/K, as Zhang, Hu & He use it */
-#define AVOGADRO     6.0221417930e23 /* likewise */
-#define WATER_MOLE   18e-3           /* kg */
-#define ZERO_CELSIUS 273.15
+#define PI           3.14159265358979324 /* pi */
+#define BOLTZMANN    1.3806503e-23       /* J/K, as Zhang, Hu & He use it */
+#define AVOGADRO     6.0221417930e23     /* 1/mol, likewise */
+#define WATER_MOLE   18e-3               /* kg/mol */
+#define ZERO_CELSIUS 273.15              /* K */
 
 /* Sum of coefficient[i] x^i. */
 static double polynomial(const double *coefficient, size_t n, double x)
@@ -42,6 +40,7 @@ static double polynomial(const double *coefficient, size_t n, double x)
     polynomial((const double[]){__VA_ARGS__}, \
                sizeof(const double[]){__VA_ARGS__} / sizeof(double), (x))
 
+/* The index of air (Ciddor). */
 static double index_of_air(double wavelength_nm)
 {
     const double per_um2 = 1e6 / (wavelength_nm * wavelength_nm);
@@ -49,7 +48,8 @@ static double index_of_air(double wavelength_nm)
                        167917 / (57.362 - per_um2));
 }
 
-/* Against vacuum; *per_psu is its derivative by salinity. */
+/* The index relative to vacuum (Quan & Fry); *per_psu is the derivative with
+ * respect to salinity. */
 static double index_of_water(double nm, double t, double s, double *per_psu)
 {
     const double air = index_of_air(nm);
@@ -60,14 +60,15 @@ static double index_of_water(double nm, double t, double s, double *per_psu)
                   1.1455e6 / (nm * nm * nm));
 }
 
-/* rho times the derivative of n^2 by rho. */
+/* rho d(n^2)/d(rho) (Proutiere et al.). */
 static double by_density(double n)
 {
     const double n2 = n * n, difference = n / 3 - 1 / (3 * n);
     return (n2 - 1) * (1 + 2. / 3 * (n2 + 2) * difference * difference);
 }
 
-/* Isothermal [1/Pa]: 1 over the secant bulk modulus at normal pressure. */
+/* Isothermal compressibility [1/Pa] (Millero et al.): the inverse of the secant
+ * bulk modulus at normal pressure. */
 static double compressibility(double t, double s)
 {
     const double bar =
@@ -78,6 +79,7 @@ static double compressibility(double t, double s)
     return 1e-5 / bar;
 }
 
+/* The density of sea water (UNESCO 1981). */
 static double density_kg_per_m3(double t, double s)
 {
     return POLYNOMIAL(t, 999.842594, 6.793952e-2, -9.09529e-3, 1.001685e-4,
@@ -89,7 +91,8 @@ static double density_kg_per_m3(double t, double s)
            4.8314e-4 * s * s;
 }
 
-/* Of the logarithm of water's activity, by salinity: negative. */
+/* The derivative of the logarithm of the activity of water with respect to
+ * salinity (Millero & Leung); it is negative. */
 static double activity_slope(double t, double s)
 {
     return POLYNOMIAL(t, -5.58651e-4, 2.40452e-7, -3.12165e-9, 2.40808e-11) +
@@ -103,7 +106,7 @@ double murk_water_absorption(double wavelength_nm)
     return murk_water_column(&murk_water_pope_fry, wavelength_nm);
 }
 
-/* All directions, from scattering at right angles. */
+/* Total scattering from the scattering at right angles. */
 static double total(double at_90, double depolarisation)
 {
     return 8 * PI / 3 * at_90 * (2 + depolarisation) / (1 + depolarisation);
@@ -130,7 +133,7 @@ double murk_water_scattering(double wavelength_nm, double temperature_c,
 
 double murk_water_scattering_morel(double wavelength_nm, double salinity_psu)
 {
-    /* Morel's depolarisation is .09 */
+    /* The depolarisation of Morel is .09. */
     const double at_90 = 1.38e-4 * pow(wavelength_nm / 500, -4.32) *
                          (1 + .3 * salinity_psu / 37);
     return total(at_90, .09);

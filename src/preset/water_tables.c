@@ -1,8 +1,10 @@
+/* The tables of Pope & Fry 1997 and of Bricaud et al. 1998 and their linear
+ * interpolation; preset/water_tables.h has the references. */
 #include "preset/water_tables.h"
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
-/* 380, 382.5 ... 727.5 nm */
+/* Pope & Fry 1997 [1/m] at 380, 382.5 ... 727.5 nm. */
 static const double POPE_FRY[] = {
     .01137, .01044, .00941, .00917, .00851, .00829, .00813, .00775, .00663,
     .00579, .0053,  .00503, .00473, .00452, .00444, .00442, .00454, .00474,
@@ -22,7 +24,7 @@ static const double POPE_FRY[] = {
     1.119,  1.231,  1.356,  1.489,  1.678,
 };
 
-/* 400, 402 ... 700 nm */
+/* Factor of Bricaud et al. 1998 at 400, 402 ... 700 nm. */
 static const double BRICAUD_FACTOR[] = {
     .043321,  .043805,  .044307,  .045064,  .045812,  .046699,  .047328,
     .047969,  .048595,  .049069,  .049477,  .049611,  .049713,  .050096,
@@ -48,6 +50,7 @@ static const double BRICAUD_FACTOR[] = {
     .0060441, .0051813, .0044349, .0039342,
 };
 
+/* Exponent of Bricaud et al. 1998 at the same wavelengths. */
 static const double BRICAUD_EXPONENT[] = {
     .702647, .700084, .697132, .694026, .691633, .688172, .686245, .681567,
     .678229, .674644, .671195, .664926, .658931, .655739, .653668, .654277,

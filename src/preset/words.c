@@ -1,3 +1,4 @@
+/* Looks up names, units and numbers of words in the table of preset/words.h. */
 #include "preset/words.h"
 
 #include <string.h>

@@ -1,12 +1,12 @@
-/* The words of presets: how users say what a medium is. They are keys of a
- * medium in a scene, beside `preset`. A new word is a row here, and one in
- * scene/keys_media.c. */
+/* The words of presets: the quantities with which users describe a medium.
+ * Words are keys of a medium in a scene, beside `preset`. A new word is a row
+ * here and a row in scene/keys_media.c. */
 #ifndef MURK_PRESET_WORDS_H
 #define MURK_PRESET_WORDS_H
 
 #include <stdbool.h>
 
-#define MURK_WORD_NUMBERS_MAX 3
+#define MURK_WORD_NUMBERS_MAX 3 /* of droplet_shape */
 
 /* id, name, unit, numbers */
 #define MURK_WORD_ROWS(X)                                              \
@@ -32,8 +32,9 @@ typedef enum murk_word_id {
         MURK_WORDS
 } murk_word_id;
 
-/* What a user said of a medium. Laws get it with the preset's defaults filled
- * in, `given` set for them too, and with mor_m turned into visibility_m. */
+/* The words that a user gave. Laws receive them with the defaults of the preset
+ * filled in (`given` is set for defaults, too) and with mor_m converted to
+ * visibility_m. */
 typedef struct murk_words {
     bool given[MURK_WORDS];
     double value[MURK_WORDS][MURK_WORD_NUMBERS_MAX];
@@ -43,7 +44,7 @@ const char *murk_word_name(murk_word_id word);
 const char *murk_word_unit(murk_word_id word);
 int murk_word_numbers(murk_word_id word);
 
-/* The word of that name, or -1. */
+/* Returns the word with that name, or -1. */
 int murk_word_find(const char *name);
 
 #endif

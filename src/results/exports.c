@@ -181,7 +181,7 @@ void murk_exports_add_scene(murk_session *session, murk_sight *sight,
                             const murk_pose *sensor, size_t n, murk_error *late)
 {
     const unsigned exports = session->settings.exports;
-    murk_progress_begin_over("export", 0, "");
+    murk_progress_begin_group("export", 0, "");
     if (exports & MURK_EXPORT_FIELDS) {
         murk_fields_add_tallies(session, late);
         murk_fields_add(session, sight, sensor, n, late);
@@ -223,7 +223,7 @@ murk_status murk_exports_add_plan(murk_session *session,
                                    plan->place.count, size_m, err);
     }
     if (!status && exports & MURK_EXPORTS_OF_PROBLEM) {
-        murk_progress_begin_over("export", 0, "");
+        murk_progress_begin_group("export", 0, "");
         status = add_matrix(session, plan, sight, late, err);
         murk_progress_end();
     }

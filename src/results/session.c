@@ -116,7 +116,7 @@ murk_status murk_session_expect_light(murk_session *session, murk_error *err)
 
 murk_status murk_session_add_light(murk_session *session, murk_error *err)
 {
-    murk_progress_begin_over("write light", 0, "");
+    murk_progress_begin_group("write light", 0, "");
     const murk_status status =
         murk_results_add_light(&session->results, MURK_MAP_FILE_NAME,
                                session->traced, session->stage, err);

@@ -1,24 +1,26 @@
-/* Equation numbers are the report's, NREL/TR-215-2436. Where its text, its
- * appendix and NREL's later program differ, the program is followed: constants
- * in 2-4 and 2-11, gases instead of ozone in 3-8, and the factor of 3-17 once.
- */
+/* The simple spectral model of Bird and Riordan (SPCTRAL2). Equation numbers
+ * are those of the report NREL/TR-215-2436. Where the text of the report, the
+ * appendix and the later program of NREL differ, the program is followed:
+ * constants in 2-4 and 2-11, gases instead of ozone in 3-8, and the factor of
+ * 3-17 once. */
 #include "source/clear_spectrum.h"
 
 #include "base/vector.h"
 
-#define RAD_PER_DEG    (MURK_PI / 180)
-#define SEA_LEVEL_HPA  1013.0 /* the report's */
-#define AIRMASS_OF_SKY 1.8    /* light from below crosses it as at this one */
-#define OZONE_HEIGHT   (22.0 / 6370)
+#define RAD_PER_DEG   (MURK_PI / 180) /* degrees to radians */
+#define SEA_LEVEL_HPA 1013.0          /* of the report */
+/* air mass for light that the ground reflects upwards */
+#define AIRMASS_OF_SKY 1.8
+#define OZONE_HEIGHT   (22.0 / 6370) /* over the earth's radius, km */
 
-/* rural aerosol: exponent of 2-7, albedo at 400 nm and its fall in 3-16, mean
- * cosine */
+/* Rural aerosol: exponent of 2-7, albedo at 400 nm and the decrease of 3-16,
+ * mean cosine. */
 #define ANGSTROM       1.14
 #define AEROSOL_ALBEDO 0.945
 #define ALBEDO_FALL    0.095
 #define MEAN_COSINE    0.65
 
-/* What each cause leaves of a beam. */
+/* The transmittances of the constituents of the atmosphere. */
 typedef struct passed {
     double rayleigh, aerosol, scattering, absorption, vapour, ozone, gases;
 } passed;
@@ -46,7 +48,8 @@ static passed pass(const murk_bird_line *line, const murk_clear_air *air,
         .gases = exp(-1.41 * gases / pow(1 + 118.3 * gases, 0.45))};
 }
 
-/* The share of what aerosol scatters that goes on downward, 3-11 to 3-15. */
+/* The share of the light scattered by aerosol that continues downward, 3-11 to
+ * 3-15. */
 static double downward(double cosine)
 {
     const double g = log(1 - MEAN_COSINE);

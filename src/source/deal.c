@@ -1,8 +1,11 @@
+/* Deals photons by a golden-ratio (Weyl) sequence in 64-bit integers, and
+ * counts the photons of a prefix with floor sums instead of a loop over
+ * photons. */
 #include "source/deal.h"
 
 #include <assert.h>
 
-/* 2^64 divided by the golden ratio, to the nearest odd number. */
+/* 2^64 divided by the golden ratio, rounded to an odd number. */
 #define GOLDEN UINT64_C(0x9e3779b97f4a7c15)
 
 __extension__ typedef unsigned __int128 wide;
@@ -26,7 +29,7 @@ size_t murk_deal_one(const uint64_t *limit, size_t n, uint64_t photon)
         return (size_t)photon;
     }
     const uint64_t place = (photon - n) * GOLDEN;
-    size_t low = 0, high = n - 1; /* the answer is in [low, high] */
+    size_t low = 0, high = n - 1; /* the channel is in [low, high] */
     while (low < high) {
         const size_t middle = low + (high - low) / 2;
         if (place < limit[middle]) {
@@ -38,15 +41,17 @@ size_t murk_deal_one(const uint64_t *limit, size_t n, uint64_t photon)
     return low;
 }
 
-/* Sum over k < n of floor((a k + b) / m), modulo 2^128, by Euclid's algorithm
- * on a and m (Graham, Knuth and Patashnik, Concrete Mathematics, 3.5). Sizes:
- * a n + b stays under 2^127 for a, b < m <= 2^64 and n < 2^62. */
+/* The sum over k < n of floor((a k + b) / m), modulo 2^128, by Euclid's
+ * algorithm on a and m (Graham, Knuth and Patashnik, Concrete Mathematics,
+ * 3.5). Range: a n + b stays below 2^127 for a, b < m <= 2^64 and n < 2^62. */
 static wide floor_sum(wide n, wide m, wide a, wide b)
 {
     wide sum = 0;
+    /* Reduce a and b modulo m, then exchange the roles of a and m. */
     while (n > 0) {
         if (a >= m) {
-            /* One of n, n - 1 is even: halve that one, so nothing is lost. */
+            /* One of n and n - 1 is even: halve that one, so that the division
+             * is exact. */
             sum += (n % 2 ? n * ((n - 1) / 2) : (n / 2) * (n - 1)) * (a / m);
             a %= m;
         }
@@ -65,9 +70,9 @@ static wide floor_sum(wide n, wide m, wide a, wide b)
     return sum;
 }
 
-/* How many k < n have (k GOLDEN mod 2^64) < limit. A place is under the limit
- * where floor((x + 2^64) / 2^64) and floor((x + 2^64 - limit) / 2^64) differ.
- */
+/* Counts k < n with (k GOLDEN mod 2^64) < limit: these are the k for which
+ * floor((x + 2^64) / 2^64) and floor((x + 2^64 - limit) / 2^64) differ, with x
+ * = k GOLDEN. */
 static uint64_t count_below(uint64_t n, uint64_t limit)
 {
     const wide m = (wide)1 << 64;

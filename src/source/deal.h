@@ -1,27 +1,27 @@
-/* Dealing photons to channels in proportion to weights, one by one, so that
- * every prefix of the photons is dealt fairly.
+/* Deals photons to channels in proportion to weights, so that every prefix of
+ * the photon indices is in proportion, too.
  *
- * The first photons go one to each channel; photon k after them goes where the
- * fractional part of k times the golden ratio falls among the cumulative
- * weights. All in whole numbers, so the answer is the same on any machine. No
- * channel is ever more than a few photons from its share (the sequence's
- * discrepancy grows as log n: Kuipers and Niederreiter, Uniform Distribution
- * of Sequences, 1974, ch. 2.3). */
+ * The first photons go one to each channel. Photon k after them goes to the
+ * channel in which the fractional part of k times the golden ratio falls among
+ * the cumulative weights. All numbers are integers, so the result is the same
+ * on every machine. The count of a channel differs from the exact share by a
+ * few photons at most (the discrepancy of the sequence grows as log n: Kuipers
+ * and Niederreiter, Uniform Distribution of Sequences, 1974, ch. 2.3). */
 #ifndef MURK_SOURCE_DEAL_H
 #define MURK_SOURCE_DEAL_H
 
 #include <stddef.h>
 #include <stdint.h>
 
-/* limit[i] = (weights 0..i together / all) * 2^64, for i < n - 1. The last
- * one has no limit. weight[n] > 0, their sum finite. */
+/* limit[i] = (sum of weights 0..i / sum of all) * 2^64, for i < n - 1. The last
+ * channel has no limit. weight[n] > 0 with a finite sum. */
 void murk_deal_limits(const double *weight, size_t n, uint64_t *limit);
 
-/* Which of n channels photon goes to. */
+/* The channel in [0, n) of a photon. */
 size_t murk_deal_one(const uint64_t *limit, size_t n, uint64_t photon);
 
-/* How many of the photons [0, photons) go to each: fills count[n]. Exact, in
- * n log(photons) steps. photons < 2^62. */
+/* Counts the photons [0, photons) of each channel into count[n]. The counts are
+ * exact and take n log(photons) steps. photons < 2^62. */
 void murk_deal_count(const uint64_t *limit, size_t n, uint64_t photons,
                      uint64_t *count);
 

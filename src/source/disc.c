@@ -1,12 +1,15 @@
+/* Integrates and samples the cosine at a plane over a disc. If the whole disc
+ * is above the plane, the result is linear and closed; if the plane cuts the
+ * disc, the distribution function along the tilt is inverted by bisection. */
 #include "source/disc.h"
 
-/* Halvings of a bracket: the digits of a double. */
+/* Halvings of an interval, for all digits of a double. */
 #define HALVINGS 53
 
-/* With the disc's radius as unit and x along the tilt of the opening's plane
- * against the light, the cosine is in proportion to (edge + x), which is cut
- * off at 0; -1 < edge < 1. Its integral over the disc, from where it begins up
- * to x, over 2: the antiderivative of (edge + x) sqrt(1 - x^2). */
+/* In units of the radius of the disc, with x along the tilt of the plane, the
+ * cosine is proportional to max(0, edge + x), -1 < edge < 1. This is half of
+ * the integral of the cosine over the disc up to x: the antiderivative of (edge
+ * + x) sqrt(1 - x^2). */
 static double cut_integral(double edge, double x)
 {
     const double rest = sqrt(fmax(0, (1 - x) * (1 + x)));
@@ -28,7 +31,7 @@ double murk_disc_cosine(murk_vec3 direction, double radius, murk_vec3 inward)
            (cut_integral(edge, 1) - cut_integral(edge, -edge));
 }
 
-/* Where x is drawn from a disc that is cut off. */
+/* Draws x on a disc that is cut by the plane. */
 static double cut_draw(double edge, double u)
 {
     const double min = cut_integral(edge, -edge);
@@ -54,18 +57,21 @@ murk_vec3 murk_disc_draw(murk_vec3 direction, double radius, murk_vec3 inward,
     const double middle = murk_dot(direction, inward);
     const murk_vec3 aside = murk_along(inward, -middle, direction);
     const double sine = murk_length(aside), tilt = radius * sine;
+    /* A frame with t along the tilt of the plane. */
     murk_vec3 t, b;
     murk_frame(direction, &t, &b);
     if (tilt > 0) {
         t = murk_scale(1 / sine, aside);
         b = murk_cross(direction, t);
     }
+    /* A point of the disc with density proportional to the cosine. */
     double x, y;
     if (middle >= tilt) {
         const double rho = sqrt(u[0]), phi = 2 * MURK_PI * u[1];
         x = rho * cos(phi);
         y = rho * sin(phi);
-        /* The cosine leans to one side: so many change over to it. */
+        /* The cosine is larger on one side: mirror points to this side with the
+         * probability that corrects the density. */
         if (u[2] > (1 + x * tilt / middle) / 2) {
             x = -x;
         }

@@ -1,19 +1,21 @@
 /* Distant light: parallel rays, the disc of sun or moon, and the sky.
  *
- * Such light enters the domain through its faces, or through the portals at
- * which it is aimed (entry_faces.h). For each of the two rows: the check
- * against the domain, the start of a photon, and the light as a place receives
- * it (shine) and sees it (glare). */
-#include "source/source_row.h"
+ * Distant light enters the domain through the faces of the domain, or through
+ * the portals at which it is aimed (entry_faces.h). For each of the two rows:
+ * the check against the domain, the start of a photon, a sampled direction from
+ * which the light reaches a point (shine), and the light along a line of sight
+ * (glare). The sky is sampled by solid angle, light through portals by the area
+ * of the portals. */
+#include "source/source_state.h"
 
 #include <math.h>
 #include <stdio.h>
 
 #include "source/entry_faces.h"
 
-#define TWO_PI (2 * MURK_PI)
+#define TWO_PI (2 * MURK_PI) /* a full turn */
 
-/* Irradiance [W/m2]. */
+/* The irradiance [W/m2]. */
 static double power_of(const murk_source *light, int band)
 {
     return light->power_w.band[band];
@@ -46,7 +48,7 @@ static murk_status check_portals(const murk_source *l,
     return MURK_OK;
 }
 
-/* Whether distant light may come along the line. */
+/* True if distant light may arrive along the line. */
 static bool enters(const murk_source *light, murk_vec3 place, murk_vec3 travel)
 {
     double ahead_m, cosine;
@@ -59,8 +61,8 @@ static bool enters(const murk_source *light, murk_vec3 place, murk_vec3 travel)
     return light->portals == 0;
 }
 
-/* How densely directions towards places on the portals are drawn, each portal
- * as likely. */
+/* The density of directions towards uniform points of the portals, with equal
+ * probability for each portal. */
 static double portals_per_sr(const murk_source *l, murk_vec3 place,
                              murk_vec3 travel)
 {
@@ -76,30 +78,30 @@ static double portals_per_sr(const murk_source *l, murk_vec3 place,
     return per_sr;
 }
 
-/* False where the place lies in the portal's plane. */
-static bool towards_portal(const murk_source *l, murk_vec3 place,
-                           const double u[MURK_SHINE_NUMBERS],
-                           murk_shine *shine)
+/* Draws a direction through a portal. Returns false if the point lies in the
+ * plane of the portal. */
+static bool sample_portal(const murk_source *l, murk_vec3 place,
+                          const double u[MURK_SHINE_NUMBERS], murk_shine *shine)
 {
     const size_t drawn = (size_t)(u[2] * (double)l->portals);
     const murk_portal *k = &l->portal[drawn < l->portals ? drawn : 0];
     murk_vec3 on = murk_along(k->corner, u[0], k->edge1);
     on = murk_along(on, u[1], k->edge2);
-    const murk_vec3 way = murk_sub(place, on);
-    const double length = murk_length(way);
-    const double side = murk_dot(way, murk_cross(k->edge1, k->edge2));
+    const murk_vec3 to_place = murk_sub(place, on);
+    const double length = murk_length(to_place);
+    const double side = murk_dot(to_place, murk_cross(k->edge1, k->edge2));
     if (!(length > 0) || side == 0) {
         return false;
     }
-    shine->direction = murk_scale((side > 0 ? 1 : -1) / length, way);
+    shine->direction = murk_scale((side > 0 ? 1 : -1) / length, to_place);
     shine->per_sr = portals_per_sr(l, place, shine->direction);
     return shine->per_sr > 0;
 }
 
 /* ---- parallel light and discs ---- */
 
-/* Shares of the faces across x, y and z in the light that enters; returns its
- * power for 1 W/m2. */
+/* Computes the shares of the faces across x, y and z in the light that enters.
+ * Returns the power for 1 W/m2. */
 static double share_faces(murk_source_state *s, const murk_domain *domain)
 {
     const murk_vec3 d = s->light.direction;
@@ -116,7 +118,7 @@ static double share_faces(murk_source_state *s, const murk_domain *domain)
     return area_m2;
 }
 
-static murk_status open_up(murk_source_state *s, murk_error *err)
+static murk_status create_entry_faces(murk_source_state *s, murk_error *err)
 {
     const murk_status status =
         murk_entry_faces_create(&s->entry_faces, &s->light, s->domain, err);
@@ -128,6 +130,7 @@ static murk_status open_up(murk_source_state *s, murk_error *err)
 
 static murk_status prepare_directional(murk_source_state *s, murk_error *err)
 {
+    /* Check portals, direction and angular radius. */
     const double radius = s->light.angular_radius_rad;
     murk_status status = check_portals(&s->light, s->domain, err);
     if (!status) {
@@ -145,8 +148,9 @@ static murk_status prepare_directional(murk_source_state *s, murk_error *err)
                            "enters a periodic domain through its top only",
                            d.x, d.y, d.z);
     }
+    /* Parallel light needs no entry faces. */
     if (!status && (radius > 0 || s->light.portals > 0)) {
-        status = open_up(s, err);
+        status = create_entry_faces(s, err);
     } else if (!status) {
         s->power_scale = share_faces(s, s->domain);
     }
@@ -224,6 +228,7 @@ static murk_status prepare_dome(murk_source_state *s, murk_error *err)
     if (status) {
         return status;
     }
+    /* Check the numbers of the sky. */
     const murk_dome *dome = &s->light.dome;
     const double k[] = {dome->a, dome->b, dome->c, dome->d, dome->e};
     for (size_t i = 0; i < sizeof k / sizeof *k; ++i) {
@@ -241,7 +246,7 @@ static murk_status prepare_dome(murk_source_state *s, murk_error *err)
                          "zero: this sky is brightest about the sun",
                          sun.x, sun.y, sun.z);
     }
-    return open_up(s, err);
+    return create_entry_faces(s, err);
 }
 
 static murk_ray emit_dome(const murk_source_state *s,
@@ -273,7 +278,7 @@ static bool shine_sky(const murk_source_state *s, int band, murk_vec3 place,
 {
     const murk_source *l = &s->light;
     if (l->portals > 0) {
-        if (!towards_portal(l, place, u, shine)) {
+        if (!sample_portal(l, place, u, shine)) {
             return false;
         }
     } else {

@@ -1,8 +1,10 @@
+/* The CIE standard general sky: table of the fifteen types and evaluation of
+ * gradation and indicatrix (source/dome.h). */
 #include "source/dome.h"
 
 #include <assert.h>
 
-/* a, b, c, d, e */
+/* Coefficients a, b, c, d, e of types 1..15 (CIE S 011). */
 static const double TYPE[MURK_DOME_TYPES][5] = {
     {4.0, -0.70, 0, -1.0, 0},      {4.0, -0.70, 2, -1.5, 0.15},
     {1.1, -0.80, 0, -1.0, 0},      {1.1, -0.80, 2, -1.5, 0.15},
@@ -26,7 +28,8 @@ murk_dome murk_dome_cie(int type, murk_vec3 towards)
                        .towards = towards};
 }
 
-/* Not by acos of the cosine alone, which near the sun loses half its digits. */
+/* The angle between unit vectors; acos() of the scalar product would lose half
+ * of the digits near the sun. */
 static double angle_between(murk_vec3 a, murk_vec3 b)
 {
     return 2 * atan2(murk_length(murk_sub(a, b)), murk_length(murk_add(a, b)));
@@ -39,7 +42,7 @@ double murk_dome_radiance(const murk_dome *dome, murk_vec3 direction)
     }
     double radiance = 1;
     if (dome->a != 0) {
-        /* At the horizon the standard has exp(b / cos Z) = 0, its limit. */
+        /* The limit at the horizon is exp(b / cos Z) = 0. */
         radiance += direction.z > 0 ? dome->a * exp(dome->b / direction.z) : 0;
     }
     if (dome->c != 0 || dome->e != 0) {

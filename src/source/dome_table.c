@@ -1,28 +1,33 @@
+/* Tabulates the sky for one orientation of an entry face and draws directions:
+ * a cell by the alias method, then a point of the cell by inverting the
+ * bilinear density. */
 #include "source/dome_table.h"
 
 #include <stdint.h>
 #include <stdlib.h>
 
+/* Cells and nodes of an axis, and all cells. */
 #define CELLS MURK_DOME_CELLS
 #define NODES (CELLS + 1)
 #define ALL   ((size_t)CELLS * CELLS)
 
-/* A cell keeps what falls on it with a chance, in 2^-18, else hands it on to
- * another: both in one word, since a table that fits a core's own cache is what
- * makes drawing fast. Uniform numbers are no finer, of so many cells. */
+/* An entry of the alias table: with a probability of `keeps` / 2^18 the drawn
+ * cell stays, otherwise it is replaced by `other`. Both are packed into one
+ * word, because the table is fast only if it fits into the cache of a core.
+ * Uniform numbers have no finer resolution per cell. */
 #define OTHER_BITS 14
 #define KEEPS_BITS (32 - OTHER_BITS)
 _Static_assert(CELLS *CELLS <= 1 << OTHER_BITS, "cells are numbered in a word");
 
 struct murk_dome_table {
-    murk_vec3 along, up, outward; /* the opening's frame; along is level */
+    murk_vec3 along, up, outward; /* frame of the face; `along` is horizontal */
     double x[NODES], a[NODES];
     float density[NODES][NODES];  /* [x][a] */
     uint32_t cell[CELLS * CELLS]; /* [x * CELLS + a] keeps, other */
     double irradiance;
 };
 
-static void lay_nodes(murk_dome_table *t)
+static void set_nodes(murk_dome_table *t)
 {
     const murk_vec3 m = t->outward;
     const double level = sqrt(m.x * m.x + m.y * m.y);
@@ -44,7 +49,7 @@ static inline double cosine_of(double sine)
     return square > 0 ? sqrt(square) : 0;
 }
 
-/* Towards the sky from a place in the table's rectangle; unit. */
+/* The unit direction to the sky at a point of the rectangle. */
 static inline murk_vec3 direction_at(const murk_dome_table *t, double x,
                                      double a)
 {
@@ -61,7 +66,8 @@ static murk_status fill(murk_dome_table *t, const murk_dome *dome,
         const double width = cosine_of(t->x[i]);
         for (int j = 0; j < NODES; ++j) {
             murk_vec3 d = direction_at(t, t->x[i], t->a[j]);
-            d.z = fmax(0, d.z); /* the horizon's nodes, which may be rounded */
+            d.z = fmax(0, d.z); /* nodes on the horizon may be rounded below
+                                 * it */
             const double radiance = murk_dome_radiance(dome, d);
             if (!(radiance >= 0 && isfinite(radiance))) {
                 return murk_fail(err, MURK_BAD_VALUE, where,
@@ -75,7 +81,8 @@ static murk_status fill(murk_dome_table *t, const murk_dome *dome,
     return MURK_OK;
 }
 
-/* Fills share[ALL], in cells' mean; returns the mean in all. */
+/* Fills share[ALL] with the irradiance of each cell divided by the mean of all
+ * cells. Returns the sum over all cells. */
 static double weigh(const murk_dome_table *t, double *share)
 {
     double sum = 0;
@@ -95,9 +102,7 @@ static double weigh(const murk_dome_table *t, double *share)
     return sum;
 }
 
-/* Vose: each cell that has too little is filled up from one that has too much;
- * what is left at the end is 1 but for rounding. stack[ALL] has the small ones
- * from its front and the large ones from its end. */
+/* An entry of the alias table. */
 static uint32_t packed(double keeps, uint32_t other)
 {
     const double max = (1 << KEEPS_BITS) - 1;
@@ -105,7 +110,12 @@ static uint32_t packed(double keeps, uint32_t other)
            other;
 }
 
-static void pair_up(murk_dome_table *t, double *share, uint32_t *stack)
+/* Builds the alias table by Vose's method: each cell below the mean is filled
+ * up from a cell above the mean; cells that are left at the end have 1 but for
+ * rounding. stack[ALL] holds the small cells at the front and the large ones at
+ * the end. */
+static void build_alias_table(murk_dome_table *t, double *share,
+                              uint32_t *stack)
 {
     size_t small = 0, large = ALL;
     for (uint32_t c = 0; c < ALL; ++c) {
@@ -139,12 +149,13 @@ murk_status murk_dome_table_create(murk_dome_table **out, const murk_dome *dome,
         status = murk_fail(err, MURK_NO_MEMORY, where, "no memory for a sky");
         goto done;
     }
+    /* Tabulate the sky, then build the alias table of the cells. */
     table->outward = outward;
-    lay_nodes(table);
+    set_nodes(table);
     status = fill(table, dome, where, err);
     if (!status) {
         table->irradiance = weigh(table, share);
-        pair_up(table, share, stack);
+        build_alias_table(table, share, stack);
         *out = table;
         table = NULL;
     }
@@ -165,7 +176,7 @@ double murk_dome_table_irradiance(const murk_dome_table *table)
     return table->irradiance;
 }
 
-/* A number in (0, 1) whose density goes straight from one value to another. */
+/* Draws a number in (0, 1) with a density that is linear between two values. */
 static double slanted(double from, double to, double u)
 {
     return u * (from + to) /

@@ -1,40 +1,43 @@
-/* The sky as a plane opening sees it: a table from which directions are drawn
- * by radiance times the cosine at the opening. Private to this room.
+/* A table of the sky as seen by a plane entry face, from which directions are
+ * drawn with a density of radiance times the cosine at the face. Private to
+ * this room.
  *
- * On the opening's unit disc (Nusselt's analogue: a direction's projection onto
- * the plane) that cosine is a constant. x runs along the horizontal in the
- * opening's plane, a = y / sqrt(1 - x^2) across it, from the horizon to the
- * plane itself: so the sky that the opening sees is a rectangle in x and a,
- * however it is tilted, and has no edge inside. The table holds radiance times
- * sqrt(1 - x^2) at nodes that are even in angle, and is bilinear between them:
- * that function, and not the sky behind it, is what is drawn from, exactly.
- * Cells are chosen by Walker's alias method (Vose, IEEE Trans. Softw. Eng. 17
- * (1991) 972, doi:10.1109/32.92917). */
+ * On the unit disc of the face (Nusselt's analogue: the projection of a
+ * direction onto the plane) that cosine is a constant. x is the coordinate
+ * along the horizontal of the plane, and a = y / sqrt(1 - x^2) the coordinate
+ * across it, from the horizon to the plane. The visible sky is therefore a
+ * rectangle in x and a at any tilt of the face, without an edge inside. The
+ * table holds radiance times sqrt(1 - x^2) at nodes with equal steps of angle,
+ * and is bilinear in between. Directions are drawn exactly from this bilinear
+ * function, not from the sky that it approximates. Cells are chosen by Walker's
+ * alias method (Vose, IEEE Trans. Softw. Eng. 17 (1991) 972,
+ * doi:10.1109/32.92917). */
 #ifndef MURK_SOURCE_DOME_TABLE_H
 #define MURK_SOURCE_DOME_TABLE_H
 
 #include "base/status.h"
 #include "source/dome.h"
 
-/* Cells along each axis. Even in angle they are at most 1.4 degrees wide, so
- * that irradiances of every type are right to some 2e-4. */
+/* Cells along each axis. They are at most 1.4 degrees wide, so that irradiances
+ * of every CIE type are right to some 2e-4. */
 #define MURK_DOME_CELLS 128
 
 typedef struct murk_dome_table murk_dome_table;
 
-/* outward: unit, from the opening to the sky. *out is the caller's. Fails where
- * the radiance is negative or not finite anywhere. */
+/* Creates the table for a face with unit vector `outward` from the face to the
+ * sky. The caller destroys *out. Fails if the radiance is negative or not
+ * finite anywhere. */
 murk_status murk_dome_table_create(murk_dome_table **out, const murk_dome *dome,
                                    murk_vec3 outward, const char *where,
                                    murk_error *err);
 void murk_dome_table_destroy(murk_dome_table *table); /* NULL is fine */
 
-/* Integral of relative radiance times cosine over what the opening sees: 0
- * where it faces straight down. */
+/* The integral of relative radiance times cosine over the visible sky: 0 for a
+ * face that looks straight down. */
 double murk_dome_table_irradiance(const murk_dome_table *table);
 
-/* A direction from the opening to the sky, unit, for four uniform numbers. The
- * irradiance must be above 0. */
+/* Draws a unit direction from the face to the sky from four uniform numbers.
+ * The irradiance must be above 0. */
 murk_vec3 murk_dome_table_draw(const murk_dome_table *table, const double u[4]);
 
 #endif

@@ -1,3 +1,7 @@
+/* Distant light that enters through plane faces: computes the power of each
+ * face from the sky table or the disc of the light, and draws starts of
+ * photons. For portals, the start is moved back along the ray to the boundary
+ * of the domain. */
 #include "source/entry_faces.h"
 
 #include <assert.h>
@@ -6,24 +10,27 @@
 #include "source/disc.h"
 #include "source/dome_table.h"
 
-#define FACES 6
+#define FACES 6 /* of a box */
 
-/* Two portals nearer to each other along a ray than this share of the largest
- * coordinate are met at once, so that the order given decides, not rounding. */
+/* Two portals that are closer along a ray than this share of the largest
+ * coordinate count as coincident: their order in the list decides, not
+ * rounding. */
 #define AT_ONCE 1e-9
 
-/* Below this sine squared two facings are the same one, and share a table. */
+/* Orientations with a smaller squared sine between them are equal and share a
+ * table. */
 #define SAME_FACING 1e-24
 
-typedef struct opening {
+typedef struct entry_face {
     murk_vec3 corner, edge1, edge2;
     murk_vec3 inward;           /* unit */
-    murk_vec3 measure[2];       /* portals: dotted with what lies on it from the
-                                   corner, the shares of the edges */
-    double one_m2;              /* power for irradiance 1 */
+    murk_vec3 measure[2];       /* portals: the scalar products with an offset
+                                 * from the corner are the coordinates in
+                                 * edges */
+    double one_m2;              /* power for an irradiance of 1 */
     double end;                 /* cumulative share of the power */
     const murk_dome_table *sky; /* NULL: directional, or no power */
-} opening;
+} entry_face;
 
 struct murk_entry_faces {
     bool is_dome;
@@ -33,22 +40,24 @@ struct murk_entry_faces {
     double at_once_m;
     bool are_portals;
     size_t n, tables;
-    opening *opening;        /* [n] */
-    murk_dome_table **table; /* [tables], of different facings; the first one is
-                                of the level plane */
+    entry_face *entry_face;  /* [n] */
+    murk_dome_table **table; /* [tables], for different orientations; the first
+                              * one is for the level plane */
     murk_vec3 *outward;      /* [tables] */
     double area_m2;
     double level; /* dome: irradiance of a level plane, relative */
 };
 
-/* ---- where they are ---- */
+/* ---- positions ---- */
 
-static void lay_faces(murk_entry_faces *o, bool is_periodic)
+static void set_box_faces(murk_entry_faces *o, bool is_periodic)
 {
     const murk_vec3 a = o->box.min, b = o->box.max;
     const murk_vec3 x = {b.x - a.x, 0, 0}, y = {0, b.y - a.y, 0},
                     z = {0, 0, b.z - a.z};
-    const opening face[FACES] = {
+    /* Top, bottom, then the sides; a periodic domain is entered through the top
+     * only. */
+    const entry_face face[FACES] = {
         {.corner = {a.x, a.y, b.z},
          .edge1 = x,
          .edge2 = y,
@@ -66,11 +75,11 @@ static void lay_faces(murk_entry_faces *o, bool is_periodic)
          .inward = {0, -1, 0}}};
     o->n = is_periodic ? 1 : FACES;
     for (size_t i = 0; i < o->n; ++i) {
-        o->opening[i] = face[i];
+        o->entry_face[i] = face[i];
     }
 }
 
-static void lay_portals(murk_entry_faces *o, const murk_portal *portal,
+static void set_portals(murk_entry_faces *o, const murk_portal *portal,
                         size_t n)
 {
     o->n = n;
@@ -78,7 +87,7 @@ static void lay_portals(murk_entry_faces *o, const murk_portal *portal,
         const murk_portal *p = &portal[i];
         const murk_vec3 across = murk_cross(p->edge1, p->edge2);
         const double square = murk_dot(across, across);
-        o->opening[i] = (opening){
+        o->entry_face[i] = (entry_face){
             .corner = p->corner,
             .edge1 = p->edge1,
             .edge2 = p->edge2,
@@ -88,10 +97,9 @@ static void lay_portals(murk_entry_faces *o, const murk_portal *portal,
     }
 }
 
-/* ---- what they let in ---- */
+/* ---- power ---- */
 
-/* The sky as planes of one facing see it: made where no opening before has it.
- */
+/* Finds or creates the sky table for an orientation. */
 static murk_status table_for(murk_entry_faces *o, const murk_dome *dome,
                              murk_vec3 outward, const murk_dome_table **out,
                              const char *where, murk_error *err)
@@ -113,8 +121,8 @@ static murk_status table_for(murk_entry_faces *o, const murk_dome *dome,
     return status;
 }
 
-static murk_status open_to_sky(murk_entry_faces *o, const murk_source *light,
-                               murk_error *err)
+static murk_status set_sky_power(murk_entry_faces *o, const murk_source *light,
+                                 murk_error *err)
 {
     murk_dome dome = light->dome;
     if (dome.c != 0 || dome.e != 0) {
@@ -127,8 +135,8 @@ static murk_status open_to_sky(murk_entry_faces *o, const murk_source *light,
         o->level = murk_dome_table_irradiance(level);
     }
     for (size_t i = 0; i < o->n && !status; ++i) {
-        opening *k = &o->opening[i];
-        if (k->inward.z >= 1) { /* looks down: no sky */
+        entry_face *k = &o->entry_face[i];
+        if (k->inward.z >= 1) { /* faces down: no sky */
             continue;
         }
         status = table_for(o, &dome, murk_scale(-1, k->inward), &k->sky,
@@ -141,10 +149,10 @@ static murk_status open_to_sky(murk_entry_faces *o, const murk_source *light,
     return status;
 }
 
-static void open_to_disc(murk_entry_faces *o)
+static void set_disc_power(murk_entry_faces *o)
 {
     for (size_t i = 0; i < o->n; ++i) {
-        opening *k = &o->opening[i];
+        entry_face *k = &o->entry_face[i];
         k->one_m2 = murk_length(murk_cross(k->edge1, k->edge2)) *
                     murk_disc_cosine(o->direction, o->disc, k->inward);
     }
@@ -154,13 +162,13 @@ static void add_up(murk_entry_faces *o)
 {
     size_t last = 0;
     for (size_t i = 0; i < o->n; ++i) {
-        o->area_m2 += o->opening[i].one_m2;
-        last = o->opening[i].one_m2 > 0 ? i : last;
+        o->area_m2 += o->entry_face[i].one_m2;
+        last = o->entry_face[i].one_m2 > 0 ? i : last;
     }
     double sum = 0;
     for (size_t i = 0; i < o->n; ++i) {
-        sum += o->opening[i].one_m2;
-        o->opening[i].end = i < last ? sum / o->area_m2 : 1;
+        sum += o->entry_face[i].one_m2;
+        o->entry_face[i].end = i < last ? sum / o->area_m2 : 1;
     }
 }
 
@@ -169,7 +177,7 @@ murk_status murk_entry_faces_create(murk_entry_faces **out,
                                     const murk_domain *domain, murk_error *err)
 {
     assert(murk_source_is_distant(light));
-    const size_t room = light->portals > FACES ? light->portals : FACES;
+    const size_t capacity = light->portals > FACES ? light->portals : FACES;
     murk_entry_faces *o = calloc(1, sizeof *o);
     if (o) {
         o->is_dome = murk_source_type_group(light->type) == MURK_SOURCE_DOME;
@@ -177,26 +185,27 @@ murk_status murk_entry_faces_create(murk_entry_faces **out,
         o->disc = tan(light->angular_radius_rad);
         o->box = domain->box;
         o->are_portals = light->portals > 0;
-        o->opening = calloc(room, sizeof *o->opening);
-        o->table = calloc(room + 1, sizeof *o->table);
-        o->outward = calloc(room + 1, sizeof *o->outward);
+        o->entry_face = calloc(capacity, sizeof *o->entry_face);
+        o->table = calloc(capacity + 1, sizeof *o->table);
+        o->outward = calloc(capacity + 1, sizeof *o->outward);
     }
-    if (!o || !o->opening || !o->table || !o->outward) {
+    if (!o || !o->entry_face || !o->table || !o->outward) {
         murk_entry_faces_destroy(o);
         return murk_fail(err, MURK_NO_MEMORY, light->where,
                          "no memory for a light");
     }
     o->at_once_m = AT_ONCE * murk_box_largest_coordinate(&o->box);
+    /* Positions and power of the faces, then the shares of power. */
     if (o->are_portals) {
-        lay_portals(o, light->portal, light->portals);
+        set_portals(o, light->portal, light->portals);
     } else {
-        lay_faces(o, domain->is_periodic);
+        set_box_faces(o, domain->is_periodic);
     }
     murk_status status = MURK_OK;
     if (o->is_dome) {
-        status = open_to_sky(o, light, err);
+        status = set_sky_power(o, light, err);
     } else {
-        open_to_disc(o);
+        set_disc_power(o);
     }
     if (status) {
         murk_entry_faces_destroy(o);
@@ -215,7 +224,7 @@ void murk_entry_faces_destroy(murk_entry_faces *entry_faces)
         }
         free(entry_faces->table);
         free(entry_faces->outward);
-        free(entry_faces->opening);
+        free(entry_faces->entry_face);
         free(entry_faces);
     }
 }
@@ -229,7 +238,7 @@ double murk_entry_faces_one_m2(const murk_entry_faces *entry_faces,
                                size_t which)
 {
     assert(which < entry_faces->n);
-    return entry_faces->opening[which].one_m2;
+    return entry_faces->entry_face[which].one_m2;
 }
 
 double murk_entry_faces_level(const murk_entry_faces *entry_faces)
@@ -239,13 +248,13 @@ double murk_entry_faces_level(const murk_entry_faces *entry_faces)
 
 /* ---- photons ---- */
 
-/* The first opening that ends beyond u. */
+/* Returns the first face with a cumulative share above u. */
 static size_t choose(const murk_entry_faces *o, double u)
 {
     size_t low = 0, high = o->n - 1;
     while (low < high) {
         const size_t middle = low + (high - low) / 2;
-        if (u < o->opening[middle].end) {
+        if (u < o->entry_face[middle].end) {
             high = middle;
         } else {
             low = middle + 1;
@@ -254,7 +263,7 @@ static size_t choose(const murk_entry_faces *o, double u)
     return low;
 }
 
-static bool is_on(const opening *k, murk_vec3 p)
+static bool is_on(const entry_face *k, murk_vec3 p)
 {
     const murk_vec3 from = murk_sub(p, k->corner);
     const double s = murk_dot(from, k->measure[0]);
@@ -262,13 +271,13 @@ static bool is_on(const opening *k, murk_vec3 p)
     return s >= 0 && s < 1 && t >= 0 && t < 1;
 }
 
-/* Whether the ray, which has place p on its own portal, passes another one
+/* True if the ray through point p of the portal `own` passes another portal
  * inward before it. */
 static bool passes_before(const murk_entry_faces *o, size_t own, murk_vec3 p,
                           murk_vec3 direction)
 {
     for (size_t i = 0; i < o->n; ++i) {
-        const opening *k = &o->opening[i];
+        const entry_face *k = &o->entry_face[i];
         const double cosine = murk_dot(direction, k->inward);
         if (i == own || !(cosine > 0)) {
             continue;
@@ -289,17 +298,17 @@ static double behind(double p, double d, double minimum, double maximum)
     return d > 0 ? (p - minimum) / d : d < 0 ? (p - maximum) / d : INFINITY;
 }
 
-/* Where a ray through p came into the box. */
+/* The point at which a ray through p entered the box. */
 static murk_vec3 entry(const murk_box *box, murk_vec3 p, murk_vec3 d)
 {
     const murk_vec3 a = box->min, b = box->max;
     const double x = behind(p.x, d.x, a.x, b.x), y = behind(p.y, d.y, a.y, b.y),
                  z = behind(p.z, d.z, a.z, b.z);
-    const double way = fmin(x, fmin(y, z));
-    murk_vec3 from = murk_along(p, -way, d);
-    if (z == way) {
+    const double back = fmin(x, fmin(y, z));
+    murk_vec3 from = murk_along(p, -back, d);
+    if (z == back) {
         from.z = d.z > 0 ? a.z : b.z;
-    } else if (y == way) {
+    } else if (y == back) {
         from.y = d.y > 0 ? a.y : b.y;
     } else {
         from.x = d.x > 0 ? a.x : b.x;
@@ -311,7 +320,7 @@ murk_ray murk_entry_faces_emit(const murk_entry_faces *o,
                                const double u[MURK_ENTRY_FACES_NUMBERS])
 {
     const size_t i = choose(o, u[0]);
-    const opening *k = &o->opening[i];
+    const entry_face *k = &o->entry_face[i];
     murk_ray ray = {.origin = murk_along(k->corner, u[1], k->edge1)};
     ray.origin = murk_along(ray.origin, u[2], k->edge2);
     ray.direction =

@@ -1,39 +1,43 @@
-/* What distant light enters by: the lit faces of the domain or, where the light
- * is aimed, portals. Private to this room.
+/* The entry faces of distant light: the lit faces of the domain or, if the
+ * light is aimed, portals. Private to this room.
  *
- * An opening takes its power, irradiance on its plane times its area; a photon
- * draws an opening by power, a place on it evenly, and a direction by radiance
- * times cosine there. So the rays through all openings together are dealt by
- * radiance alone, and a ray through several portals comes as often from each of
- * them: it is kept where it is drawn from the first. */
+ * The power of a face is the irradiance on the plane of the face times the
+ * area. A photon draws a face by power, a point of the face uniformly, and a
+ * direction by radiance times cosine. Together, the rays through all faces are
+ * therefore distributed by radiance alone. A ray through several portals is
+ * drawn with equal density from each of them, and is kept only if it is drawn
+ * from the first. */
 #ifndef MURK_SOURCE_ENTRY_FACES_H
 #define MURK_SOURCE_ENTRY_FACES_H
 
-#include "source/sources.h"
+#include "base/status.h"
+#include "source/source.h"
 
 typedef struct murk_entry_faces murk_entry_faces;
 
-/* The openings of a directional light or a dome that has been checked; the
- * light's direction is unit. Without portals, the faces of the domain. *out is
- * the caller's. Fails on what is wrong with portals or with the sky. */
+/* Creates the entry faces of a directional light or a dome that has been
+ * checked; the direction of the light is a unit vector. Without portals, the
+ * faces of the domain are used. The caller destroys *out. Fails if the sky has
+ * an invalid radiance, or without memory. */
 murk_status murk_entry_faces_create(murk_entry_faces **out,
                                     const murk_source *light,
                                     const murk_domain *domain, murk_error *err);
 void murk_entry_faces_destroy(murk_entry_faces *entry_faces); /* NULL is fine */
 
-/* Watts that enter for each W/m2 of the light's irradiance; 0: none. */
+/* The power that enters for an irradiance of 1 W/m2, through all faces and
+ * through one of them; 0: none. */
 double murk_entry_faces_area_m2(const murk_entry_faces *entry_faces);
 double murk_entry_faces_one_m2(const murk_entry_faces *entry_faces,
                                size_t which);
 
-/* Of a dome: the integral of its relative radiance times cosine that a level
- * plane sees. */
+/* The integral of the relative radiance of a dome times cosine on a level
+ * plane. */
 double murk_entry_faces_level(const murk_entry_faces *entry_faces);
 
-#define MURK_ENTRY_FACES_NUMBERS 8
+#define MURK_ENTRY_FACES_NUMBERS 8 /* two draws of four; 7 are used */
 
-/* A photon's start, on the domain's boundary, for uniform numbers. The area
- * must be above 0. */
+/* The start of a photon on the boundary of the domain, from uniform numbers.
+ * The area must be above 0. */
 murk_ray murk_entry_faces_emit(const murk_entry_faces *entry_faces,
                                const double u[MURK_ENTRY_FACES_NUMBERS]);
 

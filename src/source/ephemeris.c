@@ -1,3 +1,6 @@
+/* Converts geocentric positions of sun and moon to azimuth, elevation, distance
+ * and phase for an observer, with parallax and refraction
+ * (source/ephemeris.h). */
 #include "source/ephemeris.h"
 
 #include "base/vector.h"
@@ -6,8 +9,8 @@
 #include <assert.h>
 #include <stddef.h>
 
-#define DEG_PER_RAD     (180 / MURK_PI)
-#define SECONDS_PER_DAY 86400.0
+#define DEG_PER_RAD     (180 / MURK_PI) /* radians to degrees */
+#define SECONDS_PER_DAY 86400.0         /* of universal time */
 
 /* WGS 84 */
 #define EARTH_RADIUS_M   6378137.0
@@ -16,8 +19,8 @@
 #define SUN_RADIUS_M  695.99e6 /* 959.63 arc seconds at 1 au */
 #define MOON_RADIUS_M 1737.4e3 /* IAU mean radius */
 
-/* SPA's usual refraction at the horizon: a disc whose upper edge is lower than
- * this is not seen, and not raised either. */
+/* The refraction at the horizon in the SPA: a disc with the upper edge below
+ * this depression is invisible and not raised. */
 #define HORIZON_REFRACTION_DEG 0.5667
 
 typedef struct range {
@@ -59,26 +62,29 @@ static murk_status check(const murk_observer *observer, double julian_date_utc,
     return check_observer(observer, err);
 }
 
-/* The observer's sky: east, north and up in the frame of the true equator, and
- * where it is [m from the middle of the earth]. */
-typedef struct outlook {
+/* The sky of the observer: east, north and up in the frame of the true equator,
+ * and the position of the observer [m from the center of the earth]. */
+typedef struct local_sky {
     murk_vec3 east, north, up, place;
     double julian_date_tt;
-} outlook;
+} local_sky;
 
-static outlook outlook_of(const murk_observer *observer, double julian_date_utc)
+static local_sky local_sky_of(const murk_observer *observer,
+                              double julian_date_utc)
 {
-    outlook out;
+    local_sky out;
     out.julian_date_tt =
         julian_date_utc + murk_delta_t_s(julian_date_utc) / SECONDS_PER_DAY;
     const double turned =
         murk_sidereal_time_rad(julian_date_utc, out.julian_date_tt) +
         observer->longitude_deg / DEG_PER_RAD;
+    /* Unit vectors at the latitude and the local sidereal time. */
     const double latitude = observer->latitude_deg / DEG_PER_RAD;
     const double c = cos(latitude), s = sin(latitude);
     out.east = murk_vec(-sin(turned), cos(turned), 0);
     out.north = murk_vec(-s * cos(turned), -s * sin(turned), c);
     out.up = murk_vec(c * cos(turned), c * sin(turned), s);
+    /* The position on the ellipsoid. */
     const double flat = (1 - EARTH_FLATTENING) * (1 - EARTH_FLATTENING);
     const double curve = EARTH_RADIUS_M / sqrt(c * c + flat * s * s);
     const double across = (curve + observer->altitude_m) * c;
@@ -100,10 +106,11 @@ double murk_refraction_deg(double geometric_elevation_deg, double pressure_hpa,
            (60 * tan((e + 10.3 / (e + 5.11)) / DEG_PER_RAD));
 }
 
-static murk_body body_at(const outlook *sky, const murk_observer *observer,
+static murk_body body_at(const local_sky *sky, const murk_observer *observer,
                          murk_vec3 geocentric, double radius_m)
 {
     const murk_vec3 seen = murk_sub(geocentric, sky->place);
+    /* Direction, then size and refraction. */
     const double east = murk_dot(seen, sky->east);
     const double north = murk_dot(seen, sky->north);
     const double up = murk_dot(seen, sky->up);
@@ -134,7 +141,7 @@ murk_status murk_sun_at(murk_body *out, const murk_observer *observer,
     if (status) {
         return status;
     }
-    const outlook sky = outlook_of(observer, julian_date_utc);
+    const local_sky sky = local_sky_of(observer, julian_date_utc);
     *out = body_at(&sky, observer, murk_geocentric_sun_m(sky.julian_date_tt),
                    SUN_RADIUS_M);
     return MURK_OK;
@@ -148,10 +155,11 @@ murk_status murk_moon_at(murk_body *out, const murk_observer *observer,
     if (status) {
         return status;
     }
-    const outlook sky = outlook_of(observer, julian_date_utc);
+    const local_sky sky = local_sky_of(observer, julian_date_utc);
     const murk_vec3 moon = murk_geocentric_moon_m(sky.julian_date_tt);
     const murk_vec3 sun = murk_geocentric_sun_m(sky.julian_date_tt);
     *out = body_at(&sky, observer, moon, MOON_RADIUS_M);
+    /* Phase from the angle at the moon. */
     const murk_vec3 to_sun = murk_unit(murk_sub(sun, moon));
     const murk_vec3 to_observer = murk_unit(murk_sub(sky.place, moon));
     const double cosine = murk_dot(to_sun, to_observer);

@@ -1,3 +1,6 @@
+/* Computes geocentric positions with the theories of libnova and transforms
+ * them from the ecliptic of J2000 to the true equator of date: rotation by the
+ * obliquity, precession, nutation (source/geocentric.h). */
 #include "source/geocentric.h"
 
 #include <libnova/earth.h>
@@ -7,19 +10,21 @@
 #include <stdatomic.h>
 #include <stddef.h>
 
-#define J2000              2451545.0
-#define DAYS_PER_CENTURY   36525.0
-#define SECONDS_PER_DAY    86400.0
-#define ASTRONOMICAL_M     149597870700.0 /* IAU 2012 */
-#define LIGHT_M_PER_S      299792458.0
-#define RAD_PER_DEG        (MURK_PI / 180)
-#define RAD_PER_ARCSEC     (RAD_PER_DEG / 3600)
-#define OBLIQUITY_J2000    84381.448 /* arc seconds, IAU 1976 */
-#define MOON_USUAL_M       384400e3  /* good for its light time to .1 s */
-#define DAYS_WITHOUT_REUSE 100.0     /* libnova reuses nutation for .1 day */
+/* Epoch (Julian date of 2000-01-01 12:00 TT) and units. */
+#define J2000            2451545.0
+#define DAYS_PER_CENTURY 36525.0
+#define SECONDS_PER_DAY  86400.0
+#define ASTRONOMICAL_M   149597870700.0 /* IAU 2012 */
+#define LIGHT_M_PER_S    299792458.0
+#define RAD_PER_DEG      (MURK_PI / 180)
+#define RAD_PER_ARCSEC   (RAD_PER_DEG / 3600)
+#define OBLIQUITY_J2000  84381.448 /* arc seconds, IAU 1976 */
+/* exact enough for the light time, to .1 s */
+#define MOON_USUAL_M       384400e3
+#define DAYS_WITHOUT_REUSE 100.0 /* libnova reuses nutation for .1 day */
 
-/* libnova's variables are touched by one thread at a time. A call takes some
- * milliseconds at most, and set-up asks for a handful. */
+/* The lock for the variables of libnova. A call takes some milliseconds at
+ * most, and set-up makes a handful of calls. */
 static atomic_flag libnova_is_taken = ATOMIC_FLAG_INIT;
 
 static void take_libnova(void)
@@ -35,14 +40,15 @@ static void give_libnova(void)
 }
 
 typedef struct tilt {
-    double longitude, obliquity; /* what to add [rad] */
+    double longitude, obliquity; /* corrections [rad] */
 } tilt;
 
 static tilt nutation_at(double julian_date_tt)
 {
     struct ln_nutation found;
     take_libnova();
-    /* another day first, so that nothing remembered is taken for this one */
+    /* Evaluate another day first, so that libnova does not return a cached
+     * result for this day. */
     ln_get_nutation(julian_date_tt + DAYS_WITHOUT_REUSE, &found);
     ln_get_nutation(julian_date_tt, &found);
     give_libnova();
@@ -61,8 +67,8 @@ static double mean_obliquity_rad(double julian_date_tt)
            (OBLIQUITY_J2000 + t * (-46.8150 + t * (-0.00059 + t * 0.001813)));
 }
 
-/* The coordinates of v in axes turned by angle about x, right handed; likewise
- * about y and z below. */
+/* The coordinates of v in a frame that is rotated by `angle` about x,
+ * right-handed; likewise about y and z below. */
 static murk_vec3 turn_x(double angle, murk_vec3 v)
 {
     const double c = cos(angle), s = sin(angle);
@@ -81,7 +87,7 @@ static murk_vec3 turn_z(double angle, murk_vec3 v)
     return murk_vec(c * v.x + s * v.y, c * v.y - s * v.x, v.z);
 }
 
-/* From the mean equator of J2000 to the mean equator of date. */
+/* Transforms from the mean equator of J2000 to the mean equator of date. */
 static murk_vec3 precess(double julian_date_tt, murk_vec3 v)
 {
     const double t = centuries(julian_date_tt);
@@ -93,7 +99,7 @@ static murk_vec3 precess(double julian_date_tt, murk_vec3 v)
     return turn_z(-z * RAD_PER_ARCSEC, v);
 }
 
-/* From the ecliptic of J2000 to the true equator of date. */
+/* Transforms from the ecliptic of J2000 to the true equator of date. */
 static murk_vec3 to_true_equator(double julian_date_tt, murk_vec3 v)
 {
     const double mean = mean_obliquity_rad(julian_date_tt);
@@ -105,9 +111,9 @@ static murk_vec3 to_true_equator(double julian_date_tt, murk_vec3 v)
     return turn_x(-(mean + nutation.obliquity), v);
 }
 
-/* Light time and aberration together, to first order in the earth's speed: a
- * body is seen where it stood, as seen from where the earth stood, when its
- * light left. */
+/* The time when the light left a body at some distance. Light time and
+ * aberration together are corrected to first order in the speed of the earth:
+ * body and earth are both taken at the time when the light left. */
 static double when_left(double julian_date_tt, double distance_m)
 {
     return julian_date_tt - distance_m / LIGHT_M_PER_S / SECONDS_PER_DAY;
@@ -157,7 +163,7 @@ double murk_sidereal_time_rad(double julian_date_ut, double julian_date_tt)
                cos(murk_true_obliquity_rad(julian_date_tt));
 }
 
-/* sum of coefficient[i] t^i */
+/* The sum of coefficient[i] t^i. */
 static double polynomial(const double *coefficient, int n, double t)
 {
     double sum = 0;
@@ -169,6 +175,7 @@ static double polynomial(const double *coefficient, int n, double t)
 
 double murk_delta_t_s(double julian_date_ut)
 {
+    /* Polynomials of Espenak and Meeus, each valid before a year. */
     static const struct {
         double before, origin; /* years */
         double coefficient[6];
@@ -181,7 +188,8 @@ double murk_delta_t_s(double julian_date_ut)
          2000,
          {63.86, 0.3345, -0.060374, 0.0017275, 0.000651814, 0.00002373599}},
         {2050, 2000, {62.92, 0.32217, 0.005589}},
-        /* 32 ((y - 1820) / 100)^2 - 20 - .5628 (2150 - y), about 1820 */
+        /* 32 ((y - 1820) / 100)^2 - 20 - .5628 (2150 - y), expanded about
+         * 1820 */
         {HUGE_VAL, 1820, {-20 - 0.5628 * 330, 0.5628, 0.0032}},
     };
     const double year = 2000 + (julian_date_ut - 2451544.5) / 365.2425;

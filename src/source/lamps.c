@@ -1,33 +1,35 @@
-/* Lamps: light sources within the domain. One row of functions a type, at the
- * end of the file.
+/* Lamps: light sources within the domain. One row of functions for each type,
+ * at the end of the file.
  *
- * For each type: the check against the domain, the start of a photon for given
- * uniform numbers, and the light as a place receives it (shine) and sees it
- * (glare). Spheres and rectangles emit by Lambert's cosine law; a point is
- * isotropic; a beam is a disc of parallel rays, or spread evenly over the solid
- * angle of a cone. */
-#include "source/source_row.h"
+ * For each type: the check against the domain, the start of a photon from
+ * uniform numbers, a sampled direction from which the light reaches a point
+ * (shine), and the light along a line of sight (glare). Spheres and rectangles
+ * emit by Lambert's cosine law; a point is isotropic; a beam is a disc of
+ * parallel rays, or of rays spread evenly over the solid angle of a cone. For
+ * shine, flat lamps are sampled by area and spheres by the visible cone. */
+#include "source/source_state.h"
 
 #include <math.h>
 
-#define TWO_PI (2 * MURK_PI)
+#define TWO_PI (2 * MURK_PI) /* a full turn */
 
-/* Watts of a lamp. */
+/* The power of a lamp [W]. */
 static double power_of(const murk_source *light, int band)
 {
     return light->power_w.band[band];
 }
 
-/* From a point of the lamp to the place. */
+/* Sets direction and distance from a point of a lamp. Returns false if the
+ * distance is 0. */
 static bool come_from(murk_vec3 from, murk_vec3 place, murk_shine *shine)
 {
-    const murk_vec3 way = murk_sub(place, from);
-    shine->distance_m = murk_length(way);
-    shine->direction = murk_scale(1 / shine->distance_m, way);
+    const murk_vec3 to_place = murk_sub(place, from);
+    shine->distance_m = murk_length(to_place);
+    shine->direction = murk_scale(1 / shine->distance_m, to_place);
     return shine->distance_m > 0;
 }
 
-/* Of places drawn evenly on a flat lamp. */
+/* The density of directions from uniform points of a flat lamp. */
 static double sheet_per_sr(double area_m2, double distance_m, double cosine)
 {
     return distance_m * distance_m / (area_m2 * cosine);
@@ -86,10 +88,11 @@ static bool shine_sphere(const murk_source_state *s, int band, murk_vec3 place,
     const murk_vec3 to = murk_sub(l->position, place);
     const double d2 = murk_dot(to, to), r2 = l->radius_m * l->radius_m;
     if (!(d2 > r2)) {
-        return false; /* inside: it shines outwards */
+        return false; /* inside: a sphere emits outwards only */
     }
     const double sine2 = r2 / d2;
-    const double cone = sine2 / (1 + sqrt(1 - sine2)); /* 1 - cos */
+    /* 1 - cos of the half angle */
+    const double cone = sine2 / (1 + sqrt(1 - sine2));
     const double part = cone * u[0];
     const double distance = sqrt(d2);
     const murk_vec3 sight =
@@ -146,7 +149,7 @@ static murk_ray emit_rect(const murk_source_state *s,
                       .direction = cosine_law(s->normal, u[2], u[3])};
 }
 
-/* Radiance. */
+/* The radiance of a rect. */
 static double rect_brightness(const murk_source *l, int band)
 {
     const double area = murk_length(murk_cross(l->edge1, l->edge2));
@@ -179,7 +182,8 @@ static murk_glare rect_glare(const murk_source_state *s, int band,
     const murk_source *l = &s->light;
     const murk_portal sheet = {l->position, l->edge1, l->edge2};
     double ahead_m, cosine;
-    /* Its light has passed it, on the way to the place, where it shines to. */
+    /* The light has passed the rect on the path to the point, on the emitting
+     * side. */
     if (!murk_source_passes(&sheet, place, murk_scale(-1, sight), &ahead_m,
                             &cosine) ||
         !(ahead_m < 0)) {
@@ -215,15 +219,15 @@ static murk_vec3 rect_normal(const murk_source *l)
     return murk_unit(murk_cross(l->edge1, l->edge2));
 }
 
-static double rect_near(const murk_source *l, int band, murk_vec3 way,
+static double rect_near(const murk_source *l, int band, murk_vec3 to_lamp,
                         bool has_images)
 {
     const double extent = rect_extent(l);
-    const double square = fmax(murk_dot(way, way), extent * extent);
+    const double square = fmax(murk_dot(to_lamp, to_lamp), extent * extent);
     const murk_vec3 face = rect_normal(l);
-    const double before = -murk_dot(face, way);
-    /* behind its plane, where images lie in the same plane or the lamp has none
-     */
+    const double before = -murk_dot(face, to_lamp);
+    /* The point is behind the plane of the lamp. In a periodic domain an image
+     * may still light it, unless all images lie in the same plane. */
     if (!(before > 0) && (!has_images || fabs(face.z) == 1)) {
         return 0;
     }
@@ -234,7 +238,7 @@ static double rect_near(const murk_source *l, int band, murk_vec3 way,
 
 /* ---- beam ---- */
 
-/* 1 - cos(half angle), which keeps its digits in narrow beams. */
+/* 1 - cos(half angle), with full precision for narrow beams. */
 static double cone_of(const murk_source *beam)
 {
     const double s = sin(beam->divergence_rad / 2);
@@ -257,6 +261,7 @@ static murk_status prepare_beam(murk_source_state *s, murk_error *err)
     if (status) {
         return status;
     }
+    /* The disc must lie in the domain: half of the size along each axis. */
     s->cone = 2 * sin(half / 2) * sin(half / 2);
     const murk_vec3 d = l->direction;
     const murk_vec3 reach = {r * sqrt(d.y * d.y + d.z * d.z),
@@ -279,7 +284,7 @@ static murk_ray emit_beam(const murk_source_state *s,
         ray.origin = murk_along(ray.origin, rho * sin(phi), b);
     }
     if (s->cone > 0) {
-        /* By 1 - cos(angle), which keeps its digits in narrow beams. */
+        /* By 1 - cos(angle), which keeps full precision in narrow beams. */
         const double w = s->cone * u[2], phi = TWO_PI * u[3];
         const double side = sqrt(fmax(0, w * (2 - w)));
         murk_vec3 d = murk_scale(1 - w, l->direction);
@@ -295,15 +300,17 @@ static bool shine_beam(const murk_source_state *s, int band, murk_vec3 place,
     const murk_source *l = &s->light;
     const double cone = cone_of(l), r = l->radius_m;
     shine->face = l->direction;
+    /* A parallel beam: one direction, if the point is in the beam. */
     if (!(cone > 0)) {
-        const murk_vec3 way = murk_sub(place, l->position);
-        const double ahead = murk_dot(way, l->direction);
-        const murk_vec3 aside = murk_along(way, -ahead, l->direction);
+        const murk_vec3 to_place = murk_sub(place, l->position);
+        const double ahead = murk_dot(to_place, l->direction);
+        const murk_vec3 aside = murk_along(to_place, -ahead, l->direction);
         shine->direction = l->direction;
         shine->distance_m = ahead;
         shine->irradiance_w_per_m2 = power_of(l, band) / (MURK_PI * r * r);
         return r > 0 && ahead > 0 && murk_dot(aside, aside) < r * r;
     }
+    /* A divergent beam: sample the disc, uniformly. */
     murk_vec3 t, b, from = l->position;
     murk_frame(l->direction, &t, &b);
     const double rho = r * sqrt(u[0]), phi = TWO_PI * u[1];
@@ -322,7 +329,8 @@ static bool shine_beam(const murk_source_state *s, int band, murk_vec3 place,
     return 1 - murk_dot(shine->direction, l->direction) < cone;
 }
 
-/* Even over the cone's solid angle, so brighter aside. */
+/* The radiance of a beam: power is uniform over the solid angle of the cone, so
+ * the radiance grows with 1 / cosine. */
 static murk_glare beam_glare(const murk_source_state *s, int band,
                              murk_vec3 place, murk_vec3 sight)
 {
@@ -350,12 +358,12 @@ static bool beam_can_shine(const murk_source *l)
     return l->radius_m > 0 || l->divergence_rad > 0;
 }
 
-static double beam_near(const murk_source *l, int band, murk_vec3 way,
+static double beam_near(const murk_source *l, int band, murk_vec3 to_lamp,
                         bool has_images)
 {
     (void)has_images;
-    const double ahead = -murk_dot(l->direction, way);
-    const double aside2 = fmax(0, murk_dot(way, way) - ahead * ahead);
+    const double ahead = -murk_dot(l->direction, to_lamp);
+    const double aside2 = fmax(0, murk_dot(to_lamp, to_lamp) - ahead * ahead);
     const double radius =
         l->radius_m + fmax(0, ahead) * tan(fmin(1.5, l->divergence_rad));
     return ahead > 0 && aside2 < radius * radius && radius > 0

@@ -1,3 +1,6 @@
+/* The moonlight model of Krisciunas and Schaefer 1991 (source/moonlight.h).
+ * Diffuse illuminance is a sum over rings around the moon, which resolve the
+ * aureole. */
 #include "source/moonlight.h"
 
 #include "source/clear_sky.h"
@@ -6,25 +9,25 @@
 
 #include <math.h>
 
-#define PI              3.14159265358979323846
-#define LUX_A_FOOT      10.763910417 /* lux a foot-candle */
-#define MEAN_DISTANCE_M 384400e3
+#define PI              3.14159265358979323846 /* pi */
+#define LUX_A_FOOT      10.763910417           /* lux per foot-candle */
+#define MEAN_DISTANCE_M 384400e3               /* of the moon */
 
-/* Moon's disc: nearer to it than its radius there is no scattered light to
- * add up [degrees]. */
+/* The radius of the disc of the moon: scattered light closer to the center is
+ * not counted [degrees]. */
 #define DISC_DEG 0.26
 /* Within this angle of the moon the aureole follows another power law. */
 #define AUREOLE_DEG 10.0
 
-/* The sum over the sky: rings about the moon, in even steps of the logarithm
- * of their angle inside the aureole and in even steps outside, each of so many
- * places. Halving the steps changes the sum by .3 % at most. */
+/* The sum over the sky: rings around the moon, with equal steps of the
+ * logarithm of the angle inside the aureole and equal steps outside, each with
+ * PLACES points. Halving the steps changes the sum by .3 % at most. */
 #define INNER_RINGS 12
 #define OUTER_RINGS 34
 #define PLACES      36
 
-/* Molecules take .097 (exponential in height), ozone .027 of the light at
- * 550 nm in a vertical path through the whole atmosphere. */
+/* Optical depths at 550 nm of a vertical path through the whole atmosphere:
+ * molecules (exponential in height) and ozone; scale height of the pressure. */
 #define RAYLEIGH_DEPTH 0.0973
 #define OZONE_DEPTH    0.0274
 #define SCALE_HEIGHT_M 8434.5
@@ -57,7 +60,7 @@ double murk_visual_extinction(double linke_turbidity, double altitude_m)
            (RAYLEIGH_DEPTH * pressure + OZONE_DEPTH + fmax(aerosol, 0));
 }
 
-/* How much light goes by so large an angle: molecules, then aerosol. */
+/* The scattering function of the angle: molecules, then aerosol. */
 static double scattered(double separation_deg)
 {
     const double c = cos(radians(separation_deg));
@@ -67,8 +70,9 @@ static double scattered(double separation_deg)
     return pow(10, 5.36) * (1.06 + c * c) + aerosol;
 }
 
-/* What does not depend on where one looks: nanolamberts to cd/m2, the light
- * that arrives where it is scattered, and the moon's own twilight. */
+/* The factor that does not depend on the direction of the line of sight:
+ * nanolamberts to cd/m2, the light that arrives at the scattering air, and
+ * twilight by the moon. */
 static double strength(const murk_moon *moon, double extinction_mag)
 {
     const double up = fmax(moon->elevation_deg, 0);
@@ -80,7 +84,7 @@ static double strength(const murk_moon *moon, double extinction_mag)
            pow(10, -0.4 * extinction_mag * murk_sky_path(90 - up));
 }
 
-static double taken_up(double zenith_deg, double extinction_mag)
+static double scattered_share(double zenith_deg, double extinction_mag)
 {
     return 1 - pow(10, -0.4 * extinction_mag * murk_sky_path(zenith_deg));
 }
@@ -89,11 +93,11 @@ double murk_moonlit_sky(const murk_moon *moon, double zenith_deg,
                         double separation_deg, double extinction_mag)
 {
     return strength(moon, extinction_mag) * scattered(separation_deg) *
-           taken_up(zenith_deg, extinction_mag);
+           scattered_share(zenith_deg, extinction_mag);
 }
 
-/* Sum of luminance by the cosine of zenith distance over one ring about the
- * moon, for each radian of its width and unit of strength. */
+/* The sum of luminance times the cosine of the zenith distance over a ring
+ * around the moon, per radian of width and per unit of strength(). */
 static double ring(double rho_deg, double up_deg, double extinction_mag)
 {
     const double s = sin(radians(rho_deg));
@@ -105,7 +109,7 @@ static double ring(double rho_deg, double up_deg, double extinction_mag)
             c * sin(radians(up_deg)) + s * cos(radians(up_deg)) * cos(around);
         if (mu > 0) {
             const double zenith = acos(fmin(mu, 1)) * 180 / PI;
-            sum += mu * taken_up(zenith, extinction_mag);
+            sum += mu * scattered_share(zenith, extinction_mag);
         }
     }
     return sum * s * scattered(rho_deg) * 2 * PI / PLACES;

@@ -1,16 +1,19 @@
+/* Brightness and distribution of the night sky after Krisciunas and Schaefer
+ * 1991 (source/night_sky.h). */
 #include "source/night_sky.h"
 
 #include <math.h>
 
-#define PI 3.14159265358979323846
+#define PI 3.14159265358979323846 /* pi */
 
-/* Krisciunas and Schaefer's eq. 1: B = 34.08 exp(20.7233 - .92104 V) in
- * nanolamberts of 1e-5 / pi cd/m2 each. */
+/* Krisciunas and Schaefer, eq. 1: B = 34.08 exp(20.7233 - .92104 V) in
+ * nanolamberts, each 1e-5 / pi cd/m2. */
 #define MAGNITUDE_ZERO (34.08 * 1e-5 / PI)
 #define SCALE_LOG      20.7233
 #define SCALE_SLOPE    0.92104
 
-/* Midpoints in zenith distance: the pattern is smooth, the rest is 1e-4. */
+/* Midpoints in zenith distance: the pattern is smooth, and the error is
+ * 1e-4. */
 #define STEPS 90
 
 double murk_sky_luminance(double mag_per_arcsec2)
@@ -42,7 +45,8 @@ double murk_night_sky_lux(double mag_per_arcsec2, double extinction_mag)
     for (int i = 0; i < STEPS; ++i) {
         const double z = (i + 0.5) * step;
         sum += murk_night_sky_pattern(z, extinction_mag) *
-               sin(2 * z * PI / 180); /* 2 sin cos: solid angle and tilt */
+               sin(2 * z * PI / 180); /* sin(2 z) = 2 sin z cos z: solid angle
+                                       * and tilt */
     }
     return murk_sky_luminance(mag_per_arcsec2) * PI * sum * step * PI / 180;
 }

@@ -1,8 +1,9 @@
-/* Light as a place receives it: finds the row of the light's type and asks it.
- * The formulas are in lamps.c and distant.c. */
+/* Samples light sources from a point and evaluates them along a line of sight,
+ * through the row of functions of the type of the light. The formulas are in
+ * lamps.c and distant.c. */
 #include "source/shine.h"
 
-#include "source/source_row.h"
+#include "source/source_state.h"
 
 bool murk_source_passes(const murk_portal *portal, murk_vec3 place,
                         murk_vec3 travel, double *ahead_m, double *cosine)

@@ -1,3 +1,6 @@
+/* Builds spectra of sun and sky as piecewise linear functions, from the tables
+ * of ASTM G173, the model of Bird and Riordan (source/clear_spectrum.h) and a
+ * two-stream cloud, and integrates them over bands. */
 #include "source/solar_spectrum.h"
 
 #include "base/vector.h"
@@ -7,11 +10,13 @@
 
 #include <assert.h>
 
-#define RAD_PER_DEG         (MURK_PI / 180)
-#define SEA_LEVEL_HPA       1013.25
-#define G173_CONSTANT       1366.1 /* ASTM E490-00a [W/m2] */
-#define LOWEST_SUN_DEG      89.0   /* zenith angle */
-#define ANGSTROM            1.14
+#define RAD_PER_DEG    (MURK_PI / 180) /* degrees to radians */
+#define SEA_LEVEL_HPA  1013.25         /* ISO 2533 */
+#define G173_CONSTANT  1366.1          /* ASTM E490-00a [W/m2] */
+#define LOWEST_SUN_DEG 89.0            /* largest zenith angle */
+#define ANGSTROM       1.14            /* rural aerosol, Bird and Riordan 2-7 */
+/* The cloud (source/solar_spectrum.h): optical depth, radius and mean cosine of
+ * the droplets. */
 #define CLOUD_DEPTH         20.0
 #define DROPLET_RADIUS_M    10e-6
 #define DROPLET_COSINE      0.86
@@ -61,7 +66,8 @@ static void make_standard(murk_solar_spectrum *out, murk_spectrum_source source)
     }
 }
 
-/* Absorption index of water, by a power law between the table's rows. */
+/* The absorption index of water, by a power law between the rows of the
+ * table. */
 static double water_index(double nm)
 {
     size_t i = 0;
@@ -73,7 +79,7 @@ static double water_index(double nm)
     return a->k * pow(b->k / a->k, t);
 }
 
-/* What the cloud lets through of diffuse light. */
+/* The transmittance of the cloud for diffuse light (two-stream theory). */
 static double cloud_transmittance(double nm)
 {
     const double absorption_per_m = 4 * MURK_PI * water_index(nm) / (nm * 1e-9);
@@ -93,6 +99,7 @@ static void make_clear(murk_solar_spectrum *out, murk_spectrum_source source,
 {
     const double zenith = fmin(air->apparent_zenith_deg, LOWEST_SUN_DEG);
     const double cosine = cos(RAD_PER_DEG * zenith);
+    /* Compute the spectra, then add the requested one node by node. */
     const murk_clear_air clear = {
         .zenith_deg = zenith,
         .relative_airmass = murk_relative_airmass(zenith),
@@ -138,7 +145,7 @@ void murk_solar_spectrum_make(murk_solar_spectrum *out,
                      : out->up_to[out->nodes - 1];
 }
 
-/* The last node at or below nm, but never the very last one. */
+/* The last node at or below nm, except for the very last one. */
 static size_t node_below(const murk_solar_spectrum *spectrum, double nm)
 {
     size_t low = 0, high = spectrum->nodes - 1;
@@ -164,7 +171,7 @@ double murk_solar_spectrum_at(const void *spectrum, double wavelength_nm)
     return s->w_per_m2_nm[i] + t * (s->w_per_m2_nm[i + 1] - s->w_per_m2_nm[i]);
 }
 
-/* Integral from the first node to a wavelength. */
+/* The integral from the first node to a wavelength. */
 static double integral(const murk_solar_spectrum *s, double nm)
 {
     if (!(nm > s->nm[0])) {

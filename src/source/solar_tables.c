@@ -1,3 +1,5 @@
+/* The numbers of the tables in source/solar_tables.h, which states the sources
+ * and units of all columns. */
 #include "source/solar_tables.h"
 
 const murk_g173_cell murk_g173[MURK_G173_CELLS + 1] = {

@@ -1,37 +1,39 @@
-/* Spectra of the sun and what gases take of it, as numbers. Private to this
+/* Tables of solar spectra and of absorption by gases and water. Private to this
  * room. */
 #ifndef MURK_SOURCE_SOLAR_TABLES_H
 #define MURK_SOURCE_SOLAR_TABLES_H
 
-/* ASTM G173-03: means over the cells from from_nm to the next row's [W/m2/nm].
- * The last row ends the table. Extraterrestrial; at air mass 1.5 on a plane
- * tilted by 37 degrees; there of the sun and its aureole at right angles. Made
- * from the published spectra of .5 to 5 nm by the trapezoid rule. */
+/* ASTM G173-03: means over the cells from from_nm to the next row [W/m2/nm].
+ * The last row ends the table. Columns: extraterrestrial; at air mass 1.5 on a
+ * plane tilted by 37 degrees; at air mass 1.5 of the sun and the aureole at
+ * right angles. Made from the published spectra with steps of .5 to 5 nm by the
+ * trapezoid rule. */
 typedef struct murk_g173_cell {
     double from_nm, extraterrestrial, global, direct;
 } murk_g173_cell;
 
-#define MURK_G173_CELLS 131
+#define MURK_G173_CELLS 131 /* 280..4000 nm */
 extern const murk_g173_cell murk_g173[MURK_G173_CELLS + 1];
 
 /* Bird and Riordan, NREL/TR-215-2436 (1984), doi:10.2172/5986936: irradiance
  * outside of the atmosphere at 1 au [W/m2/nm], absorption by water vapour
- * [1/cm], ozone [1/atm cm] and gases that are mixed evenly. At second hand,
- * from pvlib-python. */
+ * [1/cm], by ozone [1/atm cm] and by uniformly mixed gases. From a secondary
+ * source, pvlib-python. */
 typedef struct murk_bird_line {
     double nm, outside, vapour, ozone, gases;
 } murk_bird_line;
 
-#define MURK_BIRD_LINES 122
+#define MURK_BIRD_LINES 122 /* 300..4000 nm */
 extern const murk_bird_line murk_bird[MURK_BIRD_LINES];
 
-/* Absorption index of liquid water: Hale and Querry, Appl. Opt. 12 (1973) 555,
- * doi:10.1364/AO.12.000555, at second hand from refractiveindex.info. */
+/* The absorption index of liquid water: Hale and Querry, Appl. Opt. 12 (1973)
+ * 555, doi:10.1364/AO.12.000555, from a secondary source,
+ * refractiveindex.info. */
 typedef struct murk_water_index {
     double nm, k;
 } murk_water_index;
 
-#define MURK_WATER_INDICES 35
+#define MURK_WATER_INDICES 35 /* 300..4000 nm */
 extern const murk_water_index murk_water[MURK_WATER_INDICES];
 
 #endif

@@ -1,21 +1,21 @@
-/* One light, checked: finds the row of its type and asks it. Holds the checks
- * that several types share. */
+/* Checks one light source against the domain, through the row of functions of
+ * the type of the light (source/source_state.h). Contains the checks that
+ * several types share. */
 #include "source/source_state.h"
 
 #include "base/position.h"
 
 #include <float.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "source/source_row.h"
-
-/* A lamp may touch the domain's faces: sums of coordinates there may be off by
- * a few roundings of the largest. */
+/* A lamp may touch the faces of the domain: sums of coordinates may be off
+ * there by a few roundings of the largest coordinate. */
 #define TOUCH_ROUNDINGS 4
 
-/* A cross product is off by some roundings of |a||b|: a shorter one says
- * nothing of where the rectangle faces. */
+/* The rounding error of a cross product is a few roundings of |a||b|: the
+ * orientation of a rectangle with a shorter cross product is undefined. */
 #define CROSS_ROUNDINGS 8
 
 /* The negated comparisons also refuse NaN. */
@@ -94,6 +94,8 @@ murk_status murk_source_check_sheet(const murk_portal *sheet,
                                     const char *where, murk_error *err)
 {
     const murk_vec3 e = sheet->edge1, f = sheet->edge2;
+    /* The edges must span an area. */
+    /* The edges must span an area. */
     const double minimum =
         CROSS_ROUNDINGS * DBL_EPSILON * murk_length(e) * murk_length(f);
     if (!(murk_length(murk_cross(e, f)) > minimum)) {
@@ -102,6 +104,8 @@ murk_status murk_source_check_sheet(const murk_portal *sheet,
                          "span no area, must not be zero or parallel",
                          what, e.x, e.y, e.z, f.x, f.y, f.z);
     }
+    /* All corners must lie in the domain. */
+    /* All corners must lie in the domain. */
     const murk_vec3 none = {0, 0, 0};
     char corner_of[64];
     snprintf(corner_of, sizeof corner_of, "%s corner", what);
@@ -139,18 +143,18 @@ void murk_source_state_release(murk_source_state *s)
     murk_entry_faces_destroy(s->entry_faces);
 }
 
-static double held(double x, double minimum, double maximum)
+static double clamp(double x, double minimum, double maximum)
 {
     return x < minimum ? minimum : x > maximum ? maximum : x;
 }
 
-/* A lamp that touches the domain's face must not, by rounding, start its
- * photons behind it. */
+/* Moves a start that lies outside by rounding, because a lamp may touch a face
+ * of the domain, back into the box. */
 static murk_vec3 inside(const murk_box *box, murk_vec3 p)
 {
-    return murk_vec(held(p.x, box->min.x, box->max.x),
-                    held(p.y, box->min.y, box->max.y),
-                    held(p.z, box->min.z, box->max.z));
+    return murk_vec(clamp(p.x, box->min.x, box->max.x),
+                    clamp(p.y, box->min.y, box->max.y),
+                    clamp(p.z, box->min.z, box->max.z));
 }
 
 murk_ray murk_source_state_emit(const murk_source_state *s,
@@ -181,16 +185,16 @@ murk_vec3 murk_source_face(const murk_source *light, murk_vec3 otherwise)
 }
 
 double murk_source_irradiance_near(const murk_source *lamp, int band,
-                                   murk_vec3 way, bool has_images)
+                                   murk_vec3 to_lamp, bool has_images)
 {
     const murk_source_row *row = murk_source_row_of(lamp);
     const double power = lamp->power_w.band[band];
     const double extent = row->extent_m(lamp);
-    const double square = fmax(murk_dot(way, way), extent * extent);
+    const double square = fmax(murk_dot(to_lamp, to_lamp), extent * extent);
     if (!(square > 0)) {
         return power;
     }
     return row->irradiance_near
-               ? row->irradiance_near(lamp, band, way, has_images)
+               ? row->irradiance_near(lamp, band, to_lamp, has_images)
                : power / (4 * MURK_PI * square);
 }

@@ -1,26 +1,30 @@
-/* One light, checked, and how its photons start. Private to this room. */
+/* One light source after checking, with quantities for emission, and the row of
+ * functions of each type of light source. Private to this room.
+ *
+ * The rows of lamps are in lamps.c, those of distant light in distant.c. */
 #ifndef MURK_SOURCE_SOURCE_STATE_H
 #define MURK_SOURCE_SOURCE_STATE_H
 
 #include "source/entry_faces.h"
 
 typedef struct murk_source_state {
-    murk_source light; /* direction made unit; `where` and `portal` are our
-                         copies */
+    murk_source light; /* direction normalised; `where` and `portal` are
+                        * copies */
     const murk_domain *domain;
     bool is_dark;       /* without power */
-    double power_scale; /* watts for each unit of power_w: the lit area in m2
-                           where that is an irradiance, else 1 */
-    murk_vec3 normal;   /* rect: where it shines to */
+    double power_scale; /* watts for each unit of power_w: the lit area in m2 if
+                         * power_w is an irradiance, else 1 */
+    murk_vec3 normal;   /* rect: unit normal of the emitting side */
     double cone;        /* beam: 1 - cos(half angle) */
     double face_end[3]; /* parallel light onto the domain: cumulative shares of
-                           the lit faces across x, y, z */
-    murk_entry_faces *entry_faces; /* owned: other distant light; else NULL */
+                         * the lit faces across x, y and z */
+    murk_entry_faces *entry_faces; /* owned: for other distant light; else
+                                    * NULL */
 } murk_source_state;
 
-/* Checks s->light against s->domain, both set by the caller, makes the light's
- * direction unit and fills the rest of *s, which must be zero. Also on failure:
- * murk_source_state_release(). */
+/* Checks s->light against s->domain, both set by the caller, normalises the
+ * direction and fills the rest of *s, which must be zero. The caller releases
+ * *s with murk_source_state_release(), also after a failure. */
 murk_status murk_source_state_prepare(murk_source_state *s, size_t bands,
                                       murk_error *err);
 
@@ -30,9 +34,72 @@ const murk_source_state *murk_sources_state(const murk_sources *lights,
 
 void murk_source_state_release(murk_source_state *s);
 
-/* A photon's start for uniform numbers, inside the domain's box. The first four
- * do where there are no openings. */
+/* The start of a photon inside the box of the domain, from uniform numbers.
+ * Without entry faces the first four are used. */
 murk_ray murk_source_state_emit(const murk_source_state *s,
                                 const double u[MURK_ENTRY_FACES_NUMBERS]);
+
+/* ---- one row of functions for each type ---- */
+
+typedef struct murk_source_row {
+    /* Checks s->light against s->domain and fills the rest of *s; for light
+     * that is given by irradiance also s->power_scale. */
+    murk_status (*prepare)(murk_source_state *s, murk_error *err);
+    /* The start of a photon. */
+    murk_ray (*emit)(const murk_source_state *s,
+                     const double u[MURK_ENTRY_FACES_NUMBERS]);
+    /* As murk_sources_shine(). *shine is {0} except for distance_m and per_sr,
+     * which are infinite. */
+    bool (*shine)(const murk_source_state *s, int band, murk_vec3 place,
+                  const double u[MURK_SHINE_NUMBERS], murk_shine *shine);
+    /* As murk_sources_glare(). NULL: the light is invisible. */
+    murk_glare (*glare)(const murk_source_state *s, int band, murk_vec3 place,
+                        murk_vec3 sight);
+    /* False for a light that cannot be sampled. NULL: true. */
+    bool (*can_shine)(const murk_source *light);
+    /* Lamps: the box around the lamp, and the largest distance from the center
+     * of the box. */
+    murk_box (*box)(const murk_source *light);
+    double (*extent_m)(const murk_source *light);
+    /* The center of the lamp. NULL: the position. */
+    murk_vec3 (*middle)(const murk_source *light);
+    /* Unit normal of a flat lamp. NULL: the lamp is not flat. */
+    murk_vec3 (*normal)(const murk_source *light);
+    /* Estimate for murk_source_irradiance_near(). NULL: that of a point. */
+    double (*irradiance_near)(const murk_source *light, int band,
+                              murk_vec3 to_lamp, bool has_images);
+} murk_source_row;
+
+/* Indexed by murk_source_type; NULL for the types of the other file. */
+extern const murk_source_row *const murk_source_lamp_rows[];
+
+/* The row of a light that is no lamp. */
+const murk_source_row *murk_source_distant_row(const murk_source *light);
+
+/* The row of any light. */
+const murk_source_row *murk_source_row_of(const murk_source *light);
+
+/* ---- checks that several types share ---- */
+
+/* Refuses a point that is not inside the domain with a margin of `reach` along
+ * each axis. */
+murk_status murk_source_check_inside(const murk_domain *domain, murk_vec3 p,
+                                     murk_vec3 reach, const char *what,
+                                     const char *where, murk_error *err);
+
+/* Checks the parallelogram of a lamp or a portal; what: "the lamp's". */
+murk_status murk_source_check_sheet(const murk_portal *sheet,
+                                    const murk_domain *domain, const char *what,
+                                    const char *where, murk_error *err);
+
+/* Normalises the direction of the light; refuses a direction of zero length. */
+murk_status murk_source_prepare_direction(murk_source_state *s,
+                                          murk_error *err);
+
+/* Intersects the line through the point `place` in the unit direction `travel`
+ * with a portal: distance ahead and cosine. Returns false if the line does not
+ * pass the portal inward. */
+bool murk_source_passes(const murk_portal *portal, murk_vec3 place,
+                        murk_vec3 travel, double *ahead_m, double *cosine);
 
 #endif

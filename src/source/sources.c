@@ -1,3 +1,6 @@
+/* The set of light sources of a scene: copies and checks the lights, computes
+ * the power of each channel, deals photons to channels (source/deal.h) and
+ * draws the start of each photon from numbers addressed by the photon index. */
 #include "source/sources.h"
 
 #include <assert.h>
@@ -7,7 +10,7 @@
 #include "base/position.h"
 #include "base/rng.h"
 #include "source/deal.h"
-#include "source/source_row.h"
+#include "source/source_state.h"
 
 struct murk_sources {
     murk_domain domain;
@@ -15,9 +18,9 @@ struct murk_sources {
     murk_source_state *sources; /* [n] */
     double *power_w;            /* [n * bands] */
     double all_power_w;
-    size_t n_lit;    /* channels that have power */
-    size_t *lit;     /* [n_lit] their channels */
-    uint64_t *limit; /* [n_lit] for source/deal.h */
+    size_t n_lit;    /* number of channels with power */
+    size_t *lit;     /* [n_lit] numbers of these channels */
+    uint64_t *limit; /* [n_lit] limits of source/deal.h */
 };
 
 static murk_status check_set(size_t n_lights, const murk_domain *domain,
@@ -39,7 +42,7 @@ static murk_status check_set(size_t n_lights, const murk_domain *domain,
     return MURK_OK;
 }
 
-/* Fills one source and its channels' power from one light. */
+/* Copies and prepares one light, and sets the powers of its channels. */
 static murk_status add(murk_sources *lights, size_t i, const murk_source *light,
                        murk_error *err)
 {
@@ -47,6 +50,7 @@ static murk_status add(murk_sources *lights, size_t i, const murk_source *light,
     const char *where = light->where ? light->where : "lights";
     const bool aimed = murk_source_is_distant(light) && light->portals > 0;
     const size_t portals = aimed ? light->portals : 0;
+    /* Copy everything that the light refers to. */
     char *copy = malloc(strlen(where) + 1);
     murk_portal *portal = malloc((portals + 1) * sizeof *portal);
     if (!copy || !portal) {
@@ -63,6 +67,7 @@ static murk_status add(murk_sources *lights, size_t i, const murk_source *light,
     s->light.portals = portals;
     lights->n = i + 1;
 
+    /* Check the light and convert power or irradiance to watts. */
     s->domain = &lights->domain;
     const murk_status status = murk_source_state_prepare(s, lights->bands, err);
     if (status) {
@@ -110,6 +115,7 @@ murk_status murk_sources_create(murk_sources **out, const murk_source *lights,
     if (status) {
         goto done;
     }
+    /* Memory for all lights and channels. */
     made = calloc(1, sizeof *made);
     if (made) {
         const size_t channels = n_lights * (size_t)bands;
@@ -126,6 +132,7 @@ murk_status murk_sources_create(murk_sources **out, const murk_source *lights,
                            "no memory for %zu lights", n_lights);
         goto done;
     }
+    /* Prepare each light, then the shares of the channels. */
     for (size_t i = 0; i < n_lights; ++i) {
         status = add(made, i, &lights[i], err);
         if (status) {
@@ -186,8 +193,9 @@ size_t murk_sources_channel_of(const murk_sources *lights, uint64_t photon)
 
 void murk_sources_deal(const murk_sources *lights, uint64_t n, uint64_t *count)
 {
-    /* Counts of the lit channels land at the front; the lit ones ascend, so
-     * going down from the last moves each to its channel without a copy. */
+    /* The counts of the channels with power are written to the front of the
+     * array. These channels are in ascending order, so moving them from the
+     * last to the first needs no copy. */
     murk_deal_count(lights->limit, lights->n_lit, n, count);
     size_t k = lights->n_lit;
     for (size_t c = murk_sources_channels(lights); c-- > 0;) {

@@ -1,15 +1,18 @@
+/* Evaluates the piecewise cubic polynomials of twilight (source/twilight.h),
+ * shifted linearly within each piece so that they join without a step. */
 #include "source/twilight.h"
 
 #include <math.h>
 #include <stddef.h>
 
 /* log10 of lux = c[0] + c[1] x + c[2] x^2 + c[3] x^3 with x = elevation / 90,
- * from `low` degrees up to the piece before. */
+ * from `low` degrees up to the previous piece. */
 typedef struct piece {
     double low;
     double c[4];
 } piece;
 
+/* U.S. Naval Observatory Circular 171. */
 static const piece pieces[] = {
     {-0.8, {2.88, 22.26, -207.64, 1034.30}},
     {-5, {2.88, 21.81, -258.11, -858.36}},
@@ -24,7 +27,7 @@ static double cubic(const piece *p, double elevation_deg)
     return p->c[0] + x * (p->c[1] + x * (p->c[2] + x * p->c[3]));
 }
 
-/* Half of what piece k lacks to its neighbour at their common end. */
+/* Half of the difference between a neighbour and piece k at the common end. */
 static double half_gap(size_t k, size_t neighbour, double at_deg)
 {
     return (cubic(&pieces[neighbour], at_deg) - cubic(&pieces[k], at_deg)) / 2;

@@ -1,28 +1,29 @@
-/* Light of the clear sky while the sun is below the horizon.
+/* Illuminance by the clear sky while the sun is below the horizon.
  *
- * Falls from 750 lux at sunset through 3.4 lux (sun 6 degrees down: civil
- * twilight ends) and 8e-3 lux (12 degrees, nautical) to nothing at 18 degrees
- * (astronomical). What the night itself gives (source/night_sky.h) comes on
- * top: the law's own rest at 18 degrees, 6e-4 lux, is taken off.
+ * It falls from 750 lux at sunset through 3.4 lux (sun 6 degrees below the
+ * horizon: end of civil twilight) and 8e-3 lux (12 degrees, nautical) to 0 at
+ * 18 degrees (astronomical). Light of the night sky (source/night_sky.h) is
+ * added by the caller: the value of the polynomials at 18 degrees, 6e-4 lux, is
+ * subtracted here.
  *
- * Source: cubic polynomials in the sun's elevation for the logarithm of the
- * illuminance of a horizontal surface, stated error 2 %: P. M. Janiczek and
- * J. A. DeYoung, U.S. Naval Observatory Circular 171 (1987), also in
- * P. K. Seidelmann (ed.), Explanatory Supplement to the Astronomical Almanac
- * (1992); the coefficients at second hand, from three programs that agree
- * (E. O. Ofek's sunlight.m, D. A. Vallado's sunill). Where two polynomials
- * meet they differ by up to 1.2 %; half of that is given to each, so that
- * there is no step. */
+ * Source: cubic polynomials in the elevation of the sun for the logarithm of
+ * the illuminance of a horizontal surface, stated error 2 %: P. M. Janiczek and
+ * J. A. DeYoung, U.S. Naval Observatory Circular 171 (1987), also in P. K.
+ * Seidelmann (ed.), Explanatory Supplement to the Astronomical Almanac (1992).
+ * The coefficients are from secondary sources, three programs that agree (E. O.
+ * Ofek's sunlight.m, D. A. Vallado's sunill). Adjacent polynomials differ by up
+ * to 1.2 % at the common end; each is shifted by half of the difference, so
+ * that there is no step. */
 #ifndef MURK_SOURCE_TWILIGHT_H
 #define MURK_SOURCE_TWILIGHT_H
 
 /* Below this elevation [degrees] the sun gives no light. */
 #define MURK_TWILIGHT_END_DEG (-18.0)
 
-/* Illuminance [lux] of a horizontal plane by the sky. sun_elevation_deg is
- * geometric (without refraction), of the sun's middle. Above 0 it stays what
- * it is at 0: the sky of sunrise is the larger of this and the clear sky's
- * diffuse light, which begins at nothing. */
+/* The illuminance [lux] of a horizontal plane by the sky. sun_elevation_deg is
+ * the geometric elevation (without refraction) of the center of the sun. Above
+ * 0 the value at 0 is returned: callers take the larger of this and the diffuse
+ * light of the clear-sky model, which is 0 at sunrise. */
 double murk_twilight_lux(double sun_elevation_deg);
 
 #endif

@@ -1,0 +1,103 @@
+/* The description of one light source, and the records in which light is
+ * sampled: the start of a photon, and light that arrives at a point. */
+#ifndef MURK_SOURCE_SOURCE_H
+#define MURK_SOURCE_SOURCE_H
+
+#include "base/bands.h"
+#include "base/source_type.h"
+#include "base/vector.h"
+#include "source/dome.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* Of one light: bounds the search for the first portal. */
+#define MURK_PORTALS_MAX 256
+
+/* The largest angular radius of a distant source: up to this radius the
+ * radiance over the disc is constant within 2 % (source/disc.h). */
+#define MURK_DISC_RAD_MAX 0.1
+
+/* A portal, such as a window: a parallelogram through which distant light
+ * passes towards edge1 x edge2. */
+typedef struct murk_portal {
+    murk_vec3 corner, edge1, edge2;
+} murk_portal;
+
+typedef struct murk_source {
+    murk_source_type type;
+    murk_vec3 position;     /* center of a sphere, corner of a rect, the point,
+                             * origin of a beam */
+    murk_vec3 edge1, edge2; /* rect */
+    murk_vec3 direction;    /* beam, directional: direction of travel, any
+                             * length */
+    double radius_m;        /* sphere, beam */
+    double divergence_rad;  /* beam: half angle of the cone */
+    double angular_radius_rad; /* directional: angular radius of the source; 0:
+                                * parallel rays */
+    murk_dome dome;            /* dome: the distribution of radiance */
+    const murk_portal *portal; /* directional, dome: [portals], at which the
+                                * light is aimed */
+    size_t portals;            /* 0: the light is aimed at the domain */
+    murk_spectrum power_w; /* per band. Directional: irradiance [W/m2] at right
+                            * angles to the beam; dome: on a level plane; both
+                            * at the boundary of the domain */
+    const char *where;
+} murk_source;
+
+/* True for light from outside the domain: photons start on the boundary of the
+ * domain. */
+static inline bool murk_source_is_distant(const murk_source *light)
+{
+    return murk_source_type_group(light->type) != MURK_SOURCE_LAMP;
+}
+
+/* The smallest box around a lamp; empty for distant light. */
+murk_box murk_source_box(const murk_source *light);
+
+/* The largest distance of a point of a lamp from the center of the lamp [m]. */
+double murk_source_extent_m(const murk_source *lamp);
+
+/* The unit normal of a flat lamp, or `otherwise`. */
+murk_vec3 murk_source_face(const murk_source *light, murk_vec3 otherwise);
+
+/* Estimate of the irradiance [W/m2] that a lamp gives at a point in clear air
+ * with an open view. to_lamp: from the point to the center of the lamp.
+ * has_images: the domain is periodic, and the estimate also stands for the
+ * periodic images. */
+double murk_source_irradiance_near(const murk_source *lamp, int band,
+                                   murk_vec3 to_lamp, bool has_images);
+
+/* The start of a photon. */
+typedef struct murk_ray {
+    murk_vec3 origin, direction;
+    bool is_spent; /* drawn from a portal that is not the first on the ray: the
+                    * photon ends where it starts */
+} murk_ray;
+
+#define MURK_SHINE_NUMBERS 3 /* a point, and the number of a portal */
+
+/* Light that arrives at a point from one direction. */
+typedef struct murk_shine {
+    murk_vec3 direction; /* unit direction of travel */
+    double distance_m; /* back to the lamp; INFINITY: from outside the domain */
+    murk_vec3 face;    /* lamps: unit normal of the emitting face at the
+                        * start */
+    double irradiance_w_per_m2; /* on a plane at right angles to the
+                                 * direction */
+    double per_sr; /* density of directions that are drawn like this one;
+                    * INFINITY: only one direction is possible */
+} murk_shine;
+
+/* A light source seen along a line of sight. */
+typedef struct murk_glare {
+    double radiance;   /* [W/m2/sr]; 0: none */
+    double distance_m; /* INFINITY: outside the domain */
+    double per_sr;     /* density with which murk_sources_shine() draws this
+                        * direction */
+} murk_glare;
+
+/* The light sources of a scene (source/sources.h). */
+typedef struct murk_sources murk_sources;
+
+#endif
