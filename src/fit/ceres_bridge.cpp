@@ -1,3 +1,7 @@
+// Minimises with the Levenberg-Marquardt method of Ceres, and factorises
+// matrices with Eigen, behind a C interface (fit/ceres_bridge.h). Ceres sees
+// each row as a residual block of its own, so that the loss acts on each row,
+// while all rows are evaluated by one call.
 extern "C" {
 #include "fit/ceres_bridge.h"
 }
@@ -22,14 +26,16 @@ namespace
 using Matrix =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/* With a shorter step each time, so many give up: the trust region has then
- * shrunk by 2^-(1 + 2 + .. + 16). */
+// The number of invalid steps in succession after which Ceres gives up. Each is
+// shorter than the one before: the trust region has then shrunk by 2^-(1 + 2 +
+// .. + 16).
 const int INVALID_STEPS_MAX = 16;
 
-/* Relative to x, and absolute to its square where x is 0. */
+// A step that is shorter than this, relative to x (absolute to the square of
+// this if x is 0), ends the search.
 const double SHORT_STEP = 1e-12;
 
-/* All rows at one place: filled once, then read row by row. */
+// All rows at one parameter vector: evaluated once, then read row by row.
 class AllRows final : public ceres::EvaluationCallback
 {
   public:
@@ -55,7 +61,7 @@ class AllRows final : public ceres::EvaluationCallback
                                with_jacobian ? jacobian_.data() : nullptr);
     }
 
-    /* The free parameters, which is what Ceres sees. */
+    // The free parameters, the only ones that Ceres sees.
     std::vector<double> &block()
     {
         return block_;
@@ -66,7 +72,7 @@ class AllRows final : public ceres::EvaluationCallback
         return free_;
     }
 
-    /* All parameters, at what is in the block. */
+    // All parameters, with the free ones from the block.
     const double *fill_x()
     {
         for (size_t i = 0; i < free_.size(); ++i) {
@@ -96,7 +102,7 @@ class AllRows final : public ceres::EvaluationCallback
     bool is_good_ = false;
 };
 
-/* A block to itself, so that the loss acts on each row. */
+// One residual block for one row, so that the loss acts on each row.
 class Row final : public ceres::CostFunction
 {
   public:
@@ -143,8 +149,8 @@ class Watch final : public ceres::IterationCallback
     const murk_least_squares &problem_;
 };
 
-/* Ceres and glog would write to stderr. Once for the process: the level is a
- * plain global, not to be turned while other threads solve. */
+// Silences Ceres and glog, which would write to stderr. Once in a process: the
+// level is a global variable that must not change while other threads solve.
 void silence()
 {
     static const bool is_silent = [] {
@@ -199,9 +205,9 @@ ceres::Solver::Options options_for(const murk_least_squares &p, Watch &watch)
     options.max_num_consecutive_invalid_steps = INVALID_STEPS_MAX;
     options.function_tolerance = p.tolerance;
     options.parameter_tolerance = SHORT_STEP;
-    /* absolute, and so without a meaning for any unit but 0 */
+    // The gradient tolerance is absolute: only 0 is meaningful for every unit.
     options.gradient_tolerance = 0;
-    options.update_state_every_iteration = true; /* for the watch */
+    options.update_state_every_iteration = true; /* for the callback `watch` */
     options.callbacks.push_back(&watch);
     return options;
 }
@@ -213,8 +219,9 @@ void minimise(murk_ceres_found *found, double *x, const bool *is_held,
     AllRows all(x, is_held, p);
     Watch watch(all, p);
     const std::unique_ptr<ceres::LossFunction> loss = make_loss(p);
-    std::deque<Row> rows; /* whose places stay */
+    std::deque<Row> rows; /* a deque, because Ceres keeps the addresses */
 
+    // One block for each row; this function owns everything.
     ceres::Problem::Options ownership;
     ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
     ownership.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
@@ -228,6 +235,7 @@ void minimise(murk_ceres_found *found, double *x, const bool *is_held,
     ceres::Solver::Summary summary;
     ceres::Solve(options_for(p, watch), &problem, &summary);
 
+    // Translate the outcome.
     found->end = end_of(summary);
     found->iterations =
         std::max(0, static_cast<int>(summary.iterations.size()) - 1);

@@ -1,3 +1,6 @@
+/* Standard errors and confounded directions from the singular value
+ * decomposition of the scaled Jacobian (fit/certainty.h). Singular values are
+ * used instead of J^T J, which would lose half of the digits. */
 #include "fit/certainty.h"
 
 #include "fit/ceres_bridge.h"
@@ -7,18 +10,20 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Where nothing depends on a direction, rounding may still give it so much of a
- * parameter that has no part in it; a parameter with no more is called free of
- * it. Overlooked is then what moves a parameter by less than this share of its
- * scale where the direction's others move by all of theirs. */
+/* If the data do not depend on a direction, rounding may give a parameter that
+ * is not part of the direction a component of this size. Components up to this
+ * size are ignored. A true component is then overlooked only if it moves the
+ * parameter by less than this share of its scale. */
 #define SHARE_MIN 1.5e-8 /* sqrt(DBL_EPSILON), rounded up */
 
-/* No parameter goes further than that many of its scales: logarithms end at
- * factors of 1e9 (some 21 scales). So much, and not more, of what has no end
- * enters what has a small share in it. */
+/* The largest error of a direction, in scales: no parameter moves further,
+ * because logarithms end at factors of 1e9 (some 21 scales). An undetermined
+ * direction enters the variance of a parameter with a small component by this
+ * error, not by an infinite one. */
 #define SCALES_MAX 1e3
 
-/* The free parameters' columns, in units of their scales. */
+/* The columns of the Jacobian of the free parameters, in units of the
+ * scales. */
 typedef struct scaled {
     size_t n, rows;
     size_t *parameter; /* [n] */
@@ -35,6 +40,7 @@ static murk_status check(const double *jacobian, size_t rows, size_t n,
         return murk_fail(err, MURK_BAD_VALUE, "fit",
                          "undetermined is %g, must be above 0", undetermined);
     }
+    /* Scales first, then the slopes of each parameter. */
     for (size_t j = 0; j < n; ++j) {
         if (!(scale[j] > 0 && isfinite(scale[j]))) {
             return murk_fail(err, MURK_BAD_VALUE, "fit",
@@ -67,6 +73,7 @@ static murk_status scaled_create(scaled *s, const double *jacobian, size_t rows,
                                  size_t n, const bool *is_fixed,
                                  const double *scale, murk_error *err)
 {
+    /* Select the free parameters and scale their columns. */
     s->rows = rows;
     s->parameter = calloc(n, sizeof *s->parameter);
     s->jacobian = calloc(rows * n, sizeof *s->jacobian);
@@ -92,7 +99,7 @@ static murk_status scaled_create(scaled *s, const double *jacobian, size_t rows,
                 : MURK_OK;
 }
 
-/* Singular values below this are rounding's. */
+/* Singular values below this are rounding errors. */
 static double rounding(const scaled *s)
 {
     const size_t size = s->rows > s->n ? s->rows : s->n;
@@ -115,7 +122,8 @@ static void read_directions(murk_certainty *out, const scaled *s,
     }
 }
 
-/* In scaled parameters; a direction without end counts as SCALES_MAX. */
+/* The covariance of scaled parameters, with the error of each direction cut at
+ * SCALES_MAX. */
 static double covariance_of(const murk_certainty *c, size_t i, size_t j)
 {
     double sum = 0;
@@ -141,6 +149,7 @@ static void read_errors(murk_certainty *out, const bool *is_fixed,
         out->standard_error[j] =
             is_free && error <= undetermined ? error * scale[j] : NAN;
     }
+    /* Covariance and correlation of the parameters that have an error. */
     for (size_t i = 0; i < n; ++i) {
         for (size_t j = 0; j <= i; ++j) {
             const double a = out->standard_error[i], b = out->standard_error[j];
@@ -173,6 +182,7 @@ murk_status murk_certainty_create(murk_certainty *out, const double *jacobian,
     if (status) {
         goto done;
     }
+    /* Memory for the results, then directions and errors. */
     c.covariance = calloc(n * n, sizeof *c.covariance);
     c.correlation = calloc(n * n, sizeof *c.correlation);
     c.standard_error = calloc(n, sizeof *c.standard_error);

@@ -1,16 +1,18 @@
-/* Ceres does the steps; here is what it leaves to its caller.
+/* Bounded minimisation by unbounded runs of Ceres.
  *
- * Its own bounds project each step of the unbounded problem, so what leans
- * against a bound keeps its part in every step: with correlated parameters it
- * zigzags (of the problems of tests/unit/fit/test_bounds.c, one in fifteen
- * is not solved in 100 iterations). So Ceres knows of no bounds. It is given
- * the residuals at the nearest place within them, which do not depend on a
- * parameter that has gone beyond; that one is then out of all steps. When
- * nothing more moves, a new pass begins at the place reached: what presses
- * against a bound by its gradient is held, the rest is free again, until a pass
- * changes neither that set nor the cost (Bertsekas, SIAM J. Control Optim. 20
- * (1982) 221, doi:10.1137/0320018). It begins with a fresh trust region, so
- * that steps that were shortened on the way do not pass for an end either. */
+ * Ceres enforces bounds by projecting each step of the unbounded problem. A
+ * parameter that presses against a bound then still receives a component of
+ * every step, and with correlated parameters the search zigzags (one in fifteen
+ * of the problems of tests/unit/fit/test_bounds.c is not solved in 100
+ * iterations). Therefore Ceres is not told about bounds. It receives the
+ * residuals at the nearest point within the bounds, which do not depend on a
+ * parameter that is beyond a bound, so that this parameter drops out of all
+ * steps. When a run of Ceres converges, a new pass begins at the point reached:
+ * parameters whose gradient presses them against a bound are held, all others
+ * are free again, until a pass changes neither the set of held parameters nor
+ * the cost (Bertsekas, SIAM J. Control Optim. 20 (1982) 221,
+ * doi:10.1137/0320018). Each pass begins with a new trust region, so that steps
+ * that had become short are not mistaken for convergence. */
 #include "fit/least_squares.h"
 
 #include "base/c_locale.h"
@@ -23,13 +25,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define ITERATIONS_DEFAULT 100
-#define TOLERANCE_DEFAULT  1e-10
+#define ITERATIONS_DEFAULT 100   /* unless the caller sets a limit */
+#define TOLERANCE_DEFAULT  1e-10 /* far below a change of chi-squared by 1 */
 
-/* Sets of held parameters could alternate at the same cost. */
+/* The largest number of passes: sets of held parameters could alternate at the
+ * same cost. */
 #define PASSES_MAX 100
 
-/* What the caller's callback said about one x. */
+/* The result of the callback of the caller at one x. */
 typedef struct place {
     double *x, *residual, *jacobian;
     bool has_residual, has_jacobian;
@@ -37,18 +40,18 @@ typedef struct place {
 
 typedef struct search {
     const murk_least_squares *problem;
-    bool *is_held;     /* [n] in this pass */
-    double *within;    /* [n] where Ceres is, brought within bounds */
-    place best, other; /* two are remembered, so that each costs one call */
-    double *start;     /* [n] of a pass */
-    double *gradient;  /* [n] at the best */
-    double cost;       /* of the best */
-    bool is_refused;   /* the latest step had no residuals */
+    bool *is_held;     /* [n] parameters that are held in this pass */
+    double *within;    /* [n] point of Ceres, moved within the bounds */
+    place best, other; /* two points are stored, so that each needs one call */
+    double *start;     /* [n] start of a pass */
+    double *gradient;  /* [n] gradient at the best point */
+    double cost;       /* cost of the best point */
+    bool is_refused;   /* the last step had no residuals */
     int evaluations;
-    int iterations, iterations_before; /* in all; before this pass */
+    int iterations, iterations_before; /* in total; before this pass */
 } search;
 
-/* Cost and gradient at the best place, where all is known. */
+/* Computes cost and gradient at the best point. */
 static void read_best(search *s)
 {
     const size_t n = s->problem->n;
@@ -66,7 +69,7 @@ static void read_best(search *s)
     s->cost = sum / 2;
 }
 
-/* The other place is the best from here on. */
+/* Makes the other point the best one. */
 static void take_other(search *s)
 {
     const place best = s->other;
@@ -75,7 +78,8 @@ static void take_other(search *s)
     read_best(s);
 }
 
-/* Squares must add up, too: Ceres gives up on what is not finite. */
+/* True if the sum of squares is finite, too: Ceres fails on values that are
+ * not. */
 static bool is_summable(const double *x, size_t n)
 {
     double sum = 0;
@@ -92,12 +96,13 @@ static bool knows(const place *at, const double *x, size_t n,
            memcmp(x, at->x, n * sizeof *x) == 0;
 }
 
-/* The caller's answer at x, remembered or new; NULL where there is none. */
+/* The result of the caller at x, stored or new; NULL if there is none. */
 static const place *evaluate(search *s, const double *x, bool with_jacobian)
 {
     const murk_least_squares *p = s->problem;
     if (knows(&s->best, x, p->n, with_jacobian)) {
-        return &s->best; /* also where a step has become too short to leave */
+        return &s->best; /* also if a step has become too short to leave the
+                          * best point */
     }
     place *at = &s->other;
     if (knows(at, x, p->n, with_jacobian)) {
@@ -148,7 +153,7 @@ static bool answer_residuals(void *context, const double *x, double *residual,
     return true;
 }
 
-static bool tell(const search *s, bool is_successful)
+static bool report(const search *s, bool is_successful)
 {
     const murk_least_squares *p = s->problem;
     const murk_least_squares_step step = {s->iterations, is_successful, s->cost,
@@ -156,23 +161,25 @@ static bool tell(const search *s, bool is_successful)
     return !p->watch || p->watch(p->context, &step);
 }
 
-/* A successful step is told when residuals and Jacobian there are known. */
+/* Reports a step. A successful step is reported when residuals and Jacobian at
+ * the new point are known. */
 static bool answer_watch(void *context, const murk_least_squares_step *step)
 {
     search *s = context;
     if (step->iteration == 0) {
-        return true; /* told when the pass before ended there */
+        return true; /* reported at the end of the previous pass */
     }
     s->iterations = s->iterations_before + step->iteration;
     if (step->is_successful &&
         knows(&s->other, bring_within(s, step->x), s->problem->n, true)) {
         take_other(s);
     }
-    return tell(s, step->is_successful);
+    return report(s, step->is_successful);
 }
 
-/* Holds in the next pass what is fixed, and what presses against a bound.
- * Returns how many are left; *has_changed: other ones than before. */
+/* Selects the parameters that are held in the next pass: fixed ones, and those
+ * that the gradient presses against a bound. Returns the number of free
+ * parameters; *has_changed: the set differs from the previous one. */
 static size_t hold(search *s, bool *has_changed)
 {
     const murk_least_squares *p = s->problem;
@@ -190,7 +197,7 @@ static size_t hold(search *s, bool *has_changed)
     return left;
 }
 
-/* One line: ours, and what Ceres says. */
+/* Sets the reason in one line: our own words and the message of Ceres. */
 static void say(murk_least_squares_found *found, murk_least_squares_end end,
                 const char *ours, const char *ceres)
 {
@@ -199,7 +206,8 @@ static void say(murk_least_squares_found *found, murk_least_squares_end end,
                    ceres[0] ? " (Ceres: " : "", ceres, ceres[0] ? ")" : "");
 }
 
-/* Says how a pass ended; whether a further one is of use. */
+/* Sets the reason why a pass ended. Returns true if a further pass is
+ * useful. */
 static bool goes_on(murk_least_squares_found *found, const search *s,
                     const murk_ceres_found *pass)
 {
@@ -212,7 +220,7 @@ static bool goes_on(murk_least_squares_found *found, const search *s,
         say(found, MURK_LEAST_SQUARES_ITERATIONS, "out of iterations", ceres);
         return false;
     }
-    if (s->is_refused) { /* steps may have become short for that alone */
+    if (s->is_refused) { /* steps may have become short because of that */
         say(found, MURK_LEAST_SQUARES_FAILED,
             "where the search goes there are no finite residuals", ceres);
         return false;
@@ -229,7 +237,7 @@ static bool goes_on(murk_least_squares_found *found, const search *s,
     return true;
 }
 
-/* From a best place that is known to a better one. */
+/* Improves the best point, which is known, pass by pass. */
 static murk_status search_on(murk_least_squares_found *found, search *s,
                              murk_error *err)
 {
@@ -243,6 +251,7 @@ static murk_status search_on(murk_least_squares_found *found, search *s,
     double *x = s->start;
     double before = INFINITY;
     for (int pass = 0; pass < PASSES_MAX; ++pass) {
+        /* Stop if nothing is left to improve. */
         bool has_changed;
         const size_t left = hold(s, &has_changed);
         if (left == 0) {
@@ -257,13 +266,14 @@ static murk_status search_on(murk_least_squares_found *found, search *s,
             say(found, MURK_LEAST_SQUARES_ITERATIONS, "out of iterations", "");
             return MURK_OK;
         }
+        /* Run Ceres from the best point with the free parameters. */
         before = s->cost;
         s->iterations_before = s->iterations;
         run.iterations_max = limit - s->iterations;
         s->is_refused = false;
         memcpy(x, s->best.x, run.n * sizeof *x);
         murk_ceres_found of_pass;
-        void *locale = murk_c_locale_enter(); /* Ceres prints numbers, too */
+        void *locale = murk_c_locale_enter(); /* Ceres prints numbers */
         const murk_status status =
             murk_ceres_minimise(&of_pass, x, s->is_held, &run, err);
         murk_c_locale_leave(locale);
@@ -288,6 +298,7 @@ static murk_status check(const double *x, const murk_least_squares *p,
                          "each and at most %d numbers together",
                          p->rows, p->n, INT_MAX);
     }
+    /* Bounds and start of each parameter. */
     for (size_t j = 0; j < p->n; ++j) {
         if (!(p->lower[j] <= p->upper[j])) {
             return murk_fail(err, MURK_BAD_VALUE, "fit",
@@ -301,6 +312,7 @@ static murk_status check(const double *x, const murk_least_squares *p,
                              x[j], p->lower[j], p->upper[j]);
         }
     }
+    /* Loss and limits. */
     if (p->loss != MURK_LOSS_FUNCTION_NONE &&
         !(p->loss_width > 0 && isfinite(p->loss_width))) {
         return murk_fail(err, MURK_BAD_VALUE, "fit",
@@ -320,7 +332,7 @@ static murk_status check(const double *x, const murk_least_squares *p,
     return MURK_OK;
 }
 
-static void lay_out(search *s, double *memory, bool *is_held)
+static void assign_memory(search *s, double *memory, bool *is_held)
 {
     const size_t n = s->problem->n, rows = s->problem->rows;
     double **const of_n[] = {&s->within, &s->gradient, &s->start, &s->best.x,
@@ -366,6 +378,7 @@ murk_status murk_least_squares_solve(murk_least_squares_found *found, double *x,
     if (status) {
         return status;
     }
+    /* Memory for two points, the gradient and the start of a pass. */
     const size_t n = problem->n, rows = problem->rows;
     search s = {.problem = problem};
     double *memory = calloc(5 * n + 2 * rows * (n + 1), sizeof *memory);
@@ -375,7 +388,8 @@ murk_status murk_least_squares_solve(murk_least_squares_found *found, double *x,
                            "no memory for %zu rows of %zu parameters", rows, n);
         goto done;
     }
-    lay_out(&s, memory, is_held);
+    assign_memory(&s, memory, is_held);
+    /* Evaluate the start. */
     murk_least_squares_found out = {.initial_cost = NAN, .cost = NAN};
     if (!evaluate(&s, x, true)) {
         say(&out, MURK_LEAST_SQUARES_FAILED,
@@ -384,9 +398,10 @@ murk_status murk_least_squares_solve(murk_least_squares_found *found, double *x,
         *found = out;
         goto done;
     }
+    /* Search from there. */
     take_other(&s);
     out.initial_cost = s.cost;
-    if (!tell(&s, true)) {
+    if (!report(&s, true)) {
         say(&out, MURK_LEAST_SQUARES_STOPPED, "stopped by its watch", "");
     } else {
         status = search_on(&out, &s, err);

@@ -1,8 +1,11 @@
-/* With A the information and v = r^T A^-1 r the variance of what a candidate
- * would read, its reading multiplies det A by 1 + v, and one that replaces i by
- * c multiplies it by (1 + v_c)(1 - v_i) + (r_c^T A^-1 r_i)^2. All candidates'
- * variances are kept; a reading added takes (r^T u)^2 of each, with
- * u = A^-1 r_p / sqrt(1 + v_p). */
+/* D-optimal selection of measurements by greedy selection and exchanges
+ * (fit/optimal.h).
+ *
+ * With the information matrix A and the variance v = r^T A^-1 r of a predicted
+ * reading with row r, the reading multiplies det A by 1 + v. Replacing reading
+ * i by c multiplies det A by (1 + v_c)(1 - v_i) + (r_c^T A^-1 r_i)^2. The
+ * variances of all candidates are stored; adding a reading p subtracts (r^T
+ * u)^2 from each, with u = A^-1 r_p / sqrt(1 + v_p). */
 #include "fit/optimal.h"
 
 #include "fit/ceres_bridge.h"
@@ -13,32 +16,39 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* As if each parameter had been measured once to a thousand of its scales. */
+/* Information that is added to each parameter, as if it had been measured once
+ * with an error of a thousand scales. */
 #define KNOWN_BEFORE 1e-6
 
-/* An exchange that brings less may be rounding, and could be taken back. */
+/* The least gain of an exchange: smaller gains may be rounding errors and could
+ * be reversed. */
 #define EXCHANGE_MIN 1e-9
 
-/* Multiplications; some five seconds. What is left are exchanges of little use:
- * greedy alone has 1 - 1/e of the best gain (Nemhauser, Wolsey and Fisher,
- * Math. Program. 14 (1978) 265, doi:10.1007/BF01588971). */
+/* The largest number of multiplications for exchanges, some five seconds. Later
+ * exchanges gain little: greedy selection alone has 1 - 1/e of the best gain
+ * (Nemhauser, Wolsey and Fisher, Math. Program. 14 (1978) 265,
+ * doi:10.1007/BF01588971). */
 #define EXCHANGE_WORK_MAX 1e10
 
-#define TOGETHER 4 /* candidates at once: their sums stay in registers */
+/* candidates that are processed together: their sums stay in registers */
+#define TOGETHER 4
 
 typedef struct choice {
     size_t n, candidates, k;
     const double *row;         /* [candidates][n] */
-    const double *information; /* [n * n] without any pick */
-    double *lower;             /* [n * n] Cholesky of what counts now */
-    double *variance;          /* [candidates] under what counts now */
-    double *update;            /* [k][n] the u of picks made since `lower` */
+    const double *information; /* [n * n] without selected candidates */
+    double *lower;             /* [n * n] Cholesky factor of the current
+                                * information */
+    double *variance;          /* [candidates] with the current information */
+    double *update;            /* [k][n] vectors u of the candidates selected
+                                * since `lower` was computed */
     double *work;              /* [n * TOGETHER] */
     bool *is_picked;           /* [candidates] */
     size_t *pick;              /* [k] */
 } choice;
 
-/* Four sums, for the processor to run beside each other. */
+/* Scalar product with four independent sums, which the processor computes in
+ * parallel. */
 static double dot(const double *a, const double *b, size_t n)
 {
     double sum[4] = {0};
@@ -59,14 +69,16 @@ static const double *row_of(const choice *c, size_t candidate)
     return c->row + candidate * c->n;
 }
 
-/* Counts the information and the first `picks` picks. */
-static murk_status count(choice *c, size_t picks, murk_error *err)
+/* Computes the Cholesky factor of the information with the first `picks`
+ * selected candidates. */
+static murk_status factorise(choice *c, size_t picks, murk_error *err)
 {
     const size_t n = c->n;
     memcpy(c->lower, c->information, n * n * sizeof *c->lower);
     for (size_t i = 0; i < n; ++i) {
         c->lower[i * n + i] += KNOWN_BEFORE;
     }
+    /* Add r r^T of each selected candidate. */
     for (size_t p = 0; p < picks; ++p) {
         const double *r = row_of(c, c->pick[p]);
         for (size_t i = 0; i < n; ++i) {
@@ -102,7 +114,7 @@ static void solve(const choice *c, double *x, const double *r)
     }
 }
 
-/* |L^-1 r|^2 of up to TOGETHER candidates. */
+/* Computes |L^-1 r|^2 of up to TOGETHER candidates. */
 static void read_variances_at(choice *c, size_t first, size_t count)
 {
     double sum[TOGETHER] = {0};
@@ -135,9 +147,10 @@ static void read_variances(choice *c)
     }
 }
 
-/* The u of a candidate as pick number p, on top of those before it, of which
- * `lower` counts none. Returns its variance. */
-static double lay_update(choice *c, size_t p, size_t candidate)
+/* Computes the vector u of a candidate that is selected as number p, after the
+ * previous ones, which `lower` does not contain. Returns the variance of the
+ * candidate. */
+static double compute_update(choice *c, size_t p, size_t candidate)
 {
     const double *r = row_of(c, candidate);
     double *u = c->update + p * c->n;
@@ -176,14 +189,14 @@ static void choose_greedily(choice *c)
         }
         c->pick[p] = best;
         c->is_picked[best] = true;
-        (void)lay_update(c, p, best);
+        (void)compute_update(c, p, best);
         take_from_variances(c, c->update + p * c->n);
     }
 }
 
-/* The best candidate in place of pick p, and by what factor det A grows;
- * `candidates` where none is better. All picks count. x becomes A^-1 r of the
- * pick. */
+/* Finds the best candidate to replace selected candidate p, and the factor by
+ * which det A grows; returns `candidates` if none is better. `lower` contains
+ * all selected candidates. x becomes A^-1 r of candidate p. */
 static size_t better_than(const choice *c, size_t p, double *x, double *factor)
 {
     const double *r = row_of(c, c->pick[p]);
@@ -205,13 +218,14 @@ static size_t better_than(const choice *c, size_t p, double *x, double *factor)
     return best;
 }
 
-/* Makes candidate `in` pick p. It joins before the other leaves, so that what
- * both alone know is known throughout; what leaving divides by is known from
- * the factor without cancellation. */
+/* Replaces selected candidate p by `in`. The new one is added before the old
+ * one is removed, so that the information never becomes singular in between.
+ * The divisor of the removal follows from the factor without cancellation. */
 static murk_status exchange(choice *c, size_t p, size_t in, double factor,
                             double *x, murk_error *err)
 {
     const size_t n = c->n;
+    /* Add `in`. */
     const double *out = row_of(c, c->pick[p]);
     double *u = c->work;
     solve(c, u, row_of(c, in));
@@ -219,6 +233,7 @@ static murk_status exchange(choice *c, size_t p, size_t in, double factor,
     for (size_t i = 0; i < n; ++i) {
         u[i] /= sqrt(joins);
     }
+    /* Remove the old one. */
     const double share = dot(u, out, n);
     for (size_t i = 0; i < n; ++i) {
         x[i] = (x[i] - share * u[i]) / sqrt(factor / joins);
@@ -231,19 +246,21 @@ static murk_status exchange(choice *c, size_t p, size_t in, double factor,
     c->is_picked[c->pick[p]] = false;
     c->is_picked[in] = true;
     c->pick[p] = in;
-    return count(c, c->k, err);
+    return factorise(c, c->k, err);
 }
 
 static murk_status choose_better(choice *c, murk_error *err)
 {
-    murk_status status = count(c, c->k, err);
+    murk_status status = factorise(c, c->k, err);
     if (status) {
         return status;
     }
     read_variances(c);
-    double *x = c->update; /* no longer needed */
+    double *x = c->update; /* `update` is no longer needed */
     const double a_pass = (double)c->candidates * (double)c->n;
     double work = 0;
+    /* Try to replace one selected candidate after the other, until none was
+     * replaced in a whole round. */
     for (size_t since = 0, p = 0; since < c->k && work < EXCHANGE_WORK_MAX;
          p = (p + 1) % c->k) {
         double factor;
@@ -268,10 +285,10 @@ static int by_number(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* The picks, the one that brings most first. */
+/* Sorts the selected candidates by gain, largest first. */
 static murk_status order(choice *c, murk_optimal_pick *pick, murk_error *err)
 {
-    murk_status status = count(c, 0, err);
+    murk_status status = factorise(c, 0, err);
     if (status) {
         return status;
     }
@@ -280,7 +297,7 @@ static murk_status order(choice *c, murk_optimal_pick *pick, murk_error *err)
         double max = -1;
         size_t at = p;
         for (size_t q = p; q < c->k; ++q) {
-            const double variance = lay_update(c, p, c->pick[q]);
+            const double variance = compute_update(c, p, c->pick[q]);
             if (variance > max) {
                 max = variance;
                 at = q;
@@ -290,7 +307,7 @@ static murk_status order(choice *c, murk_optimal_pick *pick, murk_error *err)
         memmove(c->pick + p + 1, c->pick + p, (at - p) * sizeof *c->pick);
         c->pick[p] = first;
         pick[p] = (murk_optimal_pick){first, log1p(max)};
-        (void)lay_update(c, p, first);
+        (void)compute_update(c, p, first);
     }
     return MURK_OK;
 }
@@ -304,6 +321,7 @@ static murk_status check(size_t k, const double *information, const double *row,
                          "as many",
                          k, candidates);
     }
+    /* All numbers must be finite. */
     for (size_t i = 0; i < n * n; ++i) {
         if (!isfinite(information[i])) {
             return murk_fail(err, MURK_BAD_VALUE, "fit",
@@ -360,6 +378,7 @@ murk_status murk_optimal_choose(murk_optimal_pick *pick, size_t k,
     if (status || k == 0) {
         return status;
     }
+    /* Select greedily, exchange, and sort by gain. */
     choice c = {.n = n,
                 .candidates = candidates,
                 .k = k,
@@ -369,7 +388,7 @@ murk_status murk_optimal_choose(murk_optimal_pick *pick, size_t k,
     if (status) {
         goto done;
     }
-    status = count(&c, 0, err);
+    status = factorise(&c, 0, err);
     if (status) {
         goto done;
     }

@@ -1,3 +1,5 @@
+/* Whitening by the Cholesky factor of the covariance, and the covariance of
+ * sums over batches. */
 #include "fit/whitening.h"
 
 #include "fit/ceres_bridge.h"
@@ -12,7 +14,7 @@ struct murk_whitening {
     double lower[]; /* [rows * rows], L in the lower triangle */
 };
 
-/* What can be told row by row, so that the message can name it. */
+/* Checks row by row, so that the message can name the row. */
 static murk_status check(const double *covariance, size_t rows, murk_error *err)
 {
     for (size_t i = 0; i < rows; ++i) {
@@ -44,6 +46,7 @@ murk_status murk_whitening_create(murk_whitening **out,
     if (status) {
         goto done;
     }
+    /* Copy the covariance and factorise the copy. */
     const size_t cells = rows * rows;
     whitening = malloc(sizeof *whitening + cells * sizeof(double));
     if (!whitening) {
@@ -95,8 +98,8 @@ void murk_whitening_apply(const murk_whitening *whitening, double *a,
     }
 }
 
-/* sum (b_i - mean_i) is 0, so any constant may be taken from b_j in place of
- * its mean: the first batch's keeps the digits and needs no memory. */
+/* sum (b_i - mean_i) is 0, so any constant may replace the mean of b_j. The
+ * value of the first batch avoids a loss of digits and needs no memory. */
 void murk_covariance_of_batches(double *covariance, const double *batch,
                                 size_t batches, size_t rows)
 {

@@ -1,5 +1,5 @@
-/* Rows that share their noise, made independent: r -> L^-1 r, where L L^T is
- * the rows' covariance. */
+/* Whitening: transforms rows with a common covariance L L^T into independent
+ * rows of unit variance, r -> L^-1 r. */
 #ifndef MURK_FIT_WHITENING_H
 #define MURK_FIT_WHITENING_H
 
@@ -9,21 +9,22 @@
 
 typedef struct murk_whitening murk_whitening;
 
-/* covariance[rows * rows], symmetric; fails with MURK_RUN_FAILED where it is
- * not positive definite. *out is the caller's. */
+/* covariance[rows * rows] is symmetric. Fails with MURK_RUN_FAILED if it is not
+ * positive definite. The caller destroys *out. */
 murk_status murk_whitening_create(murk_whitening **out,
                                   const double *covariance, size_t rows,
                                   murk_error *err);
 void murk_whitening_destroy(murk_whitening *whitening); /* NULL is fine */
 
-/* In place: columns of a[rows][columns], kept row by row. */
+/* Applies L^-1 in place to the columns of a[rows][columns], stored row by
+ * row. */
 void murk_whitening_apply(const murk_whitening *whitening, double *a,
                           size_t columns);
 
-/* Covariance of the mean over batches of equal size: batch[batches][rows] (row
- * by row) are sums whose total over batches is the rows' value; adds the
- * covariance of that total, B/(B - 1) sum (b - mean)(b - mean)^T, to
- * covariance[rows * rows]. batches >= 2. */
+/* Adds the covariance of a total over batches of equal size to covariance[rows
+ * * rows]. batch[batches][rows] (row by row) holds sums of each batch, and the
+ * value of a row is the sum over all batches. The covariance of the total is
+ * B/(B - 1) sum (b - mean)(b - mean)^T. batches >= 2. */
 void murk_covariance_of_batches(double *covariance, const double *batch,
                                 size_t batches, size_t rows);
 

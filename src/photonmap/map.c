@@ -1,3 +1,6 @@
+/* Builds a photon map: orders the records as a kd-tree (photonmap/order.h) and
+ * computes the bounding boxes of leaves and of groups of sixteen boxes, level
+ * by level (photonmap/tree.h). */
 #include "photonmap/map.h"
 
 #include "base/interrupt.h"
@@ -29,21 +32,21 @@ static murk_status check(const murk_photon *photons, size_t n, murk_error *err)
     return MURK_OK;
 }
 
-static void put_box(murk_boxes *boxes, size_t box, const float min[3],
+static void put_box(murk_bounds *bounds, size_t box, const float min[3],
                     const float max[3])
 {
-    murk_boxes *group = boxes + box / MURK_WIDE;
+    murk_bounds *group = bounds + box / MURK_WIDE;
     for (int a = 0; a < 3; ++a) {
         group->min[a][box % MURK_WIDE] = min[a];
         group->max[a][box % MURK_WIDE] = max[a];
     }
 }
 
-static void put_empty_box(murk_boxes *boxes, size_t box)
+static void put_empty_box(murk_bounds *bounds, size_t box)
 {
     const float maximum[3] = {INFINITY, INFINITY, INFINITY};
     const float minimum[3] = {-INFINITY, -INFINITY, -INFINITY};
-    put_box(boxes, box, maximum, minimum);
+    put_box(bounds, box, maximum, minimum);
 }
 
 static void box_of_photons(const murk_photon *photons, size_t n, float min[3],
@@ -62,7 +65,7 @@ static void box_of_photons(const murk_photon *photons, size_t n, float min[3],
     }
 }
 
-static void box_of_group(const murk_boxes *group, float min[3], float max[3])
+static void box_of_group(const murk_bounds *group, float min[3], float max[3])
 {
     for (int a = 0; a < 3; ++a) {
         min[a] = group->min[a][0];
@@ -74,46 +77,47 @@ static void box_of_group(const murk_boxes *group, float min[3], float max[3])
     }
 }
 
-static void leaf_boxes_job(void *context, uint64_t group)
+static void leaf_bounds_job(void *context, uint64_t group)
 {
     const murk_photon_map *map = context;
     for (size_t box = (size_t)group * MURK_WIDE; box < (group + 1) * MURK_WIDE;
          ++box) {
-        if (box < map->n_boxes[0]) {
+        if (box < map->n_bounds[0]) {
             const size_t first = murk_first_of(map, 0, box);
             float min[3], max[3];
             box_of_photons(map->photons + first,
                            murk_first_of(map, 0, box + 1) - first, min, max);
-            put_box(map->boxes[0], box, min, max);
+            put_box(map->bounds[0], box, min, max);
         } else {
-            put_empty_box(map->boxes[0], box);
+            put_empty_box(map->bounds[0], box);
         }
     }
 }
 
-static void upper_boxes(murk_photon_map *map, unsigned level)
+static void upper_bounds(murk_photon_map *map, unsigned level)
 {
-    const size_t end = murk_groups_of(map->n_boxes[level]) * MURK_WIDE;
+    const size_t end = murk_groups_of(map->n_bounds[level]) * MURK_WIDE;
     for (size_t box = 0; box < end; ++box) {
-        if (box < map->n_boxes[level]) {
+        if (box < map->n_bounds[level]) {
             float min[3], max[3];
-            box_of_group(map->boxes[level - 1] + box, min, max);
-            put_box(map->boxes[level], box, min, max);
+            box_of_group(map->bounds[level - 1] + box, min, max);
+            put_box(map->bounds[level], box, min, max);
         } else {
-            put_empty_box(map->boxes[level], box);
+            put_empty_box(map->bounds[level], box);
         }
     }
 }
 
-/* Counts the boxes of each level; returns the groups of all. */
+/* Counts the boxes of each level. Returns the number of groups of all
+ * levels. */
 static size_t measure_levels(murk_photon_map *map)
 {
-    size_t boxes = (map->n + MURK_LEAF - 1) / MURK_LEAF;
+    size_t bounds = (map->n + MURK_LEAF - 1) / MURK_LEAF;
     size_t all = 0;
-    while (boxes > 0) {
-        map->n_boxes[map->levels++] = boxes;
-        all += murk_groups_of(boxes);
-        boxes = boxes > MURK_WIDE ? murk_groups_of(boxes) : 0;
+    while (bounds > 0) {
+        map->n_bounds[map->levels++] = bounds;
+        all += murk_groups_of(bounds);
+        bounds = bounds > MURK_WIDE ? murk_groups_of(bounds) : 0;
     }
     return all;
 }
@@ -133,10 +137,12 @@ murk_status murk_photon_map_create(murk_photon_map **out, murk_photon *photons,
             murk_fail(err, MURK_NO_MEMORY, WHERE, "no memory for its tree");
         goto done;
     }
-    unsigned n_scans;
-    const murk_scan *const *scans = murk_scans(&n_scans);
-    map->scan = scans[n_scans - 1];
+    /* Use the fastest implementation that this machine supports. */
+    unsigned n_tests;
+    const murk_range_test *const *tests = murk_range_tests(&n_tests);
+    map->test = tests[n_tests - 1];
     map->n = n;
+    /* Memory for the boxes of all levels. */
     const size_t groups = measure_levels(map);
     if (groups > 0) {
         map->memory = aligned_alloc(64, groups * sizeof *map->memory);
@@ -148,23 +154,24 @@ murk_status murk_photon_map_create(murk_photon_map **out, murk_photon *photons,
     }
     map->photons = photons;
     photons = NULL;
-    murk_boxes *next = map->memory;
+    murk_bounds *next = map->memory;
     for (unsigned level = 0; level < map->levels; ++level) {
-        map->boxes[level] = next;
-        next += murk_groups_of(map->n_boxes[level]);
+        map->bounds[level] = next;
+        next += murk_groups_of(map->n_bounds[level]);
     }
+    /* Order the records, then compute the boxes from the leaves upwards. */
     if (!murk_order(map->photons, n, threads)) {
         status = murk_fail(err, MURK_INTERRUPTED, WHERE, "interrupted");
         goto done;
     }
     if (map->levels > 0) {
-        murk_pool_run(threads, murk_groups_of(map->n_boxes[0]), leaf_boxes_job,
-                      map);
+        murk_pool_run(threads, murk_groups_of(map->n_bounds[0]),
+                      leaf_bounds_job, map);
     }
     for (unsigned level = 1; level < map->levels; ++level) {
-        upper_boxes(map, level);
+        upper_bounds(map, level);
     }
-    if (murk_interrupted()) { /* then boxes may be missing */
+    if (murk_interrupted()) { /* boxes may be missing then */
         status = murk_fail(err, MURK_INTERRUPTED, WHERE, "interrupted");
         goto done;
     }
@@ -199,7 +206,7 @@ size_t murk_photon_map_memory_bytes(const murk_photon_map *map)
 {
     size_t groups = 0;
     for (unsigned level = 0; level < map->levels; ++level) {
-        groups += murk_groups_of(map->n_boxes[level]);
+        groups += murk_groups_of(map->n_bounds[level]);
     }
     return sizeof *map + map->n * sizeof *map->photons +
            groups * sizeof *map->memory;
@@ -210,12 +217,12 @@ double murk_photon_map_memory_for(double n)
     double bytes = sizeof(murk_photon_map);
     if (n >= 1) {
         bytes += n * sizeof(murk_photon);
-        double boxes = ceil(n / MURK_LEAF);
-        for (unsigned level = 0; level < MURK_KDTREE_LEVELS && boxes > 0;
+        double bounds = ceil(n / MURK_LEAF);
+        for (unsigned level = 0; level < MURK_KDTREE_LEVELS && bounds > 0;
              ++level) {
-            const double groups = ceil(boxes / MURK_WIDE);
-            bytes += groups * sizeof(murk_boxes);
-            boxes = boxes > MURK_WIDE ? groups : 0;
+            const double groups = ceil(bounds / MURK_WIDE);
+            bytes += groups * sizeof(murk_bounds);
+            bounds = bounds > MURK_WIDE ? groups : 0;
         }
     }
     return bytes;

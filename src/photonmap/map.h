@@ -1,16 +1,17 @@
 /* A photon map: stored photons in a balanced kd-tree with bucket leaves.
  *
- * The records are kept in tree order, so a leaf and any subtree is a run of
+ * The records are stored in tree order, so a leaf and any subtree is a range of
  * consecutive records, and an index into the map is an index into
- * murk_photon_map_photons(). The order depends on the set of records alone: not
- * on threads, nor on the order they came in. Immutable after creation: any
- * number of threads may query.
+ * murk_photon_map_photons(). The order depends on the set of records alone, not
+ * on threads or on the order in which the records came. Immutable after
+ * creation: any number of threads may query.
  *
- * Distances are compared in single precision, as positions are stored: with
- * center and radius rounded to float, d = position - center, a photon is within
- * when (dx * dx + dy * dy) + dz * dz <= radius * radius, each step rounded to
- * float. Every machine and every path gives the same bits. A center that is
- * not finite, or a radius that is negative or NaN, finds nothing.
+ * Distances are compared in single precision, in which positions are stored:
+ * with center and radius rounded to float and d = position - center, a photon
+ * is within the radius if (dx * dx + dy * dy) + dz * dz <= radius * radius,
+ * each step rounded to float. Every machine and every implementation gives the
+ * same bits. A center that is not finite, or a radius that is negative or NaN,
+ * finds nothing.
  *
  * Source: Bentley, Commun. ACM 18 (1975) 509, doi:10.1145/361002.361007;
  * Jensen, Realistic Image Synthesis Using Photon Mapping, 2001. */
@@ -26,8 +27,9 @@
 
 typedef struct murk_photon_map murk_photon_map;
 
-/* Takes over photons[n] (from malloc; also on failure) and orders them. n may
- * be 0, with NULL. At most 2^32 - 1; positions must be finite. */
+/* Takes ownership of photons[n] (from malloc(); also on failure) and orders
+ * them. n may be 0, with NULL, and is at most 2^32 - 1. Positions must be
+ * finite. */
 murk_status murk_photon_map_create(murk_photon_map **out, murk_photon *photons,
                                    size_t n, unsigned threads, murk_error *err);
 void murk_photon_map_destroy(murk_photon_map *map); /* NULL is fine */
@@ -36,23 +38,23 @@ size_t murk_photon_map_count(const murk_photon_map *map);
 const murk_photon *murk_photon_map_photons(const murk_photon_map *map);
 size_t murk_photon_map_memory_bytes(const murk_photon_map *map);
 
-/* Bytes that a map of n photons will take, tree and all; building it takes no
- * more. NaN or less than 1 photon: an empty map's. */
+/* The memory of a map of n photons with the tree; building the map takes no
+ * more. If n is NaN or less than 1: the memory of an empty map. */
 double murk_photon_map_memory_for(double n);
 
-/* Writes the indices of the photons with |position - center| <= radius_m to
- * found[], which has room for all that are, in increasing order. Returns how
- * many. */
+/* Range query: writes the indices of the photons with |position - center| <=
+ * radius_m to found[], in increasing order. The caller provides enough memory
+ * for all of them. Returns the number of photons. */
 size_t murk_photon_map_within(const murk_photon_map *map, murk_vec3 center,
                               double radius_m, uint32_t *found);
 
-/* As above, only counts. */
+/* Like murk_photon_map_within(), but only counts. */
 size_t murk_photon_map_count_within(const murk_photon_map *map,
                                     murk_vec3 center, double radius_m);
 
-/* The k nearest (fewer when the map has fewer), nearest first, ties by index:
- * found[k] and squared distances (as above, in single precision)
- * distance2_m2[k]. Returns how many. */
+/* The k nearest photons (fewer if the map has fewer), nearest first, ties by
+ * index: found[k] and squared distances (as above, in single precision)
+ * distance2_m2[k]. Returns the number of photons. */
 size_t murk_photon_map_nearest(const murk_photon_map *map, murk_vec3 center,
                                size_t k, uint32_t *found, double *distance2_m2);
 

@@ -1,3 +1,6 @@
+/* Writes and reads light.murk (photonmap/map_file.h). Everything that is read
+ * is checked before it is used: header, table and each section have checksums,
+ * and sizes must add up to the size of the file. */
 #include "photonmap/map_file.h"
 
 #include "base/file.h"
@@ -13,15 +16,18 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* The structs below are the file's layout on the machines murk runs on. */
+/* The structs below have the layout of the file on all supported machines. */
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
                "light.murk is little-endian");
 
+/* The byte order mark as read on a machine with the right and with the other
+ * byte order. */
 #define BYTE_ORDER_MARK    0x01020304u
 #define BYTE_ORDER_SWAPPED 0x04030201u
 
-/* A byte beyond 7 bits and line ends of both kinds, so that a transfer as text
- * shows; then the end-of-file character of old terminals. */
+/* The magic contains a byte above 127 and both kinds of line ends, so that a
+ * transfer in text mode is noticed, and the end-of-file character of old
+ * terminals. */
 static const unsigned char magic[8] = {0x8d, 'm',  'u',  'r',
                                        'k',  '\r', '\n', 0x1a};
 
@@ -30,7 +36,7 @@ typedef struct header {
     uint32_t version, byte_order, record_size, n_sections;
     uint64_t file_size;
     uint64_t table_checksum[2];
-    uint64_t header_checksum[2]; /* of all before it */
+    uint64_t header_checksum[2]; /* of the preceding members */
 } header;
 
 typedef struct entry {
@@ -78,6 +84,7 @@ murk_status murk_map_file_write(const char *path, const murk_section *sections,
                    .n_sections = (uint32_t)n,
                    .file_size = sizeof head + n * sizeof *table};
     memcpy(head.magic, magic, sizeof magic);
+    /* Fill the table, then the checksums. */
     for (size_t i = 0; i < n; ++i) {
         const size_t length = strnlen(sections[i].name, 15);
         memcpy(table[i].name, sections[i].name, length);
@@ -91,12 +98,14 @@ murk_status murk_map_file_write(const char *path, const murk_section *sections,
     murk_checksum(&head, offsetof(header, header_checksum),
                   head.header_checksum);
 
+    /* Write everything; errors are reported by the commit. */
     murk_file *file = NULL;
     murk_status status = murk_file_create(&file, path, err);
     if (status) {
         return status;
     }
-    FILE *stream = murk_file_stream(file); /* commit asks ferror */
+    FILE *stream = murk_file_stream(file); /* murk_file_commit() asks
+                                            * ferror() */
     (void)fwrite(&head, sizeof head, 1, stream);
     (void)fwrite(table, sizeof *table, n, stream);
     for (size_t i = 0; i < n && !ferror(stream); ++i) {
@@ -131,7 +140,7 @@ static murk_status open_regular(int *fd, uint64_t *size, const char *path,
                                 murk_error *err)
 {
     struct stat info;
-    /* not blocking, so that a pipe without a writer cannot hang us */
+    /* non-blocking, so that a pipe without a writer cannot block the run */
     *fd = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     if (*fd < 0 || fstat(*fd, &info) != 0) {
         return murk_fail(err, MURK_BAD_FILE, path, "cannot read: %s",
@@ -164,6 +173,7 @@ static murk_status read_header(header *head, int fd, uint64_t size,
     if (status) {
         return status;
     }
+    /* Checks in the order in which they give the most helpful message. */
     if (there < sizeof magic || memcmp(head->magic, magic, sizeof magic) != 0) {
         return murk_fail(err, MURK_BAD_FILE, path, "not a light.murk file%s",
                          size == 0 ? ": it is empty" : "");
@@ -212,7 +222,8 @@ static murk_status read_header(header *head, int fd, uint64_t size,
     return MURK_OK;
 }
 
-/* Only when the sizes add up to exactly the file. */
+/* Reads the table of sections. Fails unless the sizes add up to the size of the
+ * file. */
 static murk_status read_table(entry table[MURK_MAP_FILE_SECTIONS], int fd,
                               const header *head, const char *path,
                               murk_error *err)
@@ -226,6 +237,7 @@ static murk_status read_table(entry table[MURK_MAP_FILE_SECTIONS], int fd,
     if (status) {
         return status;
     }
+    /* Names must be valid and different, and sizes must add up to the file. */
     bool is_good = is_checked(table, n * sizeof *table, head->table_checksum);
     uint64_t left = head->file_size - start;
     for (size_t i = 0; is_good && i < n; ++i) {
@@ -243,8 +255,9 @@ static murk_status read_table(entry table[MURK_MAP_FILE_SECTIONS], int fd,
     return MURK_OK;
 }
 
-/* Memory is promised freely but handed out only when written to, so asking for
- * too much would not fail here: it would kill the program later. */
+/* Refuses files that are larger than the memory. The operating system grants
+ * memory freely and provides it only when it is written to, so that a large
+ * request would succeed here, and the program would be killed later. */
 static murk_status check_memory(uint64_t size, const char *path,
                                 murk_error *err)
 {
@@ -278,7 +291,8 @@ static murk_status read_section(murk_section *section, const entry *from,
     return status;
 }
 
-/* Reads all sections, or only that named `only`; *n: how many were read. */
+/* Reads all sections, or only the section `only`; *n is the number of sections
+ * read. */
 static murk_status read_sections(murk_section **out, size_t *n,
                                  const char *path, const char *only,
                                  murk_error *err)
@@ -296,6 +310,7 @@ static murk_status read_sections(murk_section **out, size_t *n,
         (status = check_memory(size, path, err))) {
         goto done;
     }
+    /* Read or skip one section after the other. */
     sections = calloc(head.n_sections + 1, sizeof *sections);
     if (!sections) {
         status = murk_fail(err, MURK_NO_MEMORY, path, "no memory to read it");

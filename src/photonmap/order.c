@@ -1,24 +1,30 @@
+/* Orders records by recursive selection of the median (Floyd and Rivest 1975)
+ * with heap sort as the fallback that bounds the worst case. The upper nodes
+ * are split one after the other on all threads; the subtrees below are then
+ * ordered in parallel. */
 #include "photonmap/order.h"
 
 #include "base/interrupt.h"
 #include "base/pool.h"
-#include "photonmap/scan.h"
+#include "photonmap/range_test.h"
 
 #include <float.h>
 #include <math.h>
 #include <string.h>
 
-/* Below this a range is sorted by insertion. */
+/* Ranges below this size are sorted by insertion, which is faster there. */
 #define SMALL 24
 
-/* Selection may look at this many records per record of its range before it
- * turns to sorting; random ranges need 3 to 4 at these sizes. */
+/* The number of records, per record of the range, that selection may examine
+ * before it changes to sorting; random ranges need 3 to 4 at these sizes. */
 #define PATIENCE 16
 
-/* More subtrees than threads, so that all finish about together. */
+/* More subtrees than threads, so that all threads finish at about the same
+ * time. */
 #define SUBTREES 64
 
-/* Leaves that one thread orders faster than two threads start. */
+/* The number of leaves that one thread orders in less time than it takes to
+ * start two threads. */
 #define LEAVES_SERIAL 256
 
 typedef struct ordering {
@@ -27,7 +33,7 @@ typedef struct ordering {
     size_t span; /* leaves in a node of this step, a power of 2 */
 } ordering;
 
-/* memcmp order is that of the bytes, which is as good as any. */
+/* Compares all bytes, in the order of memcmp(); any fixed order would do. */
 static int bytes_less(const murk_photon *a, const murk_photon *b)
 {
     return memcmp(a, b, sizeof *a) < 0;
@@ -41,9 +47,9 @@ static int is_less(const murk_photon *a, const murk_photon *b, int axis)
 
 static void swap(murk_photon *a, murk_photon *b)
 {
-    const murk_photon kept = *a;
+    const murk_photon old = *a;
     *a = *b;
-    *b = kept;
+    *b = old;
 }
 
 static void sort_small(murk_photon *photons, size_t n, int axis)
@@ -61,12 +67,12 @@ static void sort_small(murk_photon *photons, size_t n, int axis)
 static void sift_down(murk_photon *heap, size_t n, size_t i, int axis)
 {
     const murk_photon moved = heap[i];
-    for (size_t child; (child = 2 * i + 1) < n; i = child) {
-        child += child + 1 < n && is_less(&heap[child], &heap[child + 1], axis);
-        if (!is_less(&moved, &heap[child], axis)) {
+    for (size_t next; (next = 2 * i + 1) < n; i = next) {
+        next += next + 1 < n && is_less(&heap[next], &heap[next + 1], axis);
+        if (!is_less(&moved, &heap[next], axis)) {
             break;
         }
-        heap[i] = heap[child];
+        heap[i] = heap[next];
     }
     heap[i] = moved;
 }
@@ -82,10 +88,10 @@ void murk_order_sort(murk_photon *photons, size_t n, int axis)
     }
 }
 
-/* Moves an even sample to the front and a pivot of it to photons[rank]: one
- * whose place is a little beyond k on the side with more records, so that k
- * most likely falls into the smaller part (Floyd & Rivest, Commun. ACM 18
- * (1975) 165, doi:10.1145/360680.360691). Returns rank. */
+/* Moves an evenly spaced sample to the front and selects a pivot from it at
+ * photons[rank]. The pivot lies slightly beyond k on the side with more
+ * records, so that k most likely falls into the smaller part (Floyd & Rivest,
+ * Commun. ACM 18 (1975) 165, doi:10.1145/360680.360691). Returns rank. */
 static size_t place_pivot(murk_photon *photons, size_t n, size_t k, int axis)
 {
     const double root = cbrt((double)n);
@@ -102,9 +108,10 @@ static size_t place_pivot(murk_photon *photons, size_t n, size_t k, int axis)
     return (size_t)rank;
 }
 
-/* Moves the records before the pivot (with is_closed: and those equal to it)
- * to the front and returns how many. Every record is moved, whether it must or
- * not: that is cheaper than branches that nobody can foretell. */
+/* Moves the records before the pivot (with is_closed: also those equal to it)
+ * to the front and returns their number. Every record is swapped, necessary or
+ * not, because this is cheaper than a branch that the processor cannot
+ * predict. */
 static size_t partition(murk_photon *photons, size_t n,
                         const murk_photon *pivot, int axis, int is_closed)
 {
@@ -127,6 +134,7 @@ static size_t partition(murk_photon *photons, size_t n,
 
 void murk_order_select(murk_photon *photons, size_t n, size_t k, int axis)
 {
+    /* Keep the part that contains k until it is small. */
     size_t left = PATIENCE * n;
     while (n > SMALL) {
         if (left < n) {
@@ -143,7 +151,8 @@ void murk_order_select(murk_photon *photons, size_t n, size_t k, int axis)
         photons += front;
         n -= front;
         k -= front;
-        if (front == 0) { /* the pivot is the least, so this gets on */
+        if (front == 0) { /* the pivot is the smallest record: remove all
+                           * records equal to it */
             const size_t same = partition(photons, n, &pivot, axis, 1);
             if (k < same) {
                 return;
@@ -176,8 +185,8 @@ static int widest_axis(const murk_photon *photons, size_t n)
     return axis;
 }
 
-/* Splits the node of `span` leaves that starts at that record, if it has more
- * than its first half. */
+/* Splits the node of `span` leaves that starts at record `first`, if the node
+ * has more than the first half of its leaves. */
 static void split(const ordering *o, size_t first, size_t span)
 {
     const size_t half = span / 2 * MURK_LEAF;

@@ -1,11 +1,12 @@
-/* The order of a photon map's records: an implicit balanced kd-tree.
+/* Orders the records of a photon map as an implicit balanced kd-tree.
  *
- * Leaves are runs of MURK_LEAF records (the last may be shorter). A node of 2^j
- * leaves starts at a multiple of 2^j leaves and is split, along the widest side
- * of its records' box, after its first 2^(j-1) leaves; nodes at the end may
- * lack leaves, and nothing is stored. Records are compared by coordinate, then
- * by all their bytes, and each leaf is sorted: the order is a function of the
- * set of records, whatever order they come in and whoever sorts them. */
+ * Leaves are ranges of MURK_LEAF records (the last may be shorter). A node of
+ * 2^j leaves starts at a multiple of 2^j leaves. It is split along the widest
+ * side of the bounding box of its records, after the first 2^(j-1) leaves.
+ * Nodes at the end may lack leaves, for which nothing is stored. Records are
+ * compared by coordinate, then by all their bytes, and each leaf is sorted. The
+ * order is therefore a function of the set of records, whatever their original
+ * order and the number of threads. */
 #ifndef MURK_PHOTONMAP_ORDER_H
 #define MURK_PHOTONMAP_ORDER_H
 
@@ -13,16 +14,16 @@
 
 #include <stddef.h>
 
-/* Positions must be finite. False when it was interrupted; then the records
- * are all there, in some order. */
+/* Orders the records. Positions must be finite. Returns false if the user
+ * interrupted; the records are then complete, in some order. */
 int murk_order(murk_photon *photons, size_t n, unsigned threads);
 
-/* Puts the record in place k < n that sorting along that axis would put there,
- * none after it before it and none before it after it. Expected time O(n),
- * never beyond O(n log n). */
+/* Selection: moves the record that sorting along the axis would put at place k
+ * < n to that place, with no later record before it and no earlier record after
+ * it. The expected time is O(n), the worst case O(n log n). */
 void murk_order_select(murk_photon *photons, size_t n, size_t k, int axis);
 
-/* Sorts along that axis in place, in O(n log n) always. */
+/* Sorts along an axis, in place, in O(n log n) in the worst case. */
 void murk_order_sort(murk_photon *photons, size_t n, int axis);
 
 #endif

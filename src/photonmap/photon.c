@@ -1,18 +1,18 @@
-/* Octahedral packing: the unit sphere is projected on the octahedron
- * |x| + |y| + |z| = 1, the lower half is folded over the upper one, and the
- * square of the two remaining coordinates is rounded to a lattice of
- * 2 * 32767 steps a side.
+/* Octahedral packing of directions (Cigolle et al. 2014): the unit sphere is
+ * projected on the octahedron |x| + |y| + |z| = 1, the lower half is folded
+ * over the upper one, and the two remaining coordinates are rounded to a
+ * lattice of 2 * 32767 steps on each side.
  *
- * The error: each coordinate is off by at most h / 2, h = 1 / 32767. On a face
- * of the octahedron x + y + z = 1 (up to signs) that moves the point by at most
- * sqrt(a^2 + b^2 + (a + b)^2) with a = b = h / 2, that is h sqrt(6) / 2; over a
- * fold piece by piece, each under the same bound. The face is 1 / sqrt(3) from
- * the centre, so the angle is at most h sqrt(6) / 2 * sqrt(3) =
- * 3 / (sqrt(2) 32767) = 6.474e-5. */
+ * The error: each coordinate is wrong by at most h / 2, h = 1 / 32767. On a
+ * face of the octahedron, x + y + z = 1 (up to signs), this moves the point by
+ * at most sqrt(a^2 + b^2 + (a + b)^2) with a = b = h / 2, which is h sqrt(6) /
+ * 2; across a fold the bound holds for each part. The face is at a distance of
+ * 1 / sqrt(3) from the center, so the angle is at most h sqrt(6) / 2 * sqrt(3)
+ * = 3 / (sqrt(2) 32767) = 6.474e-5. */
 #include "photonmap/photon.h"
 
-#define STEPS  32767.0
-#define OFFSET 32768 /* so that stored coordinates are 1..65535, never 0 */
+#define STEPS  32767.0 /* 2^15 - 1: 16 bits with a sign */
+#define OFFSET 32768   /* stored coordinates are 1..65535, never 0 */
 
 static double fold(double along, double across)
 {

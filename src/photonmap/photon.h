@@ -1,4 +1,5 @@
-/* One stored photon of either map: 32 bytes.
+/* The record of a stored photon, 32 bytes, the same in the surface map and the
+ * volume map.
  *
  * Other rooms make a record by murk_photon_make(), read it by the functions
  * below and change it by murk_photon_set_...(), so that only this room knows
@@ -13,18 +14,21 @@
 
 typedef struct murk_photon {
     float position_m[3];
-    uint32_t direction; /* incoming, of travel: murk_direction_pack() */
-    uint32_t normal;    /* faces the arriving photon; 0 in the volume map */
-    float power_w;      /* what leaves the event */
-    uint32_t emitted;   /* index of the emitted photon: < 2^32 */
+    uint32_t direction; /* direction of travel of the incoming photon:
+                         * murk_direction_pack() */
+    uint32_t normal;    /* on the side from which the photon came; 0 in the
+                         * volume map */
+    float power_w;      /* power that leaves the event */
+    uint32_t emitted;   /* index of the emitted photon, < 2^32 */
     uint8_t band, light;
-    uint8_t material; /* or medium */
-    uint8_t kind;     /* murk_photon_kind() of map and event class */
+    uint8_t material; /* number of the material, or of the medium */
+    uint8_t kind;     /* murk_photon_kind() of the map and the event class */
 } murk_photon;
 
 _Static_assert(sizeof(murk_photon) == 32, "a record is 32 bytes");
 
-/* kind = (volume ? 4 : 0) + event class (0 first, 1 specular only, 2 later). */
+/* The kind of a record: (volume ? 4 : 0) + event class (0 first, 1 specular
+ * only, 2 later). */
 static inline uint8_t murk_photon_kind(int is_volume, int event_class)
 {
     return (uint8_t)((is_volume ? 4 : 0) + event_class);
@@ -69,8 +73,8 @@ static inline uint8_t murk_photon_material(const murk_photon *p)
 {
     return p->material;
 }
-/* The normal as murk_direction_pack() gave it: equal numbers are equal normals,
- * and 0 is none. Likewise the direction. */
+/* The normal as packed by murk_direction_pack(): equal numbers are equal
+ * normals, and 0 is no normal. Likewise the direction. */
 static inline uint32_t murk_photon_packed_normal(const murk_photon *p)
 {
     return p->normal;
@@ -80,11 +84,12 @@ static inline uint32_t murk_photon_packed_direction(const murk_photon *p)
     return p->direction;
 }
 
-/* A unit vector as two 16-bit octahedral coordinates: axis directions are
- * exact, the others within MURK_DIRECTION_ERROR_RAD, 3 / (sqrt(2) 32767)
- * rounded up (derived in photon.c). No direction packs to 0, which is left to
- * the zero vector and to what is not finite; 0 unpacks to the zero vector.
- * Source: Cigolle et al., J. Comput. Graph. Tech. 3 (2014) 1. */
+/* Packs a unit vector into two 16-bit octahedral coordinates. Directions along
+ * the axes are exact, all others are within MURK_DIRECTION_ERROR_RAD, which is
+ * 3 / (sqrt(2) 32767) rounded up (derived in photon.c). No direction packs to
+ * 0: the value 0 is reserved for the zero vector and for vectors that are not
+ * finite, and unpacks to the zero vector. Source: Cigolle et al., J. Comput.
+ * Graph. Tech. 3 (2014) 1. */
 #define MURK_DIRECTION_ERROR_RAD 6.48e-5
 uint32_t murk_direction_pack(murk_vec3 unit);
 murk_vec3 murk_direction_unpack(uint32_t packed);

@@ -1,3 +1,9 @@
+/* Queries of a photon map: all photons within a ball, and the k nearest
+ * photons. Both descend through groups of sixteen bounding boxes. A ball query
+ * takes a box that lies completely within the ball without testing the photons
+ * in it; the k-nearest query visits boxes in order of distance and keeps the
+ * best photons in a heap. */
+#include "photonmap/map.h"
 #include "photonmap/tree.h"
 
 #include <assert.h>
@@ -8,7 +14,7 @@
 typedef struct ball_query {
     const murk_photon_map *map;
     murk_query_sphere ball;
-    uint32_t *found; /* NULL: only count */
+    uint32_t *found; /* NULL: count only */
     size_t n;        /* found so far */
 } ball_query;
 
@@ -25,7 +31,7 @@ static void add_run(ball_query *q, size_t first, size_t end)
 static void add_leaf(ball_query *q, size_t leaf)
 {
     const size_t first = murk_first_of(q->map, 0, leaf);
-    uint32_t in = q->map->scan->leaf(
+    uint32_t in = q->map->test->leaf(
         q->map->photons + first,
         (uint32_t)(murk_first_of(q->map, 0, leaf + 1) - first), &q->ball);
     if (!q->found) {
@@ -42,7 +48,7 @@ static void search_group(ball_query *q, unsigned level, size_t group)
     const murk_photon_map *map = q->map;
     uint32_t whole;
     uint32_t met =
-        map->scan->boxes(map->boxes[level] + group, &q->ball, &whole);
+        map->test->bounds(map->bounds[level] + group, &q->ball, &whole);
     for (; met; met &= met - 1) {
         const unsigned i = (unsigned)__builtin_ctz(met);
         const size_t box = group * MURK_WIDE + i;
@@ -75,7 +81,8 @@ static size_t search(const murk_photon_map *map, murk_vec3 center,
         map->levels == 0) {
         return 0;
     }
-    if (q.ball.radius2 > FLT_MAX) { /* an unused box would be met, too */
+    if (q.ball.radius2 > FLT_MAX) { /* the distance to an unused box would be
+                                     * within the radius, too */
         add_run(&q, 0, map->n);
     } else {
         search_group(&q, map->levels - 1, 0);
@@ -99,8 +106,8 @@ size_t murk_photon_map_count_within(const murk_photon_map *map,
 
 /* ---- nearest ---- */
 
-/* found and distance2 are a heap with the farthest on top until they are
- * sorted. */
+/* The arrays found and distance2 are a heap with the farthest photon on top,
+ * until they are sorted at the end. */
 typedef struct nearest_query {
     const murk_photon_map *map;
     float center[3];
@@ -114,7 +121,8 @@ static bool comes_before(double d_a, uint32_t a, double d_b, uint32_t b)
     return d_a < d_b || (d_a == d_b && a < b);
 }
 
-/* Puts a photon into the heap's first n places, from the hole at i down. */
+/* Puts a photon into the heap of the first n places, moving the hole at i
+ * down. */
 static void settle(nearest_query *q, size_t n, size_t i, double d,
                    uint32_t photon)
 {
@@ -150,7 +158,7 @@ static void push(nearest_query *q, double d, uint32_t photon)
     q->found[i] = photon;
 }
 
-/* Something at this distance may still be among the nearest. */
+/* True if a photon at this distance may be among the nearest. */
 static bool may_count(const nearest_query *q, double d)
 {
     return q->n < q->k || d <= q->distance2[0];
@@ -161,7 +169,7 @@ static void offer_leaf(nearest_query *q, size_t leaf)
     const size_t first = murk_first_of(q->map, 0, leaf);
     const uint32_t n = (uint32_t)(murk_first_of(q->map, 0, leaf + 1) - first);
     float distance2[MURK_LEAF];
-    q->map->scan->leaf_distance2(q->map->photons + first, n, q->center,
+    q->map->test->leaf_distance2(q->map->photons + first, n, q->center,
                                  distance2);
     for (uint32_t i = 0; i < n; ++i) {
         const double d = (double)distance2[i];
@@ -178,8 +186,9 @@ static void nearest_in_group(nearest_query *q, unsigned level, size_t group)
 {
     const murk_photon_map *map = q->map;
     float distance2[MURK_WIDE];
-    map->scan->boxes_distance2(map->boxes[level] + group, q->center, distance2);
-    const size_t rest = map->n_boxes[level] - group * MURK_WIDE;
+    map->test->bounds_distance2(map->bounds[level] + group, q->center,
+                                distance2);
+    const size_t rest = map->n_bounds[level] - group * MURK_WIDE;
     uint32_t left = rest < MURK_WIDE ? (1u << rest) - 1 : (1u << MURK_WIDE) - 1;
     while (left) {
         unsigned nearest = (unsigned)__builtin_ctz(left);

@@ -3,7 +3,7 @@
  * descending into the boxes that hold it. */
 #include "render/balls.h"
 
-#include "photonmap/scan.h"
+#include "photonmap/range_test.h"
 
 #include <stdlib.h>
 
@@ -19,11 +19,11 @@ typedef struct sixteen {
 } sixteen;
 
 struct murk_balls {
-    const murk_scan *scan;
+    const murk_range_test *test;
     size_t n;
     sixteen *ball;   /* [groups of 16 balls] */
     unsigned levels; /* of boxes; the last is one group */
-    murk_boxes *boxes[LEVELS_MAX];
+    murk_bounds *bounds[LEVELS_MAX];
 };
 
 static size_t groups_of(size_t n)
@@ -31,21 +31,22 @@ static size_t groups_of(size_t n)
     return (n + MURK_WIDE - 1) / MURK_WIDE;
 }
 
-static void empty_boxes(murk_boxes *boxes, size_t groups)
+static void empty_bounds(murk_bounds *bounds, size_t groups)
 {
     for (size_t g = 0; g < groups; ++g) {
         for (int axis = 0; axis < 3; ++axis) {
             for (int i = 0; i < MURK_WIDE; ++i) {
-                boxes[g].min[axis][i] = INFINITY;
-                boxes[g].max[axis][i] = -INFINITY;
+                bounds[g].min[axis][i] = INFINITY;
+                bounds[g].max[axis][i] = -INFINITY;
             }
         }
     }
 }
 
-static void widen(murk_boxes *boxes, size_t box, int axis, float min, float max)
+static void widen(murk_bounds *bounds, size_t box, int axis, float min,
+                  float max)
 {
-    murk_boxes *b = &boxes[box / MURK_WIDE];
+    murk_bounds *b = &bounds[box / MURK_WIDE];
     const size_t i = box % MURK_WIDE;
     b->min[axis][i] = fminf(b->min[axis][i], min);
     b->max[axis][i] = fmaxf(b->max[axis][i], max);
@@ -63,7 +64,7 @@ static void fill(murk_balls *b, const murk_ball_extent *ball)
             const float c = ball[i].center[axis], r = ball[i].reach[axis];
             s->center[axis][k] = c;
             s->per_square[k] = 1 / (ball[i].radius * ball[i].radius);
-            widen(b->boxes[0], i / MURK_WIDE, axis,
+            widen(b->bounds[0], i / MURK_WIDE, axis,
                   nextafterf(c - r, -INFINITY), nextafterf(c + r, INFINITY));
         }
     }
@@ -71,9 +72,9 @@ static void fill(murk_balls *b, const murk_ball_extent *ball)
     size_t n = groups_of(b->n);
     for (unsigned level = 1; level < b->levels; ++level) {
         for (size_t i = 0; i < n; ++i) {
-            const murk_boxes *from = &b->boxes[level - 1][i / MURK_WIDE];
+            const murk_bounds *from = &b->bounds[level - 1][i / MURK_WIDE];
             for (int axis = 0; axis < 3; ++axis) {
-                widen(b->boxes[level], i / MURK_WIDE, axis,
+                widen(b->bounds[level], i / MURK_WIDE, axis,
                       from->min[axis][i % MURK_WIDE],
                       from->max[axis][i % MURK_WIDE]);
             }
@@ -85,25 +86,26 @@ static void fill(murk_balls *b, const murk_ball_extent *ball)
 murk_status murk_balls_create(murk_balls **out, const murk_ball_extent *ball,
                               size_t n, murk_error *err)
 {
-    unsigned n_scans;
-    const murk_scan *const *scans = murk_scans(&n_scans);
+    unsigned n_tests;
+    const murk_range_test *const *tests = murk_range_tests(&n_tests);
     murk_balls *b = calloc(1, sizeof *b);
     bool is_there = b != NULL;
     /* Allocate the balls and one level of boxes after the other, up to a
      * single group. */
     if (is_there && n > 0) {
-        b->scan = scans[n_scans - 1];
+        b->test = tests[n_tests - 1];
         b->n = n;
         b->ball = calloc(groups_of(n), sizeof *b->ball);
         is_there = b->ball != NULL;
-        for (size_t boxes = groups_of(n); is_there; boxes = groups_of(boxes)) {
-            const size_t groups = groups_of(boxes);
-            murk_boxes *level =
+        for (size_t bounds = groups_of(n); is_there;
+             bounds = groups_of(bounds)) {
+            const size_t groups = groups_of(bounds);
+            murk_bounds *level =
                 aligned_alloc(ALIGNMENT, groups * sizeof *level);
             is_there = level != NULL;
             if (is_there) {
-                empty_boxes(level, groups);
-                b->boxes[b->levels++] = level;
+                empty_bounds(level, groups);
+                b->bounds[b->levels++] = level;
             }
             if (groups == 1) {
                 break;
@@ -127,7 +129,7 @@ void murk_balls_destroy(murk_balls *balls)
 {
     if (balls) {
         for (unsigned level = 0; level < balls->levels; ++level) {
-            free(balls->boxes[level]);
+            free(balls->bounds[level]);
         }
         free(balls->ball);
         free(balls);
@@ -137,10 +139,10 @@ void murk_balls_destroy(murk_balls *balls)
 double murk_balls_memory_for(double n)
 {
     double bytes = sizeof(murk_balls) + ceil(n / MURK_WIDE) * sizeof(sixteen);
-    for (double boxes = ceil(n / MURK_WIDE); boxes > 0;) {
-        const double groups = ceil(boxes / MURK_WIDE);
-        bytes += groups * sizeof(murk_boxes);
-        boxes = groups > 1 ? groups : 0;
+    for (double bounds = ceil(n / MURK_WIDE); bounds > 0;) {
+        const double groups = ceil(bounds / MURK_WIDE);
+        bytes += groups * sizeof(murk_bounds);
+        bounds = groups > 1 ? groups : 0;
     }
     return bytes;
 }
@@ -173,8 +175,8 @@ static void look_at_sixteen(const asking *a, size_t group)
 static void look_in_group(const asking *a, unsigned level, size_t group)
 {
     uint32_t whole;
-    uint32_t met = a->balls->scan->boxes(a->balls->boxes[level] + group,
-                                         &a->point, &whole);
+    uint32_t met = a->balls->test->bounds(a->balls->bounds[level] + group,
+                                          &a->point, &whole);
     for (; met; met &= met - 1) {
         const size_t box = group * MURK_WIDE + (unsigned)__builtin_ctz(met);
         if (level > 0) {

@@ -1,4 +1,7 @@
-#include "photonmap/scan.h"
+/* Range tests of bounding boxes and photons, in plain C, AVX2 and AVX-512.
+ * Records are loaded as they are stored and transposed in registers; the last
+ * photons of a leaf that do not fill a register use the plain version. */
+#include "photonmap/range_test.h"
 
 #if defined(__x86_64__)
 #include <immintrin.h>
@@ -21,31 +24,31 @@ static float length2(const float d[3])
 
 /* ---- plain C ---- */
 
-static void plain_boxes_distance2(const murk_boxes *boxes,
-                                  const float center[3], float out[MURK_WIDE])
+static void plain_bounds_distance2(const murk_bounds *bounds,
+                                   const float center[3], float out[MURK_WIDE])
 {
     for (int i = 0; i < MURK_WIDE; ++i) {
         float d[3];
         for (int a = 0; a < 3; ++a) {
-            const float below = boxes->min[a][i] - center[a];
-            const float above = center[a] - boxes->max[a][i];
+            const float below = bounds->min[a][i] - center[a];
+            const float above = center[a] - bounds->max[a][i];
             d[a] = max2(max2(below, above), 0);
         }
         out[i] = length2(d);
     }
 }
 
-static uint32_t plain_boxes(const murk_boxes *boxes,
-                            const murk_query_sphere *ball, uint32_t *whole)
+static uint32_t plain_bounds(const murk_bounds *bounds,
+                             const murk_query_sphere *ball, uint32_t *whole)
 {
     uint32_t met = 0, inside = 0;
     for (int i = 0; i < MURK_WIDE; ++i) {
         float near[3], far[3];
         for (int a = 0; a < 3; ++a) {
-            const float below = boxes->min[a][i] - ball->center[a];
-            const float above = ball->center[a] - boxes->max[a][i];
+            const float below = bounds->min[a][i] - ball->center[a];
+            const float above = ball->center[a] - bounds->max[a][i];
             near[a] = max2(max2(below, above), 0);
-            far[a] = min2(below, above); /* its square counts */
+            far[a] = min2(below, above); /* the square of it counts */
         }
         met |= (uint32_t)(length2(near) <= ball->radius2) << i;
         inside |= (uint32_t)(length2(far) <= ball->radius2) << i;
@@ -78,8 +81,9 @@ static uint32_t plain_leaf(const murk_photon *photons, uint32_t n,
     return in;
 }
 
-static const murk_scan plain = {"plain", plain_boxes, plain_leaf,
-                                plain_boxes_distance2, plain_leaf_distance2};
+static const murk_range_test plain = {"plain", plain_bounds, plain_leaf,
+                                      plain_bounds_distance2,
+                                      plain_leaf_distance2};
 
 #if defined(__x86_64__)
 
@@ -94,41 +98,42 @@ AVX2 static inline __m256 avx2_length2(__m256 x, __m256 y, __m256 z)
         _mm256_mul_ps(z, z));
 }
 
-/* From the nearest (or, squared, the farthest) points of boxes i..i+7. */
-AVX2 static inline void avx2_box(const murk_boxes *boxes, const float *center,
+/* Offsets to the nearest and (in magnitude) the farthest points of boxes
+ * i..i+7. */
+AVX2 static inline void avx2_box(const murk_bounds *bounds, const float *center,
                                  int i, __m256 near[3], __m256 far[3])
 {
     for (int a = 0; a < 3; ++a) {
         const __m256 c = _mm256_set1_ps(center[a]);
         const __m256 below =
-            _mm256_sub_ps(_mm256_load_ps(boxes->min[a] + i), c);
+            _mm256_sub_ps(_mm256_load_ps(bounds->min[a] + i), c);
         const __m256 above =
-            _mm256_sub_ps(c, _mm256_load_ps(boxes->max[a] + i));
+            _mm256_sub_ps(c, _mm256_load_ps(bounds->max[a] + i));
         near[a] =
             _mm256_max_ps(_mm256_max_ps(below, above), _mm256_setzero_ps());
         far[a] = _mm256_min_ps(below, above);
     }
 }
 
-AVX2 static void avx2_boxes_distance2(const murk_boxes *boxes,
-                                      const float center[3],
-                                      float out[MURK_WIDE])
+AVX2 static void avx2_bounds_distance2(const murk_bounds *bounds,
+                                       const float center[3],
+                                       float out[MURK_WIDE])
 {
     for (int i = 0; i < MURK_WIDE; i += 8) {
         __m256 near[3], far[3];
-        avx2_box(boxes, center, i, near, far);
+        avx2_box(bounds, center, i, near, far);
         _mm256_storeu_ps(out + i, avx2_length2(near[0], near[1], near[2]));
     }
 }
 
-AVX2 static uint32_t avx2_boxes(const murk_boxes *boxes,
-                                const murk_query_sphere *ball, uint32_t *whole)
+AVX2 static uint32_t avx2_bounds(const murk_bounds *bounds,
+                                 const murk_query_sphere *ball, uint32_t *whole)
 {
     const __m256 radius2 = _mm256_set1_ps(ball->radius2);
     uint32_t met = 0, inside = 0;
     for (int i = 0; i < MURK_WIDE; i += 8) {
         __m256 near[3], far[3];
-        avx2_box(boxes, ball->center, i, near, far);
+        avx2_box(bounds, ball->center, i, near, far);
         met |=
             (uint32_t)_mm256_movemask_ps(_mm256_cmp_ps(
                 avx2_length2(near[0], near[1], near[2]), radius2, _CMP_LE_OQ))
@@ -142,7 +147,7 @@ AVX2 static uint32_t avx2_boxes(const murk_boxes *boxes,
     return met;
 }
 
-/* x y z and one word more of photons i and i + 4. */
+/* x, y, z and the next word of photons i and i + 4. */
 AVX2 static inline __m256 avx2_pair(const murk_photon *p)
 {
     return _mm256_insertf128_ps(
@@ -150,7 +155,8 @@ AVX2 static inline __m256 avx2_pair(const murk_photon *p)
         _mm_loadu_ps(p[4].position_m), 1);
 }
 
-/* Turns eight records into three vectors of coordinates. */
+/* Loads eight records, transposes them to three vectors of coordinates, and
+ * returns squared distances. */
 AVX2 static inline __m256 avx2_photons(const murk_photon *p,
                                        const __m256 center[3])
 {
@@ -200,8 +206,8 @@ AVX2 static uint32_t avx2_leaf(const murk_photon *photons, uint32_t n,
     return in;
 }
 
-static const murk_scan avx2 = {"AVX2", avx2_boxes, avx2_leaf,
-                               avx2_boxes_distance2, avx2_leaf_distance2};
+static const murk_range_test avx2 = {
+    "AVX2", avx2_bounds, avx2_leaf, avx2_bounds_distance2, avx2_leaf_distance2};
 
 /* ---- AVX-512: 16 at a time ---- */
 
@@ -214,43 +220,43 @@ AVX512 static inline __m512 avx512_length2(__m512 x, __m512 y, __m512 z)
         _mm512_mul_ps(z, z));
 }
 
-AVX512 static inline void avx512_box(const murk_boxes *boxes,
+AVX512 static inline void avx512_box(const murk_bounds *bounds,
                                      const float *center, __m512 near[3],
                                      __m512 far[3])
 {
     for (int a = 0; a < 3; ++a) {
         const __m512 c = _mm512_set1_ps(center[a]);
-        const __m512 below = _mm512_sub_ps(_mm512_load_ps(boxes->min[a]), c);
-        const __m512 above = _mm512_sub_ps(c, _mm512_load_ps(boxes->max[a]));
+        const __m512 below = _mm512_sub_ps(_mm512_load_ps(bounds->min[a]), c);
+        const __m512 above = _mm512_sub_ps(c, _mm512_load_ps(bounds->max[a]));
         near[a] =
             _mm512_max_ps(_mm512_max_ps(below, above), _mm512_setzero_ps());
         far[a] = _mm512_min_ps(below, above);
     }
 }
 
-AVX512 static void avx512_boxes_distance2(const murk_boxes *boxes,
-                                          const float center[3],
-                                          float out[MURK_WIDE])
+AVX512 static void avx512_bounds_distance2(const murk_bounds *bounds,
+                                           const float center[3],
+                                           float out[MURK_WIDE])
 {
     __m512 near[3], far[3];
-    avx512_box(boxes, center, near, far);
+    avx512_box(bounds, center, near, far);
     _mm512_storeu_ps(out, avx512_length2(near[0], near[1], near[2]));
 }
 
-AVX512 static uint32_t avx512_boxes(const murk_boxes *boxes,
-                                    const murk_query_sphere *ball,
-                                    uint32_t *whole)
+AVX512 static uint32_t avx512_bounds(const murk_bounds *bounds,
+                                     const murk_query_sphere *ball,
+                                     uint32_t *whole)
 {
     const __m512 radius2 = _mm512_set1_ps(ball->radius2);
     __m512 near[3], far[3];
-    avx512_box(boxes, ball->center, near, far);
+    avx512_box(bounds, ball->center, near, far);
     *whole = _mm512_cmp_ps_mask(avx512_length2(far[0], far[1], far[2]), radius2,
                                 _CMP_LE_OQ);
     return _mm512_cmp_ps_mask(avx512_length2(near[0], near[1], near[2]),
                               radius2, _CMP_LE_OQ);
 }
 
-/* x y z and one word more of photons i, i + 4, i + 8 and i + 12. */
+/* x, y, z and the next word of photons i, i + 4, i + 8 and i + 12. */
 AVX512 static inline __m512 avx512_four(const murk_photon *p)
 {
     __m512 v = _mm512_castps128_ps512(_mm_loadu_ps(p[0].position_m));
@@ -309,12 +315,13 @@ AVX512 static uint32_t avx512_leaf(const murk_photon *photons, uint32_t n,
     return in;
 }
 
-static const murk_scan avx512 = {"AVX-512", avx512_boxes, avx512_leaf,
-                                 avx512_boxes_distance2, avx512_leaf_distance2};
+static const murk_range_test avx512 = {"AVX-512", avx512_bounds, avx512_leaf,
+                                       avx512_bounds_distance2,
+                                       avx512_leaf_distance2};
 
-const murk_scan *const *murk_scans(unsigned *n)
+const murk_range_test *const *murk_range_tests(unsigned *n)
 {
-    static const murk_scan *const all[] = {&plain, &avx2, &avx512};
+    static const murk_range_test *const all[] = {&plain, &avx2, &avx512};
     *n = __builtin_cpu_supports("avx512f") ? 3
          : __builtin_cpu_supports("avx2")  ? 2
                                            : 1;
@@ -323,9 +330,9 @@ const murk_scan *const *murk_scans(unsigned *n)
 
 #else
 
-const murk_scan *const *murk_scans(unsigned *n)
+const murk_range_test *const *murk_range_tests(unsigned *n)
 {
-    static const murk_scan *const all[] = {&plain};
+    static const murk_range_test *const all[] = {&plain};
     *n = 1;
     return all;
 }

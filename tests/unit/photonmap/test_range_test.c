@@ -2,7 +2,7 @@
 #include "check.h"
 #include "sets.h"
 
-#include "photonmap/scan.h"
+#include "photonmap/range_test.h"
 
 /* From far apart to far below and above what single precision can square. */
 static murk_query_sphere ball_of(uint64_t i)
@@ -15,23 +15,24 @@ static murk_query_sphere ball_of(uint64_t i)
                                scale * (float)(9 * r.u[3] * r.u[3])};
 }
 
-static void fill_boxes(murk_boxes *boxes, const murk_photon *photons,
-                       uint32_t used)
+static void fill_bounds(murk_bounds *bounds, const murk_photon *photons,
+                        uint32_t used)
 {
     for (uint32_t i = 0; i < MURK_WIDE; ++i) {
         for (int a = 0; a < 3; ++a) {
             const float p = photons[i].position_m[a];
             const float q = photons[i + MURK_WIDE].position_m[a];
-            boxes->min[a][i] = i < used ? (p < q ? p : q) : INFINITY;
-            boxes->max[a][i] = i < used ? (p < q ? q : p) : -INFINITY;
+            bounds->min[a][i] = i < used ? (p < q ? p : q) : INFINITY;
+            bounds->max[a][i] = i < used ? (p < q ? q : p) : -INFINITY;
         }
     }
 }
 
-static void compare_scans(const murk_scan *plain, const murk_scan *wide,
+static void compare_tests(const murk_range_test *plain,
+                          const murk_range_test *wide,
                           const murk_photon *photons, uint64_t i)
 {
-    _Alignas(64) murk_boxes boxes;
+    _Alignas(64) murk_bounds bounds;
     const murk_query_sphere ball = ball_of(i);
     const uint32_t n = i % 3 ? MURK_LEAF : (uint32_t)(i / 3 % (MURK_LEAF + 1));
     float a[MURK_LEAF] = {0}, b[MURK_LEAF] = {0};
@@ -41,21 +42,21 @@ static void compare_scans(const murk_scan *plain, const murk_scan *wide,
     wide->leaf_distance2(photons, n, ball.center, b);
     CHECK(memcmp(a, b, n * sizeof *a) == 0);
 
-    fill_boxes(&boxes, photons, n < MURK_WIDE ? n : MURK_WIDE);
+    fill_bounds(&bounds, photons, n < MURK_WIDE ? n : MURK_WIDE);
     uint32_t whole_a, whole_b;
-    CHECK(plain->boxes(&boxes, &ball, &whole_a) ==
-          wide->boxes(&boxes, &ball, &whole_b));
+    CHECK(plain->bounds(&bounds, &ball, &whole_a) ==
+          wide->bounds(&bounds, &ball, &whole_b));
     CHECK(whole_a == whole_b);
-    plain->boxes_distance2(&boxes, ball.center, a);
-    wide->boxes_distance2(&boxes, ball.center, b);
+    plain->bounds_distance2(&bounds, ball.center, a);
+    wide->bounds_distance2(&bounds, ball.center, b);
     CHECK(memcmp(a, b, MURK_WIDE * sizeof *a) == 0);
 }
 
 static void test_all_ways_give_the_same_bits(void)
 {
-    unsigned n_scans;
-    const murk_scan *const *scans = murk_scans(&n_scans);
-    CHECK_TEXT(scans[0]->name, "plain");
+    unsigned n_tests;
+    const murk_range_test *const *tests = murk_range_tests(&n_tests);
+    CHECK_TEXT(tests[0]->name, "plain");
     const size_t n = 4000;
     for (int set = 0; set < PHOTON_SETS; ++set) {
         murk_photon *photons = make_photons((photon_set)set, n, 9);
@@ -63,8 +64,8 @@ static void test_all_ways_give_the_same_bits(void)
             photons[i].direction = 0xffffffffu;
         }
         for (size_t i = 0; i + MURK_LEAF <= n; ++i) {
-            for (unsigned j = 0; j < n_scans; ++j) {
-                compare_scans(scans[0], scans[j], photons + i, i);
+            for (unsigned j = 0; j < n_tests; ++j) {
+                compare_tests(tests[0], tests[j], photons + i, i);
             }
         }
         free(photons);
@@ -75,17 +76,17 @@ static void test_all_ways_give_the_same_bits(void)
  * watches), and a box bounds what it holds exactly. */
 static void test_boxes_bound_their_photons(void)
 {
-    unsigned n_scans;
-    const murk_scan *const *scans = murk_scans(&n_scans);
-    const murk_scan *best = scans[n_scans - 1];
+    unsigned n_tests;
+    const murk_range_test *const *tests = murk_range_tests(&n_tests);
+    const murk_range_test *best = tests[n_tests - 1];
     murk_photon *photons = make_photons(RANDOM_SET, MURK_LEAF, 3);
-    _Alignas(64) murk_boxes boxes;
-    fill_boxes(&boxes, photons, MURK_WIDE);
+    _Alignas(64) murk_bounds bounds;
+    fill_bounds(&bounds, photons, MURK_WIDE);
     int met_all = 0, whole_all = 0;
     for (uint64_t i = 2; i < 20000; ++i) {
         const murk_query_sphere ball = ball_of(i);
         uint32_t whole;
-        const uint32_t met = best->boxes(&boxes, &ball, &whole);
+        const uint32_t met = best->bounds(&bounds, &ball, &whole);
         const uint32_t in = best->leaf(photons, MURK_LEAF, &ball);
         for (uint32_t j = 0; j < MURK_WIDE; ++j) {
             const uint32_t both = (in >> j & 1) + (in >> (j + 16) & 1);
