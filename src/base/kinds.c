@@ -11,7 +11,7 @@ const char *murk_place_method_name(murk_place_method method)
 
 const char *murk_view_name(murk_view view)
 {
-    static const char *const names[] = {MURK_VIEWS(NAME)};
+    static const char *const names[] = {MURK_VIEW_SHAPES(NAME)};
     return names[view];
 }
 

@@ -11,7 +11,7 @@
     X(GREEDY, "greedy")       \
     X(EXACT, "exact")
 
-#define MURK_VIEWS(X)                                                  \
+#define MURK_VIEW_SHAPES(X)                                            \
     X(SPHERE, "sphere") /* all round: heading and tilt mean nothing */ \
     X(CONE, "cone")                                                    \
     X(FRUSTUM, "frustum") /* a rectangle in the pinhole's projection */
@@ -27,7 +27,7 @@
 typedef enum murk_place_method {
     MURK_PLACE_METHODS(MURK_PLACE_ENUMERATOR)
 } murk_place_method;
-typedef enum murk_view { MURK_VIEWS(MURK_VIEW_ENUMERATOR) } murk_view;
+typedef enum murk_view { MURK_VIEW_SHAPES(MURK_VIEW_ENUMERATOR) } murk_view;
 typedef enum murk_tally_type {
     MURK_TALLY_TYPES(MURK_TALLY_ENUMERATOR)
 } murk_tally_type;

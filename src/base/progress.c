@@ -29,7 +29,7 @@
 #define FIRST_LINE_S 2.0
 /* factor between the times of successive whole lines */
 #define LINE_GROWTH 1.25
-#define STEPS_MAX   4   /* study, row, step, inner step */
+#define STEPS_MAX   4   /* nested steps that are shown */
 #define COLUMNS     80  /* if the terminal does not report its width */
 #define COLUMNS_MIN 20  /* narrower windows wrap */
 #define LINE_SIZE   512 /* all pieces of a line */

@@ -6,8 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Bytes of the text on the state of a search, which fits into one line of a
- * terminal. */
+/* Bytes of the text on the state of a search: about one line of a terminal. */
 #define MURK_PROGRESS_TEXT_SIZE 96
 
 /* The state of a step. */

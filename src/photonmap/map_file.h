@@ -21,7 +21,7 @@
 
 #define MURK_MAP_FILE_VERSION 1 /* a new layout gets a new number */
 
-#define MURK_MAP_FILE_SECTIONS 64 /* at most; a fit writes some twenty */
+#define MURK_MAP_FILE_SECTIONS 64 /* at most: bounds the table of a file */
 
 /* A section: a name of 1 to 15 printable characters, and bytes. */
 typedef struct murk_section {

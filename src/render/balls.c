@@ -7,13 +7,13 @@
 
 #include <stdlib.h>
 
-/* 16^8 = 2^32 balls. */
+/* The largest number of levels: 16^8 = 2^32 balls. */
 #define LEVELS_MAX 8
 
-/* Of boxes in memory: what the widest scan loads at once. */
+/* Alignment of the boxes in bytes: the size of the largest vector register. */
 #define ALIGNMENT 64
 
-/* Sixteen balls side by side; an unused one has radius 0. */
+/* Sixteen balls by coordinate; an unused one contains no point. */
 typedef struct sixteen {
     float center[3][MURK_WIDE], per_square[MURK_WIDE];
 } sixteen;
@@ -22,7 +22,7 @@ struct murk_balls {
     const murk_range_test *test;
     size_t n;
     sixteen *ball;   /* [groups of 16 balls] */
-    unsigned levels; /* of boxes; the last is one group */
+    unsigned levels; /* of boxes; the last level is one group */
     murk_bounds *bounds[LEVELS_MAX];
 };
 
@@ -59,7 +59,7 @@ static void fill(murk_balls *b, const murk_ball_extent *ball)
     for (size_t i = 0; i < groups_of(b->n) * MURK_WIDE; ++i) {
         sixteen *s = &b->ball[i / MURK_WIDE];
         const size_t k = i % MURK_WIDE;
-        s->per_square[k] = INFINITY; /* holds nothing */
+        s->per_square[k] = INFINITY; /* contains no point */
         for (int axis = 0; axis < 3 && i < b->n; ++axis) {
             const float c = ball[i].center[axis], r = ball[i].reach[axis];
             s->center[axis][k] = c;
@@ -149,7 +149,7 @@ double murk_balls_memory_for(double n)
 
 typedef struct asking {
     const murk_balls *balls;
-    murk_query_sphere point; /* a ball without size */
+    murk_query_sphere point; /* a ball of radius 0 */
     murk_balls_told told;
     void *context;
 } asking;

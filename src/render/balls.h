@@ -1,8 +1,10 @@
-/* Balls of different sizes, and the search for those that hold a point.
+/* A bounding volume hierarchy over balls of different sizes, for finding the
+ * balls that contain a point.
  *
- * Sixteen balls share a box, sixteen boxes share a larger box, and so on. Balls
- * that follow one another should lie near each other, as the records of a
- * photon map do. Immutable after creation: any number of threads may search. */
+ * Sixteen balls have a bounding box, sixteen boxes another one, and so on.
+ * Balls with consecutive numbers should be close to each other, as the records
+ * of a photon map are. Immutable after creation: any number of threads may
+ * query. */
 #ifndef MURK_RENDER_BALLS_H
 #define MURK_RENDER_BALLS_H
 
@@ -20,13 +22,13 @@ typedef struct murk_ball_extent {
 
 typedef struct murk_balls murk_balls;
 
-/* Copies ball[n], all finite. *out is the caller's. Fails with
+/* Copies ball[n], with finite values. The caller destroys *out. Fails with
  * MURK_NO_MEMORY. */
 murk_status murk_balls_create(murk_balls **out, const murk_ball_extent *ball,
                               size_t n, murk_error *err);
 void murk_balls_destroy(murk_balls *balls); /* NULL is fine */
 
-/* Bytes that n balls take. */
+/* The memory of n balls in bytes. */
 double murk_balls_memory_for(double n);
 
 /* Called for each ball that holds the point: the number of the ball, and the

@@ -47,8 +47,8 @@ murk_camera murk_camera_around(murk_vec3 from, murk_vec3 toward, size_t width,
                          .height = height};
 }
 
-/* In a direction of longitude from forward to the right, and of a latitude's
- * sine and cosine. */
+/* The direction at a longitude from forward to the right, and at a latitude
+ * given by sine and cosine. */
 static murk_vec3 on_sphere(const murk_camera *c, double longitude, double sine,
                            double cosine)
 {
@@ -80,8 +80,8 @@ murk_vec3 murk_camera_sight(const murk_camera *c, double x, double y)
     return murk_unit(d);
 }
 
-/* Zones of a sphere are as large as they are high (Archimedes), so the sine of
- * the latitude is even over a pixel's solid angle. */
+/* The area of a zone of a sphere is proportional to the height (Archimedes), so
+ * the sine of the latitude is uniform over the solid angle of a pixel. */
 murk_vec3 murk_camera_draw(const murk_camera *c, size_t column, size_t row,
                            double u, double v)
 {
@@ -114,8 +114,8 @@ bool murk_camera_find(const murk_camera *c, murk_vec3 direction, double *x,
     return ahead > 0 && *x >= 0 && *x <= width && *y >= 0 && *y <= height;
 }
 
-/* Of the rectangle from the axis to (a, b) in the plane at distance 1; signed.
- */
+/* The signed solid angle of the rectangle from the axis to (a, b) in the plane
+ * at distance 1. */
 static double corner_angle(double a, double b)
 {
     return atan(a * b / sqrt(1 + a * a + b * b));

@@ -1,14 +1,15 @@
-/* A camera: position, projection, and the direction of each place of its
+/* Cameras: position, projection, and the direction of each point of the
  * picture.
  *
- * The picture is `width` by `height` pixels; places on it are counted in pixels
- * from its upper left corner, x to the right and y down, so that the first
- * pixel's middle is (0.5, 0.5).
+ * The picture has `width` by `height` pixels. Points of the picture are counted
+ * in pixels from the upper left corner, x to the right and y down, so that the
+ * center of the first pixel is (0.5, 0.5).
  *
- * Perspective: a pinhole's picture. Equirectangular: all round, longitude along
- * x and latitude along y, alike by angle; forward is in the middle, what is
- * behind at both sides, up and down are the upper and the lower edge. Its
- * pixels have unlike solid angles, most at the horizon. */
+ * Perspective: a pinhole camera. Equirectangular: a panorama with longitude
+ * along x and latitude along y, with equal angles for equal distances. Forward
+ * is in the center, backward at both sides, up and down are the upper and the
+ * lower edge. The pixels have different solid angles, the largest at the
+ * horizon. */
 #ifndef MURK_RENDER_CAMERA_H
 #define MURK_RENDER_CAMERA_H
 
@@ -26,8 +27,8 @@ typedef struct murk_camera {
     murk_projection projection;
     murk_vec3 from;
     murk_vec3 forward, right, up; /* unit, at right angles */
-    double step[2]; /* perspective: a pixel's width and height in a plane at
-                       distance 1 */
+    double step[2]; /* perspective: width and height of a pixel in a plane at
+                     * distance 1 */
     size_t width, height; /* pixels */
 } murk_camera;
 
@@ -37,23 +38,25 @@ typedef struct murk_camera {
 murk_camera murk_camera_look(murk_vec3 from, murk_vec3 to, murk_vec3 up,
                              double vfov_rad, size_t width, size_t height);
 
-/* Looks forward over these angles, above 0 and below pi, from the left edge to
- * the right and from the lower to the upper: pixels are as square as the
- * angles and counts make them. forward and right: unit, at right angles. */
+/* A perspective camera with the given angles of view, above 0 and below pi,
+ * from the left to the right edge and from the lower to the upper edge. The
+ * shape of a pixel follows from the angles and the numbers of pixels. forward
+ * and right are unit vectors at right angles. */
 murk_camera murk_camera_view(murk_vec3 from, murk_vec3 forward, murk_vec3 right,
                              double hfov_rad, double vfov_rad, size_t width,
                              size_t height);
 
-/* Looks all round, +z up; what lies `toward` level is in the middle: not
- * straight up or down. */
+/* A panorama camera with +z up. The horizontal direction of `toward` is in the
+ * center; `toward` must not be vertical. */
 murk_camera murk_camera_around(murk_vec3 from, murk_vec3 toward, size_t width,
                                size_t height);
 
-/* The unit direction that a place of the picture looks into. */
+/* The unit direction of a point of the picture. */
 murk_vec3 murk_camera_sight(const murk_camera *camera, double x, double y);
 
-/* The same of a place of one pixel for u and v in (0, 1). Perspective: drawn
- * evenly over the pixel; equirectangular: evenly over its solid angle. */
+/* The unit direction of a random point of a pixel for u and v in (0, 1):
+ * uniform over the pixel of a perspective camera, uniform over the solid angle
+ * of the pixel of a panorama. */
 murk_vec3 murk_camera_draw(const murk_camera *camera, size_t column, size_t row,
                            double u, double v);
 
@@ -62,7 +65,7 @@ murk_vec3 murk_camera_draw(const murk_camera *camera, size_t column, size_t row,
 bool murk_camera_find(const murk_camera *camera, murk_vec3 direction, double *x,
                       double *y);
 
-/* Solid angle of a pixel [sr]. */
+/* The solid angle of a pixel [sr]. */
 double murk_camera_solid_angle(const murk_camera *camera, size_t column,
                                size_t row);
 

@@ -21,7 +21,8 @@ static void add(filling *f, const char *name, const char *title,
     c->value = value;
 }
 
-/* "S0.550nm", "S0.414,5nm": a point would part a layer's name. */
+/* Names a channel of a band: "S0.550nm", "S0.414,5nm"; a point would end the
+ * name of the layer. */
 static void name_band(char name[MURK_CHANNEL_NAME_SIZE], const char *layer,
                       double nm)
 {
@@ -104,7 +105,8 @@ int murk_channels_clash(int bands, const double *band_nm)
     return -1;
 }
 
-/* "radiance" is S0, and a point within the wavelength a comma. */
+/* Normalises a name: "radiance" to S0, a point within the wavelength to a
+ * comma. */
 static void put_straight(char out[MURK_CHANNEL_NAME_SIZE], const char *wanted)
 {
     static const char word[] = "radiance";
@@ -131,7 +133,7 @@ const murk_channel *murk_channel_find(const murk_channel *list, size_t n,
         if (strcmp(list[i].name, name) == 0) {
             return &list[i];
         }
-        /* error.R and the like are not of a layer's bands */
+        /* channels such as error.R belong to no layer of bands */
         if (strncmp(list[i].name, name, length) == 0 &&
             list[i].name[length] == '.' && strstr(list[i].name, "nm")) {
             found = &list[i];

@@ -1,11 +1,12 @@
-/* A picture's channels by name, as they stand in OpenEXR files.
+/* The channels of a picture by the names that they have in OpenEXR files.
  *
- * R, G, B; for each band, by its wavelength (S0 and the comma as in Fichet,
- * Pacanowski and Wilkie, An OpenEXR layout for spectral images, J. Comput.
- * Graph. Tech. 10 (2021) 3), S0.550nm radiance, error.550nm its standard error,
- * surface.550nm and volume.550nm its parts, depth.550nm optical depth; error.R,
- * error.G, error.B; Z distance, P.X, P.Y, P.Z position; coverage.count and
- * coverage.clarity. What each is: render/render.h. */
+ * R, G, B; for each band, with the wavelength in the name (S0 and the comma as
+ * in Fichet, Pacanowski and Wilkie, An OpenEXR layout for spectral images, J.
+ * Comput. Graph. Tech. 10 (2021) 3): S0.550nm radiance, error.550nm its
+ * standard error, surface.550nm and volume.550nm the parts of it, depth.550nm
+ * optical depth; error.R, error.G, error.B; Z distance, P.X, P.Y, P.Z position;
+ * coverage.count and coverage.clarity. render/render.h defines the
+ * quantities. */
 #ifndef MURK_RENDER_CHANNELS_H
 #define MURK_RENDER_CHANNELS_H
 
@@ -18,7 +19,7 @@
 #define MURK_CHANNELS_MAX      (5 * MURK_BANDS_MAX + 12)
 
 typedef enum murk_channel_kind {
-    MURK_CHANNEL_RADIANCE, /* and its error and parts */
+    MURK_CHANNEL_RADIANCE, /* radiance, standard error and parts */
     MURK_CHANNEL_LENGTH,
     MURK_CHANNEL_DEPTH,
     MURK_CHANNEL_COUNT,
@@ -27,25 +28,28 @@ typedef enum murk_channel_kind {
 
 typedef struct murk_channel {
     char name[MURK_CHANNEL_NAME_SIZE];
-    char title[MURK_CHANNEL_NAME_SIZE]; /* "radiance at 550 nm" */
-    const char *unit;                   /* "W/m2/sr"; "" where there is none */
+    char title[MURK_CHANNEL_NAME_SIZE]; /* e.g. "radiance at 550 nm" */
+    const char *unit;                   /* e.g. "W/m2/sr"; "" if there is
+                                         * none */
     murk_channel_kind kind;
-    const float *value; /* [height * width], the picture's */
+    const float *value; /* [height * width], owned by the picture */
 } murk_channel;
 
-/* Fills list[MURK_CHANNELS_MAX] and returns how many there are. picture NULL:
- * names alone, of pictures with that many bands, with coverage or without. */
+/* Fills list[MURK_CHANNELS_MAX] and returns the number of channels. With
+ * picture NULL only names are filled in, for pictures with that many bands,
+ * with or without coverage. */
 size_t murk_channels_list(const murk_image *picture, int bands,
                           const double *band_nm, bool has_coverage,
                           murk_channel *list);
 
-/* The first band, of bands that rise, whose channels would have the names of
- * the next one's, as wavelengths there have 7 digits; -1: none. */
+/* Returns the first of rising bands whose channels would have the same names as
+ * those of the next band, because wavelengths in names have 7 digits; -1 if
+ * there is none. */
 int murk_channels_clash(int bands, const double *band_nm);
 
-/* The channel that is meant: by its name, by its layer alone where that has one
- * band, "radiance" for S0, and a point for the comma. NULL: none, or several.
- */
+/* Finds a channel by name; by layer if the layer has one band; with "radiance"
+ * for S0, and with a point instead of the comma. Returns NULL if there is no
+ * such channel or several. */
 const murk_channel *murk_channel_find(const murk_channel *list, size_t n,
                                       const char *wanted);
 

@@ -1,29 +1,31 @@
-/* How shadow rays are shared out among lights and among the images of a lamp.
+/* Distributes shadow rays over lights and over the images of a lamp.
  *
- * Lights: each is drawn in proportion to the irradiance that it would bring in
- * clear air without occluders, estimated from its middle; a part of the rays is
- * shared out by power alone and evenly, so that a light whose rivals are hidden
- * is found, too (Shirley, Wang and Zimmerman, ACM Trans. Graph. 15 (1996) 1,
- * doi:10.1145/226150.226151, section 5).
+ * Lights: each light is drawn in proportion to an estimate of the irradiance
+ * that it would give in clear air without occluders, from the center of the
+ * light. A share of the rays is distributed by power alone and evenly, so that
+ * a light is found, too, when brighter lights are occluded (Shirley, Wang and
+ * Zimmerman, ACM Trans. Graph. 15 (1996) 1, doi:10.1145/226150.226151, section
+ * 5).
  *
- * Images: half of the draws go to the nearest image and its eight neighbours,
- * by the inverse square of the distance. The other half follow an isotropic
- * direction from the place up to a plane at the lamp's height, and take the
- * image whose cell of the plane they meet: its chance is the cell's solid angle
- * over 2 pi. So images at any distance are drawn, no more often than they are
- * seen, and a lamp that fills the period is drawn as the endless lamp that it
- * is with its images. */
+ * Images: half of the draws go to the nearest image and the eight images around
+ * it, by the inverse square of the distance. The other half draw an isotropic
+ * direction from the point to a plane at the height of the lamp, and take the
+ * image whose cell of the plane it hits: the probability is the solid angle of
+ * the cell divided by 2 pi. Images at any distance are therefore drawn in
+ * proportion to their visible size, and a lamp that fills the period is sampled
+ * as the infinite lamp that it forms with its images. */
 #include "render/choice.h"
 
-/* Share of the rays that goes by power and evenly. */
+/* The share of the rays that is distributed by power and evenly. */
 #define BLIND_SHARE 0.25
 
-/* An image farther than this [periods] is left to rays that meet it by
- * themselves; fewer than one draw in a million is so. */
+/* An image that is farther away than this [periods] is left to rays that hit it
+ * by themselves; fewer than one draw in a million concerns such an image. */
 #define PERIODS_MAX 1e6
 
-/* From here on [periods] a cell's solid angle is that of its middle, to 1e-4;
- * nearer its corners are counted, without loss of digits. */
+/* From this distance on [periods] the solid angle of a cell is computed from
+ * the center of the cell, exact to 1e-4; for nearer cells it is computed from
+ * the corners, without loss of digits. */
 #define FAR_PERIODS 100
 
 /* ---- lights ---- */
@@ -100,8 +102,8 @@ murk_source_images murk_images_of(const murk_scenery *scenery, size_t light,
         .period_m = {box->max.x - box->min.x, box->max.y - box->min.y},
         .away_m = {away.x, away.y},
         .size_m = fmax(murk_source_extent_m(l), scenery->margin_m)};
-    /* The plane of directions stays half a period away, or at a small height
-     * hardly an image but the nearest would be drawn. */
+    /* The plane stays at least half a period away: at a small height, hardly
+     * any image but the nearest one would be drawn. */
     m.height_m = fmax(fabs(away.z), 0.5 * fmin(m.period_m[0], m.period_m[1]));
     m.nearest[0] = -round(away.x / m.period_m[0]);
     m.nearest[1] = -round(away.y / m.period_m[1]);
@@ -115,13 +117,14 @@ murk_source_images murk_images_of(const murk_scenery *scenery, size_t light,
     return m;
 }
 
-/* Of the rectangle from the axis to (x, y) in a plane at height h; signed. */
+/* The signed solid angle of the rectangle from the axis to (x, y) in a plane at
+ * height h. */
 static double corner_angle(double x, double y, double h)
 {
     return atan2(x * y, h * sqrt(h * h + x * x + y * y));
 }
 
-/* Solid angle of the cell about an image. */
+/* The solid angle of the cell around an image. */
 static double cell_angle(const murk_source_images *m, const double periods[2])
 {
     const double half_x = 0.5 * m->period_m[0], half_y = 0.5 * m->period_m[1];

@@ -5,14 +5,15 @@
 
 #include <math.h>
 
-/* Within a band the functions are looked at in steps of this or less. */
+/* The largest step of the midpoint sum over a band. */
 #define STEP_NM 5.0
 
-/* Bands whose y together stays below this share of its height are not seen. */
+/* Bands are invisible if the sum of y over the bands is below this share of the
+ * maximum of y. */
 #define UNSEEN 1e-4
 
 typedef struct lobe {
-    double height, middle_nm, below_nm, above_nm; /* widths on either side */
+    double height, middle_nm, below_nm, above_nm; /* widths on both sides */
 } lobe;
 
 static double lobe_at(const lobe *l, double nm)

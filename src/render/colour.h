@@ -1,19 +1,20 @@
-/* What a picture in a scene's bands looks like to the eye: linear RGB.
+/* Conversion of radiance in the bands of a scene to linear RGB.
  *
- * Each band's radiance counts by the CIE 1931 colour matching functions, as
- * fitted by Wyman, Sloan and Shirley (J. Comput. Graph. Tech. 2 (2013) 2,
- * simple analytic approximations: three percent at worst), mean over the band;
- * the sum is divided by that of the bands' y, so that Y is a mean radiance
- * [W/m2 /sr], and turned into the primaries of ITU-R BT.709 (IEC 61966-2-1).
- * Colours outside of them have negative parts. One band, and bands that no eye
- * sees, are grey: the bands' mean. */
+ * The radiance of each band is weighted by the CIE 1931 colour matching
+ * functions, as fitted by Wyman, Sloan and Shirley (J. Comput. Graph. Tech. 2
+ * (2013) 2; the error of the analytic approximation is 3 % at worst), averaged
+ * over the band. The sum is divided by the sum of y over the bands, so that Y
+ * is a mean radiance [W/m2 /sr], and converted to the primaries of ITU-R BT.709
+ * (IEC 61966-2-1). Colours outside of the gamut have negative components. A
+ * single band, and bands that are invisible, are shown in grey: the mean of the
+ * bands. */
 #ifndef MURK_RENDER_COLOUR_H
 #define MURK_RENDER_COLOUR_H
 
 #include "base/bands.h"
 
-/* rgb = weight * radiance, summed over bands. from_nm, to_nm: [bands] edges of
- * each band, equal for a line. */
+/* Computes weights with rgb = weight * radiance, summed over bands. from_nm,
+ * to_nm: [bands] edges of each band, equal for a single wavelength. */
 void murk_colour_weights(int bands, const double *from_nm, const double *to_nm,
                          double weight[3][MURK_BANDS_MAX]);
 

@@ -7,10 +7,11 @@
 #include "render/choice.h"
 #include "source/shine.h"
 
-/* Slots of random numbers, apart from those of the lights. */
+/* Slots of the random numbers for images, different from those for lights. */
 #define IMAGE_SLOT 32
 
-/* Radiance for light that arrives with one W/m2 across its direction. */
+/* The radiance for light that arrives with 1 W/m2 at right angles to the
+ * direction. */
 static double answer(const murk_shading_point *place, murk_vec3 arriving)
 {
     if (place->phase) {
@@ -30,8 +31,9 @@ static murk_shadow_origin outlook_of(const murk_shading_point *place)
                                 .normal = place->normal};
 }
 
-/* Share of shadow rays in what finds light that arrives so; answers: how much
- * of it is answered, which is also how densely the ray goes on. */
+/* The weight of shadow rays for light that arrives in this direction, sampled
+ * with density per_sr. `density`: the response of the point, which is also the
+ * density with which the ray continues. */
 static double share_of_rays(double answers, double per_sr)
 {
     return per_sr < INFINITY ? per_sr / (per_sr + answers) : 1;
@@ -41,7 +43,7 @@ double murk_direct_rest(const murk_scenery *scenery,
                         const murk_shading_point *place, size_t light,
                         murk_vec3 arriving, double per_sr, murk_vec3 wrapped)
 {
-    /* How many shadow rays are sent to the light, */
+    /* The number of shadow rays to this light, */
     const murk_shadow_origin outlook = outlook_of(place);
     const size_t *lit = scenery->lit[place->band];
     double all[MURK_SOURCES_MAX];
@@ -50,7 +52,7 @@ double murk_direct_rest(const murk_scenery *scenery,
     for (size_t i = 0; i < scenery->n_lit[place->band]; ++i) {
         rays = lit[i] == light ? all[i] : rays;
     }
-    /* and of these to the image that has been met. */
+    /* and the probability of the image that the ray has hit. */
     const murk_transport_world *world = scenery->world;
     if (world->domain.is_periodic &&
         !murk_source_is_distant(murk_sources_get(world->lights, light))) {
@@ -109,7 +111,7 @@ static double light_from(const murk_scenery *scenery,
     murk_vec3 back = murk_scale(-1, shine.direction);
     double length = shine.distance_m;
     if (!is_distant) {
-        /* A lamp may lie in a surface, which it is before. */
+        /* A lamp may lie in a surface; the shadow ray ends in front of it. */
         const murk_vec3 lamp = murk_along(place->position, length, back);
         const murk_vec3 way = murk_sub(
             murk_surfaces_leave(world->surfaces, lamp, shine.face), start);
@@ -139,8 +141,9 @@ double murk_direct_light(const murk_scenery *scenery,
                               rays[k], balance);
         }
     } else {
-        /* One number draws for all rays at even steps, so that a light's rays
-         * are as many as it is worth, to one. */
+        /* Systematic sampling: one random number places all rays at equal
+         * steps, so that the number of rays of a light differs from the mean by
+         * less than one. */
         double next = murk_random_at(address, 0).u[3], passed = 0;
         uint32_t sent = 0;
         for (size_t i = 0; i < n; ++i) {

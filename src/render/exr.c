@@ -11,10 +11,11 @@
 #include "base/file.h"
 #include "render/channels.h"
 
-/* ---- what the library asks for ---- */
+/* ---- callbacks of the library ---- */
 
-/* What went wrong is in the results. The library calls this with the file
- * locked, so that asking it for anything here would wait forever. */
+/* Ignores error messages: errors are reported by the results of calls. The
+ * library calls this handler with the file locked, so that a call of the
+ * library from here would wait forever. */
 static void ignore(exr_const_context_t context, exr_result_t code,
                    const char *message)
 {
@@ -82,7 +83,7 @@ static const float *rows_of(const murk_channel *list, size_t n,
     return NULL;
 }
 
-/* Rows [y, y + a chunk's). */
+/* Writes the rows of one chunk, from row y on. */
 static exr_result_t write_rows(exr_context_t file, const murk_exr *exr,
                                const murk_channel *list, size_t n, int y,
                                exr_encode_pipeline_t *encoder, bool is_first)

@@ -1,8 +1,7 @@
-/* A picture as an OpenEXR file: 32-bit float channels, ZIP-compressed
- * scanlines, what it is of and how it was made in the header.
+/* Writes a picture as an OpenEXR file: 32-bit float channels, ZIP-compressed
+ * scanlines, and texts in the header on the scene and the computation.
  *
- * Channels: render/channels.h. A picture all round is marked as envmap
- * latlong. */
+ * Channels: render/channels.h. Panoramas are marked as envmap latlong. */
 #ifndef MURK_RENDER_EXR_H
 #define MURK_RENDER_EXR_H
 
@@ -11,14 +10,14 @@
 
 typedef struct murk_exr {
     const murk_image *picture;
-    const double *band_nm; /* [bands], rising */
+    const double *band_nm; /* [bands] rising */
     bool is_all_round;     /* equirectangular */
-    double pixel_aspect;   /* width over height of a pixel */
+    double pixel_aspect;   /* width / height of a pixel */
     const murk_image_text *header;
     size_t n_header;
 } murk_exr;
 
-/* Writes it whole under another name beside `path`, then renames. Fails with
+/* Writes the file completely or not at all (base/file.h). Fails with
  * MURK_BAD_FILE or MURK_NO_MEMORY. */
 murk_status murk_exr_write(const murk_exr *exr, const char *path,
                            murk_error *err);

@@ -13,7 +13,7 @@
 
 #define CELLS 32 /* between colours of the table: render/false_colour.h */
 
-/* A logarithmic range spans no more than this. */
+/* The largest span of a logarithmic range. */
 #define SPAN_MAX 1e6
 
 /* Every eighth of the 256 colours of viridis: render/false_colour.h. */
@@ -44,12 +44,12 @@ static float max_of(const murk_channel *channel, size_t n)
 {
     float max = 0;
     for (size_t i = 0; i < n; ++i) {
-        max = fmaxf(max, channel->value[i]); /* NAN is passed over */
+        max = fmaxf(max, channel->value[i]); /* fmaxf() ignores NAN */
     }
     return max;
 }
 
-/* Where all is alike, about that. */
+/* Widens an empty range. */
 static void widen(murk_false_colour *c)
 {
     if (c->is_log) {
@@ -117,7 +117,7 @@ void murk_false_colour_at(double t, uint8_t rgb[3])
     }
 }
 
-/* 0..1 within the range. */
+/* The position of a value within the range, 0..1. */
 static double place_of(const murk_false_colour *c, double value)
 {
     if (!c->is_log) {
@@ -152,7 +152,7 @@ static void add_tick(ticks *t, const murk_false_colour *c, double value)
     }
 }
 
-/* About so many round numbers within the range. */
+/* Round numbers within the range, about `wanted` of them. */
 static ticks ticks_of(const murk_false_colour *c, bool is_whole, double wanted)
 {
     ticks t = {.n = 0};
@@ -176,8 +176,8 @@ static ticks ticks_of(const murk_false_colour *c, bool is_whole, double wanted)
 }
 
 typedef struct legend {
-    size_t scale, pad, width; /* of the whole image */
-    size_t top;               /* below the picture */
+    size_t scale, pad, width; /* width of the whole image */
+    size_t top;               /* first row, below the picture */
     char title[96];
 } legend;
 
@@ -233,7 +233,8 @@ static bool any_grey(const murk_channel *channel, size_t n,
     return false;
 }
 
-/* Sizes for a title that is so many pixels long at scale 1. */
+/* Computes the sizes of the legend for a title that is `title` pixels long at
+ * scale 1. */
 static void measure(legend *l, size_t width, size_t title)
 {
     l->scale = width > 600 ? (width + 200) / 400 : 1;

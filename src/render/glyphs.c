@@ -4,7 +4,8 @@
 
 #include <string.h>
 
-#define ROW 6 /* characters of a row and what parts it from the next */
+/* characters of a row of dots, with the separator to the next row */
+#define ROW 6
 
 typedef struct glyph {
     char letter;

@@ -4,24 +4,23 @@
 #include "geometry/disc.h"
 #include "path/viewpoint.h"
 
-/* Less than this share of a kernel in sight is too little to be measured so: a
- * corner between three walls leaves a quarter of a disc, an eighth of a
- * ball. */
+/* The least visible share of a kernel that is estimated in this way: a corner
+ * between three walls leaves a quarter of a disc and an eighth of a ball. */
 #define MIN_SHARE 0.1
 
 #define HALVINGS 10
 
-/* Cosine between two normals of one surface, which may be curved. */
+/* The least cosine between two normals of one surface, which may be curved. */
 #define ALIKE 0.5
 
-/* What looks along a surface does so this high above it, as a share of the
- * radius: over what is curved and over small steps. */
+/* The height of rays along a surface as a share of the radius, so that they
+ * pass curved parts and small steps. */
 #define EYE 0.25
 
 #define GOLDEN 0.6180339887498949
 
-/* From one probe of a ball to the next, so many shells: without a factor in
- * common with how many there are, so that each has one. */
+/* The step in shells from one test point of a ball to the next: coprime to the
+ * number of points, so that each point has a shell of its own. */
 #define BOUNDARIES 29
 
 static double index_at(const murk_scenery *scenery, murk_vec3 place)
@@ -57,7 +56,8 @@ murk_probing murk_probing_of(const murk_scenery *scenery, uint32_t seed)
 
 /* ---- on surfaces ---- */
 
-/* From a record's eye to above the place, and down to it. */
+/* True if a point of a surface is visible from a point above the record, by a
+ * path parallel to the surface and down to the point. */
 static bool sees_surface(const murk_scenery *scenery, murk_vec3 from,
                          murk_vec3 up, double eye_m, murk_vec3 place)
 {
@@ -71,7 +71,7 @@ static bool sees_surface(const murk_scenery *scenery, murk_vec3 from,
            !murk_surfaces_blocked(surfaces, above, place, false);
 }
 
-/* Share of the kernel's mass in sight, for a flat disc's. */
+/* The share of the mass of a flat disc that is visible. */
 static double share_on_surface(const murk_probing *probing, murk_vec3 from,
                                murk_vec3 up, const murk_kernel *kernel,
                                double turn)
@@ -129,7 +129,7 @@ static bool is_within(const murk_box *box, murk_vec3 p, murk_vec3 reach)
            murk_box_contains(box, murk_add(p, reach));
 }
 
-/* As far as a disc reaches along the axes. */
+/* The extent of a disc along the axes. */
 static murk_vec3 reach_of(murk_vec3 up, double radius)
 {
     return murk_vec(radius * sqrt(fmax(0, 1 - up.x * up.x)),
@@ -166,7 +166,7 @@ static murk_kernel on_surface(const murk_probing *probing,
 
 /* ---- in media ---- */
 
-/* A frame turned by chance (by Shoemake's even rotations: Graphics Gems III,
+/* A random orthonormal frame (uniform rotations by Shoemake, Graphics Gems III,
  * 1992, p. 124). */
 static void turned_frame(const double u[3], murk_vec3 axis[3])
 {
@@ -183,8 +183,8 @@ static void turned_frame(const double u[3], murk_vec3 axis[3])
                        1 - 2 * (x * x + y * y));
 }
 
-/* Mean of the scattering coefficient over the kernel where it is in sight;
- * *share: how much of the kernel that is and where it scatters at all. */
+/* The mean of the scattering coefficient over the kernel, 0 at invisible
+ * points; *share: the share of the kernel that is visible and scatters. */
 static double mean_scattering(const murk_probing *probing, int band,
                               murk_vec3 from, const murk_kernel *kernel,
                               const murk_vec3 axis[3], double *share)

@@ -15,7 +15,7 @@ typedef struct writer {
     png_structp png;
     png_infop info;
     png_textp text;
-    char message[128]; /* of the library */
+    char message[128]; /* error message of libpng */
 } writer;
 
 murk_status murk_raster_create(murk_raster *out, size_t width, size_t height,
@@ -39,8 +39,7 @@ void murk_raster_fill(murk_raster *raster, size_t left, size_t top,
     }
 }
 
-/* The library jumps out of whatever it was doing, as its errors must not
- * return. */
+/* Error handler of libpng: it must not return, so it jumps back. */
 static void fail(png_structp png, png_const_charp message)
 {
     writer *w = png_get_error_ptr(png);
@@ -73,8 +72,8 @@ static void put_text(writer *w, const murk_image_text *text, size_t n)
     png_set_text(w->png, w->info, w->text, (int)n);
 }
 
-/* False: w->message says why. Nothing here is changed between setjmp and a
- * jump that is looked at afterwards. */
+/* Writes the whole image. Returns false with a reason in w->message. No
+ * variable that is read after a jump is changed after setjmp(). */
 static bool write_all(writer *w, const murk_raster *raster,
                       const murk_image_text *text, size_t n_text, FILE *stream)
 {

@@ -1,4 +1,4 @@
-/* Images of 8-bit sRGB, and PNG files of them. */
+/* Images in 8-bit sRGB, and PNG files. */
 #ifndef MURK_RENDER_PNG_H
 #define MURK_RENDER_PNG_H
 
@@ -10,19 +10,21 @@
 
 typedef struct murk_raster {
     size_t width, height;
-    uint8_t *rgb; /* [height * width * 3] by rows from the top; from malloc */
+    uint8_t *rgb; /* [height * width * 3] row by row from the top; from
+                   * malloc() */
 } murk_raster;
 
-/* All black. Release with free(raster->rgb). Fails with MURK_NO_MEMORY. */
+/* Creates a black image. The caller frees raster->rgb. Fails with
+ * MURK_NO_MEMORY. */
 murk_status murk_raster_create(murk_raster *out, size_t width, size_t height,
                                murk_error *err);
 
-/* Fills a rectangle, as far as it lies within. */
+/* Fills the part of a rectangle that lies within the image. */
 void murk_raster_fill(murk_raster *raster, size_t left, size_t top,
                       size_t width, size_t height, const uint8_t rgb[3]);
 
-/* Writes it whole under another name beside `path`, then renames. Texts are
- * iTXt chunks. Fails with MURK_BAD_FILE or MURK_NO_MEMORY. */
+/* Writes a PNG file completely or not at all (base/file.h), with texts as iTXt
+ * chunks. Fails with MURK_BAD_FILE or MURK_NO_MEMORY. */
 murk_status murk_png_write(const murk_raster *raster,
                            const murk_image_text *text, size_t n_text,
                            const char *path, murk_error *err);

@@ -12,7 +12,8 @@ typedef struct search {
     const murk_camera *camera;
     size_t first_row;
     int band;
-    murk_photon *point; /* [rows * width], those without a surface of power 0 */
+    murk_photon *point; /* [rows * width]; power 0 if the pixel shows no
+                         * surface */
 } search;
 
 static murk_photon point_at(const search *s, size_t x, size_t y)

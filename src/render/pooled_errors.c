@@ -1,19 +1,19 @@
-/* Standard errors of pixels, pooled over their neighbourhood.
+/* Pools the standard errors of pixels over their neighbourhood.
  *
- * A pixel's light may come by rare paths that carry much of it. By its few
- * samples alone a pixel that has missed such a path would claim a small error
- * just where it is too low, and one that has met it a large error where it is
- * too high. Neighbours see alike light, so the variance of a pixel's mean is
- * taken as the weighted mean of the variances of the pixels around it, by a
- * Gaussian window. Each variance is free of bias, so their mean over the
- * picture stays what it was.
+ * Rare paths may carry much of the light of a pixel. With few samples, a pixel
+ * that has missed such a path would report a small error although it is too
+ * dark, and a pixel that has met it a large error. Adjacent pixels show similar
+ * light, so the variance of the mean of a pixel is estimated as the weighted
+ * mean of the variances of the pixels around it, with a Gaussian window. Each
+ * variance is unbiased, so their mean over the picture does not change.
  *
- * A rare path may have been missed in all of the window. Therefore one sample's
- * worth of the picture's mean variance is added to the window's samples, as
- * Laplace's rule of succession adds one event to those observed.
+ * All pixels of a window may have missed a rare path. Therefore the mean
+ * variance of the picture, with the weight of one sample, is added to the
+ * samples of the window, as Laplace's rule of succession adds one event to the
+ * observed ones.
  *
- * How sure the pooled variance is follows from its parts v_i of weights k_i: it
- * is as sure as (sum k v)^2 / sum (k v)^2 equal ones. */
+ * The certainty of the pooled variance follows from the parts v_i with weights
+ * k_i: it is that of (sum k v)^2 / sum (k v)^2 equal parts. */
 #include "render/pooled_errors.h"
 
 #include <math.h>
@@ -22,22 +22,24 @@
 #include "base/pool.h"
 #include "base/tally.h"
 
-/* The window has this standard deviation [pixels] at so many samples a pixel;
- * it shrinks with their square root, so that a window holds the same number of
- * samples, some 800. With half of them the smoke hall's errors at 16 samples
- * are exceeded twofold more often by 1.5 % of the pixels; with four times as
- * many the window is wider than what the picture shows. */
+/* The standard deviation of the window [pixels] at WINDOW_SAMPLES samples for
+ * each pixel. It is in inverse proportion to the square root of the number of
+ * samples, so that a window contains a constant number of samples, some 800.
+ * With half as many, the errors of the smoke hall at 16 samples are exceeded
+ * twofold by 1.5 % more of the pixels; with four times as many, the window is
+ * wider than the details of the picture. */
 #define WINDOW_PIXELS  2.0
 #define WINDOW_SAMPLES 16.0
 
-/* Of few samples the window stays below this, or it would even the picture
- * out. */
+/* The largest standard deviation of the window, for few samples, because a
+ * wider window would smooth out the picture. */
 #define WINDOW_PIXELS_MAX 4.0
 
-/* Below this no neighbour has a weight above e-8: the pixel stands alone. */
+/* Below this standard deviation no neighbour has a weight above e-8, and pixels
+ * are not pooled. */
 #define WINDOW_PIXELS_MIN 0.25
 
-/* The window ends at this many standard deviations. */
+/* The window is cut at this number of standard deviations. */
 #define WINDOW_REACH 2
 
 typedef struct pool {
@@ -45,11 +47,11 @@ typedef struct pool {
     const float *own;
     float *error;
     double window;        /* standard deviation [pixels] */
-    double mean_variance; /* of the pixels that pool */
+    double mean_variance; /* over the pixels that are pooled */
     murk_tally unsure;
 } pool;
 
-/* Of one pixel. */
+/* Pools the error of one pixel. */
 static void pool_at(pool *p, ptrdiff_t x, ptrdiff_t y)
 {
     const murk_pooling *g = p->pooling;
@@ -81,7 +83,8 @@ static void pool_at(pool *p, ptrdiff_t x, ptrdiff_t y)
     const double samples = weights * (double)g->samples;
     p->error[y * width + x] = (float)sqrt(
         (samples * sum / weights + p->mean_variance) / (samples + 1));
-    /* effective counts: of what brings the variance, and of the window */
+    /* compares the effective number of variances with that of the pixels in the
+     * window */
     if (sum * sum * weights2 < MURK_POOLED_FEW * weights * weights * squares) {
         murk_tally_add(&p->unsure, 1);
     }

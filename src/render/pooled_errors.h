@@ -1,5 +1,5 @@
-/* Standard errors of a path-traced picture's pixels, from the variances of
- * their own samples and of their neighbours'. */
+/* Standard errors of the pixels of a path-traced picture, from the variances of
+ * the samples of each pixel and the pixels around it. */
 #ifndef MURK_RENDER_POOLED_ERRORS_H
 #define MURK_RENDER_POOLED_ERRORS_H
 
@@ -7,21 +7,21 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* An error is unsure that rests, effectively, on less than this share of the
- * pixels in its window: of the 50 there are at 16 samples, on fewer than 6, so
- * that the variance that it is the root of is known to some 40 % only. */
+/* An error is unsure if it rests effectively on less than this share of the
+ * pixels in the window: at 16 samples on fewer than 6 of 50 pixels, so that the
+ * variance is known to about 40 % only. */
 #define MURK_POOLED_FEW 0.12
 
 typedef struct murk_pooling {
     size_t width, height, samples;
-    bool is_round;         /* the first column follows the last */
+    bool is_round;         /* the first column follows the last one */
     const uint8_t *is_own; /* [height * width]: the pixel keeps its own error,
-                              and lends it to no other */
+                            * which is not used for other pixels */
     unsigned threads;
 } murk_pooling;
 
 /* Pools error[height * width] in place; the values are finite. scratch: as many
- * floats. Returns how many of the pooled errors are unsure. */
+ * floats. Returns the number of unsure pooled errors. */
 size_t murk_pool_errors(const murk_pooling *pooling, float *error,
                         float *scratch);
 

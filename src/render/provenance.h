@@ -1,4 +1,4 @@
-/* What an image says of itself: name and text of each line of its header. */
+/* Texts in the header of an image file on the origin of the image. */
 #ifndef MURK_RENDER_PROVENANCE_H
 #define MURK_RENDER_PROVENANCE_H
 

@@ -14,28 +14,29 @@
 #include "render/colour.h"
 #include "render/pooled_errors.h"
 
-#define TILE 16 /* pixels along a side */
+#define TILE 16 /* pixels on each side */
 
-/* Where this share of a pixel's rays meets a light straight away, its own
- * samples know their variance: the edge of a lamp is no rare path. */
+/* If this share of the rays of a pixel hits a light directly, the samples of
+ * the pixel know their variance, because the edge of a lamp is no rare path;
+ * the pixel is then not pooled. */
 #define LIT_SHARE 0.25
 
-/* Apart from the streams that photons are traced in. */
+/* Different from the streams in which photons are traced. */
 #define RENDER_STREAM 1000
 
-/* Sums of a pixel's samples, of one band or colour. */
+/* Sums over the samples of a pixel in one band or colour. */
 typedef struct sums {
     double sum, squares;
 } sums;
 
-/* What the maps bring to a pixel's samples, group by group. */
+/* Contributions of the maps to the samples of a pixel, by group of photons. */
 typedef struct group_sums {
     double sum[MURK_GATHER_GROUPS], squares[MURK_GATHER_GROUPS];
     sums all;
 } group_sums;
 
-/* Of a tile's pixels, in one band: radiances, the variances of their samples,
- * and what the maps brought. */
+/* Sums over the pixels of a tile in one band: radiances, variances of the
+ * samples, and contributions of the maps. */
 typedef struct tile_sums {
     double radiance, variance, group[MURK_GATHER_GROUPS], noise;
 } tile_sums;
@@ -49,7 +50,7 @@ typedef struct run {
     size_t tiles_across;
     double colour[3][MURK_BANDS_MAX];
     tile_sums *tile; /* [tiles * bands] */
-    uint8_t *is_lit; /* [pixels], by paths: lights themselves are seen there */
+    uint8_t *is_lit; /* [pixels], by paths: lights are directly visible */
     float *scratch;  /* [pixels], by paths */
 } run;
 
@@ -78,8 +79,9 @@ static void take_groups(group_sums *s, const double one[MURK_GATHER_GROUPS])
     take(&s->all, all);
 }
 
-/* Leaves means over the samples in s->sum. Answers how much of their variance
- * (murk_gather_variance()) is the samples' own, which is counted without. */
+/* Replaces s->sum by means over the samples. Returns the part of their variance
+ * (murk_gather_variance()) that comes from the samples and is counted
+ * separately. */
 static double take_means(group_sums *s, double n)
 {
     const double groups = MURK_GATHER_GROUPS;
@@ -93,7 +95,8 @@ static double take_means(group_sums *s, double n)
                  : 0;
 }
 
-/* What lies straight ahead of the pixel's middle. */
+/* Distance, position and optical depth of the ray through the center of a
+ * pixel. */
 static void look_straight(const run *r, size_t x, size_t y, size_t at)
 {
     const murk_camera *c = &r->render->camera;
@@ -113,7 +116,7 @@ static void look_straight(const run *r, size_t x, size_t y, size_t at)
     }
 }
 
-/* How a pixel counts in the picture's mean; 1 on average. */
+/* The weight of a pixel in the mean of the picture; 1 on average. */
 static double share_of_mean(const murk_camera *c, size_t x, size_t y)
 {
     return c->projection == MURK_EQUIRECTANGULAR
@@ -135,7 +138,7 @@ static void look(const run *r, murk_sampler *sampler, size_t x, size_t y,
     double part[MURK_BANDS_MAX][2] = {{0, 0}};
     group_sums group[MURK_BANDS_MAX], records[3] = {{.all = {0, 0}}};
     memset(group, 0, (size_t)p->bands * sizeof *group);
-    size_t lit = 0; /* rays that meet a light straight away */
+    size_t lit = 0; /* rays that hit a light directly */
     /* Follow the samples; all bands of a sample share a direction. */
     for (size_t i = 0; i < render->samples; ++i) {
         const uint64_t number = (uint64_t)at * render->samples + i;
@@ -144,9 +147,11 @@ static void look(const run *r, murk_sampler *sampler, size_t x, size_t y,
         const murk_vec3 sight =
             murk_camera_draw(&render->camera, x, y, u.u[0], u.u[1]);
         double rgb[3] = {0, 0, 0};
-        double own[3][MURK_GATHER_GROUPS] = {{0}}; /* of colours */
+        /* contributions to colours */
+        double own[3][MURK_GATHER_GROUPS] = {{0}};
         for (int b = 0; b < p->bands; ++b) {
-            double one[MURK_GATHER_GROUPS] = {0}; /* from the maps */
+            double one[MURK_GATHER_GROUPS] = {0}; /* contributions of the
+                                                   * maps */
             const murk_found found = murk_sampler_look(
                 sampler, number, b, render->camera.from, sight, one);
             const double radiance = found.surface + found.volume;
@@ -284,8 +289,8 @@ static murk_image *picture_create(size_t width, size_t height, int bands)
 void murk_image_destroy(murk_image *picture)
 {
     if (picture) {
-        free(picture->radiance[0]); /* all channels are one piece, */
-        free(picture->seen_by);     /* but for these two */
+        free(picture->radiance[0]); /* all channels are one block of memory, */
+        free(picture->seen_by);     /* except for these two */
         free(picture);
     }
 }
@@ -387,8 +392,9 @@ static void add_up(run *r, size_t tiles)
     }
 }
 
-/* By paths, the errors of pixels are pooled (render/pooled_errors.h); by maps
- * most of a pixel's noise is the records', whose errors have no rare paths. */
+/* Pools the errors of pixels (render/pooled_errors.h) of pictures by paths. By
+ * maps, most of the noise of a pixel is that of the records, without rare
+ * paths. */
 static void pool_errors(run *r)
 {
     murk_image *p = r->picture;

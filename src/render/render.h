@@ -1,79 +1,84 @@
-/* A picture of a world: radiance, its error, and where it came from, pixel by
- * pixel.
+/* Renders a picture of a world: radiance, standard error and the parts of the
+ * radiance, pixel by pixel.
  *
- * Each pixel's samples are rays through places drawn evenly in it, a ray in
- * each band with the same random numbers. A sample's numbers are those of its
- * pixel and index, so the picture does not depend on threads. Standard errors
- * by maps are the samples' own and the records' (render/gather.h), which
- * samples share: both are added in squares. By paths they are the samples',
- * pooled over neighbouring pixels (render/pooled_errors.h). They are infinite
- * where there is one sample. */
+ * The samples of a pixel are rays through uniform random points of the pixel,
+ * with one ray in each band and the same random numbers for all bands. The
+ * random numbers of a sample are addressed by pixel and index, so the picture
+ * does not depend on threads. Standard errors by maps combine, in squares, the
+ * variance of the samples and that of the records (render/gather.h), which all
+ * samples share. Standard errors by paths are those of the samples, pooled over
+ * neighbouring pixels (render/pooled_errors.h). With one sample they are
+ * infinite. */
 #ifndef MURK_RENDER_RENDER_H
 #define MURK_RENDER_RENDER_H
 
 #include "render/camera.h"
 #include "render/sample.h"
 
-#define MURK_PIXELS_MAX  (UINT64_C(1) << 26) /* of a picture */
-#define MURK_SAMPLES_MAX 65536               /* of a pixel */
+/* of a picture: 256 MB for each channel */
+#define MURK_PIXELS_MAX (UINT64_C(1) << 26)
+/* of a pixel; the error of a mean is then 0.4 % of a sample's */
+#define MURK_SAMPLES_MAX 65536
 
+/* The input of a rendering. */
 typedef struct murk_render {
-    const murk_trace *trace; /* world, seed, caps, flight; as for photons */
+    const murk_trace *trace; /* world, seed, limits and flight, as for
+                              * photons */
     murk_camera camera;
     size_t samples;
     murk_render_method method;
-    const murk_photon_map *surface, *volume;               /* by maps */
-    double from_nm[MURK_BANDS_MAX], to_nm[MURK_BANDS_MAX]; /* of each band */
+    const murk_photon_map *surface, *volume; /* used by maps */
+    /* edges of each band */
+    double from_nm[MURK_BANDS_MAX], to_nm[MURK_BANDS_MAX];
     unsigned threads;
 } murk_render;
 
-/* Channels of a picture, one after the other, each height * width values by
- * rows from the top. */
+/* A picture. The channels lie one after the other; each has height * width
+ * values, row by row from the top. */
 typedef struct murk_image {
     size_t width, height;
     int bands;
     float *radiance[MURK_BANDS_MAX]; /* [W/m2/sr] */
-    float *error[MURK_BANDS_MAX];    /* its standard error */
-    float
-        *surface[MURK_BANDS_MAX];  /* what came from surfaces and lights last */
-    float *volume[MURK_BANDS_MAX]; /* what came from media last */
-    float *depth[MURK_BANDS_MAX];  /* optical, along the pixel's middle as far
-                                      as distance_m */
-    float *rgb[3], *rgb_error[3];  /* render/colour.h */
+    float *error[MURK_BANDS_MAX];    /* standard error of the radiance */
+    float *surface[MURK_BANDS_MAX];  /* part whose last event was on a surface,
+                                      * or  directly from a light */
+    float *volume[MURK_BANDS_MAX];   /* part whose last event was in a medium */
+    float *depth[MURK_BANDS_MAX];    /* optical depth along the ray through the
+                                      * center of the pixel, up to distance_m */
+    float *rgb[3], *rgb_error[3];    /* render/colour.h */
     float *distance_m;  /* to the first surface, change of index or side of the
-                           domain */
-    float *position[3]; /* there */
-    /* Of the first surface: how many sensors see it, and how clearly the
-     * clearest of them; NAN where there is none. NULL before
+                         * domain */
+    float *position[3]; /* position at that distance */
+    /* For the first surface: the number of sensors that see it, and the largest
+     * clarity of their views; NAN without a surface. NULL before
      * murk_image_add_coverage(). */
     float *seen_by, *clarity;
-    /* Of the picture: over its pixels, or all round over the solid angle, so
-     * that 4 pi times it is the scalar irradiance. */
+    /* Mean radiance of the picture: over the pixels, or over the solid angle of
+     * a panorama, so that 4 pi times the mean is the scalar irradiance. */
     double mean[MURK_BANDS_MAX], mean_error[MURK_BANDS_MAX];
     uint64_t rays, lost;
-    /* By paths: pixels whose error rests on few bright paths, so that it is
-     * unsure itself; of the band where they are most. */
+    /* By paths: the number of pixels with an unsure error, which rests on few
+     * bright paths, in the band with most of them. */
     size_t unsure;
-    /* By maps: what murk_gather_records() says of surface and volume map. */
+    /* By maps: murk_gather_records() of the surface map and the volume map. */
     size_t records[2][MURK_BANDS_MAX];
 } murk_image;
 
-/* Bytes that a picture takes, */
+/* The memory of a picture in bytes, */
 double murk_image_bytes(size_t width, size_t height, int bands);
-/* and with it what taking it needs, without the maps' part (render/gather.h).
- */
+/* and the memory for rendering it, without that of the maps
+ * (render/gather.h). */
 double murk_render_bytes(size_t width, size_t height, int bands,
                          murk_render_method method);
 
-/* The camera stands within the domain. Progress by rays. *out is the caller's.
- * Fails with MURK_NO_MEMORY. Ends early when interrupted: ask
- * murk_interrupted(). */
+/* Renders a picture; the camera is within the domain. Reports progress by rays.
+ * The caller destroys *out. Fails with MURK_NO_MEMORY. Ends early after an
+ * interrupt: the caller checks murk_interrupted(). */
 murk_status murk_render_run(murk_image **out, const murk_render *render,
                             murk_error *err);
 void murk_image_destroy(murk_image *picture); /* NULL is fine */
 
-/* Sets the coverage's channels aside, NAN all over. Fails with MURK_NO_MEMORY.
- */
+/* Adds the channels of coverage, filled with NAN. Fails with MURK_NO_MEMORY. */
 murk_status murk_image_add_coverage(murk_image *picture, murk_error *err);
 
 #endif

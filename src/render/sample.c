@@ -8,16 +8,16 @@
 #include "source/shine.h"
 #include "transport/outside.h"
 
-/* A lamp's face that is seen along its own plane: rounding of where it lies
- * counts this many times at most. */
+/* The least cosine for the tolerance of a lamp that is seen along the plane of
+ * its face. */
 #define GRAZING 1e-3
 
-/* A phase function's forward peak begins where it is above this [1/sr]: some
- * six times isotropic. Lower, rays go on for longer and are noise by
- * themselves; higher, few records are most of the light. */
+/* The density [1/sr] above which the forward peak of a phase function begins:
+ * some six times isotropic. With a lower value, rays continue for longer and
+ * add noise; with a higher one, few records carry most of the light. */
 #define PEAK_PER_SR 0.5
 
-/* Angles at which it is looked for. */
+/* The number of angles at which the peak is searched. */
 #define PEAK_STEPS 360
 
 typedef enum part { SURFACE, VOLUME, PARTS } part;
@@ -30,24 +30,26 @@ struct murk_sampler {
     uint32_t seed, purpose;
     uint64_t lost;
     double *cone; /* [media * bands] */
-    /* of the present ray: */
+    /* of the current ray: */
     uint64_t number;
     int band;
-    double own_index;        /* where it starts; 0: not told yet */
-    bool is_connected;       /* shadow rays may have found what it meets, */
-    murk_shading_point last; /* sent from there */
-    murk_vec3 wrapped; /* how far periodic sides have moved it back since, */
-    murk_vec3 left;    /* and where it has left the domain by one, */
-    bool has_wrapped;  /* which the next leg will tell the rest of */
-    bool is_settled;   /* what all later light comes from last is known: */
+    double own_index;        /* index at the start; 0: not known yet */
+    bool is_connected;       /* shadow rays may have found the light that the
+                              * ray hits, and were sent */
+    murk_shading_point last; /* from this point */
+    murk_vec3 wrapped;       /* displacement at periodic sides since then, */
+    murk_vec3 left;   /* point at which the ray left the domain through such a
+                       * side, */
+    bool has_wrapped; /* the rest of which the next segment will tell */
+    bool is_settled;  /* the class of all further light is known: */
     part settled;
     bool is_stopped, meets_light;
-    murk_trace_leg leg;     /* the last one told */
-    double radiance[PARTS]; /* over the index squared */
-    double *group;          /* what the maps bring */
+    murk_trace_leg leg;     /* the last segment */
+    double radiance[PARTS]; /* radiance / index^2 */
+    double *group;          /* contributions of the maps */
 };
 
-/* Of a light that the ray has met. */
+/* Adds light that the ray has hit. */
 static void add_met(murk_sampler *s, double radiance)
 {
     s->meets_light = s->meets_light || !s->is_settled;
@@ -68,12 +70,12 @@ static double slack_at(const murk_scenery *scenery, const murk_source *light,
     return scenery->margin_m / fmax(GRAZING, fabs(murk_dot(face, sight)));
 }
 
-/* What counts of a light met along a leg: all of it, unless shadow rays from
- * the last place have a share in it. */
+/* The weight of a light that is hit on a segment: 1, unless shadow rays from
+ * the last point have a share in it. */
 static double share_met(const murk_sampler *s, size_t light, murk_vec3 sight)
 {
     if (!s->is_connected) {
-        /* by maps all the rest has been counted where the ray went on */
+        /* by maps, the rest was counted at the point where the ray continued */
         return s->is_settled && s->method != MURK_BY_PATHS ? 0 : 1;
     }
     const murk_source *l = murk_sources_get(s->scenery->world->lights, light);
@@ -147,7 +149,7 @@ static void hear_leg(void *context, uint64_t batch, const murk_trace_leg *leg)
 
 /* ---- events ---- */
 
-/* Light of all kinds that leaves the place towards where the ray came from. */
+/* Adds all light that leaves the point against the direction of the ray. */
 static void add_light(murk_sampler *s, const murk_event *event,
                       const murk_shading_point *place)
 {
@@ -172,8 +174,8 @@ static void add_light(murk_sampler *s, const murk_event *event,
     }
 }
 
-/* The ray has been scattered or reflected diffusely: what it finds from here on
- * came from there last. */
+/* Records that the ray was scattered or reflected diffusely: this point is the
+ * last event of all further light. */
 static void settle(murk_sampler *s, part of, const murk_shading_point *place)
 {
     s->last = *place;
@@ -183,7 +185,7 @@ static void settle(murk_sampler *s, part of, const murk_shading_point *place)
     s->is_connected = !place->is_in_solid && s->method != MURK_BY_MAPS_ONLY;
 }
 
-/* The maps have all that is left. */
+/* Ends the ray, because the maps give all further light. */
 static void stop(murk_sampler *s)
 {
     s->is_stopped = true;
@@ -210,7 +212,7 @@ static void meet_surface(murk_sampler *s, const murk_event *event)
     } else if (event->outcome == MURK_MIRRORED) {
         s->is_connected = false;
     } else if (event->outcome == MURK_TRANSMITTED) {
-        /* A thin sheet, which shadow rays pass by paths, does not bend. */
+        /* A thin sheet does not bend; by paths, shadow rays pass it. */
         const murk_vec3 a = event->direction_in, b = event->direction_out;
         s->is_connected = s->is_connected && s->method == MURK_BY_PATHS &&
                           a.x == b.x && a.y == b.y && a.z == b.z;
@@ -274,7 +276,7 @@ static void hear_event(void *context, uint64_t batch, const murk_event *event)
 
 /* ---- rays ---- */
 
-/* Where the forward peak begins: 1 where there is none. */
+/* The cosine at which the forward peak begins: 1 if there is none. */
 static double cone_of(const murk_phase *phase)
 {
     double cone = 1;

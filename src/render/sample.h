@@ -1,24 +1,24 @@
-/* One sight of a camera, in one band: a ray followed into the world, and the
- * radiance that it finds.
+/* One sample of a camera in one band: follows a ray into the world and returns
+ * the radiance along it.
  *
- * By paths (MURK_BY_PATHS) the ray goes on to its end, and at each event direct
- * light is added; lamps and the sky that it meets by itself count by the share
- * that shadow rays have left (render/direct.h). Free of bias.
+ * By paths (MURK_BY_PATHS) the ray is followed to its end, and direct light is
+ * added at each event. Lamps and sky that the ray hits by itself are weighted
+ * against shadow rays (render/direct.h). The result is unbiased.
  *
- * By maps (MURK_BY_MAPS) it ends at its first diffuse reflection, where the
- * maps stand for all light that has been reflected or scattered before. In a
- * medium the place is drawn along the way by its optical depth (a march by
- * chance), and a phase function's forward peak is left to the ray: where it
- * turns by less than a cone, which next to no record comes in by, it goes on,
- * and of light that has been reflected or scattered before records within the
- * cone do not count. So neither bias nor sparks come of it.
+ * By maps (MURK_BY_MAPS) the ray ends at its first diffuse reflection, where
+ * the maps give all light that was reflected or scattered before. In a medium,
+ * the point of scattering is drawn along the ray by optical depth. The forward
+ * peak of a phase function is left to the ray: if the ray is scattered by less
+ * than the angle of a cone, in which hardly any record arrives, it continues,
+ * and records of later events within the cone do not count. This avoids bias
+ * and outliers.
  *
- * By maps alone (MURK_BY_MAPS_ONLY) no shadow ray is sent, and the maps stand
- * for direct light, too: for that within the cone as well, since a ray that has
- * gone on does not find all lights.
+ * By maps alone (MURK_BY_MAPS_ONLY) no shadow ray is sent, and the maps give
+ * direct light, too, also within the cone, because the continued ray does not
+ * find all lights.
  *
- * Not found by paths: beams without width, and parallel light over mirrors or
- * through what bends it; the maps have both. */
+ * Not found by paths: beams of zero width, and parallel light after mirrors or
+ * refraction; the maps contain both. */
 #ifndef MURK_RENDER_SAMPLE_H
 #define MURK_RENDER_SAMPLE_H
 
@@ -31,30 +31,32 @@ typedef enum murk_render_method {
     MURK_BY_MAPS_ONLY
 } murk_render_method;
 
+/* The radiance along a ray. */
 typedef struct murk_found {
-    double surface, volume; /* radiance [W/m2/sr], by what the light came from
-                               last: a surface or a light itself; a medium */
-    bool meets_light; /* the ray has met a light before it was scattered or
-                         reflected diffusely */
+    double surface, volume; /* radiance [W/m2/sr] by the last event of the
+                             * light: on a surface or none; in a medium */
+    bool meets_light; /* the ray has hit a light before it was scattered or
+                       * reflected diffusely */
 } murk_found;
 
 typedef struct murk_sampler murk_sampler;
 
-/* gather: for the method; NULL by paths. trace: seed, stream, caps and flight.
- * All borrowed. One sampler belongs to one thread. *out is the caller's. */
+/* gather: radiance from the maps; NULL by paths. trace: seed, stream, limits
+ * and flight. All must outlive the sampler. A sampler belongs to one thread.
+ * The caller destroys *out. */
 murk_status murk_sampler_create(murk_sampler **out, const murk_scenery *scenery,
                                 murk_render_method method,
                                 const murk_gather *gather,
                                 const murk_trace *trace, murk_error *err);
 void murk_sampler_destroy(murk_sampler *sampler); /* NULL is fine */
 
-/* number: of the ray, for its random numbers. What the maps bring is added to
- * group[], too; by paths it is not looked at. */
+/* Traces one ray; `number` addresses the random numbers. Contributions of the
+ * maps are added to group[]; by paths it is not used. */
 murk_found murk_sampler_look(murk_sampler *sampler, uint64_t number, int band,
                              murk_vec3 from, murk_vec3 sight,
                              double group[MURK_GATHER_GROUPS]);
 
-/* Rays so far that were lost, by caps or rounding. */
+/* The number of rays so far that were lost to limits or rounding. */
 uint64_t murk_sampler_lost(const murk_sampler *sampler);
 
 #endif

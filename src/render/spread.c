@@ -6,7 +6,7 @@
 
 size_t murk_spread_step(size_t n)
 {
-    /* odd, so that it does not walk down a column of a picture */
+    /* odd, so that the step does not follow a column of a picture */
     return (n > 0 ? (n - 1) / MURK_SPREAD_MAX + 1 : 1) | 1;
 }
 

@@ -12,11 +12,11 @@
 #define MIDDLE_GREY 0.18
 #define WHITE       4.0
 
-/* Pixels that are darker than the bright ones by more than so many stops say
- * nothing of how to show these. */
+/* Pixels that are darker than the bright ones by more than this number of stops
+ * do not enter the exposure. */
 #define STOPS_MAX 12
 
-/* ITU-R BT.709 */
+/* Luminance of linear RGB (ITU-R BT.709). */
 static double luminance(double r, double g, double b)
 {
     return 0.2126 * r + 0.7152 * g + 0.0722 * b;
@@ -28,7 +28,8 @@ static double luminance_of(const murk_image *p, size_t i)
                      (double)p->rgb[2][i]);
 }
 
-/* Of the bright pixels; 0: all is dark. */
+/* The 99th percentile of the luminance of lit pixels; 0 if all pixels are
+ * dark. */
 static murk_status find_bright(double *out, const murk_image *p,
                                murk_error *err)
 {
@@ -82,7 +83,7 @@ void murk_tone_pixel(const double rgb[3], double stops, uint8_t out[3])
 {
     double c[3];
     for (int k = 0; k < 3; ++k) {
-        /* fmax() takes the other of what is no number */
+        /* fmax() ignores an argument that is no number */
         c[k] = fmin(1e30, exp2(stops) * fmax(0, rgb[k]));
     }
     const double l = luminance(c[0], c[1], c[2]);

@@ -7,7 +7,7 @@
 /* ---- types ---- */
 
 #define VIEW_NAME(id, name) name,
-static const char *const VIEW_VARIANTS[] = {MURK_VIEWS(VIEW_NAME)};
+static const char *const VIEW_VARIANTS[] = {MURK_VIEW_SHAPES(VIEW_NAME)};
 
 #define CONE    .variants = BIT(MURK_VIEW_CONE)
 #define FRUSTUM .variants = BIT(MURK_VIEW_FRUSTUM)

@@ -1,27 +1,29 @@
-/* What becomes of light that meets a surface: the roulette of trace.h, and at
- * the boundary of a solid Snell's law with Fresnel's reflectance.
- * Private to this room. */
+/* Reflection and transmission at a surface: the roulette of trace.h, and at the
+ * boundary of a solid Snell's law with Fresnel reflectance. Private to this
+ * room. */
 #ifndef MURK_TRANSPORT_BOUNCE_H
 #define MURK_TRANSPORT_BOUNCE_H
 
 #include "transport/trace.h"
 
-/* A direction by cosine law about unit n. */
+/* A random direction by the cosine law around the unit normal n. */
 murk_vec3 murk_cosine_law(murk_vec3 n, double u_mu, double u_phi);
 
+/* The result of an event at a surface. */
 typedef struct murk_bounce {
     murk_outcome outcome;
     murk_vec3 direction; /* unit, leaving; zero when absorbed */
 } murk_bounce;
 
-/* At a boundary between two indices: MURK_MIRRORED with the probability that
- * Fresnel gives, else MURK_TRANSMITTED; u in (0, 1). Directions and normal as
- * below. */
+/* At an interface between two indices: MURK_MIRRORED with the probability of
+ * the Fresnel reflectance, else MURK_TRANSMITTED; u in (0, 1). Directions and
+ * normal as below. */
 murk_bounce murk_refract(double n_from, double n_to, murk_vec3 direction,
                          murk_vec3 normal, double u);
 
-/* Unit direction of travel, unit normal facing where it came from. A surface
- * that does not bend has n_from = n_to = 0. u: four numbers in (0, 1). */
+/* At a surface: unit direction of travel, unit normal on the side from which
+ * the light came. n_from = n_to = 0 for a surface that does not refract. u:
+ * four numbers in (0, 1). */
 murk_bounce murk_surface_bounce(const murk_material *material, int band,
                                 double n_from, double n_to, murk_vec3 direction,
                                 murk_vec3 normal, const double u[4]);

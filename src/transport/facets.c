@@ -1,21 +1,23 @@
-/* Heights count by the share h of the surface that lies lower, 1 above all of
- * it; ln h keeps its digits near the top, where light that grazes stays. Along
- * a ray that climbs by dz the share of light not yet stopped falls by
- * seen dh / h for every cosine of climb, so a uniform number u takes h to
- * h u^(cosine / seen) on the way down and to h u^(-|cosine| / seen) on the way
- * up. From below the share that lies lower is 1 - h. */
+/* Random walk among the facets of a rough water surface (transport/facets.h).
+ *
+ * A height is measured by the share h of the surface that lies lower, 1 above
+ * all of it; ln h keeps full precision near the top, to which grazing light
+ * stays close. Along a ray that climbs by dz, the probability of not having hit
+ * a facet falls by seen dh / h for each unit of the cosine of climb. A uniform
+ * number u therefore changes h to h u^(cosine / seen) on the way down and to h
+ * u^(-|cosine| / seen) on the way up. From below, the share that lies lower is
+ * 1 - h. */
 #include "transport/facets.h"
 
 #include "medium/waves.h"
 
-/* ln(1 - h): the one form keeps its digits near the top, the other far below.
- */
+/* ln(1 - h): the first form is precise near the top, the second far below. */
 static double log_of_rest(double log_h)
 {
     return log_h > -0.7 ? log(-expm1(log_h)) : log1p(-exp(log_h));
 }
 
-/* The unit normal of a facet that light in this direction meets. */
+/* The unit normal of a random facet that light in this direction hits. */
 static murk_vec3 facet_normal(murk_vec3 direction, murk_vec3 up, double width,
                               double cosine, const double u[3])
 {
@@ -24,7 +26,8 @@ static murk_vec3 facet_normal(murk_vec3 direction, murk_vec3 up, double width,
     const double length = murk_length(over);
     murk_vec3 along, across;
     murk_frame(up, &along, &across);
-    if (length > 0) { /* straight down, any direction does */
+    if (length > 0) { /* vertically downwards, any horizontal direction will
+                       * do */
         along = murk_scale(1 / length, over);
         across = murk_cross(up, along);
     }

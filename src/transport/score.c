@@ -5,7 +5,8 @@
 
 #include <math.h>
 
-/* How far a place is beyond a plane; 0 where it is in it. */
+/* The signed distance of a position beyond a plane; 0 if it lies in the
+ * plane. */
 static inline double beyond(const murk_tally_plane *plane, murk_station at)
 {
     const double s = murk_dot(plane->normal, murk_sub(at.place, plane->point));
@@ -22,7 +23,7 @@ static double along_axis(murk_vec3 p, int axis)
     return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
 }
 
-/* A crossing at the share t of the way between two stations. */
+/* Scores a crossing of a plane at the share t between two positions. */
 static void cross(murk_scorer *scorer, const murk_tally_plane *plane, double t,
                   murk_vec3 to, murk_vec3 direction, bool backward,
                   double quanta)
@@ -46,8 +47,9 @@ static void cross(murk_scorer *scorer, const murk_tally_plane *plane, double t,
         quanta);
 }
 
-/* The length of the chord is taken from the line's nearest point to the
- * centre, which keeps its digits for a small sphere far away. */
+/* Scores the chord of a segment through a sphere. It is computed from the point
+ * of the line nearest to the center, which keeps full precision for a small,
+ * distant sphere. */
 static inline void score_probe(murk_scorer *scorer, const murk_probe *probe,
                                murk_vec3 from, murk_vec3 direction,
                                double length_m, double quanta)

@@ -1,61 +1,69 @@
-/* Scoring: what one photon brings to the tallies, leg by leg, until its sums
- * are added at its end. Cannot fail: all memory is there from the start.
+/* Scoring: sums the contributions of one photon to the tallies, segment by
+ * segment, and adds them to the tallies at the end of the photon. Cannot fail:
+ * all memory is allocated in advance.
  *
- * A photon's way is a chain of places. Planes go by that chain alone, which
- * has no gaps: where a leg ends is where the next begins, so a plane's forward
- * less backward is exactly what stays beyond it. Lengths go by the legs as they
- * were flown. Private to this room. */
+ * The path of a photon is a chain of positions. Planes use only this chain,
+ * which has no gaps: each segment begins at the end of the previous one, so
+ * that the forward minus the backward power of a plane is exactly the power
+ * that stays beyond it. Lengths use the segments as flown. Private to this
+ * room. */
 #ifndef MURK_TRANSPORT_SCORE_H
 #define MURK_TRANSPORT_SCORE_H
 
 #include "transport/tallies.h"
 #include "transport/wide.h"
 
-/* A place of the chain. */
+/* A position of the chain. */
 typedef struct murk_station {
     murk_vec3 place;
-    double reach_m; /* a plane nearer than this has the place in it: 0 for
-                       places in the open */
+    double reach_m; /* a plane nearer than this contains the position: 0 for
+                     * positions away from surfaces */
 } murk_station;
 
+/* A plane tally, prepared for scoring. */
 typedef struct murk_tally_plane {
     murk_vec3 point, normal; /* unit */
     int axes[2];
     double low_m[2], bins_per_m[2]; /* along the axes */
     uint32_t bins[2], angle_bins;
-    uint32_t first; /* its first cell */
+    uint32_t first; /* number of the first cell */
 } murk_tally_plane;
 
+/* A sphere tally. */
 typedef struct murk_probe {
     murk_vec3 center;
     double radius_m;
-    double per_m; /* 2^-30 of this a unit of length: 1 / diameter */
+    double per_m; /* weight of a unit of length: 1 / diameter */
     bool hemispheres;
     uint32_t first;
 } murk_probe;
 
+/* A grid tally. */
 typedef struct murk_lattice {
     murk_box box;
     double cells_per_m[3];
     uint32_t size[3];
-    double per_m; /* 1 / a cell's diagonal */
+    double per_m; /* 1 / diagonal of a cell */
     uint32_t first;
 } murk_lattice;
 
+/* The integer sums of a cell and channel. */
 typedef struct murk_tally_bin {
     murk_wide_sum sum, squares;
 } murk_tally_bin;
 
+/* The state of one thread. */
 typedef struct murk_scorer {
     const murk_tallies *tallies;
-    murk_tally_bin *cell; /* of the present photon's channel */
+    murk_tally_bin *cell; /* of the channel of the current photon */
     murk_station at;
-    double *side;      /* [planes]: how far `at` is beyond each */
-    double *value;     /* [cells]: of this photon; 0 between photons */
-    uint32_t *touched; /* [cells]: those that are not 0 */
+    double *side;      /* [planes]: signed distance of `at` beyond each plane */
+    double *value;     /* [cells]: sums of the current photon; 0 between
+                        * photons */
+    uint32_t *touched; /* [cells]: numbers of the cells that are not 0 */
     size_t n_touched;
     murk_tally_bin *copy; /* [channels][cells] */
-    bool is_alone;        /* no other scorer adds to it */
+    bool is_alone;        /* no other scorer adds to this copy */
 } murk_scorer;
 
 struct murk_tallies {
@@ -73,24 +81,25 @@ struct murk_tallies {
     murk_tally_bin *cell; /* [copies][channels][cells] */
 };
 
-/* Of a worker of the thread pool. */
+/* The scorer of a worker of the thread pool. */
 murk_scorer *murk_tallies_scorer(murk_tallies *tallies, unsigned worker);
 
-/* A photon of that channel starts. */
+/* Begins a photon of a channel. */
 void murk_score_start(murk_scorer *scorer, size_t channel, murk_station at);
 
-/* It went straight from here to there, along a unit direction, with so many
- * quanta; as a link of the chain the leg ends at `at`. */
+/* Adds a straight segment along a unit direction with a number of quanta; as a
+ * link of the chain, the segment ends at `at`. */
 void murk_score_leg(murk_scorer *scorer, murk_vec3 from, murk_vec3 direction,
                     double length_m, double quanta, murk_station at);
 
-/* It goes on elsewhere: a periodic side. */
+/* Continues the chain at another position, after a periodic side. */
 void murk_score_jump(murk_scorer *scorer, murk_station at);
 
-/* It ended. takes_back: its sums are taken away instead. */
+/* Ends the photon and adds the sums to the tallies. takes_back: subtracts them
+ * instead. */
 void murk_score_end(murk_scorer *scorer, bool takes_back);
 
-/* A grid's part of a leg (score_grid.c). */
+/* Adds a segment to a grid (score_grid.c). */
 void murk_score_lattice(murk_scorer *scorer, const murk_lattice *lattice,
                         murk_vec3 from, murk_vec3 direction, double length_m,
                         double quanta);
@@ -102,7 +111,8 @@ static inline void murk_score_add(murk_scorer *scorer, uint32_t cell,
     if (!(value > 0)) {
         return;
     }
-    if (*sum == 0) { /* its sums are wanted at the photon's end: on their way */
+    if (*sum == 0) { /* the sums will be needed at the end of the photon: load
+                      * them in advance */
         __builtin_prefetch(&scorer->cell[cell], 1);
         scorer->touched[scorer->n_touched++] = cell;
     }

@@ -1,21 +1,21 @@
-/* A leg through a grid of equal cells, by the walk of Amanatides and Woo
- * (Eurographics 1987, doi:10.2312/egtp.19871000): always on through the face
- * that comes next. The faces' distances are worked out afresh from their whole
- * numbers, so nothing adds up along the way, and the pieces of a leg join
- * without gap or overlap. */
+/* Adds a segment of a photon path to the cells of a grid, by the traversal of
+ * Amanatides and Woo (Eurographics 1987, doi:10.2312/egtp.19871000): always
+ * through the nearest face ahead. The distances of the faces are computed from
+ * their integer indices each time, so that rounding errors do not accumulate,
+ * and the pieces of a segment join without gap or overlap. */
 #include "transport/score.h"
 
 #include <math.h>
 
-/* Slower than this many cells a metre, a leg of any length that fits the
- * domain stays in its slab, and its inverse is finite. */
+/* Below this number of cells per metre, a segment of any length within the
+ * domain stays in one layer of cells, and the inverse would be infinite. */
 #define STILL 1e-290
 
 typedef struct way {
-    double at, pace, per_pace; /* in cells; pace: cells a metre */
+    double at, pace, per_pace; /* in cells; pace: cells per metre */
     int64_t cell, step;
-    int64_t stride; /* from a cell to the next one ahead */
-    double next_m;  /* to the face ahead */
+    int64_t stride; /* to the next cell ahead */
+    double next_m;  /* distance to the face ahead */
 } way;
 
 static inline void see_ahead(way *w)
@@ -74,8 +74,8 @@ static void cross_cells(murk_scorer *scorer, const murk_lattice *lattice,
     }
 }
 
-/* Whether both ends are in one cell, for most legs in dense media are; then
- * *cell is that. */
+/* True if both ends of the segment are in one cell, as for most segments in
+ * dense media; then *cell is that cell. */
 static inline bool stays(const murk_lattice *lattice, const double at[3],
                          const double pace[3], double length_m, uint32_t *cell)
 {

@@ -9,13 +9,13 @@
 
 #include "transport/score.h"
 
-/* More copies of the sums than fit in this would cost more memory than the
- * threads' waiting for each other is worth: where sums are that many, threads
+/* The largest memory of the copies of the sums. Beyond that, memory costs more
+ * than the waiting of threads for each other, because with so many sums threads
  * seldom meet. */
 #define COPIES_BYTES 64e6
 
-/* A voxel of one band while it is written: its float, its place in a tree of
- * voxels, and twice in the file's bytes. */
+/* Bytes of a voxel of one band during writing: the float, the place in a tree
+ * of voxels, and twice the bytes of the file. */
 #define WRITTEN_BYTES 16
 
 static size_t scorers_of(unsigned threads)
@@ -125,7 +125,8 @@ static murk_scorer *scorer_made(const murk_tallies *t, size_t number)
     return s;
 }
 
-/* What murk_tallies_create() has checked; false when out of memory. */
+/* Allocates memory after the checks of murk_tallies_create(); false when out of
+ * memory. */
 static bool provide(murk_tallies *t, unsigned threads)
 {
     t->scorers = scorers_of(threads);
@@ -226,7 +227,7 @@ const murk_tally_desc *murk_tallies_desc(const murk_tallies *t, size_t tally)
     return &t->desc[tally];
 }
 
-/* What a whole packet in a cell's sums is worth, a watt of it. */
+/* The value of one packet per watt in the sums of a cell. */
 static double worth(const murk_tally_desc *d)
 {
     if (d->type == MURK_TALLY_PLANE) {
@@ -246,7 +247,7 @@ static murk_wide read_sum(const murk_wide_sum *sum)
                        atomic_load_explicit(&sum->high, memory_order_relaxed)};
 }
 
-/* Of the sum over n photons. */
+/* The variance of the sum over n photons. */
 static double variance(murk_wide sum, murk_wide squares, int64_t n)
 {
     return n > 1 ? (double)n / (double)(n - 1) *

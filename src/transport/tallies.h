@@ -1,21 +1,23 @@
-/* Tallies: light measured along the photons' ways, with its standard error.
+/* Tallies: measurements of light along the paths of photons, with standard
+ * errors.
  *
- * A plane counts the power through it; a grid and a sphere give the mean
- * scalar irradiance (fluence rate) by track length, which is right where
- * nothing is absorbed, too (Spanier and Gelbard, Monte Carlo Principles and
- * Neutron Transport Problems, 1969, ch. 2).
+ * A plane measures the power through it. A grid and a sphere measure the mean
+ * scalar irradiance (fluence rate) by track length, which is correct in a
+ * medium without absorption, too (Spanier and Gelbard, Monte Carlo Principles
+ * and Neutron Transport Problems, 1969, ch. 2).
  *
- * What a photon brings to a cell is added up along its whole way and rounded
- * once, to quanta (planes) or to 2^-30 of a packet times the cell's diameter
- * (lengths). Its value and square go to whole-number sums by channel and cell,
- * so that no result depends on order or threads, and errors are by emitted
- * photon: all that one photon does belongs together.
+ * The contributions of a photon to a cell are summed over the whole path and
+ * rounded once, to quanta (planes) or to 2^-30 of a packet times the diameter
+ * of the cell (lengths). The value and its square are added to integer sums by
+ * channel and cell. No result therefore depends on order or threads, and errors
+ * are by emitted photon: all contributions of a photon are one sample.
  *
- * A plane and what lies in it: light is counted on the side that the normal
- * points away from. So in a floor, an interface or a side of the domain,
- * `forward` is the light that arrives along the normal. A surface nearer than
- * half of murk_surfaces_leave()'s step counts as in the plane. Light enters and
- * leaves through a side of the domain that has a plane in it on either side. */
+ * Objects that lie in the plane of a tally: light is counted on the side from
+ * which the normal points away. In a floor, an interface or a side of the
+ * domain, `forward` is therefore the light that arrives along the normal. A
+ * surface nearer than half of the step of murk_surfaces_leave() counts as lying
+ * in the plane. Light that enters or leaves through a side of the domain in
+ * which a plane lies passes the plane. */
 #ifndef MURK_TRANSPORT_TALLIES_H
 #define MURK_TRANSPORT_TALLIES_H
 
@@ -28,7 +30,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Sums hold 2^32 photons of so many legs each. */
+/* The largest number of segments of a photon: sums hold 2^32 photons with this
+ * many segments each. */
 #define MURK_TALLY_LEGS_MAX (1 << 17)
 
 /* Tallies of a scene, and bytes of the name of one, which becomes the name of a
@@ -38,10 +41,10 @@
 #define MURK_TALLY_CELLS_MAX (UINT64_C(1) << 31) /* of all tallies together */
 #define MURK_PLANE_CELLS_MAX 1000000             /* of one plane */
 
-/* What is asked for; members of the other types are not looked at. */
+/* The description of a tally; members of other types are ignored. */
 typedef struct murk_tally_desc {
-    char name[MURK_TALLY_NAME_SIZE]; /* letters, digits, . _ -, and a letter or
-                                        digit first: it names files */
+    char name[MURK_TALLY_NAME_SIZE]; /* letters, digits, . _ -, beginning with a
+                                      * letter or digit: used in file names */
     const char *where;
     murk_tally_type type;
     murk_vec3 point, normal; /* plane; the normal need not be unit */
@@ -54,34 +57,36 @@ typedef struct murk_tally_desc {
     bool hemispheres;        /* sphere: by the sign of z of travel */
 } murk_tally_desc;
 
-/* Directions of a plane: forward, backward; of a sphere by hemispheres: up,
- * down; else one. */
+/* The number of directions: of a plane 2, forward and backward; of a sphere
+ * with hemispheres 2, up and down; else 1. */
 size_t murk_tally_directions(const murk_tally_desc *desc);
 
-/* Cells, the first index fastest: a plane's are [bins[0], bins[1], angle_bins,
- * directions], a grid's [size], a sphere's [directions]. */
+/* The number of cells, with the first index fastest: [bins[0], bins[1],
+ * angle_bins, directions] for a plane, [size] for a grid, [directions] for a
+ * sphere. */
 size_t murk_tally_cells(const murk_tally_desc *desc);
 
-/* A plane's bins lie along two axes of space (0 x, 1 y, 2 z), in that order:
- * those other than the one that the normal is longest along (of equal ones the
- * last), each over the domain's extent. */
+/* The axes of the bins of a plane: two axes of space (0 x, 1 y, 2 z) in that
+ * order, without the axis along which the normal is longest (of equal ones the
+ * last); the bins divide the extent of the domain. */
 void murk_tally_axes(const murk_tally_desc *desc, int axes[2]);
 
-/* Refuses what cannot be measured: names twice, not safe or whose files would
- * be the same, places outside the domain, no normal, too many cells. */
+/* Refuses tallies that cannot be measured: equal or unsafe names, names that
+ * would give the same files, positions outside the domain, a missing normal,
+ * too many cells. */
 murk_status murk_tallies_check(const murk_tally_desc *descs, size_t n,
                                const murk_domain *domain, murk_error *err);
 
-/* Bytes that the tallies take while photons are traced, and on top of that the
- * writing of the largest grid. channels: lights * bands. */
+/* The memory in bytes of the tallies during tracing, and in addition of writing
+ * the largest grid. channels: lights * bands. */
 double murk_tallies_memory(const murk_tally_desc *descs, size_t n,
                            size_t channels, int bands, unsigned threads);
 
 typedef struct murk_tallies murk_tallies;
 
-/* Checked as above, and refused where they take more than memory_most_bytes.
- * Made once for a run: tracing adds to it from at most that many threads.
- * *out is the caller's: murk_tallies_destroy(). */
+/* Creates tallies after the checks above; refused if they take more than
+ * memory_max_bytes. At most `threads` threads may add to them. The caller
+ * destroys *out with murk_tallies_destroy(). */
 murk_status murk_tallies_create(murk_tallies **out,
                                 const murk_tally_desc *descs, size_t n,
                                 const murk_domain *domain, size_t channels,
@@ -89,7 +94,8 @@ murk_status murk_tallies_create(murk_tallies **out,
                                 double memory_max_bytes, murk_error *err);
 void murk_tallies_destroy(murk_tallies *tallies); /* NULL is fine */
 
-/* Made for that many channels, and that many threads or more. */
+/* True if the tallies were created for that number of channels and for at least
+ * that number of threads. */
 bool murk_tallies_fit(const murk_tallies *tallies, size_t channels,
                       unsigned threads);
 
@@ -97,11 +103,12 @@ size_t murk_tallies_count(const murk_tallies *tallies);
 const murk_tally_desc *murk_tallies_desc(const murk_tallies *tallies,
                                          size_t tally);
 
-/* One cell in one band, of all lights together: W of a plane, W/m2 of grids
- * and spheres. emitted[channels] in quanta is the ledger's, packet_w[channels]
- * the power of one packet. The error is that of a sum over channels of n
- * independent photons each, packet_w^2 n/(n - 1) (sum x^2 - (sum x)^2 / n); a
- * channel that has one photon only counts with all that it brings. */
+/* The value of a cell in a band, summed over all lights: W for a plane, W/m2
+ * for grids and spheres. emitted[channels] in quanta is from the ledger,
+ * packet_w[channels] is the power of a packet. The standard error is that of a
+ * sum over channels of n independent photons each, packet_w^2 n/(n - 1) (sum
+ * x^2 - (sum x)^2 / n); for a channel with a single photon the square of its
+ * contribution is used. */
 murk_estimate murk_tallies_read(const murk_tallies *tallies, size_t tally,
                                 int band, size_t cell,
                                 const murk_tally *emitted,

@@ -1,4 +1,5 @@
-/* What a tally may be asked to measure. */
+/* Shapes and checks of tally descriptions: numbers of cells, axes of the bins
+ * of a plane, and refusal of tallies that cannot be measured. */
 #include <ctype.h>
 #include <float.h>
 #include <math.h>
@@ -7,8 +8,8 @@
 #include "base/position.h"
 #include "transport/tallies.h"
 
-/* What adding or subtracting two lengths rounds off: a sphere that touches a
- * side of the domain is inside it. */
+/* Relative rounding error of a sum or difference of two lengths: a sphere that
+ * touches a side of the domain is inside. */
 #define ROUNDING (4 * DBL_EPSILON)
 
 size_t murk_tally_directions(const murk_tally_desc *desc)
@@ -86,7 +87,7 @@ static double rounding_of(const murk_box *box)
     return ROUNDING * murk_box_largest_coordinate(box);
 }
 
-/* False also for what is not a number. */
+/* True if the box is inside the domain; false for values that are no number. */
 static bool is_inside(const murk_box *box, murk_vec3 min, murk_vec3 max)
 {
     const double r = rounding_of(box);

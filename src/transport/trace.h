@@ -1,21 +1,22 @@
-/* The photon tracer: Russian roulette at surfaces and in media, an exact
- * energy ledger, and one callback an event.
+/* The photon tracer: Russian roulette at surfaces and in media, an exact energy
+ * ledger, and a callback for each event.
  *
- * A photon is a packet of MURK_PACKET quanta. At a surface one number u
+ * A photon is a packet of MURK_PACKET quanta. At a surface one random number u
  * decides (SPOQ paper, 3.1; Arvo and Kirk, SIGGRAPH 1990,
- * doi:10.1145/97879.97886): [0, d] reflected diffusely, (d, d+s] mirrored,
- * (d+s, d+s+t] transmitted, else absorbed. At a collision in a medium it is
- * scattered with probability albedo, else absorbed. At the boundary of a region
- * or solid with an index, Snell and exact unpolarised Fresnel, by roulette; the
- * index is that of the innermost solid, else of the last listed region around
- * (medium/interfaces.h), else 1; on waves, facet by facet
- * (transport/facets.h). Nothing here can fail: what cannot be followed
- * is counted as lost, by cause.
+ * doi:10.1145/97879.97886): [0, d] diffuse reflection, (d, d+s] mirror
+ * reflection, (d+s, d+s+t] transmission, else absorption. At a collision in a
+ * medium the photon is scattered with probability albedo, else absorbed. At the
+ * boundary of a region or solid with an index, Snell's law and the exact
+ * unpolarised Fresnel reflectance act, by roulette. The index is that of the
+ * innermost solid, else of the last listed region around the photon
+ * (medium/interfaces.h), else 1; on waves, facet by facet (transport/facets.h).
+ * Tracing cannot fail: photons that cannot be followed are counted as lost, by
+ * cause.
  *
- * Where least_weight is below 1, a photon that has more than that share of its
- * packet left is not put to the roulette: it leaves the absorbed part of its
- * quanta behind and goes on with the rest; from that share down, roulette. So
- * no quantum is ever made, and no mean changes. */
+ * If least_weight is below 1, a photon that has more than that share of its
+ * packet left is not subject to roulette: the absorbed part of the quanta is
+ * left behind, and the photon continues with the rest. Below that share,
+ * roulette applies. No quantum is ever created, and no mean changes. */
 #ifndef MURK_TRANSPORT_TRACE_H
 #define MURK_TRANSPORT_TRACE_H
 
@@ -27,7 +28,8 @@
 #include "source/sources.h"
 #include "transport/tallies.h"
 
-/* Everything that a photon can meet; borrowed, immutable. */
+/* The world in which photons travel. All members must outlive it and are
+ * immutable. */
 typedef struct murk_transport_world {
     const murk_surfaces *surfaces;
     const murk_media *media;
@@ -35,45 +37,51 @@ typedef struct murk_transport_world {
     murk_domain domain;
     int bands;
     const murk_boundary_meshes
-        *boundary_meshes; /* of the regions that are meshes; NULL: none */
-    bool continues; /* outside of open sides the media go on, for light of sun
-                       and sky that enters there: transport/outside.h */
+        *boundary_meshes; /* of regions that are meshes; NULL: none */
+    bool continues; /* the media continue outside of open sides, for light of
+                     * sun and sky that enters there (transport/outside.h) */
 } murk_transport_world;
 
 typedef enum murk_event_kind {
     MURK_EVENT_EMITTED,
-    MURK_EVENT_SURFACE, /* met a material; `outcome` says what came of it */
+    MURK_EVENT_SURFACE, /* hit a material; `outcome` has the result */
     MURK_EVENT_MEDIUM,  /* a real collision */
     MURK_EVENT_WRAPPED, /* left one side of a periodic domain, entered another
                          */
     MURK_EVENT_ESCAPED,
     MURK_EVENT_LOST,
-    MURK_EVENT_INTERFACE /* met the boundary of a region (whose number stands
-                            for a material's) where the index changes */
+    MURK_EVENT_INTERFACE /* passed or reflected at the boundary of a region
+                          * (whose number takes the place of that of a material)
+                          * at which the index changes */
 } murk_event_kind;
 
 typedef enum murk_outcome {
     MURK_ABSORBED,
-    MURK_DIFFUSE,     /* surfaces: reflected by cosine law */
-    MURK_MIRRORED,    /* surfaces: specular, Fresnel and total reflection */
-    MURK_TRANSMITTED, /* surfaces: through a sheet, or refracted */
+    MURK_DIFFUSE,     /* surfaces: reflected by the cosine law */
+    MURK_MIRRORED,    /* surfaces: mirror, Fresnel and total reflection */
+    MURK_TRANSMITTED, /* surfaces: transmitted by a sheet, or refracted */
     MURK_SCATTERED    /* media */
 } murk_outcome;
 
-/* What lay between lamp and event: the paper's and Jensen's classes. */
+/* The history of a photon before an event: the classes of the SPOQ paper and of
+ * Jensen. */
 typedef enum murk_event_class {
     MURK_CLASS_FIRST,    /* first event since the lamp */
-    MURK_CLASS_SPECULAR, /* only mirrors and transmissions before */
+    MURK_CLASS_SPECULAR, /* only mirror reflections and transmissions before */
     MURK_CLASS_LATER
 } murk_event_class;
 
+/* The causes for which photons are lost. */
 typedef enum murk_loss {
-    MURK_LOSS_EVENTS,    /* more than events_max events, or facets at waves */
+    MURK_LOSS_EVENTS,    /* more than events_max events, or too many facets of
+                          * waves */
     MURK_LOSS_WRAPS,     /* more than wraps_max wraps without another event */
-    MURK_LOSS_NUMERICAL, /* not a finite position, or none inside the domain */
+    MURK_LOSS_NUMERICAL, /* a position that is not finite or not inside the
+                          * domain */
     MURK_LOSSES
 } murk_loss;
 
+/* An event on the path of a photon. */
 typedef struct murk_event {
     murk_event_kind kind;
     murk_outcome outcome;
@@ -83,38 +91,42 @@ typedef struct murk_event {
     uint16_t light;
     uint8_t band;
     uint8_t material_or_medium;
-    murk_vec3 position;      /* wrapped: where it left */
+    murk_vec3 position;      /* wrapped: where the photon left */
     murk_vec3 direction_in;  /* unit, of travel, arriving; emitted: zero */
     murk_vec3 direction_out; /* unit, leaving; zero when absorbed or lost */
-    murk_vec3 normal;        /* boundaries: unit, faces where it came from */
-    double reflectance;      /* surfaces: diffuse share; media: albedo */
-    double weight;           /* share of its packet that arrives */
-    double leaving;          /* share that leaves; 0 when absorbed or lost */
-    double path_m;           /* since the event before */
-    double scattering_per_m; /* media: of all media at the place */
+    murk_vec3 normal;        /* boundaries: unit, on the side from which the
+                              * photon came */
+    double reflectance;      /* surfaces: diffuse reflectance; media: albedo */
+    double weight;           /* share of the packet that arrives */
+    double leaving;          /* share of the packet that leaves; 0 when absorbed
+                              * or lost */
+    double path_m;           /* length since the previous event */
+    double scattering_per_m; /* media: scattering coefficient of all media at
+                              * the position */
     murk_loss loss;
 } murk_event;
 
-/* Called in order along a photon; photons of one batch come in order, on one
- * thread; batches on any. */
+/* Called in order along a photon. Photons of one batch are reported in order,
+ * on one thread; batches on any thread. */
 typedef void (*murk_event_sink)(void *context, uint64_t batch,
                                 const murk_event *event);
 
-/* A straight leg of a photon's way, up to an event or to a boundary that is
- * none. */
+/* A straight segment of the path of a photon, up to an event or to a boundary
+ * at which nothing happens. */
 typedef struct murk_trace_leg {
     uint64_t photon;
     uint16_t light;
     uint8_t band;
-    bool is_in_solid;          /* where no media are */
-    murk_inside inside;        /* regions with a boundary that it lies in */
+    bool is_in_solid;          /* inside a solid, in which there are no media */
+    murk_inside inside;        /* regions with a boundary that contain the
+                                * segment */
     murk_vec3 from, direction; /* direction: unit */
     double length_m;
-    double weight; /* share of its packet that flies */
-    double index;  /* of refraction, where it flies */
+    double weight; /* share of the packet on the segment */
+    double index;  /* refractive index on the segment */
 } murk_trace_leg;
 
-/* As murk_event_sink; told before the event that the leg ends in. */
+/* As murk_event_sink; called before the event at which the segment ends. */
 typedef void (*murk_leg_sink)(void *context, uint64_t batch,
                               const murk_trace_leg *leg);
 
@@ -125,25 +137,27 @@ typedef void (*murk_leg_sink)(void *context, uint64_t batch,
 typedef struct murk_trace {
     const murk_transport_world *world;
     uint32_t seed;
-    uint32_t stream; /* 0: the map that chooses; 1: held out; 2: confirms */
+    uint32_t stream; /* 0: the map from which a plan is chosen; 1: held out; 2:
+                      * confirms */
     uint64_t first, last; /* photons [first, last); batch 0 starts at first */
     unsigned threads;
     uint32_t events_max, wraps_max;
     double least_weight; /* MURK_MIN_WEIGHT_MIN..1 */
     bool by_delta; /* free flight by delta tracking, for which the media must be
-                      prepared; else by march */
+                    * prepared; otherwise by marching */
     murk_event_sink sink;  /* may be NULL */
     murk_leg_sink leg;     /* may be NULL */
-    void *context;         /* of both */
-    murk_tallies *tallies; /* may be NULL; made for `threads` or more */
-    bool takes_back;       /* the ledger and the tallies lose what these photons
-                              brought them */
+    void *context;         /* context of both callbacks */
+    murk_tallies *tallies; /* may be NULL; created for at least `threads`
+                            * threads */
+    bool takes_back;       /* subtract the contributions of these photons from
+                            * the ledger and the tallies */
 } murk_trace;
 
 murk_trace murk_trace_defaults(
     void); /* threads 1; caps 1e5 events, 1e4 wraps; least weight 1 */
 
-/* Below it, what rounding to whole quanta does could be seen. */
+/* Below this weight, rounding to whole quanta would be noticeable. */
 #define MURK_MIN_WEIGHT_MIN 1e-5
 
 /* Energy by channel (light * bands + band), in quanta. */
@@ -151,31 +165,34 @@ typedef struct murk_ledger {
     size_t channels, materials, media;
     murk_tally *emitted, *absorbed_surfaces, *absorbed_media, *escaped,
         *lost;            /* [channels] each */
-    murk_tally *absorber; /* [lanes][channels][materials + media]: each thread
-                             adds to one lane, or they wait for each other */
+    murk_tally *absorber; /* [lanes][channels][materials + media]: threads add
+                           * to different lanes, so that they do not wait for
+                           * each other */
     size_t lanes;
     murk_tally lost_photons[MURK_LOSSES];
     murk_tally photons, collisions; /* plain counts; collisions: real ones */
 } murk_ledger;
 
-/* Empty books of a world; the caller's: murk_ledger_destroy(). */
+/* Creates an empty ledger for a world. The caller destroys it with
+ * murk_ledger_destroy(). */
 murk_status murk_ledger_create(murk_ledger **out,
                                const murk_transport_world *world,
                                murk_error *err);
 void murk_ledger_destroy(murk_ledger *ledger); /* NULL is fine */
 
-/* What one material or medium took: over all of them, absorbed_surfaces and
- * absorbed_media of that channel. */
+/* The energy that one material or medium absorbed in a channel. Sums over all
+ * materials and media give absorbed_surfaces and absorbed_media. */
 int64_t murk_ledger_by_material(const murk_ledger *ledger, size_t channel,
                                 size_t material);
 int64_t murk_ledger_by_medium(const murk_ledger *ledger, size_t channel,
                               size_t medium);
 
-/* Sum over channels of |emitted - absorbed - escaped - lost|: 0 always. */
+/* The sum over channels of |emitted - absorbed - escaped - lost|: always 0. */
 int64_t murk_ledger_imbalance(const murk_ledger *ledger);
 
-/* Traces and adds to the ledger and the tallies; nothing where all lights are
- * dark. Ends early when interrupted: ask murk_interrupted(). */
+/* Traces the photons and adds to the ledger and the tallies; does nothing if
+ * all lights are dark. Ends early after an interrupt: the caller checks
+ * murk_interrupted(). */
 void murk_trace_run(const murk_trace *trace, murk_ledger *ledger);
 
 #endif

@@ -1,16 +1,18 @@
-/* Turning a direction: what each scattering and diffuse reflection does. In a
- * header because the photon's loop waits for it. Private to this room. */
+/* Rotation of a direction by a scattering angle, for scattering and diffuse
+ * reflection. The functions are inline because the photon loop spends much time
+ * in them. Private to this room. */
 #ifndef MURK_TRANSPORT_TURN_H
 #define MURK_TRANSPORT_TURN_H
 
 #include "base/vector.h"
 
-/* Cosine and sine of 2 pi u, 0 <= u <= 1, to 3e-14: their series to x^14 within
- * an eighth of a turn, and from there whole quarter turns. Half the time of the
- * library's, which would be a fifth of a collision's, and the same bits on
- * every machine. */
+/* Cosine and sine of 2 pi u, 0 <= u <= 1, with an error of 3e-14: Taylor series
+ * to x^14 within an eighth of a turn, and whole quarter turns. This takes half
+ * the time of the functions of the C library, which would be a fifth of the
+ * time of a collision, and gives the same bits on every machine. */
 static inline void murk_turn_once(double u, double *cosine, double *sine)
 {
+    /* Cosine and sine of whole quarter turns. */
     static const double quarter_cosine[] = {1, 0, -1, 0, 1};
     static const double quarter_sine[] = {0, 1, 0, -1, 0};
     const int quarter = (int)(4 * u + 0.5);
@@ -35,14 +37,15 @@ static inline void murk_turn_once(double u, double *cosine, double *sine)
     *sine = qs * c + qc * s;
 }
 
-/* One Newton step towards length 1: exact to the square of what rounding has
- * left it off by, and cheaper than a root and a division. */
+/* One Newton step towards length 1: the remaining error is the square of the
+ * rounding error, and the step is cheaper than a square root and a division. */
 static inline murk_vec3 murk_trimmed(murk_vec3 d)
 {
     return murk_scale(1.5 - 0.5 * murk_dot(d, d), d);
 }
 
-/* Unit d turned by the angle of cosine mu, at azimuth 2 pi u_phi about it. */
+/* The unit direction d rotated by the angle of cosine mu, at azimuth 2 pi
+ * u_phi. */
 static inline murk_vec3 murk_turned_direction(murk_vec3 d, double mu,
                                               double u_phi)
 {

@@ -2,9 +2,10 @@
  * in integers of 192 bits, so that it is exact before one last rounding. */
 #include "transport/wide.h"
 
-#define LIMBS 6 /* of 32 bits: n sum x^2 is below 2^160, its fellow no more */
+/* Words of 32 bits: n sum x^2 and (sum x)^2 are below 2^192. */
+#define LIMBS 6
 
-/* out = a b, both of 128 bits but their product below 2^192. */
+/* out = a b; both factors have 128 bits, and the product is below 2^192. */
 static void multiply(murk_wide a, murk_wide b, uint32_t out[LIMBS])
 {
     const uint32_t p[4] = {(uint32_t)a.low, (uint32_t)(a.low >> 32),
@@ -30,7 +31,8 @@ double murk_wide_spread(murk_wide sum, murk_wide squares, uint64_t n)
     uint32_t all[LIMBS], mean[LIMBS];
     multiply(squares, (murk_wide){n, 0}, all);
     multiply(sum, sum, mean);
-    /* not below 0, by Cauchy and Schwarz */
+    /* The difference is not negative, by the inequality of Cauchy and
+     * Schwarz. */
     double spread = 0;
     uint32_t difference[LIMBS];
     uint64_t borrow = 0;

@@ -1,6 +1,6 @@
-/* Sums of 128 bits that several threads may add to, and the exact variance of
- * what was added. Modulo 2^128 and in any order, so taking back is adding the
- * complement. Private to this room. */
+/* Sums of 128 bits to which several threads may add, and the exact variance of
+ * the terms. Sums are modulo 2^128 and independent of the order, so a term is
+ * taken back by adding the complement. Private to this room. */
 #ifndef MURK_TRANSPORT_WIDE_H
 #define MURK_TRANSPORT_WIDE_H
 
@@ -24,7 +24,7 @@ static inline murk_wide murk_wide_negated(murk_wide x)
 static inline murk_wide murk_wide_square(uint64_t x)
 {
     const uint64_t a = x >> 32, b = x & UINT32_MAX;
-    const uint64_t cross = a * b; /* counts twice, 32 bits up */
+    const uint64_t cross = a * b; /* counts twice, shifted by 32 bits */
     const uint64_t middle = cross << 33, low = b * b + middle;
     return (murk_wide){low, a * a + (cross >> 31) + (low < middle)};
 }
@@ -39,7 +39,8 @@ static inline void murk_wide_add(murk_wide_sum *sum, murk_wide x)
     }
 }
 
-/* The same where no other thread adds to the sum: ten times as fast. */
+/* Like murk_wide_add() if no other thread adds to the sum: ten times as
+ * fast. */
 static inline void murk_wide_add_alone(murk_wide_sum *sum, murk_wide x)
 {
     const uint64_t before =
@@ -54,7 +55,7 @@ static inline void murk_wide_add_alone(murk_wide_sum *sum, murk_wide x)
     }
 }
 
-/* a + b. */
+/* The sum of two values. */
 static inline murk_wide murk_wide_plus(murk_wide a, murk_wide b)
 {
     const uint64_t low = a.low + b.low;
@@ -66,8 +67,9 @@ static inline double murk_wide_value(murk_wide x)
     return (double)x.high * 0x1p64 + (double)x.low;
 }
 
-/* sum x^2 - (sum x)^2 / n of n numbers, n < 2^32, whose sum is below 2^95:
- * rounded once, so it is exactly 0 where all are the same. */
+/* Returns sum x^2 - (sum x)^2 / n for n numbers, n < 2^32, with a sum below
+ * 2^95. The result is rounded once, so it is exactly 0 if all numbers are
+ * equal. */
 double murk_wide_spread(murk_wide sum, murk_wide squares, uint64_t n);
 
 #endif
