@@ -130,9 +130,9 @@ static void list_placement(murk_results_fields *f, const void *of)
                                          "sightlines_blocked_by_interfaces",
                                          "sightlines_totally_reflected"};
     const murk_matrix_plan *p = of;
-    MURK_RESULT(f, text, "method", "", "best, spoq, greedy or exact",
+    MURK_RESULT(f, text, "method", "", "a word of placement.method",
                 murk_place_method_name(p->desc.method));
-    MURK_RESULT(f, text, "detection", "", "weighted or independent",
+    MURK_RESULT(f, text, "detection", "", "a word of placement.detection",
                 murk_detection_name(p->detection));
     MURK_RESULT(f, null, "threshold", "", "null", 0);
     MURK_RESULT(f, count, "redundancy", "", "columns that count for a row",

@@ -159,12 +159,11 @@ static void list_placement(murk_results_fields *f, const void *of)
     const murk_plan_result *plan = r ? r->plan : NULL;
     const murk_scene_placement *asked =
         r ? &r->session->scene->placement : NULL;
-    MURK_RESULT(f, text, "method", "", "best, spoq, greedy or exact",
+    MURK_RESULT(f, text, "method", "", "a word of placement.method",
                 asked->knowledge == MURK_SCENE_EXPLORE
                     ? "greedy"
                     : murk_place_method_name(asked->method));
-    MURK_RESULT(f, text, "detection", "",
-                "weighted, independent, threshold or power",
+    MURK_RESULT(f, text, "detection", "", "a word of placement.detection",
                 murk_detection_name(asked->detection));
     MURK_RESULT(
         f, number, "threshold", "1", "of detection: threshold",
@@ -179,9 +178,9 @@ static void list_placement(murk_results_fields *f, const void *of)
                 asked->redundancy);
     MURK_RESULT(f, text, "visibility", "", "ray or normal",
                 asked->by_normal ? "normal" : "ray");
-    MURK_RESULT(f, text, "through", "", "thin, block or refract",
+    MURK_RESULT(f, text, "through", "", "a word of placement.through",
                 murk_scene_word("placement.through", (int)asked->through));
-    MURK_RESULT(f, text, "knowledge", "", "known, unknown or explore",
+    MURK_RESULT(f, text, "knowledge", "", "a word of placement.knowledge",
                 murk_scene_word("placement.knowledge", (int)asked->knowledge));
     MURK_RESULT(f, count, "restarts", "", "starts asked for", asked->restarts);
     MURK_RESULT(f, count, "starts", "", "starts made", plan->place.restarts);
