@@ -11,7 +11,7 @@ murk_path_pieces murk_path_pieces_of(const murk_path_tiling *tiling,
 {
     return (murk_path_pieces){
         .tiling = tiling,
-        .at = murk_path_sides_hold(&tiling->space->sides, from),
+        .at = murk_path_sides_hold(&tiling->space.sides, from),
         .direction = direction,
         .left_m = length_m};
 }
@@ -21,7 +21,7 @@ murk_path_pieces murk_path_pieces_of(const murk_path_tiling *tiling,
 static double jump_ahead(const murk_path_pieces *p)
 {
     const murk_path_tiling *t = p->tiling;
-    const murk_path_sides *sides = &t->space->sides;
+    const murk_path_sides *sides = &t->space.sides;
     const double z = p->at.z, dz = p->direction.z;
     if (!t->repeats || (z < t->free_above_m && z > t->free_below_m)) {
         return 0;
@@ -37,7 +37,7 @@ static double jump_ahead(const murk_path_pieces *p)
     const double run = fmin((end - z) / dz, p->left_m);
     const double sideways = fmax(fabs(p->direction.x), fabs(p->direction.y));
     const double rise_min =
-        RISE_MIN * murk_box_largest_coordinate(&t->space->domain->box);
+        RISE_MIN * murk_box_largest_coordinate(&t->space.domain->box);
     return run * sideways > t->sideways_max_m && run * fabs(dz) > rise_min ? run
                                                                            : 0;
 }
@@ -51,7 +51,7 @@ static double wrapped(double x, const double side[2])
 
 static void jump(murk_path_pieces *p, double run)
 {
-    const murk_path_sides *sides = &p->tiling->space->sides;
+    const murk_path_sides *sides = &p->tiling->space.sides;
     const murk_vec3 end = murk_along(p->at, run, p->direction);
     murk_path_piece *piece = &p->piece;
     piece->from = p->at;
@@ -76,7 +76,7 @@ bool murk_path_next_piece(murk_path_pieces *p)
     }
     /* To the side of the domain, or to the largest length of a piece. */
     const murk_path_tiling *t = p->tiling;
-    const murk_path_sides *sides = &t->space->sides;
+    const murk_path_sides *sides = &t->space.sides;
     const murk_vec3 d = p->direction;
     const double side_m = murk_path_sides_ahead(sides, p->at, d);
     const int axis = murk_path_sides_axis(sides, p->at, d);
@@ -102,7 +102,7 @@ bool murk_path_next_piece(murk_path_pieces *p)
 
 murk_path_stop murk_path_piece_stop(const murk_path_pieces *p, double margin_m)
 {
-    const murk_path_space *space = p->tiling->space;
+    const murk_path_space *space = &p->tiling->space;
     const murk_path_piece *piece = &p->piece;
     const bool is_jump = piece->stretch != 1;
     const murk_vec3 way =

@@ -12,7 +12,7 @@
 
 /* What all rays through a domain share. */
 typedef struct murk_path_tiling {
-    const murk_path_space *space;
+    murk_path_space space;
     bool repeats;          /* in x and y */
     double sideways_max_m; /* of a piece; may be INFINITY */
     /* Below and above these heights nothing depends on x and y, and rays jump;

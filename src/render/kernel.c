@@ -25,15 +25,16 @@
 
 static double index_at(const murk_scenery *scenery, murk_vec3 place)
 {
-    return scenery->bends ? murk_path_index_at(&scenery->space, place) : 1;
+    return scenery->bends ? murk_path_index_at(&scenery->tiling.space, place)
+                          : 1;
 }
 
 static double scattering_at(const murk_scenery *scenery, int band,
                             murk_vec3 place)
 {
-    return murk_media_scattering(scenery->world->media, band,
-                                 murk_path_inside(&scenery->space, place),
-                                 place);
+    return murk_media_scattering(
+        scenery->world->media, band,
+        murk_path_inside(&scenery->tiling.space, place), place);
 }
 
 murk_probing murk_probing_of(const murk_scenery *scenery, uint32_t seed)

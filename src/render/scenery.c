@@ -26,7 +26,7 @@ static double piece_through(const murk_scenery *scenery,
                             const murk_path_piece *piece, int band)
 {
     const murk_path_viewpoint v =
-        murk_path_viewpoint_at(&scenery->space, piece->from);
+        murk_path_viewpoint_at(&scenery->tiling.space, piece->from);
     if (scenery->bends && murk_path_bends_to(&v, piece->to)) {
         return 0;
     }
@@ -75,7 +75,7 @@ double murk_scenery_through(const murk_scenery *scenery, int band,
 murk_scenery_end murk_scenery_look(const murk_scenery *scenery, murk_vec3 from,
                                    murk_vec3 direction)
 {
-    const murk_path_sides *sides = &scenery->space.sides;
+    const murk_path_sides *sides = &scenery->tiling.space.sides;
     murk_scenery_end end = {0};
     murk_path_pieces p =
         murk_path_pieces_of(&scenery->tiling, from, direction, INFINITY);
@@ -105,7 +105,7 @@ double murk_scenery_depth(const murk_scenery *scenery, int band, murk_vec3 from,
          scenery->any_media && n < PIECES_MAX && murk_path_next_piece(&p);
          ++n) {
         const murk_path_viewpoint v =
-            murk_path_viewpoint_at(&scenery->space, p.piece.from);
+            murk_path_viewpoint_at(&scenery->tiling.space, p.piece.from);
         depth += p.piece.stretch * murk_path_depth_to(&v, band, p.piece.to);
     }
     return depth;
@@ -159,9 +159,9 @@ murk_status murk_scenery_prepare(murk_scenery *scenery,
     const double margin_m = OFF_BY * murk_box_largest_coordinate(box);
     *scenery = (murk_scenery){
         .world = world,
-        .space = murk_path_space_of(world->surfaces, world->media,
-                                    world->boundary_meshes, &world->domain),
-        .tiling = {.space = &scenery->space,
+        .tiling = {.space = murk_path_space_of(world->surfaces, world->media,
+                                               world->boundary_meshes,
+                                               &world->domain),
                    .repeats = world->domain.is_periodic,
                    .sideways_max_m =
                        world->domain.is_periodic

@@ -10,11 +10,9 @@
 #include "path/pieces.h"
 #include "transport/trace.h"
 
-/* Immutable; any number of threads may use it. Not to be copied: it holds
- * pointers to itself. */
+/* Immutable; any number of threads may use it. */
 typedef struct murk_scenery {
     const murk_transport_world *world;
-    murk_path_space space;
     murk_path_tiling tiling;
     bool any_surfaces, any_sheets, any_media, bends;
     double margin_m; /* what surfaces in single precision are off by, at most */

@@ -16,7 +16,6 @@
 /* The rays of one world. */
 typedef struct rays {
     const murk_transport_world *world;
-    murk_path_space space;
     murk_path_tiling tiling;
 } rays;
 
@@ -26,14 +25,13 @@ typedef struct rays {
 static void begin(rays *r, const murk_transport_world *world)
 {
     r->world = world;
-    r->space = murk_path_space_of(world->surfaces, world->media,
-                                  world->boundary_meshes, &world->domain);
-    r->tiling = (murk_path_tiling){.space = &r->space,
-                                   .repeats = world->domain.is_periodic ||
-                                              world->continues,
-                                   .sideways_max_m = INFINITY,
-                                   .free_below_m = -INFINITY,
-                                   .free_above_m = INFINITY};
+    r->tiling = (murk_path_tiling){
+        .space = murk_path_space_of(world->surfaces, world->media,
+                                    world->boundary_meshes, &world->domain),
+        .repeats = world->domain.is_periodic || world->continues,
+        .sideways_max_m = INFINITY,
+        .free_below_m = -INFINITY,
+        .free_above_m = INFINITY};
 }
 
 /* The ray along `direction` that ends in a place of the floor; an open domain
@@ -65,12 +63,13 @@ static murk_spectrum depth_of(const rays *r, murk_path_pieces ray)
          ++n) {
         const murk_path_stop stop = murk_path_piece_stop(&ray, 0);
         is_free = !stop.is_surface && !stop.is_bend;
-        const murk_path path = {.space = &r->space,
-                                .position = ray.piece.from,
-                                .direction = ray.direction,
-                                .length_m = stop.length_m,
-                                .inside = murk_path_inside_ahead(
-                                    &r->space, ray.piece.from, ray.direction)};
+        const murk_path path = {
+            .space = &r->tiling.space,
+            .position = ray.piece.from,
+            .direction = ray.direction,
+            .length_m = stop.length_m,
+            .inside = murk_path_inside_ahead(&r->tiling.space, ray.piece.from,
+                                             ray.direction)};
         for (int b = 0; b < r->world->bands; ++b) {
             depth.band[b] += murk_path_depth(&path, b);
         }
