@@ -33,7 +33,8 @@ typedef murk_status (*murk_isolated_receive)(void *context, const char *bytes,
  * noticed before memory is taken for it. */
 #define MURK_ISOLATED_MESSAGE_MAX 67108864u
 
-/* Fails with the failure of work() or receive(), with MURK_INTERRUPTED, or with
+/* Runs work() in a subprocess and receive() for each message in this process.
+ * Fails with the failure of either, with MURK_INTERRUPTED, or with
  * MURK_RUN_FAILED if the subprocess died (for example, out of memory). */
 murk_status murk_isolated_run(murk_isolated_work work, void *work_context,
                               murk_isolated_receive receive,

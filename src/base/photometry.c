@@ -7,7 +7,7 @@
 #include <math.h>
 #include <stddef.h>
 
-/* h c in joule nanometres (SI 2019) */
+/* h c in joule nanometres (SI 2019). */
 #define HC_J_NM 1.986445857148929e-16
 /* The table of V, the limits of PAR and the unit of PAR (base/photometry.h). */
 #define V_FROM_NM   380.0

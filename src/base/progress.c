@@ -19,7 +19,7 @@
 #include <time.h>
 #include <unistd.h>
 
-/* a line and the control sequences for the cursor */
+/* A line and the control sequences for the cursor. */
 #define DRAWN_SIZE (LINE_SIZE + 16)
 
 /* Times of the display: steps shorter than FIRST_DRAW_S show nothing, a line is
@@ -27,7 +27,7 @@
 #define FIRST_DRAW_S 0.5
 #define DRAW_EVERY_S 0.2
 #define FIRST_LINE_S 2.0
-/* factor between the times of successive whole lines */
+/* The factor between the times of successive whole lines. */
 #define LINE_GROWTH 1.25
 #define STEPS_MAX   4   /* nested steps that are shown */
 #define COLUMNS     80  /* if the terminal does not report its width */

@@ -30,7 +30,8 @@
  * doi:10.1007/BF01588971). */
 #define EXCHANGE_WORK_MAX 1e10
 
-/* candidates that are processed together: their sums stay in registers */
+/* The number of candidates that are processed together: their sums stay in
+ * registers. */
 #define TOGETHER 4
 
 typedef struct choice {

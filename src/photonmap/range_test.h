@@ -14,7 +14,8 @@
 
 #include <stdint.h>
 
-/* photons in a leaf (the last leaf may have fewer): one bit each in a word */
+/* The photons of a leaf (the last leaf may have fewer): one bit each in a
+ * word. */
 #define MURK_LEAF 32
 #define MURK_WIDE 16 /* boxes in a group: one register of AVX-512 */
 

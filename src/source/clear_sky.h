@@ -33,9 +33,9 @@ typedef struct murk_clear_sky {
     double diffuse_w_per_m2; /* of the sky, on a horizontal plane */
 } murk_clear_sky;
 
-/* All values are 0 for a sun at or below the horizon. linke >= 1; the altitude
- * is above sea level, and the model was made for altitudes up to about 3000
- * m. */
+/* The irradiance under a clear sky; 0 for a sun at or below the horizon. linke
+ * >= 1; the altitude is above sea level, and the model was made for altitudes
+ * up to about 3000 m. */
 murk_clear_sky murk_clear_sky_at(double apparent_zenith_deg,
                                  double absolute_airmass, double linke,
                                  double altitude_m,

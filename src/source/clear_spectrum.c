@@ -9,7 +9,7 @@
 
 #define RAD_PER_DEG   (MURK_PI / 180) /* degrees to radians */
 #define SEA_LEVEL_HPA 1013.0          /* of the report */
-/* air mass for light that the ground reflects upwards */
+/* The air mass for light that the ground reflects upwards. */
 #define AIRMASS_OF_SKY 1.8
 #define OZONE_HEIGHT   (22.0 / 6370) /* over the earth's radius, km */
 

@@ -19,7 +19,7 @@
 #define RAD_PER_DEG      (MURK_PI / 180)
 #define RAD_PER_ARCSEC   (RAD_PER_DEG / 3600)
 #define OBLIQUITY_J2000  84381.448 /* arc seconds, IAU 1976 */
-/* exact enough for the light time, to .1 s */
+/* A mean distance, exact enough for the light time, to .1 s. */
 #define MOON_USUAL_M       384400e3
 #define DAYS_WITHOUT_REUSE 100.0 /* libnova reuses nutation for .1 day */
 
