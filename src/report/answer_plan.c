@@ -11,330 +11,301 @@
 /* A gap to the bound that hardly matters. */
 #define HARDLY 0.02
 
-static void strong_share(FILE *to, double share, double standard_error)
+/* ---- what the results have ---- */
+
+static bool has(const murk_yaml *plan, const char *path)
 {
-    fputs("<strong>", to);
-    murk_page_share(to, share, standard_error);
-    fputs("</strong>", to);
+    return isfinite(murk_result_number(plan, path));
 }
 
-bool murk_answer_has_targets(const murk_yaml *plan)
+static bool is_over(const murk_yaml *plan, const char *how)
+{
+    return murk_result_is(plan, "over", how);
+}
+
+static bool is_proven(const murk_yaml *plan)
+{
+    return murk_result_is(plan, "bound.proven_optimal", "true");
+}
+
+static bool is_of_matrix(const murk_yaml *plan)
+{
+    return murk_result_text(plan, "matrix.file") != NULL;
+}
+
+static bool has_targets(const murk_yaml *plan)
 {
     return murk_result_number(plan, "targets.points") > 0;
 }
 
+/* What a plan is over: light, or targets that stand in place of photons. */
 static const char *object_of(const murk_yaml *plan)
 {
-    return murk_answer_has_targets(plan) ? "targets" : "light";
-}
-
-static void ask_matrix(FILE *to, const murk_yaml *plan, double n)
-{
-    fputs("Which ", to);
-    murk_page_count(to, n, "column", "columns");
-    fputs(" of the matrix ", to);
-    murk_page_text(to, murk_result_text(plan, "matrix.file"));
-    fputs(" cover the most of its ", to);
-    murk_page_count(to, murk_result_number(plan, "matrix.rows"), "row", "rows");
-    fputs(", by their weights?", to);
+    return has_targets(plan) ? "targets" : "light";
 }
 
 /* Of the strict question, whose shares are of what so many see. */
 static void say_by_how_many(FILE *to, const murk_yaml *plan)
 {
-    const double at_least = murk_result_number(plan, "target.at_least");
-    if (isfinite(at_least)) {
-        fputs(", each part by ", to);
-        murk_page_number(to, at_least);
-        fputs(" or more", to);
+    if (has(plan, "target.at_least")) {
+        murk_report_say(to, plan, ", each part by {target.at_least} or more");
     }
 }
 
-static void ask_sensors(FILE *to, const murk_yaml *plan, double n)
+/* ---- the question ---- */
+
+static void ask_sensors(FILE *to, const murk_yaml *plan)
 {
-    const double target = murk_result_number(plan, "target.asked");
-    const double budget = murk_result_number(plan, "budget.asked");
-    if (isfinite(target)) {
-        fputs("How few sensors see ", to);
-        murk_page_share(to, target, NAN);
-        fprintf(to, " of the %s", object_of(plan));
+    const char *object = object_of(plan);
+    if (has(plan, "target.asked")) {
+        murk_report_say(to, plan, "How few sensors see {target.asked%}");
+        fprintf(to, " of the %s", object);
         say_by_how_many(to, plan);
-    } else if (isfinite(budget)) {
-        fputs("Which sensors, whose costs come to at most ", to);
-        murk_page_number(to, budget);
-        fprintf(to, ", see the most %s", object_of(plan));
+    } else if (has(plan, "budget.asked")) {
+        murk_report_say(to, plan,
+                        "Which sensors, whose costs come to at most "
+                        "{budget.asked}");
+        fprintf(to, ", see the most %s", object);
     } else {
-        fputs("Where should ", to);
-        murk_page_count(to, n, "sensor", "sensors");
-        fprintf(to, " be to see the most %s", object_of(plan));
+        murk_report_say(to, plan, "Where should {sensors[sensor|sensors}");
+        fprintf(to, " be to see the most %s", object);
     }
-    const double usable = murk_result_number(plan, "candidates.usable");
-    if (isfinite(usable)) {
-        fputs(", of ", to);
-        murk_page_count(to, usable, "place that is free",
-                        "places that are free");
+    if (has(plan, "candidates.usable")) {
+        murk_report_say(to, plan,
+                        ", of {candidates.usable#place that is free|places "
+                        "that are free}");
     }
-    if (murk_result_is(plan, "over", "mean") ||
-        murk_result_is(plan, "over", "worst") ||
-        murk_result_is(plan, "over", "regret")) {
-        fputs(", over ", to);
-        murk_page_count(to, (double)murk_result_count(plan, "conditions"),
-                        "condition", "conditions");
-        fputs(murk_result_is(plan, "over", "mean") ? " in the mean"
-              : murk_result_is(plan, "over", "regret")
+    if (is_over(plan, "mean") || is_over(plan, "worst") ||
+        is_over(plan, "regret")) {
+        murk_report_say(to, plan, ", over {conditions[condition|conditions}");
+        fputs(is_over(plan, "mean") ? " in the mean"
+              : is_over(plan, "regret")
                   ? ", so that the largest regret (what is lost to the best "
                     "plan of a condition alone) is least"
                   : ", as judged by the worst of them",
               to);
     }
-    if (murk_result_is(plan, "placement.knowledge", "explore")) {
-        fputs(", when only what has been reached so far is known", to);
-    }
-    fputc('?', to);
+    fputs(murk_result_is(plan, "placement.knowledge", "explore")
+              ? ", when only what has been reached so far is known?"
+              : "?",
+          to);
 }
 
 static void ask_plan(FILE *to, const murk_yaml *plan, bool is_made)
 {
-    const double n = (double)murk_result_count(plan, "sensors");
-    murk_page_line_begin(to, "Asked");
+    fputs("<div><dt>Asked</dt><dd>", to);
     if (!is_made) {
         fprintf(to, "How much of the %s do these ", object_of(plan));
-        murk_page_count(to, n, "sensor", "sensors");
-        fputs(" see?", to);
-    } else if (murk_result_text(plan, "matrix.file")) {
-        ask_matrix(to, plan, n);
+        murk_report_say(to, plan, "{sensors[sensor|sensors} see?");
+    } else if (is_of_matrix(plan)) {
+        murk_report_say(to, plan,
+                        "Which {sensors[column|columns} of the matrix "
+                        "{matrix.file$} cover the most of its "
+                        "{matrix.rows#row|rows}, by their weights?");
     } else {
-        ask_sensors(to, plan, n);
+        ask_sensors(to, plan);
     }
-    murk_page_line_end(to);
+    fputs("</dd></div>\n", to);
 }
 
-/* What is to be quoted of a plan: held out, where that is. */
-static void quoted(double *value, double *standard_error, bool *is_held_out,
-                   const murk_yaml *plan)
+/* ---- the answer ---- */
+
+/* The coverage that is to be quoted of a plan: held out, if that is known. */
+static void find_quoted(double *value, double *standard_error,
+                        const murk_yaml *plan)
 {
-    *value = murk_result_number(plan, "coverage.held_out");
-    *standard_error =
-        murk_result_number(plan, "coverage.held_out_standard_error");
-    *is_held_out = isfinite(*value);
-    if (*is_held_out) {
-        return;
-    }
-    *value = murk_result_number(plan, "coverage.in_sample");
-    *standard_error =
-        murk_result_number(plan, "coverage.in_sample_standard_error");
-    if (!isfinite(*standard_error)) {
+    const bool is_held_out = has(plan, "coverage.held_out");
+    *value = murk_result_number(plan, is_held_out ? "coverage.held_out"
+                                                  : "coverage.in_sample");
+    *standard_error = murk_result_number(
+        plan, is_held_out ? "coverage.held_out_standard_error"
+                          : "coverage.in_sample_standard_error");
+    if (!is_held_out && !isfinite(*standard_error)) {
         *standard_error = murk_result_number(plan, "coverage.standard_error");
     }
 }
 
-/* What the share is of, where both maps are in it. */
-static void say_weights(FILE *to, const murk_yaml *plan)
-{
-    const double surface = murk_result_number(plan, "weights_used.surface");
-    const double volume = murk_result_number(plan, "weights_used.volume");
-    if (surface > 0 && volume > 0) {
-        fputs(", counting what lies on surfaces for ", to);
-        murk_page_share(to, surface, NAN);
-        fputs(" and what lies in media for ", to);
-        murk_page_share(to, volume, NAN);
-    }
-}
-
-/* That few photons carry a map's share. */
+/* Warns that few photons carry a map's share. */
 static void say_thin(FILE *to, const murk_yaml *plan)
 {
-    const double photons = murk_result_number(plan, "thin_map.photons");
-    const bool is_volume = murk_result_is(plan, "thin_map.map", "volume");
-    if (!isfinite(photons)) {
+    if (!has(plan, "thin_map.photons")) {
         return;
     }
-    fputs(" <strong>Beware:</strong> ", to);
-    murk_page_share(to, murk_result_number(plan, "thin_map.weight"), NAN);
-    fputs(" of this figure rests on ", to);
-    murk_page_count(to, photons, "photon stored ", "photons stored ");
-    fputs(is_volume ? "in media" : "on surfaces", to);
-    const double variance = murk_result_number(plan, "thin_map.variance_share");
-    if (isfinite(variance)) {
-        fputs(", and so does ", to);
-        murk_page_share(to, variance, NAN);
-        fputs(" of its variance", to);
+    murk_report_say(
+        to, plan,
+        " <strong>Beware:</strong> {thin_map.weight%} of this "
+        "figure rests on {thin_map.photons#photon|photons} stored ");
+    fputs(murk_result_is(plan, "thin_map.map", "volume") ? "in media"
+                                                         : "on surfaces",
+          to);
+    if (has(plan, "thin_map.variance_share")) {
+        murk_report_say(to, plan,
+                        ", and so does {thin_map.variance_share%} of its "
+                        "variance");
     }
     fputs(". With placement.weights: {surface: 1, volume: 1} all photons count "
           "alike.",
           to);
 }
 
+/* What the share is of, and by which sample. */
+static void say_sample(FILE *to, const murk_yaml *plan, bool is_made)
+{
+    const char *sample = has_targets(plan) ? "targets" : "photons";
+    fprintf(to, " of the %s", object_of(plan));
+    if (murk_result_number(plan, "weights_used.surface") > 0 &&
+        murk_result_number(plan, "weights_used.volume") > 0) {
+        murk_report_say(to, plan,
+                        ", counting what lies on surfaces for "
+                        "{weights_used.surface%} and what lies in media for "
+                        "{weights_used.volume%}");
+    }
+    if (has(plan, "coverage.held_out")) {
+        fprintf(to,
+                ", measured with %s that had no say in the choice (held out)",
+                sample);
+    } else if (is_made && !murk_result_is(plan, "targets.listed", "true")) {
+        fprintf(to, ", on the %s that the plan was chosen by: it may read high",
+                sample);
+    }
+    fputc('.', to);
+}
+
+static void say_interval(FILE *to, const murk_yaml *plan, double value,
+                         double error)
+{
+    fputs(" With 95 % confidence it is between ", to);
+    murk_html_share(to, fmax(value - HALF_INTERVAL * error, 0), NAN);
+    fputs(" and ", to);
+    murk_html_share(to, fmin(value + HALF_INTERVAL * error, 1), NAN);
+    fprintf(to, ": chance in the %s.",
+            has_targets(plan) ? "targets drawn" : "photons");
+}
+
 static void answer_plan(FILE *to, const murk_yaml *plan, bool is_made)
 {
-    const bool is_matrix = murk_result_text(plan, "matrix.file") != NULL;
-    const double n = (double)murk_result_count(plan, "sensors");
     double value, error;
-    bool is_held_out;
-    quoted(&value, &error, &is_held_out, plan);
-    murk_page_line_begin(to, "Answer");
-    fputs(is_made ? "" : "These ", to);
-    if (is_matrix) {
-        murk_page_count(to, n, "column covers ", "columns cover ");
-    } else {
-        murk_page_count(to, n, "sensor sees ", "sensors see ");
-    }
-    strong_share(to, value, error);
-    if (is_matrix) {
+    find_quoted(&value, &error, plan);
+    fputs(is_made ? "<div><dt>Answer</dt><dd>"
+                  : "<div><dt>Answer</dt><dd>These ",
+          to);
+    murk_report_say(to, plan,
+                    is_of_matrix(plan)
+                        ? "{sensors[column covers|columns cover} <strong>"
+                        : "{sensors[sensor sees|sensors see} <strong>");
+    murk_html_share(to, value, error);
+    fputs("</strong>", to);
+    if (is_of_matrix(plan)) {
         fputs(" of the rows' weight.", to);
     } else {
-        const char *sample =
-            murk_answer_has_targets(plan) ? "targets" : "photons";
-        const bool is_list = murk_result_is(plan, "targets.listed", "true");
-        fprintf(to, " of the %s", object_of(plan));
-        say_weights(to, plan);
-        if (is_held_out) {
-            fprintf(to,
-                    ", measured with %s that had no say in the choice (held "
-                    "out)",
-                    sample);
-        } else if (is_made && !is_list) {
-            fprintf(to,
-                    ", on the %s that the plan was chosen by: it may read high",
-                    sample);
+        say_sample(to, plan, is_made);
+        if (isfinite(error)) {
+            say_interval(to, plan, value, error);
         }
-        fputc('.', to);
     }
-    if (!is_matrix && isfinite(error)) {
-        fputs(" With 95 % confidence it is between ", to);
-        murk_page_share(to, fmax(value - HALF_INTERVAL * error, 0), NAN);
-        fputs(" and ", to);
-        murk_page_share(to, fmin(value + HALF_INTERVAL * error, 1), NAN);
-        fprintf(to, ": chance in the %s.",
-                murk_answer_has_targets(plan) ? "targets drawn" : "photons");
-    }
-    if (murk_result_is(plan, "over", "regret")) {
-        fputs(" This is the condition where the regret is largest: ", to);
-        murk_page_text(to, murk_result_text(plan, "worst_condition"));
-        fputc('.', to);
+    if (is_over(plan, "regret")) {
+        murk_report_say(to, plan,
+                        " This is the condition where the regret is largest: "
+                        "{worst_condition$}.");
     }
     say_thin(to, plan);
-    murk_page_line_end(to);
+    fputs("</dd></div>\n", to);
 }
+
+/* ---- its limits ---- */
 
 /* Of a plan for the least largest regret. */
 static void limit_regret(FILE *to, const murk_yaml *plan)
 {
     const double bound = murk_result_number(plan, "regret.largest_at_least");
-    const double min = fmax(bound, 0); /* to the true optima, no plan wins */
-    const bool is_proven = murk_result_is(plan, "bound.proven_optimal", "true");
-    fputs(is_proven ? "No: its largest regret is "
-                    : "Perhaps: its largest "
-                      "regret is ",
-          to);
-    strong_share(to, murk_result_number(plan, "regret.largest"), NAN);
+    murk_report_say(to, plan,
+                    is_proven(plan) ? "No: its largest regret is "
+                                      "<strong>{regret.largest%}</strong>"
+                                    : "Perhaps: its largest regret is "
+                                      "<strong>{regret.largest%}</strong>");
     fputs(murk_result_is(plan, "regret.measure", "relative")
               ? " of what the best plan found for that condition alone covers"
               : ", in coverage, to the best plan found for that condition "
                 "alone",
           to);
-    fputs(is_proven ? ", and no plan has less, which is proven"
-                    : ", and no plan has less than ",
+    fputs(is_proven(plan) ? ", and no plan has less, which is proven"
+                          : ", and no plan has less than ",
           to);
-    if (!is_proven) {
-        murk_page_share(to, min, NAN);
+    if (!is_proven(plan)) { /* to the true optima, no plan wins */
+        murk_html_share(to, fmax(bound, 0), NAN);
     }
-    fputs(". To the true optima it is ", to);
-    murk_page_share(
-        to, murk_result_number(plan, "regret.largest_to_optimum_at_most"), NAN);
-    fputs(" at most.", to);
+    murk_report_say(to, plan,
+                    ". To the true optima it is "
+                    "{regret.largest_to_optimum_at_most%} at most.");
+}
+
+static void limit_gap(FILE *to, const murk_yaml *plan)
+{
+    const double gap = murk_result_number(plan, "bound.gap");
+    fputs(gap < HARDLY ? "Hardly: " : "Perhaps: ", to);
+    fputs(is_of_matrix(plan) ? "" : "on the sample that it was chosen by, ",
+          to);
+    murk_report_say(to, plan,
+                    has(plan, "target.reached")
+                        ? "the plan has {target.reached%}"
+                        : "the plan has {coverage.in_sample%}");
+    say_by_how_many(to, plan);
+    murk_report_say(to, plan,
+                    ", and no plan of this kind more than "
+                    "<strong>{bound.upper%}</strong> (a gap of {bound.gap%}).");
 }
 
 static void limit_plan(FILE *to, const murk_yaml *plan)
 {
-    const double upper = murk_result_number(plan, "bound.upper");
-    const bool is_matrix = murk_result_text(plan, "matrix.file") != NULL;
-    if (!isfinite(upper)) {
+    if (!has(plan, "bound.upper")) {
         return;
     }
-    murk_page_line_begin(to, "Could it be better?");
-    if (murk_result_is(plan, "over", "regret")) {
+    fputs("<div><dt>Could it be better?</dt><dd>", to);
+    if (is_over(plan, "regret")) {
         limit_regret(to, plan);
-    } else if (murk_result_is(plan, "bound.proven_optimal", "true")) {
-        fputs(is_matrix ? "No: none of this kind covers more, which is proven."
-                        : "No: on the sample that it was chosen by, no plan of "
-                          "this kind sees more, which is proven (",
-              to);
-        if (!is_matrix) {
-            murk_page_share(to, upper, NAN);
-            fputs(" there).", to);
-        }
+    } else if (is_proven(plan)) {
+        murk_report_say(
+            to, plan,
+            is_of_matrix(plan)
+                ? "No: none of this kind covers more, which is proven."
+                : "No: on the sample that it was chosen by, no plan of this "
+                  "kind sees more, which is proven ({bound.upper%} there).");
     } else {
-        const double gap = murk_result_number(plan, "bound.gap");
-        fputs(gap < HARDLY ? "Hardly: " : "Perhaps: ", to);
-        if (!is_matrix) {
-            fputs("on the sample that it was chosen by, ", to);
-        }
-        fputs("the plan has ", to);
-        const double reached = murk_result_number(plan, "target.reached");
-        murk_page_share(to,
-                        isfinite(reached)
-                            ? reached
-                            : murk_result_number(plan, "coverage.in_sample"),
-                        NAN);
-        say_by_how_many(to, plan);
-        fputs(", and no plan of this kind more than ", to);
-        strong_share(to, upper, NAN);
-        fputs(" (a gap of ", to);
-        murk_page_share(to, gap, NAN);
-        fputs(").", to);
+        limit_gap(to, plan);
     }
-    const double ceiling = murk_result_number(plan, "coverage.ceiling");
-    if (isfinite(ceiling)) {
-        fputs(is_matrix ? " All columns together: " : " All places together: ",
-              to);
-        murk_page_share(to, ceiling, NAN);
-        fputc('.', to);
+    if (has(plan, "coverage.ceiling")) {
+        murk_report_say(to, plan,
+                        is_of_matrix(plan)
+                            ? " All columns together: {coverage.ceiling%}."
+                            : " All places together: {coverage.ceiling%}.");
     }
-    murk_page_line_end(to);
+    fputs("</dd></div>\n", to);
 }
 
 /* Target, budget, seeds: what else was wanted, and came out. */
 static void extra_plan(FILE *to, const murk_yaml *plan)
 {
-    const double confirmed = murk_result_number(plan, "target.confirmed");
-    const double fewest = murk_result_number(plan, "target.fewest_possible");
-    const double spent = murk_result_number(plan, "budget.spent");
-    const double runs = murk_result_number(plan, "repeat.runs");
-    if (isfinite(fewest)) {
-        murk_page_line_begin(to, "Target");
-        if (isfinite(confirmed)) {
-            fputs("Confirmed with a third map: ", to);
-            murk_page_share(
-                to, confirmed,
-                murk_result_number(plan, "target.confirmed_standard_error"));
-            fputs(". ", to);
+    if (has(plan, "target.fewest_possible")) {
+        fputs("<div><dt>Target</dt><dd>", to);
+        if (has(plan, "target.confirmed")) {
+            murk_report_say(
+                to, plan, "Confirmed with a third map: {target.confirmed~}. ");
         }
-        fputs("It cannot be met by fewer than ", to);
-        murk_page_number(to, fewest);
-        fputc('.', to);
-        murk_page_line_end(to);
+        murk_report_say(to, plan,
+                        "It cannot be met by fewer than "
+                        "{target.fewest_possible}.</dd></div>\n");
     }
-    if (isfinite(spent)) {
-        murk_page_line_begin(to, "Budget");
-        murk_page_number(to, spent);
-        fputs(" of ", to);
-        murk_page_number(to, murk_result_number(plan, "budget.asked"));
-        fputs(" spent.", to);
-        murk_page_line_end(to);
+    if (has(plan, "budget.spent")) {
+        murk_report_say(to, plan,
+                        "<div><dt>Budget</dt><dd>{budget.spent} of "
+                        "{budget.asked} spent.</dd></div>\n");
     }
-    if (isfinite(runs)) {
-        murk_page_line_begin(to, "With other seeds");
-        fputs("The whole job with ", to);
-        murk_page_count(to, runs, "seed", "seeds");
-        fputs(" gives, held out, ", to);
-        murk_page_share(to, murk_result_number(plan, "repeat.held_out.minimum"),
-                        NAN);
-        fputs(" to ", to);
-        murk_page_share(to, murk_result_number(plan, "repeat.held_out.maximum"),
-                        NAN);
-        fputc('.', to);
-        murk_page_line_end(to);
+    if (has(plan, "repeat.runs")) {
+        murk_report_say(to, plan,
+                        "<div><dt>With other seeds</dt><dd>The whole job with "
+                        "{repeat.runs#seed|seeds} gives, held out, "
+                        "{repeat.held_out.minimum%} to "
+                        "{repeat.held_out.maximum%}.</dd></div>\n");
     }
 }
 

@@ -1,40 +1,98 @@
-/* What was asked of a study, a fit or light alone, and the answer. */
+/* What was asked of a study, a fit or light alone, and the answer; and how
+ * sentences with values are written. */
 #include "report/answers.h"
-#include "report/fit.h"
+
 #include "report/html.h"
-#include "report/study.h"
 
 #include <math.h>
 #include <string.h>
 
-#define SHOWN_MAX   8 /* keys */
-#define OUTPUTS_MAX 12
+#define PATH_MAX_BYTES 80 /* of a value's path in a sentence */
+#define SHOWN_MAX      8  /* keys */
+#define OUTPUTS_MAX    12
 
-static void strong_share(FILE *to, double share, double standard_error)
+/* ---- sentences ---- */
+
+/* "sensor|sensors}": the first word for one, else the second. */
+static void say_count(FILE *to, double n, const char *words, const char *end)
 {
-    fputs("<strong>", to);
-    murk_page_share(to, share, standard_error);
-    fputs("</strong>", to);
+    const char *bar = memchr(words, '|', (size_t)(end - words));
+    const char *from = n == 1 || !bar ? words : bar + 1;
+    const char *stop = n == 1 && bar ? bar : end;
+    murk_html_number(to, n);
+    fprintf(to, " %.*s", (int)(stop - from), from);
+}
+
+/* Writes the value that stands behind '{'; returns what follows its '}'. */
+static const char *say_value(FILE *to, const murk_yaml *root, const char *from)
+{
+    char path[PATH_MAX_BYTES], error[PATH_MAX_BYTES + 16];
+    const int length = (int)strcspn(from, "$*%~#[}");
+    const char *end = strchr(from, '}');
+    snprintf(path, sizeof path, "%.*s", length, from);
+    snprintf(error, sizeof error, "%s_standard_error", path);
+    const double value = murk_result_number(root, path);
+    switch (from[length]) {
+    case '$': {
+        const char *text = murk_result_text(root, path);
+        murk_html_text(to, text && *text ? text : MURK_HTML_NONE);
+        break;
+    }
+    case '*':
+        murk_html_number(to, round(value / 1e6));
+        break;
+    case '%':
+        murk_html_share(to, value, NAN);
+        break;
+    case '~':
+        murk_html_share(to, value, murk_result_number(root, error));
+        break;
+    case '#':
+        say_count(to, value, from + length + 1, end);
+        break;
+    case '[':
+        say_count(to, (double)murk_result_count(root, path), from + length + 1,
+                  end);
+        break;
+    default:
+        murk_html_number(to, value);
+    }
+    return end + 1;
+}
+
+void murk_report_say(FILE *to, const murk_yaml *root, const char *words)
+{
+    while (*words) {
+        const size_t n = strcspn(words, "{");
+        (void)fwrite(words, 1, n, to);
+        words += n;
+        if (*words) {
+            words = say_value(to, root, words + 1);
+        }
+    }
 }
 
 /* ---- a study ---- */
+
+/* "density_475nm": of one band only. */
+static bool is_of_band(const char *output)
+{
+    const char *last = strrchr(output, '_');
+    const size_t digits = last ? strspn(last + 1, "0123456789.") : 0;
+    return digits > 0 && strcmp(last + 1 + digits, "nm") == 0;
+}
 
 static void ask_study(FILE *to, const murk_yaml *study)
 {
     const size_t axes = murk_result_count(study, "axes");
     const murk_yaml *list = murk_result_at(study, "axes");
-    murk_page_line_begin(to, "Asked");
-    fputs("How do the results change with ", to);
+    fputs("<div><dt>Asked</dt><dd>How do the results change with ", to);
     for (size_t i = 0; i < axes && i < SHOWN_MAX; ++i) {
         fputs(i == 0 ? "" : i + 1 < axes ? ", " : " and ", to);
-        murk_page_text(to, murk_result_text(list->child[i], "key"));
-        fputs(" (", to);
-        murk_page_count(to, (double)murk_result_count(list->child[i], "values"),
-                        "value", "values");
-        fputc(')', to);
+        murk_report_say(to, list->child[i], "{key$} ({values[value|values})");
     }
     fputs(axes == 0 ? "nothing: one run?" : "?", to);
-    murk_page_line_end(to);
+    fputs("</dd></div>\n", to);
 }
 
 typedef struct extreme {
@@ -42,7 +100,8 @@ typedef struct extreme {
     size_t row; /* from 1 */
 } extreme;
 
-/* Least and most of an output over all rows; false where no row has it. */
+/* Smallest and largest value of an output over all rows; false if no row has
+ * one. */
 static bool find_extremes(extreme out[2], const murk_yaml *rows, size_t n,
                           const char *output)
 {
@@ -61,35 +120,54 @@ static bool find_extremes(extreme out[2], const murk_yaml *rows, size_t n,
     return out[0].row > 0;
 }
 
+/* Coverages are shares, which are shown in per cent. */
 static void write_value(FILE *to, const extreme *e, const char *output)
 {
-    if (murk_study_is_share(output)) {
-        strong_share(to, e->value, e->error);
-    } else {
-        fputs("<strong>", to);
-        murk_page_estimate(to, e->value, e->error);
-        fputs("</strong>", to);
-    }
+    const bool is_share = strncmp(output, "coverage", 8) == 0;
+    fputs("<strong>", to);
+    (is_share ? murk_html_share : murk_html_estimate)(to, e->value, e->error);
+    fputs("</strong>", to);
 }
 
-/* The value, and in which row that is: by what the axes are there. */
+/* The value, and the values of the axes there. */
 static void write_extreme(FILE *to, const extreme *e, const murk_yaml *rows,
                           const char *output)
 {
     const murk_yaml *axes = murk_result_at(rows->child[e->row - 1], "axes");
-    write_value(to, e, output);
     const size_t n = axes && axes->kind == MURK_YAML_MAP ? axes->n : 0;
+    write_value(to, e, output);
     for (size_t i = 0; i < n && i < SHOWN_MAX; ++i) {
         const char *dot = strrchr(axes->key[i], '.');
         fputs(i == 0 ? " (" : ", ", to);
-        murk_page_text(to, dot && dot[1] ? dot + 1 : axes->key[i]);
+        murk_html_text(to, dot && dot[1] ? dot + 1 : axes->key[i]);
         fputc(' ', to);
-        murk_page_text(to, murk_result_text(axes->child[i], ""));
+        murk_html_text(to, murk_result_text(axes->child[i], ""));
     }
     fputs(n > 0 ? ")" : "", to);
 }
 
-static void answer_study(FILE *to, const murk_yaml *study)
+static void answer_output(FILE *to, const murk_yaml *rows,
+                          const extreme found[2], const char *output,
+                          const char *unit)
+{
+    const bool has_unit = unit && *unit && strcmp(unit, "1") != 0;
+    fputs("<li>", to);
+    murk_html_text(to, output);
+    fputs(has_unit ? ", " : "", to);
+    murk_html_text(to, has_unit ? unit : "");
+    if (found[0].value < found[1].value) {
+        fputs(": from ", to);
+        write_extreme(to, &found[0], rows, output);
+        fputs(" to ", to);
+        write_extreme(to, &found[1], rows, output);
+    } else {
+        fputs(": everywhere ", to);
+        write_value(to, &found[0], output);
+    }
+    fputs("</li>", to);
+}
+
+void murk_answer_study(FILE *to, const murk_yaml *study)
 {
     const size_t n = murk_result_count(study, "rows");
     const murk_yaml *rows = murk_result_at(study, "rows");
@@ -97,131 +175,93 @@ static void answer_study(FILE *to, const murk_yaml *study)
         n > 0 ? murk_result_at(rows->child[0], "values") : NULL;
     const size_t outputs =
         values && values->kind == MURK_YAML_MAP ? values->n : 0;
-    murk_page_line_begin(to, "Answer");
-    fputs("<ul>", to);
+    ask_study(to, study);
+    /* an output's range over all rows; bands have a table of their own */
+    fputs("<div><dt>Answer</dt><dd><ul>", to);
     size_t shown = 0;
     for (size_t k = 0; k < outputs && shown < OUTPUTS_MAX; ++k) {
         extreme found[2];
-        const char *output = values->key[k];
-        const char *unit = murk_result_text(values->child[k], "unit");
-        if (murk_study_is_of_band(output) ||
-            !find_extremes(found, rows, n, output)) {
-            continue;
+        if (!is_of_band(values->key[k]) &&
+            find_extremes(found, rows, n, values->key[k])) {
+            ++shown;
+            answer_output(to, rows, found, values->key[k],
+                          murk_result_text(values->child[k], "unit"));
         }
-        ++shown;
-        fputs("<li>", to);
-        murk_page_text(to, output);
-        fputs(unit && *unit && strcmp(unit, "1") != 0 ? ", " : "", to);
-        murk_page_text(to, unit && *unit && strcmp(unit, "1") != 0 ? unit : "");
-        if (found[0].value < found[1].value) {
-            fputs(": from ", to);
-            write_extreme(to, &found[0], rows, output);
-            fputs(" to ", to);
-            write_extreme(to, &found[1], rows, output);
-        } else {
-            fputs(": everywhere ", to);
-            write_value(to, &found[0], output);
-        }
-        fputs("</li>", to);
     }
-    fputs("</ul>", to);
-    murk_page_line_end(to);
-    murk_page_line_begin(to, "Runs");
-    murk_page_number(to, murk_result_number(study, "rows_done"));
-    fputs(" of ", to);
-    murk_page_number(to, murk_result_number(study, "rows_asked"));
-    fputs(" done, ", to);
-    murk_page_number(to, murk_result_number(study, "rows_failed"));
-    fputs(" failed", to);
+    murk_report_say(to, study,
+                    "</ul></dd></div>\n<div><dt>Runs</dt><dd>{rows_done} of "
+                    "{rows_asked} done, {rows_failed} failed");
     fputs(murk_result_is(study, "interrupted", "true")
               ? "; interrupted before the end."
               : ".",
           to);
-    murk_page_line_end(to);
-}
-
-void murk_answer_study(FILE *to, const murk_yaml *study)
-{
-    ask_study(to, study);
-    answer_study(to, study);
+    fputs("</dd></div>\n", to);
 }
 
 /* ---- a fit ---- */
 
-static void ask_fit(FILE *to, const murk_yaml *fit)
+/* With its standard error if the data determine the value, else to two digits
+ * with its status in words. */
+static void write_parameter(FILE *to, const murk_yaml *p)
 {
-    const double n = (double)murk_result_count(fit, "parameters");
-    murk_page_line_begin(to, "Asked");
-    fputs("Which ", to);
-    murk_page_count(to, n, "value", "values");
-    fputs(" of the scene explain", to);
-    fputs(n == 1 ? "s" : "", to);
-    fputs(" the ", to);
-    murk_page_count(to, murk_result_number(fit, "data.rows"), "reading",
-                    "readings");
-    fputs(" of ", to);
-    murk_page_text(to, murk_result_text(fit, "data.file"));
-    fputs(" best?", to);
-    murk_page_line_end(to);
+    const double value = murk_result_number(p, "value");
+    murk_report_say(to, p, "<li>{key$} = <strong>");
+    if (murk_result_is(p, "status", "determined") || !isfinite(value)) {
+        murk_html_estimate(to, value, murk_result_number(p, "standard_error"));
+    } else {
+        murk_html_power(to, value, 2);
+        murk_report_say(to, p, " ({status$})");
+    }
+    murk_report_say(to, p,
+                    isfinite(murk_result_number(p, "lower"))
+                        ? "</strong>, with 95 % within {lower} to {upper}</li>"
+                        : "</strong></li>");
 }
 
-static void answer_fit(FILE *to, const murk_yaml *fit)
+static void answer_fit(FILE *to, const murk_yaml *fit, bool is_refused)
 {
     const size_t n = murk_result_count(fit, "parameters");
     const murk_yaml *list = murk_result_at(fit, "parameters");
-    const bool is_refused = murk_result_is(fit, "accepted", "false");
-    murk_page_line_begin(to, is_refused ? "Best values, which do not fit"
-                                        : "Answer");
-    fputs("<ul>", to);
+    fprintf(to, "<div><dt>%s</dt><dd><ul>",
+            is_refused ? "Best values, which do not fit" : "Answer");
     for (size_t i = 0; i < n && i < SHOWN_MAX; ++i) {
-        const murk_yaml *p = list->child[i];
-        const double lower = murk_result_number(p, "lower");
-        fputs("<li>", to);
-        murk_page_text(to, murk_result_text(p, "key"));
-        fputs(" = <strong>", to);
-        murk_report_fit_value(to, p);
-        fputs("</strong>", to);
-        if (isfinite(lower)) {
-            fputs(", with 95 % within ", to);
-            murk_page_number(to, lower);
-            fputs(" to ", to);
-            murk_page_number(to, murk_result_number(p, "upper"));
-        }
-        fputs("</li>", to);
+        write_parameter(to, list->child[i]);
     }
     fputs("</ul>", to);
     if (n > SHOWN_MAX) {
         fprintf(to, "and %zu more, below.", n - SHOWN_MAX);
     }
-    murk_page_line_end(to);
+    fputs("</dd></div>\n", to);
 }
 
 /* The verdict in fit.json's own words. */
 static void judge_fit(FILE *to, const murk_yaml *fit)
 {
-    murk_page_line_begin(to, "Does it fit?");
-    murk_page_text(to, murk_result_text(fit, "verdict"));
-    const double rows = murk_result_number(fit, "hold_out.rows");
-    const double rms =
-        murk_result_number(fit, "hold_out.rms_in_standard_errors");
-    if (rows > 0 && isfinite(rms)) {
-        fputs(" Readings that had no say (held out, ", to);
-        murk_page_number(to, rows);
-        fputs(") lie within ", to);
-        murk_page_number(to, rms);
-        fputs(" of their standard errors (root mean square).", to);
+    const char *rms = "hold_out.rms_in_standard_errors";
+    murk_report_say(to, fit, "<div><dt>Does it fit?</dt><dd>{verdict$}");
+    if (murk_result_number(fit, "hold_out.rows") > 0 &&
+        isfinite(murk_result_number(fit, rms))) {
+        murk_report_say(to, fit,
+                        " Readings that had no say (held out, "
+                        "{hold_out.rows}) lie within "
+                        "{hold_out.rms_in_standard_errors} of their standard "
+                        "errors (root mean square).");
     }
-    murk_page_line_end(to);
+    fputs("</dd></div>\n", to);
 }
 
 void murk_answer_fit(FILE *to, const murk_yaml *fit)
 {
     const bool is_refused = murk_result_is(fit, "accepted", "false");
-    ask_fit(to, fit);
+    murk_report_say(to, fit,
+                    "<div><dt>Asked</dt><dd>Which {parameters[value of the "
+                    "scene explains|values of the scene explain} the "
+                    "{data.rows#reading|readings} of {data.file$} "
+                    "best?</dd></div>\n");
     if (is_refused) { /* before any value */
         judge_fit(to, fit);
     }
-    answer_fit(to, fit);
+    answer_fit(to, fit, is_refused);
     if (!is_refused) {
         judge_fit(to, fit);
     }
@@ -237,22 +277,18 @@ void murk_answer_light(FILE *to, const murk_yaml *ledger)
         {"escaped_w", "escapes"},
         {"lost_w", "is lost to rounding and limits"}};
     const double emitted = murk_result_number(ledger, "emitted_w.total");
-    murk_page_line_begin(to, "Asked");
-    fputs("Where does the light of this scene go?", to);
-    murk_page_line_end(to);
-    murk_page_line_begin(to, "Answer");
-    fputs("Of ", to);
-    murk_page_number(to, emitted);
-    fputs(" W", to);
+    murk_report_say(to, ledger,
+                    "<div><dt>Asked</dt><dd>Where does the light of this scene "
+                    "go?</dd></div>\n<div><dt>Answer</dt><dd>Of "
+                    "{emitted_w.total} W");
     for (size_t k = 0; k < 4; ++k) {
         char path[40];
         snprintf(path, sizeof path, "%s.total", names[k][0]);
-        fputs(k == 3 ? " and " : ", ", to);
-        strong_share(
+        fputs(k == 3 ? " and <strong>" : ", <strong>", to);
+        murk_html_share(
             to, emitted > 0 ? murk_result_number(ledger, path) / emitted : NAN,
             NAN);
-        fprintf(to, " %s", names[k][1]);
+        fprintf(to, "</strong> %s", names[k][1]);
     }
-    fputc('.', to);
-    murk_page_line_end(to);
+    fputs(".</dd></div>\n", to);
 }

@@ -1,5 +1,5 @@
 /* What was asked, and the answer, as lines of the page's summary: names and
- * what is said of them (murk_page_line_begin). */
+ * what is said of them. */
 #ifndef MURK_REPORT_ANSWERS_H
 #define MURK_REPORT_ANSWERS_H
 
@@ -7,9 +7,12 @@
 
 #include <stdio.h>
 
-/* What a plan is over: "light", or "targets" where these stand in place of
- * photons. */
-bool murk_answer_has_targets(const murk_yaml *plan);
+/* Writes words, which are markup of the page, with values of the results in
+ * place of {path} (a number), {path*} (whole millions), {path$} (a text),
+ * {path%} (a share in per cent), {path~} (a share with its standard error,
+ * which lies under path_standard_error), {path#one|more} (a number of things)
+ * and {path[one|more} (of a list, how many things it has). */
+void murk_report_say(FILE *to, const murk_yaml *root, const char *words);
 
 /* plan.json (is_made), or coverage.json of sensors that were given. */
 void murk_answer_plan(FILE *to, const murk_yaml *plan, bool is_made);

@@ -4,15 +4,22 @@
 #include "report/data.h"
 
 #include "base/utf8.h"
+#include "report/html.h"
 
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
-static void write_text(FILE *to, const char *text)
+/* Bytes of a text that the page carries: a sentence or two. */
+#define TEXT_MAX 1000
+
+/* The first bytes of a text, `most` at most. */
+static void write_text(FILE *to, const char *text, size_t most)
 {
+    const char *end = text + most;
     fputc('"', to);
-    while (*text) {
+    while (*text && text < end) {
         const size_t n = murk_utf8_length(text);
         if (n == 0 || murk_utf8_control(text)) {
             fputs("\\ufffd", to);
@@ -51,7 +58,7 @@ static void next(murk_data *data, const char *key)
     fputs(data->has_item ? "," : "", data->to);
     data->has_item = true;
     if (key) {
-        write_text(data->to, key);
+        write_text(data->to, key, TEXT_MAX);
         fputc(':', data->to);
     }
 }
@@ -111,5 +118,65 @@ void murk_data_bool(murk_data *data, const char *key, bool value)
 void murk_data_text(murk_data *data, const char *key, const char *text)
 {
     next(data, key);
-    write_text(data->to, text ? text : "");
+    write_text(data->to, text ? text : "", TEXT_MAX);
+}
+
+void murk_data_floats(murk_data *data, const char *key, const double *value,
+                      size_t n)
+{
+    float *small = malloc((n + 1) * sizeof *small);
+    next(data, key);
+    fputc('"', data->to);
+    for (size_t i = 0; small && i < n; ++i) {
+        small[i] = (float)value[i];
+    }
+    if (small) {
+        murk_html_base64(data->to, small, n * sizeof *small);
+    }
+    fputc('"', data->to);
+    free(small);
+}
+
+/* ---- results ---- */
+
+static void write_scalar(FILE *to, const murk_yaml *node)
+{
+    double number;
+    bool is_true;
+    if (murk_yaml_is_null(node)) {
+        fputs("null", to);
+    } else if (murk_yaml_number(node, &number)) {
+        write_number(to, number);
+    } else if (murk_yaml_bool(node, &is_true)) {
+        fputs(is_true ? "true" : "false", to);
+    } else {
+        write_text(to, node->text, TEXT_MAX);
+    }
+}
+
+void murk_data_yaml(murk_data *data, const char *key, const murk_yaml *node,
+                    size_t most)
+{
+    const size_t n = node->n < most ? node->n : most;
+    const bool is_cut = node->kind == MURK_YAML_LIST && n < node->n;
+    if (node->kind == MURK_YAML_SCALAR) {
+        next(data, key);
+        write_scalar(data->to, node);
+        return;
+    }
+    if (is_cut) {
+        murk_data_begin(data, key, '{');
+        murk_data_number(data, "of", (double)node->n);
+        key = "first";
+    }
+    const bool is_map = node->kind == MURK_YAML_MAP;
+    murk_data_begin(data, key, is_map ? '{' : '[');
+    for (size_t i = 0; i < n; ++i) {
+        murk_data_yaml(data, is_map ? node->key[i] : NULL, node->child[i],
+                       most);
+    }
+    murk_data_end(data, is_map ? '}' : ']');
+    if (is_cut) {
+        murk_data_end(data, '}');
+    }
 }

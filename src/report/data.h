@@ -32,5 +32,13 @@ void murk_data_numbers(murk_data *data, const char *key, const double *value,
 void murk_data_vector(murk_data *data, const char *key, murk_vec3 value);
 void murk_data_bool(murk_data *data, const char *key, bool value);
 void murk_data_text(murk_data *data, const char *key, const char *text);
+/* The numbers in single precision, little endian, as one base64 text. */
+void murk_data_floats(murk_data *data, const char *key, const double *value,
+                      size_t n);
+/* What was read from a JSON file. A list of more than `most` items becomes
+ * {"of": their number, "first": the first of them}; of a map the first are
+ * written. */
+void murk_data_yaml(murk_data *data, const char *key, const murk_yaml *node,
+                    size_t most);
 
 #endif

@@ -3,9 +3,6 @@
 #include "base/file.h"
 #include "base/log.h"
 #include "medium/grid.h"
-#include "report/chart.h"
-#include "report/chart_heat.h"
-#include "report/html.h"
 #include "scene/places.h"
 #include "world/units.h"
 
@@ -13,16 +10,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define TITLE_SIZE (2 * TEXT_SIZE)
-
 #define NAME_SIZE (MURK_SCENE_NAME_SIZE + 8)
 
 #define FILE_SIZE (MURK_SCENE_NAME_SIZE + 16)
-
-#define TEXT_SIZE 200
-
-/* Largest over middle value from which on colours are by logarithms. */
-#define LOG_RATIO 30
 
 /* ---- slices ---- */
 
@@ -42,7 +32,7 @@ static slice slice_of(const murk_scene_tally *asked, int which)
     slice s = slices[which];
     const size_t all[2] = {asked->size[s.u], asked->size[s.v]};
     for (int k = 0; k < 2; ++k) {
-        s.step[k] = (all[k] - 1) / MURK_HEAT_MAX + 1;
+        s.step[k] = (all[k] - 1) / MURK_REPORT_CELLS_MAX + 1;
         s.size[k] = (all[k] + s.step[k] - 1) / s.step[k];
     }
     s.at = asked->size[s.w] / 2;
@@ -190,169 +180,71 @@ void murk_report_fields_release(murk_report_fields *fields)
     *fields = (murk_report_fields){0};
 }
 
-/* ---- drawing ---- */
+/* ---- data of the page ---- */
 
 static double along(murk_vec3 v, int axis)
 {
     return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 }
 
-static int by_size(const void *a, const void *b)
+/* One slice: axes, ends, cells, where the slice lies. A line of cells has its
+ * errors, too. */
+static void add_slice(murk_data *data, const murk_report_fields *all,
+                      const murk_report_field *f, const slice *s, size_t begin)
 {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-/* Whether the largest value is far above the middle of those above 0. */
-static bool spans_decades(const double *value, size_t n)
-{
-    double *lit = malloc((n + 1) * sizeof *lit);
-    size_t m = 0;
-    for (size_t i = 0; lit && i < n; ++i) {
-        if (value[i] > 0) {
-            lit[m++] = value[i];
-        }
-    }
-    if (m > 0) {
-        qsort(lit, m, sizeof *lit, by_size);
-    }
-    const bool spans = m > 0 && lit[m - 1] > LOG_RATIO * lit[m / 2];
-    free(lit);
-    return spans;
-}
-
-static void name_field(char out[TEXT_SIZE], const murk_report_fields *all,
-                       const murk_report_field *f)
-{
-    if (all->scene->bands > 1) {
-        snprintf(out, TEXT_SIZE, "%s at %.6g nm", f->asked->name, f->band_nm);
-    } else {
-        snprintf(out, TEXT_SIZE, "%s", f->asked->name);
-    }
-}
-
-static void draw_map(FILE *to, const murk_report_fields *all,
-                     const murk_report_field *f, int which, const double *value,
-                     bool is_log)
-{
-    const slice s = slice_of(f->asked, which);
-    const murk_box user = murk_scene_user_box(all->scene, f->asked->box);
-    const murk_box *box = &user;
-    char name[TEXT_SIZE], title[TITLE_SIZE];
-    const char axis[2][5] = {{"xyz"[s.u], ',', ' ', 'm', 0},
-                             {"xyz"[s.v], ',', ' ', 'm', 0}};
-    const double low = along(box->min, s.w), high = along(box->max, s.w);
-    const size_t n = f->asked->size[s.w];
-    name_field(name, all, f);
-    snprintf(title, sizeof title, "Fluence rate %s at %c = %.*g m", name,
-             "xyz"[s.w], murk_coordinate_digits(all->scene, 4),
-             low + ((double)s.at + 0.5) / (double)n * (high - low));
-    const murk_heat heat = {.title = title,
-                            .x_title = axis[0],
-                            .y_title = axis[1],
-                            .value_title =
-                                murk_units_of(all->scene->units).irradiance,
-                            .x = {along(box->min, s.u), along(box->max, s.u)},
-                            .y = {along(box->min, s.v), along(box->max, s.v)},
-                            .size = {s.size[0], s.size[1]},
-                            .value = value,
-                            .min = is_log ? NAN : 0,
-                            .max = NAN,
-                            .is_log = is_log,
-                            .is_equal = true};
-    murk_heat_draw(to, &heat);
-}
-
-/* A grid of one row of cells: a line with its 95 % interval. */
-static bool draw_line(FILE *to, const murk_report_fields *all,
-                      const murk_report_field *f, int which, size_t begin)
-{
-    const slice s = slice_of(f->asked, which);
-    const int axis = s.size[0] > 1 ? s.u : s.v;
-    const size_t n = s.size[0] * s.size[1];
     const murk_box box = murk_scene_user_box(all->scene, f->asked->box);
-    const double low_m = along(box.min, axis);
-    const double high_m = along(box.max, axis);
-    char name[TEXT_SIZE], title[TITLE_SIZE];
-    const char axis_title[] = {"xyz"[axis], ',', ' ', 'm', 0};
-    double *x = malloc(3 * n * sizeof *x);
-    if (!x) {
-        return false;
-    }
-    double *low = x + n, *high = low + n;
-    for (size_t i = 0; i < n; ++i) {
-        x[i] = low_m + ((double)i + 0.5) / (double)n * (high_m - low_m);
-        low[i] = f->value[begin + i] - 1.96 * f->error[begin + i];
-        high[i] = f->value[begin + i] + 1.96 * f->error[begin + i];
-    }
-    name_field(name, all, f);
-    snprintf(title, sizeof title, "Fluence rate %s, with its 95 %% interval",
-             name);
-    const murk_chart_series series = {.name = name,
-                                      .n = n,
-                                      .x = x,
-                                      .y = f->value + begin,
-                                      .low = low,
-                                      .high = high,
-                                      .is_line = true};
-    const murk_chart chart = {.title = title,
-                              .x_title = axis_title,
-                              .y_title =
-                                  murk_units_of(all->scene->units).irradiance};
-    murk_chart_draw(to, &chart, &series, 1);
-    free(x);
-    return true;
-}
-
-static bool draw_field(FILE *to, const murk_report_fields *all,
-                       const murk_report_field *f)
-{
-    size_t begin = 0, n = 0;
+    const int axes[3] = {s->u, s->v, s->w};
+    const double axis[3] = {s->u, s->v, s->w};
+    const double size[2] = {(double)s->size[0], (double)s->size[1]};
+    const size_t n = s->size[0] * s->size[1];
+    double ends[3][2];
     for (int k = 0; k < 3; ++k) {
-        n += cells_of(f->asked, k);
+        ends[k][0] = along(box.min, axes[k]);
+        ends[k][1] = along(box.max, axes[k]);
     }
-    const bool is_log = spans_decades(f->value, n);
-    for (int which = 0; which < 3; ++which) {
-        const slice s = slice_of(f->asked, which);
-        if (is_told(f->asked, which)) {
-            if (s.size[0] > 1 && s.size[1] > 1) {
-                draw_map(to, all, f, which, f->value + begin, is_log);
-            } else {
-                return draw_line(to, all, f, which, begin);
-            }
-        }
-        begin += s.size[0] * s.size[1];
+    char at[32];
+    snprintf(at, sizeof at, "%.*g", murk_coordinate_digits(all->scene, 4),
+             ends[2][0] + ((double)s->at + 0.5) / (double)f->asked->size[s->w] *
+                              (ends[2][1] - ends[2][0]));
+    murk_data_begin(data, NULL, '{');
+    murk_data_numbers(data, "axes", axis, 3);
+    murk_data_numbers(data, "x", ends[0], 2);
+    murk_data_numbers(data, "y", ends[1], 2);
+    murk_data_text(data, "at", at);
+    murk_data_numbers(data, "size", size, 2);
+    murk_data_floats(data, "values", f->value + begin, n);
+    if (s->size[0] == 1 || s->size[1] == 1) {
+        murk_data_floats(data, "errors", f->error + begin, n);
     }
-    return true;
+    murk_data_end(data, '}');
 }
 
-bool murk_report_fields_draw(FILE *to, const murk_report_fields *fields)
+void murk_report_fields_add(murk_data *data, const murk_report_fields *all)
 {
-    bool is_whole = true;
-    const char *last = "";
-    for (size_t i = 0; is_whole && i < fields->fields; ++i) {
-        const murk_report_field *f = &fields->field[i];
-        if (strcmp(f->asked->name, last) != 0) {
-            last = f->asked->name;
-            fputs("<h3>Tally ", to);
-            murk_page_text(to, last);
-            fputs("</h3>\n", to);
-        }
+    murk_data_number(data, "fields_asked", (double)all->asked);
+    murk_data_begin(data, "fields", '[');
+    for (size_t i = 0; i < all->fields; ++i) {
+        const murk_report_field *f = &all->field[i];
+        size_t begin = 0;
+        murk_data_begin(data, NULL, '{');
+        murk_data_text(data, "name", f->asked->name);
+        murk_data_number(data, "band_nm", f->band_nm);
+        murk_data_number(data, "bands", all->scene->bands);
+        murk_data_text(data, "unit",
+                       murk_units_of(all->scene->units).irradiance);
         if (!f->value || !f->error) {
-            fputs("<p class=\"note\">It cannot be shown: ", to);
-            murk_page_text(to, f->note);
-            fputs(".</p>\n", to);
-            continue;
+            murk_data_text(data, "note", f->note);
         }
-        fputs("<div class=\"plans\">\n", to);
-        is_whole = draw_field(to, fields, f);
-        fputs("</div>\n", to);
+        murk_data_begin(data, "slices", '[');
+        for (int which = 0; which < 3 && f->value && f->error; ++which) {
+            const slice s = slice_of(f->asked, which);
+            if (is_told(f->asked, which)) {
+                add_slice(data, all, f, &s, begin);
+            }
+            begin += s.size[0] * s.size[1];
+        }
+        murk_data_end(data, ']');
+        murk_data_end(data, '}');
     }
-    if (fields->asked > fields->fields) {
-        fprintf(to,
-                "<p class=\"note\">The first %zu of %zu fields are drawn; all "
-                "are in the .vdb files.</p>\n",
-                fields->fields, fields->asked);
-    }
-    return is_whole;
+    murk_data_end(data, ']');
 }

@@ -5,13 +5,15 @@
 #ifndef MURK_REPORT_FIELDS_H
 #define MURK_REPORT_FIELDS_H
 
+#include "report/data.h"
 #include "report/results_in.h"
 #include "scene/scene.h"
 
-#include <stdio.h>
-
 /* Of all tallies and bands; more are said to be there. */
 #define MURK_REPORT_FIELDS_MAX 12
+
+/* Cells along an axis of a map at most; a field of more is thinned. */
+#define MURK_REPORT_CELLS_MAX 128
 
 typedef struct murk_report_field {
     const murk_scene_tally *asked; /* of the scene below */
@@ -34,7 +36,7 @@ murk_status murk_report_fields_read(murk_report_fields *out,
                                     murk_error *err);
 void murk_report_fields_release(murk_report_fields *fields);
 
-/* Each as a line, a map or three of them; false when out of memory. */
-bool murk_report_fields_draw(FILE *to, const murk_report_fields *fields);
+/* Slices as data of the page: `fields` and `fields_asked`. */
+void murk_report_fields_add(murk_data *data, const murk_report_fields *fields);
 
 #endif

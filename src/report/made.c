@@ -1,6 +1,8 @@
-/* How the results were made, and how to make them again. */
+/* How the results were made, and how to make them again: text of the page, as
+ * the words of a command line are quoted for a shell here (base/utf8.h). */
 #include "base/file.h"
 #include "base/utf8.h"
+#include "report/answers.h"
 #include "report/html.h"
 #include "report/sections.h"
 
@@ -23,7 +25,7 @@ static const char *const names[MURK_RESULT_FILES] = {
 static void write_word(FILE *to, const char *word)
 {
     char *quoted = murk_utf8_shell_word(word);
-    murk_page_text(to, quoted ? quoted : word);
+    murk_html_text(to, quoted ? quoted : word);
     free(quoted);
 }
 
@@ -56,9 +58,9 @@ static bool write_typed(FILE *to, const murk_results_in *results)
             continue;
         }
         if (!has_any) {
-            murk_page_paragraph(to, "As it was typed. Files are named as seen "
-                                    "from the folder it was typed in.");
-            fputs("<pre tabindex=\"0\">", to);
+            fputs("<p>As it was typed. Files are named as seen from the folder "
+                  "it was typed in.</p>\n<pre tabindex=\"0\">",
+                  to);
         }
         if (folder && strcmp(folder, last) != 0) {
             fputs("cd ", to);
@@ -66,7 +68,7 @@ static bool write_typed(FILE *to, const murk_results_in *results)
             fputc('\n', to);
             last = folder;
         }
-        murk_page_text(to, command);
+        murk_html_text(to, command);
         fputs(" -o again\n", to);
         has_any = true;
     }
@@ -81,10 +83,10 @@ static void write_resolved(FILE *to, const murk_results_in *results)
     const murk_yaml *plan = results->json[MURK_RESULT_PLAN];
     const murk_yaml *seen = results->json[MURK_RESULT_COVERAGE];
     const double repeats = murk_result_number(plan, "repeat.asked");
-    murk_page_paragraph(to, "From the resolved scene of this folder, with all "
-                            "keys that the command line set, and files by "
-                            "their whole paths.");
-    fputs("<pre tabindex=\"0\">murk ", to);
+    fputs("<p>From the resolved scene of this folder, with all keys that the "
+          "command line set, and files by their whole paths.</p>\n"
+          "<pre tabindex=\"0\">murk ",
+          to);
     fputs(plan ? "place " : seen ? "sense " : "trace ", to);
     write_file_of(to, results, murk_results_scene(results->folder));
     if (isfinite(repeats)) {
@@ -108,58 +110,76 @@ static void write_commands(FILE *to, const murk_results_in *results)
     if (has_scene) {
         write_resolved(to, results);
     }
-    murk_page_paragraph(
-        to, has_typed || has_scene
-                ? "The same program on the same kind of processor gives the "
-                  "same bits for any number of threads."
-                : "The results do not say which command made them.");
+    fputs(has_typed || has_scene
+              ? "<p>The same program on the same kind of processor gives the "
+                "same bits for any number of threads.</p>\n"
+              : "<p>The results do not say which command made them.</p>\n",
+          to);
 }
 
 /* ---- provenance ---- */
+
+static void begin_table(FILE *to, const char *caption, const char *heads)
+{
+    fprintf(to,
+            "<div class=\"table\" tabindex=\"0\" role=\"region\" "
+            "aria-label=\"%s\">\n<table>\n<caption>%s</caption>\n%s<tbody>\n",
+            caption, caption, heads);
+}
+
+static void end_table(FILE *to)
+{
+    fputs("</tbody>\n</table>\n</div>\n", to);
+}
+
+/* A row of a name and a sentence with values (report/answers.h). */
+static void write_fact(FILE *to, const murk_yaml *root, const char *name,
+                       const char *words)
+{
+    fprintf(to, "<tr><th scope=\"row\">%s</th><td class=\"text\">", name);
+    murk_report_say(to, root, words);
+    fputs("</td></tr>\n", to);
+}
 
 static void write_packages(FILE *to, const murk_yaml *root)
 {
     const murk_yaml *packages = murk_result_at(root, "murk.packages");
     const size_t n =
         packages && packages->kind == MURK_YAML_MAP ? packages->n : 0;
-    murk_page_row_begin(to, "packages");
-    fputs("<td class=\"text\">", to);
-    for (size_t i = 0; i < n && i < MURK_PAGE_ROWS_MAX; ++i) {
+    fputs("<tr><th scope=\"row\">packages</th><td class=\"text\">", to);
+    for (size_t i = 0; i < n && i < MURK_REPORT_ROWS_MAX; ++i) {
         fputs(i > 0 ? ", " : "", to);
-        murk_page_text(to, packages->key[i]);
-        fputc(' ', to);
-        murk_page_text(to, murk_result_text(packages->child[i], ""));
+        murk_html_text(to, packages->key[i]);
+        murk_report_say(to, packages->child[i], " {$}");
     }
-    fputs("</td>", to);
-    murk_page_row_end(to);
+    fputs("</td></tr>\n", to);
 }
 
 static void write_run(FILE *to, const char *file, const murk_yaml *root)
 {
+    static const char *const facts[][2] = {
+        {"scene", "{scene$}"},
+        {"its SHA-256", "{scene_sha256$}"},
+        {"seed", "{seed$}"},
+        {"made on", "{run.date$}"},
+        {"time", "{run.seconds.total} s"},
+        {"threads", "{run.threads}"},
+        {"most memory at once", "{run.peak_memory_bytes*} MB"},
+        {"murk", "{murk.version$}"},
+        {"its commit", "{murk.commit$}"},
+        {"compiler", "{murk.compiler$}"}};
     char caption[64];
     snprintf(caption, sizeof caption, "How %s was made", file);
-    murk_page_table_begin(to, caption, NULL, 0);
+    begin_table(to, caption, "");
     if (murk_result_text(root, "study")) {
-        murk_page_fact(to, "study", murk_result_text(root, "study"));
-        murk_page_fact(to, "its SHA-256",
-                       murk_result_text(root, "study_sha256"));
+        write_fact(to, root, "study", "{study$}");
+        write_fact(to, root, "its SHA-256", "{study_sha256$}");
     }
-    murk_page_fact(to, "scene", murk_result_text(root, "scene"));
-    murk_page_fact(to, "its SHA-256", murk_result_text(root, "scene_sha256"));
-    murk_page_fact(to, "seed", murk_result_text(root, "seed"));
-    murk_page_fact(to, "made on", murk_result_text(root, "run.date"));
-    murk_page_fact_number(to, "time",
-                          murk_result_number(root, "run.seconds.total"), "s");
-    murk_page_fact_number(to, "threads",
-                          murk_result_number(root, "run.threads"), "");
-    murk_page_fact_number(
-        to, "most memory at once",
-        round(murk_result_number(root, "run.peak_memory_bytes") / 1e6), "MB");
-    murk_page_fact(to, "murk", murk_result_text(root, "murk.version"));
-    murk_page_fact(to, "its commit", murk_result_text(root, "murk.commit"));
-    murk_page_fact(to, "compiler", murk_result_text(root, "murk.compiler"));
+    for (size_t i = 0; i < sizeof facts / sizeof *facts; ++i) {
+        write_fact(to, root, facts[i][0], facts[i][1]);
+    }
     write_packages(to, root);
-    murk_page_table_end(to);
+    end_table(to);
 }
 
 /* ---- files ---- */
@@ -191,7 +211,6 @@ static const char *name_in(const char *folder, const char *page)
 /* But the page, which would tell of itself: two of one folder are the same. */
 static void write_files(FILE *to, const char *folder, const char *page)
 {
-    static const char *const heads[] = {"file", "bytes"};
     const char *own = name_in(folder, page);
     struct dirent **entry = NULL;
     size_t rows = 0;
@@ -200,7 +219,9 @@ static void write_files(FILE *to, const char *folder, const char *page)
         free(entry);
         return;
     }
-    murk_page_table_begin(to, "Files of the folder", heads, 2);
+    begin_table(to, "Files of the folder",
+                "<thead><tr><th scope=\"col\">file</th><th scope=\"col\">bytes"
+                "</th></tr></thead>\n");
     for (int i = 0; i < n; ++i) {
         struct stat known;
         const char *name = entry[i]->d_name;
@@ -209,23 +230,32 @@ static void write_files(FILE *to, const char *folder, const char *page)
                 ? NULL
                 : murk_path_join(folder, name);
         if (path && stat(path, &known) == 0 && S_ISREG(known.st_mode) &&
-            ++rows <= MURK_PAGE_ROWS_MAX) {
-            murk_page_row_begin(to, name);
-            murk_page_cell_number(to, (double)known.st_size);
-            murk_page_row_end(to);
+            ++rows <= MURK_REPORT_ROWS_MAX) {
+            fputs("<tr><th scope=\"row\">", to);
+            murk_html_text(to, name);
+            fputs("</th><td>", to);
+            murk_html_number(to, (double)known.st_size);
+            fputs("</td></tr>\n", to);
         }
         free(path);
         free(entry[i]);
     }
     free(entry);
-    murk_page_table_end(to);
-    murk_page_more(to, rows, "the folder");
+    end_table(to);
+    if (rows > MURK_REPORT_ROWS_MAX) {
+        fprintf(to,
+                "<p class=\"note\">The first %d of %zu rows; all are in the "
+                "folder.</p>\n",
+                MURK_REPORT_ROWS_MAX, rows);
+    }
 }
 
 void murk_report_made(FILE *to, const murk_results_in *results,
                       const char *page)
 {
-    murk_page_section_begin(to, "made", "How it was made");
+    fputs("<section id=\"made\" data-title=\"How it was made\">\n"
+          "<h2>How it was made</h2>\n",
+          to);
     write_commands(to, results);
     for (int i = 0; i < MURK_RESULT_FILES; ++i) {
         if (is_told(results, i)) {
@@ -233,5 +263,5 @@ void murk_report_made(FILE *to, const murk_results_in *results,
         }
     }
     write_files(to, results->folder, page);
-    murk_page_section_end(to);
+    fputs("</section>\n", to);
 }

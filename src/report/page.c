@@ -1,22 +1,33 @@
 /* The page of a result folder: reads all that it shows, then writes it.
  *
- * The page asks nobody for anything: its content security policy allows its
- * own style and script alone, by their hashes. */
+ * The page has the run's summary as text, its pictures and the commands that
+ * make it again; all else is data, which the page's script draws
+ * (tools/report). Without scripts the CSV files are shown as tables. The page
+ * asks nobody for anything: its content security policy allows its own style
+ * and script alone, by their hashes. */
 #include "report/report.h"
 
 #include "base/file.h"
 #include "base/interrupt.h"
 #include "base/version.h"
+#include "report/data.h"
 #include "report/html.h"
 #include "report/pictures.h"
 #include "report/scene.h"
 #include "report/sections.h"
+#include "report/view_data.h"
 #include "report/web_files.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 #define NAME_SIZE 256
+#define FILE_SIZE 176 /* a condition's name and the ending of a file */
+
+/* Bytes of one JSON file in the page; of a longer one, lists are cut to the
+ * first of these lengths with which it fits. */
+#define JSON_BYTES_MAX 300000
+static const size_t list_max[] = {2000, 200, 60, 10, 1};
 
 struct murk_report {
     murk_results_in results;
@@ -38,7 +49,7 @@ static const murk_web_file *find_file(const char *name)
 
 /* ---- head ---- */
 
-/* The folder's own name, also where it was given as ".". */
+/* The folder's own name, also if it was given as ".". */
 static const char *folder_name(const murk_results_in *results)
 {
     const char *slash = strrchr(results->whole, '/');
@@ -65,10 +76,10 @@ static void name_of(char out[NAME_SIZE], const murk_results_in *results)
 static void write_head(FILE *to, const char *name, bool has_pictures)
 {
     const murk_web_file *css = find_file("page.css");
-    const murk_web_file *view = find_file("view.js");
-    char style[MURK_PAGE_HASH_SIZE], script[MURK_PAGE_HASH_SIZE];
-    murk_page_hash(style, css->text, css->size);
-    murk_page_hash(script, view->text, view->size);
+    const murk_web_file *js = find_file("page.js");
+    char style[MURK_HTML_HASH_SIZE], script[MURK_HTML_HASH_SIZE];
+    murk_html_hash(style, css->text, css->size);
+    murk_html_hash(script, js->text, js->size);
     fprintf(to,
             "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n"
             "<meta charset=\"utf-8\">\n"
@@ -80,71 +91,115 @@ static void write_head(FILE *to, const char *name, bool has_pictures)
             "<meta name=\"generator\" content=\"murk %s\">\n"
             "<title>",
             style, script, has_pictures ? "img-src data:; " : "", MURK_VERSION);
-    murk_page_text(to, name);
+    murk_html_text(to, name);
     fputs(" \xe2\x80\x93 murk</title>\n<style>", to);
     (void)fwrite(css->text, 1, css->size, to);
     fputs("</style>\n</head>\n", to);
 }
 
-static void write_contents(FILE *to, const murk_report *c)
+/* ---- data ---- */
+
+/* Parts of a main JSON that tell of one run, or list files: the page says them
+ * in the section of how it was made. */
+static bool is_of_one_run(const char *key)
 {
-    const murk_results_in *results = &c->results;
-    const bool has_plan =
-        results->json[MURK_RESULT_PLAN] || results->json[MURK_RESULT_COVERAGE];
-    const struct {
-        const char *id, *title;
-        bool is_there;
-    } parts[] = {
-        {"summary", "In short", true},
-        {"placement", "Placement", has_plan},
-        {"where", "Where they are",
-         murk_report_has_view(&c->scene) || c->scene.note[0]},
-        {"pictures", "Pictures", c->pictures.n + c->pictures.n_exr > 0},
-        {"study", "Study", results->json[MURK_RESULT_STUDY] != NULL},
-        {"calibration", "Calibration", results->json[MURK_RESULT_FIT] != NULL},
-        {"light", "Light",
-         results->json[MURK_RESULT_LEDGER] ||
-             murk_result_count(results->json[MURK_RESULT_PLAN], "conditions") >
-                 0},
-        {"tallies", "Tallies",
-         murk_results_has(results->folder, "tallies.csv")},
-        {"made", "How it was made", true}};
-    fputs("<nav aria-label=\"Contents\"><ul>\n", to);
-    for (size_t i = 0; i < sizeof parts / sizeof *parts; ++i) {
-        if (parts[i].is_there) {
-            fprintf(to, "<li><a href=\"#%s\">%s</a></li>\n", parts[i].id,
-                    parts[i].title);
+    return strcmp(key, "run") == 0 || strcmp(key, "murk") == 0 ||
+           strcmp(key, "files") == 0 || strcmp(key, "identity") == 0;
+}
+
+static void write_json(murk_data *data, const char *key, const murk_yaml *root,
+                       size_t most)
+{
+    murk_data_begin(data, key, '{');
+    for (size_t i = 0; root->kind == MURK_YAML_MAP && i < root->n; ++i) {
+        if (!is_of_one_run(root->key[i])) {
+            murk_data_yaml(data, root->key[i], root->child[i], most);
         }
     }
-    fputs("</ul></nav>\n", to);
+    murk_data_end(data, '}');
+}
+
+/* True if the file, with lists cut to a length, has few bytes enough. */
+static bool fits(const murk_yaml *root, size_t most)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *to = open_memstream(&text, &size);
+    if (to) {
+        murk_data data = {.to = to};
+        write_json(&data, NULL, root, most);
+        (void)fclose(to);
+    }
+    free(text);
+    return size <= JSON_BYTES_MAX;
+}
+
+static void add_json(murk_data *data, const char *key, const murk_yaml *root)
+{
+    size_t k = 0;
+    while (k + 1 < sizeof list_max / sizeof *list_max &&
+           !fits(root, list_max[k])) {
+        ++k;
+    }
+    write_json(data, key, root, list_max[k]);
+}
+
+/* The ledger of each condition, which is a file ledger-NAME.json; one that
+ * cannot be read is left out. */
+static void add_ledgers(murk_data *data, const murk_results_in *results)
+{
+    const murk_yaml *plan = results->json[MURK_RESULT_PLAN];
+    const size_t n = murk_result_count(plan, "conditions");
+    const murk_yaml *list = murk_result_at(plan, "conditions");
+    murk_data_begin(data, "ledgers", '{');
+    for (size_t i = 0; i < n && i < MURK_REPORT_ROWS_MAX; ++i) {
+        char file[FILE_SIZE];
+        murk_yaml *ledger = NULL;
+        murk_error why = {0};
+        const char *name = murk_result_text(list->child[i], "name");
+        snprintf(file, sizeof file, "ledger-%.*s.json", FILE_SIZE - 16,
+                 name ? name : "");
+        char *path = name && !strchr(name, '/') &&
+                             murk_results_has(results->folder, file)
+                         ? murk_path_join(results->folder, file)
+                         : NULL;
+        if (path && !murk_yaml_read(&ledger, path, &why)) {
+            add_json(data, name, ledger);
+        }
+        murk_yaml_destroy(ledger);
+        free(path);
+    }
+    murk_data_end(data, '}');
+}
+
+static murk_status write_data(FILE *to, const murk_report *c, murk_error *err)
+{
+    static const char *const key[MURK_RESULT_FILES] = {
+        [MURK_RESULT_PLAN] = "plan",
+        [MURK_RESULT_COVERAGE] = "coverage",
+        [MURK_RESULT_STUDY] = "study",
+        [MURK_RESULT_FIT] = "fit",
+        [MURK_RESULT_LEDGER] = "ledger"};
+    const murk_scene_desc *scene = c->fields.scene;
+    murk_data data = murk_data_open(to, "results");
+    for (int i = 0; i < MURK_RESULT_FILES; ++i) {
+        if (c->results.json[i]) {
+            add_json(&data, key[i], c->results.json[i]);
+        }
+    }
+    add_ledgers(&data, &c->results);
+    murk_data_numbers(&data, "bands_nm", scene ? scene->band_nm : NULL,
+                      scene ? (size_t)scene->bands : 0);
+    murk_data_text(&data, "note", c->scene.note);
+    murk_status status = murk_report_tallies(&data, &c->results, scene, err);
+    murk_report_fields_add(&data, &c->fields);
+    murk_data_close(&data);
+    return status || !murk_report_has_view(&c->scene)
+               ? status
+               : murk_view_data_write(to, &c->scene, err);
 }
 
 /* ---- the page ---- */
-
-static murk_status write_parts(FILE *to, const murk_report *c, murk_error *err)
-{
-    const murk_results_in *results = &c->results;
-    murk_report_summary(to, results);
-    murk_status status = murk_report_plan(to, results, err);
-    if (!status) {
-        status = murk_report_plans(to, &c->scene, err);
-    }
-    murk_report_pictures_write(to, &c->pictures);
-    if (!status) {
-        status = murk_report_study(to, results, err);
-    }
-    if (!status) {
-        status = murk_report_fit(to, results, err);
-    }
-    if (!status) {
-        status = murk_report_light(to, results, c->fields.scene, err);
-    }
-    if (!status) {
-        status = murk_report_tallies(to, results, &c->fields, err);
-    }
-    murk_report_made(to, results, c->page);
-    return status;
-}
 
 static murk_status write_page(FILE *to, const murk_report *c, murk_error *err)
 {
@@ -154,26 +209,27 @@ static murk_status write_page(FILE *to, const murk_report *c, murk_error *err)
     fputs("<body>\n<a class=\"skip\" href=\"#main\">To the results</a>\n"
           "<header>\n<h1>",
           to);
-    murk_page_text(to, name);
+    murk_html_text(to, name);
     fputs("</h1>\n<p class=\"note\">Light and sensors, simulated by "
           "murk " MURK_VERSION ". Results of the folder ",
           to);
-    murk_page_text(to, folder_name(&c->results));
-    fputs(".</p>\n", to);
-    write_contents(to, c);
-    fputs("</header>\n<main id=\"main\" tabindex=\"-1\">\n", to);
-    const murk_status status = write_parts(to, c, err);
+    murk_html_text(to, folder_name(&c->results));
+    fputs(".</p>\n</header>\n<main id=\"main\" tabindex=\"-1\">\n", to);
+    murk_report_summary(to, &c->results);
+    murk_status status = murk_report_csv(to, &c->results, err);
+    murk_report_pictures_write(to, &c->pictures);
+    murk_report_made(to, &c->results, c->page);
     fputs("</main>\n<footer>Made by murk report, version " MURK_VERSION
           ". This page is one file and loads nothing from elsewhere."
           "</footer>\n",
           to);
-    if (murk_report_has_view(&c->scene)) {
-        const murk_web_file *view = find_file("view.js");
-        fputs("<script>", to);
-        (void)fwrite(view->text, 1, view->size, to);
-        fputs("</script>\n", to);
+    if (!status) {
+        status = write_data(to, c, err);
     }
-    fputs("</body>\n</html>\n", to);
+    const murk_web_file *js = find_file("page.js");
+    fputs("<script>", to);
+    (void)fwrite(js->text, 1, js->size, to);
+    fputs("</script>\n</body>\n</html>\n", to);
     return status;
 }
 

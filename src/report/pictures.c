@@ -197,7 +197,7 @@ static void write_said(FILE *to, const murk_report_picture *p, const char *what,
     char *text = text_of(p, name);
     if (text) {
         fprintf(to, ", %s ", what);
-        murk_page_text(to, text);
+        murk_html_text(to, text);
     }
     free(text);
 }
@@ -208,7 +208,7 @@ static void write_command(FILE *to, const murk_report_picture *p)
     char *text = text_of(p, "murkCommand");
     fputs(text ? ". Made by <code>" : ".", to);
     if (text) {
-        murk_page_text(to, text);
+        murk_html_text(to, text);
         fputs("</code>", to);
     }
     free(text);
@@ -220,12 +220,12 @@ static void write_picture(FILE *to, const murk_report_picture *p)
             "<figure class=\"picture\">\n<img width=\"%u\" height=\"%u\" "
             "alt=\"Picture ",
             p->width, p->height);
-    murk_page_text(to, p->name);
+    murk_html_text(to, p->name);
     write_said(to, p, "camera", "murkCamera");
     fputs("\" src=\"data:image/png;base64,", to);
-    murk_page_base64(to, p->bytes, p->size);
+    murk_html_base64(to, p->bytes, p->size);
     fputs("\">\n<figcaption>", to);
-    murk_page_text(to, p->name);
+    murk_html_text(to, p->name);
     fprintf(to, ": %u x %u pixels", p->width, p->height);
     write_said(to, p, "of", "murkScene");
     write_said(to, p, "camera", "murkCamera");
@@ -245,7 +245,9 @@ void murk_report_pictures_write(FILE *to, const murk_report_pictures *pictures)
     if (pictures->n + pictures->n_exr == 0) {
         return;
     }
-    murk_page_section_begin(to, "pictures", "Pictures");
+    fputs("<section id=\"pictures\" data-title=\"Pictures\">\n"
+          "<h2>Pictures</h2>\n",
+          to);
     fputs("<div class=\"plans\">\n", to);
     for (size_t i = 0; i < pictures->n; ++i) {
         if (pictures->picture[i].bytes) {
@@ -257,7 +259,7 @@ void murk_report_pictures_write(FILE *to, const murk_report_pictures *pictures)
         const murk_report_picture *p = &pictures->picture[i];
         if (!p->bytes) {
             fputs("<p class=\"note\">", to);
-            murk_page_text(to, p->name);
+            murk_html_text(to, p->name);
             fprintf(to,
                     " (%u x %u pixels, %.2f MB) is too large to be carried in "
                     "this page.</p>\n",
@@ -272,11 +274,11 @@ void murk_report_pictures_write(FILE *to, const murk_report_pictures *pictures)
         fputs(i == 0 ? "<p class=\"note\">Radiances with their errors are in "
                      : ", ",
               to);
-        murk_page_text(to, pictures->exr[i]);
+        murk_html_text(to, pictures->exr[i]);
     }
     if (pictures->n_exr > NAMED_MAX) {
         fprintf(to, " and %zu more", pictures->n_exr - NAMED_MAX);
     }
     fputs(pictures->n_exr > 0 ? ".</p>\n" : "", to);
-    murk_page_section_end(to);
+    fputs("</section>\n", to);
 }

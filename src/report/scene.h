@@ -92,22 +92,7 @@ murk_status murk_report_read_sensors(murk_shown_sensor **out, size_t *n,
 /* Whether a place can be drawn: finite, and not beyond all measure. */
 bool murk_is_shown(murk_vec3 place);
 
-/* What points are in words: "stored photon", or "target" where the scene has
- * targets in their place. */
-const char *murk_report_point_name(const murk_report_scene *scene);
-
 /* Whether there is anything in space to be shown. */
 bool murk_report_has_view(const murk_report_scene *scene);
-
-/* The view in space: a section that the page's script fills, and its data;
- * what is shown of how much is said in it. Nothing where there is none.
- * Fails with MURK_NO_MEMORY. */
-murk_status murk_report_view(FILE *to, const murk_report_scene *scene,
-                             murk_error *err);
-
-/* The section of places: the view, and the scene from above and from the side
- * as inline SVG; nothing where there is nothing in space. */
-murk_status murk_report_plans(FILE *to, const murk_report_scene *scene,
-                              murk_error *err);
 
 #endif

@@ -1,5 +1,6 @@
-/* The page in twenty seconds: what was asked, the answer with its error and
- * its bound, what it took, and what the words mean. */
+/* The summary of the page: what was asked, the answer with its error and its
+ * bound, what it took, and what the words mean. It is text, so that it needs no
+ * script. */
 #include "report/answers.h"
 #include "report/html.h"
 #include "report/sections.h"
@@ -15,9 +16,9 @@ static void write_date(FILE *to, const char *date)
     char shown[40];
     if (strlen(date) == 20 && date[10] == 'T' && date[19] == 'Z') {
         snprintf(shown, sizeof shown, "%.10s, %.5s UTC", date, date + 11);
-        murk_page_text(to, shown);
+        murk_html_text(to, shown);
     } else {
-        murk_page_text(to, date);
+        murk_html_text(to, date);
     }
 }
 
@@ -25,34 +26,27 @@ static void write_effort(FILE *to, const murk_yaml *root,
                          const murk_yaml *ledger)
 {
     const double seconds = murk_result_number(root, "run.seconds.total");
-    const double threads = murk_result_number(root, "run.threads");
-    const double bytes = murk_result_number(root, "run.peak_memory_bytes");
-    double photons = murk_result_number(root, "photons.emitted");
-    if (!isfinite(photons)) {
-        photons = murk_result_number(ledger, "photons_emitted");
-    }
     const char *date = murk_result_text(root, "run.date");
-    murk_page_line_begin(to, "It took");
-    murk_page_number(to, seconds < 100 ? round(100 * seconds) / 100
+    const bool is_known = isfinite(murk_result_number(root, "photons.emitted"));
+    fputs("<div><dt>It took</dt><dd>", to);
+    murk_html_number(to, seconds < 100 ? round(100 * seconds) / 100
                                        : round(seconds));
-    fputs(" s on ", to);
-    murk_page_count(to, threads, "thread", "threads");
-    fputs(" and ", to);
-    murk_page_number(to, round(bytes / 1e6));
-    fputs(" MB of memory", to);
-    if (isfinite(photons)) {
-        fputs(", for ", to);
-        murk_page_count(to, photons, "photon that left the lights",
-                        "photons that left the lights");
+    murk_report_say(to, root,
+                    " s on {run.threads#thread|threads} and "
+                    "{run.peak_memory_bytes*} MB of memory");
+    if (is_known || isfinite(murk_result_number(ledger, "photons_emitted"))) {
+        murk_report_say(to, is_known ? root : ledger,
+                        is_known ? ", for {photons.emitted#photon|photons} "
+                                   "that left the lights"
+                                 : ", for {photons_emitted#photon|photons} "
+                                   "that left the lights");
     }
-    fputs("; murk ", to);
-    murk_page_text(to, murk_result_text(root, "murk.version"));
+    murk_report_say(to, root, "; murk {murk.version$}");
     if (date) {
         fputs(", on ", to);
         write_date(to, date);
     }
-    fputc('.', to);
-    murk_page_line_end(to);
+    fputs(".</dd></div>\n", to);
 }
 
 /* ---- words ---- */
@@ -160,17 +154,20 @@ void murk_report_summary(FILE *to, const murk_results_in *results)
     for (int i = 0; i < MURK_RESULT_FILES; ++i) {
         n += murk_results_is_main(results, (murk_result_file)i);
     }
-    murk_page_section_begin(to, "summary", "In short");
+    fputs("<section id=\"summary\" data-title=\"In short\">\n"
+          "<h2>In short</h2>\n",
+          to);
     if (!murk_results_are_one_run(results)) {
-        murk_page_paragraph(
-            to, "This folder holds files of several runs. The scene, the light "
-                "and the tallies are those of the last that wrote them, and "
-                "need not be those of the answers here: see how each file was "
-                "made.");
+        fputs(
+            "<p>This folder holds files of several runs. The scene, the light "
+            "and the tallies are those of the last that wrote them, and need "
+            "not be those of the answers here: see how each file was "
+            "made.</p>\n",
+            to);
     }
     if (results->strangers && *results->strangers) {
         fputs("<p>Not as the run of this page wrote them: ", to);
-        murk_page_text(to, results->strangers);
+        murk_html_text(to, results->strangers);
         fputs(". They were edited since, or are of an earlier run, or of one "
               "that was killed while it wrote them.</p>\n",
               to);
@@ -191,5 +188,5 @@ void murk_report_summary(FILE *to, const murk_results_in *results)
         fputs("</dl>\n", to);
     }
     explain(to, results);
-    murk_page_section_end(to);
+    fputs("</section>\n", to);
 }

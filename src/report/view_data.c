@@ -115,8 +115,8 @@ static murk_status fill_media(murk_view_data *out, murk_error *err)
     return status;
 }
 
-murk_status murk_view_data_make(murk_view_data *out,
-                                const murk_report_scene *scene, murk_error *err)
+static murk_status make(murk_view_data *out, const murk_report_scene *scene,
+                        murk_error *err)
 {
     *out = (murk_view_data){.scene = scene, .box = view_box(scene)};
     murk_status status = MURK_OK;
@@ -127,7 +127,7 @@ murk_status murk_view_data_make(murk_view_data *out,
     return status ? status : fill_media(out, err);
 }
 
-void murk_view_data_release(murk_view_data *data)
+static void release(murk_view_data *data)
 {
     for (size_t i = 0; i < data->medias; ++i) {
         murk_view_media_release(&data->media[i]);
@@ -160,7 +160,7 @@ static void write_block(FILE *to, const char *name, size_t number,
                         const void *bytes, size_t size)
 {
     fprintf(to, "<script type=\"text/plain\" id=\"%s-%zu\">", name, number);
-    murk_page_base64(to, bytes, size);
+    murk_html_base64(to, bytes, size);
     fputs("</script>\n", to);
 }
 
@@ -221,8 +221,8 @@ static bool write_mesh(FILE *to, const murk_view_mesh *mesh)
     return true;
 }
 
-murk_status murk_view_data_write(FILE *to, const murk_view_data *data,
-                                 murk_error *err)
+static murk_status write_all(FILE *to, const murk_view_data *data,
+                             murk_error *err)
 {
     const murk_report_scene *s = data->scene;
     bool is_whole = true;
@@ -241,4 +241,16 @@ murk_status murk_view_data_write(FILE *to, const murk_view_data *data,
     return is_whole
                ? MURK_OK
                : murk_fail(err, MURK_NO_MEMORY, "", "no memory for the view");
+}
+
+murk_status murk_view_data_write(FILE *to, const murk_report_scene *scene,
+                                 murk_error *err)
+{
+    murk_view_data data;
+    murk_status status = make(&data, scene, err);
+    if (!status) {
+        status = write_all(to, &data, err);
+    }
+    release(&data);
+    return status;
 }

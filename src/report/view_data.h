@@ -16,14 +16,9 @@ typedef struct murk_view_data {
     size_t media_of[MURK_SHOWN_STATES_MAX]; /* of each state: its media */
 } murk_view_data;
 
-/* Release *out in any case. Fails with MURK_NO_MEMORY. */
-murk_status murk_view_data_make(murk_view_data *out,
-                                const murk_report_scene *scene,
-                                murk_error *err);
-void murk_view_data_release(murk_view_data *data);
-
-/* Script elements that no browser runs. Fails with MURK_NO_MEMORY. */
-murk_status murk_view_data_write(FILE *to, const murk_view_data *data,
+/* The view's data as script elements that no browser runs. Fails with
+ * MURK_NO_MEMORY. */
+murk_status murk_view_data_write(FILE *to, const murk_report_scene *scene,
                                  murk_error *err);
 
 /* ---- parts of it ---- */

@@ -196,6 +196,29 @@ static void add_media(murk_data *item, const murk_view_data *data)
     murk_data_end(item, ']');
 }
 
+/* What the section's words and switches depend on. */
+static void add_facts(murk_data *root, const murk_report_scene *s)
+{
+    bool has_lamps = false;
+    for (size_t i = 0; s->scene && i < s->scene->n_lights; ++i) {
+        has_lamps =
+            has_lamps || murk_source_type_group(s->scene->lights[i].type) !=
+                             MURK_SOURCE_DOME;
+    }
+    murk_data_bool(root, "has_lamps", has_lamps);
+    murk_data_bool(root, "targets",
+                   s->scene && s->scene->placement.targets.given);
+    murk_data_bool(root, "study", s->is_study);
+    murk_data_number(root, "states_asked", (double)s->states_asked);
+    murk_data_bool(root, "periodic",
+                   s->stage && s->stage->world.domain.is_periodic);
+    if (s->stage) {
+        murk_data_begin(root, "domain", '{');
+        add_box(root, &s->stage->world.domain.box);
+        murk_data_end(root, '}');
+    }
+}
+
 void murk_view_data_json(FILE *to, const murk_view_data *data)
 {
     const murk_report_scene *s = data->scene;
@@ -221,8 +244,12 @@ void murk_view_data_json(FILE *to, const murk_view_data *data)
         murk_data_vector(root, NULL, s->stop[i]);
     }
     murk_data_end(root, ']');
+    add_facts(root, s);
     if (data->mesh.triangles > 0) {
         murk_data_begin(root, "mesh", '{');
+        murk_data_number(root, "asked", (double)data->mesh.asked);
+        murk_data_number(root, "triangles", (double)data->mesh.triangles);
+        murk_data_bool(root, "coarse", data->mesh.is_coarse);
         add_box(root, &data->mesh.box);
         murk_data_number(root, "steps", MURK_VIEW_STEPS);
         murk_data_bool(root, "wide", murk_view_is_wide(&data->mesh));

@@ -14,6 +14,10 @@ import sys
 import tempfile
 import time
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+import browser  # noqa: E402
+import pages  # noqa: E402
+
 PLAN = {"murk": {"version": "0.1.0"}, "scene": "a.yaml", "seed": 1,
         "sensors": [{"type": "node", "position_m": [1, 2, 3]}],
         "coverage": {"in_sample": 0.5}}
@@ -86,6 +90,9 @@ def check_interrupt(murk, folder):
 
 
 def main(murk, is_sanitized):
+    if not browser.program():
+        print("skipped: no chromium")
+        return 77
     with tempfile.TemporaryDirectory() as folder:
         def write(name, content):
             mode = "wb" if isinstance(content, bytes) else "w"
@@ -112,8 +119,9 @@ def main(murk, is_sanitized):
             if os.path.exists(page):
                 with open(page, encoding="utf-8") as file:
                     text = file.read()
-                check(part in text, "in the page:", part)
                 check(len(text) < 3_000_000, part, "size", len(text))
+                text = pages.without_script(text) + pages.drawn(page)
+                check(part in text, "in the page:", part)
             for name in os.listdir(folder):
                 os.unlink(os.path.join(folder, name))
             return text
@@ -229,8 +237,7 @@ def main(murk, is_sanitized):
         plan()
         write("plan.ply", (PLY % 3).encode() + photon(float("nan")) + photon(float("inf")) +
               photon(2))
-        text = run(0, "1 of the 1 stored photons")
-        check('="nan' not in text and "Mnan" not in text, "NaN in a drawing")
+        run(0, "1 of the 1 stored photons")
         plan()
         write("plan.ply", (PLY % 250000).encode() +
               b"".join(photon(k * 1e-3, 1 + k % 2, k % 3) for k in range(250000)))
@@ -278,8 +285,8 @@ def main(murk, is_sanitized):
         run(0, "surfaces, ranges and media are not shown (")
         plan()
         run(0, "surfaces, ranges and media are not shown (it is not there)")
-    print("failures:", failures)
-    return failures != 0
+    print("failures:", failures + len(pages.failed))
+    return failures + len(pages.failed) > 0
 
 
 if __name__ == "__main__":

@@ -20,8 +20,9 @@ import tempfile
 import zlib
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+import browser  # noqa: E402
 import pages  # noqa: E402
-from pages import Plot, check, commands, number, read, table  # noqa: E402
+from pages import Plot, check, commands, drawn, number, read, table  # noqa: E402
 
 EVIL = "<img src=x onerror=alert(1)>&\"'"
 
@@ -91,6 +92,9 @@ def picture(width, height, size=0):
 
 
 def main(murk):
+    if not browser.program():
+        print("skipped: no chromium")
+        return 77
     with tempfile.TemporaryDirectory() as folder:
         def at(name):
             return os.path.join(folder, name)
@@ -207,8 +211,7 @@ def main(murk):
         check(len(cells) == math.prod(data["media"][0]["size"]) and set(cells) == {255}, "even fog")
 
         # plots, read back: the curve, and both samples with their intervals
-        with open(at("plan/report.html"), encoding="utf-8") as file:
-            text = file.read()
+        text = drawn(at("plan/report.html"))
         plot = Plot(text, "Coverage by number of sensors")
         for mark, bound, step in zip(plot.marks(0), plot.marks(1), plan["curve"]):
             plot.is_at(mark, step["count"], step["coverage"], "the curve")
@@ -298,8 +301,7 @@ def main(murk):
         page = read(at("study/report.html"))
         check(page.tags.count("svg") == 4, page.tags.count("svg"), "want 2 plots, 2 drawings")
         check("photons.emit 500" in page.text, "no line's name")
-        with open(at("study/report.html"), encoding="utf-8") as file:
-            text = file.read()
+        text = drawn(at("study/report.html"))
         check(text.count('class="band') == 4, "bands: two lines in two plots")
         rows = table(at("study/table.csv"))
         for output in ("density", "coverage_best"):
@@ -354,8 +356,7 @@ def main(murk):
 
         fit_of = json.loads(open(at("fit/fit.json"), encoding="utf-8").read())
         value = fit_of["parameters"][0]
-        with open(at("fit/report.html"), encoding="utf-8") as file:
-            text = file.read()
+        text = drawn(at("fit/report.html"))
         plot = Plot(text, "How well each value is known")
         for end, bound in zip(plot.whiskers(0)[0], ("lower", "upper")):
             plot.is_at((0, end), None, value[bound] / value["value"] - 1, bound)
@@ -375,8 +376,7 @@ def main(murk):
         run("trace", "tallies.yaml", "-o", "tallies", "--quiet")
         run("report", "tallies")
         page = read(at("tallies/report.html"))
-        with open(at("tallies/report.html"), encoding="utf-8") as file:
-            text = file.read()
+        text = drawn(at("tallies/report.html"))
         rows = table(at("tallies/tallies.csv"))
         for row in (r for r in rows if r["tally"] == "ball"):
             check(re.search(rf"ball{row['direction']}{row['band_nm']} nm[\d.(]*", page.text), row)
@@ -428,8 +428,7 @@ def main(murk):
         page = read(at("explore/report.html"))
         with open(at("explore/plan.json"), encoding="utf-8") as file:
             plan = json.load(file)
-        with open(at("explore/report.html"), encoding="utf-8") as file:
-            plot = Plot(file.read(), "Coverage along the way that was gone")
+        plot = Plot(drawn(at("explore/report.html")), "Coverage along the way that was gone")
         steps = plan["explore"]["steps"]
         check(len(plot.marks(0)) == len(steps) + 1, "steps")
         for mark, step in zip(plot.marks(0)[1:], steps):
@@ -444,8 +443,7 @@ def main(murk):
         with open(at("two/plan.json"), encoding="utf-8") as file:
             repeat = json.load(file)["repeat"]
         run("report", "two")
-        with open(at("two/report.html"), encoding="utf-8") as file:
-            plot = Plot(file.read(), "The whole job with other seeds")
+        plot = Plot(drawn(at("two/report.html")), "The whole job with other seeds")
         for k, row in enumerate(table(at("two/repeat.csv"))):
             for series, key in enumerate(("held_out", "in_sample", "plan", "upper")):
                 plot.is_at(plot.marks(series)[k], int(row["seed"]) + 0.08 * (series - 1.5),

@@ -12,8 +12,10 @@ export function bytes(id) {
   return out;
 }
 
+// Null where there is nothing in space.
 export function read() {
-  const data = JSON.parse(element("view-data").textContent);
+  const block = element("view-data"), data = block && JSON.parse(block.textContent);
+  if (!data) return null;
   data.middle = data.low.map((v, k) => (v + data.high[k]) / 2);
   return data;
 }

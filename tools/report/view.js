@@ -1,12 +1,12 @@
 // The view in space of murk's report: what stands in the scene, stored photons
-// by how many sensors see each, sensors with their ranges and views, media.
-// Built into src/report/web/view.js by tools/report/build. Reads the data blocks
-// that src/report/view_data.c writes; draws only when something has changed.
+// by how many sensors see each, sensors with their ranges and views, media. Reads
+// the data blocks that src/report/view_data.c writes; draws only when something
+// has changed.
 import {
   AmbientLight, Color, DirectionalLight, Group, PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
-import { element, read } from "./data.js";
+import { element } from "./data.js";
 import { fitLabels, frame } from "./frame.js";
 import { Medium, cloud, level } from "./media.js";
 import * as parts from "./parts.js";
@@ -284,11 +284,11 @@ function fail(section, text) {
   element("view-picked").textContent = text;
 }
 
-const section = element("view");
-if (section) {
-  section.hidden = false;
+// Fills the view's part of the page, which where.js has made.
+export function showView(data) {
+  const section = element("view");
   try {
-    const view = new View(element("view-canvas"), read());
+    const view = new View(element("view-canvas"), data);
     connectControls(view);
     connectCanvas(view);
     section.dataset.state = "drawn";

@@ -24,11 +24,11 @@ static char kept[512];
 
 static void test_text_is_never_markup(void)
 {
-    WRITTEN(murk_page_text(to, "<b a=\"1\" c='2'>&amp;"));
+    WRITTEN(murk_html_text(to, "<b a=\"1\" c='2'>&amp;"));
     CHECK_TEXT(kept, "&lt;b a=&quot;1&quot; c=&#39;2&#39;&gt;&amp;amp;");
-    WRITTEN(murk_page_text(to, "Höhe 中 \xf0\x9f\x8c\xab\n"));
+    WRITTEN(murk_html_text(to, "Höhe 中 \xf0\x9f\x8c\xab\n"));
     CHECK_TEXT(kept, "Höhe 中 \xf0\x9f\x8c\xab\n");
-    WRITTEN(murk_page_text(to, NULL));
+    WRITTEN(murk_html_text(to, NULL));
     CHECK_TEXT(kept, "");
 }
 
@@ -43,7 +43,7 @@ static void test_what_is_no_text_is_replaced(void)
                                       "\xf4\x90\x80\x80" /* beyond */,
                                       "\xe0\x80\xbc" /* overlong '<' */};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
-        WRITTEN(murk_page_text(to, bad[i]));
+        WRITTEN(murk_html_text(to, bad[i]));
         CHECK(strncmp(kept, "\xef\xbf\xbd", 3) == 0);
         CHECK(strlen(kept) == 3 * strlen(bad[i]));
     }
@@ -59,7 +59,7 @@ static void test_base64(void)
                                            {"fooba", "Zm9vYmE="},
                                            {"foobar", "Zm9vYmFy"}};
     for (size_t i = 0; i < sizeof known / sizeof *known; ++i) {
-        WRITTEN(murk_page_base64(to, known[i][0], strlen(known[i][0])));
+        WRITTEN(murk_html_base64(to, known[i][0], strlen(known[i][0])));
         CHECK_TEXT(kept, known[i][1]);
     }
 }
@@ -68,50 +68,44 @@ static void test_base64(void)
 static void test_hash(void)
 {
     static const char text[] = "alert('Hello, world.');";
-    char hash[MURK_PAGE_HASH_SIZE];
-    murk_page_hash(hash, text, strlen(text));
+    char hash[MURK_HTML_HASH_SIZE];
+    murk_html_hash(hash, text, strlen(text));
     CHECK_TEXT(hash, "sha256-qznLcsROx4GACP2dm0UCKCzCG+HiZ1guq6ZZDob/Tng=");
-}
-
-static void test_json_ends_no_script(void)
-{
-    WRITTEN(murk_page_json(to, "{\"a\": \"</script><!--\"}"));
-    CHECK_TEXT(kept, "{\"a\": \"\\u003c/script>\\u003c!--\"}");
 }
 
 static void test_numbers(void)
 {
-    WRITTEN(murk_page_number(to, 30423));
+    WRITTEN(murk_html_number(to, 30423));
     CHECK_TEXT(kept, "30423");
-    WRITTEN(murk_page_number(to, 0.123456789));
+    WRITTEN(murk_html_number(to, 0.123456789));
     CHECK_TEXT(kept, "0.12346");
-    WRITTEN(murk_page_number(to, (double)NAN));
+    WRITTEN(murk_html_number(to, (double)NAN));
     CHECK_TEXT(kept, "\xe2\x80\x93");
-    WRITTEN(murk_page_estimate(to, 1.23456, 0.0234));
+    WRITTEN(murk_html_estimate(to, 1.23456, 0.0234));
     CHECK_TEXT(kept, "1.235 \xc2\xb1 0.023");
-    WRITTEN(murk_page_number(to, 2.30024e13));
+    WRITTEN(murk_html_number(to, 2.30024e13));
     CHECK_TEXT(kept, "2.3002\xc2\xb7"
                      "10\xc2\xb9\xc2\xb3");
-    WRITTEN(murk_page_number(to, -1.5e-7));
+    WRITTEN(murk_html_number(to, -1.5e-7));
     CHECK_TEXT(kept, "-1.5\xc2\xb7"
                      "10\xe2\x81\xbb\xe2\x81\xb7");
-    WRITTEN(murk_page_power(to, 1e5, 5));
+    WRITTEN(murk_html_power(to, 1e5, 5));
     CHECK_TEXT(kept, "10\xe2\x81\xb5");
-    WRITTEN(murk_page_estimate(to, 890420387029321.25, 15429865000838.934));
+    WRITTEN(murk_html_estimate(to, 890420387029321.25, 15429865000838.934));
     CHECK_TEXT(kept, "(8.90 \xc2\xb1 0.15)\xc2\xb7"
                      "10\xc2\xb9\xe2\x81\xb4");
-    WRITTEN(murk_page_estimate(to, 10397, 213));
+    WRITTEN(murk_html_estimate(to, 10397, 213));
     CHECK_TEXT(kept, "10400 \xc2\xb1 210");
-    WRITTEN(murk_page_estimate(to, 0.5, 0.0998));
+    WRITTEN(murk_html_estimate(to, 0.5, 0.0998));
     CHECK_TEXT(kept, "0.50 \xc2\xb1 0.10");
-    WRITTEN(murk_page_estimate(to, 0, 3e-320));
+    WRITTEN(murk_html_estimate(to, 0, 3e-320));
     CHECK_TEXT(kept, "(0.0 \xc2\xb1 3.0)\xc2\xb7"
                      "10\xe2\x81\xbb\xc2\xb3\xc2\xb2\xe2\x81\xb0");
-    WRITTEN(murk_page_estimate(to, 1e300, 1e-300));
+    WRITTEN(murk_html_estimate(to, 1e300, 1e-300));
     CHECK(strlen(kept) < 60);
-    WRITTEN(murk_page_estimate(to, 2, 0));
+    WRITTEN(murk_html_estimate(to, 2, 0));
     CHECK_TEXT(kept, "2");
-    WRITTEN(murk_page_share(to, 0.91238, 0.00219));
+    WRITTEN(murk_html_share(to, 0.91238, 0.00219));
     CHECK_TEXT(kept, "91.24 \xc2\xb1 0.22 %");
 }
 
@@ -121,7 +115,6 @@ int main(void)
     test_what_is_no_text_is_replaced();
     test_base64();
     test_hash();
-    test_json_ends_no_script();
     test_numbers();
     return check_done();
 }

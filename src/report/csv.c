@@ -1,0 +1,134 @@
+/* The CSV files of a result folder as tables of the page.
+ *
+ * They stand in <noscript>: a browser without scripts shows them, and with
+ * scripts the page's own script reads them there (tools/report/results.js), so
+ * that each file is in the page once. A long file is cut at TABLE_BYTES. */
+#include "report/sections.h"
+
+#include "base/file.h"
+#include "report/html.h"
+
+#include <dirent.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+/* Bytes of one table and of all of them in the page, which is to stay below
+ * 3 MB with its script, photons and pictures. */
+#define TABLE_BYTES 250000
+#define ALL_BYTES   700000
+
+/* A file that is larger, and that the page does not need, is passed over. */
+#define FILE_BYTES_MAX 16000000
+
+static int is_csv(const struct dirent *entry)
+{
+    const size_t length = strlen(entry->d_name);
+    return entry->d_name[0] != '.' && length > 4 &&
+           strcmp(entry->d_name + length - 4, ".csv") == 0;
+}
+
+static int by_name(const struct dirent **a, const struct dirent **b)
+{
+    return strcmp((*a)->d_name, (*b)->d_name);
+}
+
+/* True if the page's script draws from this file, so that a file that cannot
+ * be read is an error of the results. */
+static bool is_drawn(const murk_results_in *results, const char *name)
+{
+    const murk_yaml *plan = results->json[MURK_RESULT_PLAN];
+    return strcmp(name, "tallies.csv") == 0 ||
+           (strcmp(name, "table.csv") == 0 &&
+            results->json[MURK_RESULT_STUDY]) ||
+           (strcmp(name, "fit.csv") == 0 && results->json[MURK_RESULT_FIT]) ||
+           (strcmp(name, "repeat.csv") == 0 &&
+            isfinite(murk_result_number(plan, "repeat.runs")));
+}
+
+static size_t write_row(FILE *to, char *const *cell, size_t n, const char *tag)
+{
+    size_t bytes = sizeof "<tr></tr>\n";
+    fputs("<tr>", to);
+    for (size_t i = 0; i < n; ++i) {
+        fprintf(to, "<%s>", tag);
+        murk_html_text(to, cell[i]);
+        fprintf(to, "</%s>", tag);
+        bytes += strlen(cell[i]) + sizeof "<td></td>";
+    }
+    fputs("</tr>\n", to);
+    return bytes;
+}
+
+/* Returns about how many bytes were written. */
+static size_t write_table(FILE *to, const char *name, const murk_table *table,
+                          size_t bytes_max)
+{
+    fputs("<div class=\"table\">\n<table data-file=\"", to);
+    murk_html_text(to, name);
+    fprintf(to, "\" data-rows=\"%zu\">\n<caption>", table->rows);
+    murk_html_text(to, name);
+    fputs("</caption>\n<thead>", to);
+    size_t bytes = write_row(to, table->name, table->columns, "th");
+    fputs("</thead>\n<tbody>\n", to);
+    size_t row = 0;
+    for (; row < table->rows && bytes < bytes_max; ++row) {
+        bytes += write_row(to, table->cell + row * table->columns,
+                           table->columns, "td");
+    }
+    fputs("</tbody>\n</table>\n</div>\n", to);
+    if (row < table->rows) {
+        fprintf(to, "<p class=\"note\">The first %zu of %zu rows.</p>\n", row,
+                table->rows);
+    }
+    return bytes;
+}
+
+/* Reads and writes one file; what the page does not need may be unreadable. */
+static murk_status add_file(FILE *to, const murk_results_in *results,
+                            const char *name, size_t *left, murk_error *err)
+{
+    const bool is_needed = is_drawn(results, name);
+    murk_table *table = NULL;
+    murk_error why = {0};
+    struct stat known = {0};
+    char *path = murk_path_join(results->folder, name);
+    const bool is_small =
+        path && stat(path, &known) == 0 && known.st_size <= FILE_BYTES_MAX;
+    free(path);
+    if (!is_needed && !(is_small && *left > 0)) {
+        return MURK_OK;
+    }
+    const murk_status status = murk_results_table(&table, results->folder, name,
+                                                  is_needed ? err : &why);
+    if (table) {
+        const size_t bytes_max =
+            *left < TABLE_BYTES && !is_needed ? *left : TABLE_BYTES;
+        const size_t bytes = write_table(to, name, table, bytes_max);
+        *left -= bytes < *left ? bytes : *left;
+    }
+    murk_table_destroy(table);
+    return is_needed || status == MURK_NO_MEMORY ? status : MURK_OK;
+}
+
+murk_status murk_report_csv(FILE *to, const murk_results_in *results,
+                            murk_error *err)
+{
+    struct dirent **entry = NULL;
+    size_t left = ALL_BYTES;
+    murk_status status = MURK_OK;
+    const int n = scandir(results->folder, &entry, is_csv, by_name);
+    if (n > 0) {
+        fputs("<noscript>\n<section>\n<h2>Tables of the folder</h2>\n", to);
+    }
+    for (int i = 0; i < n; ++i) {
+        if (!status) {
+            status = add_file(to, results, entry[i]->d_name, &left, err);
+        }
+        free(entry[i]);
+    }
+    free(entry);
+    fputs(n > 0 ? "</section>\n</noscript>\n" : "", to);
+    return status;
+}
