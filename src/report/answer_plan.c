@@ -8,7 +8,8 @@
 /* Half a 95 % interval, in standard errors. */
 #define HALF_INTERVAL 1.96
 
-/* A gap to the bound that hardly matters. */
+/* A gap to the bound that hardly matters: as wide as the error of a coverage
+ * from some 600 photons. */
 #define HARDLY 0.02
 
 /* ---- what the results have ---- */
@@ -18,7 +19,7 @@ static bool has(const murk_yaml *plan, const char *path)
     return isfinite(murk_result_number(plan, path));
 }
 
-static bool is_over(const murk_yaml *plan, const char *how)
+static bool is_judged_by(const murk_yaml *plan, const char *how)
 {
     return murk_result_is(plan, "over", how);
 }
@@ -57,6 +58,7 @@ static void say_by_how_many(FILE *to, const murk_yaml *plan)
 static void ask_sensors(FILE *to, const murk_yaml *plan)
 {
     const char *object = object_of(plan);
+    /* how many sensors, by which of the three goals */
     if (has(plan, "target.asked")) {
         murk_report_say(to, plan, "How few sensors see {target.asked%}");
         fprintf(to, " of the %s", object);
@@ -70,16 +72,17 @@ static void ask_sensors(FILE *to, const murk_yaml *plan)
         murk_report_say(to, plan, "Where should {sensors[sensor|sensors}");
         fprintf(to, " be to see the most %s", object);
     }
+    /* of which places, in which conditions, with which knowledge */
     if (has(plan, "candidates.usable")) {
         murk_report_say(to, plan,
                         ", of {candidates.usable#place that is free|places "
                         "that are free}");
     }
-    if (is_over(plan, "mean") || is_over(plan, "worst") ||
-        is_over(plan, "regret")) {
+    if (is_judged_by(plan, "mean") || is_judged_by(plan, "worst") ||
+        is_judged_by(plan, "regret")) {
         murk_report_say(to, plan, ", over {conditions[condition|conditions}");
-        fputs(is_over(plan, "mean") ? " in the mean"
-              : is_over(plan, "regret")
+        fputs(is_judged_by(plan, "mean") ? " in the mean"
+              : is_judged_by(plan, "regret")
                   ? ", so that the largest regret (what is lost to the best "
                     "plan of a condition alone) is least"
                   : ", as judged by the worst of them",
@@ -186,6 +189,7 @@ static void answer_plan(FILE *to, const murk_yaml *plan, bool is_made)
 {
     double value, error;
     find_quoted(&value, &error, plan);
+    /* who sees how much */
     fputs(is_made ? "<div><dt>Answer</dt><dd>"
                   : "<div><dt>Answer</dt><dd>These ",
           to);
@@ -195,6 +199,7 @@ static void answer_plan(FILE *to, const murk_yaml *plan, bool is_made)
                         : "{sensors[sensor sees|sensors see} <strong>");
     murk_html_share(to, value, error);
     fputs("</strong>", to);
+    /* of what, by which sample, how certain */
     if (is_of_matrix(plan)) {
         fputs(" of the rows' weight.", to);
     } else {
@@ -203,7 +208,7 @@ static void answer_plan(FILE *to, const murk_yaml *plan, bool is_made)
             say_interval(to, plan, value, error);
         }
     }
-    if (is_over(plan, "regret")) {
+    if (is_judged_by(plan, "regret")) {
         murk_report_say(to, plan,
                         " This is the condition where the regret is largest: "
                         "{worst_condition$}.");
@@ -261,7 +266,8 @@ static void limit_plan(FILE *to, const murk_yaml *plan)
         return;
     }
     fputs("<div><dt>Could it be better?</dt><dd>", to);
-    if (is_over(plan, "regret")) {
+    /* by the bound on the plan's own goal */
+    if (is_judged_by(plan, "regret")) {
         limit_regret(to, plan);
     } else if (is_proven(plan)) {
         murk_report_say(

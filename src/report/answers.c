@@ -8,8 +8,8 @@
 #include <string.h>
 
 #define PATH_MAX_BYTES 80 /* of a value's path in a sentence */
-#define SHOWN_MAX      8  /* keys */
-#define OUTPUTS_MAX    12
+#define SHOWN_MAX      8  /* keys of one sentence, so that it can be read */
+#define OUTPUTS_MAX    12 /* lines of the answer; tables have all outputs */
 
 /* ---- sentences ---- */
 
@@ -32,6 +32,7 @@ static const char *say_value(FILE *to, const murk_yaml *root, const char *from)
     snprintf(path, sizeof path, "%.*s", length, from);
     snprintf(error, sizeof error, "%s_standard_error", path);
     const double value = murk_result_number(root, path);
+    /* the character behind the path tells the form */
     switch (from[length]) {
     case '$': {
         const char *text = murk_result_text(root, path);

@@ -14,10 +14,10 @@
 /* Bytes of a text that the page carries: a sentence or two. */
 #define TEXT_MAX 1000
 
-/* The first bytes of a text, `most` at most. */
-static void write_text(FILE *to, const char *text, size_t most)
+/* The first bytes of a text, at most bytes_max. */
+static void write_text(FILE *to, const char *text, size_t bytes_max)
 {
-    const char *end = text + most;
+    const char *end = text + bytes_max;
     fputc('"', to);
     while (*text && text < end) {
         const size_t n = murk_utf8_length(text);
@@ -155,15 +155,16 @@ static void write_scalar(FILE *to, const murk_yaml *node)
 }
 
 void murk_data_yaml(murk_data *data, const char *key, const murk_yaml *node,
-                    size_t most)
+                    size_t items_max)
 {
-    const size_t n = node->n < most ? node->n : most;
+    const size_t n = node->n < items_max ? node->n : items_max;
     const bool is_cut = node->kind == MURK_YAML_LIST && n < node->n;
     if (node->kind == MURK_YAML_SCALAR) {
         next(data, key);
         write_scalar(data->to, node);
         return;
     }
+    /* the length that a list has in its file */
     if (is_cut) {
         murk_data_begin(data, key, '{');
         murk_data_number(data, "of", (double)node->n);
@@ -173,7 +174,7 @@ void murk_data_yaml(murk_data *data, const char *key, const murk_yaml *node,
     murk_data_begin(data, key, is_map ? '{' : '[');
     for (size_t i = 0; i < n; ++i) {
         murk_data_yaml(data, is_map ? node->key[i] : NULL, node->child[i],
-                       most);
+                       items_max);
     }
     murk_data_end(data, is_map ? '}' : ']');
     if (is_cut) {

@@ -35,10 +35,10 @@ void murk_data_text(murk_data *data, const char *key, const char *text);
 /* The numbers in single precision, little endian, as one base64 text. */
 void murk_data_floats(murk_data *data, const char *key, const double *value,
                       size_t n);
-/* What was read from a JSON file. A list of more than `most` items becomes
+/* What was read from a JSON file. A list of more than `items_max` items becomes
  * {"of": their number, "first": the first of them}; of a map the first are
  * written. */
 void murk_data_yaml(murk_data *data, const char *key, const murk_yaml *node,
-                    size_t most);
+                    size_t items_max);
 
 #endif

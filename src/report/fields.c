@@ -1,3 +1,6 @@
+/* Grid tallies of a result folder as data of the page: of each band the three
+ * slices through the middle of the grid, thinned to a number of cells that a
+ * map can show, or the cells of a grid that is one line, with their errors. */
 #include "report/fields.h"
 
 #include "base/file.h"
@@ -10,9 +13,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define NAME_SIZE (MURK_SCENE_NAME_SIZE + 8)
-
-#define FILE_SIZE (MURK_SCENE_NAME_SIZE + 16)
+#define NAME_SIZE (MURK_SCENE_NAME_SIZE + 8)  /* of a tally, and ".vdb" */
+#define FILE_SIZE (MURK_SCENE_NAME_SIZE + 16) /* and "_error.vdb" */
 
 /* ---- slices ---- */
 
@@ -46,7 +48,7 @@ static size_t cells_of(const murk_scene_tally *asked, int which)
 }
 
 /* Those that tell something new: of a flat grid the one along it. */
-static bool is_told(const murk_scene_tally *asked, int which)
+static bool is_drawn(const murk_scene_tally *asked, int which)
 {
     const slice *s = &slices[which];
     const size_t *n = asked->size;
@@ -202,6 +204,7 @@ static void add_slice(murk_data *data, const murk_report_fields *all,
         ends[k][0] = along(box.min, axes[k]);
         ends[k][1] = along(box.max, axes[k]);
     }
+    /* the place of the slice, in the middle of its cells */
     char at[32];
     snprintf(at, sizeof at, "%.*g", murk_coordinate_digits(all->scene, 4),
              ends[2][0] + ((double)s->at + 0.5) / (double)f->asked->size[s->w] *
@@ -235,10 +238,11 @@ void murk_report_fields_add(murk_data *data, const murk_report_fields *all)
         if (!f->value || !f->error) {
             murk_data_text(data, "note", f->note);
         }
+        /* the slices that tell something new */
         murk_data_begin(data, "slices", '[');
         for (int which = 0; which < 3 && f->value && f->error; ++which) {
             const slice s = slice_of(f->asked, which);
-            if (is_told(f->asked, which)) {
+            if (is_drawn(f->asked, which)) {
                 add_slice(data, all, f, &s, begin);
             }
             begin += s.size[0] * s.size[1];

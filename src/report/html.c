@@ -162,6 +162,7 @@ void murk_html_estimate(FILE *to, double value, double standard_error)
         murk_html_number(to, value);
         return;
     }
+    /* a common power of ten of both, if one of them needs it */
     const double max = fmax(fabs(value), standard_error);
     const int exponent = (int)floor(log10(max));
     const bool has_power = exponent >= 6 || exponent < -4;
@@ -174,6 +175,7 @@ void murk_html_estimate(FILE *to, double value, double standard_error)
         murk_html_power(to, standard_error, 2);
         return;
     }
+    /* both to the decimals that two digits of the error need */
     const double ten = decimals < 0 ? pow(10, -decimals) : 1;
     const int shown = decimals > 0 ? decimals : 0;
     fputs(has_power ? "(" : "", to);

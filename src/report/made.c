@@ -38,7 +38,7 @@ static void write_file_of(FILE *to, const murk_results_in *results,
 }
 
 /* In a folder that mixes runs, the run of the light is described as well. */
-static bool is_told(const murk_results_in *results, int which)
+static bool is_described(const murk_results_in *results, int which)
 {
     return results->json[which] &&
            (murk_results_is_main(results, (murk_result_file)which) ||
@@ -54,9 +54,10 @@ static bool write_typed(FILE *to, const murk_results_in *results)
         const murk_yaml *root = results->json[i];
         const char *command = murk_result_text(root, "run.command");
         const char *folder = murk_result_text(root, "run.folder");
-        if (!is_told(results, i) || !command) {
+        if (!is_described(results, i) || !command) {
             continue;
         }
+        /* a block that a shell can read, from the folder of each command */
         if (!has_any) {
             fputs("<p>As it was typed. Files are named as seen from the folder "
                   "it was typed in.</p>\n<pre tabindex=\"0\">",
@@ -168,6 +169,7 @@ static void write_run(FILE *to, const char *file, const murk_yaml *root)
         {"murk", "{murk.version$}"},
         {"its commit", "{murk.commit$}"},
         {"compiler", "{murk.compiler$}"}};
+    /* one row for each fact, an en dash where the results have none */
     char caption[64];
     snprintf(caption, sizeof caption, "How %s was made", file);
     begin_table(to, caption, "");
@@ -222,6 +224,7 @@ static void write_files(FILE *to, const char *folder, const char *page)
     begin_table(to, "Files of the folder",
                 "<thead><tr><th scope=\"col\">file</th><th scope=\"col\">bytes"
                 "</th></tr></thead>\n");
+    /* regular files by name, without the page itself */
     for (int i = 0; i < n; ++i) {
         struct stat known;
         const char *name = entry[i]->d_name;
@@ -258,7 +261,7 @@ void murk_report_made(FILE *to, const murk_results_in *results,
           to);
     write_commands(to, results);
     for (int i = 0; i < MURK_RESULT_FILES; ++i) {
-        if (is_told(results, i)) {
+        if (is_described(results, i)) {
             write_run(to, names[i], results->json[i]);
         }
     }

@@ -21,7 +21,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define NAME_SIZE 256
+#define NAME_SIZE 256 /* of a title: longer names are cut at 200 bytes */
 #define FILE_SIZE 176 /* a condition's name and the ending of a file */
 
 /* Bytes of one JSON file in the page; of a longer one, lists are cut to the
@@ -108,26 +108,26 @@ static bool is_of_one_run(const char *key)
 }
 
 static void write_json(murk_data *data, const char *key, const murk_yaml *root,
-                       size_t most)
+                       size_t items_max)
 {
     murk_data_begin(data, key, '{');
     for (size_t i = 0; root->kind == MURK_YAML_MAP && i < root->n; ++i) {
         if (!is_of_one_run(root->key[i])) {
-            murk_data_yaml(data, root->key[i], root->child[i], most);
+            murk_data_yaml(data, root->key[i], root->child[i], items_max);
         }
     }
     murk_data_end(data, '}');
 }
 
 /* True if the file, with lists cut to a length, has few bytes enough. */
-static bool fits(const murk_yaml *root, size_t most)
+static bool fits(const murk_yaml *root, size_t items_max)
 {
     char *text = NULL;
     size_t size = 0;
     FILE *to = open_memstream(&text, &size);
     if (to) {
         murk_data data = {.to = to};
-        write_json(&data, NULL, root, most);
+        write_json(&data, NULL, root, items_max);
         (void)fclose(to);
     }
     free(text);
@@ -181,6 +181,7 @@ static murk_status write_data(FILE *to, const murk_report *c, murk_error *err)
         [MURK_RESULT_FIT] = "fit",
         [MURK_RESULT_LEDGER] = "ledger"};
     const murk_scene_desc *scene = c->fields.scene;
+    /* the main JSON files, those of conditions, what else they depend on */
     murk_data data = murk_data_open(to, "results");
     for (int i = 0; i < MURK_RESULT_FILES; ++i) {
         if (c->results.json[i]) {
@@ -214,6 +215,7 @@ static murk_status write_page(FILE *to, const murk_report *c, murk_error *err)
           "murk " MURK_VERSION ". Results of the folder ",
           to);
     murk_html_text(to, folder_name(&c->results));
+    /* text of the page, then data, then the script that draws it */
     fputs(".</p>\n</header>\n<main id=\"main\" tabindex=\"-1\">\n", to);
     murk_report_summary(to, &c->results);
     murk_status status = murk_report_csv(to, &c->results, err);

@@ -1,3 +1,6 @@
+/* PNG files of a result folder as pictures of the page, with the texts that
+ * murk wrote into them as captions; EXR files, which no browser shows, by name.
+ * What is no PNG, or has improbable edges, is passed over. */
 #include "report/pictures.h"
 
 #include "base/file.h"
@@ -15,11 +18,12 @@
  * shows them. */
 #define EDGE_MAX 8192
 
-#define NAMED_MAX 40 /* EXR files */
+#define NAMED_MAX 40 /* EXR files: a paragraph of names */
 
-/* ---- PNG (ISO/IEC 15948): a signature, then chunks of length, type, data and
- * a checksum ---- */
+/* ---- PNG: a signature, then chunks of length, type, data and a checksum ----
+ */
 
+/* ISO/IEC 15948, 5.2. */
 static const unsigned char signature[8] = {0x89, 'P',  'N',  'G',
                                            '\r', '\n', 0x1a, '\n'};
 
@@ -255,6 +259,7 @@ void murk_report_pictures_write(FILE *to, const murk_report_pictures *pictures)
         }
     }
     fputs("</div>\n", to);
+    /* those that are too large, those beyond a number, EXR files */
     for (size_t i = 0; i < pictures->n; ++i) {
         const murk_report_picture *p = &pictures->picture[i];
         if (!p->bytes) {

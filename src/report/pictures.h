@@ -8,6 +8,9 @@
 #include <stddef.h>
 #include <stdio.h>
 
+/* PNG files that are carried: cameras of a scene, and sensors; more are
+ * counted.
+ */
 #define MURK_REPORT_PICTURES_MAX 8
 
 /* Bytes of all that are carried: a third more in the page, which is to stay

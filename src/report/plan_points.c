@@ -1,3 +1,6 @@
+/* Photons of plan.ply and light.murk for the page: every file is read in
+ * pieces, and of many photons evenly chosen ones are kept, in the order of the
+ * file, in which neighbours are neighbours in space. */
 #include "report/plan_points.h"
 
 #include "base/inputs.h"
@@ -16,51 +19,41 @@
 
 #define TEXT_MAX (HEADER_MAX + 1) /* and the end of the text */
 
-#define HEADER_MAX     2048
-#define REST           14 /* bytes of a vertex behind its place */
-#define SURFACE_PHOTON 1  /* of a vertex's kind */
-#define VOLUME_PHOTON  2
+#define HEADER_MAX     2048 /* bytes, some times as many as murk writes */
+#define REST           14   /* bytes of a vertex behind its place */
+#define SURFACE_PHOTON 1    /* of a vertex's kind */
+#define VOLUME_PHOTON  2    /* likewise */
 
-#define FARTHEST_M      1e12F
-#define LIGHT_MAX_BYTES 2000000000
+#define FARTHEST_M      1e12F      /* as murk_is_shown(), in floats */
+#define LIGHT_MAX_BYTES 2000000000 /* 6e7 photons of 32 bytes */
 
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
                "numbers are read as they lie in the file");
 
-static const char properties[] =
+static const char photon_properties[] =
     "property uchar red\nproperty uchar green\nproperty uchar blue\n"
     "property uchar kind\nproperty ushort seen_by\n"
     "property float quality\nproperty uint sensors\n";
 
-/* Moves behind the header, and says how many vertices it promises. */
-static murk_status read_header(FILE *file, uint64_t *vertices,
-                               const murk_scene_desc *scene, const char *path,
-                               murk_error *err)
+bool murk_ply_begin(FILE *file, uint64_t *vertices, const char *begin,
+                    const char *properties, const murk_scene_desc *scene)
 {
-    static const char begin[] = "ply\nformat binary_little_endian 1.0\n";
     static const char element[] = "\nelement vertex ";
     static const char end[] = "\nend_header\n";
     char text[TEXT_MAX];
-    const size_t size = fread(text, 1, HEADER_MAX, file);
-    text[size] = '\0';
+    text[fread(text, 1, HEADER_MAX, file)] = '\0';
+    /* the number of vertices, and the properties that follow it */
     const char *count = strstr(text, element);
     const char *last = strstr(text, end);
     char *behind = NULL;
-    if (strncmp(text, begin, sizeof begin - 1) == 0 && count && last) {
-        *vertices = strtoull(count + sizeof element - 1, &behind, 10);
-    }
+    *vertices = count ? strtoull(count + sizeof element - 1, &behind, 10) : 0;
     const char *places = murk_place_ply(scene);
     const size_t length = strlen(places);
-    if (!behind || *behind != '\n' ||
-        strncmp(behind + 1, places, length) != 0 ||
-        strncmp(behind + 1 + length, properties, sizeof properties - 1) != 0) {
-        return murk_fail(err, MURK_BAD_FILE, path,
-                         "not a plan.ply of this version of murk");
-    }
-    const long start = (long)(last - text + (long)sizeof end - 1);
-    return fseek(file, start, SEEK_SET) == 0
-               ? MURK_OK
-               : murk_fail(err, MURK_BAD_FILE, path, "%s", strerror(errno));
+    return strncmp(text, begin, strlen(begin)) == 0 && behind && last &&
+           *behind == '\n' && strncmp(behind + 1, places, length) == 0 &&
+           strncmp(behind + 1 + length, properties, strlen(properties)) == 0 &&
+           fseek(file, (long)(last - text) + (long)sizeof end - 1, SEEK_SET) ==
+               0;
 }
 
 typedef struct vertex {
@@ -125,11 +118,15 @@ static murk_status read_points(murk_plan_points *out, FILE *file,
                                size_t max, murk_error *err)
 {
     uint64_t vertices = 0;
-    murk_status status = read_header(file, &vertices, scene, path, err);
-    const long start = ftell(file);
-    if (!status) {
-        status = walk(out, file, vertices, scene, path, err);
+    if (!murk_ply_begin(file, &vertices,
+                        "ply\nformat binary_little_endian 1.0\n",
+                        photon_properties, scene)) {
+        return murk_fail(err, MURK_BAD_FILE, path,
+                         "not a plan.ply of this version of murk");
     }
+    /* photons are counted first, then evenly chosen ones are read */
+    const long start = ftell(file);
+    const murk_status status = walk(out, file, vertices, scene, path, err);
     if (status) {
         return status;
     }

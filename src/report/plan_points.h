@@ -8,6 +8,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 
 typedef struct murk_plan_point {
     float place_m[3];
@@ -36,5 +37,11 @@ murk_status murk_plan_points_of_light(murk_plan_points *out, const char *path,
                                       size_t max, murk_error *err);
 
 void murk_plan_points_release(murk_plan_points *points);
+
+/* Moves behind the header of a binary PLY file that begins with a text, and
+ * whose vertices are a place of the scene followed by these properties, and
+ * finds how many there are. False if the file is another one. */
+bool murk_ply_begin(FILE *file, uint64_t *vertices, const char *begin,
+                    const char *properties, const murk_scene_desc *scene);
 
 #endif

@@ -1,11 +1,11 @@
-/* What studies, fits and explorations leave in space, for the view. */
+/* What studies, fits and explorations leave in space, for the view: sensors of
+ * each row of a study, readings of fit.csv, the stops of path.ply. */
 #include "report/scene.h"
-#include "scene/places.h"
 
 #include "base/file.h"
 #include "base/inputs.h"
+#include "scene/places.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,12 +13,9 @@
 
 #define RECORD_MAX (MURK_PLACE_BYTES_MAX + STOP) /* bytes of a vertex */
 
-#define TEXT_MAX (HEADER_MAX + 1) /* and the end of the text */
-
-#define STOPS_MAX  20000
-#define STOP       6 /* bytes of a vertex of path.ply behind its place */
-#define CORNER     2 /* of a vertex's kind */
-#define HEADER_MAX 2048
+#define STOPS_MAX 20000 /* of a path: 0.5 MB of the page */
+#define STOP      6     /* bytes of a vertex of path.ply behind its place */
+#define CORNER    2     /* of a vertex's kind */
 
 /* ---- studies ---- */
 
@@ -147,6 +144,7 @@ static murk_shown_reading reading_of(const murk_table *table, size_t row)
                    {"standard_error", &r.standard_error},
                    {"predicted", &r.predicted},
                    {"line", &r.line}};
+    /* a cell without a number leaves NaN: not known */
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; ++i) {
         *numbers[i].to =
             number_of(table, row, murk_table_column(table, numbers[i].name));
@@ -170,6 +168,7 @@ murk_status murk_report_read_fit(murk_report_scene *out, const char *folder,
             out, "fit.csv cannot be read, so readings are not shown", &why);
         return MURK_OK;
     }
+    /* readings that have a place, about the scene's local origin */
     const size_t rows = table ? table->rows : 0;
     out->reading = calloc(rows + 1, sizeof *out->reading);
     for (size_t i = 0; out->reading && i < rows; ++i) {
@@ -191,35 +190,6 @@ murk_status murk_report_read_fit(murk_report_scene *out, const char *folder,
 
 /* ---- explorations ---- */
 
-/* Moves behind the header of path.ply, and says how many vertices it has. */
-static uint64_t path_header(FILE *file, const murk_scene_desc *scene)
-{
-    static const char begin[] = "ply\nformat binary_little_endian 1.0\n"
-                                "comment murk path";
-    static const char element[] = "\nelement vertex ";
-    static const char layout[] =
-        "property uchar red\nproperty uchar green\nproperty uchar blue\n"
-        "property uchar kind\nproperty ushort step\n";
-    static const char end[] = "\nend_header\n";
-    char text[TEXT_MAX];
-    text[fread(text, 1, HEADER_MAX, file)] = '\0';
-    const char *count = strstr(text, element);
-    const char *last = strstr(text, end);
-    char *behind = NULL;
-    const uint64_t vertices =
-        count ? strtoull(count + sizeof element - 1, &behind, 10) : 0;
-    const char *places = murk_place_ply(scene);
-    const size_t length = strlen(places);
-    const bool is_path =
-        strncmp(text, begin, sizeof begin - 1) == 0 && behind && last &&
-        *behind == '\n' && strncmp(behind + 1, places, length) == 0 &&
-        strncmp(behind + 1 + length, layout, sizeof layout - 1) == 0;
-    return is_path && fseek(file, (long)(last - text) + (long)sizeof end - 1,
-                            SEEK_SET) == 0
-               ? vertices
-               : 0;
-}
-
 murk_status murk_report_read_path(murk_report_scene *out, const char *folder,
                                   murk_error *err)
 {
@@ -229,13 +199,23 @@ murk_status murk_report_read_path(murk_report_scene *out, const char *folder,
     char *path = murk_path_join(folder, "path.ply");
     FILE *file = path ? murk_inputs_open(path) : NULL;
     out->stop = calloc(STOPS_MAX, sizeof *out->stop);
-    const uint64_t n = file && out->stop ? path_header(file, out->scene) : 0;
+    uint64_t n = 0;
+    const bool is_path =
+        file && out->stop &&
+        murk_ply_begin(file, &n,
+                       "ply\nformat binary_little_endian 1.0\n"
+                       "comment murk path",
+                       "property uchar red\nproperty uchar green\n"
+                       "property uchar blue\nproperty uchar kind\n"
+                       "property ushort step\n",
+                       out->scene);
+    /* corners of the way follow the stops */
     unsigned char bytes[RECORD_MAX];
-    for (uint64_t i = 0; i < n && out->stops < STOPS_MAX; ++i) {
+    for (uint64_t i = 0; is_path && i < n && out->stops < STOPS_MAX; ++i) {
         const size_t place = murk_place_bytes(out->scene);
         if (fread(bytes, place + STOP, 1, file) != 1 ||
             bytes[place + 3] >= CORNER) {
-            break; /* stops come first */
+            break;
         }
         const murk_vec3 at = murk_place_take(out->scene, bytes);
         if (murk_is_shown(at)) {

@@ -1,3 +1,6 @@
+/* Reads the main JSON files of a result folder, refuses those of another
+ * version, and finds files that are not as a run of the folder wrote them, by
+ * the SHA-256 that the JSON files list. */
 #include "report/results_in.h"
 
 #include "base/file.h"
@@ -9,7 +12,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#define PATH_PART_MAX 64
+#define PATH_PART_MAX 64 /* bytes of a key: the longest has some 30 */
 
 static const char *const names[MURK_RESULT_FILES] = {
     [MURK_RESULT_PLAN] = "plan.json",
@@ -163,6 +166,7 @@ murk_status murk_results_read(murk_results_in *out, const char *folder,
     if (!out->whole) {
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the folder");
     }
+    /* each main file that is there; one is enough */
     bool has_any = false;
     for (int i = 0; i < MURK_RESULT_FILES; ++i) {
         const murk_status status = read_json(out, (murk_result_file)i, err);

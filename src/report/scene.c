@@ -1,3 +1,5 @@
+/* Reads what the page shows in space: sensors, the resolved scene, photons of
+ * each condition, and by read.c and world.c the rest. */
 #include "report/scene.h"
 
 #include "base/file.h"
@@ -10,12 +12,12 @@
 
 #define WHAT_SIZE (FILE_NAME_MAX + 64) /* a sentence that names a file */
 
-#define SENSORS_MAX    2000 /* that are drawn */
-#define FILE_NAME_MAX  (MURK_SCENE_NAME_SIZE + 16)
-#define BYTES_A_PHOTON 7 /* in a page, without who sees it */
-#define PHOTON_BYTES   1000000
-#define BITS_MAX_BYTES 4
-#define FARTHEST_M     1e12 /* a place of sense */
+#define SENSORS_MAX    2000 /* that are drawn: 1 MB of the page */
+#define FILE_NAME_MAX  (MURK_SCENE_NAME_SIZE + 16) /* "plan-NAME.ply" */
+#define BYTES_A_PHOTON 7       /* in a page, without who sees it */
+#define PHOTON_BYTES   1000000 /* of a page that stays below 3 MB */
+#define BITS_MAX_BYTES 4       /* plan.ply tells of the first 32 sensors */
+#define FARTHEST_M     1e12    /* a place of sense */
 
 /* ---- the note ---- */
 
@@ -72,6 +74,7 @@ murk_status murk_report_read_sensors(murk_shown_sensor **out, size_t *n,
     if (!sensor) {
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the sensors");
     }
+    /* those that have a place */
     *n = 0;
     for (size_t i = 0; i < asked && *n < SENSORS_MAX; ++i) {
         const murk_yaml *item = list->child[i];
@@ -208,6 +211,7 @@ static murk_status read_all(murk_report_scene *out,
     const murk_yaml *plan = made ? made : results->json[MURK_RESULT_COVERAGE];
     const murk_yaml *study = results->json[MURK_RESULT_STUDY];
     murk_status status = MURK_OK;
+    /* the scene first, since its local origin and its types are needed below */
     read_scene(out, results->folder);
     if (plan) {
         status = read_plan(out, plan, err);

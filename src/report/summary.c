@@ -28,6 +28,7 @@ static void write_effort(FILE *to, const murk_yaml *root,
     const double seconds = murk_result_number(root, "run.seconds.total");
     const char *date = murk_result_text(root, "run.date");
     const bool is_known = isfinite(murk_result_number(root, "photons.emitted"));
+    /* time and memory, photons, who and when */
     fputs("<div><dt>It took</dt><dd>", to);
     murk_html_number(to, seconds < 100 ? round(100 * seconds) / 100
                                        : round(seconds));
@@ -106,6 +107,7 @@ static void explain(FILE *to, const murk_results_in *results)
          "From -1 to 1: how much an error of one value goes along with one of "
          "another. Near ±1 the readings tell only a combination of both."},
         {"held out", "Readings that had no say in the fit, to check it by."}};
+    /* the words of each kind of result that is there */
     const bool has_plan =
         results->json[MURK_RESULT_PLAN] || results->json[MURK_RESULT_COVERAGE];
     const bool has_study = results->json[MURK_RESULT_STUDY] != NULL;

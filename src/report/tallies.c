@@ -17,8 +17,8 @@
 #define TALLIES_MAX    40 /* of the page */
 #define LINES_MAX      8  /* that one plot holds */
 #define BANDS_MAX      16 /* of a scene */
-#define DIRECTIONS_MAX 2
-#define TITLE_SIZE     40
+#define DIRECTIONS_MAX 2  /* forward and backward, up and down */
+#define TITLE_SIZE     40 /* of an axis: one of the four below */
 
 /* Rows of one tally, which follow each other. */
 typedef struct part {
@@ -303,6 +303,7 @@ murk_status murk_report_tallies(murk_data *data, const murk_results_in *results,
     if (status || !table) {
         return status;
     }
+    /* rows of one tally follow each other; what is no tally is passed over */
     bool is_whole = true;
     size_t drawn = 0;
     murk_data_begin(data, "tallies", '[');

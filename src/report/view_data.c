@@ -1,3 +1,6 @@
+/* What the view in space draws, thinned to what a page can carry: the box that
+ * is looked at, triangles, media in cells, photons as whole numbers between the
+ * corners of a box. */
 #include "report/view_data.h"
 
 #include "report/html.h"
@@ -6,11 +9,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define TRIANGLES_MAX 40000
+#define TRIANGLES_MAX 40000  /* 0.5 MB of the page */
 #define CELLS_MAX     128000 /* of all media together */
-#define STEPS         65535
-#define CORNERS_SMALL 65536 /* numbers of corners in two bytes */
-#define BIT_SENSORS   32
+#define STEPS         65535  /* the largest number of two bytes */
+#define CORNERS_SMALL 65536  /* numbers of corners in two bytes */
+#define BIT_SENSORS   32     /* plan.ply tells of so many */
 
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
                "numbers are sent as they lie in memory");
@@ -180,6 +183,7 @@ static bool write_photons(FILE *to, const murk_shown_state *state,
     uint8_t *seen = malloc(points->n + 1);
     uint8_t *who = malloc(bytes * points->n + 1);
     const bool is_whole = place && seen && who;
+    /* places, how many sensors see each, and which of the first 32 */
     for (size_t i = 0; is_whole && i < points->n; ++i) {
         const murk_plan_point *point = &points->point[i];
         const murk_vec3 p = place_of(point);

@@ -6,9 +6,9 @@
 
 #include <math.h>
 
-#define SPHERES_MAX 1000
-#define LAMPS_MAX   1000
-#define DOT_SHARE   400 /* a photon's dot, of the view's size */
+#define SPHERES_MAX 1000 /* some 60 kB of the page */
+#define LAMPS_MAX   1000 /* some 150 kB */
+#define DOT_SHARE   400  /* a photon's dot, of the view's size */
 
 /* Surface photons first, as they lie in plan.ply. */
 static size_t count_on_surfaces(const murk_plan_points *points)
@@ -40,6 +40,7 @@ static void add_sensor(murk_data *item, const murk_report_scene *s,
                             .tilt_rad = radians(sensor->tilt_deg)};
     const murk_sensor_frame frame =
         murk_pose_frame(&pose, s->scene ? s->scene->north : murk_vec(0, 1, 0));
+    /* the pose with its axes, the view, how far it sees, what it covers */
     murk_data_begin(item, NULL, '{');
     murk_data_text(item, "type", sensor->type);
     murk_data_vector(item, "place", sensor->place);

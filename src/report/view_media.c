@@ -1,3 +1,4 @@
+/* Extinction in cells of a box, sampled at their middles. */
 #include "report/view_media.h"
 
 #include "medium/interfaces.h"
@@ -5,8 +6,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#define CELLS_ALONG 64 /* the longest side, at most */
-#define FULL        255
+#define CELLS_ALONG 64  /* the longest side, at most */
+#define FULL        255 /* the largest number of one byte */
 
 static murk_vec3 cell_middle(const murk_view_media *m, size_t i)
 {
@@ -56,6 +57,7 @@ murk_status murk_view_media_make(murk_view_media *out, const murk_media *media,
         free(value);
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the media");
     }
+    /* values first, since bytes are shares of the largest */
     for (size_t i = 0; i < n; ++i) {
         const murk_vec3 p = cell_middle(out, i);
         value[i] =

@@ -1,3 +1,6 @@
+/* Joins corners of triangles on lattices that become coarser, until there are
+ * few enough triangles: vertex clustering (Rossignac, Borrel, in Modeling in
+ * Computer Graphics (1993) 455, doi:10.1007/978-3-642-78114-8_29). */
 #include "report/view_mesh.h"
 
 #include <stdlib.h>
@@ -103,6 +106,7 @@ static size_t cluster(const murk_surfaces *surfaces, size_t n, const lattice *l,
             all[3 * i + k] = key_of(l, corner[k]);
         }
     }
+    /* distinct cells, sorted: the corners that are left */
     memcpy(key, all, 3 * n * sizeof *key);
     qsort(key, 3 * n, sizeof *key, by_key);
     size_t distinct = 0;
@@ -111,6 +115,7 @@ static size_t cluster(const murk_surfaces *surfaces, size_t n, const lattice *l,
             key[distinct++] = key[i];
         }
     }
+    /* triangles that keep three different corners, each of them once */
     size_t kept = 0;
     for (size_t i = 0; i < n; ++i) {
         face f = {.triangle = i};
@@ -142,6 +147,7 @@ static bool take(murk_view_mesh *out, const murk_surfaces *surfaces,
     out->place = malloc((9 * triangles + 1) * sizeof *out->place);
     out->corner = malloc((3 * triangles + 1) * sizeof *out->corner);
     const bool is_whole = sum && out->place && out->corner;
+    /* corners are numbered as they occur; sums of places give their middles */
     for (size_t i = 0; is_whole && i < 3 * triangles; ++i) {
         number[faces[i / 3].corner[i % 3]] = UINT64_MAX;
     }

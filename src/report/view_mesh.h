@@ -10,6 +10,7 @@
 
 #include "geometry/surfaces.h"
 
+/* Whole steps along a side: the largest number of two bytes. */
 #define MURK_VIEW_STEPS 65535
 
 typedef struct murk_view_mesh {
