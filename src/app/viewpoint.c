@@ -97,8 +97,8 @@ static void stand_at_camera(murk_viewpoint *v, const murk_scene_desc *scene,
                                          c->has_to ? murk_sub(c->to, c->from)
                                                    : scene->north,
                                          pixels[0], pixels[1])
-                    : murk_camera_look(c->from, c->to, c->up, c->vfov_rad,
-                                       pixels[0], pixels[1]);
+                    : murk_camera_aimed(c->from, c->to, c->up, c->vfov_rad,
+                                        pixels[0], pixels[1]);
 }
 
 /* Rows that make pixels of a picture so much wider than high square. */

@@ -150,11 +150,11 @@ double murk_balls_memory_for(double n)
 typedef struct asking {
     const murk_balls *balls;
     murk_query_sphere point; /* a ball of radius 0 */
-    murk_balls_told told;
+    murk_balls_visit visit;
     void *context;
 } asking;
 
-static void look_at_sixteen(const asking *a, size_t group)
+static void test_sixteen(const asking *a, size_t group)
 {
     const sixteen *s = &a->balls->ball[group];
     const float x = a->point.center[0], y = a->point.center[1],
@@ -167,12 +167,12 @@ static void look_at_sixteen(const asking *a, size_t group)
     }
     for (size_t i = 0; i < MURK_WIDE; ++i) {
         if (square[i] < 1) {
-            a->told(a->context, group * MURK_WIDE + i, (double)square[i]);
+            a->visit(a->context, group * MURK_WIDE + i, (double)square[i]);
         }
     }
 }
 
-static void look_in_group(const asking *a, unsigned level, size_t group)
+static void search_group(const asking *a, unsigned level, size_t group)
 {
     uint32_t whole;
     uint32_t met = a->balls->test->bounds(a->balls->bounds[level] + group,
@@ -180,24 +180,24 @@ static void look_in_group(const asking *a, unsigned level, size_t group)
     for (; met; met &= met - 1) {
         const size_t box = group * MURK_WIDE + (unsigned)__builtin_ctz(met);
         if (level > 0) {
-            look_in_group(a, level - 1, box);
+            search_group(a, level - 1, box);
         } else {
-            look_at_sixteen(a, box);
+            test_sixteen(a, box);
         }
     }
 }
 
 void murk_balls_at(const murk_balls *balls, murk_vec3 point,
-                   murk_balls_told told, void *context)
+                   murk_balls_visit visit, void *context)
 {
     const asking a = {
         .balls = balls,
         .point = {{(float)point.x, (float)point.y, (float)point.z}, 0},
-        .told = told,
+        .visit = visit,
         .context = context};
     const float *c = a.point.center;
     if (balls->levels > 0 && isfinite(c[0]) && isfinite(c[1]) &&
         isfinite(c[2])) {
-        look_in_group(&a, balls->levels - 1, 0);
+        search_group(&a, balls->levels - 1, 0);
     }
 }

@@ -34,10 +34,10 @@ double murk_balls_memory_for(double n);
 /* Called for each ball that holds the point: the number of the ball, and the
  * squared distance of the point from the center of the ball as a share of the
  * squared radius, below 1. */
-typedef void (*murk_balls_told)(void *context, size_t ball, double square);
+typedef void (*murk_balls_visit)(void *context, size_t ball, double square);
 
-/* Calls `told` for each ball that holds the point, in increasing order. */
+/* Calls `visit` for each ball that holds the point, in increasing order. */
 void murk_balls_at(const murk_balls *balls, murk_vec3 point,
-                   murk_balls_told told, void *context);
+                   murk_balls_visit visit, void *context);
 
 #endif

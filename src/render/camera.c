@@ -2,8 +2,8 @@
  * picture, the place of each direction, and the solid angle of a pixel. */
 #include "render/camera.h"
 
-murk_camera murk_camera_look(murk_vec3 from, murk_vec3 to, murk_vec3 up,
-                             double vfov_rad, size_t width, size_t height)
+murk_camera murk_camera_aimed(murk_vec3 from, murk_vec3 to, murk_vec3 up,
+                              double vfov_rad, size_t width, size_t height)
 {
     const murk_vec3 forward = murk_unit(murk_sub(to, from));
     const murk_vec3 right = murk_unit(murk_cross(forward, up));

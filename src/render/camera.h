@@ -35,8 +35,8 @@ typedef struct murk_camera {
 /* A perspective camera that looks from one point to another, with square
  * pixels. `up` points upwards in the picture as far as the direction allows; it
  * must not be parallel to the direction. */
-murk_camera murk_camera_look(murk_vec3 from, murk_vec3 to, murk_vec3 up,
-                             double vfov_rad, size_t width, size_t height);
+murk_camera murk_camera_aimed(murk_vec3 from, murk_vec3 to, murk_vec3 up,
+                              double vfov_rad, size_t width, size_t height);
 
 /* A perspective camera with the given angles of view, above 0 and below pi,
  * from the left to the right edge and from the lower to the upper edge. The

@@ -34,7 +34,7 @@ static murk_photon point_at(const search *s, size_t x, size_t y)
                               .band = (uint8_t)s->band});
 }
 
-static void look_along_row(void *context, uint64_t batch)
+static void trace_row(void *context, uint64_t batch)
 {
     const search *s = context;
     const size_t width = s->camera->width;
@@ -55,7 +55,7 @@ murk_status murk_points_find(murk_photon **out, size_t *n,
         return murk_fail(err, MURK_NO_MEMORY, "render",
                          "no memory for %zu points", all);
     }
-    murk_pool_run(threads, rows, look_along_row, &s);
+    murk_pool_run(threads, rows, trace_row, &s);
     size_t kept = 0;
     for (size_t i = 0; i < all; ++i) {
         if (murk_photon_power_w(&s.point[i]) > 0) {

@@ -97,7 +97,7 @@ static double take_means(group_sums *s, double n)
 
 /* Distance, position and optical depth of the ray through the center of a
  * pixel. */
-static void look_straight(const run *r, size_t x, size_t y, size_t at)
+static void trace_center(const run *r, size_t x, size_t y, size_t at)
 {
     const murk_camera *c = &r->render->camera;
     murk_image *p = r->picture;
@@ -125,8 +125,8 @@ static double share_of_mean(const murk_camera *c, size_t x, size_t y)
                : 1;
 }
 
-static void look(const run *r, murk_sampler *sampler, size_t x, size_t y,
-                 tile_sums *tile)
+static void render_pixel(const run *r, murk_sampler *sampler, size_t x,
+                         size_t y, tile_sums *tile)
 {
     /* Sums of the pixel: by band, by colour, and by group of photons. */
     const murk_render *render = r->render;
@@ -152,7 +152,7 @@ static void look(const run *r, murk_sampler *sampler, size_t x, size_t y,
         for (int b = 0; b < p->bands; ++b) {
             double one[MURK_GATHER_GROUPS] = {0}; /* contributions of the
                                                    * maps */
-            const murk_found found = murk_sampler_look(
+            const murk_found found = murk_sampler_trace(
                 sampler, number, b, render->camera.from, sight, one);
             const double radiance = found.surface + found.volume;
             take(&band[b], radiance);
@@ -205,10 +205,10 @@ static void look(const run *r, murk_sampler *sampler, size_t x, size_t y,
     if (r->is_lit) {
         r->is_lit[at] = (double)lit >= LIT_SHARE * n * p->bands;
     }
-    look_straight(r, x, y, at);
+    trace_center(r, x, y, at);
 }
 
-static void look_at_tile(void *context, unsigned worker, uint64_t batch)
+static void render_tile(void *context, unsigned worker, uint64_t batch)
 {
     const run *r = context;
     const murk_image *p = r->picture;
@@ -219,8 +219,8 @@ static void look_at_tile(void *context, unsigned worker, uint64_t batch)
             if (murk_interrupted()) {
                 return;
             }
-            look(r, r->sampler[worker], x, y,
-                 r->tile + batch * (size_t)p->bands);
+            render_pixel(r, r->sampler[worker], x, y,
+                         r->tile + batch * (size_t)p->bands);
             murk_progress_add(r->render->samples);
         }
     }
@@ -432,7 +432,7 @@ murk_status murk_render_run(murk_image **out, const murk_render *render,
     if (!status) {
         murk_progress_begin("render", c->width * c->height * render->samples,
                             "rays");
-        murk_pool_run_workers(render->threads, tiles, look_at_tile, &r);
+        murk_pool_run_workers(render->threads, tiles, render_tile, &r);
         murk_progress_end();
         add_up(&r, tiles);
         if (r.is_lit) {

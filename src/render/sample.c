@@ -132,7 +132,8 @@ static void meet_sky(murk_sampler *s, const murk_event *event)
     }
 }
 
-static void hear_leg(void *context, uint64_t batch, const murk_trace_leg *leg)
+static void receive_segment(void *context, uint64_t batch,
+                            const murk_trace_leg *leg)
 {
     murk_sampler *s = context;
     (void)batch;
@@ -242,7 +243,8 @@ static void meet_medium(murk_sampler *s, const murk_event *event)
     }
 }
 
-static void hear_event(void *context, uint64_t batch, const murk_event *event)
+static void receive_event(void *context, uint64_t batch,
+                          const murk_event *event)
 {
     murk_sampler *s = context;
     (void)batch;
@@ -323,8 +325,8 @@ murk_status murk_sampler_create(murk_sampler **out, const murk_scenery *scenery,
     s->purpose = MURK_SHINE + MURK_STREAM * trace->stream;
     murk_trace own = *trace;
     own.world = scenery->world;
-    own.sink = hear_event;
-    own.leg = hear_leg;
+    own.sink = receive_event;
+    own.leg = receive_segment;
     own.context = s;
     const murk_status status = murk_follower_create(&s->follower, &own, err);
     if (status) {
@@ -345,9 +347,9 @@ void murk_sampler_destroy(murk_sampler *sampler)
     }
 }
 
-murk_found murk_sampler_look(murk_sampler *s, uint64_t number, int band,
-                             murk_vec3 from, murk_vec3 sight,
-                             double group[MURK_GATHER_GROUPS])
+murk_found murk_sampler_trace(murk_sampler *s, uint64_t number, int band,
+                              murk_vec3 from, murk_vec3 sight,
+                              double group[MURK_GATHER_GROUPS])
 {
     s->number = number;
     s->group = group;

@@ -52,9 +52,9 @@ void murk_sampler_destroy(murk_sampler *sampler); /* NULL is fine */
 
 /* Traces one ray; `number` addresses the random numbers. Contributions of the
  * maps are added to group[]; by paths it is not used. */
-murk_found murk_sampler_look(murk_sampler *sampler, uint64_t number, int band,
-                             murk_vec3 from, murk_vec3 sight,
-                             double group[MURK_GATHER_GROUPS]);
+murk_found murk_sampler_trace(murk_sampler *sampler, uint64_t number, int band,
+                              murk_vec3 from, murk_vec3 sight,
+                              double group[MURK_GATHER_GROUPS]);
 
 /* The number of rays so far that were lost to limits or rounding. */
 uint64_t murk_sampler_lost(const murk_sampler *sampler);

@@ -82,8 +82,8 @@ static murk_image *taken(uint32_t seed, murk_render_method method)
     const murk_trace trace = murk_stage_trace(stage);
     const murk_render render = {
         .trace = &trace,
-        .camera = murk_camera_look(murk_vec(1, 2, 2), murk_vec(4, 2.2, 1.8),
-                                   murk_vec(0, 0, 1), 1.5, WIDTH, HEIGHT),
+        .camera = murk_camera_aimed(murk_vec(1, 2, 2), murk_vec(4, 2.2, 1.8),
+                                    murk_vec(0, 0, 1), 1.5, WIDTH, HEIGHT),
         .samples = 16,
         .method = method,
         .surface = traced->surface,

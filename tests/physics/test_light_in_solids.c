@@ -41,8 +41,8 @@ static murk_image *taken(const murk_stage *stage, const murk_traced *traced,
     const murk_trace trace = murk_stage_trace(stage);
     const murk_render render = {
         .trace = &trace,
-        .camera = murk_camera_look(murk_vec(1.2, 1.2, 1.5), murk_vec(2, 2, 1),
-                                   murk_vec(0, 0, 1), 0.5, 16, 12),
+        .camera = murk_camera_aimed(murk_vec(1.2, 1.2, 1.5), murk_vec(2, 2, 1),
+                                    murk_vec(0, 0, 1), 0.5, 16, 12),
         .samples = samples,
         .method = method,
         .surface = traced->surface,

@@ -195,8 +195,8 @@ static murk_image *taken(const view *v, const murk_stage *stage,
     const murk_camera camera =
         v->is_round
             ? murk_camera_around(v->from, murk_vec(1, 0, 0), WIDTH, HEIGHT)
-            : murk_camera_look(v->from, v->to, murk_vec(0, 0, 1), 1, WIDTH,
-                               HEIGHT);
+            : murk_camera_aimed(v->from, v->to, murk_vec(0, 0, 1), 1, WIDTH,
+                                HEIGHT);
     const murk_render render = {.trace = &trace,
                                 .camera = camera,
                                 .samples = samples,

@@ -90,7 +90,7 @@ static murk_image *taken(const view *v, const murk_stage *stage, size_t samples,
     murk_trace trace = murk_stage_trace(stage);
     trace.seed = seed;
     return picture_of_trace(
-        (murk_render){.camera = murk_camera_look(
+        (murk_render){.camera = murk_camera_aimed(
                           v->from, v->to, murk_vec(0, 0, 1), 1, WIDTH, HEIGHT),
                       .samples = samples,
                       .method = MURK_BY_PATHS,

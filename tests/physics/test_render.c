@@ -68,8 +68,8 @@ static murk_image *taken(const murk_stage *stage, const taking *t)
     const murk_trace trace = murk_stage_trace(stage);
     const murk_render render = {
         .trace = &trace,
-        .camera = murk_camera_look(t->from, t->to, murk_vec(0, 0, 1),
-                                   t->vfov_rad, t->width, t->height),
+        .camera = murk_camera_aimed(t->from, t->to, murk_vec(0, 0, 1),
+                                    t->vfov_rad, t->width, t->height),
         .samples = t->samples,
         .method = MURK_BY_PATHS,
         .from_nm = {550},

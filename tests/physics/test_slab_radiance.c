@@ -78,8 +78,9 @@ static murk_camera looking(bool is_below, double angle_deg)
     /* the same picture, from within the domain */
     const double shift = -PERIOD * floor(from.x / PERIOD);
     from.x += shift;
-    return murk_camera_look(from, murk_vec(ahead.x + shift, ahead.y, ahead.z),
-                            murk_vec(0, 1, 0), PERIOD / AWAY_M, PIXELS, PIXELS);
+    return murk_camera_aimed(from, murk_vec(ahead.x + shift, ahead.y, ahead.z),
+                             murk_vec(0, 1, 0), PERIOD / AWAY_M, PIXELS,
+                             PIXELS);
 }
 
 static radiances seen(murk_render_method method, const char *override,

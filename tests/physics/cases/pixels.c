@@ -71,8 +71,8 @@ static murk_image *taken(const validation *v, const view *of,
     trace.seed = seed;
     return picture_of_trace(
         (murk_render){.camera =
-                          murk_camera_look(of->from, of->to, murk_vec(0, 0, 1),
-                                           1, WIDTH, HEIGHT),
+                          murk_camera_aimed(of->from, of->to, murk_vec(0, 0, 1),
+                                            1, WIDTH, HEIGHT),
                       .samples = SAMPLES,
                       .method = MURK_BY_PATHS,
                       .threads = validation_threads(v)},

@@ -105,7 +105,8 @@ static size_t index_of(uint8_t medium)
     return medium == 2 ? 0 : medium == 0 ? 1 : 2;
 }
 
-static void hear_leg(void *context, uint64_t batch, const murk_trace_leg *leg)
+static void receive_segment(void *context, uint64_t batch,
+                            const murk_trace_leg *leg)
 {
     told *t = context;
     (void)batch;
@@ -147,7 +148,8 @@ static void hear_record(told *t, const murk_event *event)
     t->wrong_turn += c->turns != t->turns;
 }
 
-static void hear_event(void *context, uint64_t batch, const murk_event *event)
+static void receive_event(void *context, uint64_t batch,
+                          const murk_event *event)
 {
     told *t = context;
     (void)batch;
@@ -179,8 +181,8 @@ static void test_records_know_their_paths(const murk_stage *stage,
     CHECK(!murk_ledger_create(&ledger, &stage->world, &err));
     murk_trace trace = murk_stage_trace(stage);
     trace.last = PHOTONS;
-    trace.sink = hear_event;
-    trace.leg = hear_leg;
+    trace.sink = receive_event;
+    trace.leg = receive_segment;
     trace.context = &t;
     murk_trace_run(&trace, ledger);
     CHECK(t.records > 20000);

@@ -83,7 +83,7 @@ static void check_patch(const char *name, const test_setup *wanted,
     setup.n_lights = 1;
     test_world world = test_world_made(&setup);
     murk_image *p =
-        taken(&world, &(murk_render){.camera = murk_camera_look(
+        taken(&world, &(murk_render){.camera = murk_camera_aimed(
                                          murk_vec(0, 0, 0.5), murk_vec(0, 0, 0),
                                          murk_vec(0, 1, 0), 0.002, 8, 8),
                                      .samples = 4000,
@@ -214,7 +214,7 @@ static murk_image *by_maps(const murk_photon_map *map,
                       .regions = &all,
                       .n_regions = 1});
     murk_image *p =
-        taken(&world, &(murk_render){.camera = murk_camera_look(
+        taken(&world, &(murk_render){.camera = murk_camera_aimed(
                                          murk_vec(0, 0, 1), murk_vec(0, 0, 0),
                                          murk_vec(0, 1, 0), 0.6, 6, 4),
                                      .samples = 8,

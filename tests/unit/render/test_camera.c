@@ -6,8 +6,8 @@
 static void test_a_picture_is_upright(void)
 {
     const murk_camera c =
-        murk_camera_look(murk_vec(1, 2, 3), murk_vec(1, 9, 3),
-                         murk_vec(0, 0, 1), MURK_PI / 2, 200, 100);
+        murk_camera_aimed(murk_vec(1, 2, 3), murk_vec(1, 9, 3),
+                          murk_vec(0, 0, 1), MURK_PI / 2, 200, 100);
     const murk_vec3 middle = murk_camera_sight(&c, 100, 50);
     CHECK_NEAR(middle.y, 1, 1e-15);
     /* north ahead, so east is to the right; half the angle is 45 degrees */
@@ -23,8 +23,8 @@ static murk_camera camera_of(int which)
     const double h = 1.2;
     switch (which) {
     case 0:
-        return murk_camera_look(from, murk_vec(4, -1, 2), murk_vec(0, 0, 1), h,
-                                17, 12);
+        return murk_camera_aimed(from, murk_vec(4, -1, 2), murk_vec(0, 0, 1), h,
+                                 17, 12);
     case 1:
         return murk_camera_view(from, murk_unit(murk_vec(1, 1, 0)),
                                 murk_unit(murk_vec(1, -1, 0)), 2 * h, h, 24,

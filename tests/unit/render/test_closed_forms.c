@@ -34,7 +34,7 @@ static murk_camera tolerance(murk_vec3 from, murk_vec3 to)
     const murk_vec3 up = fabs(way.z) > fabs(way.x) + fabs(way.y)
                              ? murk_vec(0, 1, 0)
                              : murk_vec(0, 0, 1);
-    return murk_camera_look(from, to, up, 0.002, 8, 8);
+    return murk_camera_aimed(from, to, up, 0.002, 8, 8);
 }
 
 static bool is_met(const murk_image *p, double want, double allowed)
@@ -245,7 +245,7 @@ static void test_the_mean_knows_its_error(void)
                       .n_media = 1,
                       .regions = &all,
                       .n_regions = 1});
-    const murk_camera camera = murk_camera_look(
+    const murk_camera camera = murk_camera_aimed(
         murk_vec(0, 0, 0), murk_vec(1, 0, 0), murk_vec(0, 0, 1), 0.01, 64, 64);
     murk_image *p = taken(&world, camera, 4);
     const double want = sqrt(q * (1 - q) / (4 * 64 * 64));
@@ -449,8 +449,8 @@ static void test_a_periodic_furnace(void)
                                  .n_media = 1,
                                  .regions = &all,
                                  .n_regions = 1},
-                   murk_camera_look(murk_vec(1, 2, 2), murk_vec(4, 3, 2.5),
-                                    murk_vec(0, 0, 1), 1, 16, 12),
+                   murk_camera_aimed(murk_vec(1, 2, 2), murk_vec(4, 3, 2.5),
+                                     murk_vec(0, 0, 1), 1, 16, 12),
                    samples, 1 / (MURK_PI * (1 - DIFFUSE)), ALLOWED);
     /* the noise of one sample a pixel */
     CHECK(share * sqrt((double)samples) < 0.0707);

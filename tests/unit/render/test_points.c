@@ -92,10 +92,10 @@ static void test_water_hides_its_ground(void)
     murk_photon point[ROWS * COLUMNS];
     const murk_vec3 down = {0, 0, -1}, north = {0, 1, 0};
     const murk_camera above =
-        murk_camera_look(murk_vec(0, 0, 1), down, north, 1, COLUMNS, ROWS);
+        murk_camera_aimed(murk_vec(0, 0, 1), down, north, 1, COLUMNS, ROWS);
     CHECK(found(&world, above, point) == 0);
     const murk_camera below =
-        murk_camera_look(murk_vec(0, 0, -0.5), down, north, 1, COLUMNS, ROWS);
+        murk_camera_aimed(murk_vec(0, 0, -0.5), down, north, 1, COLUMNS, ROWS);
     CHECK(found(&world, below, point) == ROWS * COLUMNS);
     test_world_unmade(&world);
 }
@@ -110,8 +110,8 @@ static void test_points_lie_in_the_domain(void)
                           .surfaces = &floor,
                           .n_surfaces = 1});
     const murk_camera c =
-        murk_camera_look(murk_vec(0, 0, 1), murk_vec(6, 1, 0),
-                         murk_vec(0, 0, 1), 0.2, COLUMNS, ROWS);
+        murk_camera_aimed(murk_vec(0, 0, 1), murk_vec(6, 1, 0),
+                          murk_vec(0, 0, 1), 0.2, COLUMNS, ROWS);
     murk_photon point[ROWS * COLUMNS];
     const size_t n = found(&world, c, point);
     CHECK(n == ROWS * COLUMNS);

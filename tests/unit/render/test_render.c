@@ -48,8 +48,8 @@ static void test_a_closed_ball_glows_evenly(void)
     const double limit = murk_sidak_limit(1e-6, ZTESTS);
     test_world world = hollow_ball(0.7);
     const murk_camera camera =
-        murk_camera_look(murk_vec(0.5, 0.1, 0), murk_vec(0, 1, 0.3),
-                         murk_vec(0, 0, 1), 1.5, 20, 16);
+        murk_camera_aimed(murk_vec(0.5, 0.1, 0), murk_vec(0, 1, 0.3),
+                          murk_vec(0, 0, 1), 1.5, 20, 16);
     murk_image *p = taken(&world, camera, 64, 2);
     CHECK_WITHIN(limit, p->mean[0], ball_radiance(0.7), p->mean_error[0]);
     CHECK(sigmas_off(p->mean[0], ball_radiance(0.72), p->mean_error[0]) >
@@ -89,7 +89,7 @@ static void test_radiance_grows_by_the_square_of_the_index(void)
                       .n_media = 1,
                       .regions = &sea,
                       .n_regions = 1});
-    const murk_camera camera = murk_camera_look(
+    const murk_camera camera = murk_camera_aimed(
         murk_vec(0, 0, -1), murk_vec(0, 0, 1), murk_vec(0, 1, 0), 0.01, 8, 8);
     murk_image *p = taken(&world, camera, 256, 1);
     const double back = (n - 1) / (n + 1) * (n - 1) / (n + 1);
@@ -120,7 +120,7 @@ static void test_a_lamp_dims_by_the_depth_before_it(void)
                       .n_media = 1,
                       .regions = &all,
                       .n_regions = 1});
-    const murk_camera camera = murk_camera_look(
+    const murk_camera camera = murk_camera_aimed(
         murk_vec(0, 0, 0), murk_vec(1, 0, 0), murk_vec(0, 0, 1), 0.01, 16, 16);
     murk_image *p = taken(&world, camera, 64, 1);
     CHECK_WITHIN(limit, p->mean[0], exp(-1.5), p->mean_error[0]);
@@ -134,8 +134,8 @@ static void test_the_same_on_any_threads(void)
 {
     test_world world = hollow_ball(0.7);
     const murk_camera camera =
-        murk_camera_look(murk_vec(0.5, 0.1, 0), murk_vec(0, 1, 0.3),
-                         murk_vec(0, 0, 1), 1.5, 50, 37);
+        murk_camera_aimed(murk_vec(0.5, 0.1, 0), murk_vec(0, 1, 0.3),
+                          murk_vec(0, 0, 1), 1.5, 50, 37);
     murk_image *one = taken(&world, camera, 2, 1);
     for (unsigned threads = 2; threads <= 5; threads += 3) {
         murk_image *more = taken(&world, camera, 2, threads);
