@@ -9,7 +9,7 @@
 
 struct murk_follower {
     murk_trace trace;
-    murk_walk_setup course;
+    murk_walk_setup setup;
     murk_sums sums; /* read by nobody: a ray's quanta are no light */
     murk_tally *absorber;
     double (*busy)[2]; /* heights that are not free */
@@ -34,22 +34,22 @@ murk_status murk_follower_create(murk_follower **out, const murk_trace *trace,
     f->trace = *trace;
     f->trace.tallies = NULL;
     f->events_max = trace->events_max;
-    f->course = murk_course_of(&f->trace);
+    f->setup = murk_walk_setup_of(&f->trace);
     f->absorber = absorber;
     /* The heights of a periodic domain that a ray must not jump over. */
     const murk_status status =
-        murk_jump_heights(&f->busy, &f->course.n_busy, world, err);
+        murk_jump_heights(&f->busy, &f->setup.n_busy, world, err);
     if (status) {
         murk_follower_destroy(f);
         return status;
     }
-    f->course.busy = (const double(*)[2])f->busy;
-    f->course.jumps = world->domain.is_periodic;
+    f->setup.busy = (const double(*)[2])f->busy;
+    f->setup.jumps = world->domain.is_periodic;
     /* Sums for the walk to add to. */
     f->sums.absorber = absorber;
     f->sums.materials = materials;
     f->sums.absorbers = absorbers;
-    f->sums.are_legs_wanted = trace->leg != NULL;
+    f->sums.are_segments_wanted = trace->leg != NULL;
     *out = f;
     return MURK_OK;
 }
@@ -68,7 +68,7 @@ void murk_follow(murk_follower *follower, uint64_t number, int band,
 {
     follower->trace.events_max = follower->events_max;
     const murk_ray ray = {.origin = origin, .direction = direction};
-    murk_walk_from(&follower->course, &follower->sums, number, band, ray);
+    murk_walk_from(&follower->setup, &follower->sums, number, band, ray);
 }
 
 /* Any event is then one too many. */

@@ -45,6 +45,8 @@ murk_status murk_jump_heights(double (**out)[2], size_t *n,
         return murk_fail(err, MURK_NO_MEMORY, "render",
                          "no memory for the heights of %zu lights", lights);
     }
+    /* The heights of surfaces, bounded regions and lamps, grown by what
+     * rounding moves them. */
     const double grow =
         GROWN_BY * murk_box_largest_coordinate(&world->domain.box);
     const murk_box surfaces = murk_surfaces_describe(world->surfaces).bounds_m;
@@ -62,15 +64,16 @@ murk_status murk_jump_heights(double (**out)[2], size_t *n,
 
 double murk_jump_ahead(const murk_walker *w)
 {
-    const murk_walk_setup *course = w->course;
+    const murk_walk_setup *setup = w->setup;
     const double z = w->path.position.z, dz = w->path.direction.z;
-    if (w->wraps < WRAPS_BEFORE || !course->jumps || dz == 0) {
+    if (w->wraps < WRAPS_BEFORE || !setup->jumps || dz == 0) {
         return 0;
     }
-    const murk_path_sides *sides = &course->space.sides;
+    /* The jump ends at the next height that is not free. */
+    const murk_path_sides *sides = &setup->space.sides;
     double end = sides->z[dz > 0];
-    for (size_t i = 0; i < course->n_busy; ++i) {
-        const double *busy = course->busy[i];
+    for (size_t i = 0; i < setup->n_busy; ++i) {
+        const double *busy = setup->busy[i];
         if (z > busy[0] && z < busy[1]) {
             return 0;
         }
@@ -97,11 +100,11 @@ static double brought_back(double x, const double side[2])
 
 void murk_jump(murk_walker *w, double length_m)
 {
-    const murk_path_sides *sides = &w->course->space.sides;
+    const murk_path_sides *sides = &w->setup->space.sides;
     const murk_vec3 from = w->path.position;
     murk_vec3 end = murk_along(from, length_m, w->path.direction);
     end.z = murk_path_side_hold(end.z, sides->z);
-    if (w->sums->are_legs_wanted) {
+    if (w->sums->are_segments_wanted) {
         murk_walker_score(w, from, length_m, w->quanta, end, 0);
     }
     w->path.position = end;

@@ -39,20 +39,22 @@ bool murk_meet_boundary(murk_walker *w, const murk_path_boundary *ahead,
 {
     const murk_boundary *b = &ahead->met;
     const murk_vec3 arriving = w->path.direction;
+    /* Move to the boundary. */
     const double lead =
         murk_dot(murk_sub(w->probe, w->path.position), arriving);
     const murk_vec3 from = w->path.position;
     w->path.position = murk_path_sides_hold(
-        &w->course->space.sides, murk_along(from, b->distance_m, arriving));
-    if (w->sums->are_legs_wanted) {
+        &w->setup->space.sides, murk_along(from, b->distance_m, arriving));
+    if (w->sums->are_segments_wanted) {
         murk_walker_score(w, from, b->distance_m, w->quanta, w->path.position,
-                          w->course->in_plane_m);
+                          w->setup->in_plane_m);
     }
     if (!(lead > b->distance_m)) {
         w->probe = w->path.position;
     }
+    /* The index on either side; equal indices bend nothing. */
     const murk_inside beyond = w->path.inside ^ b->crossed;
-    w->path.skip_m = ahead->has_mesh ? w->course->space.near_m : 0;
+    w->path.skip_m = ahead->has_mesh ? w->setup->space.near_m : 0;
     const double n_from = murk_walker_index(w, &w->solids, w->path.inside);
     const double n_to = murk_walker_index(w, &w->solids, beyond);
     if (n_from == n_to) {
@@ -60,6 +62,7 @@ bool murk_meet_boundary(murk_walker *w, const murk_path_boundary *ahead,
         w->silent_m += b->distance_m;
         return true;
     }
+    /* Reflect or refract. */
     murk_bounce bent;
     if (!bounce_at(w, b, n_from, n_to, &bent)) {
         *ended = murk_walker_lose(w, MURK_LOSS_EVENTS);
@@ -74,11 +77,12 @@ bool murk_meet_boundary(murk_walker *w, const murk_path_boundary *ahead,
         event.path_m = b->distance_m;
         murk_walker_tell(w, &event);
     }
+    /* Go on on that side. */
     w->path.direction = bent.direction;
     if (bent.outcome == MURK_TRANSMITTED) {
         w->path.inside = beyond;
     } else if (ahead->has_mesh) {
-        w->path.skip_m = REFLECTED_SKIP * w->course->space.near_m;
+        w->path.skip_m = REFLECTED_SKIP * w->setup->space.near_m;
     }
     note_specular(w);
     return true;
@@ -87,12 +91,13 @@ bool murk_meet_boundary(murk_walker *w, const murk_path_boundary *ahead,
 bool murk_meet_surface(murk_walker *w, const murk_hit *hit, double path_m,
                        murk_inside crossed, murk_fate *ended)
 {
-    const murk_surfaces *surfaces = w->course->world->surfaces;
+    const murk_surfaces *surfaces = w->setup->world->surfaces;
     const murk_material *material =
         murk_surfaces_material(surfaces, hit->material);
     murk_path_solids beyond = w->solids;
     murk_inside inside = w->path.inside;
     double n_from = 0, n_to = 0;
+    /* At the boundary of a solid: the index on either side. */
     if (hit->solid && material->ior > 0) {
         if (!murk_path_solids_cross(&beyond, hit->solid, material->ior)) {
             *ended = murk_walker_lose(w, MURK_LOSS_NUMERICAL);
@@ -102,14 +107,17 @@ bool murk_meet_surface(murk_walker *w, const murk_hit *hit, double path_m,
         n_from = murk_walker_index(w, &w->solids, w->path.inside);
         n_to = murk_walker_index(w, &beyond, inside);
     }
+    /* Move to the surface. */
     const murk_vec3 place =
         murk_along(w->probe, hit->distance_m, w->path.direction);
-    if (w->sums->are_legs_wanted) {
+    if (w->sums->are_segments_wanted) {
         murk_walker_score(w, w->path.position, path_m, w->quanta, place,
-                          w->course->in_plane_m);
+                          w->setup->in_plane_m);
     }
     w->path.position = place;
     w->absorber = hit->material;
+    /* Split the packet, or leave the absorbed share to the roulette of the
+     * surface. */
     murk_random4 random = murk_walker_draw(w, MURK_SURFACE);
     const int64_t before = w->quanta;
     const double kept = material->diffuse.band[w->band] +
@@ -119,6 +127,7 @@ bool murk_meet_surface(murk_walker *w, const murk_hit *hit, double path_m,
                                        w->absorber)) {
         random.u[0] = w->quanta > 0 ? random.u[0] * kept : 1;
     }
+    /* Draw the outcome, and tell the event. */
     const murk_bounce b =
         murk_surface_bounce(material, w->band, n_from, n_to, w->path.direction,
                             hit->normal, random.u);
@@ -139,6 +148,7 @@ bool murk_meet_surface(murk_walker *w, const murk_hit *hit, double path_m,
     if (b.outcome == MURK_ABSORBED) {
         return false;
     }
+    /* Go on from a place clear of the surface. */
     const bool through = b.outcome == MURK_TRANSMITTED;
     w->is_beyond = through;
     if (through) {
@@ -166,18 +176,18 @@ bool murk_meet_mesh_beyond(murk_walker *w, const murk_hit *hit,
             return false;
         }
     }
-    w->path.skip_m = w->course->space.near_m /
-                     fabs(murk_dot(w->path.direction, hit->normal));
+    w->path.skip_m =
+        w->setup->space.near_m / fabs(murk_dot(w->path.direction, hit->normal));
     return true;
 }
 
 void murk_walker_enter(murk_walker *w)
 {
-    w->probe = murk_along(w->path.position, -w->course->space.margin_m,
+    w->probe = murk_along(w->path.position, -w->setup->space.margin_m,
                           w->path.direction);
-    if (w->course->space.any_solids) {
-        w->solids = murk_path_solids_around(w->course->world->surfaces,
-                                            w->probe, w->path.direction);
+    if (w->setup->space.any_solids) {
+        w->solids = murk_path_solids_around(w->setup->world->surfaces, w->probe,
+                                            w->path.direction);
     }
 }
 
@@ -185,7 +195,7 @@ void murk_walker_enter(murk_walker *w)
 static murk_vec3 beyond_side(const murk_walker *w, int axis, bool upper)
 {
     const double step =
-        upper ? w->course->space.margin_m : -w->course->space.margin_m;
+        upper ? w->setup->space.margin_m : -w->setup->space.margin_m;
     return murk_add(w->path.position,
                     murk_vec(axis == 0 ? step : 0, axis == 1 ? step : 0,
                              axis == 2 ? step : 0));
@@ -193,19 +203,21 @@ static murk_vec3 beyond_side(const murk_walker *w, int axis, bool upper)
 
 bool murk_meet_side(murk_walker *w, double path_m, murk_fate *ended)
 {
-    const murk_path_sides *sides = &w->course->space.sides;
+    const murk_path_sides *sides = &w->setup->space.sides;
     const murk_vec3 d = w->path.direction;
     const int axis = murk_path_sides_axis(sides, w->path.position, d);
     const bool upper = (axis == 0 ? d.x : axis == 1 ? d.y : d.z) > 0;
-    const bool wraps = w->course->world->domain.is_periodic && axis != 2;
+    const bool wraps = w->setup->world->domain.is_periodic && axis != 2;
+    /* Move to the side. */
     const murk_vec3 from = w->path.position;
     w->path.position = murk_path_sides_hold(sides, murk_along(from, path_m, d));
     murk_path_sides_put(sides, axis, upper, &w->path.position);
-    if (w->sums->are_legs_wanted) {
+    if (w->sums->are_segments_wanted) {
         murk_walker_score(w, from, path_m, w->quanta,
                           beyond_side(w, axis, upper), 0);
     }
-    if (wraps && w->wraps >= w->course->trace->wraps_max) {
+    /* Light wraps a limited number of times. */
+    if (wraps && w->wraps >= w->setup->trace->wraps_max) {
         *ended = murk_walker_lose(w, MURK_LOSS_WRAPS);
         return false;
     }
@@ -216,6 +228,7 @@ bool murk_meet_side(murk_walker *w, double path_m, murk_fate *ended)
         event.path_m = path_m;
         murk_walker_tell(w, &event);
     }
+    /* Escape, or enter through the opposite side. */
     *ended = MURK_FATE_ESCAPED;
     if (!wraps) {
         return false;
@@ -226,9 +239,9 @@ bool murk_meet_side(murk_walker *w, double path_m, murk_fate *ended)
         murk_score_jump(w->sums->scorer,
                         (murk_station){beyond_side(w, axis, !upper), 0});
     }
-    if (w->course->space.any_boundaries) {
+    if (w->setup->space.any_boundaries) {
         w->path.inside = murk_path_inside_wrapped(
-            &w->course->space, w->path.inside, w->path.position, axis);
+            &w->setup->space, w->path.inside, w->path.position, axis);
     }
     murk_walker_enter(w);
     return true;

@@ -86,8 +86,9 @@ void murk_score_jump(murk_scorer *scorer, murk_station at)
     }
 }
 
-void murk_score_leg(murk_scorer *scorer, murk_vec3 from, murk_vec3 direction,
-                    double length_m, double quanta, murk_station at)
+void murk_score_segment(murk_scorer *scorer, murk_vec3 from,
+                        murk_vec3 direction, double length_m, double quanta,
+                        murk_station at)
 {
     const murk_tallies *t = scorer->tallies;
     for (size_t i = 0; i < t->planes; ++i) {

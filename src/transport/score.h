@@ -89,8 +89,9 @@ void murk_score_start(murk_scorer *scorer, size_t channel, murk_station at);
 
 /* Adds a straight segment along a unit direction with a number of quanta; as a
  * link of the chain, the segment ends at `at`. */
-void murk_score_leg(murk_scorer *scorer, murk_vec3 from, murk_vec3 direction,
-                    double length_m, double quanta, murk_station at);
+void murk_score_segment(murk_scorer *scorer, murk_vec3 from,
+                        murk_vec3 direction, double length_m, double quanta,
+                        murk_station at);
 
 /* Continues the chain at another position, after a periodic side. */
 void murk_score_jump(murk_scorer *scorer, murk_station at);

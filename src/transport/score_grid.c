@@ -11,22 +11,22 @@
  * domain stays in one layer of cells, and the inverse would be infinite. */
 #define STILL 1e-290
 
-typedef struct way {
+typedef struct axis_walk {
     double at, pace, per_pace; /* in cells; pace: cells per metre */
     int64_t cell, step;
     int64_t stride; /* to the next cell ahead */
     double next_m;  /* distance to the face ahead */
-} way;
+} axis_walk;
 
-static inline void see_ahead(way *w)
+static inline void see_ahead(axis_walk *w)
 {
     w->next_m = ((double)(w->cell + (w->step > 0)) - w->at) * w->per_pace;
 }
 
-static inline way way_of(double at, double pace, double start_m, uint32_t size,
-                         uint32_t stride)
+static inline axis_walk axis_walk_of(double at, double pace, double start_m,
+                                     uint32_t size, uint32_t stride)
 {
-    way w = {.at = at, .pace = pace, .next_m = INFINITY};
+    axis_walk w = {.at = at, .pace = pace, .next_m = INFINITY};
     const double cell = floor(at + pace * start_m);
     w.cell = cell >= (double)size ? (int64_t)size - 1
              : cell > 0           ? (int64_t)cell
@@ -49,18 +49,21 @@ static inline uint32_t cell_at(const murk_lattice *lattice, int64_t x,
 }
 
 static void cross_cells(murk_scorer *scorer, const murk_lattice *lattice,
-                        way w[3], double t, double end_m, double quanta_per_m)
+                        axis_walk w[3], double t, double end_m,
+                        double quanta_per_m)
 {
     int64_t cell = cell_at(lattice, w[0].cell, w[1].cell, w[2].cell);
     for (;;) {
+        /* The face that the segment meets next. */
         const int nearest = w[0].next_m < w[1].next_m
                                 ? (w[0].next_m < w[2].next_m ? 0 : 2)
                                 : (w[1].next_m < w[2].next_m ? 1 : 2);
-        way *const ahead = &w[nearest];
+        axis_walk *const ahead = &w[nearest];
         const int64_t next = ahead->cell + ahead->step;
         const bool is_last = !(ahead->next_m < end_m) ||
                              (uint64_t)next >= lattice->size[nearest];
         const double until = is_last ? end_m : ahead->next_m;
+        /* Score the length within the cell, then enter the next one. */
         if (until > t) {
             murk_score_add(scorer, (uint32_t)cell, (until - t) * quanta_per_m);
             t = until;
@@ -120,8 +123,8 @@ void murk_score_lattice(murk_scorer *scorer, const murk_lattice *lattice,
         return;
     }
     const uint32_t *const n = lattice->size;
-    way w[3] = {way_of(at[0], pace[0], begin_m, n[0], 1),
-                way_of(at[1], pace[1], begin_m, n[1], n[0]),
-                way_of(at[2], pace[2], begin_m, n[2], n[0] * n[1])};
+    axis_walk w[3] = {axis_walk_of(at[0], pace[0], begin_m, n[0], 1),
+                      axis_walk_of(at[1], pace[1], begin_m, n[1], n[0]),
+                      axis_walk_of(at[2], pace[2], begin_m, n[2], n[0] * n[1])};
     cross_cells(scorer, lattice, w, begin_m, end_m, quanta_per_m);
 }

@@ -32,7 +32,7 @@
 
 /* The largest number of segments of a photon: sums hold 2^32 photons with this
  * many segments each. */
-#define MURK_TALLY_LEGS_MAX (1 << 17)
+#define MURK_TALLY_SEGMENTS_MAX (1 << 17)
 
 /* Tallies of a scene, and bytes of the name of one, which becomes the name of a
  * file. */

@@ -168,6 +168,7 @@ murk_status murk_tallies_check(const murk_tally_desc *descs, size_t n,
                          "%zu tallies, must be at most %d", n,
                          MURK_TALLIES_MAX);
     }
+    /* Each tally by itself and beside those before it. */
     for (size_t i = 0; i < n; ++i) {
         const murk_tally_desc *d = &descs[i];
         murk_status status = check_name(d, err);
@@ -184,6 +185,7 @@ murk_status murk_tallies_check(const murk_tally_desc *descs, size_t n,
         if (status) {
             return status;
         }
+        /* All cells together. */
         cells += (double)murk_tally_cells(d);
         if (!(cells <= (double)MURK_TALLY_CELLS_MAX)) {
             return murk_fail(err, MURK_BAD_VALUE, d->where,

@@ -12,7 +12,7 @@
 #include "transport/walk.h"
 
 typedef struct run {
-    murk_walk_setup course;
+    murk_walk_setup setup;
     murk_ledger *ledger;
 } run;
 
@@ -46,7 +46,7 @@ static void add_up(murk_ledger *ledger, const murk_sums *s, int sign)
 static void trace_batch(void *context, unsigned worker, uint64_t batch)
 {
     const run *r = context;
-    const murk_trace *trace = r->course.trace;
+    const murk_trace *trace = r->setup.trace;
     const murk_ledger *ledger = r->ledger;
     const uint64_t first = trace->first + batch * MURK_BATCH_PHOTONS;
     const uint64_t left = trace->last - first;
@@ -62,9 +62,9 @@ static void trace_batch(void *context, unsigned worker, uint64_t batch)
                  worker % ledger->lanes * ledger->channels * s.absorbers;
     s.scorer =
         trace->tallies ? murk_tallies_scorer(trace->tallies, worker) : NULL;
-    s.are_legs_wanted = s.scorer || trace->leg;
+    s.are_segments_wanted = s.scorer || trace->leg;
     for (uint64_t i = 0; i < n && !murk_interrupted(); ++i) {
-        murk_walk_photon(&r->course, &s, batch, first + i);
+        murk_walk_photon(&r->setup, &s, batch, first + i);
     }
     add_up(r->ledger, &s, trace->takes_back ? -1 : 1);
 }
@@ -81,7 +81,7 @@ void murk_trace_run(const murk_trace *trace, murk_ledger *ledger)
 {
     assert(
         !trace->tallies ||
-        (trace->events_max <= MURK_TALLY_LEGS_MAX &&
+        (trace->events_max <= MURK_TALLY_SEGMENTS_MAX &&
          murk_tallies_fit(trace->tallies, ledger->channels, trace->threads)));
     assert(trace->least_weight >= MURK_MIN_WEIGHT_MIN &&
            trace->least_weight <= 1);
@@ -90,7 +90,7 @@ void murk_trace_run(const murk_trace *trace, murk_ledger *ledger)
         murk_sources_lit(trace->world->lights) == 0) {
         return;
     }
-    run r = {murk_course_of(trace), ledger};
+    run r = {murk_walk_setup_of(trace), ledger};
     const uint64_t photons = trace->last - trace->first;
     murk_pool_run_workers(
         trace->threads, (photons + MURK_BATCH_PHOTONS - 1) / MURK_BATCH_PHOTONS,

@@ -21,7 +21,7 @@
 /* A plane nearer than this share of the domain's largest coordinate to a place
  * that was computed in double precision contains the place: some hundred times
  * the rounding. */
-#define IN_PLANE_BY 1e-13
+#define IN_PLANE_TOLERANCE 1e-13
 
 /* A jump that leads to a boundary ends at this share of the way, and the
  * boundary is met from near. */
@@ -34,6 +34,7 @@
  * there. */
 static bool scatter(murk_walker *w, const murk_collision *c, const double u[2])
 {
+    /* Split the packet, or put the photon to roulette. */
     const int64_t before = w->quanta;
     w->absorber = w->sums->materials + c->medium;
     const bool is_split =
@@ -42,13 +43,15 @@ static bool scatter(murk_walker *w, const murk_collision *c, const double u[2])
     const double azimuth = is_split ? u[0] : u[0] / c->albedo;
     const murk_vec3 arriving = w->path.direction;
     const murk_vec3 from = w->path.position;
+    /* Move to the collision. */
     ++w->sums->collisions;
     w->path.position = w->probe = murk_path_sides_hold(
-        &w->course->space.sides,
+        &w->setup->space.sides,
         murk_along(from, c->distance_m, w->path.direction));
-    if (w->sums->are_legs_wanted) {
+    if (w->sums->are_segments_wanted) {
         murk_walker_score(w, from, c->distance_m, before, w->path.position, 0);
     }
+    /* Turn, and tell the event. */
     if (scatters) {
         w->path.direction = murk_turned_direction(
             arriving, murk_phase_sample(c->phase, u[1]), azimuth);
@@ -79,9 +82,9 @@ static inline bool collides(const murk_walker *w, double length_m,
     const murk_random4 random = murk_walker_draw(w, MURK_FLIGHT);
     rest[0] = random.u[2];
     rest[1] = random.u[3];
-    const murk_media *media = w->course->world->media;
+    const murk_media *media = w->setup->world->media;
     const double tau = -log(random.u[0]);
-    if (w->course->trace->by_delta) {
+    if (w->setup->trace->by_delta) {
         const murk_address address = murk_walker_address(w, MURK_FLIGHT);
         return murk_media_fly_delta(media, w->band, w->path.inside,
                                     w->path.position, w->path.direction,
@@ -97,7 +100,7 @@ static inline double as_far_as_media_let(const murk_walker *w)
 {
     murk_collision collision;
     double rest[2];
-    return w->course->space.boundary_meshes && w->course->any_media &&
+    return w->setup->space.boundary_meshes && w->setup->any_media &&
                    w->solids.n == 0 && collides(w, INFINITY, &collision, rest)
                ? collision.distance_m
                : INFINITY;
@@ -105,7 +108,7 @@ static inline double as_far_as_media_let(const murk_walker *w)
 
 static murk_fate follow(murk_walker *w)
 {
-    const murk_walk_setup *r = w->course;
+    const murk_walk_setup *r = w->setup;
     const murk_path_space *space = &r->space;
     const bool only_media = r->any_media && !space->any_surfaces;
     const bool media_too = r->any_media && space->any_surfaces;
@@ -180,7 +183,7 @@ static murk_fate follow(murk_walker *w)
 
 static void start(murk_walker *w, murk_ray ray)
 {
-    const murk_walk_setup *r = w->course;
+    const murk_walk_setup *r = w->setup;
     const murk_source *light = murk_sources_get(r->world->lights, w->light);
     w->path.position = w->probe = ray.origin;
     w->path.direction = ray.direction;
@@ -206,7 +209,7 @@ static void start(murk_walker *w, murk_ray ray)
 /* Media, meshes and solids around a place in the open. */
 static void start_inside(murk_walker *w)
 {
-    const murk_walk_setup *r = w->course;
+    const murk_walk_setup *r = w->setup;
     if (r->space.any_boundaries) {
         w->path.inside = murk_path_inside_ahead(&r->space, w->path.position,
                                                 w->path.direction);
@@ -234,8 +237,8 @@ static murk_fate spend(murk_walker *w)
  * boundary outside has refracted is of class specular. */
 static void come_from_outside(murk_walker *w, murk_ray *ray)
 {
-    const murk_transport_world *world = w->course->world;
-    const murk_trace *trace = w->course->trace;
+    const murk_transport_world *world = w->setup->world;
+    const murk_trace *trace = w->setup->trace;
     bool is_bent;
     const double share = murk_outside_share(world, w->band, ray->origin,
                                             &ray->direction, &is_bent);
@@ -256,16 +259,16 @@ static void come_from_outside(murk_walker *w, murk_ray *ray)
 static murk_station first_station(const murk_walker *w)
 {
     const murk_source *light =
-        murk_sources_get(w->course->world->lights, w->light);
+        murk_sources_get(w->setup->world->lights, w->light);
     return murk_source_is_distant(light)
                ? (murk_station){murk_along(w->path.position,
-                                           -w->course->space.margin_m,
+                                           -w->setup->space.margin_m,
                                            w->path.direction),
                                 0}
-               : (murk_station){w->path.position, w->course->in_plane_m};
+               : (murk_station){w->path.position, w->setup->in_plane_m};
 }
 
-murk_walk_setup murk_course_of(const murk_trace *trace)
+murk_walk_setup murk_walk_setup_of(const murk_trace *trace)
 {
     const murk_transport_world *world = trace->world;
     const double size = murk_box_largest_coordinate(&world->domain.box);
@@ -275,7 +278,7 @@ murk_walk_setup murk_course_of(const murk_trace *trace)
         .world = world,
         .space = murk_path_space_of(world->surfaces, world->media,
                                     world->boundary_meshes, &world->domain),
-        .in_plane_m = fmax(step / 2, IN_PLANE_BY * size),
+        .in_plane_m = fmax(step / 2, IN_PLANE_TOLERANCE * size),
         .any_media = murk_media_any(world->media),
         .purpose_shift = MURK_STREAM * trace->stream,
         .min_quanta = llround(trace->least_weight * (double)MURK_PACKET)};
@@ -286,7 +289,7 @@ void murk_walk_photon(const murk_walk_setup *r, murk_sums *s, uint64_t batch,
 {
     const murk_transport_world *world = r->world;
     const size_t channel = murk_sources_channel_of(world->lights, photon);
-    murk_walker w = {.course = r,
+    murk_walker w = {.setup = r,
                      .sums = s,
                      .batch = batch,
                      .photon = photon,
@@ -297,12 +300,14 @@ void murk_walk_photon(const murk_walk_setup *r, murk_sums *s, uint64_t batch,
                      .event_class = MURK_CLASS_FIRST,
                      .path = {.space = &r->space, .length_m = INFINITY}};
     ++s->emitted[channel];
+    /* Draw the start of the photon. */
     murk_ray ray = murk_sources_emit(world->lights, r->trace->seed,
                                      r->trace->stream, photon);
     if (world->continues &&
         murk_source_is_distant(murk_sources_get(world->lights, w.light))) {
         come_from_outside(&w, &ray);
     }
+    /* Tell the emission. */
     start(&w, ray);
     if (murk_walker_is_heard(&w)) {
         murk_event event = murk_walker_event(&w, MURK_EVENT_EMITTED);
@@ -313,6 +318,7 @@ void murk_walk_photon(const murk_walk_setup *r, murk_sums *s, uint64_t batch,
     if (s->scorer) {
         murk_score_start(s->scorer, channel, first_station(&w));
     }
+    /* Follow the photon to its end, and enter its fate into the sums. */
     const murk_fate fate = ray.is_spent ? spend(&w) : follow(&w);
     s->ended[channel][fate] += w.quanta;
     if (fate == MURK_FATE_SURFACES || fate == MURK_FATE_MEDIA) {
@@ -326,7 +332,7 @@ void murk_walk_photon(const murk_walk_setup *r, murk_sums *s, uint64_t batch,
 void murk_walk_from(const murk_walk_setup *r, murk_sums *s, uint64_t photon,
                     int band, murk_ray ray)
 {
-    murk_walker w = {.course = r,
+    murk_walker w = {.setup = r,
                      .sums = s,
                      .photon = photon,
                      .quanta = MURK_PACKET,

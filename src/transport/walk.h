@@ -30,7 +30,7 @@ typedef struct murk_walk_setup {
     int64_t min_quanta; /* roulette from here down */
 } murk_walk_setup;
 
-murk_walk_setup murk_course_of(const murk_trace *trace);
+murk_walk_setup murk_walk_setup_of(const murk_trace *trace);
 
 /* Sums of one batch: adding to the shared ledger photon by photon would make
  * the threads wait for each other. */
@@ -42,17 +42,17 @@ typedef struct murk_sums {
     murk_tally *absorber; /* the ledger's, of this thread's lane, which is added
                              to at once */
     size_t materials, absorbers;
-    murk_scorer *scorer;  /* NULL: no tallies */
-    bool are_legs_wanted; /* by the scorer or by the trace's own sink */
+    murk_scorer *scorer;      /* NULL: no tallies */
+    bool are_segments_wanted; /* by the scorer or by the trace's own sink */
 } murk_sums;
 
 /* Traces one photon, tells its events to the trace's sink, adds to sums. */
-void murk_walk_photon(const murk_walk_setup *course, murk_sums *sums,
+void murk_walk_photon(const murk_walk_setup *setup, murk_sums *sums,
                       uint64_t batch, uint64_t photon);
 
 /* The same from a place in the open, which is not told: of the first light and
  * the band. */
-void murk_walk_from(const murk_walk_setup *course, murk_sums *sums,
+void murk_walk_from(const murk_walk_setup *setup, murk_sums *sums,
                     uint64_t photon, int band, murk_ray ray);
 
 #endif

@@ -10,7 +10,7 @@
 
 /* A photon under way. */
 typedef struct murk_walker {
-    const murk_walk_setup *course;
+    const murk_walk_setup *setup;
     murk_sums *sums;
     uint64_t batch, photon;
     int64_t quanta; /* what is left of its packet */
@@ -29,8 +29,8 @@ typedef struct murk_walker {
 static inline murk_address murk_walker_address(const murk_walker *w,
                                                murk_purpose purpose)
 {
-    return (murk_address){w->course->trace->seed,
-                          (uint32_t)purpose + w->course->purpose_shift,
+    return (murk_address){w->setup->trace->seed,
+                          (uint32_t)purpose + w->setup->purpose_shift,
                           w->photon, w->number};
 }
 
@@ -53,7 +53,7 @@ static inline void murk_walker_keep(const murk_walker *w, size_t absorber,
 {
     murk_tally_add(
         &w->sums->absorber[w->channel * w->sums->absorbers + absorber],
-        w->course->trace->takes_back ? -quanta : quanta);
+        w->setup->trace->takes_back ? -quanta : quanta);
 }
 
 /* Leaves behind all but the share `kept` of the photon's quanta, where it has
@@ -62,7 +62,7 @@ static inline void murk_walker_keep(const murk_walker *w, size_t absorber,
 static inline bool murk_walker_splits(murk_walker *w, double kept, double u,
                                       murk_fate fate, size_t absorber)
 {
-    if (w->quanta <= w->course->min_quanta) {
+    if (w->quanta <= w->setup->min_quanta) {
         return false;
     }
     const int64_t left = (int64_t)floor((double)w->quanta * kept + u);
@@ -93,12 +93,12 @@ static inline void murk_walker_tell(murk_walker *w, murk_event *event)
 {
     event->path_m += w->silent_m;
     w->silent_m = 0;
-    w->course->trace->sink(w->course->trace->context, w->batch, event);
+    w->setup->trace->sink(w->setup->trace->context, w->batch, event);
 }
 
 static inline bool murk_walker_is_heard(const murk_walker *w)
 {
-    return w->course->trace->sink != NULL;
+    return w->setup->trace->sink != NULL;
 }
 
 /* The index of refraction in these solids and regions. */
@@ -107,7 +107,7 @@ static inline double murk_walker_index(const murk_walker *w,
                                        murk_inside inside)
 {
     return solids->n > 0 ? murk_path_solids_index(solids)
-                         : murk_media_index(w->course->world->media, inside);
+                         : murk_media_index(w->setup->world->media, inside);
 }
 
 /* A leg for the tallies, which ends for planes at `end`, and for who else wants
@@ -116,10 +116,10 @@ static inline void murk_walker_score(const murk_walker *w, murk_vec3 from,
                                      double length_m, int64_t quanta,
                                      murk_vec3 end, double reach_m)
 {
-    const murk_trace *trace = w->course->trace;
+    const murk_trace *trace = w->setup->trace;
     if (w->sums->scorer) {
-        murk_score_leg(w->sums->scorer, from, w->path.direction, length_m,
-                       (double)quanta, (murk_station){end, reach_m});
+        murk_score_segment(w->sums->scorer, from, w->path.direction, length_m,
+                           (double)quanta, (murk_station){end, reach_m});
     }
     if (trace->leg) {
         const murk_trace_leg leg = {

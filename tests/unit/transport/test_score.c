@@ -49,8 +49,9 @@ static void fly(const scored *s, const murk_vec3 *place, size_t n,
     murk_score_start(s->scorer, 0, (murk_station){place[0], 0});
     for (size_t i = 1; i < n; ++i) {
         const murk_vec3 way = murk_sub(place[i], place[i - 1]);
-        murk_score_leg(s->scorer, place[i - 1], murk_unit(way),
-                       murk_length(way), quanta, (murk_station){place[i], 0});
+        murk_score_segment(s->scorer, place[i - 1], murk_unit(way),
+                           murk_length(way), quanta,
+                           (murk_station){place[i], 0});
     }
     murk_score_end(s->scorer, false);
 }
@@ -163,9 +164,9 @@ static void test_legs_that_bring_nothing(void)
     for (size_t i = 0; i < 6; ++i) {
         for (size_t j = 0; j < 6; ++j) {
             murk_score_start(s.scorer, 0, open_at(odd[i], 0, 0));
-            murk_score_leg(s.scorer, murk_vec(odd[i], 9, 0),
-                           murk_vec(0, odd[j], odd[i]), odd[j], 1,
-                           open_at(odd[j], 9, 0));
+            murk_score_segment(s.scorer, murk_vec(odd[i], 9, 0),
+                               murk_vec(0, odd[j], odd[i]), odd[j], 1,
+                               open_at(odd[j], 9, 0));
             murk_score_end(s.scorer, false);
         }
     }
@@ -321,14 +322,14 @@ static void test_a_plane_in_a_surface(void)
             const scored s = begun(&d, 1);
             const murk_vec3 down = {0, 0, -1};
             murk_score_start(s.scorer, 0, open_at(0, 0, 1));
-            murk_score_leg(s.scorer, murk_vec(0, 0, 1), down, 1, 100,
-                           (murk_station){{0, 0, off[i]}, 2e-7});
-            murk_score_leg(s.scorer, murk_vec(0, 0, 4e-7), murk_vec(0, 0, 1), 1,
-                           40, open_at(0, 0, 1));
-            murk_score_leg(s.scorer, murk_vec(0, 0, 1), down, 1, 40,
-                           (murk_station){{0, 0, off[i]}, 2e-7});
-            murk_score_leg(s.scorer, murk_vec(0, 0, -4e-7), down, 1, 10,
-                           open_at(0, 0, -1));
+            murk_score_segment(s.scorer, murk_vec(0, 0, 1), down, 1, 100,
+                               (murk_station){{0, 0, off[i]}, 2e-7});
+            murk_score_segment(s.scorer, murk_vec(0, 0, 4e-7),
+                               murk_vec(0, 0, 1), 1, 40, open_at(0, 0, 1));
+            murk_score_segment(s.scorer, murk_vec(0, 0, 1), down, 1, 40,
+                               (murk_station){{0, 0, off[i]}, 2e-7});
+            murk_score_segment(s.scorer, murk_vec(0, 0, -4e-7), down, 1, 10,
+                               open_at(0, 0, -1));
             murk_score_end(s.scorer, false);
             double forward, backward;
             ways_of(&s, &forward, &backward);
@@ -348,8 +349,8 @@ static void test_a_jump_passes_nothing(void)
     const scored s = begun(&d, 1);
     murk_score_start(s.scorer, 0, open_at(-1, 0, 0));
     murk_score_jump(s.scorer, open_at(1, 0, 0));
-    murk_score_leg(s.scorer, murk_vec(1, 0, 0), murk_vec(-1, 0, 0), 2, 7,
-                   open_at(-1, 0, 0));
+    murk_score_segment(s.scorer, murk_vec(1, 0, 0), murk_vec(-1, 0, 0), 2, 7,
+                       open_at(-1, 0, 0));
     murk_score_end(s.scorer, false);
     double forward, backward;
     ways_of(&s, &forward, &backward);
@@ -372,8 +373,8 @@ static void test_taken_back_leaves_nothing(void)
     for (int sign = 0; sign < 2; ++sign) {
         const murk_vec3 way = murk_sub(gone[1], gone[0]);
         murk_score_start(s.scorer, 0, (murk_station){gone[0], 0});
-        murk_score_leg(s.scorer, gone[0], murk_unit(way), murk_length(way),
-                       1e15, (murk_station){gone[1], 0});
+        murk_score_segment(s.scorer, gone[0], murk_unit(way), murk_length(way),
+                           1e15, (murk_station){gone[1], 0});
         murk_score_end(s.scorer, sign);
     }
     for (size_t c = 0; c < 120; ++c) {
