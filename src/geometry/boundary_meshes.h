@@ -33,6 +33,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/* One bit of a 64-bit mask for each region. */
 #define MURK_BOUNDARY_MESHES_MAX 64
 
 typedef struct murk_boundary_mesh_desc {

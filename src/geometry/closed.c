@@ -203,8 +203,9 @@ static bool rises(const edge *e, const uint32_t *corner, const uint32_t *same)
 static bool unite(const turns *t, const edge *a, const edge *b, bool are_copies,
                   const uint32_t *corner, const uint32_t *same)
 {
-    const bool same_way = rises(a, corner, same) == rises(b, corner, same);
-    const bool turned = same_way != are_copies;
+    const bool same_direction =
+        rises(a, corner, same) == rises(b, corner, same);
+    const bool turned = same_direction != are_copies;
     bool turned_a, turned_b;
     const uint32_t i = root_turned(t, a->triangle, &turned_a);
     const uint32_t j = root_turned(t, b->triangle, &turned_b);

@@ -71,7 +71,7 @@ typedef struct filling {
 
 /* Embree's point query: adds the area of a triangle in the plane of the
  * disc, and notes any other surface within the radius. */
-static bool look_at(struct RTCPointQueryFunctionArguments *args)
+static bool visit_primitive(struct RTCPointQueryFunctionArguments *args)
 {
     filling *f = args->userPtr;
     const struct RTCHit hit = {.geomID = args->geomID, .primID = args->primID};
@@ -132,7 +132,7 @@ bool murk_surfaces_fill_disc(const murk_surfaces *s, murk_vec3 center,
         .radius = (float)(radius_m + s->leave_m + size * (double)FLT_EPSILON)};
     struct RTCPointQueryContext context;
     rtcInitPointQueryContext(&context);
-    rtcPointQuery(s->scene, &query, &context, look_at, &f);
+    rtcPointQuery(s->scene, &query, &context, visit_primitive, &f);
     /* Covered once: the sum of the areas equals the area of the disc. */
     const double whole = MURK_PI * radius_m * radius_m;
     return !f.is_crowded && fabs(f.area - whole) < FILLED * whole;

@@ -51,7 +51,7 @@ typedef struct corner_search {
 
 /* Embree's point query: finds an opaque or solid triangle near the point
  * that is tilted against the hit triangle. */
-static bool look_for_corner(struct RTCPointQueryFunctionArguments *args)
+static bool find_corner(struct RTCPointQueryFunctionArguments *args)
 {
     corner_search *search = args->userPtr;
     const struct RTCHit hit = {.geomID = args->geomID, .primID = args->primID};
@@ -83,7 +83,7 @@ static bool is_in_corner(const murk_walk *w, murk_vec3 point, murk_vec3 normal)
                                   .radius = (float)(2 * search.radius_m)};
     struct RTCPointQueryContext context;
     rtcInitPointQueryContext(&context);
-    rtcPointQuery(w->s->scene, &query, &context, look_for_corner, &search);
+    rtcPointQuery(w->s->scene, &query, &context, find_corner, &search);
     return search.is_corner;
 }
 

@@ -187,6 +187,7 @@ static bool is_plain(const char *at, const char *end)
 static bool shift_obj(const char *bytes, size_t size, text *out,
                       double shift[3])
 {
+    /* Words of a vertex line: `v` is word 0, then x, y and z. */
     static const size_t columns[3] = {1, 2, 3};
     const char *end = bytes + size;
     extent e = {.n = 0};

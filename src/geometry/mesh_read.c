@@ -18,8 +18,8 @@
 
 /* Checks that the path is a readable regular file and gets the size of the
  * file. */
-static murk_status look_at_file(const char *path, uint64_t *bytes,
-                                const char *where, murk_error *err)
+static murk_status check_file(const char *path, uint64_t *bytes,
+                              const char *where, murk_error *err)
 {
     struct stat is;
     if (stat(path, &is) != 0 || access(path, R_OK) != 0) {
@@ -197,7 +197,7 @@ murk_status murk_mesh_read(murk_mesh **out, const char *path,
     /* Check the request and the file. */
     murk_status status = check_import(&request.import, where, err);
     if (!status) {
-        status = look_at_file(path, &file_bytes, where, err);
+        status = check_file(path, &file_bytes, where, err);
     }
     if (!status) {
         /* Import in a subprocess, with limits that follow the size of the

@@ -30,11 +30,11 @@ static murk_vec3 nearest_on(const murk_polygon *polygon, murk_vec3 normal,
 {
     murk_vec3 nearest = {INFINITY, INFINITY, INFINITY};
     double min = INFINITY;
-    bool is_over = true;
+    bool projects_inside = true;
     for (size_t i = 0; i < polygon->n; ++i) {
         const murk_vec3 a = polygon->corner[i],
                         b = polygon->corner[(i + 1) % polygon->n];
-        is_over &=
+        projects_inside &=
             murk_dot(murk_cross(murk_sub(b, a), murk_sub(p, a)), normal) >= 0;
         const murk_vec3 here = nearest_on_segment(a, b, p);
         const double distance = murk_length(murk_sub(here, p));
@@ -43,7 +43,7 @@ static murk_vec3 nearest_on(const murk_polygon *polygon, murk_vec3 normal,
             nearest = here;
         }
     }
-    if (!is_over) {
+    if (!projects_inside) {
         return nearest;
     }
     const double height = murk_dot(murk_sub(p, polygon->corner[0]), normal) /

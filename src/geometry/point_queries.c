@@ -86,7 +86,7 @@ typedef struct nearness {
 } nearness;
 
 /* Embree's point query: computes the exact distance to a primitive. */
-static bool look_near(struct RTCPointQueryFunctionArguments *args)
+static bool visit_near(struct RTCPointQueryFunctionArguments *args)
 {
     nearness *near = args->userPtr;
     const murk_soup *soup = &near->s->soup;
@@ -138,7 +138,7 @@ static bool any_near(const murk_surfaces *s, murk_vec3 point, double radius_m,
         .radius = (float)(radius + s->leave_m + size * (double)FLT_EPSILON)};
     struct RTCPointQueryContext context;
     rtcInitPointQueryContext(&context);
-    rtcPointQuery(s->scene, &query, &context, look_near, &near);
+    rtcPointQuery(s->scene, &query, &context, visit_near, &near);
     return near.is_near;
 }
 

@@ -1,4 +1,5 @@
-/* Clips triangles by planes (Sutherland & Hodgman, Commun. ACM 17 (1974) 32,
+/* Clips triangles by planes. Each plane is applied in turn to the polygon
+ * that is left (Sutherland & Hodgman, Commun. ACM 17 (1974) 32,
  * doi:10.1145/360767.360802). */
 #include "geometry/polygon.h"
 

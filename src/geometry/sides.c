@@ -30,7 +30,7 @@ typedef struct piercing {
 
 /* Notes whether an edge passes through a triangle that does not share a
  * vertex with it: its ends are then on different sides. */
-static void look_for_piercing(void *context, size_t triangle, double distance_m)
+static void find_piercing(void *context, size_t triangle, double distance_m)
 {
     piercing *p = context;
     const uint32_t *corner = p->soup->corner + 3 * triangle;
@@ -70,7 +70,7 @@ static void count_crossings(murk_boundary_mesh *b, const uint32_t *same,
             const double length = murk_length(way);
             murk_boundary_mesh_gather(b, murk_add(p.from, soup->anchor),
                                       murk_scale(1 / length, way), 0, length,
-                                      look_for_piercing, &p);
+                                      find_piercing, &p);
             if (p.is_pierced && halves++ == 0) {
                 *first = murk_add(murk_along(p.from, 0.5, way), soup->anchor);
             }

@@ -29,6 +29,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/* Material numbers have 8 bits. */
 #define MURK_MATERIALS_MAX 256
 
 typedef struct murk_material {

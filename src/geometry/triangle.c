@@ -29,11 +29,11 @@ double murk_triangle_distance2(const murk_triangle *t, murk_vec3 p)
     const murk_vec3 pa = murk_sub(p, t->a);
     const murk_vec3 pb = murk_sub(p, t->b);
     const murk_vec3 pc = murk_sub(p, t->c);
-    const bool is_over =
+    const bool projects_inside =
         murk_dot(murk_cross(murk_sub(t->b, t->a), pa), n) >= 0 &&
         murk_dot(murk_cross(murk_sub(t->c, t->b), pb), n) >= 0 &&
         murk_dot(murk_cross(murk_sub(t->a, t->c), pc), n) >= 0;
-    if (is_over) {
+    if (projects_inside) {
         const double height = murk_dot(pa, n);
         return height * height / murk_dot(n, n);
     }

@@ -10,7 +10,8 @@
 #include "geometry/triangle.h"
 
 /* True if `axis` separates the triangle from the open box. */
-static bool is_apart(const murk_triangle *t, murk_vec3 half, murk_vec3 axis)
+static bool is_separating_axis(const murk_triangle *t, murk_vec3 half,
+                               murk_vec3 axis)
 {
     const double a = murk_dot(t->a, axis), b = murk_dot(t->b, axis),
                  c = murk_dot(t->c, axis);
@@ -27,16 +28,16 @@ static bool reaches_box(const murk_triangle *t, murk_vec3 half)
     const murk_vec3 side[3] = {murk_sub(t->b, t->a), murk_sub(t->c, t->b),
                                murk_sub(t->a, t->c)};
     if (!(half.x > 0 && half.y > 0 && half.z > 0) ||
-        is_apart(t, half, murk_cross(side[0], side[1]))) {
+        is_separating_axis(t, half, murk_cross(side[0], side[1]))) {
         return false;
     }
     for (int i = 0; i < 3; ++i) {
-        if (is_apart(t, half, own[i])) {
+        if (is_separating_axis(t, half, own[i])) {
             return false;
         }
         for (int k = 0; k < 3; ++k) {
             const murk_vec3 axis = murk_cross(own[i], side[k]);
-            if (murk_dot(axis, axis) > 0 && is_apart(t, half, axis)) {
+            if (murk_dot(axis, axis) > 0 && is_separating_axis(t, half, axis)) {
                 return false;
             }
         }
