@@ -1,6 +1,6 @@
 #include "calibrate/recorder.h"
 
-#include "medium/alone.h"
+#include "medium/single_medium.h"
 
 #include <assert.h>
 #include <stdlib.h>
@@ -337,7 +337,7 @@ static murk_status make_alone(murk_recorder *r, murk_error *err)
         const size_t medium = r->desc->medium[m];
         assert(medium < murk_media_count(r->world) && r->index_of[medium] < 0);
         r->index_of[medium] = (int)m;
-        status = murk_media_alone(&r->alone[m], r->world, medium, err);
+        status = murk_media_single(&r->alone[m], r->world, medium, err);
     }
     return status;
 }

@@ -6,8 +6,8 @@
 #include "base/position.h"
 #include "base/tally.h"
 #include "medium/acceptance.h"
-#include "medium/alone.h"
 #include "medium/rescaled.h"
+#include "medium/single_medium.h"
 #include "plan/plan.h"
 
 #include <assert.h>
@@ -159,8 +159,8 @@ static murk_status make_media(incumbent *f, murk_error *err)
         status = murk_media_rescale(&f->clear, stage->media, extinction, err);
     }
     for (size_t m = 0; m < followed->media && !status; ++m) {
-        status = murk_media_alone(&f->alone[m], stage->media,
-                                  followed->medium[m], err);
+        status = murk_media_single(&f->alone[m], stage->media,
+                                   followed->medium[m], err);
     }
     for (size_t a = 0; has_other && a < seen->acceptances && !status; ++a) {
         status = make_other(f, a, extinction, err);

@@ -1,6 +1,9 @@
+/* Apparent extinction for a finite acceptance angle: replaces the extinction
+ * of each medium in a shallow copy of the media. See medium/acceptance.h for
+ * the formula. */
 #include "medium/acceptance.h"
 
-#include "medium/parts.h"
+#include "medium/media_parts.h"
 
 #include <assert.h>
 
@@ -33,7 +36,7 @@ murk_status murk_media_accepting(murk_media **out, const murk_media *media,
     if (status) {
         return status;
     }
-    murk_media *made = murk_media_borrowing(media);
+    murk_media *made = murk_media_shallow_copy(media);
     if (!made) {
         return murk_fail(err, MURK_NO_MEMORY, "acceptance_deg",
                          "no memory for %zu media", media->n_media);

@@ -1,10 +1,17 @@
+/* Interpolation of albedo grids (medium/albedo.h).
+ *
+ * A voxel without an albedo has a negative value (MURK_VDB_NO_ALBEDO). The
+ * interpolation is that of the medium's density grid. */
 #include "medium/albedo.h"
 
+#include "medium/grid_internal.h"
 #include "medium/tree.h"
 
 #include <math.h>
 
-/* The voxel or cell at p in index space; false outside of the tree's box. */
+/* Finds the voxel or cell that contains p (index space) and the position
+ * inside it; false outside of the tree's box enlarged by `beyond` voxels at
+ * the lower side. */
 static bool voxel_of(const murk_tree *tree, murk_vec3 p, int32_t beyond,
                      int32_t voxel[3], double in[3])
 {
@@ -21,7 +28,7 @@ static bool voxel_of(const murk_tree *tree, murk_vec3 p, int32_t beyond,
     return true;
 }
 
-/* Below 0 where there is none. */
+/* Albedo of the nearest voxel; negative if there is none. */
 static double nearest(const murk_tree *tree, murk_vec3 p)
 {
     int32_t voxel[3];
@@ -32,6 +39,7 @@ static double nearest(const murk_tree *tree, murk_vec3 p)
                : -1;
 }
 
+/* Trilinear mean of the corners that have an albedo; negative if none has. */
 static double linear(const murk_tree *tree, murk_vec3 p)
 {
     int32_t cell[3];
@@ -55,6 +63,7 @@ double murk_albedo_by_grid(const murk_medium *medium, const murk_place *place,
 {
     const murk_tree *tree = murk_grid_tree(medium->albedo_grid);
     const murk_vec3 at = murk_affine_point(&place->to_albedo, p);
+    /* Use the grid's background outside of all voxels with an albedo. */
     double albedo = -1;
     if (tree->n_cells > 0) {
         albedo = medium->interpolation == MURK_LINEAR ? linear(tree, at)

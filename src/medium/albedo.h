@@ -1,6 +1,8 @@
-/* Albedo by a grid: nearest, or linear between the voxels around that hold
- * one, so that an edge between albedo and none is not darkened. Where none
- * holds one: the grid's background. Inside this room only. */
+/* Albedo from a grid: the value of the nearest voxel, or the trilinear mean
+ * of those surrounding voxels that have an albedo. Voxels without an albedo
+ * do not take part, so an edge of the grid is not darkened. The background
+ * of the grid applies if no surrounding voxel has an albedo. Inside this
+ * room only. */
 #ifndef MURK_MEDIUM_ALBEDO_H
 #define MURK_MEDIUM_ALBEDO_H
 
@@ -8,11 +10,12 @@
 #include "medium/media.h"
 #include "medium/place.h"
 
-/* By the grid, at p of the world. */
+/* Albedo of the medium's grid at the world point p. */
 double murk_albedo_by_grid(const murk_medium *medium, const murk_place *place,
                            murk_vec3 p);
 
-/* Of the medium in its place at p of the world. */
+/* Albedo of a placed medium at the world point p: from the grid, otherwise
+ * the constant of the band. */
 static inline double murk_albedo_at(const murk_medium *medium,
                                     const murk_place *place, int band,
                                     murk_vec3 p)

@@ -1,36 +1,41 @@
-/* How the bounds of bricks.h are kept: cells of 128, 4096, ... voxels in one
- * hash table; a cell that has smaller ones in it is their parent. The bound of
- * a cell holds all over it, so the bound at a voxel is the largest on the way
- * down from the top: a large value can be noted at a parent without a look at
- * what lies below. Only bricks.c and brick_walk.c need to know. */
+/* Storage of the bounds of medium/bricks.h: cells of 128, 4096, ... voxels
+ * in one hash table. A cell that contains smaller ones is their parent. The
+ * bound of a cell applies to all of it, so the bound at a voxel is the
+ * largest on the path from the top cell down. A large value can therefore be
+ * stored at a parent without visiting the cells below. For bricks_build.c
+ * and brick_walk.c only. */
 #ifndef MURK_MEDIUM_BRICK_CELLS_H
 #define MURK_MEDIUM_BRICK_CELLS_H
 
 #include "medium/bricks.h"
 
-/* log2 of the edges of cells, smallest first: blocks, the tree's root cells,
- * and so on by 32 up to where a few cells span all indices. */
+/* log2 of the edges of cells, smallest first: blocks (128 voxels), the root
+ * cells of the tree (4096), and further levels by a factor of 32 until a few
+ * cells cover all indices. */
 #define MURK_BRICK_LEVELS 5
 static const int murk_level_shift[MURK_BRICK_LEVELS] = {7, 12, 17, 22, 27};
 
+/* Edge of a block in voxels: the cells of a lower node of the tree. And the
+ * mark of a block that has no table of bricks. */
 #define MURK_BLOCK    128
 #define MURK_NO_TABLE UINT32_MAX
 
 typedef struct murk_brick_cell {
-    int32_t at[3];  /* its lowest voxel, in edges */
+    int32_t at[3];  /* lowest voxel, in units of the edge */
     uint16_t level; /* into murk_level_shift */
     bool is_taken, is_parent;
-    float bound;    /* all over it */
-    uint32_t table; /* of a block's bricks, or MURK_NO_TABLE */
+    float bound; /* bound of the whole cell */
+    uint32_t
+        table; /* number of the table of a block's bricks, or MURK_NO_TABLE */
 } murk_brick_cell;
 
 struct murk_bricks {
-    int edge_shift; /* log2 of a brick's edge */
+    int edge_shift; /* log2 of the edge of a brick */
     int below, above;
     murk_brick_cell *slot; /* hash table, open addressing */
     size_t n_slots, n_taken;
     float *bound; /* tables of bricks, x slowest */
-    size_t n_tables, tables_room;
+    size_t n_tables, tables_capacity;
 };
 
 static inline size_t murk_table_size(const murk_bricks *b)
@@ -39,7 +44,7 @@ static inline size_t murk_table_size(const murk_bricks *b)
     return side * side * side;
 }
 
-/* A brick's place in the table of its block. */
+/* Index of a brick in the table of the block. */
 static inline size_t murk_brick_in_block(int shift, const int32_t voxel[3])
 {
     const size_t x = (size_t)((voxel[0] & (MURK_BLOCK - 1)) >> shift);
@@ -49,8 +54,10 @@ static inline size_t murk_brick_in_block(int shift, const int32_t voxel[3])
     return (x << (2 * side)) | (y << side) | z;
 }
 
-/* Multiplies by odd constants and takes the high bits (Knuth, The Art of
- * Computer Programming 3, 2nd ed., 6.4). */
+/* Hash of a cell: multiplication by odd constants, high bits (Knuth, The Art
+ * of Computer Programming 3, 2nd ed., 6.4). The constants are those of
+ * splitmix64 (Steele, Lea and Flood, OOPSLA 2014,
+ * doi:10.1145/2660193.2660195). */
 static inline size_t murk_first_slot(const murk_bricks *b, int level,
                                      const int32_t at[3])
 {
@@ -61,7 +68,7 @@ static inline size_t murk_first_slot(const murk_bricks *b, int level,
     return (size_t)(h >> 32) & (b->n_slots - 1);
 }
 
-/* The slot of the cell, or the free one where it belongs. */
+/* The slot of the cell, or the free slot for it. */
 static inline murk_brick_cell *murk_slot_of(const murk_bricks *b, int level,
                                             const int32_t voxel[3])
 {
@@ -78,16 +85,17 @@ static inline murk_brick_cell *murk_slot_of(const murk_bricks *b, int level,
     }
 }
 
-/* What bounds the values around a voxel: a table of bricks (their bounds at
- * least `bound`), or (NULL) one bound in a cell of 1 << shift. */
-typedef struct murk_brick_sight {
+/* The bound around a voxel: either a table of bricks, whose bounds are at
+ * least `bound`, or (table NULL) one bound for a cell with an edge of 1 <<
+ * shift voxels. */
+typedef struct murk_brick_bound {
     const float *table;
     float bound;
     int shift;
-} murk_brick_sight;
+} murk_brick_bound;
 
-static inline murk_brick_sight murk_bricks_look(const murk_bricks *b,
-                                                const int32_t voxel[3])
+static inline murk_brick_bound murk_bricks_lookup(const murk_bricks *b,
+                                                  const int32_t voxel[3])
 {
     float bound = 0;
     for (int l = MURK_BRICK_LEVELS - 1;; --l) {
@@ -95,13 +103,13 @@ static inline murk_brick_sight murk_bricks_look(const murk_bricks *b,
         if (c->is_taken) {
             bound = bound < c->bound ? c->bound : bound;
             if (c->table != MURK_NO_TABLE) {
-                return (murk_brick_sight){b->bound +
+                return (murk_brick_bound){b->bound +
                                               c->table * murk_table_size(b),
                                           bound, b->edge_shift};
             }
         }
         if (!c->is_parent) {
-            return (murk_brick_sight){NULL, bound, murk_level_shift[l]};
+            return (murk_brick_bound){NULL, bound, murk_level_shift[l]};
         }
     }
 }

@@ -1,3 +1,8 @@
+/* Walk of a ray through the bricks of a grid, one segment of constant bound
+ * after the other (medium/bricks.h).
+ *
+ * Like march.c a hierarchical digital differential analyser (Museth,
+ * SIGGRAPH Talks 2014, doi:10.1145/2614106.2614136). */
 #include "medium/bricks.h"
 
 #include "medium/brick_cells.h"
@@ -6,9 +11,9 @@
 #include <float.h>
 #include <math.h>
 
-/* The segment across a cell, as in march.c: the ray leaves through the face
- * that it meets first, and along the other axes it is held inside the cell, so
- * that rounding can neither skip a cell nor stall. */
+/* Crosses one cell. As in march.c, the ray leaves through the face that it
+ * reaches first, and along the other axes the position is clamped to the
+ * cell, so that rounding can neither skip a cell nor stall. */
 static inline void cross(murk_brick_walk *w, int shift)
 {
     double leave[3];
@@ -41,7 +46,7 @@ void murk_brick_walk_begin(murk_brick_walk *walk, const murk_bricks *bricks,
     const double o[3] = {origin.x, origin.y, origin.z};
     const double d[3] = {direction.x, direction.y, direction.z};
     w->bricks = bricks;
-    w->end = murk_smaller(t1, DBL_MAX); /* so that 0 * length is 0 */
+    w->end = murk_smaller(t1, DBL_MAX); /* finite, so that 0 * length is 0 */
     w->from = w->to = t0;
     w->block = NULL;
     for (int axis = 0; axis < 3; ++axis) {
@@ -61,11 +66,11 @@ bool murk_brick_walk_next(murk_brick_walk *walk)
     if (!(w->from < w->end)) {
         return false;
     }
-    if (!w->block || !murk_holds(w->block_first, w->at, MURK_BLOCK)) {
-        const murk_brick_sight s = murk_bricks_look(b, w->at);
+    if (!w->block || !murk_cell_contains(w->block_first, w->at, MURK_BLOCK)) {
+        const murk_brick_bound s = murk_bricks_lookup(b, w->at);
         w->block = s.table;
         w->block_min = s.bound;
-        murk_remember(w->block_first, w->at, MURK_BLOCK);
+        murk_cell_first(w->block_first, w->at, MURK_BLOCK);
         if (!s.table) {
             w->bound = (double)s.bound;
             cross(w, s.shift);

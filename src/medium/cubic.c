@@ -1,18 +1,21 @@
+/* Cubics along a ray: coefficients from the corners of a cell, and inversion
+ * of the integral. */
 #include "medium/cubic.h"
 
 #include <float.h>
 #include <math.h>
 #include <stdbool.h>
 
-/* Every halving of the bracket counts for one, and Newton's steps are far
- * fewer: after these the bracket is narrower than a rounding of 1. */
+/* A bisection halves the bracket, so 64 steps make the bracket narrower than
+ * the rounding of 1. Newton's method needs far fewer. */
 #define STEPS_MAX 64
 
 murk_cubic murk_cubic_in_cell(const double corner[8], const double a[3],
                               const double b[3])
 {
     const double dx = b[0] - a[0], dy = b[1] - a[1], dz = b[2] - a[2];
-    double c0[2], c1[2], c2[2]; /* on the two faces z = 0 and 1 */
+    double c0[2], c1[2],
+        c2[2]; /* quadratics on the two faces z = 0 and z = 1 */
     for (int z = 0; z < 2; ++z) {
         const double low = corner[z], high = corner[2 + z];
         const double low_x = corner[4 + z] - low, high_x = corner[6 + z] - high;
@@ -27,7 +30,8 @@ murk_cubic murk_cubic_in_cell(const double corner[8], const double a[3],
                          c2[0] + d2 * a[2] + d1 * dz, d2 * dz}};
 }
 
-/* Of a line, in the form that loses no digits to cancellation. */
+/* For a linear function c0 + c1 s; this form of the root loses no digits to
+ * cancellation. */
 static double reach_of_line(double c0, double c1, double target)
 {
     const double end = sqrt(fmax(0, c0 * c0 + 2 * c1 * target));
@@ -45,13 +49,15 @@ double murk_cubic_reach(const murk_cubic *cubic, double share)
     if (c[2] == 0 && c[3] == 0) {
         return reach_of_line(c[0], c[1], target);
     }
+    /* Newton's method; a step that leaves the bracket is replaced by a
+     * bisection. */
     double low = 0, high = 1, s = share;
     for (int i = 0; i < STEPS_MAX; ++i) {
         const double off = murk_cubic_integral(cubic, s) - target;
         low = off > 0 ? low : s;
         high = off > 0 ? s : high;
         double next = s - off / murk_cubic_value(cubic, s);
-        if (!(next > low && next < high)) { /* 0/0, too */
+        if (!(next > low && next < high)) { /* also if the step is NaN (0/0) */
             next = low + (high - low) / 2;
         }
         const bool is_settled = fabs(next - s) <= DBL_EPSILON * s;

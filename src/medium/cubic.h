@@ -1,7 +1,7 @@
-/* Cubics along a piece of a ray: what a trilinear cell looks like from a line
- * through it. s runs from 0 to 1 over the piece; the value at s is
- * c[0] + c[1] s + c[2] s^2 + c[3] s^3. Densities: 0 or more on [0, 1] but for
- * rounding. Inside this room only. */
+/* Cubic polynomials along a segment of a ray: the trilinear interpolation of
+ * a cell, restricted to a line, is a cubic. s runs from 0 to 1 over the
+ * segment; the value at s is c[0] + c[1] s + c[2] s^2 + c[3] s^3. Densities
+ * are 0 or more on [0, 1], except for rounding. Inside this room only. */
 #ifndef MURK_MEDIUM_CUBIC_H
 #define MURK_MEDIUM_CUBIC_H
 
@@ -9,8 +9,8 @@ typedef struct murk_cubic {
     double c[4];
 } murk_cubic;
 
-/* Along the line from a to b, both in the unit cell, between the values at its
- * corners: corner[4 x + 2 y + z] at (x, y, z). */
+/* The cubic along the line from a to b, both in the unit cell, for the
+ * values at the corners: corner[4 x + 2 y + z] at (x, y, z). */
 murk_cubic murk_cubic_in_cell(const double corner[8], const double a[3],
                               const double b[3]);
 
@@ -23,7 +23,7 @@ static inline void murk_cubic_add(murk_cubic *sum, double scale,
     }
 }
 
-/* At s; never below 0. */
+/* The value at s; never below 0. */
 static inline double murk_cubic_value(const murk_cubic *cubic, double s)
 {
     const double *c = cubic->c;
@@ -38,9 +38,9 @@ static inline double murk_cubic_integral(const murk_cubic *cubic, double s)
     return (((c[3] / 4 * s + c[2] / 3) * s + c[1] / 2) * s + c[0]) * s;
 }
 
-/* The s at which the integral is `share` of that over [0, 1], to rounding:
- * closed form for a line, else Newton's method held in a bracket, in at most
- * some sixty steps whatever the cubic. */
+/* The s at which the integral from 0 reaches `share` of the integral over
+ * [0, 1], to rounding. Closed form for a linear function, otherwise Newton's
+ * method with a bracket, in at most some sixty steps for any cubic. */
 double murk_cubic_reach(const murk_cubic *cubic, double share);
 
 #endif

@@ -1,3 +1,7 @@
+/* Delta tracking through overlapping grids (medium/delta.h). The majorant of
+ * an interval is the sum of the majorants of all grids and the constant
+ * extinction; each grid walks through the bricks on its own
+ * (medium/bricks.h). */
 #include "medium/delta.h"
 
 #include "medium/bricks.h"
@@ -8,41 +12,44 @@
 #include <assert.h>
 #include <math.h>
 
-/* The tighter the bounds, the fewer null collisions, and those cost more than
- * steps from brick to brick (src/README.md has figures). */
+/* Edge of a brick in voxels: the smallest. Tighter majorants make fewer null
+ * collisions, which cost more than steps between bricks (figures in
+ * medium/README.md). */
 #define EDGE MURK_BRICK_EDGE_MIN
 
-/* One grid of a piece. */
-typedef struct track {
+/* A grid that the ray crosses. */
+typedef struct grid_track {
     const murk_place *place;
-    double extinction_per_m; /* at density 1 */
+    double extinction_per_m; /* extinction at density 1 */
     murk_brick_walk walk;
 
-    /* The cell of 128 voxels last looked into. */
+    /* The cell of 128 voxels visited last. */
     const unsigned char *lower;
     int32_t lower_first[3];
-} track;
+} grid_track;
 
-/* The next pair of the flight's numbers: how far, and what is met there. */
-static void throw_dice(murk_flight *f)
+/* Takes the next pair of random numbers of the flight: the optical depth of
+ * the next collision, and the number that decides between real and null. One
+ * Philox call gives two pairs. */
+static void next_randoms(murk_flight *f)
 {
-    murk_dice *dice = f->dice;
-    if (dice->has_pair) {
-        dice->has_pair = false;
-        f->limit = -log(dice->pair[0]);
-        f->u = dice->pair[1];
+    murk_flight_randoms *stream = f->stream;
+    if (stream->has_pair) {
+        stream->has_pair = false;
+        f->limit = -log(stream->pair[0]);
+        f->u = stream->pair[1];
         return;
     }
-    const murk_random4 random = murk_random_at(dice->address, ++dice->slot);
+    const murk_random4 random = murk_random_at(stream->address, ++stream->slot);
     f->limit = -log(random.u[0]);
     f->u = random.u[1];
-    dice->pair[0] = random.u[2];
-    dice->pair[1] = random.u[3];
-    dice->has_pair = true;
+    stream->pair[0] = random.u[2];
+    stream->pair[1] = random.u[3];
+    stream->has_pair = true;
 }
 
-/* The lower node around a voxel of the tree; NULL and the one value there
- * where there is none. */
+/* The lower node around a voxel of the tree. NULL if there is none: then
+ * *value is the constant value there. */
 static const unsigned char *find_lower(const murk_tree *tree,
                                        const int32_t voxel[3], float *value)
 {
@@ -57,8 +64,8 @@ static const unsigned char *find_lower(const murk_tree *tree,
     return cell.child;
 }
 
-/* Between the centres of voxels. */
-static double linear_at(const track *k, double t)
+/* Trilinear density at t. */
+static double linear_at(const grid_track *k, double t)
 {
     const murk_brick_walk *w = &k->walk;
     const murk_vec3 p = {w->origin[0] + t * w->direction[0],
@@ -68,26 +75,29 @@ static double linear_at(const track *k, double t)
     return murk_linear_density(k->place->tree, p, &density) ? density : 0;
 }
 
-/* The density at t, which lies in the tree's box but for rounding. */
-static inline double density_at(track *k, double t)
+/* The density at t, which is inside the tree's box except for rounding. */
+static inline double density_at(grid_track *k, double t)
 {
     const murk_brick_walk *w = &k->walk;
     const murk_tree *tree = k->place->tree;
     if (k->place->filling == MURK_FILLED_BY_LINEAR) {
         return linear_at(k, t);
     }
+    /* The voxel at t, clamped to the box. */
     int32_t voxel[3];
     for (int axis = 0; axis < 3; ++axis) {
         const double at = w->origin[axis] + t * w->direction[axis];
         voxel[axis] = murk_voxel_at(at, tree->first[axis], tree->last[axis]);
     }
-    if (!k->lower || !murk_holds(k->lower_first, voxel, 128)) {
+    /* Descend from the root only if the ray has left the last cell of 128
+     * voxels. */
+    if (!k->lower || !murk_cell_contains(k->lower_first, voxel, 128)) {
         float value;
         k->lower = find_lower(tree, voxel, &value);
         if (!k->lower) {
             return (double)value;
         }
-        murk_remember(k->lower_first, voxel, 128);
+        murk_cell_first(k->lower_first, voxel, 128);
     }
     const murk_cell cell =
         murk_lower_cell(k->lower, voxel[0], voxel[1], voxel[2]);
@@ -97,9 +107,9 @@ static inline double density_at(track *k, double t)
                       : (double)cell.value;
 }
 
-/* Whether what was met at t is real. */
+/* Decides whether the collision at t is real. */
 static inline bool is_real(murk_flight *f, double t, double bound,
-                           track *tracks, size_t n, double even_per_m,
+                           grid_track *tracks, size_t n, double even_per_m,
                            double *density)
 {
     double real = even_per_m;
@@ -110,8 +120,8 @@ static inline bool is_real(murk_flight *f, double t, double bound,
     if (!(f->u * bound < real)) {
         return false;
     }
-    f->u *= bound / real; /* given that, even in (0, 1) again */
-    f->stop_m = t;
+    f->u *= bound / real; /* given acceptance, uniform in (0, 1) again */
+    f->collision_m = t;
     return true;
 }
 
@@ -121,7 +131,7 @@ bool murk_delta_cross(murk_flight *flight, double *from, double to,
 {
     murk_flight *f = flight;
     const double factor = f->media->bound_factor;
-    track tracks[MURK_REGIONS_MAX];
+    grid_track tracks[MURK_REGIONS_MAX];
     for (size_t i = 0; i < n; ++i) {
         const murk_affine *to_index = &grids[i]->to_index;
         tracks[i].place = grids[i];
@@ -132,8 +142,10 @@ bool murk_delta_cross(murk_flight *flight, double *from, double to,
                               murk_affine_direction(to_index, f->direction),
                               *from, to);
     }
+    /* Interval by interval of constant majorant. */
     double t = *from;
     while (t < to) {
+        /* The sum of the majorants, and the nearest end of a brick. */
         double bound = even_per_m, end = to;
         for (size_t i = 0; i < n; ++i) {
             murk_brick_walk *w = &tracks[i].walk;
@@ -143,7 +155,8 @@ bool murk_delta_cross(murk_flight *flight, double *from, double to,
             end = w->to < end ? w->to : end;
         }
         bound *= factor;
-        /* Collision after collision, up to the end of these bounds. */
+        /* Collision by collision, up to the end of the interval with these
+         * majorants. */
         for (;;) {
             const double more = f->depth + bound * (end - t);
             if (!(more >= f->limit && bound > 0)) {
@@ -156,10 +169,11 @@ bool murk_delta_cross(murk_flight *flight, double *from, double to,
             if (is_real(f, t, bound, tracks, n, even_per_m, density)) {
                 return true;
             }
-            throw_dice(f);
+            next_randoms(f);
             f->depth = 0;
-            if (++f->dice->nulls > MURK_NULLS_MAX) {
-                f->dice = NULL;
+            /* Too many null collisions: continue by marching. */
+            if (++f->stream->nulls > MURK_NULLS_MAX) {
+                f->stream = NULL;
                 *from = t;
                 return false;
             }

@@ -1,37 +1,39 @@
-/* A flight under way, shared by its two ways across grids: the march
- * (flight.c) and delta tracking (delta.c). Inside this room only. */
+/* The state of a free flight, shared by the two methods of crossing grids:
+ * marching (free_flight.c) and delta tracking (delta.c). Inside this room
+ * only. */
 #ifndef MURK_MEDIUM_FLIGHT_H
 #define MURK_MEDIUM_FLIGHT_H
 
 #include "base/rng.h"
-#include "medium/parts.h"
+#include "medium/media_parts.h"
 
-/* What a flight by delta tracking throws: pairs of numbers, slot after slot. */
-typedef struct murk_dice {
+/* The random numbers of a flight by delta tracking: pairs, slot after slot. */
+typedef struct murk_flight_randoms {
     const murk_address *address;
-    uint32_t slot; /* the last one drawn */
-    bool has_pair; /* the second pair of that slot is left */
+    uint32_t slot; /* the slot drawn last */
+    bool has_pair; /* the second pair of that slot is unused */
     double pair[2];
-    uint32_t nulls; /* collisions so far that were none */
-} murk_dice;
+    uint32_t nulls; /* null collisions so far */
+} murk_flight_randoms;
 
-/* What is met where the flight stops. */
-typedef struct murk_meeting {
+/* A medium present at the collision, and the extinction there. */
+typedef struct murk_flight_contributor {
     const murk_place *place;
     double extinction_per_m;
-} murk_meeting;
+} murk_flight_contributor;
 
 typedef struct murk_flight {
     const murk_media *media;
     int band;
     murk_inside inside;
     murk_vec3 origin, direction;
-    double depth, limit; /* optical depth so far; where to stop */
-    double u;            /* draws the partner */
-    murk_dice *dice;     /* NULL: the flight marches */
-    double stop_m;
-    size_t n_met;
-    murk_meeting met[MURK_REGIONS_MAX];
+    double depth,
+        limit; /* optical depth so far; optical depth of the collision */
+    double u;  /* selects the medium of the collision */
+    murk_flight_randoms *stream; /* NULL: the flight marches */
+    double collision_m;
+    size_t n_contributors;
+    murk_flight_contributor contributor[MURK_REGIONS_MAX];
 } murk_flight;
 
 static inline double murk_flight_extinction(const murk_flight *flight,

@@ -1,18 +1,22 @@
+/* The Fournier-Forand phase function (medium/fournier_forand.h), evaluated
+ * by a series where the closed form loses digits. */
 #include "medium/fournier_forand.h"
 
 #include <math.h>
 
+/* The ratio of circumference and diameter of a circle. */
 #define PI 3.14159265358979324
 
-/* Both brackets of the formula vanish as (1 - d)^2 at d = 1. Nearer than this
- * their binomial series is used: its first term left out is below 1e-14 there,
- * while the brackets themselves lose all but eps / NEAR^2 = 2e-11. */
+/* Both brackets of the formula vanish as (1 - d)^2 at d = 1. Closer to 1
+ * than NEAR their binomial series is used: the first omitted term is below
+ * 1e-14 there, while the closed form has a relative error of eps / NEAR^2 =
+ * 2e-11. */
 #define NEAR  3e-3
 #define TERMS 6
 
-/* (v (1 - d) - (1 - d^v)) / (1 - d)^2 and (d (1 - d^v) - v (1 - d)) / (1 -
- * d)^2. With x = 1 - d, 1 - d^v = v x - c2 x^2 + c3 x^3 - .., where c are the
- * binomial coefficients of v. */
+/* The brackets (v (1 - d) - (1 - d^v)) / (1 - d)^2 and (d (1 - d^v) - v (1 -
+ * d)) / (1 - d)^2. With x = 1 - d, 1 - d^v = v x - c2 x^2 + c3 x^3 - ...,
+ * with the binomial coefficients c of v. */
 static void brackets(double v, double d, double *first, double *second)
 {
     const double x = 1 - d, rest = 1 - pow(d, v);
@@ -21,7 +25,8 @@ static void brackets(double v, double d, double *first, double *second)
         *second = (d * rest - v * x) / (x * x);
         return;
     }
-    double c = v, power = 1; /* the coefficient before, x^(k-2) with sign */
+    double c = v,
+           power = 1; /* the previous coefficient, and x^(k-2) with sign */
     *first = *second = 0;
     for (int k = 2; k < 2 + TERMS; ++k) {
         const double next = c * (v - k + 1) / k;

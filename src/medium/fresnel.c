@@ -1,3 +1,5 @@
+/* Fresnel's equations for unpolarised light, and the cosine of refraction by
+ * Snell's law (medium/fresnel.h). */
 #include "medium/fresnel.h"
 
 #include <math.h>

@@ -1,4 +1,10 @@
+/* Reads OpenVDB grids in a subprocess and stores them as NanoVDB buffers.
+ *
+ * The subprocess (medium/vdb_bridge.h) sends a fixed-size header
+ * (murk_vdb_facts), then the bytes of the NanoVDB grid, which the parent
+ * copies to aligned memory and opens as a tree (medium/tree.h). */
 #include "medium/grid.h"
+#include "medium/grid_internal.h"
 
 #include "base/inputs.h"
 #include "base/log.h"
@@ -15,61 +21,65 @@
 #include <string.h>
 #include <sys/stat.h>
 
-/* A sparse tree unfolds: a node of 4096 voxels takes some 8 kB in a file and
- * 262 kB here, twice while it is converted. Three times that is plenty, and
- * keeps a small hostile file from costing seconds. */
+/* Memory limit of the subprocess. A sparse tree is larger in memory than in
+ * the file: a node of 4096 voxels takes some 8 kB in a file and 262 kB in
+ * memory, twice while it is converted. 200 bytes for each byte of the file
+ * is three times that, and a small hostile file still cannot cost seconds.
+ * The minimum is for the libraries themselves. */
 #define MIN_BYTES           UINT64_C(400000000)
 #define BYTES_PER_FILE_BYTE 200
 
-#define ALIGNMENT 64 /* what NanoVDB asks of its buffers, at least 32 */
+#define ALIGNMENT \
+    64 /* alignment that NanoVDB requires of buffers: at least 32 */
 
 struct murk_grid {
     murk_grid_facts facts;
-    unsigned char *buffer; /* the NanoVDB grid; NULL when it is empty */
+    unsigned char *buffer; /* the NanoVDB grid; NULL if it is empty */
     murk_tree tree;
 };
 
-/* What the child is to do, and where its result goes. */
+/* The request to the subprocess: a file, or dense samples. */
 typedef struct job {
-    murk_subprocess *child;
-    const char *path, *name; /* of a file */
-    const size_t *size;      /* of samples */
+    murk_subprocess *subprocess;
+    const char *path, *name; /* path of a file, and name of a grid */
+    const size_t *size;      /* number of samples along each axis */
     const float *density;
     double index_to_world[12]; /* three rows of four */
     bool as_tiles, is_albedo;
     const char *where;
 } job;
 
-/* In the child: the facts go first, then the grid. */
+/* In the subprocess: sends the header, then the grid. */
 static murk_status send_grid(void *context, const murk_vdb_facts *facts,
                              const void *bytes, size_t size)
 {
     const job *j = context;
     const murk_status status =
-        murk_subprocess_send(j->child, facts, sizeof *facts);
-    return status || size == 0 ? status
-                               : murk_subprocess_send(j->child, bytes, size);
+        murk_subprocess_send(j->subprocess, facts, sizeof *facts);
+    return status || size == 0
+               ? status
+               : murk_subprocess_send(j->subprocess, bytes, size);
 }
 
-static murk_status read_in_child(murk_subprocess *child, void *context,
-                                 murk_error *err)
+static murk_status read_in_subprocess(murk_subprocess *subprocess,
+                                      void *context, murk_error *err)
 {
     job *j = context;
-    j->child = child;
+    j->subprocess = subprocess;
     return murk_vdb_read(j->path, j->name, j->is_albedo, send_grid, j, j->where,
                          err);
 }
 
-static murk_status make_in_child(murk_subprocess *child, void *context,
-                                 murk_error *err)
+static murk_status make_in_subprocess(murk_subprocess *subprocess,
+                                      void *context, murk_error *err)
 {
     job *j = context;
-    j->child = child;
+    j->subprocess = subprocess;
     return murk_vdb_from_samples(j->size, j->density, j->index_to_world,
                                  j->as_tiles, send_grid, j, j->where, err);
 }
 
-static murk_grid_facts take_facts(const murk_vdb_facts *vdb)
+static murk_grid_facts facts_from_vdb(const murk_vdb_facts *vdb)
 {
     murk_grid_facts facts = {.active = vdb->active,
                              .minimum = vdb->minimum,
@@ -77,6 +87,7 @@ static murk_grid_facts take_facts(const murk_vdb_facts *vdb)
                              .sum = vdb->sum,
                              .background = vdb->background};
     memcpy(facts.name, vdb->name, sizeof facts.name);
+    /* Transformation; the length of a column is the edge of a voxel. */
     double edge_squared[3] = {0};
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column) {
@@ -102,22 +113,23 @@ static murk_status copy_buffer(murk_grid *grid, const unsigned char *bytes,
     if (size == 0) {
         return MURK_OK;
     }
-    const size_t room = (size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
-    grid->buffer = aligned_alloc(ALIGNMENT, room);
+    const size_t rounded = (size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
+    grid->buffer = aligned_alloc(ALIGNMENT, rounded);
     if (!grid->buffer) {
         return murk_fail(err, MURK_NO_MEMORY, where,
                          "no memory for a grid of %zu bytes", size);
     }
     memcpy(grid->buffer, bytes, size);
-    grid->facts.memory_bytes = room;
+    grid->facts.memory_bytes = rounded;
     return MURK_OK;
 }
 
-/* Builds the grid from what the child sent. */
-static murk_status adopt(murk_grid **out, const unsigned char *sent,
-                         size_t size, bool is_albedo, const char *where,
-                         murk_error *err)
+/* Builds the grid from the bytes that the subprocess sent. */
+static murk_status build_received(murk_grid **out, const unsigned char *sent,
+                                  size_t size, bool is_albedo,
+                                  const char *where, murk_error *err)
 {
+    /* The header first. */
     murk_vdb_facts facts;
     if (size < sizeof facts) {
         return murk_fail(err, MURK_BAD_FILE, where,
@@ -128,7 +140,8 @@ static murk_status adopt(murk_grid **out, const unsigned char *sent,
     if (!grid) {
         return murk_fail(err, MURK_NO_MEMORY, where, "no memory for a grid");
     }
-    grid->facts = take_facts(&facts);
+    /* Copy the grid and open the tree. */
+    grid->facts = facts_from_vdb(&facts);
     murk_status status =
         copy_buffer(grid, sent + sizeof facts, size - sizeof facts, where, err);
     if (!status) {
@@ -139,6 +152,7 @@ static murk_status adopt(murk_grid **out, const unsigned char *sent,
         goto done;
     }
     grid->tree.elsewhere = is_albedo ? MURK_VDB_NO_ALBEDO : 0;
+    /* Inactive voxels with a value often mean a mistake in the file. */
     if (facts.cleared > 0) {
         murk_warn(where,
                   "grid %s: %llu voxels hold a value but are not active; "
@@ -164,13 +178,14 @@ static murk_status run(murk_grid **out, murk_subprocess_work work, job *j,
     murk_status status =
         murk_subprocess_run(&sent, &size, work, j, &limits, j->where, err);
     if (!status) {
-        status = adopt(out, sent, size, j->is_albedo, j->where, err);
+        status = build_received(out, sent, size, j->is_albedo, j->where, err);
     }
     free(sent);
     return status;
 }
 
-/* What can be told without the parser. */
+/* Checks that need no parser: a regular, readable file with the magic bytes
+ * of OpenVDB (openvdb/io/Archive.cc). */
 static murk_status check_file(const char *path, uint64_t *size,
                               const char *where, murk_error *err)
 {
@@ -186,6 +201,7 @@ static murk_status check_file(const char *path, uint64_t *size,
                              ? "is a folder, must be an OpenVDB file"
                              : "is not a regular file");
     }
+    /* Read the first eight bytes. */
     FILE *file = murk_inputs_open(path);
     if (!file) {
         return murk_fail(err, MURK_BAD_FILE, where, "cannot be read: %s",
@@ -198,6 +214,7 @@ static murk_status check_file(const char *path, uint64_t *size,
         return murk_fail(err, MURK_BAD_FILE, where,
                          "is empty, must be an OpenVDB file");
     }
+    /* A NanoVDB file is a common mistake and gets a message of its own. */
     if (n >= 7 && memcmp(magic, "NanoVDB", 7) == 0) {
         return murk_fail(err, MURK_BAD_FILE, where,
                          "is a NanoVDB file, must be OpenVDB: "
@@ -219,7 +236,7 @@ static murk_status read_grid(murk_grid **out, const char *path,
     const murk_status status = check_file(path, &size, where, err);
     job j = {
         .path = path, .name = name, .is_albedo = is_albedo, .where = where};
-    return status ? status : run(out, read_in_child, &j, size, err);
+    return status ? status : run(out, read_in_subprocess, &j, size, err);
 }
 
 murk_status murk_grid_read(murk_grid **out, const char *path, const char *name,
@@ -290,7 +307,7 @@ murk_status murk_grid_make(murk_grid **out, const size_t size[3],
                 index_to_world->matrix[row][column];
         }
     }
-    return run(out, make_in_child, &j, voxels * sizeof *density, err);
+    return run(out, make_in_subprocess, &j, voxels * sizeof *density, err);
 }
 
 murk_status murk_grid_from_samples(murk_grid **out, const size_t size[3],

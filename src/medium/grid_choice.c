@@ -1,12 +1,15 @@
+/* Selects a grid of an OpenVDB file by name and kind (medium/grid.h states
+ * the rules), with messages that list the grids of the file. */
 #include "medium/grid_choice.h"
 
 #include <assert.h>
 #include <stdio.h>
 #include <string.h>
 
-/* So many bytes of a list are enough to find what was meant. */
+/* A list in a message ends after this many bytes: enough to recognise the
+ * wanted grid. */
 #define ENOUGH_LISTED 400
-#define MAX_LISTED    (ENOUGH_LISTED + 200) /* and one more entry */
+#define MAX_LISTED    (ENOUGH_LISTED + 200) /* with space for one more entry */
 
 static bool is_float(const murk_grid_entry *entry)
 {
@@ -36,7 +39,7 @@ static void list(char text[MAX_LISTED], const murk_grid_entry *entry, size_t n)
     }
 }
 
-/* How many entries are meant, and the first of them. */
+/* The number of matching entries, and the first of them. */
 typedef struct found {
     size_t n, first;
 } found;
@@ -47,7 +50,8 @@ static void count_in(found *all, size_t i)
     ++all->n;
 }
 
-/* A unique name is the name of one; any other may be that of several. */
+/* The entries with a name. A unique name such as "density[1]" selects one
+ * entry; a plain name may match several. */
 static found those_named(const murk_grid_entry *entry, size_t n,
                          const char *name)
 {
@@ -63,8 +67,8 @@ static found those_named(const murk_grid_entry *entry, size_t n,
     return all;
 }
 
-/* The only density, or the one of that name; or the only grid, whose kind is
- * then refused by name. */
+/* The entries selected without a name: the only density, or the one named
+ * `density`; or the only grid, so that the message names its kind. */
 static found those_meant(const murk_grid_entry *entry, size_t n)
 {
     found all = {0, 0};
@@ -113,6 +117,7 @@ murk_status murk_grid_choose(size_t *chosen, const murk_grid_entry *entry,
         return murk_fail(err, MURK_BAD_FILE, where,
                          "holds no grids: empty, or cut off in its header");
     }
+    /* Find the matching entries; exactly one must match. */
     const found all =
         name ? those_named(entry, n, name) : those_meant(entry, n);
     char there[MAX_LISTED];

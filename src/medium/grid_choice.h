@@ -1,5 +1,5 @@
-/* Which grid of a file is meant, and whether it can be a density or an albedo:
- * the choice that medium/grid.h states, by names and kinds alone.
+/* Selects a grid of a file by name and kind, as medium/grid.h describes, and
+ * checks that it can be a density or an albedo.
  *
  * Inside this room only; plain C for both sides of the bridge. */
 #ifndef MURK_MEDIUM_GRID_CHOICE_H
@@ -11,17 +11,17 @@
 #include <stddef.h>
 
 typedef struct murk_grid_entry {
-    const char *unique; /* "density[1]" where names repeat */
+    const char *unique; /* "density[1]" if names repeat */
     const char *name;
-    const char *type; /* of its values, as OpenVDB calls it */
+    const char *type; /* type of the values, as OpenVDB calls it */
     bool is_level_set;
-    bool is_linear; /* its transform */
+    bool is_linear; /* the transform is linear */
 } murk_grid_entry;
 
-/* *chosen of entry[n] by `name`, NULL: whichever is meant without one. Fails
- * at `where` with MURK_BAD_FILE where there is none at all, with
- * MURK_BAD_VALUE where none or several fit, or the one that does is no field
- * of numbers between faces that are planes. */
+/* Sets *chosen to the index of the selected entry of entry[n]. `name` may be
+ * NULL. Fails at `where` with MURK_BAD_FILE if there is no grid, and with
+ * MURK_BAD_VALUE if none or several match, or if the selected grid is not a
+ * field of numbers on a linear transform. */
 murk_status murk_grid_choose(size_t *chosen, const murk_grid_entry *entry,
                              size_t n, const char *name, const char *where,
                              murk_error *err);

@@ -1,4 +1,7 @@
+/* Writes .vdb files: checks the fields, builds the file in a subprocess, and
+ * replaces the random file identifier by one derived from the contents. */
 #include "medium/grid_write.h"
+#include "medium/grid_internal.h"
 
 #include "base/file.h"
 #include "base/subprocess.h"
@@ -13,21 +16,22 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Names of grids are read back into 128 bytes (murk_grid_facts). */
 #define NAME_BYTES_MAX 127
 
-/* What a node of so many voxels along an edge takes in memory at most: a leaf
- * its 512 values, the others their tables. */
+/* Upper limits of the memory of one node: a leaf has 512 values, the others
+ * have tables of 4096 and 32768 entries. */
 #define LEAF_BYTES  UINT64_C(2304)
 #define LOWER_BYTES UINT64_C(40000)
 #define UPPER_BYTES UINT64_C(300000)
-#define MIN_BYTES   UINT64_C(400000000) /* the package's own */
+#define MIN_BYTES   UINT64_C(400000000) /* for OpenVDB itself */
 
-/* Generous: some 2e7 voxels a second are usual. */
+/* A generous time limit: some 2e7 voxels per second are usual. */
 #define VOXELS_PER_SECOND UINT64_C(1000000)
 #define MIN_SECONDS       60
 
 typedef struct job {
-    murk_subprocess *child;
+    murk_subprocess *subprocess;
     const char *where;
     murk_vdb_field field[MURK_GRID_FIELDS_MAX];
     size_t n;
@@ -82,7 +86,7 @@ static murk_status check(const char *path, const murk_grid_field *fields,
     return status;
 }
 
-/* Nodes of that edge that the box may need. */
+/* Number of nodes with that edge that cover the box. */
 static uint64_t nodes(const size_t size[3], size_t edge)
 {
     uint64_t n = 1;
@@ -94,21 +98,21 @@ static uint64_t nodes(const size_t size[3], size_t edge)
 
 static murk_status send_bytes(void *context, const void *bytes, size_t size)
 {
-    return murk_subprocess_send(((job *)context)->child, bytes, size);
+    return murk_subprocess_send(((job *)context)->subprocess, bytes, size);
 }
 
-static murk_status write_in_child(murk_subprocess *child, void *context,
-                                  murk_error *err)
+static murk_status write_in_subprocess(murk_subprocess *subprocess,
+                                       void *context, murk_error *err)
 {
     job *j = context;
-    j->child = child;
+    j->subprocess = subprocess;
     return murk_vdb_write(j->field, j->n, j->size, j->index_to_world,
                           send_bytes, j, j->where, err);
 }
 
-/* Where an OpenVDB file has its identifier: behind 8 bytes of magic, three
- * 32-bit versions (file, library's major and minor) and one byte that says
- * whether grids can be found by offset (openvdb/io/Archive.cc). */
+/* Position of the identifier in an OpenVDB file: behind 8 bytes of magic,
+ * three 32-bit versions (file, library major and minor) and one byte that
+ * says whether grids can be found by offset (openvdb/io/Archive.cc). */
 #define ID_AT    21
 #define ID_BYTES 36 /* a UUID in text: 8-4-4-4-12 digits */
 
@@ -123,20 +127,21 @@ static bool is_id(const unsigned char *text)
     return true;
 }
 
-/* OpenVDB draws the identifier at random. It becomes a UUID of version 8
- * (RFC 9562) whose other digits are those of the SHA-256 of all other bytes,
- * so that the same fields give the same file. False when there is no
- * identifier. */
+/* OpenVDB draws the identifier at random. It is replaced by a UUID of
+ * version 8 (RFC 9562) whose other digits are those of the SHA-256 of all
+ * other bytes, so that the same fields give the same file. False if there is
+ * no identifier. */
 static bool derive_id(unsigned char *bytes, size_t n)
 {
     if (n < ID_AT + ID_BYTES || !is_id(bytes + ID_AT)) {
         return false;
     }
     char *id = (char *)bytes + ID_AT;
-    memset(id, '0', ID_BYTES); /* so that the random one does not count */
+    memset(id, '0',
+           ID_BYTES); /* the random identifier must not enter the hash */
     char hash[65], text[ID_BYTES + 1];
     murk_sha256_hex(bytes, n, hash);
-    hash[12] = '8'; /* the version; below the variant: binary 10xx */
+    hash[12] = '8'; /* version 8; the next line sets the variant, binary 10xx */
     hash[16] = "89ab"[strtoul((char[]){hash[16], '\0'}, NULL, 16) % 4];
     snprintf(text, sizeof text, "%.8s-%.4s-%.4s-%.4s-%.12s", hash, hash + 8,
              hash + 12, hash + 16, hash + 20);
@@ -167,7 +172,8 @@ murk_status murk_grid_write(const char *path, const murk_grid_field *fields,
                 index_to_world->matrix[row][column];
         }
     }
-    /* the trees, and the file's bytes twice, each at most as large */
+    /* Limits: the trees, and the bytes of the file twice, each at most as
+     * large as the trees. */
     const uint64_t tree_bytes =
         n * (nodes(size, 8) * LEAF_BYTES + nodes(size, 128) * LOWER_BYTES +
              nodes(size, 4096) * UPPER_BYTES);
@@ -176,14 +182,16 @@ murk_status murk_grid_write(const char *path, const murk_grid_field *fields,
         .memory_bytes = MIN_BYTES + 4 * tree_bytes,
         .handed_bytes = MIN_BYTES + tree_bytes,
         .seconds = MIN_SECONDS + (unsigned)(values / VOXELS_PER_SECOND)};
+    /* Build the bytes in a subprocess. */
     unsigned char *bytes = NULL;
     size_t n_bytes = 0;
-    murk_error told = {0};
-    status = murk_subprocess_run(&bytes, &n_bytes, write_in_child, &j, &limits,
-                                 path, &told);
-    if (status) { /* nothing of the user's was read: it is the run that fails */
+    murk_error failure = {0};
+    status = murk_subprocess_run(&bytes, &n_bytes, write_in_subprocess, &j,
+                                 &limits, path, &failure);
+    if (status) { /* no file of the user was read, so the failure is one of the
+                     run */
         status = status == MURK_BAD_FILE ? MURK_RUN_FAILED : status;
-        return murk_fail(err, status, path, "cannot write: %s", told.text);
+        return murk_fail(err, status, path, "cannot write: %s", failure.text);
     }
     status = derive_id(bytes, n_bytes)
                  ? murk_file_write(path, bytes, n_bytes, err)

@@ -1,12 +1,12 @@
-/* Fields on a box of voxels, written as a .vdb file that Blender, Houdini
- * and OpenVDB read.
+/* Writes fields on a box of voxels as a .vdb file that Blender, Houdini and
+ * OpenVDB read.
  *
- * One float grid a field, of class fog volume, all with one transform. Values
- * of 0 are left out (they are the background), so a file costs by what it
- * holds. Built in a child process like everything of OpenVDB, from its
- * parent's memory; the parent writes the bytes. The format carries a file
- * identifier, which is derived from the contents: equal fields give equal
- * bytes. */
+ * Each field becomes one float grid of class fog volume; all have the same
+ * transform. Values of 0 are left out (they are the background), so the size
+ * of the file follows its content. The file is built in a subprocess, which
+ * sees the memory of the parent; the parent writes the bytes. The file
+ * identifier of the format is derived from the contents, so equal fields
+ * give equal bytes. */
 #ifndef MURK_MEDIUM_GRID_WRITE_H
 #define MURK_MEDIUM_GRID_WRITE_H
 
@@ -15,26 +15,28 @@
 
 #include <stddef.h>
 
+/* More fields than any result has; bounds the request to the subprocess. */
 #define MURK_GRID_FIELDS_MAX 64
 
 typedef struct murk_grid_field {
-    const char *name;   /* 1 to 127 bytes, one field of a file alone has it */
+    const char *name;   /* 1 to 127 bytes, unique in the file */
     const float *value; /* size[0] * size[1] * size[2], x fastest; finite */
-    const char *const *notes; /* metadata: key, text, key, text, ..., NULL, such
-                                 as "unit", "W/m2"; may be NULL */
+    const char *const *notes; /* metadata: key, text, key, text, ..., NULL, for
+                                 example "unit", "W/m2"; may be NULL */
 } murk_grid_field;
 
-/* Writes n fields of size[] voxels. index_to_world takes whole numbers to
- * voxel centres: a box from p with edges e has scale e / size and shift
- * p + e / size / 2. The file appears whole or not at all (base/file.h). Fails
- * with MURK_BAD_VALUE for what is said here, MURK_NO_MEMORY, or
- * MURK_RUN_FAILED at `path`. Call it while no other thread of this process
- * runs (fork). */
+/* Writes n fields of size[] voxels. index_to_world maps whole numbers to
+ * voxel centres: a box from p with edges e has scale e / size and shift p +
+ * e / size / 2. The file appears whole or not at all (base/file.h). Fails at
+ * `path` with MURK_BAD_VALUE if an argument is out of the stated range, with
+ * MURK_NO_MEMORY or MURK_RUN_FAILED. Call it while no other thread of this
+ * process runs, because it forks. */
 murk_status murk_grid_write(const char *path, const murk_grid_field *fields,
                             size_t n, const size_t size[3],
                             const murk_affine *index_to_world, murk_error *err);
 
-/* What the head of such a file holds: its creator, as OpenVDB writes it. */
+/* The creator as OpenVDB writes it near the beginning of such a file: a mark
+ * by which a file of murk is recognised. */
 #define MURK_GRID_MARK "creator\6\0\0\0string\4\0\0\0murk"
 
 #endif

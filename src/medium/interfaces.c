@@ -1,16 +1,20 @@
+/* Intersections of rays with the boundaries of refractive regions
+ * (medium/interfaces.h): boxes and half spaces by slabs, spheres by the
+ * quadratic equation, each with rules that make the set of regions, not the
+ * rounded position, decide which intersection counts. */
 #include "medium/interfaces.h"
 
-#include "medium/parts.h"
+#include "medium/media_parts.h"
 
 #include <math.h>
 
-/* What one shell says of a ray, in the world. */
-typedef struct meeting {
+/* The intersection of a ray with one boundary, in world coordinates. */
+typedef struct boundary_hit {
     double distance;
-    murk_vec3 normal; /* of any length and to either side */
-} meeting;
+    murk_vec3 normal; /* any length, either side */
+} boundary_hit;
 
-/* A row of to_local is the normal of that face, in the world. */
+/* The normal of a face in world coordinates is a row of to_local. */
 static murk_vec3 face_normal(const murk_region_boundary *region_boundary,
                              int axis)
 {
@@ -18,11 +22,11 @@ static murk_vec3 face_normal(const murk_region_boundary *region_boundary,
     return murk_vec(row[0], row[1], row[2]);
 }
 
-/* Out through the nearest of the faces that the ray heads for, wherever it
- * stands: one already passed is met at once. Parallel faces give infinity or
- * NaN, which is never less. */
+/* The exit of a ray inside a box: the nearest of the faces that the ray
+ * approaches, whatever the position; a face already passed is hit at once.
+ * Faces parallel to the ray give infinity or NaN, which is never less. */
 static bool leave_box(const murk_region_boundary *region_boundary, murk_vec3 o,
-                      murk_vec3 d, meeting *met)
+                      murk_vec3 d, boundary_hit *hit)
 {
     const murk_box *box = &region_boundary->box;
     const double ahead[3] = {
@@ -31,26 +35,27 @@ static bool leave_box(const murk_region_boundary *region_boundary, murk_vec3 o,
         d.z == 0 ? INFINITY
                  : ((d.z > 0 ? box->max.z : box->min.z) - o.z) / d.z};
     int axis = -1;
-    met->distance = INFINITY;
+    hit->distance = INFINITY;
     for (int i = 0; i < 3; ++i) {
-        if (ahead[i] < met->distance) {
-            met->distance = ahead[i];
+        if (ahead[i] < hit->distance) {
+            hit->distance = ahead[i];
             axis = i;
         }
     }
     if (axis < 0) {
         return false;
     }
-    met->distance = fmax(0, met->distance);
-    met->normal = face_normal(region_boundary, axis);
+    hit->distance = fmax(0, hit->distance);
+    hit->normal = face_normal(region_boundary, axis);
     return true;
 }
 
-/* Where a ray outside enters. A ray that stands on a face lies inside by
- * rounding only: it has just left when the way out is nearer than the way in,
- * so what counts is whether the middle of its chord lies ahead. */
+/* The entry of a ray outside of a box. A ray that starts on a face may lie
+ * inside by rounding. If the exit is closer than the entry is behind, the
+ * ray has just left; therefore the box is entered only if the middle of the
+ * chord is ahead. */
 static bool enter_box(const murk_region_boundary *region_boundary, murk_vec3 o,
-                      murk_vec3 d, meeting *met)
+                      murk_vec3 d, boundary_hit *hit)
 {
     const double from[3] = {o.x, o.y, o.z}, along[3] = {d.x, d.y, d.z};
     const double min[3] = {region_boundary->box.min.x,
@@ -59,6 +64,7 @@ static bool enter_box(const murk_region_boundary *region_boundary, murk_vec3 o,
     const double max[3] = {region_boundary->box.max.x,
                            region_boundary->box.max.y,
                            region_boundary->box.max.z};
+    /* Intersect the slabs of the three axes. */
     double t0 = -INFINITY, t1 = INFINITY;
     int axis = -1;
     for (int i = 0; i < 3; ++i) {
@@ -78,19 +84,21 @@ static bool enter_box(const murk_region_boundary *region_boundary, murk_vec3 o,
         }
         t1 = leave < t1 ? leave : t1;
     }
+    /* No overlap of the slabs, or the middle of the chord is behind. */
     if (axis < 0 || !(t0 < t1 && t0 + t1 > 0)) {
         return false;
     }
-    met->distance = fmax(0, t0);
-    met->normal = face_normal(region_boundary, axis);
+    hit->distance = fmax(0, t0);
+    hit->normal = face_normal(region_boundary, axis);
     return true;
 }
 
-/* The middle of the chord lies at `nearest`, so the rule of enter_box() is
- * that the ray heads inwards. Inside, rounding may leave no chord for a ray
- * that grazes: it is then left at its nearest point. */
-static bool meet_sphere(const murk_region_boundary *region_boundary,
-                        bool is_inside, murk_vec3 o, murk_vec3 d, meeting *met)
+/* Intersection with a sphere. The middle of the chord is at `nearest`, so
+ * the rule of enter_box() is that the ray heads inwards. For a grazing ray
+ * inside, rounding may leave no chord: then it leaves at the nearest point. */
+static bool hit_sphere(const murk_region_boundary *region_boundary,
+                       bool is_inside, murk_vec3 o, murk_vec3 d,
+                       boundary_hit *hit)
 {
     const double square = murk_dot(d, d);
     const double nearest =
@@ -103,18 +111,19 @@ static bool meet_sphere(const murk_region_boundary *region_boundary,
     if (!is_inside && !(half > 0 && nearest > 0)) {
         return false;
     }
-    met->distance = fmax(0, is_inside ? nearest + half : nearest - half);
+    hit->distance = fmax(0, is_inside ? nearest + half : nearest - half);
     const murk_vec3 n =
-        murk_sub(murk_along(o, met->distance, d), region_boundary->center);
+        murk_sub(murk_along(o, hit->distance, d), region_boundary->center);
     const double(*m)[3] = region_boundary->to_local.matrix;
-    met->normal = murk_vec(m[0][0] * n.x + m[1][0] * n.y + m[2][0] * n.z,
+    hit->normal = murk_vec(m[0][0] * n.x + m[1][0] * n.y + m[2][0] * n.z,
                            m[0][1] * n.x + m[1][1] * n.y + m[2][1] * n.z,
                            m[0][2] * n.x + m[1][2] * n.y + m[2][2] * n.z);
     return true;
 }
 
-static bool meet(const murk_region_boundary *region_boundary, bool is_inside,
-                 murk_vec3 o, murk_vec3 d, meeting *met)
+static bool hit_boundary(const murk_region_boundary *region_boundary,
+                         bool is_inside, murk_vec3 o, murk_vec3 d,
+                         boundary_hit *hit)
 {
     if (region_boundary->is_moved) {
         o = murk_affine_point(&region_boundary->to_local, o);
@@ -123,10 +132,10 @@ static bool meet(const murk_region_boundary *region_boundary, bool is_inside,
     switch (region_boundary->shape) {
     case MURK_REGION_BOX:
     case MURK_REGION_BELOW:
-        return is_inside ? leave_box(region_boundary, o, d, met)
-                         : enter_box(region_boundary, o, d, met);
+        return is_inside ? leave_box(region_boundary, o, d, hit)
+                         : enter_box(region_boundary, o, d, hit);
     case MURK_REGION_SPHERE:
-        return meet_sphere(region_boundary, is_inside, o, d, met);
+        return hit_sphere(region_boundary, is_inside, o, d, hit);
     case MURK_REGION_EVERYWHERE:
     case MURK_REGION_GRID:
     case MURK_REGION_MESH:
@@ -135,18 +144,20 @@ static bool meet(const murk_region_boundary *region_boundary, bool is_inside,
     return false;
 }
 
-/* The normal facing where the ray came from, unit. */
-static murk_vec3 facing(const meeting *met, bool is_inside, murk_vec3 direction,
+/* The unit normal on the side of the ray's origin. */
+static murk_vec3 facing(const boundary_hit *hit, bool is_inside,
+                        murk_vec3 direction,
                         const murk_region_boundary *region_boundary)
 {
-    const murk_vec3 n = murk_unit(met->normal);
+    const murk_vec3 n = murk_unit(hit->normal);
     const bool flips = region_boundary->shape == MURK_REGION_SPHERE
                            ? is_inside
                            : murk_dot(n, direction) > 0;
     return flips ? murk_scale(-1, n) : n;
 }
 
-/* In the shell's frame the face is where row . p + shift = at. */
+/* A face as a plane in world coordinates: in the frame of the region, the
+ * points with row . p + shift = at. */
 static murk_flat flat_of(const murk_region_boundary *region_boundary, int axis,
                          double at, bool is_upper)
 {
@@ -222,36 +233,39 @@ bool murk_media_boundary(const murk_media *media, murk_inside inside,
                          murk_vec3 origin, murk_vec3 direction, double max_m,
                          murk_boundary *boundary)
 {
-    meeting met[MURK_REGIONS_MAX];
+    boundary_hit hit[MURK_REGIONS_MAX];
     double nearest = max_m;
     bool any = false;
     if (isnan(origin.x + origin.y + origin.z + direction.x + direction.y +
               direction.z)) {
-        return false; /* meets nothing; no shape has to think of it */
+        return false; /* a NaN hits nothing; no shape needs to handle it */
     }
+    /* The nearest boundary. */
     for (size_t i = 0; i < media->n_boundaries; ++i) {
         const murk_region_boundary *region_boundary = &media->boundaries[i];
         const bool is_inside = inside >> region_boundary->region & 1;
-        if (!meet(region_boundary, is_inside, origin, direction, &met[i])) {
-            met[i].distance = INFINITY;
-        } else if (met[i].distance < nearest) {
-            nearest = met[i].distance;
+        if (!hit_boundary(region_boundary, is_inside, origin, direction,
+                          &hit[i])) {
+            hit[i].distance = INFINITY;
+        } else if (hit[i].distance < nearest) {
+            nearest = hit[i].distance;
             any = true;
         }
     }
     if (!any) {
         return false;
     }
+    /* Combine all boundaries at that place, measured along the normal. */
     *boundary = (murk_boundary){.distance_m = nearest};
     for (size_t i = 0; i < media->n_boundaries; ++i) {
         const murk_region_boundary *region_boundary = &media->boundaries[i];
-        const double behind = met[i].distance - nearest;
+        const double behind = hit[i].distance - nearest;
         if (!(behind < INFINITY)) {
             continue;
         }
         const bool is_inside = inside >> region_boundary->region & 1;
         const murk_vec3 normal =
-            facing(&met[i], is_inside, direction, region_boundary);
+            facing(&hit[i], is_inside, direction, region_boundary);
         if (behind * fabs(murk_dot(normal, direction)) <= media->near_m) {
             boundary->crossed |= (murk_inside)1 << region_boundary->region;
             boundary->region = region_boundary->region;

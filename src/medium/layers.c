@@ -1,5 +1,6 @@
-/* The layer behind a height is known by its number, so the walk never stalls:
- * every step is one layer on. */
+/* Walk of a ray through a profile, layer by layer. The layer beyond a height
+ * is known by number, not by position, so the walk cannot stall: every step
+ * advances by one layer. */
 #include "medium/layers.h"
 
 #include "medium/steps.h"
@@ -7,16 +8,16 @@
 #include <float.h>
 #include <math.h>
 
-/* The height at which the ray leaves a layer is at this t. */
+/* The ray parameter at which the ray reaches a height. */
 static double crossing(const murk_layers *m, double z_m)
 {
     return (z_m - m->origin) / m->direction;
 }
 
-/* The last layer that begins at z or below. */
+/* The last layer whose lower height is at most z. */
 static size_t layer_at(const murk_profile *profile, double z)
 {
-    size_t low = 0, high = profile->n - 1; /* layers: [low, high) */
+    size_t low = 0, high = profile->n - 1; /* the layer is in [low, high) */
     while (high - low > 1) {
         const size_t middle = low + (high - low) / 2;
         if (profile->z_m[middle] <= z) {
@@ -28,7 +29,7 @@ static size_t layer_at(const murk_profile *profile, double z)
     return low;
 }
 
-/* The extinction in a layer at height z, held between its ends. */
+/* The extinction of a layer at height z, clamped to the layer. */
 static double extinction_in(const murk_profile *profile, int band, size_t layer,
                             double z)
 {
@@ -41,7 +42,7 @@ static double extinction_in(const murk_profile *profile, int band, size_t layer,
     return a + share * (b - a);
 }
 
-/* Sets `to` at the end of the layer. */
+/* Sets `to` to the end of the layer. */
 static void cross_layer(murk_layers *m)
 {
     double to = m->end;
@@ -105,6 +106,7 @@ bool murk_layers_integrate(murk_layers *layers, double scale, double offset,
 {
     murk_layers *m = layers;
     while (murk_layers_next(m)) {
+        /* Extinction on this segment: a linear function plus the offset. */
         const murk_cubic line = murk_layers_cubic(m, m->from, m->to);
         murk_cubic whole = {{offset, 0, 0, 0}};
         murk_cubic_add(&whole, scale, &line);
@@ -112,6 +114,7 @@ bool murk_layers_integrate(murk_layers *layers, double scale, double offset,
         const double length = m->to - m->from;
         const double more = *sum + mean * length;
         if (more >= limit && mean > 0) {
+            /* The limit is reached in this segment. */
             const double s =
                 murk_cubic_reach(&whole, (limit - *sum) / (mean * length));
             m->to = murk_smaller(m->to, m->from + s * length);

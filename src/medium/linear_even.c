@@ -1,3 +1,6 @@
+/* Crosses boxes of cells whose corners belong to constant nodes only, in one
+ * segment, with trilinear interpolation between the nodes
+ * (medium/linear_even.h). */
 #include "medium/linear_even.h"
 
 #include "medium/steps.h"
@@ -7,9 +10,11 @@
 #include <string.h>
 
 typedef struct even_box {
-    float value[8];  /* of the nodes, by the axes along which they lie behind */
-    int32_t size;    /* of the smallest of them */
-    unsigned behind; /* the axes at whose end the cell lies: 4 x, 2 y, 1 z */
+    float value[8]; /* values of the nodes, by the axes along which they lie
+                       behind the cell */
+    int32_t size;   /* edge of the smallest node */
+    unsigned
+        behind; /* the axes at whose upper end the cell is: 4 x, 2 y, 1 z */
 } even_box;
 
 static unsigned axes_at_end(const int32_t at[3], int32_t size)
@@ -21,9 +26,9 @@ static unsigned axes_at_end(const int32_t at[3], int32_t size)
     return axes;
 }
 
-/* The box around the cell at[]; false when a leaf takes part. A smaller node
- * behind an end cuts the box, which may bring it to further ends: at most once
- * for each size of nodes. */
+/* Finds the box around the cell at[]; false if a leaf takes part. A smaller
+ * node behind an end cuts the box, and the cell may then be at further ends.
+ * This repeats at most once for each size of nodes. */
 static bool find_even_box(murk_linear *m, even_box *box)
 {
     const murk_linear_node own = murk_linear_node_at(m, m->at);
@@ -35,6 +40,7 @@ static bool find_even_box(murk_linear *m, even_box *box)
     for (;;) {
         int32_t min = box->size;
         box->behind = axes_at_end(m->at, box->size);
+        /* The nodes behind the ends, and the smallest size among them. */
         for (unsigned which = 1; which < 8; ++which) {
             if (which & ~box->behind) {
                 continue;
@@ -49,6 +55,8 @@ static bool find_even_box(murk_linear *m, even_box *box)
             box->value[which] = other.value;
             min = other.size < min ? other.size : min;
         }
+        /* Repeat with the smaller size until no node is smaller than the
+         * box. */
         if (min == box->size) {
             return true;
         }
@@ -65,7 +73,8 @@ static bool is_nothing(const even_box *box)
     return is_zero;
 }
 
-/* Moves at[] to the ray's place at t, between the cells first and last. */
+/* Moves at[] to the position of the ray at t, clamped to the cells
+ * first..last. */
 static void place_between(murk_linear *m, const int32_t first[3],
                           const int32_t last[3], double t)
 {
@@ -75,7 +84,7 @@ static void place_between(murk_linear *m, const int32_t first[3],
     }
 }
 
-/* One segment across the cells first to last. */
+/* Crosses the cells first..last in one segment. */
 static void cross_between(murk_linear *m, const int32_t first[3],
                           const int32_t last[3])
 {
@@ -116,13 +125,15 @@ static void cross_even_box(murk_linear *m, const even_box *box)
     cross_between(m, first, last);
 }
 
-/* Across all that is empty, to the nearest root cell ahead, with the cells
- * below it that see it. Those that the ray has left end at or before `from`,
- * by the same arithmetic. */
+/* Crosses empty space up to the nearest root cell ahead, including the cells
+ * before it that interpolate with it. Root cells that the ray has left end
+ * at or before `from`, by the same arithmetic, so they are not found again. */
 static void skip_to_root_cell(murk_linear *m)
 {
     const murk_root_cell *nearest = NULL;
     double min = m->end;
+    /* Clip the ray to each root cell, enlarged by one voxel at the lower
+     * side. */
     for (size_t i = 0; i < m->tree->n_cells; ++i) {
         const murk_root_cell *cell = &m->tree->cells[i];
         double t0 = m->from, t1 = m->end;
@@ -138,6 +149,7 @@ static void skip_to_root_cell(murk_linear *m)
             nearest = cell;
         }
     }
+    /* An empty segment up to there. */
     m->to = min;
     for (int axis = 0; axis < 3; ++axis) {
         m->low[axis] = m->at[axis];
@@ -159,7 +171,7 @@ bool murk_linear_cross_even(murk_linear *linear)
     if (!find_even_box(linear, &box)) {
         return false;
     }
-    if (is_nothing(&box) && murk_trying_all_is_cheaper(linear->tree)) {
+    if (is_nothing(&box) && murk_root_scan_is_cheaper(linear->tree)) {
         skip_to_root_cell(linear);
     } else {
         cross_even_box(linear, &box);

@@ -1,6 +1,6 @@
-/* What constant nodes alone span, on the way of medium/linear.h: the largest
- * box of cells that sees the same of them is one segment. And the nodes
- * themselves, for what lies between leaves.
+/* The part of the trilinear walk (medium/linear.h) outside of leaves: the
+ * largest box of cells whose corners belong to the same constant nodes is one
+ * segment. Also finds the nodes of the tree for the rest of the walk.
  *
  * Inside this room only. */
 #ifndef MURK_MEDIUM_LINEAR_EVEN_H
@@ -12,20 +12,20 @@
 
 #include <stdint.h>
 
-/* A leaf's 512 values, or (leaf NULL) one value for a cell of the tree of
- * `size` voxels. */
+/* A node: the 512 values of a leaf, or (leaf NULL) one value for a cell of
+ * the tree with an edge of `size` voxels. */
 typedef struct murk_linear_node {
     const float *leaf;
     float value;
     int32_t size;
 } murk_linear_node;
 
-/* The node that holds the voxel. */
+/* The node that contains the voxel. */
 static inline murk_linear_node murk_linear_node_at(murk_linear *m,
                                                    const int32_t voxel[3])
 {
     const int32_t i = voxel[0], j = voxel[1], k = voxel[2];
-    if (!(m->lower && murk_holds(m->lower_first, voxel, 128))) {
+    if (!(m->lower && murk_cell_contains(m->lower_first, voxel, 128))) {
         const murk_root_cell *root = murk_tree_root_cell(m->tree, voxel);
         if (!root || !root->node) {
             return (murk_linear_node){NULL, root ? root->value : 0,
@@ -36,15 +36,15 @@ static inline murk_linear_node murk_linear_node_at(murk_linear *m,
             return (murk_linear_node){NULL, cell.value, 128};
         }
         m->lower = cell.child;
-        murk_remember(m->lower_first, voxel, 128);
+        murk_cell_first(m->lower_first, voxel, 128);
     }
     const murk_cell cell = murk_lower_cell(m->lower, i, j, k);
     return cell.child ? (murk_linear_node){murk_leaf_values(cell.child), 0, 8}
                       : (murk_linear_node){NULL, cell.value, 8};
 }
 
-/* The segment that begins in the cell at[], and at[] behind it; false, and all
- * as it was, where a leaf takes part in that cell. */
+/* Crosses the segment that begins in the cell at[] and moves at[] beyond it.
+ * False if a leaf takes part in that cell; then nothing changes. */
 bool murk_linear_cross_even(murk_linear *linear);
 
 #endif

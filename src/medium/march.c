@@ -1,12 +1,12 @@
-/* The hierarchical walk.
+/* The hierarchical walk through the tree of a grid (medium/march.h).
  *
- * A ray leaves a cell through the face that it meets first. The voxel behind
- * that face is known as a whole number; along the other axes the ray's place
- * is computed and held inside the cell. So rounding can shift a crossing by
- * its last digits but never skip a cell, enter one twice, or stall: every step
- * moves at least one axis on. Crossings are computed as (face - origin) /
- * direction for each cell and each leaf anew, so that errors do not grow with
- * the number of cells. */
+ * A ray leaves a cell through the face that it reaches first. The voxel
+ * beyond that face is known as a whole number; along the other axes the
+ * position is computed and clamped to the cell. Rounding can therefore shift
+ * a crossing by the last digits but never skip a cell, visit one twice, or
+ * stall: every step advances along at least one axis. Crossings are computed
+ * anew as (face - origin) / direction for each cell and each leaf, so that
+ * errors do not grow with the number of cells. */
 #include "medium/march.h"
 
 #include "medium/nodes.h"
@@ -29,7 +29,8 @@ static bool clip_root_cell(const murk_march *m, const murk_root_cell *cell,
     return true;
 }
 
-/* Moves at[] to the ray's place at t, inside the cell of `size` voxels. */
+/* Moves at[] to the position of the ray at t, clamped to a cell of `size`
+ * voxels. */
 static void place_in_cell(murk_march *m, const int32_t first[3], int32_t size,
                           double t)
 {
@@ -39,9 +40,9 @@ static void place_in_cell(murk_march *m, const int32_t first[3], int32_t size,
     }
 }
 
-/* Across all that is empty, to the nearest root cell ahead. A cell that the
- * ray has left ends at or before `from`, by the same arithmetic, so it is not
- * met again. */
+/* Crosses empty space up to the nearest root cell ahead. A cell that the ray
+ * has left ends at or before `from`, by the same arithmetic, so it is not
+ * found again. */
 static void skip_to_root_cell(murk_march *m)
 {
     const murk_root_cell *nearest = NULL;
@@ -60,7 +61,7 @@ static void skip_to_root_cell(murk_march *m)
     }
 }
 
-/* One segment across a cell of one value. */
+/* Crosses a cell of one value in one segment. */
 static void cross_cell(murk_march *m, int32_t size, double value)
 {
     double leave[3], min = INFINITY;
@@ -85,7 +86,7 @@ static void cross_cell(murk_march *m, int32_t size, double value)
     m->value = value;
 }
 
-/* The segment in the voxel of the leaf where the march stands. */
+/* The segment in the current voxel of the leaf. */
 static inline void cross_voxel(murk_march *m)
 {
     const int *in = m->in_leaf, *mirror = m->mirror;
@@ -111,7 +112,8 @@ static void enter_leaf(murk_march *m, const unsigned char *node)
     cross_voxel(m);
 }
 
-/* On to the next voxel of the leaf; false when that lies outside. */
+/* Advances to the next voxel of the leaf; false if that is outside of the
+ * leaf. */
 static inline bool step_in_leaf(murk_march *m)
 {
     for (int axis = 0; axis < 3; ++axis) {
@@ -131,19 +133,19 @@ static void leave_leaf(murk_march *m)
     m->leaf = NULL;
 }
 
-/* Makes `upper` the node around at[]; false when there is none, and then the
- * segment is made. */
+/* Sets `upper` to the node around at[]. False if there is none; then the
+ * segment has been crossed. */
 static bool find_upper(murk_march *m)
 {
     const murk_root_cell *cell = murk_tree_root_cell(m->tree, m->at);
     if (cell && cell->node) {
         m->upper = cell->node;
-        murk_remember(m->upper_first, m->at, MURK_ROOT_CELL);
+        murk_cell_first(m->upper_first, m->at, MURK_ROOT_CELL);
         return true;
     }
     if (cell) {
         cross_cell(m, MURK_ROOT_CELL, cell->value);
-    } else if (murk_trying_all_is_cheaper(m->tree)) {
+    } else if (murk_root_scan_is_cheaper(m->tree)) {
         skip_to_root_cell(m);
     } else {
         cross_cell(m, MURK_ROOT_CELL, 0);
@@ -153,7 +155,8 @@ static bool find_upper(murk_march *m)
 
 static bool find_lower(murk_march *m)
 {
-    if (!(m->upper && murk_holds(m->upper_first, m->at, MURK_ROOT_CELL)) &&
+    if (!(m->upper &&
+          murk_cell_contains(m->upper_first, m->at, MURK_ROOT_CELL)) &&
         !find_upper(m)) {
         return false;
     }
@@ -164,14 +167,14 @@ static bool find_lower(murk_march *m)
         return false;
     }
     m->lower = cell.child;
-    murk_remember(m->lower_first, m->at, 128);
+    murk_cell_first(m->lower_first, m->at, 128);
     return true;
 }
 
-/* The segment that begins in the voxel at[]. */
+/* Crosses the segment that begins in the voxel at[]. */
 static void cross_at(murk_march *m)
 {
-    if (!(m->lower && murk_holds(m->lower_first, m->at, 128)) &&
+    if (!(m->lower && murk_cell_contains(m->lower_first, m->at, 128)) &&
         !find_lower(m)) {
         return;
     }
@@ -220,12 +223,13 @@ void murk_march_begin(murk_march *march, const murk_tree *tree,
                       double t1)
 {
     murk_march *m = march;
-    *m = (murk_march){.tree = tree,
-                      .origin = {origin.x, origin.y, origin.z},
-                      .direction = {direction.x, direction.y, direction.z},
-                      .end = fmin(t1, DBL_MAX), /* so that 0 * length is 0 */
-                      .from = t0,
-                      .to = t0};
+    *m = (murk_march){
+        .tree = tree,
+        .origin = {origin.x, origin.y, origin.z},
+        .direction = {direction.x, direction.y, direction.z},
+        .end = fmin(t1, DBL_MAX), /* finite, so that 0 * length is 0 */
+        .from = t0,
+        .to = t0};
     for (int axis = 0; axis < 3; ++axis) {
         m->inverse[axis] = murk_invert(m->direction[axis]);
         m->stride[axis] = fabs(m->inverse[axis]);
@@ -240,12 +244,13 @@ bool murk_march_next(murk_march *march)
     return next(march);
 }
 
-/* What an integration carries from segment to segment. */
+/* The state of an integration. */
 typedef struct tally {
     double scale, offset, limit, reached;
 } tally;
 
-/* Adds an even segment; true, with *to drawn back, where the limit is met. */
+/* Adds a segment of constant value; true if the limit is reached in it, and
+ * then *to is moved back. */
 static inline bool add_segment(tally *sum, double from, double *to,
                                double value)
 {
@@ -260,8 +265,8 @@ static inline bool add_segment(tally *sum, double from, double *to,
     return false;
 }
 
-/* The rest of a leaf: cross_voxel() and step_in_leaf() over and over, without
- * a branch that depends on which face comes first. */
+/* Integrates over the rest of a leaf: cross_voxel() and step_in_leaf() in
+ * one loop, without a branch that depends on which face is nearest. */
 static bool integrate_leaf(murk_march *m, tally *sum)
 {
     const float *leaf = m->leaf;
@@ -276,6 +281,7 @@ static bool integrate_leaf(murk_march *m, tally *sum)
     tally t = *sum;
     bool stops;
     for (;;) {
+        /* The value up to the nearest face. */
         value = (double)leaf[((x ^ mx) << 6) | ((y ^ my) << 3) | (z ^ mz)];
         const double face = murk_smaller(murk_smaller(tx, ty), tz);
         to = murk_smaller(face, end);
@@ -283,6 +289,7 @@ static bool integrate_leaf(murk_march *m, tally *sum)
         if (stops || face >= end) {
             break;
         }
+        /* Advance to the next voxel along every axis whose face was reached. */
         from = to;
         const bool bx = tx <= face, by = ty <= face, bz = tz <= face;
         tx += bx ? dx : 0;
@@ -295,6 +302,7 @@ static bool integrate_leaf(murk_march *m, tally *sum)
             break;
         }
     }
+    /* Store the state. */
     *sum = t;
     m->from = from;
     m->to = to;

@@ -1,17 +1,19 @@
-/* Participating media in their places: what a photon meets between surfaces.
+/* Participating media and the regions that they fill: extinction, scattering,
+ * free flight and optical depth.
  *
- * sigma_t(x) = density(x) * extinction_per_m. Density is 1, or a grid's, or a
- * profile's by height. Media of overlapping regions add
- * (extinctions sum, the partner of a collision is drawn in proportion to its
- * extinction), except that a region that replaces takes the place of those
- * listed before it; one with an index of refraction replaces, too
- * (medium/interfaces.h). A grid's region is the box of its active voxels, moved
- * with it. Lower faces belong to a region, upper ones do not, so that regions
- * that share a face never count twice.
+ * sigma_t(x) = density(x) * extinction_per_m. The density is 1, or the value of
+ * a grid, or a function of height (profile). Media of overlapping regions add:
+ * extinctions are summed, and a collision belongs to a medium in proportion to
+ * extinction. A region that replaces others removes the regions listed before
+ * it; so does a region with an index of refraction (medium/interfaces.h). The
+ * region of a grid is the box of active voxels, moved with the grid. Lower
+ * faces belong to a region and upper faces do not, so regions that share a face
+ * never count twice.
  *
- * Free flight and optical depth march exactly, region by region, in grids cell
- * by cell through the tree, in profiles layer by layer, so that
- * T(ac) = T(ab) T(bc). Immutable after creation: any number of threads. */
+ * Free flight and optical depth are computed exactly, region by region: in
+ * grids cell by cell through the tree, in profiles layer by layer. Hence
+ * T(ac) = T(ab) T(bc). Immutable after creation: any number of threads may
+ * use it. */
 #ifndef MURK_MEDIUM_MEDIA_H
 #define MURK_MEDIUM_MEDIA_H
 
@@ -27,20 +29,30 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define MURK_MEDIA_MAX   256
-#define MURK_REGIONS_MAX 64
-#define MURK_IOR_MAX     10
+/* More media than any scene has needed; bounds the size of tables. */
+#define MURK_MEDIA_MAX 256
 
-/* Between a grid's voxels. */
+/* One bit of a 64-bit mask for each region (murk_inside). */
+#define MURK_REGIONS_MAX 64
+
+/* Above the index of any transparent material: germanium has 4. */
+#define MURK_IOR_MAX 10
+
+/* Boundaries of regions closer than this are one boundary, as a fraction of the
+ * largest coordinate of the domain: far above rounding (some 1e-15), far below
+ * the thickness of any film that rays can describe. */
+#define MURK_INTERFACE_NEAR 1e-12
+
+/* Interpolation between voxels of a grid. */
 typedef enum murk_interpolation {
-    MURK_NEAREST, /* a voxel has one value throughout */
-    MURK_LINEAR   /* trilinear between the voxels' centres; 0 from one voxel
-                     beyond the outermost centres on */
+    MURK_NEAREST, /* constant in each voxel */
+    MURK_LINEAR   /* trilinear between the centres of voxels; 0 from one voxel
+                     beyond the outermost centres */
 } murk_interpolation;
 
-/* Extinction by height in the region's own frame: linear between the heights,
- * which rise; one given twice is a jump. Nothing below the first and above
- * the last. */
+/* Extinction as a function of height in the region's frame: linear between
+ * the heights, which rise. A height given twice is a jump. No extinction
+ * below the first and above the last height. */
 typedef struct murk_profile {
     size_t n; /* 2 or more */
     const double *z_m;
@@ -48,14 +60,15 @@ typedef struct murk_profile {
 } murk_profile;
 
 typedef struct murk_medium {
-    /* >= 0; times the density of a grid or profile */
+    /* >= 0; multiplied by the density of a grid or profile */
     murk_spectrum extinction_per_m;
-    murk_spectrum albedo;         /* scattered / extinguished, 0..1 */
-    const murk_grid *albedo_grid; /* not NULL: albedo by place, in all bands,
-                                     instead; murk_grid_read_albedo() */
+    murk_spectrum albedo; /* scattered / extinguished, 0..1 */
+    const murk_grid
+        *albedo_grid; /* not NULL: albedo at each place, the same in all bands,
+                         instead of `albedo`; from murk_grid_read_albedo() */
     murk_phase phase[MURK_BANDS_MAX]; /* all zero: isotropic */
-    /* Density: of the grid, or of the profile (whose extinction is one), else
-     * 1. Borrowed for the lifetime. */
+    /* Density: from the grid, or from the profile (whose values are
+     * extinctions), otherwise 1. Borrowed for the lifetime of the media. */
     const murk_grid *grid;
     murk_interpolation interpolation;
     const murk_profile *profile;
@@ -65,52 +78,55 @@ typedef struct murk_medium {
 typedef struct murk_region {
     size_t medium;
     murk_region_shape shape;
-    murk_box box;     /* box; mesh: what holds it, in the world */
+    murk_box box; /* box; for a mesh: its bounding box in world coordinates */
     murk_vec3 center; /* sphere */
     double radius_m;
-    double below_z_m;     /* half space; in the world, wherever it is moved */
-    murk_affine to_world; /* moves shape (and grid) as a whole; unused where
-                             everywhere and below; of meshes, the filling: the
-                             mesh has been moved */
+    double
+        below_z_m; /* half space; in world coordinates, not moved by to_world */
+    murk_affine to_world; /* moves shape and grid as a whole; not used for
+                             everywhere and below. For a mesh it moves the grid
+                             or profile only: the mesh itself has been moved */
     bool replaces;
     double ior; /* index of refraction, 1..MURK_IOR_MAX; 0: none. Refractive
-                   regions lie in one another or apart (for meshes the caller
-                   sees to it); no grids */
-    double mean_square_slope; /* of the waves on a half space with an index:
-                                 medium/waves.h; 0: level */
+                   regions are nested or separate (for meshes the caller checks
+                   this) and have no grid as shape */
+    double mean_square_slope; /* mean square slope of the waves on a half space
+                                 with an index: medium/waves.h; 0: flat */
     const char *where;
 } murk_region;
 
-/* The regions with a boundary (an index, or a mesh) that a ray lies in: bit i
- * stands for region i. Flight and depth look at the bits of meshes alone, which
- * a ray must not leave on its way: regions of other shapes know by themselves
- * where they are. */
+/* The set of regions with a boundary (an index, or a mesh) that a ray is in:
+ * bit i stands for region i. Flight and optical depth use the bits of meshes
+ * only, and a ray must not leave a mesh on the way: for regions of other
+ * shapes the position decides. */
 typedef uint64_t murk_inside;
 
 typedef struct murk_media murk_media;
 
-/* n_regions may be 0: clear air. What is everywhere has no bounds of its own:
- * light does not leave the domain. Warns of regions that lie outside of the
- * domain. Fails with MURK_BAD_VALUE at the `where` of a medium or region. *out
- * is the caller's: murk_media_destroy(). */
+/* Places media in regions. n_regions may be 0: clear air. A medium that is
+ * everywhere has no bounds; the domain bounds the light. Warns of regions
+ * outside of the domain. Fails with MURK_BAD_VALUE at the `where` of a
+ * medium or region. The caller owns *out and releases it with
+ * murk_media_destroy(). */
 murk_status murk_media_create(murk_media **out, const murk_medium *media,
                               size_t n_media, const murk_region *regions,
                               size_t n_regions, const murk_box *domain,
                               murk_error *err);
 void murk_media_destroy(murk_media *media); /* NULL is fine */
 
-/* How many there are, in regions or not. */
+/* The number of media, whether regions use them or not. */
 size_t murk_media_count(const murk_media *media);
 
-/* That of a medium, by number, in a band. */
+/* The phase function of a medium in a band. */
 const murk_phase *murk_media_phase(const murk_media *media, size_t medium,
                                    int band);
 
-/* False when no ray can ever meet a medium in any band (no regions, or
+/* False if no medium has an extinction in any band (no regions, or
  * extinction 0 everywhere). */
 bool murk_media_any(const murk_media *media);
 
-/* Optical depth from origin along unit direction over length_m. */
+/* Optical depth from `origin` along the unit vector `direction` over
+ * length_m. */
 double murk_media_optical_depth(const murk_media *media, int band,
                                 murk_inside inside, murk_vec3 origin,
                                 murk_vec3 direction, double length_m);
@@ -122,41 +138,44 @@ double murk_media_transmittance(const murk_media *media, int band,
 
 typedef struct murk_collision {
     double distance_m;
-    size_t medium;           /* the partner */
-    double albedo;           /* the partner's, in this band */
-    const murk_phase *phase; /* likewise */
-    double scattering_per_m; /* of all media together at the place */
+    size_t medium;           /* the medium of the collision */
+    double albedo;           /* albedo of that medium in this band */
+    const murk_phase *phase; /* phase function of that medium in this band */
+    double scattering_per_m; /* scattering coefficient of all media at the
+                                collision */
 } murk_collision;
 
-/* Flies until the optical depth reaches tau or the length is used up. True
- * and *collision filled when it collides; u in (0, 1) draws the partner. */
+/* Free flight: follows the ray until the optical depth reaches tau or the
+ * length is used up. True, with *collision filled, if there is a collision;
+ * u in (0, 1) selects the medium. */
 bool murk_media_fly(const murk_media *media, int band, murk_inside inside,
                     murk_vec3 origin, murk_vec3 direction, double length_m,
                     double tau, double u, murk_collision *collision);
 
-/* Makes ready for murk_media_fly_delta(): bounds of the grids' densities, brick
- * by brick. Fails with MURK_NO_MEMORY. */
+/* Computes the majorants per brick that murk_media_fly_delta() needs. Fails
+ * with MURK_NO_MEMORY. */
 murk_status murk_media_prepare_delta(murk_media *media, murk_error *err);
 
-/* The same in distribution, by delta tracking through grids: tau and u are of
- * slot 0 of the address, and from slot 1 on it draws as many as it needs. */
+/* Free flight with the same distribution, by delta tracking through grids.
+ * tau and u come from slot 0 of the address; further numbers are drawn from
+ * slot 1 on. */
 bool murk_media_fly_delta(const murk_media *media, int band, murk_inside inside,
                           murk_vec3 origin, murk_vec3 direction,
                           double length_m, double tau, double u,
                           const murk_address *address,
                           murk_collision *collision);
 
-/* Sums over media at a point [1/m]. */
+/* Extinction and scattering coefficient of all media at a point [1/m]. */
 double murk_media_extinction(const murk_media *media, int band,
                              murk_inside inside, murk_vec3 p);
 double murk_media_scattering(const murk_media *media, int band,
                              murk_inside inside, murk_vec3 p);
 
-/* What one medium adds to the extinction there [1/m]. */
+/* The part of the extinction that one medium contributes [1/m]. */
 double murk_media_extinction_of(const murk_media *media, size_t medium,
                                 int band, murk_inside inside, murk_vec3 p);
 
-/* Box of all bounded regions; empty when there are none. */
+/* Bounding box of all bounded regions; empty if there are none. */
 murk_box murk_media_bounds(const murk_media *media);
 
 #endif

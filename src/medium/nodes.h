@@ -1,5 +1,5 @@
-/* The nodes below the root of a NanoVDB float tree, read from C: what lies at
- * one place of a table. Thin names over PNanoVDB.h; inside this room only. */
+/* Access to the nodes below the root of a NanoVDB float tree from C: short
+ * names for functions of PNanoVDB.h. Inside this room only. */
 #ifndef MURK_MEDIUM_NODES_H
 #define MURK_MEDIUM_NODES_H
 
@@ -15,14 +15,14 @@ typedef struct murk_cell {
     float value;
 } murk_cell;
 
-/* PNanoVDB.h addresses bytes from a buffer's start. Taking the node itself for
- * the start leaves every address 0. */
+/* PNanoVDB.h addresses bytes from the start of a buffer. With the node
+ * itself as the start, every address is 0. */
 static inline pnanovdb_buf_t murk_node_buffer(const unsigned char *node)
 {
     return pnanovdb_make_buf((uint32_t *)(uintptr_t)node, 0);
 }
 
-/* The 128-voxel cell of an upper node that holds the voxel. */
+/* The 128-voxel cell of an upper node that contains the voxel. */
 static inline murk_cell murk_upper_cell(const unsigned char *node, int32_t i,
                                         int32_t j, int32_t k)
 {
@@ -42,7 +42,7 @@ static inline murk_cell murk_upper_cell(const unsigned char *node, int32_t i,
                               PNANOVDB_GRID_TYPE_FLOAT, buffer, upper, n))};
 }
 
-/* The 8-voxel cell of a lower node that holds the voxel. */
+/* The 8-voxel cell of a lower node that contains the voxel. */
 static inline murk_cell murk_lower_cell(const unsigned char *node, int32_t i,
                                         int32_t j, int32_t k)
 {
@@ -62,8 +62,8 @@ static inline murk_cell murk_lower_cell(const unsigned char *node, int32_t i,
                               PNANOVDB_GRID_TYPE_FLOAT, buffer, lower, n))};
 }
 
-/* A leaf's 512 values; voxel (i, j, k) at (i & 7) * 64 + (j & 7) * 8 +
- * (k & 7). */
+/* The 512 values of a leaf; voxel (i, j, k) is at (i & 7) * 64 + (j & 7) * 8
+ * + (k & 7). */
 static inline const float *murk_leaf_values(const unsigned char *node)
 {
     const pnanovdb_leaf_handle_t leaf = {{0}};

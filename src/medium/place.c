@@ -1,5 +1,9 @@
+/* Regions placed in the world (medium/place.h). Rays and points are
+ * transformed into the frame of the shape, or into the index space of the
+ * grid, and tested there. */
 #include "medium/place.h"
 
+#include "medium/grid_internal.h"
 #include "medium/layers.h"
 #include "medium/linear.h"
 #include "medium/march.h"
@@ -7,7 +11,7 @@
 #include <math.h>
 #include <string.h>
 
-/* The box around the images of a box's eight corners. */
+/* Bounding box of the images of the eight corners of a box. */
 static murk_box box_around(const murk_affine *map, const murk_box *box)
 {
     murk_box around = murk_box_empty();
@@ -20,8 +24,9 @@ static murk_box box_around(const murk_affine *map, const murk_box *box)
     return around;
 }
 
-/* An affine map takes a sphere to an ellipsoid, which reaches as far along an
- * axis as that row of the matrix is long. */
+/* Bounding box of the image of a sphere. An affine map takes a sphere to an
+ * ellipsoid, whose extent along an axis is the length of that row of the
+ * matrix, times the radius. */
 static murk_box sphere_bounds(const murk_affine *map, murk_vec3 center,
                               double radius)
 {
@@ -37,8 +42,8 @@ static murk_box sphere_bounds(const murk_affine *map, murk_vec3 center,
     return (murk_box){murk_sub(middle, reach), murk_add(middle, reach)};
 }
 
-/* Where a grid lies. Beyond its voxels nothing is; between the centres of
- * voxels the field reaches one voxel beyond the outermost. */
+/* Places a grid. The density is 0 beyond the voxels; a trilinear field
+ * extends one voxel beyond the outermost centres. */
 static bool place_grid(murk_place *place, const murk_region *region,
                        const murk_medium *medium)
 {
@@ -48,6 +53,7 @@ static bool place_grid(murk_place *place, const murk_region *region,
     if (!murk_affine_invert(&to_world, &place->to_index)) {
         return false;
     }
+    /* Index space; shifted by one half for nearest-neighbour interpolation. */
     place->filling = is_linear ? MURK_FILLED_BY_LINEAR : MURK_FILLED_BY_NEAREST;
     if (!is_linear) {
         place->to_index.shift =
@@ -57,6 +63,7 @@ static bool place_grid(murk_place *place, const murk_region *region,
     if (place->shape != MURK_REGION_GRID) {
         return true;
     }
+    /* The grid is the shape: its box bounds the region. */
     place->to_local = place->to_index;
     place->is_moved = true;
     const int32_t *first = place->tree->first, *last = place->tree->last;
@@ -85,6 +92,7 @@ bool murk_place_make(murk_place *place, const murk_region *region,
                        .filling = medium->profile ? MURK_FILLED_BY_LAYERS
                                                   : MURK_FILLED_EVENLY,
                        .bounds = murk_box_empty()};
+    /* The frame of the shape. */
     const bool is_movable = region->shape != MURK_REGION_EVERYWHERE &&
                             region->shape != MURK_REGION_BELOW;
     const murk_affine *to_world = is_movable ? &region->to_world : &identity;
@@ -92,6 +100,7 @@ bool murk_place_make(murk_place *place, const murk_region *region,
         return false;
     }
     made.is_moved = memcmp(to_world, &identity, sizeof identity) != 0;
+    /* The bounding box in world coordinates. */
     switch (region->shape) {
     case MURK_REGION_EVERYWHERE:
         made.bounds = (murk_box){{-INFINITY, -INFINITY, -INFINITY},
@@ -114,6 +123,7 @@ bool murk_place_make(murk_place *place, const murk_region *region,
     case MURK_REGION_GRID:
         break; /* below */
     }
+    /* Grids of density and albedo. */
     if (medium->grid && !place_grid(&made, region, medium)) {
         return false;
     }
@@ -131,13 +141,13 @@ bool murk_place_make(murk_place *place, const murk_region *region,
         !(made.shape == MURK_REGION_GRID && made.tree->n_cells == 0);
     if (is_bounded &&
         !(murk_is_finite(made.bounds.min) && murk_is_finite(made.bounds.max))) {
-        return false; /* overflow or NaN somewhere in the placement */
+        return false; /* overflow or NaN in the placement */
     }
     *place = made;
     return true;
 }
 
-/* The stretch in which one coordinate lies in [low, high). */
+/* The interval in which one coordinate is in [low, high). */
 static inline void clip_axis(double low, double high, double origin,
                              double direction, double *t0, double *t1)
 {
@@ -152,7 +162,8 @@ static inline void clip_axis(double low, double high, double origin,
     *t1 = *t1 < leave ? *t1 : leave;
 }
 
-/* No way out before the end: the three axes are worked out side by side. */
+/* Clips to a box. There is no early exit, so that the three axes are
+ * computed side by side. */
 static inline bool clip_box(const murk_box *box, const murk_vec3 *o,
                             const murk_vec3 *d, double *t0, double *t1)
 {
@@ -165,8 +176,8 @@ static inline bool clip_box(const murk_box *box, const murk_vec3 *o,
     return from < to;
 }
 
-/* Measured from the point of the line nearest to the centre: far origins cost
- * no digits of the chord. */
+/* Clips to a sphere, measured from the point of the line nearest to the
+ * centre, so that far origins cost no digits. */
 static bool clip_sphere(murk_vec3 center, double radius, const murk_vec3 *o,
                         const murk_vec3 *d, double *t0, double *t1)
 {
@@ -196,7 +207,7 @@ bool murk_place_clip(const murk_place *place, const murk_vec3 *origin,
     }
     switch (place->shape) {
     case MURK_REGION_EVERYWHERE:
-    case MURK_REGION_MESH: /* for a ray inside */
+    case MURK_REGION_MESH: /* the caller knows that the ray is inside */
         return *t0 < *t1;
     case MURK_REGION_BELOW:
         clip_axis(-INFINITY, place->level, o->z, d->z, t0, t1);
@@ -241,7 +252,7 @@ static bool box_holds(const murk_box *box, murk_vec3 p)
            p.y < box->max.y && p.z >= box->min.z && p.z < box->max.z;
 }
 
-/* Whether p lies in what fills the shape, and the density there. */
+/* True if p is inside the filling; *density is then the density there. */
 static bool filling_at(const murk_place *place, int band, murk_vec3 at,
                        murk_vec3 p, double *density)
 {
@@ -267,8 +278,8 @@ static bool shape_holds(const murk_place *place, murk_vec3 at)
     const murk_vec3 off = murk_sub(at, place->center);
     switch (place->shape) {
     case MURK_REGION_EVERYWHERE:
-    case MURK_REGION_GRID: /* as its filling says */
-    case MURK_REGION_MESH: /* for a point inside */
+    case MURK_REGION_GRID: /* decided by the filling */
+    case MURK_REGION_MESH: /* the caller knows that the point is inside */
         return true;
     case MURK_REGION_BELOW:
         return at.z < place->level;

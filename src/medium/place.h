@@ -1,8 +1,11 @@
-/* One region in its place: which part of a ray lies in it, what density it has
- * at a point, which box it fills. Inside this room only.
+/* A region placed in the world: the part of a ray inside it, the density at a
+ * point, and the bounding box. Inside this room only.
  *
- * Lower faces belong to a region and upper faces do not, so that regions that
- * share a face never count twice. */
+ * A region has a shape and a filling: a constant density, a grid or a
+ * profile. Where it replaces other media, it does so in all of the shape;
+ * density is where both shape and filling are. Lower faces belong to a
+ * region and upper faces do not, so regions that share a face never count
+ * twice. */
 #ifndef MURK_MEDIUM_PLACE_H
 #define MURK_MEDIUM_PLACE_H
 
@@ -14,10 +17,10 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* What gives the density inside. */
+/* The source of the density inside. */
 typedef enum murk_filling {
     MURK_FILLED_EVENLY,
-    MURK_FILLED_BY_NEAREST, /* a grid, a value a voxel */
+    MURK_FILLED_BY_NEAREST, /* a grid, one value per voxel */
     MURK_FILLED_BY_LINEAR,  /* a grid, trilinear */
     MURK_FILLED_BY_LAYERS   /* a profile */
 } murk_filling;
@@ -28,50 +31,53 @@ typedef struct murk_place {
     murk_filling filling;
     bool replaces;
     bool is_moved; /* to_local is not the identity */
-    murk_box box;  /* the shape in its own frame */
+    murk_box box;  /* the shape in the frame of the region */
     murk_vec3 center;
     double radius;
-    double level;         /* half spaces */
-    murk_affine to_local; /* the shape's frame, and a profile's; where the grid
-                             is the shape: to_index */
-    /* Grids: index space in which cell i covers [i, i + 1). Nearest: shifted
-     * by a half, cell i is voxel i. Linear: as it is, cell i lies between the
-     * centres of voxels i and i + 1. */
+    double level;         /* height of a half space */
+    murk_affine to_local; /* to the frame of shape and profile; if the grid is
+                             the shape: to_index */
+    /* Grids: to the index space in which cell i covers [i, i + 1). Nearest:
+     * shifted by one half, cell i is voxel i. Linear: not shifted, cell i
+     * lies between the centres of voxels i and i + 1. */
     murk_affine to_index;
     const murk_tree *tree;
-    murk_affine to_albedo; /* index space of the albedo's grid, as it is */
-    murk_bricks *bricks;   /* grids, where prepared for delta tracking; owned by
-                              the murk_media */
+    murk_affine
+        to_albedo; /* to the index space of the albedo grid, not shifted */
+    murk_bricks *bricks; /* majorants of a grid, once computed for delta
+                            tracking; owned by the murk_media */
     const murk_profile *profile;
-    murk_box bounds; /* of the shape in the world; infinite when everywhere,
-                        empty when nothing is there */
+    murk_box bounds; /* bounding box of the shape in the world; infinite for
+                        everywhere, empty if nothing is there */
 } murk_place;
 
-/* Places a checked region; its placement must be invertible, or false. */
+/* Places a region that has been checked. False if the placement cannot be
+ * inverted. */
 bool murk_place_make(murk_place *place, const murk_region *region,
                      const murk_medium *medium);
 
-/* False for a mesh that a ray of this set is not in; region: the place's
- * number. What follows holds for the others. */
+/* False for a mesh that does not contain the ray; `region` is the number of
+ * the place. The functions below may be used for all other places. */
 static inline bool murk_place_may_hold(const murk_place *place, size_t region,
                                        murk_inside inside)
 {
     return place->shape != MURK_REGION_MESH || (inside >> region & 1);
 }
 
-/* The part of the ray inside the shape, cut to [*t0, *t1] as given. False when
- * nothing is left. */
+/* Clips [*t0, *t1] to the part of the ray inside the shape. False if nothing
+ * is left. */
 bool murk_place_clip(const murk_place *place, const murk_vec3 *origin,
                      const murk_vec3 *direction, double *t0, double *t1);
 
-/* The same of the box of a grid, or of the heights of a profile, beyond which
- * the density is 0; all of it where the grid is the shape, or evenly filled. */
+/* Clips [*t0, *t1] to the box of a grid or the heights of a profile, beyond
+ * which the density is 0. No change if the grid is the shape or the density
+ * is constant. */
 bool murk_place_clip_filling(const murk_place *place, const murk_vec3 *origin,
                              const murk_vec3 *direction, double *t0,
                              double *t1);
 
-/* Whether p lies inside the shape, and the density there (1 where evenly
- * filled). */
+/* True if p is inside the shape; *density is then the density there (1 for a
+ * constant density). */
 bool murk_place_density(const murk_place *place, int band, murk_vec3 p,
                         double *density);
 

@@ -1,11 +1,13 @@
-/* Shells are convex: boxes (a half space is one with all faces but one at
- * infinity) and balls. So whether two of them cross is settled by corners,
- * distances and separating axes (Gottschalk, Lin and Manocha, SIGGRAPH 1996,
- * doi:10.1145/237170.237244). */
+/* Boundaries of refractive regions: construction, and the test whether two of
+ * them intersect.
+ *
+ * Boundaries are convex: boxes (a half space is a box with all faces but one
+ * at infinity) and spheres. Therefore corners, distances and separating axes
+ * decide whether two of them intersect (Gottschalk, Lin and Manocha,
+ * SIGGRAPH 1996, doi:10.1145/237170.237244). */
 #include "medium/region_boundary.h"
 
 #include "base/log.h"
-#include "medium/interfaces.h"
 
 #include <math.h>
 #include <string.h>
@@ -31,8 +33,8 @@ static void set_part(murk_vec3 *v, int axis, double value)
     }
 }
 
-/* The axis of the world that an axis of the shell's frame lies along, or -1.
- * Tilts too small to move a face by near_m inside the domain do not count. */
+/* The world axis that is parallel to an axis of the region's frame, or -1.
+ * Tilts too small to move a face by near_m inside the domain are ignored. */
 static int world_axis_of(const murk_region_boundary *boundary, int local)
 {
     const double *row = boundary->to_local.matrix[local];
@@ -45,7 +47,7 @@ static int world_axis_of(const murk_region_boundary *boundary, int local)
     return -1;
 }
 
-/* Moves the face away when it lies in a side of the domain or beyond. */
+/* Moves a face to infinity if it is on a side of the domain or beyond. */
 static bool open_face(murk_region_boundary *boundary, int local, int axis,
                       bool upper, const murk_box *domain)
 {
@@ -93,7 +95,7 @@ bool murk_region_boundary_make(murk_region_boundary *boundary, size_t number,
                                  .radius = region->radius_m};
     switch (region->shape) {
     case MURK_REGION_EVERYWHERE:
-    case MURK_REGION_MESH: /* only its index counts here */
+    case MURK_REGION_MESH: /* only the index matters here */
         made.spans[0] = made.spans[1] = true;
         break;
     case MURK_REGION_BELOW:
@@ -140,11 +142,11 @@ bool murk_region_boundary_holds(const murk_region_boundary *boundary,
            p.y < box->max.y && p.z >= box->min.z && p.z < box->max.z;
 }
 
-/* ---- whether two cross ---- */
+/* ---- intersection of two boundaries ---- */
 
-/* A ball, or a box of which half[i] is the way from the middle to a face. */
+/* A sphere, or a box; half[i] is the vector from the middle to a face. */
 typedef struct body {
-    bool is_ball, is_all;
+    bool is_sphere, is_all;
     murk_vec3 center, half[3];
     double radius;
 } body;
@@ -152,16 +154,17 @@ typedef struct body {
 static murk_affine world_of(const murk_region_boundary *boundary)
 {
     murk_affine to_world = murk_affine_identity();
-    murk_affine_invert(&boundary->to_local, &to_world); /* an inverse itself */
+    murk_affine_invert(&boundary->to_local,
+                       &to_world); /* to_local was computed by inversion */
     return to_world;
 }
 
-/* Faces at infinity are put `far` off, the same for all bodies: beyond
- * everything else. */
+/* Converts a boundary. Faces at infinity are put at the distance `far`, the
+ * same for all bodies and beyond everything else. */
 static body body_of(const murk_region_boundary *boundary, double far)
 {
     const murk_affine to_world = world_of(boundary);
-    body b = {.is_ball = boundary->shape == MURK_REGION_SPHERE,
+    body b = {.is_sphere = boundary->shape == MURK_REGION_SPHERE,
               .is_all = boundary->shape == MURK_REGION_EVERYWHERE};
     murk_vec3 middle = boundary->center;
     for (int i = 0; i < 3; ++i) {
@@ -169,7 +172,7 @@ static body body_of(const murk_region_boundary *boundary, double far)
                                 to_world.matrix[2][i]};
         const double scale = murk_length(axis), limit = far / scale;
         b.radius = boundary->radius * scale;
-        if (!b.is_ball && !b.is_all) {
+        if (!b.is_sphere && !b.is_all) {
             const double low = fmax(part(boundary->box.min, i), -limit);
             const double high = fmin(part(boundary->box.max, i), limit);
             set_part(&middle, i, (low + high) / 2);
@@ -180,7 +183,7 @@ static body body_of(const murk_region_boundary *boundary, double far)
     return b;
 }
 
-/* How far a box reaches from its middle along unit n. */
+/* Half of the extent of a box along the unit vector n. */
 static double reach(const body *box, murk_vec3 n)
 {
     return fabs(murk_dot(box->half[0], n)) + fabs(murk_dot(box->half[1], n)) +
@@ -196,8 +199,8 @@ static murk_vec3 corner(const body *box, int i)
     return p;
 }
 
-/* How far p is outside the faces across one axis of the box; negative inside.
- */
+/* Distance of p outside of the two faces across an axis of the box; negative
+ * inside. */
 static double beyond_faces(const body *box, int axis, murk_vec3 p)
 {
     const double half = murk_length(box->half[axis]);
@@ -208,7 +211,7 @@ static double beyond_faces(const body *box, int axis, murk_vec3 p)
 static bool is_in_box(const body *p, const body *box, double near)
 {
     for (int axis = 0; axis < 3; ++axis) {
-        if (p->is_ball) {
+        if (p->is_sphere) {
             if (beyond_faces(box, axis, p->center) + p->radius > near) {
                 return false;
             }
@@ -223,15 +226,15 @@ static bool is_in_box(const body *p, const body *box, double near)
     return true;
 }
 
-static bool is_in_ball(const body *p, const body *ball, double near)
+static bool is_in_sphere(const body *p, const body *sphere, double near)
 {
-    if (p->is_ball) {
-        return murk_length(murk_sub(p->center, ball->center)) + p->radius <=
-               ball->radius + near;
+    if (p->is_sphere) {
+        return murk_length(murk_sub(p->center, sphere->center)) + p->radius <=
+               sphere->radius + near;
     }
     for (int i = 0; i < 8; ++i) {
-        if (murk_length(murk_sub(corner(p, i), ball->center)) >
-            ball->radius + near) {
+        if (murk_length(murk_sub(corner(p, i), sphere->center)) >
+            sphere->radius + near) {
             return false;
         }
     }
@@ -243,18 +246,19 @@ static bool is_in(const body *inner, const body *outer, double near)
     if (inner->is_all || outer->is_all) {
         return outer->is_all;
     }
-    return outer->is_ball ? is_in_ball(inner, outer, near)
-                          : is_in_box(inner, outer, near);
+    return outer->is_sphere ? is_in_sphere(inner, outer, near)
+                            : is_in_box(inner, outer, near);
 }
 
-static bool ball_and_box_apart(const body *ball, const body *box, double near)
+static bool sphere_and_box_separate(const body *sphere, const body *box,
+                                    double near)
 {
     double square = 0;
     for (int axis = 0; axis < 3; ++axis) {
-        const double beyond = fmax(0, beyond_faces(box, axis, ball->center));
+        const double beyond = fmax(0, beyond_faces(box, axis, sphere->center));
         square += beyond * beyond;
     }
-    return sqrt(square) >= ball->radius - near;
+    return sqrt(square) >= sphere->radius - near;
 }
 
 static bool separates(const body *a, const body *b, murk_vec3 n, double near)
@@ -263,11 +267,12 @@ static bool separates(const body *a, const body *b, murk_vec3 n, double near)
     return way >= reach(a, n) + reach(b, n) - near;
 }
 
-/* Sine of the angle below which two edges count as parallel: their faces then
- * separate all that their common normal would. */
+/* Sine of the angle below which two edges count as parallel. The common
+ * normal of parallel edges is no further separating axis: the normals of the
+ * faces suffice. */
 #define PARALLEL 1e-9
 
-static bool boxes_apart(const body *a, const body *b, double near)
+static bool box_pair_separate(const body *a, const body *b, double near)
 {
     murk_vec3 side[2][3];
     for (int i = 0; i < 3; ++i) {
@@ -290,18 +295,19 @@ static bool boxes_apart(const body *a, const body *b, double near)
     return false;
 }
 
-static bool are_apart(const body *a, const body *b, double near)
+static bool are_separate(const body *a, const body *b, double near)
 {
-    if (a->is_ball && b->is_ball) {
+    if (a->is_sphere && b->is_sphere) {
         return murk_length(murk_sub(a->center, b->center)) >=
                a->radius + b->radius - near;
     }
-    return a->is_ball   ? ball_and_box_apart(a, b, near)
-           : b->is_ball ? ball_and_box_apart(b, a, near)
-                        : boxes_apart(a, b, near);
+    return a->is_sphere   ? sphere_and_box_separate(a, b, near)
+           : b->is_sphere ? sphere_and_box_separate(b, a, near)
+                          : box_pair_separate(a, b, near);
 }
 
-/* Four times beyond whatever has an end. */
+/* A distance of four times the largest finite coordinate of any boundary and
+ * the domain. */
 static double far_of(const murk_region_boundary *boundaries, size_t n,
                      const murk_box *domain)
 {
@@ -334,7 +340,7 @@ static const char *where_of(const murk_region *regions,
     return where ? where : "region";
 }
 
-/* Of which nothing is known here. */
+/* Meshes are not known in this room. */
 static bool is_mesh(const murk_region_boundary *boundary)
 {
     return boundary->shape == MURK_REGION_MESH;
@@ -353,13 +359,15 @@ murk_status murk_region_boundaries_check(const murk_region_boundary *boundaries,
             if (is_mesh(&boundaries[i]) || is_mesh(&boundaries[later])) {
                 continue;
             }
+            /* Nested and separate boundaries are allowed; the order of
+             * nested ones matters. */
             const body a = body_of(&boundaries[i], far);
             if (is_in(&a, &b, near)) {
                 murk_warn(where_of(regions, &boundaries[i]),
                           "lies wholly in %s, which is listed after it and "
                           "takes its place",
                           where_of(regions, &boundaries[later]));
-            } else if (!is_in(&b, &a, near) && !are_apart(&a, &b, near)) {
+            } else if (!is_in(&b, &a, near) && !are_separate(&a, &b, near)) {
                 return murk_fail(err, MURK_BAD_VALUE,
                                  where_of(regions, &boundaries[later]),
                                  "crosses %s, must lie in it, hold it or lie "

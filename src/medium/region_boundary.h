@@ -1,5 +1,5 @@
-/* The boundary of one refractive region, as rays look at it. Inside this room
- * only. */
+/* The boundary of a refractive region in the form that rays are intersected
+ * with. Inside this room only. */
 #ifndef MURK_MEDIUM_REGION_BOUNDARY_H
 #define MURK_MEDIUM_REGION_BOUNDARY_H
 
@@ -9,34 +9,36 @@ typedef struct murk_region_boundary {
     size_t region;
     murk_region_shape shape;
     double ior;
-    double mean_square_slope; /* of a half space; 0: level */
+    double mean_square_slope; /* of the waves on a half space; 0: flat */
     bool is_moved;            /* to_local is not the identity */
-    bool spans[2];            /* reaches both sides of the domain, in x, in y */
+    bool spans[2]; /* reaches both sides of the domain along x, along y */
     murk_affine to_local;
-    murk_box box;     /* in its own frame; faces that no ray is to meet, since
-                         they lie in a side of the domain or beyond, are moved
-                         away to infinity. Half spaces: up to the level */
-    murk_vec3 center; /* spheres, in their own frame */
+    murk_box box; /* in the frame of the region. Faces on a side of the domain
+                     or beyond are moved to infinity, so that no ray hits them.
+                     Half spaces: up to the surface */
+    murk_vec3 center; /* spheres, in the frame of the region */
     double radius;
 } murk_region_boundary;
 
-/* Tolerance for faces in such a domain [m]: medium/interfaces.h. */
+/* Tolerance for faces in the domain [m]: MURK_INTERFACE_NEAR times the
+ * largest coordinate. */
 double murk_region_boundary_near(const murk_box *domain);
 
-/* Fills the shell of a placed region with an index. False when its placement
+/* Computes the boundary of a region with an index. False if the placement
  * cannot be inverted. */
 bool murk_region_boundary_make(murk_region_boundary *boundary, size_t number,
                                const murk_region *region,
                                const murk_box *domain);
 
-/* Whether p lies in it: lower faces belong to it, upper ones do not. */
+/* True if p is inside: lower faces belong to the region, upper faces do not. */
 bool murk_region_boundary_holds(const murk_region_boundary *boundary,
                                 murk_vec3 p);
 
-/* Refuses, with MURK_BAD_VALUE at the later one's `where`, two shells that
- * cross: of two, one must lie in the other or both apart, but for near_m.
- * Warns of what lies wholly in a region listed after it. regions: of the
- * scene, by number. */
+/* Checks that no two boundaries intersect: of two regions one must contain
+ * the other, or both must be separate, with a tolerance of near_m. Fails
+ * with MURK_BAD_VALUE at the `where` of the later region. Warns of regions
+ * inside of a region that is listed later. regions: those of the scene, by
+ * number. */
 murk_status murk_region_boundaries_check(const murk_region_boundary *boundaries,
                                          size_t n, const murk_region *regions,
                                          const murk_box *domain,

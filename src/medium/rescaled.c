@@ -1,12 +1,13 @@
+/* A shallow copy of the media with other extinctions (medium/rescaled.h). */
 #include "medium/rescaled.h"
 
-#include "medium/parts.h"
+#include "medium/media_parts.h"
 
 murk_status murk_media_rescale(murk_media **out, const murk_media *media,
                                const murk_spectrum *extinction_per_m,
                                murk_error *err)
 {
-    murk_media *made = murk_media_borrowing(media);
+    murk_media *made = murk_media_shallow_copy(media);
     if (!made) {
         return murk_fail(err, MURK_NO_MEMORY, "media",
                          "no memory for %zu media", media->n_media);

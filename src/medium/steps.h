@@ -1,5 +1,5 @@
-/* What the walks through a grid's tree share: small steps of arithmetic that
- * all of them must do alike. Inside this room only. */
+/* Arithmetic shared by the walks through the tree of a grid, which all of
+ * them must do in the same way. Inside this room only. */
 #ifndef MURK_MEDIUM_STEPS_H
 #define MURK_MEDIUM_STEPS_H
 
@@ -9,11 +9,12 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* With few root cells (nearly every grid) the next one is found by trying all;
- * with more, only where walking cell by cell would take longer. */
+/* With up to 64 root cells (nearly every grid) the next one is found by
+ * testing all of them; with more, only if a walk cell by cell would take
+ * more steps. */
 #define MURK_FEW_ROOT_CELLS 64
 
-/* One instruction each, where fmin() and fmax() are calls. */
+/* One instruction each, while fmin() and fmax() are function calls. */
 static inline double murk_smaller(double a, double b)
 {
     return a < b ? a : b;
@@ -24,14 +25,14 @@ static inline double murk_larger(double a, double b)
     return a > b ? a : b;
 }
 
-/* 1 / d, or 0 for a ray that never meets the faces of this axis. */
+/* 1 / d, or 0 for a ray parallel to the faces of this axis. */
 static inline double murk_invert(double d)
 {
     const double inverse = 1 / d;
     return isfinite(inverse) ? inverse : 0;
 }
 
-/* The part of [*t0, *t1] in which one axis stays inside [low, high). */
+/* Clips [*t0, *t1] to the part in which one coordinate is in [low, high). */
 static inline bool murk_clip_axis(double low, double high, double origin,
                                   double inverse, double *t0, double *t1)
 {
@@ -55,24 +56,24 @@ static inline int32_t murk_voxel_at(double place, int32_t first, int32_t last)
     return place >= last ? last : (int32_t)floor(place);
 }
 
-/* at[] lies in the cell of `size` voxels that begins at first[]. */
-static inline bool murk_holds(const int32_t first[3], const int32_t at[3],
-                              int32_t size)
+/* True if at[] is in the cell of `size` voxels that begins at first[]. */
+static inline bool murk_cell_contains(const int32_t first[3],
+                                      const int32_t at[3], int32_t size)
 {
     return (((first[0] ^ at[0]) | (first[1] ^ at[1]) | (first[2] ^ at[2])) &
             ~(size - 1)) == 0;
 }
 
 /* The lowest voxel of the cell of `size` voxels around at[]. */
-static inline void murk_remember(int32_t first[3], const int32_t at[3],
-                                 int32_t size)
+static inline void murk_cell_first(int32_t first[3], const int32_t at[3],
+                                   int32_t size)
 {
     for (int axis = 0; axis < 3; ++axis) {
         first[axis] = at[axis] & ~(size - 1);
     }
 }
 
-static inline bool murk_trying_all_is_cheaper(const murk_tree *tree)
+static inline bool murk_root_scan_is_cheaper(const murk_tree *tree)
 {
     double steps = 0;
     for (int axis = 0; axis < 3; ++axis) {

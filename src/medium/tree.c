@@ -1,3 +1,5 @@
+/* Reads a NanoVDB float tree: a sorted table of root cells for binary
+ * search, and descent to leaves by PNanoVDB.h. */
 #include "medium/tree.h"
 
 #include "medium/nodes.h"
@@ -6,7 +8,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* A root key packs the three cell numbers, x highest, 21 bits each. */
+/* First voxel of a root cell along an axis. A root key packs the three cell
+ * numbers, x highest, 21 bits each. */
 static int32_t key_first(uint64_t key, int axis)
 {
     const uint32_t number = (uint32_t)(key >> (21 * (2 - axis)));
@@ -51,6 +54,7 @@ murk_status murk_tree_open(murk_tree *tree, const unsigned char *buffer,
 {
     murk_tree opened = {0};
     if (buffer) {
+        /* The table of root cells; empty cells are left out. */
         const pnanovdb_buf_t words = murk_node_buffer(buffer);
         const pnanovdb_grid_handle_t grid = {{0}};
         const pnanovdb_root_handle_t root =
@@ -72,6 +76,7 @@ murk_status murk_tree_open(murk_tree *tree, const unsigned char *buffer,
         qsort(opened.cells, opened.n_cells, sizeof *opened.cells,
               compare_cells);
     }
+    /* The box of active voxels. */
     for (int axis = 0; axis < 3; ++axis) {
         assert(first[axis] >= -MURK_INDEX_MAX && last[axis] <= MURK_INDEX_MAX);
         opened.first[axis] = (int32_t)first[axis];
@@ -110,7 +115,8 @@ const murk_root_cell *murk_tree_root_cell(const murk_tree *tree,
     return NULL;
 }
 
-/* The leaf that holds the voxel, or NULL and the one value there. */
+/* The leaf that contains the voxel; or NULL, and *value is the constant
+ * value there. */
 static const float *leaf_at(const murk_tree *tree, const int32_t voxel[3],
                             float *value)
 {
@@ -148,8 +154,9 @@ void murk_tree_corners(const murk_tree *tree, const int32_t voxel[3],
     float value;
     const float *leaf = leaf_at(tree, voxel, &value);
     const int offset = offset_in_leaf(voxel);
-    const bool is_inside = (voxel[0] & 7) != 7 && (voxel[1] & 7) != 7 &&
-                           (voxel[2] & 7) != 7; /* of 8 voxels at least */
+    const bool is_inside =
+        (voxel[0] & 7) != 7 && (voxel[1] & 7) != 7 &&
+        (voxel[2] & 7) != 7; /* the cell is inside one leaf or tile */
     for (int which = 0; which < 8; ++which) {
         const int32_t at[3] = {voxel[0] + (which >> 2),
                                voxel[1] + (which >> 1 & 1),

@@ -1,3 +1,5 @@
+/* The bridge to OpenVDB (medium/vdb_bridge.h). Runs in a subprocess only. No
+ * exception leaves this file. */
 extern "C" {
 #include "medium/vdb_bridge.h"
 #include "medium/grid_choice.h"
@@ -13,7 +15,8 @@ extern "C" {
 #include <utility>
 #include <vector>
 
-/* initialize() crashes when its templates are hidden. */
+/* openvdb::initialize() crashes if the symbols of OpenVDB's templates are
+ * hidden. */
 #pragma GCC visibility push(default)
 #include <nanovdb/util/OpenToNanoVDB.h>
 #include <openvdb/openvdb.h>
@@ -24,7 +27,7 @@ extern "C" {
 namespace
 {
 
-/* Leaves room for cell ends in int32_t; medium/tree.h. */
+/* Largest index: the end of a cell must fit into int32_t (medium/tree.h). */
 const int64_t INDEX_MAX = int64_t(1) << 30;
 
 struct Place {
@@ -37,7 +40,7 @@ struct Entry {
     bool is_level_set, is_linear;
 };
 
-/* What the file holds, without reading any tree. */
+/* Lists the grids of a file without reading any tree. */
 std::vector<Entry> list_grids(openvdb::io::File &file)
 {
     std::vector<Entry> entries;
@@ -51,14 +54,14 @@ std::vector<Entry> list_grids(openvdb::io::File &file)
                 grid->getGridClass() == openvdb::GRID_LEVEL_SET;
             entry.is_linear = grid->transform().isLinear();
         } catch (const openvdb::Exception &) {
-            /* a type that is not registered: listed, never chosen */
+            /* a type that is not registered: listed, but never selected */
         }
         entries.push_back(entry);
     }
     return entries;
 }
 
-/* The one that `name` chooses, as medium/grid_choice.h says. */
+/* Selects a grid by the rules of medium/grid_choice.h. */
 murk_status choose(const std::vector<Entry> &entries, const char *name,
                    const Entry *&chosen, const Place &at)
 {
@@ -77,7 +80,8 @@ murk_status choose(const std::vector<Entry> &entries, const char *name,
     return status;
 }
 
-/* OpenVDB multiplies row vectors from the left. */
+/* Copies the transform, transposed: OpenVDB multiplies row vectors from the
+ * left. */
 murk_status read_transform(const openvdb::FloatGrid &grid,
                            murk_vdb_facts &facts, const Place &at)
 {
@@ -127,7 +131,8 @@ bool fits(double value, bool is_albedo)
     return value >= 0 && (is_albedo ? value <= 1 : std::isfinite(value));
 }
 
-/* Counts, sums, and refuses what is no density, or no albedo. */
+/* Counts and sums the values, and refuses values that are no density or no
+ * albedo. */
 murk_status check_values(const openvdb::FloatGrid &grid, bool is_albedo,
                          murk_vdb_facts &facts, const Place &at)
 {
@@ -179,8 +184,8 @@ murk_status check_values(const openvdb::FloatGrid &grid, bool is_albedo,
     return MURK_OK;
 }
 
-/* Of an albedo, where it holds none: what reads values does not ask whether
- * they are active. */
+/* Marks the inactive values of an albedo grid: functions that read values do
+ * not ask whether a voxel is active. */
 void mark_inactive(openvdb::FloatGrid &grid)
 {
     for (auto it = grid.tree().beginValueOff(); it; ++it) {
@@ -189,7 +194,7 @@ void mark_inactive(openvdb::FloatGrid &grid)
     grid.tree().root().setBackground(MURK_VDB_NO_ALBEDO, false);
 }
 
-/* Densities that are not active count for nothing. */
+/* Sets inactive densities to 0. */
 void clear_inactive(openvdb::FloatGrid &grid, murk_vdb_facts &facts)
 {
     for (auto it = grid.tree().beginValueOff(); it; ++it) {
@@ -200,9 +205,9 @@ void clear_inactive(openvdb::FloatGrid &grid, murk_vdb_facts &facts)
     }
 }
 
-murk_status hand_over(openvdb::FloatGrid::Ptr grid, bool is_albedo,
-                      murk_vdb_facts &facts, murk_vdb_taker take, void *context,
-                      const Place &at)
+murk_status deliver(openvdb::FloatGrid::Ptr grid, bool is_albedo,
+                    murk_vdb_facts &facts, murk_vdb_sink take, void *context,
+                    const Place &at)
 {
     murk_status status = read_transform(*grid, facts, at);
     if (!status) {
@@ -222,13 +227,14 @@ murk_status hand_over(openvdb::FloatGrid::Ptr grid, bool is_albedo,
     } else {
         clear_inactive(*grid, facts);
     }
-    /* The tree alone matters: a long name or an odd transform stays here. */
+    /* Only the tree is needed; a long name or an unusual transform is not
+     * converted. */
     auto bare = openvdb::FloatGrid::create(grid->treePtr());
     nanovdb::OpenToNanoVDB<float, float> convert;
     const nanovdb::GridHandle<> handle = convert(
         *bare, nanovdb::StatsMode::BBox, nanovdb::ChecksumMode::Disable, 0);
     bare.reset();
-    grid.reset(); /* its memory, before the bytes are sent on */
+    grid.reset(); /* releases memory before the bytes are sent */
     return take(context, &facts, handle.data(), handle.size());
 }
 
@@ -237,8 +243,8 @@ void set_name(murk_vdb_facts &facts, const std::string &name)
     std::strncpy(facts.name, name.c_str(), sizeof facts.name - 1);
 }
 
-/* In double precision: values that a float cannot hold are refused here, as
- * after the conversion they would be infinite. */
+/* Converts a double grid. Values that a float cannot hold are refused, since
+ * they would become infinite. */
 murk_status convert(const openvdb::DoubleGrid &fine, const char *name,
                     openvdb::FloatGrid::Ptr &grid, const Place &at)
 {
@@ -256,7 +262,7 @@ murk_status convert(const openvdb::DoubleGrid &fine, const char *name,
     return MURK_OK;
 }
 
-/* The grid as floats, whatever its precision. */
+/* Reads the grid as floats, whatever the precision in the file. */
 murk_status read_values(openvdb::io::File &file, const char *name,
                         openvdb::FloatGrid::Ptr &grid, const Place &at)
 {
@@ -272,12 +278,13 @@ murk_status read_values(openvdb::io::File &file, const char *name,
 }
 
 murk_status read(const char *path, const char *name, bool is_albedo,
-                 murk_vdb_taker take, void *context, const Place &at)
+                 murk_vdb_sink take, void *context, const Place &at)
 {
     openvdb::initialize();
     openvdb::io::File file(path);
     file.setCopyMaxBytes(0);
-    file.open(false); /* no delayed loading: what is wrong shows here */
+    file.open(
+        false); /* no delayed loading, so that errors of the file occur here */
     const std::vector<Entry> entries = list_grids(file);
     const Entry *entry = nullptr;
     murk_status status = choose(entries, name, entry, at);
@@ -292,12 +299,12 @@ murk_status read(const char *path, const char *name, bool is_albedo,
     file.close();
     murk_vdb_facts facts = {};
     set_name(facts, entry->unique);
-    return hand_over(std::move(grid), is_albedo, facts, take, context, at);
+    return deliver(std::move(grid), is_albedo, facts, take, context, at);
 }
 
-/* Dense samples, x fastest, as a tree; zeros are left out. */
-openvdb::FloatGrid::Ptr plant(const size_t size[3], const float *sample,
-                              const double m[12])
+/* Makes a tree of dense samples, x fastest; zeros are left out. */
+openvdb::FloatGrid::Ptr
+tree_from_samples(const size_t size[3], const float *sample, const double m[12])
 {
     auto grid = openvdb::FloatGrid::create(0);
     auto to = grid->getAccessor();
@@ -323,20 +330,20 @@ openvdb::FloatGrid::Ptr plant(const size_t size[3], const float *sample,
 }
 
 murk_status from_samples(const size_t size[3], const float *density,
-                         const double m[12], int as_tiles, murk_vdb_taker take,
+                         const double m[12], int as_tiles, murk_vdb_sink take,
                          void *context, const Place &at)
 {
-    const auto grid = plant(size, density, m);
+    const auto grid = tree_from_samples(size, density, m);
     if (as_tiles) {
         openvdb::tools::prune(grid->tree());
     }
     murk_vdb_facts facts = {};
     set_name(facts, "samples");
-    return hand_over(grid, false, facts, take, context, at);
+    return deliver(grid, false, facts, take, context, at);
 }
 
-/* The library's own writer of files does not ask whether its stream failed,
- * and cannot write to memory. */
+/* OpenVDB's own file writer does not check whether the stream failed and
+ * cannot write to memory. */
 struct Writer : openvdb::io::Archive {
     void write_to(std::ostream &stream, const openvdb::GridCPtrVec &grids)
     {
@@ -345,12 +352,12 @@ struct Writer : openvdb::io::Archive {
 };
 
 murk_status write(const murk_vdb_field *fields, size_t n, const size_t size[3],
-                  const double m[12], murk_vdb_bytes_taker take, void *context)
+                  const double m[12], murk_vdb_bytes_sink take, void *context)
 {
     openvdb::initialize();
     openvdb::GridCPtrVec grids;
     for (size_t i = 0; i < n; ++i) {
-        const auto grid = plant(size, fields[i].value, m);
+        const auto grid = tree_from_samples(size, fields[i].value, m);
         grid->setName(fields[i].name);
         grid->setGridClass(openvdb::GRID_FOG_VOLUME);
         grid->setCreator("murk");
@@ -370,9 +377,9 @@ murk_status write(const murk_vdb_field *fields, size_t n, const size_t size[3],
     return take(context, bytes.data(), bytes.size());
 }
 
-/* No exception leaves this file. And no thread starts: each would take its
- * stack and its arena out of the memory that the child may have, so that a
- * file's fate would hang on the number of cores. */
+/* Converts exceptions to a status, and lets no thread start: each thread
+ * would take a stack and an arena out of the memory limit of the subprocess,
+ * and whether a file can be read would depend on the number of processors. */
 template <typename Work> murk_status guard(const Place &at, Work work)
 {
     try {
@@ -395,7 +402,7 @@ template <typename Work> murk_status guard(const Place &at, Work work)
 } // namespace
 
 extern "C" murk_status murk_vdb_read(const char *path, const char *name,
-                                     int is_albedo, murk_vdb_taker take,
+                                     int is_albedo, murk_vdb_sink take,
                                      void *context, const char *where,
                                      murk_error *err)
 {
@@ -408,7 +415,7 @@ extern "C" murk_status murk_vdb_read(const char *path, const char *name,
 extern "C" murk_status murk_vdb_from_samples(const size_t size[3],
                                              const float *density,
                                              const double index_to_world[12],
-                                             int as_tiles, murk_vdb_taker take,
+                                             int as_tiles, murk_vdb_sink take,
                                              void *context, const char *where,
                                              murk_error *err)
 {
@@ -422,7 +429,7 @@ extern "C" murk_status murk_vdb_from_samples(const size_t size[3],
 extern "C" murk_status murk_vdb_write(const murk_vdb_field *fields, size_t n,
                                       const size_t size[3],
                                       const double index_to_world[12],
-                                      murk_vdb_bytes_taker take, void *context,
+                                      murk_vdb_bytes_sink take, void *context,
                                       const char *where, murk_error *err)
 {
     const Place at{where, err};

@@ -1,19 +1,25 @@
-/* In units of the width a slope x has the density exp(-x^2) / sqrt(pi). A ray
- * of cosine c and t = width sin sees of facets that fall by x in its direction
- * the area c - t x, up to x = c / t. Its integral from -infinity to x is
- * c erfc(-x) / 2 + t exp(-x^2) / (2 sqrt(pi)), whose slope is the density
- * itself, so that Halley's steps need nothing more. */
+/* Slopes of facets on water waves (medium/waves.h).
+ *
+ * In units of the width, a slope x has the density exp(-x^2) / sqrt(pi). For
+ * a ray with cosine c and t = width * sine, a facet that falls by x along
+ * the ray has the projected area c - t x, up to x = c / t. The integral of
+ * density times area from -infinity to x is c erfc(-x) / 2 + t exp(-x^2) /
+ * (2 sqrt(pi)). The derivative of the integrand is elementary, so Halley's
+ * method inverts the integral without further function calls. */
 #include "medium/waves.h"
 
 #include <assert.h>
 #include <math.h>
 
+/* The square root of pi. */
 #define ROOT_PI 1.77245385090551602730
 
-/* Beyond it there is less than 1e-27 of all facets. */
+/* Largest slope in units of the width: beyond it are fewer than 1e-27 of all
+ * facets. */
 #define SLOPES_MAX 8
 
-/* A step as small as this leaves an error of the order of its cube. */
+/* After a step of Halley's method this small the error is of the order of
+ * its cube, 1e-12. */
 #define LAST_STEP 1e-4
 #define STEPS_MAX 100
 
@@ -27,34 +33,35 @@ static double sine_of(double cosine)
     return sqrt(fmax(0, (1 - cosine) * (1 + cosine)));
 }
 
-static double seen_up_to(double c, double t, double x)
+static double projected_up_to(double c, double t, double x)
 {
     return c * erfc(-x) / 2 + t * exp(-x * x) / (2 * ROOT_PI);
 }
 
-double murk_facets_seen(double width, double cosine)
+double murk_facets_projected_area(double width, double cosine)
 {
     assert(width > 0 && cosine >= -1 && cosine <= 1);
     const double t = width * sine_of(cosine);
     const double last = t > 0 ? cosine / t : copysign(INFINITY, cosine);
-    /* Rounding may leave less than nothing where hardly any is seen. */
-    return fmax(0, seen_up_to(cosine, t, last));
+    /* Rounding may make the result negative if hardly any facet faces the
+     * ray. */
+    return fmax(0, projected_up_to(cosine, t, last));
 }
 
-/* Near the place: of a ray that is not steep the law is nearly exp(-x^2) below
- * 0 and little above, of a steep one nearly the normal law, for which the
- * logistic does. */
+/* First estimate of the slope. For a ray far from grazing the distribution
+ * is almost the normal one, which the logistic distribution approximates;
+ * for a grazing ray it is nearly exp(-x^2) below 0 and small above. */
 static double first_guess(double c, double t, double u)
 {
     return c > t ? 0.42 * log(u / (1 - u)) : fmin(c / t, 0) - sqrt(-log(u));
 }
 
-/* Where the share u of all that is seen lies below: Halley's steps, halving the
- * bracket where they would leave it. */
+/* The slope below which the share u of the projected area lies: Halley's
+ * method, with a bisection if a step leaves the bracket. */
 static double slope_below(double c, double t, double u)
 {
     const double last = t * SLOPES_MAX > c ? c / t : SLOPES_MAX;
-    const double wanted = u * seen_up_to(c, t, last);
+    const double wanted = u * projected_up_to(c, t, last);
     double low = fmin(-SLOPES_MAX, last - 1), high = last;
     const double guess = first_guess(c, t, u);
     double x = guess < last ? fmax(low, guess) : last / 2;
@@ -73,7 +80,7 @@ static double slope_below(double c, double t, double u)
     return x;
 }
 
-murk_slope murk_facet_met(double width, double cosine, const double u[3])
+murk_slope murk_facet_sample(double width, double cosine, const double u[3])
 {
     assert(width > 0 && cosine >= -1 && cosine <= 1);
     const double t = width * sine_of(cosine);

@@ -21,7 +21,7 @@ static double log_of_rest(double log_h)
 static murk_vec3 facet_normal(murk_vec3 direction, murk_vec3 up, double width,
                               double cosine, const double u[3])
 {
-    const murk_slope slope = murk_facet_met(width, cosine, u);
+    const murk_slope slope = murk_facet_sample(width, cosine, u);
     const murk_vec3 over = murk_along(direction, cosine, up);
     const double length = murk_length(over);
     murk_vec3 along, across;
@@ -49,7 +49,7 @@ bool murk_meet_facets(const murk_address *address, double n_from, double n_to,
         const double cosine = fmax(-1, fmin(1, -murk_dot(direction, up)));
         const murk_random4 way = murk_random_at(address, 1 + 2 * k);
         /* Draw the height of the next facet, or leave if none is left. */
-        const double seen = murk_facets_seen(width, cosine);
+        const double seen = murk_facets_projected_area(width, cosine);
         log_h += cosine / seen * log(way.u[0]);
         if (cosine < 0 && !(log_h < 0)) {
             *bounce = (murk_bounce){

@@ -90,7 +90,7 @@ static double seconds_of(contest *c, bool by_delta)
         const murk_address address = {1, MURK_TEST, i, 1};
         const murk_random4 r = murk_random_at(&address, 0);
         murk_collision met;
-        murk_dice dice = {.address = &address};
+        murk_flight_randoms dice = {.address = &address};
         c->collided[by_delta] +=
             by_delta ? murk_delta_fly(c->media, 0, 0, from, along, INFINITY,
                                       -log(r.u[0]), r.u[1], &dice, &met)

@@ -10,6 +10,7 @@
 #include "check.h"
 #include "flights.h"
 #include "medium/delta.h"
+#include "medium/grid_internal.h"
 #include "medium/tree.h"
 #include "worlds.h"
 
@@ -307,7 +308,7 @@ static void test_a_spike_is_marched_past(uint32_t seed)
     scene s = scene_made(11, seed);
     murk_media *media = media_of(&s, 8, 1);
     const murk_address address = {seed, MURK_TEST, 0, 300};
-    murk_dice dice = {.address = &address};
+    murk_flight_randoms dice = {.address = &address};
     murk_collision c;
     murk_delta_fly(media, 0, 0, murk_vec(-5, 17, 12), murk_vec(1, 0, 0), 50, 20,
                    0.5, &dice, &c);

@@ -76,7 +76,7 @@ static bool meet_without_heights(const murk_address *address, double n_from,
             return true;
         }
         const murk_random4 r = murk_random_at(address, k);
-        const murk_slope slope = murk_facet_met(width, cosine, r.u);
+        const murk_slope slope = murk_facet_sample(width, cosine, r.u);
         const murk_vec3 over = murk_unit(murk_along(direction, cosine, up));
         const murk_vec3 facet =
             murk_unit(murk_along(murk_along(up, -slope.along, over),

@@ -63,7 +63,7 @@ test_flights test_fly(const murk_media *media, const murk_box *box, size_t n,
         const line l = line_through(box, seed, i);
         const murk_address address = {seed, MURK_TEST, i, 101 + by_delta};
         const murk_random4 r = murk_random_at(&address, 0);
-        murk_dice dice = {.address = &address};
+        murk_flight_randoms dice = {.address = &address};
         murk_collision c;
         const double tau = -log(r.u[0]);
         const bool hits = by_delta

@@ -4,6 +4,8 @@
 #include "base/rng.h"
 #include "check.h"
 #include "medium/bricks.h"
+#include "medium/grid.h"
+#include "medium/grid_internal.h"
 #include "medium/march.h"
 
 #include <stdlib.h>

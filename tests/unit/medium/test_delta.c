@@ -4,6 +4,7 @@
  * value puts them. So a bound that is a little too low or too high is seen in
  * one flight, which no sample of flights would show. Deterministic. */
 #include "medium/delta.h"
+#include "medium/grid_internal.h"
 
 #include "check.h"
 
@@ -60,13 +61,13 @@ static bool fly(const murk_media *media, uint64_t i, double tau,
                 double *distance_m, uint32_t *nulls)
 {
     const murk_address address = {5, MURK_TEST, i, 0};
-    murk_dice dice = {.address = &address};
+    murk_flight_randoms stream = {.address = &address};
     murk_collision c;
     const bool has_met =
         murk_delta_fly(media, 0, 0, murk_vec(2, 3.5, 3.5), murk_vec(1, 0, 0),
-                       12, tau, .25, &dice, &c);
+                       12, tau, .25, &stream, &c);
     *distance_m = has_met ? c.distance_m : 12;
-    *nulls = dice.nulls;
+    *nulls = stream.nulls;
     return has_met;
 }
 

@@ -4,6 +4,7 @@
 #include "base/rng.h"
 #include "check.h"
 #include "medium/grid.h"
+#include "medium/grid_internal.h"
 #include "medium/linear.h"
 #include "medium/tree.h"
 #include "plain_linear.h"

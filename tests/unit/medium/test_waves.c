@@ -48,11 +48,11 @@ static void test_the_area_seen_is_the_sum_over_facets(void)
         const double width = (const double[]){.06, .23, .8}[i];
         for (int k = -19; k <= 20; ++k) {
             const double cosine = k / 20.;
-            CHECK_NEAR(murk_facets_seen(width, cosine),
+            CHECK_NEAR(murk_facets_projected_area(width, cosine),
                        summed(width, cosine, 0, 8), 1e-11);
             /* Teeth: one width for another. */
             CHECK(k > 2 || k < -2 ||
-                  fabs(murk_facets_seen(width * 1.001, cosine) -
+                  fabs(murk_facets_projected_area(width * 1.001, cosine) -
                        summed(width, cosine, 0, 8)) > 1e-7);
         }
     }
@@ -64,15 +64,16 @@ static void test_seen_from_both_ends_of_a_line(void)
 {
     for (int k = 0; k <= 20; ++k) {
         const double cosine = k / 20.;
-        CHECK_NEAR(murk_facets_seen(.3, cosine) - murk_facets_seen(.3, -cosine),
+        CHECK_NEAR(murk_facets_projected_area(.3, cosine) -
+                       murk_facets_projected_area(.3, -cosine),
                    cosine, 1e-15);
     }
-    CHECK(murk_facets_seen(.3, -1) == 0);
+    CHECK(murk_facets_projected_area(.3, -1) == 0);
 }
 
 static double slope_at(double width, double cosine, double u)
 {
-    return murk_facet_met(width, cosine, (const double[]){u, .5, .25}).along;
+    return murk_facet_sample(width, cosine, (const double[]){u, .5, .25}).along;
 }
 
 static void test_facets_are_drawn_by_the_area_seen(void)
@@ -81,7 +82,7 @@ static void test_facets_are_drawn_by_the_area_seen(void)
         const double width = (const double[]){.06, .23, .8}[i];
         for (int k = -2; k <= 20; ++k) {
             const double cosine = k / 20.;
-            const double all = murk_facets_seen(width, cosine);
+            const double all = murk_facets_projected_area(width, cosine);
             for (int j = 1; j < 10 && all > 1e-6; j += 2) {
                 const double slope = slope_at(width, cosine, j / 10.);
                 CHECK_NEAR(summed(width, cosine, 0, -slope / width) / all,
@@ -90,7 +91,7 @@ static void test_facets_are_drawn_by_the_area_seen(void)
         }
     }
     const double off = summed(.23, .5, 0, -slope_at(.23, .51, .5) / .23) /
-                           murk_facets_seen(.23, .5) -
+                           murk_facets_projected_area(.23, .5) -
                        .5;
     CHECK(fabs(off) > 1e-4); /* teeth: drawn for another ray */
 }
@@ -104,12 +105,12 @@ static void test_extremes_are_drawn(void)
         const double u[3] = {ends[i % 3], ends[i / 3 % 3], ends[i / 9]};
         for (int k = -6; k <= 6; ++k) {
             const double small = k ? copysign(pow(10, -3. * abs(k)), k) : 0;
-            const murk_slope s = murk_facet_met(.1, small, u);
+            const murk_slope s = murk_facet_sample(.1, small, u);
             CHECK(fabs(s.along) < 1 && fabs(s.across) < 1);
             CHECK(small + s.along > -1e-9); /* faces the ray */
         }
-        CHECK(fabs(murk_facet_met(1e-9, 1, u).along) < 1e-8);
-        CHECK(fabs(murk_facet_met(1, 1, u).along) < 8);
+        CHECK(fabs(murk_facet_sample(1e-9, 1, u).along) < 1e-8);
+        CHECK(fabs(murk_facet_sample(1, 1, u).along) < 8);
     }
 }
 
@@ -122,7 +123,7 @@ static double off(double width, double cosine, double width_of_sums,
     for (uint64_t i = 0; i < SAMPLES; ++i) {
         const murk_random4 r =
             murk_random(seed, MURK_TEST, i, (uint32_t)ray, 0);
-        const murk_slope s = murk_facet_met(width, cosine, r.u);
+        const murk_slope s = murk_facet_sample(width, cosine, r.u);
         sum += s.along;
         squares += s.along * s.along;
         across += s.across * s.across;

@@ -78,7 +78,7 @@ static murk_bounce first_facet(const murk_address *address, murk_vec3 direction,
     const murk_vec3 up = {0, 0, 1};
     const murk_random4 r = murk_random_at(address, 2);
     const murk_slope slope =
-        murk_facet_met(sqrt(mean_square_slope), cosine, r.u);
+        murk_facet_sample(sqrt(mean_square_slope), cosine, r.u);
     const murk_vec3 along = murk_unit(murk_along(direction, cosine, up));
     const murk_vec3 across = murk_cross(up, along);
     const murk_vec3 facet = murk_unit(
@@ -93,7 +93,7 @@ static double test_light_is_shadowed(double cosine, double n_from, double n_to,
     const murk_vec3 up = {0, 0, 1};
     const murk_vec3 in = {sqrt(1 - cosine * cosine), 0, -cosine};
     const double width = sqrt(mean_square_slope);
-    const double down = murk_facets_seen(width, cosine) / cosine - 1;
+    const double down = murk_facets_projected_area(width, cosine) / cosine - 1;
     shadowing reflected = {0, 0, 0, 0}, refracted = {0, 0, 0, 0};
     for (uint64_t i = 0; i < PHOTONS; ++i) {
         const murk_address address = {11, MURK_TEST, i, 0};
@@ -107,7 +107,7 @@ static double test_light_is_shadowed(double cosine, double n_from, double n_to,
         if (!(z > 0)) {
             continue; /* it must meet another facet */
         }
-        const double on = murk_facets_seen(width, -z) / z;
+        const double on = murk_facets_projected_area(width, -z) / z;
         const bool has_left =
             last.outcome == first.outcome &&
             murk_length(murk_sub(last.direction, first.direction)) < 1e-12;

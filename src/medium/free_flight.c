@@ -1,14 +1,17 @@
-/* How rays and media meet: every region gives the stretch of the ray inside
- * it; the ends of all stretches cut the ray into pieces on each of which the
- * same regions are present; a piece is crossed in closed form, by one course
- * through one grid or profile, or by several courses side by side; or, where
- * the flight throws dice, by delta tracking (delta.h). Optical depth and free
- * flight are one and the same crossing, with and without a limit. */
+/* Free flight and optical depth through all media.
+ *
+ * Every region contributes the segment of the ray inside it. The ends of all
+ * segments divide the ray into intervals with the same regions present. An
+ * interval is crossed in closed form: through constant extinction, through
+ * one grid or profile, or through several side by side; or, if the flight
+ * has a stream of random numbers, by delta tracking (medium/delta.h).
+ * Optical depth and free flight are the same crossing, without and with a
+ * limit. */
 #include "medium/media.h"
 
 #include "medium/albedo.h"
-#include "medium/course.h"
 #include "medium/delta.h"
+#include "medium/density_walk.h"
 #include "medium/flight.h"
 
 #include <assert.h>
@@ -16,28 +19,33 @@
 
 typedef murk_flight ray;
 
-/* The part of a ray in one place. */
-typedef struct stretch {
+/* The segment of a ray in one region. */
+typedef struct span {
     double from, to;
     const murk_place *place;
-    bool hides, fills; /* takes the place of what is listed before; adds its
-                          own density */
-} stretch;
+    bool hides, fills; /* hides: removes the regions listed before; fills: adds
+                          a density of its own */
+} span;
 
-/* A place may hide along its shape and fill a part of that. */
-#define STRETCHES_MAX (2 * MURK_REGIONS_MAX)
+/* A region may hide others along its whole shape and fill only a part of it:
+ * two segments. */
+#define SPANS_MAX (2 * MURK_REGIONS_MAX)
 
 static double extinction_of(const ray *r, const murk_place *place)
 {
     return murk_flight_extinction(r, place);
 }
 
-static void meet(ray *r, const murk_place *place, double extinction_per_m)
+/* Records a medium present at the collision. */
+static void add_contributor(ray *r, const murk_place *place,
+                            double extinction_per_m)
 {
-    r->met[r->n_met++] = (murk_meeting){place, extinction_per_m};
+    r->contributor[r->n_contributors++] =
+        (murk_flight_contributor){place, extinction_per_m};
 }
 
-/* Crosses a piece of even extinction; true when the ray stops in it. */
+/* Crosses an interval of constant extinction; true if the collision is in
+ * it. */
 static inline bool cross_even(ray *r, double from, double to,
                               double extinction_per_m)
 {
@@ -49,30 +57,30 @@ static inline bool cross_even(ray *r, double from, double to,
         r->depth = more;
         return false;
     }
-    const double stop = from + (r->limit - r->depth) / extinction_per_m;
-    r->stop_m = stop < to ? stop : to;
+    const double collision_t = from + (r->limit - r->depth) / extinction_per_m;
+    r->collision_m = collision_t < to ? collision_t : to;
     r->depth = r->limit;
     return true;
 }
 
-/* Crosses a piece with one course, in which `even` more is spread evenly. */
-static bool cross_course(ray *r, double from, double to,
-                         const murk_place *place, double even_per_m,
-                         double *density)
+/* Crosses an interval with one grid or profile and a further constant
+ * extinction even_per_m. */
+static bool cross_walk(ray *r, double from, double to, const murk_place *place,
+                       double even_per_m, double *density)
 {
-    murk_flight_state course;
-    double stop = to;
-    murk_course_begin(&course, place, r->band, r->origin, r->direction, from,
-                      to);
-    const bool stops =
-        murk_course_integrate(&course, extinction_of(r, place), even_per_m,
-                              r->limit, &r->depth, &stop, density);
-    r->stop_m = stop;
-    return stops;
+    murk_density_walk walk;
+    double collision_t = to;
+    murk_density_walk_begin(&walk, place, r->band, r->origin, r->direction,
+                            from, to);
+    const bool collides =
+        murk_density_walk_integrate(&walk, extinction_of(r, place), even_per_m,
+                                    r->limit, &r->depth, &collision_t, density);
+    r->collision_m = collision_t;
+    return collides;
 }
 
-/* Crosses a part in which the extinction is a cubic; true when the ray stops
- * in it. */
+/* Crosses an interval in which the extinction is a cubic; true if the
+ * collision is in it. */
 static bool cross_cubic(ray *r, double from, double to, const murk_cubic *total)
 {
     const double mean = murk_cubic_integral(total, 1);
@@ -85,42 +93,47 @@ static bool cross_cubic(ray *r, double from, double to, const murk_cubic *total)
         return false;
     }
     const double s = murk_cubic_reach(total, (r->limit - r->depth) / depth);
-    r->stop_m = fmin(to, from + s * (to - from));
+    r->collision_m = fmin(to, from + s * (to - from));
     r->depth = r->limit;
     return true;
 }
 
-/* Crosses a piece with several courses: to the nearest end of their segments,
- * over and over. A part of even extinction is crossed as everywhere else. */
-static bool cross_courses(ray *r, double from, double to,
-                          const murk_place *const *places, size_t n,
-                          double even_per_m, double *density)
+/* Crosses an interval with several grids or profiles, always to the nearest
+ * end of any of their segments. A part with constant extinction is crossed
+ * as everywhere else. */
+static bool cross_walks(ray *r, double from, double to,
+                        const murk_place *const *places, size_t n,
+                        double even_per_m, double *density)
 {
-    murk_flight_state course[MURK_REGIONS_MAX];
+    murk_density_walk walk[MURK_REGIONS_MAX];
     murk_cubic cubic[MURK_REGIONS_MAX];
+    /* Start each walk at the beginning of the interval. */
     for (size_t i = 0; i < n; ++i) {
-        murk_course_begin(&course[i], places[i], r->band, r->origin,
-                          r->direction, from, to);
+        murk_density_walk_begin(&walk[i], places[i], r->band, r->origin,
+                                r->direction, from, to);
     }
     while (from < to) {
+        /* Advance the walks that have ended, and find the nearest end. */
         double min = to;
         for (size_t i = 0; i < n; ++i) {
-            while (murk_course_to(&course[i]) <= from &&
-                   murk_course_next(&course[i])) {
+            while (murk_density_walk_to(&walk[i]) <= from &&
+                   murk_density_walk_next(&walk[i])) {
             }
-            min = fmin(min, murk_course_to(&course[i]));
+            min = fmin(min, murk_density_walk_to(&walk[i]));
         }
+        /* Add the extinctions of all walks on this part. */
         murk_cubic total = {{even_per_m, 0, 0, 0}};
         for (size_t i = 0; i < n; ++i) {
-            cubic[i] = murk_course_cubic(&course[i], from, min);
+            cubic[i] = murk_density_walk_cubic(&walk[i], from, min);
             murk_cubic_add(&total, extinction_of(r, places[i]), &cubic[i]);
         }
+        /* Cross the part; at a collision report the density of each walk. */
         const bool is_even =
             total.c[1] == 0 && total.c[2] == 0 && total.c[3] == 0;
         const double length = min - from;
         if (is_even ? cross_even(r, from, min, total.c[0])
                     : cross_cubic(r, from, min, &total)) {
-            const double s = length > 0 ? (r->stop_m - from) / length : 0;
+            const double s = length > 0 ? (r->collision_m - from) / length : 0;
             for (size_t i = 0; i < n; ++i) {
                 density[i] = murk_cubic_value(&cubic[i], s);
             }
@@ -141,13 +154,14 @@ static bool are_grids(const murk_place *const *places, size_t n)
     return true;
 }
 
-/* Crosses a piece with courses; density[n] is theirs where the ray stops.
- * Delta tracking is for grids: a profile is crossed faster than bounded. */
-static bool cross_with_courses(ray *r, double from, double to,
-                               const murk_place *const *places, size_t n,
-                               double even_per_m, double *density)
+/* Crosses an interval with grids or profiles; density[n] is set at a
+ * collision. Delta tracking is used for grids only: a profile is crossed
+ * faster than its majorant could be found. */
+static bool cross_with_walks(ray *r, double from, double to,
+                             const murk_place *const *places, size_t n,
+                             double even_per_m, double *density)
 {
-    if (r->dice && are_grids(places, n)) {
+    if (r->stream && are_grids(places, n)) {
         if (murk_delta_cross(r, &from, to, places, n, even_per_m, density)) {
             return true;
         }
@@ -155,66 +169,69 @@ static bool cross_with_courses(ray *r, double from, double to,
             return false;
         }
     }
-    return n == 1 ? cross_course(r, from, to, places[0], even_per_m, density)
-                  : cross_courses(r, from, to, places, n, even_per_m, density);
+    return n == 1 ? cross_walk(r, from, to, places[0], even_per_m, density)
+                  : cross_walks(r, from, to, places, n, even_per_m, density);
 }
 
-/* Crosses a piece in which exactly these places are present. */
+/* Crosses an interval in which exactly these regions are present. */
 static bool cross_piece(ray *r, double from, double to,
                         const murk_place *const *present, size_t n)
 {
-    const murk_place *courses[MURK_REGIONS_MAX];
+    const murk_place *varying[MURK_REGIONS_MAX];
     double density[MURK_REGIONS_MAX];
-    size_t n_courses = 0;
+    size_t n_varying = 0;
     double even = 0;
+    /* Separate regions with a constant density from those with a grid or
+     * profile. */
     for (size_t i = 0; i < n; ++i) {
         if (present[i]->filling != MURK_FILLED_EVENLY) {
-            courses[n_courses++] = present[i];
+            varying[n_varying++] = present[i];
         } else {
             even += extinction_of(r, present[i]);
         }
     }
-    const bool stops = n_courses == 0
-                           ? cross_even(r, from, to, even)
-                           : cross_with_courses(r, from, to, courses, n_courses,
-                                                even, density);
-    if (stops) {
-        size_t course = 0;
+    const bool collides =
+        n_varying == 0
+            ? cross_even(r, from, to, even)
+            : cross_with_walks(r, from, to, varying, n_varying, even, density);
+    if (collides) {
+        /* At a collision, record the extinction of every medium present. */
+        size_t next = 0;
         for (size_t i = 0; i < n; ++i) {
-            const double value = present[i]->filling != MURK_FILLED_EVENLY
-                                     ? density[course++]
-                                     : 1;
-            meet(r, present[i], value * extinction_of(r, present[i]));
+            const double value =
+                present[i]->filling != MURK_FILLED_EVENLY ? density[next++] : 1;
+            add_contributor(r, present[i],
+                            value * extinction_of(r, present[i]));
         }
     }
-    return stops;
+    return collides;
 }
 
-/* The places that count between two neighbouring ends: those present, from
- * the last that replaces on. */
-static size_t list_present(const stretch *stretches, size_t n, double from,
-                           double to, const murk_place **present)
+/* The regions that count in an interval: all that are present, from the last
+ * one that replaces others. */
+static size_t list_present(const span *spans, size_t n, double from, double to,
+                           const murk_place **present)
 {
     size_t n_present = 0;
     for (size_t i = 0; i < n; ++i) {
-        if (stretches[i].from <= from && stretches[i].to >= to) {
-            if (stretches[i].hides) {
+        if (spans[i].from <= from && spans[i].to >= to) {
+            if (spans[i].hides) {
                 n_present = 0;
             }
-            if (stretches[i].fills) {
-                present[n_present++] = stretches[i].place;
+            if (spans[i].fills) {
+                present[n_present++] = spans[i].place;
             }
         }
     }
     return n_present;
 }
 
-/* All ends of the stretches, in order: n of them twice. */
-static void sort_ends(const stretch *stretches, size_t n, double *ends)
+/* The 2 n ends of the segments in rising order (insertion sort: n is small). */
+static void sort_ends(const span *spans, size_t n, double *ends)
 {
     size_t n_ends = 0;
     for (size_t i = 0; i < 2 * n; ++i) {
-        const double end = i & 1 ? stretches[i / 2].to : stretches[i / 2].from;
+        const double end = i & 1 ? spans[i / 2].to : spans[i / 2].from;
         size_t at = n_ends++;
         /* cppcheck-suppress uninitvar ; the first n_ends are filled */
         for (; at > 0 && ends[at - 1] > end; --at) {
@@ -224,15 +241,15 @@ static void sort_ends(const stretch *stretches, size_t n, double *ends)
     }
 }
 
-static bool cross_overlapping(ray *r, const stretch *stretches, size_t n)
+static bool cross_overlapping(ray *r, const span *spans, size_t n)
 {
-    double ends[2 * STRETCHES_MAX];
+    double ends[2 * SPANS_MAX];
     const murk_place *present[MURK_REGIONS_MAX];
-    sort_ends(stretches, n, ends);
+    sort_ends(spans, n, ends);
     for (size_t i = 0; i + 1 < 2 * n; ++i) {
         if (ends[i] < ends[i + 1]) {
             const size_t n_present =
-                list_present(stretches, n, ends[i], ends[i + 1], present);
+                list_present(spans, n, ends[i], ends[i + 1], present);
             if (cross_piece(r, ends[i], ends[i + 1], present, n_present)) {
                 return true;
             }
@@ -241,52 +258,54 @@ static bool cross_overlapping(ray *r, const stretch *stretches, size_t n)
     return false;
 }
 
-static bool cross_alone(ray *r, const stretch *only)
+static bool cross_alone(ray *r, const span *only)
 {
     const murk_place *place = only->place;
     const double extinction = extinction_of(r, place);
     double density = 1;
-    const bool stops =
-        only->fills && (place->filling != MURK_FILLED_EVENLY
-                            ? cross_with_courses(r, only->from, only->to,
-                                                 &place, 1, 0, &density)
-                            : cross_even(r, only->from, only->to, extinction));
-    if (stops) {
-        meet(r, place, density * extinction);
+    const bool collides =
+        only->fills &&
+        (place->filling != MURK_FILLED_EVENLY
+             ? cross_with_walks(r, only->from, only->to, &place, 1, 0, &density)
+             : cross_even(r, only->from, only->to, extinction));
+    if (collides) {
+        add_contributor(r, place, density * extinction);
     }
-    return stops;
+    return collides;
 }
 
-/* Adds the stretches of a place that the ray is in from one end to the other:
- * one, or, where it fills only a part of what it hides, two. Returns how many
- * there are now. */
-static size_t add_stretches(const ray *r, const murk_place *place, double from,
-                            double to, stretch *stretches, size_t n)
+/* Adds the segments of a region between `from` and `to`: one, or two if the
+ * region fills only a part of the space it hides. Returns the number of
+ * segments. */
+static size_t add_spans(const ray *r, const murk_place *place, double from,
+                        double to, span *spans, size_t n)
 {
     double first = from, last = to;
     const bool fills = murk_place_clip_filling(place, &r->origin, &r->direction,
                                                &first, &last);
     const bool is_whole = fills && first == from && last == to;
     if (place->replaces && !is_whole) {
-        stretches[n++] = (stretch){from, to, place, true, false};
+        spans[n++] = (span){from, to, place, true, false};
     }
     if (fills) {
-        stretches[n++] =
-            (stretch){first, last, place, place->replaces && is_whole, true};
+        spans[n++] =
+            (span){first, last, place, place->replaces && is_whole, true};
     }
     return n;
 }
 
-/* Follows the ray until its depth reaches the limit (true) or its length is
- * used up. A place that neither extinguishes nor hides others is left out. */
-static bool follow(ray *r, double length_m)
+/* Follows the ray until the optical depth reaches the limit (true) or the
+ * length is used up. A region that neither has extinction nor hides others
+ * is left out. */
+static bool cross_media(ray *r, double length_m)
 {
-    stretch stretches[STRETCHES_MAX];
+    span spans[SPANS_MAX];
     size_t n = 0;
     /* cppcheck-suppress ctuuninitvar ; the callers fill all that is read */
     const murk_vec3 o = r->origin, d = r->direction;
     if (isnan(o.x + o.y + o.z + d.x + d.y + d.z + length_m)) {
-        return false; /* meets nothing; no clipping has to think of it */
+        return false; /* a NaN collides with nothing; no clipping needs to
+                         handle it */
     }
     for (size_t i = 0; i < r->media->n_places; ++i) {
         const murk_place *place = &r->media->places[i];
@@ -298,12 +317,12 @@ static bool follow(ray *r, double length_m)
         }
         double from = 0, to = length_m;
         if (murk_place_clip(place, &r->origin, &r->direction, &from, &to)) {
-            n = add_stretches(r, place, from, to, stretches, n);
+            n = add_spans(r, place, from, to, spans, n);
         }
     }
     return n == 0   ? false
-           : n == 1 ? cross_alone(r, &stretches[0])
-                    : cross_overlapping(r, stretches, n);
+           : n == 1 ? cross_alone(r, &spans[0])
+                    : cross_overlapping(r, spans, n);
 }
 
 static double albedo_of(const ray *r, const murk_place *place, murk_vec3 at)
@@ -311,8 +330,8 @@ static double albedo_of(const ray *r, const murk_place *place, murk_vec3 at)
     return murk_albedo_at(&r->media->media[place->medium], place, r->band, at);
 }
 
-/* What fly() comes to in a world of one even medium, which most of a photon's
- * time would else go into finding out. */
+/* fly() for a scene that is one homogeneous medium: a short cut, since most
+ * of a photon's time would go into finding out that there is nothing else. */
 static bool fly_evenly(const ray *r, double length_m, murk_collision *collision)
 {
     const murk_vec3 o = r->origin, d = r->direction;
@@ -344,30 +363,33 @@ static bool fly(ray *r, double length_m, murk_collision *collision)
     if (media->is_even) {
         return fly_evenly(r, length_m, collision);
     }
+    /* Follow the ray to the collision. */
     r->depth = 0;
-    r->n_met = 0;
-    if (!media->in_band[band] || !follow(r, length_m)) {
+    r->n_contributors = 0;
+    if (!media->in_band[band] || !cross_media(r, length_m)) {
         return false;
     }
-    const murk_vec3 at = murk_along(r->origin, r->stop_m, r->direction);
+    const murk_vec3 at = murk_along(r->origin, r->collision_m, r->direction);
+    /* Sum extinction and scattering over the media present at the collision. */
     double total = 0, scattering = 0;
-    for (size_t i = 0; i < r->n_met; ++i) {
-        const murk_meeting *met = &r->met[i];
-        total += met->extinction_per_m;
-        scattering += met->extinction_per_m * albedo_of(r, met->place, at);
+    for (size_t i = 0; i < r->n_contributors; ++i) {
+        const murk_flight_contributor *contributor = &r->contributor[i];
+        total += contributor->extinction_per_m;
+        scattering += contributor->extinction_per_m *
+                      albedo_of(r, contributor->place, at);
     }
-    /* The last with any extinction is left for a u that rounding puts past
-     * the end. */
-    const murk_place *partner = r->met[0].place;
+    /* Select the medium in proportion to extinction. If rounding puts u past
+     * the end, the last medium with an extinction remains. */
+    const murk_place *partner = r->contributor[0].place;
     double left = r->u * total;
-    for (size_t i = 0; i < r->n_met && left >= 0; ++i) {
-        if (r->met[i].extinction_per_m > 0) {
-            partner = r->met[i].place;
-            left -= r->met[i].extinction_per_m;
+    for (size_t i = 0; i < r->n_contributors && left >= 0; ++i) {
+        if (r->contributor[i].extinction_per_m > 0) {
+            partner = r->contributor[i].place;
+            left -= r->contributor[i].extinction_per_m;
         }
     }
     *collision =
-        (murk_collision){.distance_m = r->stop_m,
+        (murk_collision){.distance_m = r->collision_m,
                          .medium = partner->medium,
                          .albedo = albedo_of(r, partner, at),
                          .phase = &media->media[partner->medium].phase[band],
@@ -387,13 +409,13 @@ bool murk_media_fly(const murk_media *media, int band, murk_inside inside,
     r.direction = direction;
     r.limit = tau;
     r.u = u;
-    r.dice = NULL;
+    r.stream = NULL;
     return fly(&r, length_m, collision);
 }
 
 bool murk_delta_fly(const murk_media *media, int band, murk_inside inside,
                     murk_vec3 origin, murk_vec3 direction, double length_m,
-                    double tau, double u, murk_dice *dice,
+                    double tau, double u, murk_flight_randoms *stream,
                     murk_collision *collision)
 {
     assert(media->bound_factor > 0);
@@ -405,7 +427,7 @@ bool murk_delta_fly(const murk_media *media, int band, murk_inside inside,
     r.direction = direction;
     r.limit = tau;
     r.u = u;
-    r.dice = dice;
+    r.stream = stream;
     return fly(&r, length_m, collision);
 }
 
@@ -415,9 +437,9 @@ bool murk_media_fly_delta(const murk_media *media, int band, murk_inside inside,
                           const murk_address *address,
                           murk_collision *collision)
 {
-    murk_dice dice = {.address = address};
+    murk_flight_randoms stream = {.address = address};
     return murk_delta_fly(media, band, inside, origin, direction, length_m, tau,
-                          u, &dice, collision);
+                          u, &stream, collision);
 }
 
 double murk_media_optical_depth(const murk_media *media, int band,
@@ -433,10 +455,10 @@ double murk_media_optical_depth(const murk_media *media, int band,
     r.direction = direction;
     r.depth = 0;
     r.limit = INFINITY;
-    r.dice = NULL;
-    r.n_met = 0;
+    r.stream = NULL;
+    r.n_contributors = 0;
     if (media->in_band[band]) {
-        follow(&r, length_m);
+        cross_media(&r, length_m);
     }
     return r.depth;
 }

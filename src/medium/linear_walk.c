@@ -1,12 +1,12 @@
-/* The walk in cells between voxel centres.
+/* Walk of a ray through the cells between voxel centres (medium/linear.h).
  *
- * A cell takes its corners from up to eight nodes of the tree. Two ways of
- * crossing cover all cases: where only constant nodes take part, a whole box
- * of cells is one segment (linear_even.c); where a leaf takes part, the ray
- * goes cell by cell through the block of 8 x 8 x 8 cells that begins there. As
- * in march.c the cell behind a face is known as a whole number, so rounding
- * can shift a crossing by its last digits but never skip a cell, enter one
- * twice, or stall. */
+ * The corners of a cell belong to up to eight nodes of the tree. Two methods
+ * cover all cases: if only constant nodes take part, a whole box of cells is
+ * one segment (linear_even.c); if a leaf takes part, the ray visits cell by
+ * cell the block of 8 x 8 x 8 cells that begins there. As in march.c the
+ * cell beyond a face is known as whole numbers, so rounding can shift a
+ * crossing by the last digits but never skip a cell, visit one twice, or
+ * stall. */
 #include "medium/linear.h"
 
 #include "medium/linear_even.h"
@@ -16,8 +16,8 @@
 #include <math.h>
 #include <stddef.h>
 
-/* Two values side by side along z: one instruction does both (a way of gcc and
- * clang). */
+/* Two values side by side along z in one register (a vector extension of gcc
+ * and clang). */
 typedef double pair __attribute__((vector_size(16)));
 
 static double clamp01(double x)
@@ -50,7 +50,7 @@ static void leave_block(murk_linear *m)
     m->is_in_block = false;
 }
 
-static void look_up(murk_linear *m, unsigned which)
+static void load_node(murk_linear *m, unsigned which)
 {
     const int32_t voxel[3] = {m->block_first[0] + (int32_t)(which >> 2) * 8,
                               m->block_first[1] + (int32_t)(which >> 1 & 1) * 8,
@@ -62,12 +62,12 @@ static void look_up(murk_linear *m, unsigned which)
     m->known |= 1U << which;
 }
 
-/* A voxel of the block or, at 8, behind it. */
+/* The value of a voxel of the block or, at index 8, of the node behind it. */
 static inline double far_corner(murk_linear *m, int x, int y, int z)
 {
     const unsigned which = (unsigned)((x >> 3) << 2 | (y >> 3) << 1 | (z >> 3));
     if (!(m->known & (1U << which))) {
-        look_up(m, which);
+        load_node(m, which);
     }
     const int offset = (x & 7) << 6 | (y & 7) << 3 | (z & 7);
     return (double)m->leaf[which][offset & m->offset_mask[which]];
@@ -83,8 +83,8 @@ static void load_far_corners(murk_linear *m, int x, int y, int z,
     }
 }
 
-/* The corners of a cell, in pairs along z: [2 x + y]; `leaf` holds all that
- * lies in the block, or is NULL. */
+/* The corners of a cell, in pairs along z: [2 x + y]. `leaf` contains all
+ * voxels of the block, or is NULL. */
 static inline void load_corners(murk_linear *m, const float *leaf, int x, int y,
                                 int z, pair corner[4])
 {
@@ -99,10 +99,11 @@ static inline void load_corners(murk_linear *m, const float *leaf, int x, int y,
     corner[3] = (pair){(double)v[72], (double)v[73]};
 }
 
-/* The mean of the field along the way through a cell whose middle is at
- * (x, y, z) of it and whose length is (dx, dy, dz). The field there is a
- * cubic, so its mean is the value in the middle and 1/24 of the second
- * derivative, which the field's mixed derivatives make up. */
+/* Mean of the field on a segment through a cell; the middle of the segment
+ * is at (x, y, z) in the cell, and (dx, dy, dz) is its extent. The field on
+ * the segment is a cubic, so the mean is the value in the middle plus 1/24
+ * of the second derivative, which follows from the mixed derivatives of the
+ * field. */
 static inline double mean_in_cell(const pair corner[4], double x, double y,
                                   double z, double dx, double dy, double dz)
 {
@@ -132,7 +133,7 @@ static void load_cell(murk_linear *m)
     }
 }
 
-/* The segment in the cell of the block where the walk stands. */
+/* The segment in the current cell of the block. */
 static void cross_cell(murk_linear *m)
 {
     load_cell(m);
@@ -141,7 +142,8 @@ static void cross_cell(murk_linear *m)
     m->to = murk_smaller(murk_larger(min, m->from), m->end);
 }
 
-/* On to the next cell of the block; false when that lies outside. */
+/* Advances to the next cell of the block; false if that is outside of the
+ * block. */
 static bool step_in_block(murk_linear *m)
 {
     for (int axis = 0; axis < 3; ++axis) {
@@ -154,8 +156,8 @@ static bool step_in_block(murk_linear *m)
 
 /* ---- segments ---- */
 
-/* The segment that begins in the cell at[]; true when a block is entered
- * instead. */
+/* Crosses the segment that begins in the cell at[]; returns true if a block
+ * was entered instead. */
 static bool cross_at(murk_linear *m)
 {
     if (murk_linear_cross_even(m)) {
@@ -185,12 +187,13 @@ void murk_linear_begin(murk_linear *linear, const murk_tree *tree,
                        double t1)
 {
     murk_linear *m = linear;
-    *m = (murk_linear){.tree = tree,
-                       .origin = {origin.x, origin.y, origin.z},
-                       .direction = {direction.x, direction.y, direction.z},
-                       .end = fmin(t1, DBL_MAX), /* so that 0 * length is 0 */
-                       .from = t0,
-                       .to = t0};
+    *m = (murk_linear){
+        .tree = tree,
+        .origin = {origin.x, origin.y, origin.z},
+        .direction = {direction.x, direction.y, direction.z},
+        .end = fmin(t1, DBL_MAX), /* finite, so that 0 * length is 0 */
+        .from = t0,
+        .to = t0};
     for (int axis = 0; axis < 3; ++axis) {
         m->inverse[axis] = murk_invert(m->direction[axis]);
         m->stride[axis] = fabs(m->inverse[axis]);
@@ -220,7 +223,7 @@ bool murk_linear_next(murk_linear *linear)
     return true;
 }
 
-/* The ray's place at t in the present cell. */
+/* Position of the ray at t in the current cell. */
 static void place_in_cell(const murk_linear *m, double t, double in[3])
 {
     for (int axis = 0; axis < 3; ++axis) {
@@ -237,14 +240,14 @@ murk_cubic murk_linear_cubic(const murk_linear *linear, double t0, double t1)
     return murk_cubic_in_cell(linear->corner, a, b);
 }
 
-/* What an integration carries from segment to segment. */
+/* The state of an integration. */
 typedef struct tally {
     double scale, offset, limit, reached;
 } tally;
 
-/* The limit is met in the present segment, whose field has that mean: draws
- * `to` back. A field of 0 where it is met (its end, by rounding) would be a
- * collision with nothing: the mean stands for it. */
+/* The limit is reached in the current segment, in which the field has the
+ * given mean: moves `to` back. If rounding makes the field 0 there (at an
+ * end of the segment), the mean is used, so that a collision has a medium. */
 static void stop_in_segment(murk_linear *m, tally *sum, double mean)
 {
     const double length = m->to - m->from;
@@ -260,7 +263,7 @@ static void stop_in_segment(murk_linear *m, tally *sum, double mean)
     sum->reached = sum->limit;
 }
 
-/* Adds a segment of that mean; true when the limit is met in it. */
+/* Adds a segment with the given mean; true if the limit is reached in it. */
 static inline bool add_segment(tally *sum, double length, double mean)
 {
     const double density = sum->scale * mean + sum->offset;
@@ -283,7 +286,8 @@ static bool integrate_segment(murk_linear *m, tally *sum)
     return false;
 }
 
-/* The rest of a block: cross_cell() and step_in_block() over and over. */
+/* Integrates over the rest of a block: cross_cell() and step_in_block() in
+ * one loop. */
 static bool integrate_block(murk_linear *m, tally *sum)
 {
     const double end = m->end;
@@ -297,23 +301,25 @@ static bool integrate_block(murk_linear *m, tally *sum)
     double ty = murk_larger(m->cross[1], from);
     double tz = murk_larger(m->cross[2], from);
     int x = m->in_block[0], y = m->in_block[1], z = m->in_block[2];
-    /* the cell's lowest point, seen from the ray's origin */
+    /* The lowest point of the cell relative to the origin of the ray. */
     double ox = m->block_first[0] + x - m->origin[0];
     double oy = m->block_first[1] + y - m->origin[1];
     double oz = m->block_first[2] + z - m->origin[2];
-    /* No way through a cell is longer along any axis, but for origins so far
-     * off that rounding is. */
+    /* The longest possible segment in a cell, with a margin of 1e-3 for
+     * rounding. Origins so far away that rounding exceeds the margin lose
+     * the second-order term only. */
     const double longest =
         1.001 / murk_larger(murk_larger(fabs(dx), fabs(dy)), fabs(dz));
     tally t = *sum;
     bool stops;
     if (!(m->known & 1)) {
-        look_up(m, 0);
+        load_node(m, 0);
     }
     const float *leaf = m->offset_mask[0] ? m->leaf[0] : NULL;
     for (;;) {
         pair corner[4];
         load_corners(m, leaf, x, y, z, corner);
+        /* Mean of the field up to the nearest face. */
         const double face = murk_smaller(murk_smaller(tx, ty), tz);
         to = murk_smaller(face, end);
         const double length = to - from, middle = from + length / 2;
@@ -325,6 +331,7 @@ static bool integrate_block(murk_linear *m, tally *sum)
         if (stops || face >= end) {
             break;
         }
+        /* Advance to the next cell along every axis whose face was reached. */
         from = to;
         const bool bx = tx <= face, by = ty <= face, bz = tz <= face;
         tx += bx ? stride_x : 0;
@@ -342,6 +349,7 @@ static bool integrate_block(murk_linear *m, tally *sum)
             break;
         }
     }
+    /* Store the state; at the limit find the exact position. */
     m->from = from;
     m->to = to;
     m->in_block[0] = x;

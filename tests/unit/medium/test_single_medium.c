@@ -1,8 +1,8 @@
 /* Density paths by medium add up to a world's optical depth, and each is the
  * length that a ray has in what is not hidden of it. Nothing is random. */
 #include "check.h"
-#include "medium/alone.h"
 #include "medium/phase.h"
+#include "medium/single_medium.h"
 
 #define MEDIA 3
 
@@ -46,7 +46,7 @@ static double path(const murk_media *media, size_t medium, int band,
 {
     murk_media *alone = NULL;
     murk_error err = {0};
-    CHECK(!murk_media_alone(&alone, media, medium, &err));
+    CHECK(!murk_media_single(&alone, media, medium, &err));
     const double path_m =
         murk_media_optical_depth(alone, band, 0, from, direction, length_m);
     murk_media_destroy(alone);

@@ -1,4 +1,7 @@
-/* Building: what can fail here returns false, for want of memory. */
+/* Computes the bounds of bricks from the tree of a grid (medium/bricks.h):
+ * every leaf and tile raises the bounds of the bricks from which the
+ * interpolation reads it. Functions that return bool or a pointer fail only
+ * if there is no memory. */
 #include "medium/bricks.h"
 
 #include "medium/brick_cells.h"
@@ -9,8 +12,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define FIRST_SLOTS 64 /* a power of two */
+#define FIRST_SLOTS 64 /* initial size of the hash table; a power of two */
 
+/* Doubles the hash table. */
 static bool grow(murk_bricks *b)
 {
     murk_bricks larger = *b;
@@ -34,8 +38,8 @@ static bool grow(murk_bricks *b)
     return true;
 }
 
-/* The cell, made with all its parents where it is new; NULL without memory.
- * Valid until the next call. */
+/* The cell at a level; creates it and all parents if needed. NULL without
+ * memory. The pointer is valid until the next call. */
 static murk_brick_cell *cell_at(murk_bricks *b, int level,
                                 const int32_t voxel[3])
 {
@@ -60,8 +64,8 @@ static murk_brick_cell *cell_at(murk_bricks *b, int level,
     }
 }
 
-/* The table of the block around a voxel; NULL without memory. Valid until the
- * next call. */
+/* The table of bricks of the block around a voxel; creates it if needed.
+ * NULL without memory. The pointer is valid until the next call. */
 static float *table_at(murk_bricks *b, const int32_t voxel[3])
 {
     murk_brick_cell *block = cell_at(b, 0, voxel);
@@ -70,14 +74,14 @@ static float *table_at(murk_bricks *b, const int32_t voxel[3])
     }
     const size_t size = murk_table_size(b);
     if (block->table == MURK_NO_TABLE) {
-        if (b->n_tables == b->tables_room) {
-            const size_t room = b->tables_room + b->tables_room / 2 + 8;
+        if (b->n_tables == b->tables_capacity) {
+            const size_t room = b->tables_capacity + b->tables_capacity / 2 + 8;
             float *bound = realloc(b->bound, room * size * sizeof *bound);
             if (!bound) {
                 return NULL;
             }
             b->bound = bound;
-            b->tables_room = room;
+            b->tables_capacity = room;
         }
         block->table = (uint32_t)b->n_tables++;
         memset(b->bound + block->table * size, 0, size * sizeof *b->bound);
@@ -90,8 +94,8 @@ static void raise(float *bound, float value)
     *bound = *bound < value ? value : *bound;
 }
 
-/* Raises all bricks that meet the inclusive box of voxels, which spans at most
- * two bricks along an axis. */
+/* Raises the bounds of all bricks that overlap the inclusive box of voxels,
+ * which spans at most two bricks along an axis. */
 static bool raise_bricks(murk_bricks *b, const int32_t first[3],
                          const int32_t last[3], float value)
 {
@@ -115,17 +119,21 @@ static bool raise_bricks(murk_bricks *b, const int32_t first[3],
     return true;
 }
 
-/* 0, 1, 2: the first, a middle, the last of a leaf's eight layers. */
+/* 0 for the first, 1 for a middle, 2 for the last of the eight layers of a
+ * leaf. */
 static inline int part_of_leaf(int layer)
 {
     return layer == 0 ? 0 : layer == 7 ? 2 : 1;
 }
 
-/* What only its outer layers hold is seen from next door. */
+/* Adds a leaf of 8 x 8 x 8 voxels. Only values in the outer layers reach
+ * neighbouring bricks, so the maximum is taken separately for 27 parts:
+ * corners, edges, faces and the inside. */
 static bool add_leaf(murk_bricks *b, const int32_t at[3], const float *value)
 {
     static const int part_first[3] = {0, 1, 7}, part_last[3] = {0, 6, 7};
     float max[3][3][3] = {{{0}}};
+    /* The maximum of each part. */
     for (int i = 0; i < 8; ++i) {
         for (int j = 0; j < 8; ++j) {
             float *row = max[part_of_leaf(i)][part_of_leaf(j)];
@@ -134,6 +142,8 @@ static bool add_leaf(murk_bricks *b, const int32_t at[3], const float *value)
             }
         }
     }
+    /* Each part raises the bricks that it touches, enlarged by the reach of
+     * the interpolation. */
     for (int n = 0; n < 27; ++n) {
         const int part[3] = {n / 9, n / 3 % 3, n % 3};
         const float value_here = max[part[0]][part[1]][part[2]];
@@ -158,7 +168,8 @@ static bool add_small_tile(murk_bricks *b, const int32_t at[3], float value)
     return add_leaf(b, at, leaf);
 }
 
-/* A large cell of one value, and those of its size from which it is seen. */
+/* Adds a tile: raises the bound of the cell, and of those neighbouring cells
+ * of the same size from which the interpolation reads it. */
 static bool add_large_tile(murk_bricks *b, int level, const int32_t at[3],
                            float value)
 {
@@ -183,7 +194,7 @@ static bool add_large_tile(murk_bricks *b, int level, const int32_t at[3],
     return true;
 }
 
-/* The n-th of side^3 cells of an edge from `first` on. */
+/* Position of the n-th of side^3 cells, counted from `first`. */
 static void nth_cell(const int32_t first[3], int n, int side, int32_t edge,
                      int32_t at[3])
 {
@@ -271,7 +282,7 @@ void murk_bricks_destroy(murk_bricks *bricks)
 
 float murk_bricks_bound(const murk_bricks *bricks, const int32_t voxel[3])
 {
-    murk_brick_sight s = murk_bricks_look(bricks, voxel);
+    murk_brick_bound s = murk_bricks_lookup(bricks, voxel);
     if (s.table) {
         raise(&s.bound,
               s.table[murk_brick_in_block(bricks->edge_shift, voxel)]);
@@ -282,9 +293,10 @@ float murk_bricks_bound(const murk_bricks *bricks, const int32_t voxel[3])
 murk_bricks_facts murk_bricks_describe(const murk_bricks *bricks)
 {
     const murk_bricks *b = bricks;
-    murk_bricks_facts facts = {
-        .memory_bytes = sizeof *b + b->n_slots * sizeof *b->slot +
-                        b->tables_room * murk_table_size(b) * sizeof *b->bound};
+    murk_bricks_facts facts = {.memory_bytes =
+                                   sizeof *b + b->n_slots * sizeof *b->slot +
+                                   b->tables_capacity * murk_table_size(b) *
+                                       sizeof *b->bound};
     const size_t n = b->n_tables * murk_table_size(b);
     const double brick = ldexp(1, 3 * b->edge_shift);
     for (size_t i = 0; i < n; ++i) {

@@ -1,9 +1,13 @@
+/* Creates and describes murk_media: checks media and regions, places the
+ * regions, finds refractive boundaries; and sums coefficients at a point.
+ * Free flight is in free_flight.c, refraction in interfaces.c. */
+#include "medium/grid_internal.h"
 #include "medium/media.h"
 
 #include "base/log.h"
 #include "base/position.h"
 #include "medium/albedo.h"
-#include "medium/parts.h"
+#include "medium/media_parts.h"
 #include "medium/tree.h"
 #include "medium/waves.h"
 
@@ -12,10 +16,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Times any float density it stays finite, so that no optical depth is NaN. */
+/* Multiplied by any float density the product stays finite in double
+ * precision, so that no optical depth is NaN. */
 #define EXTINCTION_MAX 1e30
 
-/* How far rounding may turn and stretch a placement by similarity. */
+/* Allowed relative deviation of a placement from a similarity: some 1e6
+ * times the rounding of double precision. */
 #define SIMILAR 1e-9
 
 static const char *place_of(const char *where, const char *otherwise)
@@ -23,7 +29,7 @@ static const char *place_of(const char *where, const char *otherwise)
     return where ? where : otherwise;
 }
 
-/* The profile's extinction counts as a density does: within one range. */
+/* Checks a profile. The range of extinction is that of the media. */
 static murk_status check_profile(const murk_profile *profile, const char *where,
                                  murk_error *err)
 {
@@ -33,6 +39,7 @@ static murk_status check_profile(const murk_profile *profile, const char *where,
                          profile->n);
     }
     for (size_t i = 0; i < profile->n; ++i) {
+        /* Heights rise; two equal ones in succession are a jump. */
         const double z = profile->z_m[i];
         const bool is_jump = i > 0 && z == profile->z_m[i - 1];
         const bool rises = i == 0 || z > profile->z_m[i - 1] ||
@@ -53,6 +60,7 @@ static murk_status check_profile(const murk_profile *profile, const char *where,
             }
         }
     }
+    /* A jump alone has no thickness. */
     if (!(profile->z_m[0] < profile->z_m[profile->n - 1])) {
         return murk_fail(err, MURK_BAD_VALUE, where,
                          "a profile of one height, %g m, must span a layer",
@@ -65,6 +73,7 @@ static murk_status check_profile(const murk_profile *profile, const char *where,
 static murk_status check_medium(const murk_medium *medium, murk_error *err)
 {
     const char *where = place_of(medium->where, "medium");
+    /* Optical properties of each band. */
     for (int band = 0; band < MURK_BANDS_MAX; ++band) {
         const double extinction = medium->extinction_per_m.band[band];
         const double albedo = medium->albedo.band[band];
@@ -85,6 +94,7 @@ static murk_status check_medium(const murk_medium *medium, murk_error *err)
             return status;
         }
     }
+    /* Only one source of density. */
     if (medium->profile && medium->grid) {
         return murk_fail(err, MURK_BAD_VALUE, where,
                          "has a grid and a profile, must be one of them");
@@ -110,6 +120,7 @@ static murk_status check_region(const murk_region *region,
                          "medium number %zu, there are %zu", region->medium,
                          n_media);
     }
+    /* Shape and grid must fit together. */
     const bool has_grid = media[region->medium].grid != NULL;
     if (has_grid && region->shape == MURK_REGION_EVERYWHERE) {
         return murk_fail(err, MURK_BAD_VALUE, where,
@@ -121,6 +132,7 @@ static murk_status check_region(const murk_region *region,
                          "this medium has no grid that says where it lies: "
                          "needs a shape");
     }
+    /* Index of refraction. */
     if (!(region->ior == 0 ||
           (region->ior >= 1 && region->ior <= MURK_IOR_MAX))) {
         return murk_fail(err, MURK_BAD_VALUE, where, "ior is %g, must be 1..%d",
@@ -132,6 +144,7 @@ static murk_status check_region(const murk_region *region,
                          "that bends light",
                          region->ior);
     }
+    /* Waves need a half space with an index. */
     if (!(region->mean_square_slope >= 0 &&
           region->mean_square_slope <= MURK_MEAN_SQUARE_SLOPE_MAX)) {
         return murk_fail(err, MURK_BAD_VALUE, where,
@@ -145,6 +158,7 @@ static murk_status check_region(const murk_region *region,
                          "half space with an index has waves",
                          region->mean_square_slope);
     }
+    /* Dimensions of the shape. */
     if (region->shape == MURK_REGION_BELOW && !isfinite(region->below_z_m)) {
         return murk_fail(err, MURK_BAD_VALUE, where,
                          "below_z_m is %g m, must be finite",
@@ -175,7 +189,7 @@ static void warn_outside(const murk_place *place, const murk_box *domain,
 {
     const murk_box *b = &place->bounds;
     if (b->min.x > b->max.x) {
-        return; /* an empty grid: its reading has warned */
+        return; /* an empty grid: a warning was given when it was read */
     }
     if (b->min.x >= domain->max.x || b->max.x <= domain->min.x ||
         b->min.y >= domain->max.y || b->max.y <= domain->min.y ||
@@ -188,8 +202,8 @@ static void warn_outside(const murk_place *place, const murk_box *domain,
     }
 }
 
-/* No density anywhere in that band. */
-static bool holds_nothing(const murk_medium *medium, int band)
+/* True if the medium has no density anywhere in the band. */
+static bool has_no_density(const murk_medium *medium, int band)
 {
     if (medium->grid) {
         return murk_grid_tree(medium->grid)->n_cells == 0;
@@ -217,14 +231,15 @@ static murk_status place_all(murk_media *media, const murk_region *regions,
         ++media->n_places;
         warn_outside(place, domain, where);
         for (int band = 0; band < MURK_BANDS_MAX; ++band) {
-            media->in_band[band] |= !holds_nothing(medium, band) &&
+            media->in_band[band] |= !has_no_density(medium, band) &&
                                     medium->extinction_per_m.band[band] > 0;
         }
     }
     return MURK_OK;
 }
 
-/* A ball that is not one any more would need another test of crossing. */
+/* True for a similarity. A sheared sphere would be an ellipsoid, for which
+ * no intersection test exists. */
 static bool is_similarity(const murk_affine *a)
 {
     const double(*m)[3] = a->matrix;
@@ -277,6 +292,7 @@ murk_status murk_media_create(murk_media **out, const murk_medium *media,
                       n_regions, MURK_MEDIA_MAX, MURK_REGIONS_MAX);
         goto done;
     }
+    /* Check all media and regions. */
     for (size_t i = 0; i < n_media && !status; ++i) {
         status = check_medium(&media[i], err);
     }
@@ -286,6 +302,7 @@ murk_status murk_media_create(murk_media **out, const murk_medium *media,
     if (status) {
         goto done;
     }
+    /* Reserve memory. */
     made = calloc(1, sizeof *made);
     if (made) {
         made->media = calloc(n_media + 1, sizeof *made->media);
@@ -297,11 +314,13 @@ murk_status murk_media_create(murk_media **out, const murk_medium *media,
                            "no memory for %zu regions", n_regions);
         goto done;
     }
+    /* Place the regions and find their refractive boundaries. */
     made->n_media = n_media;
     if (n_media > 0) {
         memcpy(made->media, media, n_media * sizeof *media);
     }
     status = place_all(made, regions, n_regions, domain, err);
+    /* One homogeneous medium everywhere has a short cut in free_flight.c. */
     made->is_even = n_regions == 1 &&
                     made->places[0].shape == MURK_REGION_EVERYWHERE &&
                     made->places[0].filling == MURK_FILLED_EVENLY &&
@@ -328,7 +347,7 @@ static void release_places(murk_media *media)
     free(media->boundaries);
 }
 
-murk_media *murk_media_borrowing(const murk_media *media)
+murk_media *murk_media_shallow_copy(const murk_media *media)
 {
     murk_media *made = malloc(sizeof *made);
     murk_medium *list = malloc((media->n_media + 1) * sizeof *list);
@@ -377,7 +396,9 @@ bool murk_media_any(const murk_media *media)
     return false;
 }
 
-/* Sums over the places at p, each weighed by its medium's albedo or by 1. */
+/* Sum over the regions at p of the extinction, or of the scattering
+ * coefficient. A region that replaces others discards the sum of those
+ * before it. */
 static double sum_at(const murk_media *media, int band, murk_inside inside,
                      murk_vec3 p, bool scattered)
 {

@@ -1,0 +1,32 @@
+/* Functions of density grids for use inside this room only. */
+#ifndef MURK_MEDIUM_GRID_INTERNAL_H
+#define MURK_MEDIUM_GRID_INTERNAL_H
+
+#include "base/status.h"
+#include "base/vector.h"
+#include "medium/tree.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+struct murk_grid;
+
+/* The tree of a grid. */
+const murk_tree *murk_grid_tree(const struct murk_grid *grid);
+
+/* 2^31 voxels are 8 GB of floats; indices in a grid have 32 bits. */
+#define MURK_VOXELS_MAX ((size_t)1 << 31)
+
+/* Checks the size of dense samples, at least 1 along each axis and at most
+ * MURK_VOXELS_MAX in all, and computes the number of voxels. */
+murk_status murk_grid_check_size(const size_t size[3], size_t *voxels,
+                                 const char *where, murk_error *err);
+
+/* murk_grid_from_samples() with a choice: blocks of one value are stored as
+ * tiles, or voxel by voxel. */
+murk_status murk_grid_make(struct murk_grid **out, const size_t size[3],
+                           const float *density,
+                           const murk_affine *index_to_world, bool as_tiles,
+                           const char *where, murk_error *err);
+
+#endif

@@ -1,0 +1,35 @@
+/* The members of murk_media. Inside this room only. */
+#ifndef MURK_MEDIUM_MEDIA_PARTS_H
+#define MURK_MEDIUM_MEDIA_PARTS_H
+
+#include "medium/media.h"
+#include "medium/place.h"
+#include "medium/region_boundary.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+struct murk_media {
+    murk_medium *media;
+    size_t n_media;
+    murk_place *places;
+    size_t n_places;
+    murk_region_boundary *boundaries; /* boundaries of the regions with an
+                                         index, in the order of the scene */
+    size_t n_boundaries;
+    bool
+        borrows_places; /* places and boundaries belong to another murk_media */
+    bool is_even;       /* one homogeneous region everywhere */
+    double near_m;      /* boundaries closer than this are one */
+    bool
+        in_band[MURK_BANDS_MAX]; /* some medium has an extinction in the band */
+    double bound_factor; /* factor on the majorants of delta tracking; 0: no
+                            majorants yet */
+};
+
+/* A copy with a list of media that may be changed; places and boundaries are
+ * borrowed from `media`. NULL if out of memory. The caller releases it with
+ * murk_media_destroy(). */
+murk_media *murk_media_shallow_copy(const murk_media *media);
+
+#endif
