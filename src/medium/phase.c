@@ -1,15 +1,12 @@
-/* Phase functions: one row of functions for each kind (ROWS).
- *
- * Density, inverse distribution function, share within an angle and mean cosine
- * of Henyey-Greenstein, of two such terms and of Rayleigh are closed forms; the
- * sources are in phase.h. Kinds without a closed inverse are computed as a
- * table (phase_table.h). */
+/* Phase functions: densities, sampling by the inverse of the cumulative
+ * distribution, and the share of light inside a cone (medium/phase.h). */
 #include "medium/phase.h"
 
 #include <assert.h>
 #include <math.h>
 #include <string.h>
 
+/* Solid angle of the sphere. */
 #define FOUR_PI 12.566370614359172
 
 /* Below this the inverse CDF loses digits to cancellation (error ~ eps / |g|),
@@ -154,6 +151,7 @@ typedef struct phase_number {
     const char *allowed; /* for the message */
 } phase_number;
 
+/* At -1 and 1 the function is a delta function and has no density. */
 #define MEAN_COSINE                                                     \
     {                                                                   \
         "mean cosine g", -1, 1, true, "between -1 and 1, both excluded" \

@@ -1,14 +1,15 @@
-/* Phase functions: how light turns when a droplet scatters it.
+/* Phase functions: the angular distribution of scattered light.
  *
  * Angles are between the directions of travel before and after, so mu = +1 is
  * straight on. The density is per steradian and integrates to 1 over the
- * sphere. Fournier-Forand and measured ones are tables: phase_table.h.
+ * sphere. Fournier-Forand and measured phase functions are tables:
+ * phase_table.h.
  *
  * Sources: Henyey & Greenstein, Astrophys. J. 93 (1941) 70,
  * doi:10.1086/144246; Strutt (Rayleigh), Phil. Mag. 41 (1871) 107,
  * doi:10.1080/14786447108640452, without depolarisation; two terms of
- * Henyey-Greenstein: Irvine, Astrophys. J. 142 (1965) 1563, doi:10.1086/148436.
- */
+ * Henyey-Greenstein: Irvine, Astrophys. J. 142 (1965) 1563,
+ * doi:10.1086/148436. */
 #ifndef MURK_MEDIUM_PHASE_H
 #define MURK_MEDIUM_PHASE_H
 
@@ -44,8 +45,8 @@ murk_status murk_phase_tabulate(murk_phase_table **out, murk_phase_kind kind,
                                 const double value[MURK_PHASE_NUMBERS_MAX],
                                 const char *where, murk_error *err);
 
-/* MURK_BAD_VALUE at `where` when a member is outside of its range; the band is
- * for the message. */
+/* Fails with MURK_BAD_VALUE at `where` if a member is out of range; the
+ * message names the band. */
 murk_status murk_phase_check(const murk_phase *phase, int band,
                              const char *where, murk_error *err);
 
@@ -55,13 +56,14 @@ double murk_phase_density(const murk_phase *phase, double mu);
 /* A cosine distributed as the density: the inverse CDF at u in (0, 1). */
 double murk_phase_sample(const murk_phase *phase, double u);
 
-/* Share of the light that turns by less than an angle, 0..pi: 2 pi times the
- * integral of density sin(angle). Exact, however small the angle. */
+/* Share of the light that is scattered by less than an angle, 0..pi: 2 pi
+ * times the integral of density sin(angle). Exact for any angle, however
+ * small. */
 double murk_phase_share_within(const murk_phase *phase, double angle_rad);
 
 double murk_phase_mean_cosine(const murk_phase *phase);
 
-/* Whether both are one law to the last bit. */
+/* True if both are the same function to the last bit. */
 bool murk_phase_is_same(const murk_phase *a, const murk_phase *b);
 
 /* Density [1/sr] at mu = cos(angle), for mean cosine g.

@@ -1,3 +1,5 @@
+/* Cache of phase tables in memory (base/cache.h): the key is the input of
+ * the table, and the value holds the struct, the nodes and the guide. */
 #include "medium/phase_cache.h"
 
 #include "base/cache.h"
@@ -8,7 +10,7 @@
 
 static murk_cache kept = MURK_CACHE_NONE;
 
-/* a, then b; for free(). */
+/* The key: a, then b. The caller frees it with free(). */
 static double *key_of(const murk_phase_origin *origin, size_t *size)
 {
     const size_t half = origin->n * sizeof(double);
@@ -31,7 +33,7 @@ static size_t node_bytes(const murk_phase_table *table)
     return table->nodes * sizeof *table->node;
 }
 
-/* Kept as the struct, its nodes, its guide. */
+/* Makes a table of the cached bytes: struct, nodes, guide. */
 static murk_phase_table *unpack(const char *bytes)
 {
     murk_phase_table *table = malloc(sizeof *table);

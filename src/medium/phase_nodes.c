@@ -1,9 +1,14 @@
+/* Construction and use of phase tables (medium/phase_table.h): density
+ * linear in s = 1 - cos(angle) between nodes. Nodes are placed by adaptive
+ * halving; sampling uses a guide table (Chen and Asau, AIIE Trans. 6 (1974)
+ * 163, doi:10.1080/05695557408974949) and the root of a quadratic. */
 #include "medium/phase_nodes.h"
 
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 
+/* Solid angle per s: d(omega) = 2 pi ds. */
 #define TWO_PI 6.283185307179586
 
 /* 1 - cos of the smallest angle whose cosine is not rounded to 1. */
@@ -51,7 +56,8 @@ void murk_phase_nodes_line(murk_phase_nodes *nodes, double s, double density)
     }
 }
 
-/* Whether a straight line between two nodes is near enough to the law. */
+/* True if a straight line between two nodes is close enough to the law at
+ * three points. */
 static bool is_near(murk_phase_node from, murk_phase_node to,
                     double (*law)(const void *context, double s),
                     const void *context)
@@ -68,8 +74,9 @@ static bool is_near(murk_phase_node from, murk_phase_node to,
     return true;
 }
 
-/* Halves the way until each part is near: what is still to come waits on a
- * stack, nearest on top. Parts halve in log s while they are long. */
+/* Halves the interval until a straight line is close enough on each part.
+ * Parts still to come are on a stack, the nearest on top. Long parts are
+ * halved in log s. */
 void murk_phase_nodes_law(murk_phase_nodes *nodes, double s,
                           double (*law)(const void *context, double s),
                           const void *context)
@@ -99,7 +106,7 @@ double murk_phase_nodes_integral(const murk_phase_nodes *nodes)
     return nodes->n > 0 ? nodes->node[nodes->n - 1].below : 0;
 }
 
-/* Integral of s times the density over the sphere: 1 less the mean cosine. */
+/* Integral of s times the density over the sphere: 1 minus the mean cosine. */
 static double mean_s(const murk_phase_table *table)
 {
     const murk_phase_node *node = table->node;
@@ -112,7 +119,7 @@ static double mean_s(const murk_phase_table *table)
     return TWO_PI * sum;
 }
 
-/* The last node before s, and the first where there is none. */
+/* The last node at or before s, or the first node. */
 static size_t node_before(const murk_phase_table *table, double s)
 {
     size_t from = 0, to = table->nodes - 1;
@@ -127,7 +134,7 @@ static size_t node_before(const murk_phase_table *table, double s)
     return from;
 }
 
-/* Share that turns by less than s, not before node 0. */
+/* Share of the light scattered by less than s; s must not be before node 0. */
 static double share_below(const murk_phase_table *table, double s)
 {
     const murk_phase_node *node = &table->node[node_before(table, s)];
@@ -136,6 +143,7 @@ static double share_below(const murk_phase_table *table, double s)
     return node->below + TWO_PI * .5 * (node->density + here) * (s - node->s);
 }
 
+/* For each of 2^k equal intervals of u, the node at which the search begins. */
 static murk_status guide(murk_phase_table *table)
 {
     table->guides = 1;
@@ -170,6 +178,7 @@ murk_status murk_phase_nodes_finish(murk_phase_table **out,
                            "must be more than 0");
         goto done;
     }
+    /* Take over the nodes and scale the integral to 1. */
     table = calloc(1, sizeof *table);
     if (nodes->is_full || !table) {
         status = murk_fail(err, MURK_NO_MEMORY, where,
@@ -186,6 +195,7 @@ murk_status murk_phase_nodes_finish(murk_phase_table **out,
         table->node[i].density /= integral;
     }
     assert(table->nodes > 1 && table->node[table->nodes - 1].s == 2);
+    /* The guide for sampling, then the facts. */
     status = guide(table);
     if (status) {
         murk_fail(err, status, where, "no memory for a phase function");
@@ -241,8 +251,8 @@ double murk_phase_table_density(const murk_phase_table *table, double mu)
     return node->density + t * (node[1].density - node->density);
 }
 
-/* From the share a beyond the node on: a / (2 pi) = p t + (slope / 2) t^2, in
- * the form of the root that does not cancel. */
+/* Solves a / (2 pi) = p t + (slope / 2) t^2 for the step t beyond the node,
+ * with the form of the root that does not cancel. */
 double murk_phase_table_sample(const murk_phase_table *table, double u)
 {
     assert(u > 0 && u < 1);

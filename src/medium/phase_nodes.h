@@ -1,4 +1,4 @@
-/* How a phase table is laid out, node by node; inside this room only. */
+/* Nodes of a phase table, and their construction. Inside this room only. */
 #ifndef MURK_MEDIUM_PHASE_NODES_H
 #define MURK_MEDIUM_PHASE_NODES_H
 
@@ -7,10 +7,12 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+/* 24 MB of nodes; Fournier-Forand needs some 5000. */
 #define MURK_PHASE_NODES_MAX (1u << 20)
 
 typedef struct murk_phase_node {
-    double below; /* share of the light that turns by less */
+    double below; /* share of the light scattered by less than the angle of this
+                     node */
     double s;     /* 1 - cos(angle), rising */
     double density;
 } murk_phase_node;
@@ -18,39 +20,43 @@ typedef struct murk_phase_node {
 struct murk_phase_table {
     murk_phase_node *node; /* [nodes]; the last one at s = 2 */
     size_t nodes;
-    double power;    /* before node 0 the density is as s^power, > -1 */
-    uint32_t *guide; /* [guides]: the last node that k / guides is not below */
-    size_t guides;   /* a power of two */
+    double
+        power; /* before node 0 the density is proportional to s^power; > -1 */
+    uint32_t *
+        guide; /* [guides]: the last node whose `below` is at most k / guides */
+    size_t guides; /* a power of two */
     murk_phase_facts facts;
 };
 
-/* Nodes so far, of any scale. */
+/* The list of nodes while it is built, with a density of any scale. */
 typedef struct murk_phase_nodes {
     murk_phase_node *node;
     size_t n, room;
     double power;
-    bool is_full; /* no memory, or more than MURK_PHASE_NODES_MAX: from then on
-                     nothing is added */
+    bool is_full; /* no memory, or more than MURK_PHASE_NODES_MAX nodes: no more
+                     are added */
 } murk_phase_nodes;
 
-/* The first node; before it s^power (s = 0: nothing before). */
+/* Adds the first node; before it the density is proportional to s^power (s =
+ * 0: nothing is before it). */
 void murk_phase_nodes_begin(murk_phase_nodes *nodes, double s, double density,
                             double power);
 
-/* A node whose way from the one before is linear. One that rounding puts on
- * the one before is left out. */
+/* Adds a node; the density is linear from the previous node. A node that
+ * rounding puts on the previous one is left out. */
 void murk_phase_nodes_line(murk_phase_nodes *nodes, double s, double density);
 
-/* Nodes up to s within MURK_PHASE_TOLERANCE of a law above 0. */
+/* Adds nodes up to s so that the table is within MURK_PHASE_TOLERANCE of a
+ * law with positive values. */
 void murk_phase_nodes_law(murk_phase_nodes *nodes, double s,
                           double (*law)(const void *context, double s),
                           const void *context);
 
-/* The integral so far. */
+/* The integral over the sphere up to the last node. */
 double murk_phase_nodes_integral(const murk_phase_nodes *nodes);
 
-/* Makes the table, its integral 1 and its facts those that nodes tell; takes
- * the nodes, also where it fails. The last node is at s = 2. */
+/* Makes the table: scales the integral to 1 and computes the facts. Takes
+ * ownership of the nodes, also on failure. The last node must be at s = 2. */
 murk_status murk_phase_nodes_finish(murk_phase_table **out,
                                     murk_phase_nodes *nodes, const char *where,
                                     murk_error *err);

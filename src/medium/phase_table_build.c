@@ -1,3 +1,6 @@
+/* Makes phase tables from rows of angles and values, and from the
+ * Fournier-Forand formula: checks the input, places nodes along the law, and
+ * uses a cache of earlier tables. */
 #include "medium/phase_table.h"
 
 #include "medium/fournier_forand.h"
@@ -9,16 +12,20 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* One degree in radians. */
 #define DEGREE 0.017453292519943295
 
-#define FIRST_DEG_MAX 10.0  /* less than 1 % of the sphere lies before */
-#define MIN_DEG       1e-6  /* a smaller angle has the cosine of 0 */
-#define LAST_DEG_MIN  150.0 /* less than 7 % behind */
-#define ROWS_MAX      1000000
-#define VALUE_MIN     1e-30
-#define VALUE_MAX     1e30
+#define FIRST_DEG_MAX 10.0  /* less than 1 % of the sphere is inside */
+#define MIN_DEG       1e-6  /* a smaller angle has the same cosine as 0 */
+#define LAST_DEG_MIN  150.0 /* less than 7 % of the sphere is beyond */
+/* More rows and a wider range of values than any measurement has; the range
+ * keeps logarithms and integrals finite. */
+#define ROWS_MAX  1000000
+#define VALUE_MIN 1e-30
+#define VALUE_MAX 1e30
 
-/* Below this s an angle^k is an s^(k/2) to angle^2 k / 24 = 8e-7. */
+/* Below this s, angle^k is s^(k/2) to a relative error of angle^2 k / 24 =
+ * 8e-7. */
 #define HEAD_S 5e-6
 
 static murk_status fail_row(const murk_phase_rows *rows, size_t i,
@@ -91,7 +98,7 @@ static double angle_of(double s)
     return 2 * asin(sqrt(.5 * s));
 }
 
-/* first (angle / from)^power: what lies between two rows. */
+/* The law between two rows: first * (angle / from)^power. */
 typedef struct stretch {
     double from, first, power;
 } stretch;
@@ -117,7 +124,7 @@ static bool is_straight(const murk_phase_rows *rows, size_t i)
            rows->phase_per_sr[i + 1] == 0;
 }
 
-/* From angle 0 to the first row. */
+/* Nodes from angle 0 to the first row. */
 static murk_status lay_head(murk_phase_nodes *nodes,
                             const murk_phase_rows *rows, murk_error *err)
 {
@@ -126,11 +133,13 @@ static murk_status lay_head(murk_phase_nodes *nodes,
     if (!is_straight(rows, 0)) {
         law = stretch_of(rows, 0);
     }
+    /* A rising or constant law: constant to angle 0. */
     if (!(law.power < 0)) {
         murk_phase_nodes_begin(nodes, 0, rows->phase_per_sr[0], 0);
         murk_phase_nodes_line(nodes, s, rows->phase_per_sr[0]);
         return MURK_OK;
     }
+    /* Too steep: the integral to angle 0 diverges. */
     if (law.power <= -2) {
         char text[200];
         snprintf(text, sizeof text,
@@ -140,6 +149,7 @@ static murk_status lay_head(murk_phase_nodes *nodes,
                  law.power);
         return fail_row(rows, 0, "phase_per_sr", text, err);
     }
+    /* A falling power law continues to angle 0. */
     const double begin = fmin(s, HEAD_S);
     murk_phase_nodes_begin(nodes, begin, stretch_density(&law, begin),
                            .5 * law.power);
@@ -225,8 +235,8 @@ static double forand_density(const void *context, double s)
     return murk_fournier_forand(f->n, f->slope, s);
 }
 
-/* The largest s before which the phase function is a power law, looked for
- * from HEAD_S down to where no double could tell. */
+/* The largest s before which the phase function is a power law to the
+ * tolerance, searched from HEAD_S down to the limit of double precision. */
 static double forand_head(const forand *f)
 {
     const double power = .5 * (f->slope - 5), far = 0x1p-20;
@@ -256,6 +266,7 @@ murk_status murk_phase_table_fournier_forand(murk_phase_table **out, double n,
                          "slope mu of Fournier-Forand is %g, must be %g..%g",
                          slope, MURK_FORAND_MIN, MURK_FORAND_MAX);
     }
+    /* A cached table, or a new one: power law, then nodes along the formula. */
     const forand f = {n, slope};
     const murk_phase_origin origin = {1, &n, &slope};
     if (murk_phase_cache_find(out, &origin)) {
