@@ -117,7 +117,7 @@ static murk_status check_repeat(const murk_session *session, uint64_t runs,
                                   : "use --export matrix or or-library");
     }
     /* A seed fixed by a condition would be the same in all runs. */
-    const bool is_over = scene->placement.over != MURK_SCENE_OVER_NONE;
+    const bool is_over = scene->placement.over != MURK_SCENE_OBJECTIVE_NONE;
     for (size_t c = 0; runs > 0 && is_over && c < scene->n_conditions; ++c) {
         if (scene->conditions[c].scene->seed != scene->seed) {
             return murk_fail(err, MURK_BAD_VALUE, scene->conditions[c].where,
@@ -154,7 +154,8 @@ static murk_status expect_files(murk_session *session, bool repeats,
 {
     const bool explores =
         session->scene->placement.knowledge == MURK_SCENE_EXPLORE;
-    const bool is_over = session->scene->placement.over != MURK_SCENE_OVER_NONE;
+    const bool is_over =
+        session->scene->placement.over != MURK_SCENE_OBJECTIVE_NONE;
     const char *names[10] = {"plan.json", "sensors.csv", "coverage.csv"};
     size_t n = 3;
     if (explores) {
@@ -240,7 +241,7 @@ murk_status murk_command_place(const murk_options *options, murk_error *err)
         status = murk_exports_check(options->exports,
                                     session.scene->placement.detection, err);
     }
-    if (!status && session.scene->placement.over != MURK_SCENE_OVER_NONE) {
+    if (!status && session.scene->placement.over != MURK_SCENE_OBJECTIVE_NONE) {
         over = calloc(1, sizeof *over);
         status = over ? place_over(&session, options, &plan, over, err)
                       : murk_fail(err, MURK_NO_MEMORY, session.scene->path,

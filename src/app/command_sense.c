@@ -125,7 +125,7 @@ murk_status murk_command_sense(const murk_options *options, murk_error *err)
         status = murk_fail(err, MURK_BAD_VALUE, options->input,
                            "sensors: the scene has none");
     }
-    if (!status && session.scene->placement.over != MURK_SCENE_OVER_NONE) {
+    if (!status && session.scene->placement.over != MURK_SCENE_OBJECTIVE_NONE) {
         status = murk_fail(err, MURK_BAD_VALUE, session.scene->placement.where,
                            "over: sense measures one scene; must be null, or "
                            "give it a scene-NAME.yaml of place");

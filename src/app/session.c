@@ -53,7 +53,7 @@ static murk_status read_scene(murk_scene_desc **out,
          * holds, and says so itself */
         status = murk_scene_desc_read(out, options->input, options->overrides,
                                       options->n_overrides, err);
-        if (status || (*out)->placement.over != MURK_SCENE_OVER_NONE) {
+        if (status || (*out)->placement.over != MURK_SCENE_OBJECTIVE_NONE) {
             return status;
         }
         *err = unread;

@@ -114,8 +114,8 @@ static void refer(choosing *ch, size_t c, size_t block,
 static murk_status choose_all(choosing *ch, murk_error *err)
 {
     const murk_conditions *all = ch->plans->conditions;
-    const murk_scene_over objective = ch->scene->placement.over;
-    const bool is_regret = objective == MURK_SCENE_OVER_REGRET;
+    const murk_scene_objective objective = ch->scene->placement.over;
+    const bool is_regret = objective == MURK_SCENE_OBJECTIVE_REGRET;
     murk_status status = MURK_OK;
     size_t block = 0;
     /* The plan that is asked for comes first, because the plans to compare
@@ -147,16 +147,18 @@ static murk_status choose_all(choosing *ch, murk_error *err)
         murk_place_release(&place);
     }
     /* The plans by each objective, among them the one that is asked for. */
-    static const murk_scene_over objectives[] = {
-        MURK_SCENE_OVER_MEAN, MURK_SCENE_OVER_WORST, MURK_SCENE_OVER_REGRET};
+    static const murk_scene_objective objectives[] = {
+        MURK_SCENE_OBJECTIVE_MEAN, MURK_SCENE_OBJECTIVE_WORST,
+        MURK_SCENE_OBJECTIVE_REGRET};
     for (size_t i = 0; !status && i < (is_regret ? 3 : 2); ++i) {
-        const murk_scene_over k = objectives[i];
+        const murk_scene_objective k = objectives[i];
         const char *name = murk_scene_word("placement.over", (int)k);
         murk_place_result place = {0};
         if (k == objective && is_regret) {
             asked.with_curve = false; /* references are of this count */
-            status = murk_scenarios_place(&ch->plan->place, ch->scenarios,
-                                          MURK_SCENE_OVER_REGRET, &asked, err);
+            status =
+                murk_scenarios_place(&ch->plan->place, ch->scenarios,
+                                     MURK_SCENE_OBJECTIVE_REGRET, &asked, err);
         }
         if (status) {
             break;
@@ -164,7 +166,7 @@ static murk_status choose_all(choosing *ch, murk_error *err)
         if (k == objective) {
             ch->plans->chosen = ch->plans->plans;
             status = keep(ch, name, &ch->plan->place, err);
-        } else if (k == MURK_SCENE_OVER_MEAN || ch->scenarios->matrix) {
+        } else if (k == MURK_SCENE_OBJECTIVE_MEAN || ch->scenarios->matrix) {
             status =
                 murk_scenarios_place(&place, ch->scenarios, k, &ch->desc, err);
             if (!status) {

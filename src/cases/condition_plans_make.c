@@ -34,8 +34,8 @@ murk_status murk_condition_plans_prepare(murk_condition_plans *out,
                          "over: knowledge explore goes through the scene as it "
                          "stands, so over must be null");
     }
-    const bool is_regret = settings->over == MURK_SCENE_OVER_REGRET;
-    if (settings->over != MURK_SCENE_OVER_MEAN &&
+    const bool is_regret = settings->over == MURK_SCENE_OBJECTIVE_REGRET;
+    if (settings->over != MURK_SCENE_OBJECTIVE_MEAN &&
         settings->knowledge != MURK_SCENE_KNOWN) {
         return murk_fail(err, MURK_BAD_VALUE, settings->where,
                          "over: %s needs what every candidate sees, so "
@@ -237,13 +237,13 @@ static murk_status sum_up(murk_coverage_result *out,
     }
     murk_conditions_estimate(all, total, all->scene->placement.over, true,
                              &worst);
-    if (all->scene->placement.over == MURK_SCENE_OVER_REGRET) {
+    if (all->scene->placement.over == MURK_SCENE_OBJECTIVE_REGRET) {
         plans->conditions->regret_at = worst;
         plans->conditions->has_regret_at = true;
     }
     /* An objective other than the mean takes the coverage of that condition
      * alone. */
-    if (all->scene->placement.over != MURK_SCENE_OVER_MEAN) {
+    if (all->scene->placement.over != MURK_SCENE_OBJECTIVE_MEAN) {
         memset(weight, 0, sizeof weight);
         weight[worst] = 1;
     }
@@ -330,8 +330,8 @@ static void read_regret(murk_condition_plans *plans, murk_plan_result *plan)
     }
     /* Value and bound of the plan in the condition of the largest regret. */
     size_t at;
-    murk_conditions_estimate(all, chosen->in_sample, MURK_SCENE_OVER_REGRET,
-                             false, &at);
+    murk_conditions_estimate(all, chosen->in_sample,
+                             MURK_SCENE_OBJECTIVE_REGRET, false, &at);
     const double unit = all->scene->placement.relative_regret
                             ? all->condition[at].best_known
                             : 1;
@@ -347,7 +347,8 @@ static void read_regret(murk_condition_plans *plans, murk_plan_result *plan)
  * moves, which may be more than what is left to the bound. */
 static void read_in_sample(murk_condition_plans *plans, murk_plan_result *plan)
 {
-    if (plans->conditions->scene->placement.over == MURK_SCENE_OVER_REGRET) {
+    if (plans->conditions->scene->placement.over ==
+        MURK_SCENE_OBJECTIVE_REGRET) {
         read_regret(plans, plan);
         return;
     }

@@ -272,7 +272,7 @@ double murk_condition_regret(const murk_scene_desc *scene,
 
 murk_estimate murk_conditions_estimate(const murk_conditions *all,
                                        const murk_estimate *of,
-                                       murk_scene_over objective,
+                                       murk_scene_objective objective,
                                        bool are_independent, size_t *worst)
 {
     double weight[MURK_SCENE_CONDITIONS_MAX];
@@ -283,7 +283,7 @@ murk_estimate murk_conditions_estimate(const murk_conditions *all,
     for (size_t c = 0; c < all->n; ++c) {
         const murk_condition *one = &all->condition[c];
         const double less =
-            objective == MURK_SCENE_OVER_REGRET
+            objective == MURK_SCENE_OBJECTIVE_REGRET
                 ? -murk_condition_regret(all->scene, one, of[c].value)
                 : of[c].value;
         if (weight[c] > 0 && (*worst == all->n || less < min)) {
@@ -293,10 +293,10 @@ murk_estimate murk_conditions_estimate(const murk_conditions *all,
     }
     /* The condition of the largest regret is fixed once the plan is measured
      * in sample. */
-    if (objective == MURK_SCENE_OVER_REGRET && all->has_regret_at) {
+    if (objective == MURK_SCENE_OBJECTIVE_REGRET && all->has_regret_at) {
         *worst = all->regret_at;
     }
-    return objective == MURK_SCENE_OVER_MEAN
+    return objective == MURK_SCENE_OBJECTIVE_MEAN
                ? murk_scenario_mean(of, weight, all->n, are_independent)
                : of[*worst];
 }

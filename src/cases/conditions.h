@@ -87,7 +87,7 @@ double murk_condition_regret(const murk_scene_desc *scene,
  * not independent, is the mean of the errors, which is an upper bound. */
 murk_estimate murk_conditions_estimate(const murk_conditions *conditions,
                                        const murk_estimate *of,
-                                       murk_scene_over objective,
+                                       murk_scene_objective objective,
                                        bool are_independent, size_t *worst);
 
 #endif

@@ -161,9 +161,9 @@ murk_status murk_repeat_make(murk_repeat *out, const murk_repeat_first *first,
     *out = (murk_repeat){.run = calloc(asked, sizeof *out->run),
                          .asked = asked,
                          .target = scene->sensors.target,
-                         .has_gap =
-                             !(scene->sensors.target > 0) &&
-                             scene->placement.over != MURK_SCENE_OVER_WORST};
+                         .has_gap = !(scene->sensors.target > 0) &&
+                                    scene->placement.over !=
+                                        MURK_SCENE_OBJECTIVE_WORST};
     if (!out->run) {
         return no_memory(asked, err);
     }

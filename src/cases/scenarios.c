@@ -201,30 +201,30 @@ static uint64_t target_value(const murk_scenarios *j, double share,
 }
 
 murk_place_desc murk_scenarios_desc(const murk_scenarios *j,
-                                    murk_scene_over objective)
+                                    murk_scene_objective objective)
 {
     murk_place_desc desc = murk_plan_desc(j->scene);
     desc.constraints = murk_poses_constraints(j->poses);
     if (j->scene->sensors.target > 0) {
         desc.count = j->poses->count;
         desc.target = target_value(j, j->scene->sensors.target,
-                                   objective == MURK_SCENE_OVER_WORST);
+                                   objective == MURK_SCENE_OBJECTIVE_WORST);
     }
     return desc;
 }
 
 murk_status murk_scenarios_place(murk_place_result *out,
                                  const murk_scenarios *j,
-                                 murk_scene_over objective,
+                                 murk_scene_objective objective,
                                  const murk_place_desc *desc, murk_error *err)
 {
-    if (objective == MURK_SCENE_OVER_MEAN) {
+    if (objective == MURK_SCENE_OBJECTIVE_MEAN) {
         return j->matrix
                    ? murk_place_known(out, &j->problem, j->matrix, desc, err)
                    : murk_place_unknown(out, &j->problem, desc, err);
     }
     murk_blocks blocks = j->blocks;
-    blocks.measure = objective == MURK_SCENE_OVER_WORST ? MURK_BLOCK_SHARE
+    blocks.measure = objective == MURK_SCENE_OBJECTIVE_WORST ? MURK_BLOCK_SHARE
                      : j->scene->placement.relative_regret
                          ? MURK_BLOCK_REGRET_RELATIVE
                          : MURK_BLOCK_REGRET;

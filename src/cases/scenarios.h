@@ -47,12 +47,12 @@ void murk_scenarios_destroy(murk_scenarios *scenarios); /* NULL is fine */
 /* Method, constraints and number or target of the sensors as the scene asks for
  * them, for a plan by the objective. */
 murk_place_desc murk_scenarios_desc(const murk_scenarios *scenarios,
-                                    murk_scene_over objective);
+                                    murk_scene_objective objective);
 
 /* The plan for all scenarios by an objective: mean, worst or regret. */
 murk_status murk_scenarios_place(murk_place_result *out,
                                  const murk_scenarios *scenarios,
-                                 murk_scene_over objective,
+                                 murk_scene_objective objective,
                                  const murk_place_desc *desc, murk_error *err);
 
 /* The plan for the scenario of one block alone, in a known environment. Weights

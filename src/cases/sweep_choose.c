@@ -221,8 +221,9 @@ static murk_status choose(choosing *ch, murk_study_row *out, int plan,
 {
     murk_place_result found = {0};
     murk_error why = {0};
-    const murk_scene_over objective =
-        plan == MURK_SWEEP_WORST ? MURK_SCENE_OVER_WORST : MURK_SCENE_OVER_MEAN;
+    const murk_scene_objective objective = plan == MURK_SWEEP_WORST
+                                               ? MURK_SCENE_OBJECTIVE_WORST
+                                               : MURK_SCENE_OBJECTIVE_MEAN;
     murk_place_desc desc = murk_scenarios_desc(ch->scenarios, objective);
     desc.with_curve = false;
     murk_status status =

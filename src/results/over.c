@@ -25,7 +25,7 @@
 
 static murk_estimate in_sample_of(const murk_condition_plans *over,
                                   const murk_condition_plan *plan,
-                                  murk_scene_over by, size_t *worst)
+                                  murk_scene_objective by, size_t *worst)
 {
     return murk_conditions_estimate(over->conditions, plan->in_sample, by,
                                     false, worst);
@@ -34,7 +34,7 @@ static murk_estimate in_sample_of(const murk_condition_plans *over,
 /* Held out, where it is. */
 static murk_estimate best_known_of(const murk_condition_plans *over,
                                    const murk_condition_plan *plan,
-                                   murk_scene_over by)
+                                   murk_scene_objective by)
 {
     size_t worst;
     return over->has_held_out
@@ -44,10 +44,10 @@ static murk_estimate best_known_of(const murk_condition_plans *over,
 }
 
 /* The criterion that selects the worst condition. */
-static murk_scene_over judged_by(const murk_condition_plans *over)
+static murk_scene_objective judged_by(const murk_condition_plans *over)
 {
-    const murk_scene_over by = over->conditions->scene->placement.over;
-    return by == MURK_SCENE_OVER_REGRET ? by : MURK_SCENE_OVER_WORST;
+    const murk_scene_objective by = over->conditions->scene->placement.over;
+    return by == MURK_SCENE_OBJECTIVE_REGRET ? by : MURK_SCENE_OBJECTIVE_WORST;
 }
 
 static murk_estimate seen_in(const murk_condition_plans *over,
@@ -277,9 +277,9 @@ static void list_made(murk_results_fields *f, const void *of, size_t i)
     MURK_RESULT(f, json, "regret", "1", "in each condition",
                 all_of(over, plan, murk_condition_plans_regret));
     MURK_RESULT_ESTIMATE(f, "mean", "1", "over the conditions",
-                         best_known_of(over, plan, MURK_SCENE_OVER_MEAN));
+                         best_known_of(over, plan, MURK_SCENE_OBJECTIVE_MEAN));
     MURK_RESULT_ESTIMATE(f, "worst", "1", "of the conditions",
-                         best_known_of(over, plan, MURK_SCENE_OVER_WORST));
+                         best_known_of(over, plan, MURK_SCENE_OBJECTIVE_WORST));
 }
 
 static double lit(const murk_condition_plans *over, double value)
@@ -318,7 +318,7 @@ static void list_regret(murk_results_fields *f, const void *of)
     MURK_RESULT(f, flag, "held_out", "", "true if measured on second maps",
                 over->has_held_out);
     if (MURK_RESULT_IF(f, over->conditions->scene->placement.over ==
-                              MURK_SCENE_OVER_REGRET)) {
+                              MURK_SCENE_OBJECTIVE_REGRET)) {
         list_largest(f, over);
     }
     MURK_RESULT_LIST(f, "plans", "each condition's own plan, and this one",
@@ -357,13 +357,13 @@ static void print_over(const murk_condition_plans *over)
     size_t worst;
     const murk_condition_plan *chosen = &over->plan[over->chosen];
     in_sample_of(over, chosen, judged_by(over), &worst);
-    if (judged_by(over) == MURK_SCENE_OVER_REGRET) {
+    if (judged_by(over) == MURK_SCENE_OBJECTIVE_REGRET) {
         murk_print("over        the largest regret of %zu conditions, which is "
                    "in %s: coverage below is of that condition\n",
                    over->conditions->n,
                    over->conditions->condition[worst].settings->name);
     } else if (over->conditions->scene->placement.over ==
-               MURK_SCENE_OVER_WORST) {
+               MURK_SCENE_OBJECTIVE_WORST) {
         murk_print("over        the worst of %zu conditions: %s, of which all "
                    "below speaks\n",
                    over->conditions->n,
@@ -445,9 +445,10 @@ static void print_regret_columns(const murk_condition_plans *over, int width,
                        murk_condition_plans_regret(over, plan, c));
         }
         if (end > n) {
-            murk_print(" %7.4f %8.4f",
-                       best_known_of(over, plan, MURK_SCENE_OVER_MEAN).value,
-                       best_known_of(over, plan, MURK_SCENE_OVER_WORST).value);
+            murk_print(
+                " %7.4f %8.4f",
+                best_known_of(over, plan, MURK_SCENE_OBJECTIVE_MEAN).value,
+                best_known_of(over, plan, MURK_SCENE_OBJECTIVE_WORST).value);
         }
         murk_print("\n");
     }
@@ -508,10 +509,10 @@ void murk_over_print_bound(const murk_condition_plans *over, const char *sample)
 void murk_over_print_asked(const murk_scene_desc *scene)
 {
     static const char *const over[] = {
-        [MURK_SCENE_OVER_NONE] = "placement is of the scene as it stands",
-        [MURK_SCENE_OVER_MEAN] = "placement is over their mean",
-        [MURK_SCENE_OVER_WORST] = "placement is over the worst of them",
-        [MURK_SCENE_OVER_REGRET] =
+        [MURK_SCENE_OBJECTIVE_NONE] = "placement is of the scene as it stands",
+        [MURK_SCENE_OBJECTIVE_MEAN] = "placement is over their mean",
+        [MURK_SCENE_OBJECTIVE_WORST] = "placement is over the worst of them",
+        [MURK_SCENE_OBJECTIVE_REGRET] =
             "placement is for the least largest regret over them"};
     for (size_t c = 0; c < scene->n_conditions; ++c) {
         murk_print("%s%s", c ? ", " : "conditions  ",

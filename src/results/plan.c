@@ -333,7 +333,7 @@ static void print_plan_bound(const murk_session *session,
                              const murk_plan_result *plan,
                              const murk_condition_plans *over)
 {
-    if (session->scene->placement.over == MURK_SCENE_OVER_REGRET) {
+    if (session->scene->placement.over == MURK_SCENE_OBJECTIVE_REGRET) {
         murk_over_print_bound(over, murk_sample_of(session->scene));
     } else {
         const size_t at_least = murk_plan_at_least(session->scene);

@@ -1,3 +1,6 @@
+/* Conditions of a scene: a condition is the scene with some keys changed.
+ * The tree of a condition is made from the tree of the scene by putting each
+ * key of the condition in place, with the checks of scene/override.h. */
 #include "scene/conditions.h"
 
 #include "scene/override.h"
@@ -10,8 +13,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Takes the map of the condition (NULL: none) out of the tree, and all that is
- * said of conditions. NULL when out of memory. */
+/* Removes all keys about conditions from the tree, and returns a copy of the
+ * condition's map (NULL: none, or out of memory). */
 static murk_yaml *take_out(murk_yaml *root, const char *name)
 {
     const murk_yaml *all = murk_yaml_get(root, "conditions");
@@ -35,6 +38,7 @@ murk_status murk_condition_apply(murk_condition_values *out, murk_yaml *root,
         status = murk_fail(err, MURK_NO_MEMORY, root->source,
                            "no memory for condition %s", name);
     }
+    /* Put each value at its path. Values put before must not be replaced. */
     for (size_t i = 0; !status && i < map->n; ++i) {
         char key[MURK_WALK_KEY_SIZE];
         murk_scene_where where;

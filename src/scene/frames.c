@@ -1,3 +1,5 @@
+/* Sequences of files: formats the name of a frame by a pattern, and lists
+ * the frames in a folder by parsing the names of the files. */
 #include "scene/frames.h"
 
 #include <dirent.h>
@@ -9,14 +11,15 @@
 
 #include "base/file.h"
 
+/* 18 digits fit into uint64_t. */
 #define DIGITS_MAX 18
-#define FRAMES_MAX 1000000 /* in a folder; more are not listed */
+#define FRAMES_MAX 1000000 /* frames of one folder that are listed at most */
 
-/* Where the number stands in a pattern. */
+/* The position of the number in a pattern. */
 typedef struct place {
-    const char *name;        /* of the file, without folders */
-    const char *begin, *end; /* of #### or %04d */
-    int digits;              /* at least so many */
+    const char *name;        /* name of the file without folders */
+    const char *begin, *end; /* begin and end of #### or %04d */
+    int digits;              /* smallest number of digits */
 } place;
 
 static bool find_place(const char *pattern, place *p)
@@ -57,7 +60,8 @@ char *murk_frames_file(const char *pattern, uint64_t frame)
     return file;
 }
 
-/* Whether the name is that of a frame. */
+/* True if `name` is the name of a frame: it has the pattern's text around
+ * the number, and the number has exactly the digits that the pattern writes. */
 static bool frame_of(const place *p, const char *name, uint64_t *frame)
 {
     const size_t before = (size_t)(p->begin - p->name);
@@ -81,21 +85,22 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* All frames of the folder, in order; the caller frees them. */
-static uint64_t *gather(DIR *folder, const place *p, size_t *n)
+/* All frames of the folder in rising order; the caller frees the array. */
+static uint64_t *list_frames(DIR *folder, const place *p, size_t *n)
 {
     uint64_t *frames = NULL;
-    size_t room = 0;
+    size_t capacity = 0;
     const struct dirent *entry;
     *n = 0;
     while (*n < FRAMES_MAX && (entry = readdir(folder))) {
+        /* Skip other files; append the frame. */
         uint64_t frame;
         if (!frame_of(p, entry->d_name, &frame)) {
             continue;
         }
-        if (*n == room) {
-            room = room ? 2 * room : 64;
-            uint64_t *grown = realloc(frames, room * sizeof *frames);
+        if (*n == capacity) {
+            capacity = capacity ? 2 * capacity : 64;
+            uint64_t *grown = realloc(frames, capacity * sizeof *frames);
             if (!grown) {
                 break;
             }
@@ -103,6 +108,7 @@ static uint64_t *gather(DIR *folder, const place *p, size_t *n)
         }
         frames[(*n)++] = frame;
     }
+    /* The folder is in no order. */
     if (*n > 0) {
         qsort(frames, *n, sizeof *frames, compare);
     }
@@ -144,7 +150,7 @@ void murk_frames_list(const char *pattern, char *out, size_t size)
         return;
     }
     size_t n;
-    uint64_t *frames = gather(folder, &p, &n);
+    uint64_t *frames = list_frames(folder, &p, &n);
     closedir(folder);
     if (n > 0) {
         print_runs(frames, n, out, size);

@@ -1,19 +1,20 @@
-/* Files of a sequence in time, by a pattern: "smoke.####.vdb" or
- * "smoke.%04d.vdb" stands for smoke.0001.vdb, smoke.0002.vdb and so on. As many
- * # as digits, or %0Nd; %d for numbers as they are; longer numbers take more
- * places. The pattern is in the file's own name, not in a folder's. */
+/* Names of the files of a sequence in time: the pattern "smoke.####.vdb" or
+ * "smoke.%04d.vdb" stands for smoke.0001.vdb, smoke.0002.vdb and so on. A
+ * pattern has as many # as digits, or %0Nd, or %d for numbers without
+ * leading zeros; longer numbers take more digits. The pattern is in the name
+ * of the file, not of a folder. */
 #ifndef MURK_SCENE_FRAMES_H
 #define MURK_SCENE_FRAMES_H
 
 #include <stddef.h>
 #include <stdint.h>
 
-/* The file of one frame: the caller frees it. NULL where there is no pattern,
- * or no memory. */
+/* The file name of a frame, which the caller frees. NULL if there is no
+ * pattern, or no memory. */
 char *murk_frames_file(const char *pattern, uint64_t frame);
 
-/* Which frames there are, as "1..24, 30"; "none" where there are none or the
- * folder cannot be read. Cut short with "..." where that is longer than out. */
+/* Lists the existing frames, as "1..24, 30"; "none" if there are none or the
+ * folder cannot be read. A list longer than `out` ends with "...". */
 void murk_frames_list(const char *pattern, char *out, size_t size);
 
 #endif

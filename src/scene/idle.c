@@ -1,3 +1,6 @@
+/* Keys without effect: a table states for each such key under which
+ * condition it has an effect. The tree is searched for keys of the table
+ * that the user has set. */
 #include "scene/idle.h"
 
 #include "scene/keys.h"
@@ -7,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- what keys are for ---- */
+/* ---- conditions under which a key has an effect ---- */
 
 static bool has_threshold(const murk_scene_desc *s)
 {
@@ -58,14 +61,14 @@ static bool has_jitter(const murk_scene_desc *s)
     return s->placement.jitter_m > 0 || s->placement.jitter_rad > 0;
 }
 
-static bool has_over(const murk_scene_desc *s)
+static bool has_objective(const murk_scene_desc *s)
 {
-    return s->placement.over != MURK_SCENE_OVER_NONE;
+    return s->placement.over != MURK_SCENE_OBJECTIVE_NONE;
 }
 
 static bool has_regret(const murk_scene_desc *s)
 {
-    return s->placement.over == MURK_SCENE_OVER_REGRET;
+    return s->placement.over == MURK_SCENE_OBJECTIVE_REGRET;
 }
 
 static bool has_target(const murk_scene_desc *s)
@@ -103,7 +106,7 @@ static bool has_outside(const murk_scene_desc *s)
 
 #define WITHOUT "has no effect without "
 
-const murk_idle_rule murk_idle_constraints[] = {
+const murk_idle_key murk_idle_keys[] = {
     {"domain.outside", has_outside, "has no effect with sides: periodic"},
     {"placement.threshold", has_threshold, WITHOUT "detection: threshold"},
     {"placement.power_radius_m", has_power, WITHOUT "detection: power"},
@@ -118,7 +121,8 @@ const murk_idle_rule murk_idle_constraints[] = {
     {"placement.at_least", has_target, WITHOUT "sensors.target"},
     {"placement.elsewhere", has_interest, WITHOUT "interest"},
     {"placement.jitter_draws", has_jitter, WITHOUT "jitter_m or jitter_deg"},
-    {"placement.condition_weights", has_over, WITHOUT "over: mean or worst"},
+    {"placement.condition_weights", has_objective,
+     WITHOUT "over: mean or worst"},
     {"placement.regret", has_regret, WITHOUT "over: regret"},
     {"sensors.types.*.aperture_m2", has_power, WITHOUT "detection: power"},
     {"sensors.types.*.quantum_efficiency", has_power,
@@ -133,17 +137,17 @@ const murk_idle_rule murk_idle_constraints[] = {
     {NULL, NULL, NULL},
 };
 
-static bool acts_anywhere(const murk_idle_rule *rule,
+static bool acts_anywhere(const murk_idle_key *inert,
                           const murk_scene_desc *scene)
 {
-    bool acts = rule->acts(scene);
+    bool acts = inert->acts(scene);
     for (size_t i = 0; i < scene->n_conditions; ++i) {
-        acts = acts || rule->acts(scene->conditions[i].scene);
+        acts = acts || inert->acts(scene->conditions[i].scene);
     }
     return acts;
 }
 
-/* ---- what is given ---- */
+/* ---- keys set by the user ---- */
 
 static bool is_preset(const murk_yaml *node, const char *preset)
 {
@@ -158,16 +162,16 @@ static bool is_preset(const murk_yaml *node, const char *preset)
                : strcmp(node->text, preset) == 0;
 }
 
-/* By the user, and not what it would be anyway: scenes as resolved have all
- * keys. */
-static bool is_settings(const murk_yaml *node, const murk_key *row)
+/* True if the user has set the node to another value than the default.
+ * Resolved scenes have all keys, so a default value does not count. */
+static bool is_set_by_user(const murk_yaml *node, const murk_key *row)
 {
     if (node->kind != MURK_YAML_MAP || !row->keys) {
         return node->line != 0 && !is_preset(node, row->preset);
     }
     for (size_t i = 0; i < node->n; ++i) {
         const murk_key *inner = murk_keys_find(row->keys, node->key[i]);
-        if (!inner || is_settings(node->child[i], inner)) {
+        if (!inner || is_set_by_user(node->child[i], inner)) {
             return true;
         }
     }
@@ -191,9 +195,10 @@ static bool add(murk_scene_desc *scene, const murk_yaml *node, const char *key,
     return true;
 }
 
-/* Follows what is left of a rule's key, from a node that its first `used` bytes
- * of key[] lead to. */
-static bool follow(murk_scene_desc *scene, const murk_idle_rule *rule,
+/* Follows the rest of a table key from a node; the first `used` bytes of
+ * key[] are the path of the node. Adds every matching key that the user has
+ * set. */
+static bool follow(murk_scene_desc *scene, const murk_idle_key *inert,
                    const char *rest, const murk_yaml *node,
                    const murk_keys *keys, char key[MURK_WALK_KEY_SIZE],
                    size_t used)
@@ -211,18 +216,20 @@ static bool follow(murk_scene_desc *scene, const murk_idle_rule *rule,
                         strncmp(name, rest, length) != 0 || !row)) {
             continue;
         }
+        /* Extend the path by the name of the child. */
         const int more = snprintf(key + used, MURK_WALK_KEY_SIZE - used, "%s%s",
                                   used ? "." : "", name);
         if (more < 0 || used + (size_t)more >= MURK_WALK_KEY_SIZE) {
-            continue; /* longer than keys are */
+            continue; /* longer than any key */
         }
         const murk_yaml *child = node->child[i];
+        /* Descend, or add the key at the end of the path. */
         if (dot) {
             has_memory =
-                follow(scene, rule, dot + 1, child, is_any ? keys : row->keys,
+                follow(scene, inert, dot + 1, child, is_any ? keys : row->keys,
                        key, used + (size_t)more);
-        } else if (is_settings(child, row)) {
-            has_memory = add(scene, child, key, rule->text);
+        } else if (is_set_by_user(child, row)) {
+            has_memory = add(scene, child, key, inert->text);
         }
         key[used] = '\0';
     }
@@ -259,12 +266,12 @@ static bool find_media(murk_scene_desc *scene, const murk_yaml *media)
 bool murk_idle_find(murk_scene_desc *scene, const murk_yaml *root)
 {
     bool has_memory = find_media(scene, murk_yaml_get(root, "media"));
-    const murk_idle_rule *rule = murk_idle_constraints;
-    for (; rule->key && has_memory; ++rule) {
+    const murk_idle_key *inert = murk_idle_keys;
+    for (; inert->key && has_memory; ++inert) {
         char key[MURK_WALK_KEY_SIZE] = "";
-        if (!acts_anywhere(rule, scene)) {
-            has_memory =
-                follow(scene, rule, rule->key, root, &murk_scene_keys, key, 0);
+        if (!acts_anywhere(inert, scene)) {
+            has_memory = follow(scene, inert, inert->key, root,
+                                &murk_scene_keys, key, 0);
         }
     }
     return has_memory;

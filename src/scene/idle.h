@@ -1,7 +1,8 @@
-/* Keys that are given and do nothing, since another key has not the value that
- * they are for: told, as they are often slips of the pen.
+/* Finds keys that the user has set and that have no effect, because another key
+ * lacks the value they are for. They are reported, since they are often
+ * mistakes.
  *
- * Inside this room only; the table is in scenes/README.md, too. */
+ * Inside this room only; scenes/README.md has the table, too. */
 #ifndef MURK_SCENE_IDLE_H
 #define MURK_SCENE_IDLE_H
 
@@ -9,17 +10,18 @@
 #include "scene/yaml.h"
 
 /* One row of the table. */
-typedef struct murk_idle_rule {
-    const char *key; /* "sensors.types.*.cost": * is any item */
+typedef struct murk_idle_key {
+    const char *key; /* "sensors.types.*.cost": * stands for any item */
     bool (*acts)(const murk_scene_desc *scene);
     const char *text; /* "has no effect without sensors.budget" */
-} murk_idle_rule;
+} murk_idle_key;
 
-extern const murk_idle_rule murk_idle_constraints[]; /* key NULL ends it */
+extern const murk_idle_key murk_idle_keys[]; /* key NULL ends it */
 
-/* Fills scene->idle from the walked tree `root`: keys that the user has given,
- * not at their default, that act neither in the scene nor in any of its
- * conditions; and media that lie in no region. False when out of memory. */
+/* Fills scene->idle from the resolved tree `root`: keys that the user has
+ * set to another value than the default, and that have an effect neither in
+ * the scene nor in any condition; and media that no region uses. False when
+ * out of memory. */
 bool murk_idle_find(murk_scene_desc *scene, const murk_yaml *root);
 
 #endif

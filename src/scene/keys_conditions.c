@@ -174,7 +174,7 @@ murk_status murk_check_conditions(murk_key_reader *walk, const murk_yaml *map,
                                   void *item)
 {
     const murk_scene_desc *scene = item;
-    if (scene->placement.over == MURK_SCENE_OVER_NONE ||
+    if (scene->placement.over == MURK_SCENE_OBJECTIVE_NONE ||
         scene->n_conditions > 0) {
         return MURK_OK;
     }

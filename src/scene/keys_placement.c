@@ -61,11 +61,11 @@ static const murk_word WEIGHTS_WORDS[] = {
     WORDS_END,
 };
 
-static const murk_word OVER_WORDS[] = {
-    {"null", MURK_SCENE_OVER_NONE},
-    {"mean", MURK_SCENE_OVER_MEAN},
-    {"worst", MURK_SCENE_OVER_WORST},
-    {"regret", MURK_SCENE_OVER_REGRET},
+static const murk_word OBJECTIVE_WORDS[] = {
+    {"null", MURK_SCENE_OBJECTIVE_NONE},
+    {"mean", MURK_SCENE_OBJECTIVE_MEAN},
+    {"worst", MURK_SCENE_OBJECTIVE_WORST},
+    {"regret", MURK_SCENE_OBJECTIVE_REGRET},
     WORDS_END,
 };
 
@@ -122,7 +122,7 @@ static const murk_key PLACEMENT_ROWS[] = {
         AT(murk_scene_desc, placement.jitter_draws)),
     ROW("nodes", COUNT, .max = 1e15, .preset = "1000000",
         AT(murk_scene_desc, placement.nodes)),
-    ROW("over", WORD, .preset = "null", .words = OVER_WORDS,
+    ROW("over", WORD, .preset = "null", .words = OBJECTIVE_WORDS,
         AT(murk_scene_desc, placement.over)),
     ROW("regret", WORD, .preset = "absolute", .words = REGRET_WORDS,
         AT(murk_scene_desc, placement.relative_regret)),
@@ -144,9 +144,9 @@ static murk_status check_at_least(murk_key_reader *walk, const murk_yaml *map,
         murk_detection_is(placement->detection, MURK_DETECTION_BY_CHANCE)
             ? detection
         : placement->method == MURK_PLACE_SPOQ ? "method: best, greedy or exact"
-        : placement->knowledge != MURK_SCENE_KNOWN ? "knowledge: known"
-        : placement->over != MURK_SCENE_OVER_NONE  ? "over: null"
-                                                   : NULL;
+        : placement->knowledge != MURK_SCENE_KNOWN     ? "knowledge: known"
+        : placement->over != MURK_SCENE_OBJECTIVE_NONE ? "over: null"
+                                                       : NULL;
     return placement->at_least > 0 && cause
                ? murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
                                 "at_least is given, which needs %s", cause)

@@ -1,3 +1,6 @@
+/* Media from presets: completes the words of a preset in the scene's tree,
+ * evaluates the preset (preset/preset.h), and fills the properties that the
+ * scene does not give. */
 #include "scene/medium_preset.h"
 
 #include <inttypes.h>
@@ -12,7 +15,8 @@
 
 /* ---- words ---- */
 
-/* Where a key of the medium is, or what would be it. */
+/* The place of a key of the medium, for messages; if the key is missing, the
+ * place of the map. */
 static void where_of(murk_key_reader *walk, const murk_yaml *map,
                      const char *key, bool at_key, murk_scene_where out)
 {
@@ -45,7 +49,7 @@ static murk_yaml *number_node(double value, const char *source)
     return node;
 }
 
-/* A default as the user would write it. */
+/* A YAML node for a default value. */
 static murk_yaml *default_node(const murk_preset_word *word, int numbers,
                                const char *source)
 {
@@ -72,7 +76,7 @@ static murk_status complete_word(murk_key_reader *walk, murk_yaml *map,
     const murk_preset_word range = murk_preset_word_of(preset, word);
     if (murk_yaml_get(map, name)) {
         if (range.is_known) {
-            return MURK_OK; /* its numbers are looked at once they are read */
+            return MURK_OK; /* its numbers are checked after they are read */
         }
         murk_scene_where where;
         const double none[MURK_WORD_NUMBERS_MAX] = {0};
@@ -185,6 +189,8 @@ murk_status murk_medium_preset_fill(murk_key_reader *walk, const murk_yaml *map,
         .n = scene->bands,
         .line_nm = scene->band_nm,
         .edge_nm = scene->has_edges ? scene->band_edge_nm : NULL};
+    /* Read the preset, check the words, and evaluate it for the bands of the
+     * scene. */
     murk_preset *preset = NULL;
     murk_preset_result result = {0};
     murk_scene_where where;
@@ -259,6 +265,7 @@ static void put_medium(FILE *out, const murk_scene_medium *medium, size_t bands)
 
 bool murk_medium_preset_sign(murk_scene_desc *scene)
 {
+    /* Nothing to add without presets. */
     bool any = false;
     for (size_t i = 0; i < scene->n_media; ++i) {
         any = any || scene->media[i].preset;
@@ -272,6 +279,7 @@ bool murk_medium_preset_sign(murk_scene_desc *scene)
     if (!out) {
         return false;
     }
+    /* Append one line for each medium with a preset. */
     fputs(scene->light_key, out);
     for (size_t i = 0; i < scene->n_media; ++i) {
         if (scene->media[i].preset) {

@@ -9,7 +9,7 @@ static double largest(murk_vec3 v)
     return fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
 }
 
-/* ---- the box that the scene states ---- */
+/* ---- bounding box of the scene ---- */
 
 static murk_box with_ball(murk_box box, murk_vec3 center, double radius)
 {
@@ -48,7 +48,7 @@ static murk_box with_geometry(murk_box box, const murk_scene_geometry *g)
         return murk_box_with(box, murk_affine_point(&placed, b));
     }
     case MURK_SHAPE_MESH:
-        break; /* not opened yet */
+        break; /* the file has not been opened yet */
     }
     return box;
 }
@@ -93,8 +93,8 @@ static murk_box stated(const murk_scene_desc *s)
 
 /* ---- the origin ---- */
 
-/* A mesh that bounds a profile keeps both in one frame of its own, and
- * profiles are moved in z: such scenes are not moved in z. */
+/* True if a mesh bounds a profile in some region. Mesh and profile share one
+ * frame, and profiles are moved in z; such scenes are not moved in z. */
 static bool has_profile_in_mesh(const murk_scene_desc *s)
 {
     bool has = false;
@@ -139,19 +139,20 @@ static void move_box(murk_box *box, murk_vec3 origin)
     move(&box->max, origin);
 }
 
-/* The part of the origin along one axis that a shape's own coordinates hold:
- * all of it where this brings them nearer to 0. */
+/* The part of the origin along one axis that is subtracted from a shape's
+ * own coordinate: all of it if this brings the coordinate closer to 0,
+ * otherwise nothing. */
 static double held_by(double own, double origin)
 {
     return fabs(own - origin) < fabs(own) ? origin : 0;
 }
 
-/* Moves a shape that is rotated, scaled and translated: *own (to be subtracted
- * from its own coordinates, of which `at` is one place) and its translation
- * together. Where nothing is turned or scaled, what the coordinates hold of
- * the origin leaves them, so that they are small numbers, too. has_layers: a
- * profile moves in z in any case. is_file: its own coordinates are those of a
- * file, which stay. */
+/* Moves a shape with rotation, scale and translation. Changes the
+ * translation, and returns the vector that the caller subtracts from the
+ * shape's own coordinates, of which `at` is one point. Without rotation and
+ * scale, the origin is taken out of the shape's own coordinates, so that
+ * they are small, too. has_layers: a profile is moved in z in any case.
+ * is_file: the shape's own coordinates are in a file and do not change. */
 static murk_vec3 move_placed(murk_vec3 rotate_deg, double scale,
                              murk_vec3 *translate_m, murk_vec3 at,
                              murk_vec3 origin, bool is_file, bool has_layers)
@@ -235,8 +236,8 @@ static void move_sensors(murk_scene_sensors *s, murk_vec3 origin)
     }
 }
 
-/* Boxes and spheres of interest and of targets are in the world, only meshes
- * are placed. */
+/* Boxes and spheres of interest and of targets are in world coordinates;
+ * only meshes have a translation. */
 static void move_placement(murk_scene_placement *p, murk_vec3 origin)
 {
     move(&p->start, origin);
@@ -277,6 +278,8 @@ static void move_scene(murk_scene_desc *s, murk_vec3 origin)
             z->value[k] -= origin.z;
         }
     }
+    /* Profiles were moved in z above; now lights, tallies, cameras, sensors
+     * and targets. */
     move_lights(s, origin);
     for (size_t i = 0; i < s->n_tallies; ++i) {
         move(&s->tallies[i].point, origin);

@@ -1,33 +1,35 @@
-/* The local origin: the point that a scene's world is computed about.
+/* The local origin: the point relative to which all positions of a scene are
+ * stored.
  *
- * Ray queries and photon records are in single precision, whose step at the
- * 5.5e6 m of surveyed coordinates is .5 m. So a scene that lies far from the
- * origin of its coordinates is moved, once, where it is read: every position
- * of its structs is given from scene->origin, and all rooms beyond compute
- * there, in the same small numbers as if the scene had been drawn about 0.
- * Files that name positions (tables of sensors, points and readings) are moved
- * where they are read, and results are moved back where they are written
- * (murk_scene_user, murk_scene_local in scene.h).
+ * Ray queries and photon records are in single precision, whose step is 0.5 m
+ * at surveyed coordinates of 5.5e6 m. A scene that lies far from the origin of
+ * its coordinates is therefore moved once, when it is read: every position in
+ * the structs is relative to scene->origin. All other rooms then compute with
+ * small numbers, as if the scene had been drawn around 0. Files that contain
+ * positions (tables of sensors, points and readings) are moved when they are
+ * read, and results are moved back when they are written (murk_scene_user,
+ * murk_scene_local in scene.h).
  *
- * The rule: the box is the domain's, or without a domain that of the shapes,
- * finite regions, lamps and sites that the scene states. Where its middle is
- * further from 0 than MURK_ORIGIN_FAR times half of its longest edge, the
- * origin is the middle, rounded on each axis to a multiple of twice the power
- * of two at or above that edge; else it is 0. So near scenes keep their
- * numbers, moving a scene by a multiple of that grid changes no bit of its
- * local coordinates, and subtracting the origin rounds nothing that double
- * precision had kept. */
+ * The rule: take the box of the domain, or without a domain the box of the
+ * shapes, finite regions, lamps and sites that the scene states. If the
+ * middle of the box is farther from 0 than MURK_ORIGIN_FAR times half of the
+ * longest edge, the origin is the middle, rounded on each axis to a multiple
+ * of twice the smallest power of two that is not below that edge; otherwise
+ * the origin is 0. So scenes near 0 keep their numbers, moving a scene by a
+ * multiple of that grid changes no bit of the local coordinates, and
+ * subtracting the origin rounds nothing that double precision had kept. */
 #ifndef MURK_SCENE_ORIGIN_H
 #define MURK_SCENE_ORIGIN_H
 
 #include "scene/scene.h"
 
-/* A room of 10 m is moved from 160 m on: there a single-precision step is
- * 1.5e-5 m, 1e-6 of the room, as fine as rays are told apart anyway. */
+/* A room of 10 m is moved if it is 160 m or farther from 0. There a step of
+ * single precision is 1.5e-5 m, 1e-6 of the room, as fine as rays tell
+ * surfaces apart. */
 #define MURK_ORIGIN_FAR 32
 
-/* Chooses the origin of a scene as read, and moves it and the scenes of its
- * conditions there. */
+/* Chooses the origin of a scene that has been read, and moves the scene and
+ * the scenes of all conditions. */
 void murk_origin_move(murk_scene_desc *scene);
 
 #endif

@@ -1,3 +1,6 @@
+/* Follows a path such as media.fog.albedo through a scene's tree and the key
+ * table at the same time, creates maps on the way where the table allows,
+ * and puts the value at the end. */
 #include "scene/override.h"
 
 #include <stdio.h>
@@ -8,18 +11,19 @@
 #include "scene/keys.h"
 #include "scene/words.h"
 
-/* Where in the tree an option has come to: the node, and what the table says
- * of it (NULL: nothing, as inside a list of numbers). */
+/* A position on the path: the node, and the row of the key table for it
+ * (NULL: none, as inside a list of numbers). */
 typedef struct spot {
     murk_yaml *node;
     const murk_key *key;
 } spot;
 
 typedef struct option_context {
-    const char *source;    /* of what it makes on the way */
-    const char *where;     /* what messages name */
-    murk_yaml *const *own; /* [n_own] values it put before; NULL: all that is */
-    size_t n_own;          /* not of the scene's file */
+    const char *source; /* source of nodes created on the way */
+    const char *where;  /* place for messages */
+    murk_yaml *const
+        *own;     /* [n_own] values put before; NULL: all values that are */
+    size_t n_own; /* not from the scene's file */
     const murk_yaml *root;
     murk_error *err;
 } option_context;
@@ -35,7 +39,7 @@ static murk_status no_memory(const option_context *option)
                      "no memory for it");
 }
 
-/* Whether its keys are those of a map, not of the items in it. */
+/* True if the keys of the node belong to the map itself, not to items in it. */
 static bool is_map(const spot *at)
 {
     const bool may_be_map =
@@ -50,8 +54,9 @@ static bool is_open_map(const spot *at)
     return at->key && at->key->keys && at->key->keys->is_open && is_map(at);
 }
 
-/* Length of the first part of a path. A name that holds dots is taken whole
- * where the map has it, and so is all that is left in a map of any keys. */
+/* Length of the first part of a path. A name with dots is one part if the
+ * map has that name. In a map that allows any key the whole rest is one
+ * part. */
 static size_t part_length(const spot *at, const char *path)
 {
     const murk_yaml *node = at->node;
@@ -98,9 +103,10 @@ static murk_status unknown_key(const option_context *option,
     return unknown(option, owner, part, names, n);
 }
 
-/* What the table says of a child of this spot. Names and items are maps. */
-static const murk_key *child_key(const spot *at, const char *part,
-                                 murk_key *item)
+/* The row of the key table for a member of this node. Names and items of
+ * lists are maps. */
+static const murk_key *key_of_member(const spot *at, const char *part,
+                                     murk_key *item)
 {
     if (!at->key || !at->key->keys) {
         return NULL;
@@ -113,7 +119,8 @@ static const murk_key *child_key(const spot *at, const char *part,
     return item;
 }
 
-/* Whether the tree is, or holds, what the same source of options put there. */
+/* True if the tree is, or contains, a value that the same set of options put
+ * there. */
 static bool is_own(const option_context *option, const murk_yaml *node)
 {
     if (!option->own) {
@@ -132,9 +139,10 @@ static bool is_own(const option_context *option, const murk_yaml *node)
     return false;
 }
 
-/* A key replaces those that it excludes, but two options must not fight. */
-static murk_status remove_rivals(const option_context *option, murk_yaml *map,
-                                 const murk_key *owner, const murk_key *key)
+/* Removes the keys that `key` excludes. Two options that exclude each other
+ * are an error. */
+static murk_status remove_excluded(const option_context *option, murk_yaml *map,
+                                   const murk_key *owner, const murk_key *key)
 {
     for (const murk_key *other = owner->keys->key; key->group && other->name;
          ++other) {
@@ -156,8 +164,8 @@ static murk_status remove_rivals(const option_context *option, murk_yaml *map,
     return MURK_OK;
 }
 
-/* Turns a word (phase: isotropic) or an empty value into a map, where the
- * table allows one. */
+/* Turns a word (phase: isotropic) or an empty value into an empty map if the
+ * table allows a map. */
 static bool make_map(murk_yaml *node, const spot *at)
 {
     const bool can = node->kind == MURK_YAML_SCALAR && at->key &&
@@ -182,9 +190,9 @@ static size_t bands_of(const murk_yaml *root)
                                                                 : 1;
 }
 
-/* Writes out what is one value for all bands, so that one of them can be set.
- */
-static bool spread_over_bands(const option_context *option, const spot *at)
+/* Replaces one value for all bands by a list, so that a single band can be
+ * set. */
+static bool repeat_for_bands(const option_context *option, const spot *at)
 {
     murk_yaml *node = at->node;
     const size_t bands = bands_of(option->root);
@@ -217,6 +225,7 @@ static murk_status step_list(const option_context *option, spot *at,
     murk_yaml *list = at->node;
     uint64_t index;
     char text[256], shown[MURK_SCENE_NAME_SIZE];
+    /* The part must be the number of an existing item. */
     if (!is_index(part) || !murk_count_parse(part, &index) ||
         index >= list->n) {
         murk_words_show(shown, sizeof shown, part);
@@ -229,6 +238,7 @@ static murk_status step_list(const option_context *option, spot *at,
         }
         return fail(option, text);
     }
+    /* The last part of the path: replace the item. */
     if (value) {
         (*value)->key_line = 0;
         murk_yaml_destroy(list->child[index]);
@@ -249,6 +259,8 @@ static murk_status step_map(const option_context *option, spot *at,
     if (!next && !child && !is_open_map(at)) {
         return unknown_key(option, owner, part);
     }
+    /* Names of items cannot be invented on the way, except those that are
+     * built in. */
     const bool is_named = owner && owner->kind == MURK_KEY_NAMED;
     const bool is_built_in =
         is_named && owner->keys->first && strcmp(owner->keys->first, part) == 0;
@@ -256,12 +268,14 @@ static murk_status step_map(const option_context *option, spot *at,
         return unknown(option, owner, part, (const char *const *)map->key,
                        map->n);
     }
+    /* A new key replaces those that it excludes. */
     if (next && is_map(at)) {
-        const murk_status status = remove_rivals(option, map, owner, next);
+        const murk_status status = remove_excluded(option, map, owner, next);
         if (status) {
             return status;
         }
     }
+    /* Put the value, or create a map on the way. */
     if (value || !child) {
         child = value ? *value : murk_yaml_make(MURK_YAML_MAP, option->source);
         if (value) {
@@ -275,14 +289,15 @@ static murk_status step_map(const option_context *option, spot *at,
     return MURK_OK;
 }
 
-/* One part of the path down; the last one puts *value there and takes it. */
+/* Descends by one part of the path; the last part puts *value there and
+ * takes ownership. */
 static murk_status step(const option_context *option, spot *at,
                         const char *part, murk_key *item, murk_yaml **value)
 {
-    const murk_key *next = child_key(at, part, item);
+    const murk_key *next = key_of_member(at, part, item);
     murk_status status = MURK_OK;
     if (at->node->kind == MURK_YAML_LIST ||
-        (is_index(part) && spread_over_bands(option, at))) {
+        (is_index(part) && repeat_for_bands(option, at))) {
         status = step_list(option, at, part, value);
     } else if (at->node->kind == MURK_YAML_MAP || make_map(at->node, at)) {
         if (!at->key || !at->key->keys) {
@@ -304,7 +319,7 @@ static murk_status descend(const option_context *option, murk_yaml *root,
 {
     static const murk_key whole = {
         .name = NULL, .kind = MURK_KEY_MAP, .keys = &murk_scene_keys};
-    murk_key items[2]; /* of this step and the one before */
+    murk_key items[2]; /* of this step and the previous one */
     spot at = {root, &whole};
     for (int i = 0;; i ^= 1) {
         const size_t length = part_length(&at, path);
@@ -378,7 +393,7 @@ murk_status murk_override_apply(murk_yaml *root, const murk_override *override,
         return fail(&option, "must be KEY=VALUE, such as photons.emit=1e5");
     }
     if (root->kind != MURK_YAML_MAP) {
-        return MURK_OK; /* the walk says what is wrong with it */
+        return MURK_OK; /* the check of the whole tree reports the error */
     }
     murk_yaml *value = NULL;
     murk_status status =

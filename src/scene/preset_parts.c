@@ -1,4 +1,5 @@
-/* The parts of a preset's file: law or table, and phase function. */
+/* Reads the parts of a preset file: a law or a table of coefficients, a
+ * factor, and a phase function. The format is described in media/README.md. */
 #include "scene/preset_walk.h"
 
 #include <stdio.h>
@@ -19,7 +20,8 @@ static bool is_part_key(const char *key)
     return *known != NULL;
 }
 
-/* What a law reads is known to the file, with a default where it must be. */
+/* Checks that the preset defines each word that the law needs, with a
+ * default. */
 static murk_status check_words(const murk_preset_walk *walk,
                                const murk_yaml *node, const murk_law *law)
 {
@@ -43,6 +45,7 @@ static murk_status read_law(const murk_preset_walk *walk, const murk_yaml *map,
     if (!law) {
         return murk_preset_fail(walk, node, "no law of that name");
     }
+    /* The parameters of the law. */
     part->law = law;
     size_t n = 0;
     for (; law->parameter[n].name; ++n) {
@@ -57,6 +60,7 @@ static murk_status read_law(const murk_preset_walk *walk, const murk_yaml *map,
             return status;
         }
     }
+    /* No other keys than those of a part and the parameters. */
     for (size_t i = 0; i < map->n; ++i) {
         bool is_known = is_part_key(map->key[i]);
         for (size_t k = 0; k < n; ++k) {
@@ -141,7 +145,7 @@ static murk_status read_phase(const murk_preset_walk *walk,
     if (find_kind(&part->phase.kind, word, false)) {
         return MURK_OK;
     }
-    part->phase.kind = MURK_PHASE_HG; /* of mean cosine 0 */
+    part->phase.kind = MURK_PHASE_HG; /* with mean cosine 0 */
     return strcmp(word, "isotropic") == 0
                ? MURK_OK
                : murk_preset_fail(walk, node,
@@ -180,7 +184,8 @@ static murk_status read_scaled(const murk_preset_walk *walk,
                                   "within wavelength_nm");
 }
 
-/* Diffuse attenuation is a law's to understand; all else needs none. */
+/* Diffuse attenuation is meaningful to some laws only; such a law and such a
+ * table need each other. */
 static murk_status check_table(const murk_preset_walk *walk,
                                const murk_yaml *node,
                                const murk_preset_part *part)
@@ -205,6 +210,7 @@ murk_status murk_preset_read_part(const murk_preset_walk *walk,
     if (map->kind != MURK_YAML_MAP || (!law && !table)) {
         return murk_preset_fail(walk, map, "must be a map with law or table");
     }
+    /* A law, a table, or both. */
     murk_status status = law ? read_law(walk, map, law, part)
                              : murk_preset_check_keys(walk, map, PART_KEYS);
     if (!status && table) {
@@ -216,6 +222,7 @@ murk_status murk_preset_read_part(const murk_preset_walk *walk,
     if (!status && table && law && !part->law->by_table) {
         status = murk_preset_fail(walk, table, "a law that is by no table");
     }
+    /* The optional keys. */
     if (!status && times) {
         status = read_times(walk, times, part);
     }

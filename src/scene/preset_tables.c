@@ -1,4 +1,6 @@
-/* Tables of a preset: coefficients by wavelength, phase functions by angle. */
+/* Reads the tables of a preset: coefficients by wavelength, from lists in
+ * the YAML file or from a CSV file, and phase functions by angle from a CSV
+ * file. */
 #include "scene/preset_walk.h"
 
 #include <math.h>
@@ -10,11 +12,12 @@
 #include "preset/files.h"
 #include "scene/table.h"
 
-#define KNOWN_MAX (COLUMNS + 1) /* and the end of the list */
+#define KNOWN_MAX (COLUMNS + 1) /* one more for the end of the list */
 
+/* The ending of a column of a phase function at one wavelength. */
 #define NANOMETRES "_nm"
 
-/* The table that a node names, parsed; the caller's. */
+/* Opens and parses the table that a node names; the caller owns it. */
 static murk_status open_table(const murk_preset_walk *walk,
                               const murk_yaml *node, murk_table **out)
 {
@@ -115,7 +118,8 @@ static murk_status read_csv(const murk_preset_walk *walk, const murk_yaml *node,
     return status;
 }
 
-/* In range, rising, and over all of the preset's wavelengths. */
+/* Checks that values are in range, and that wavelengths rise and span those
+ * of the preset. */
 static murk_status check_columns(const murk_preset_walk *walk,
                                  const murk_yaml *node, const columns *in)
 {
@@ -123,6 +127,7 @@ static murk_status check_columns(const murk_preset_walk *walk,
     if (!nm || in->n == 0) {
         return murk_preset_fail(walk, node, "misses wavelength_nm");
     }
+    /* Range of every value. */
     for (int c = 0; c < COLUMNS; ++c) {
         for (size_t i = 0; in->value[c] && i < in->n; ++i) {
             if (!(in->value[c][i] >= COLUMN[c].min &&
@@ -133,6 +138,7 @@ static murk_status check_columns(const murk_preset_walk *walk,
             }
         }
     }
+    /* Wavelengths. */
     for (size_t i = 1; i < in->n; ++i) {
         if (!(nm[i] > nm[i - 1])) {
             return murk_preset_fail(walk, node, "%.9g nm after %.9g, must rise",
@@ -147,7 +153,7 @@ static murk_status check_columns(const murk_preset_walk *walk,
     return MURK_OK;
 }
 
-/* Extinction and albedo as absorption and scattering, in place. */
+/* Converts extinction and albedo to absorption and scattering, in place. */
 static murk_status split(const murk_preset_walk *walk, const murk_yaml *node,
                          columns *in)
 {
@@ -183,6 +189,7 @@ murk_status murk_preset_read_table(const murk_preset_walk *walk,
                              ? read_csv(walk, node, &in)
                              : read_lists(walk, node, &in);
     if (!status) {
+        /* Range, order and completeness. */
         status = check_columns(walk, node, &in);
     }
     if (!status) {
@@ -206,7 +213,7 @@ murk_status murk_preset_read_table(const murk_preset_walk *walk,
 
 /* ---- phase functions ---- */
 
-/* "450_nm"; 0 where the name is none. */
+/* The wavelength in a column name such as "450_nm"; 0 for other names. */
 static double wavelength_of(const char *name)
 {
     char number[MURK_NUMBER_SIZE];
@@ -230,6 +237,7 @@ static murk_status fill_by_wavelength(const murk_preset_walk *walk,
     double *nm = out->wavelength_nm;
     murk_status status = MURK_OK;
     size_t n = 0;
+    /* One column for each wavelength, in the order of the file. */
     for (size_t c = 0; c < csv->columns && !status; ++c) {
         if (wavelength_of(csv->name[c]) > 0) {
             nm[n] = wavelength_of(csv->name[c]);
@@ -237,6 +245,7 @@ static murk_status fill_by_wavelength(const murk_preset_walk *walk,
                                  out->phase_per_sr + n++ * out->angles);
         }
     }
+    /* Wavelengths must rise and span those of the preset. */
     for (size_t i = 1; i < n && !status; ++i) {
         if (!(nm[i] > nm[i - 1])) {
             status = murk_preset_fail(walk, node, "its wavelengths must rise");
@@ -264,6 +273,8 @@ murk_status murk_preset_read_angles(const murk_preset_walk *walk,
     if (status) {
         return status;
     }
+    /* Either one phase function for all wavelengths, or one for each of
+     * several. */
     const long angle = murk_table_column(csv, "angle_deg");
     const long plain = murk_table_column(csv, "phase_per_sr");
     size_t n = 0;

@@ -1,3 +1,6 @@
+/* Reads preset files (YAML, built into the program) into murk_preset:
+ * sources, doubts, words with ranges, wavelengths and parts. Finds presets
+ * by name. */
 #include "scene/presets.h"
 
 #include <stdarg.h>
@@ -13,7 +16,7 @@
 
 #define ENDING ".yaml"
 
-/* ---- what readers share ---- */
+/* ---- shared checks ---- */
 
 murk_status murk_preset_fail(const murk_preset_walk *walk,
                              const murk_yaml *node, const char *format, ...)
@@ -167,6 +170,7 @@ static murk_status read_word(const murk_preset_walk *walk, const char *name,
     if (status) {
         return status;
     }
+    /* The range, and optionally a default. */
     const murk_yaml *preset = murk_yaml_get(map, "default");
     const murk_yaml *min = murk_yaml_get(map, "least");
     const murk_yaml *max = murk_yaml_get(map, "most");
@@ -180,6 +184,7 @@ static murk_status read_word(const murk_preset_walk *walk, const char *name,
     if (!status && preset) {
         status = murk_preset_numbers(walk, preset, n, word->preset);
     }
+    /* The default must be in the range. */
     for (size_t k = 0; k < n && !status; ++k) {
         const bool is_within = !preset || (word->preset[k] >= word->min[k] &&
                                            word->preset[k] <= word->max[k]);
@@ -238,6 +243,7 @@ static murk_status read_root(const murk_preset_walk *walk,
     murk_preset *preset = walk->preset;
     double version, *range = preset->wavelength_nm;
     murk_status status = murk_preset_check_keys(walk, root, known);
+    /* Required keys. */
     for (const char *const *key = known; !status && *key; ++key) {
         const bool may_miss =
             strcmp(*key, "doubts") == 0 || strcmp(*key, "words") == 0;
@@ -253,6 +259,7 @@ static murk_status read_root(const murk_preset_walk *walk,
         (status = read_sources(walk, murk_yaml_get(root, "sources")))) {
         return status;
     }
+    /* Wavelengths, then the optional keys, then the parts, which need both. */
     const murk_yaml *nm = murk_yaml_get(root, "wavelength_nm");
     if ((status = murk_preset_numbers(walk, nm, 2, range))) {
         return status;
@@ -282,6 +289,7 @@ murk_status murk_preset_parse(murk_preset **out, const char *name,
         status = murk_preset_no_memory(&walk);
         goto done;
     }
+    /* Parse the text and read the tree. */
     status = murk_yaml_parse(&root, text, size, source, err);
     if (!status) {
         status = read_root(&walk, root);
@@ -296,9 +304,10 @@ done:
     return status;
 }
 
-/* ---- those built in ---- */
+/* ---- built-in presets ---- */
 
-/* "fog/kruse" of "fog/kruse.yaml"; false for tables. */
+/* The name of a preset file without the ending: "fog/kruse" for
+ * "fog/kruse.yaml"; false for tables. */
 static bool name_of(const murk_media_file *file,
                     char out[MURK_PRESET_NAME_SIZE])
 {
@@ -341,6 +350,7 @@ static murk_status fail_unknown(const char *name, const char *where,
     char(*names)[MURK_PRESET_NAME_SIZE] = calloc(n + 1, sizeof *names);
     const char **known = calloc(n + 1, sizeof *known);
     const char *meant = NULL;
+    /* Compare with the names of all presets. */
     for (size_t i = 0; names && known && i < n; ++i) {
         murk_presets_name(i, names[i]);
         known[i] = names[i];

@@ -1,11 +1,13 @@
+/* Prints YAML trees in one canonical form: a text is quoted unless it can
+ * only be read as itself, and maps are printed in flow style. */
 #include "scene/print.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* What may stand without quotes wherever it is and means itself: no number,
- * no null, nothing that YAML reads otherwise. */
+/* True if a text may stand without quotes everywhere: it is no number, no
+ * null and no boolean, and has no character with a meaning in YAML. */
 static bool is_plain(const char *text)
 {
     static const char *const words[] = {"null", "Null",  "NULL",

@@ -1,14 +1,16 @@
-/* A tree as YAML text. */
+/* Prints a tree as YAML text. */
 #ifndef MURK_SCENE_PRINT_H
 #define MURK_SCENE_PRINT_H
 
 #include "scene/yaml.h"
 
-/* In one line: {a: 1, b: [2, 3]}. NULL when out of memory; free() it. */
+/* Prints in one line: {a: 1, b: [2, 3]}. NULL when out of memory; the caller
+ * frees the text with free(). */
 char *murk_print_flow(const murk_yaml *node);
 
-/* A map as a file: each key on its line, with a line for each map within a
- * list or map of maps. Only the keys that `is_wanted` (NULL: all). */
+/* Prints a map as a file: one line for each key, and one line for each map
+ * within a list or a map of maps. Prints only the keys for which is_wanted()
+ * is true (NULL: all). */
 char *murk_print_file(const murk_yaml *map, bool (*is_wanted)(const char *key));
 
 #endif

@@ -383,12 +383,12 @@ typedef enum murk_scene_knowledge {
     MURK_SCENE_EXPLORE
 } murk_scene_knowledge;
 
-typedef enum murk_scene_over {
-    MURK_SCENE_OVER_NONE, /* the scene as it stands */
-    MURK_SCENE_OVER_MEAN, /* of its conditions */
-    MURK_SCENE_OVER_WORST,
-    MURK_SCENE_OVER_REGRET
-} murk_scene_over;
+typedef enum murk_scene_objective {
+    MURK_SCENE_OBJECTIVE_NONE, /* the scene as it stands */
+    MURK_SCENE_OBJECTIVE_MEAN, /* of its conditions */
+    MURK_SCENE_OBJECTIVE_WORST,
+    MURK_SCENE_OBJECTIVE_REGRET
+} murk_scene_objective;
 
 typedef enum murk_scene_through {
     MURK_SCENE_THIN, /* sheets dim; boundaries that bend block */
@@ -422,7 +422,7 @@ typedef struct murk_scene_placement {
     double jitter_m, jitter_rad; /* how far sensors may be off; both 0: not
                                     asked */
     uint64_t jitter_draws;
-    murk_scene_over over;
+    murk_scene_objective over;
     bool relative_regret; /* regret: relative */
 } murk_scene_placement;
 
@@ -552,7 +552,7 @@ murk_status murk_scene_desc_parse(murk_scene_desc **out, const char *text,
 void murk_scene_desc_destroy(murk_scene_desc *scene); /* NULL is fine */
 
 /* The word of a key that stands for a value, such as "worst" for
- * "placement.over" and MURK_SCENE_OVER_WORST; NULL: no word does. */
+ * "placement.over" and MURK_SCENE_OBJECTIVE_WORST; NULL: no word does. */
 const char *murk_scene_word(const char *path, int value);
 
 /* The value of a word of a key; false if the key has no such word. */

@@ -1,3 +1,6 @@
+/* Reads the axes of a study file: lists of values, ranges {from, to, steps},
+ * and names with several keys each. Checks that no key is set by two axes,
+ * and counts the rows. */
 #include "scene/study_axes.h"
 
 #include "scene/print.h"
@@ -5,30 +8,13 @@
 #include "scene/value.h"
 #include "scene/words.h"
 
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+/* Length of "axes.NAME" in messages: the name is cut to
+ * MURK_SCENE_NAME_SIZE. */
 #define KEY_SIZE 160
-
-murk_status murk_study_fail(const murk_yaml *node, const char *key, bool at_key,
-                            murk_error *err, const char *format, ...)
-{
-    char text[512];
-    murk_scene_where where;
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
-    murk_walk_where(node, key, at_key, where);
-    return murk_fail(err, MURK_BAD_VALUE, where, "%s", text);
-}
-
-murk_status murk_study_no_memory(const char *path, murk_error *err)
-{
-    return murk_fail(err, MURK_NO_MEMORY, path, "no memory for the study");
-}
 
 /* An axis while it is read. */
 typedef struct reading {
@@ -49,7 +35,8 @@ static murk_status no_memory(const reading *r)
     return murk_study_no_memory(r->axis->where, r->err);
 }
 
-/* Takes value and text, also where it fails. */
+/* Stores a value and the text for tables; takes ownership of both, also on
+ * failure. */
 static murk_status put(const reading *r, size_t i, murk_yaml *value, char *text)
 {
     r->axis->value[i] = value;
@@ -57,7 +44,7 @@ static murk_status put(const reading *r, size_t i, murk_yaml *value, char *text)
     return value && text ? MURK_OK : no_memory(r);
 }
 
-static murk_status make_room(const reading *r, size_t n)
+static murk_status reserve_values(const reading *r, size_t n)
 {
     if (n < 1 || n > MURK_STUDY_ROWS_MAX) {
         return murk_study_fail(r->node, r->key, true, r->err,
@@ -74,7 +61,7 @@ static murk_status make_room(const reading *r, size_t n)
 
 static murk_status read_list(const reading *r)
 {
-    murk_status status = make_room(r, r->node->n);
+    murk_status status = reserve_values(r, r->node->n);
     for (size_t i = 0; !status && i < r->node->n; ++i) {
         const murk_yaml *item = r->node->child[i];
         status = put(r, i, murk_yaml_copy(item),
@@ -84,7 +71,8 @@ static murk_status read_list(const reading *r)
     return status;
 }
 
-/* Names are told in messages of one line, and in tables. */
+/* True if a name has no control characters: names appear in messages of one
+ * line and in tables. */
 static bool is_printable(const char *name)
 {
     while (*name && (unsigned char)*name >= ' ' && *name != 127) {
@@ -105,7 +93,7 @@ static bool has_printable_keys(const murk_yaml *map)
 
 static murk_status read_names(const reading *r)
 {
-    murk_status status = make_room(r, r->node->n);
+    murk_status status = reserve_values(r, r->node->n);
     for (size_t i = 0; !status && i < r->node->n; ++i) {
         const murk_yaml *item = r->node->child[i];
         if (item->kind != MURK_YAML_MAP && !murk_yaml_is_null(item)) {
@@ -116,6 +104,7 @@ static murk_status read_names(const reading *r)
                                    "from, to and steps",
                                    found);
         }
+        /* A name stands for a map of keys; nothing is an empty map. */
         if (!is_printable(r->node->key[i]) ||
             (item->kind == MURK_YAML_MAP && !has_printable_keys(item))) {
             return fail(r, item, "a name with control characters");
@@ -137,7 +126,7 @@ static murk_status read_range(const reading *r)
     murk_study_range range;
     murk_status status = murk_study_range_read(&range, r->node, r->key, r->err);
     if (!status) {
-        status = make_room(r, range.steps);
+        status = reserve_values(r, range.steps);
     }
     for (size_t i = 0; !status && i < range.steps; ++i) {
         char text[MURK_TIME_SIZE];
@@ -158,7 +147,7 @@ static murk_status read_range(const reading *r)
 
 /* ---- axes ---- */
 
-/* What axes may be called for short. */
+/* Short names of axes. */
 static const struct {
     const char *name, *path;
 } SHORT_NAMES[] = {{"date", "site.date"},
@@ -200,7 +189,7 @@ static murk_status read_axis(murk_study_axis *axis, const char *name,
     axis->name = name;
     axis->path = path_of(name);
     char shown[MURK_SCENE_NAME_SIZE];
-    murk_words_show(shown, sizeof shown, name); /* it may hold line ends */
+    murk_words_show(shown, sizeof shown, name); /* it may contain line breaks */
     snprintf(r.key, sizeof r.key, "axes.%s", shown);
     murk_walk_where(node, r.key, true, axis->where);
     if (name[0] == '\0') {
@@ -229,14 +218,14 @@ static murk_status read_axis(murk_study_axis *axis, const char *name,
     return status;
 }
 
-/* Whether one path is, or lies within, the other. */
+/* True if the paths are equal or one lies within the other. */
 static bool overlap(const char *a, const char *b)
 {
     const size_t n = strlen(a), m = strlen(b), min = n < m ? n : m;
     return strncmp(a, b, min) == 0 && (n == m || (n < m ? b : a)[min] == '.');
 }
 
-/* A path that an axis sets and which overlaps with `path`; NULL: none. */
+/* A path that the axis sets and that overlaps `path`; NULL if there is none. */
 static const char *sets(const murk_study_axis *axis, const char *path)
 {
     if (axis->kind == MURK_STUDY_AXIS_CONDITION) {
@@ -272,17 +261,20 @@ static murk_status check_path(const murk_study_file *study, size_t a,
     return MURK_OK;
 }
 
-/* No two axes set the same key, nor do two keys of one name. */
-static murk_status check_apart(const murk_study_file *study, size_t a,
-                               murk_error *err)
+/* Checks that no other axis sets a key of axis `a`, and that the keys of one
+ * name do not overlap. */
+static murk_status check_disjoint(const murk_study_file *study, size_t a,
+                                  murk_error *err)
 {
     const murk_study_axis *axis = &study->axis[a];
+    /* A condition may set any key. */
     if (axis->kind == MURK_STUDY_AXIS_CONDITION) {
         return MURK_OK;
     }
     if (axis->kind != MURK_STUDY_AXIS_NAMED) {
         return check_path(study, a, axis->path, err);
     }
+    /* Each key of each name. */
     murk_status status = MURK_OK;
     for (size_t i = 0; i < axis->n && !status; ++i) {
         const murk_yaml *map = axis->value[i];
@@ -301,7 +293,8 @@ static murk_status check_apart(const murk_study_file *study, size_t a,
     return status;
 }
 
-/* Rows are counted in double, which no product of 16 lengths overflows. */
+/* Counts the rows, in double precision: a product of 16 lengths cannot
+ * overflow. */
 static murk_status count_rows(murk_study_file *study, const murk_yaml *map,
                               murk_error *err)
 {
@@ -345,7 +338,7 @@ murk_status murk_study_axes_read(murk_study_file *study, const murk_yaml *map,
         study->axes = a + 1;
         status = read_axis(&study->axis[a], map->key[a], map->child[a], err);
         if (!status) {
-            status = check_apart(study, a, err);
+            status = check_disjoint(study, a, err);
         }
     }
     return status ? status : count_rows(study, map, err);

@@ -1,5 +1,5 @@
-/* A study's file: a scene, what is varied in it, and what is wanted of each
- * variant.
+/* A study file: a scene, the keys that are varied, and the outputs wanted for
+ * each variant.
  *
  *   murk_study: 1
  *   base: fog-yard.yaml
@@ -7,64 +7,66 @@
  *     media.fog.visibility_m: [20, 50, 100]
  *     weather: {dry: {}, wet: {media.rain.rain_mm_per_h: 5}}
  *
- * A row is one value of each axis. Keys and meanings: scenes/README.md. */
+ * A row has one value of each axis. Keys and meanings: scenes/README.md. */
 #ifndef MURK_SCENE_STUDY_FILE_H
 #define MURK_SCENE_STUDY_FILE_H
 
 #include "base/photometry.h"
 #include "scene/variant.h"
 
+/* Limits of a study: 10,000 rows of a minute each take a week. */
 #define MURK_STUDY_ROWS_MAX    10000
 #define MURK_STUDY_AXES_MAX    16
 #define MURK_STUDY_OUTPUTS_MAX 128
 
 typedef enum murk_study_axis_kind {
-    MURK_STUDY_AXIS_KEY,      /* of the scene, by its path */
-    MURK_STUDY_AXIS_NAMED,    /* names, each of several keys */
+    MURK_STUDY_AXIS_KEY,      /* a key of the scene, by its path */
+    MURK_STUDY_AXIS_NAMED,    /* names, each with several keys */
     MURK_STUDY_AXIS_CONDITION /* a condition of the scene, by its name */
 } murk_study_axis_kind;
 
 typedef struct murk_study_axis {
     const char *name;
-    const char *path; /* of KEY: its name, or what that is short for */
+    const char *path; /* for a key: the path, after short names are expanded */
     murk_scene_where where;
     murk_study_axis_kind kind;
     size_t n;
-    murk_yaml **value; /* [n] owned; of NAMED, maps of keys */
-    char **text;       /* [n] owned: as a table shows them */
+    murk_yaml **value; /* [n] owned; for names: maps of keys */
+    char **text;       /* [n] owned: the values as a table shows them */
 } murk_study_axis;
 
 typedef struct murk_study_file {
     char *path; /* as given */
     char sha256[65];
-    char *base; /* the scene, as it is to be opened */
-    char *plan; /* sensors.csv or plan.json, likewise; NULL: none */
+    char *base; /* path of the scene, relative to the working folder */
+    char *plan; /* path of sensors.csv or plan.json; NULL: none */
     bool is_paired;
     murk_study_axis *axis; /* [axes], in the file's order */
     size_t axes;
     size_t rows;
-    char **output; /* [outputs]; 0: what the scene has */
+    char **output; /* [outputs]; 0: the outputs that the scene has */
     size_t outputs;
     murk_scene_where outputs_where;
-    size_t fluence_size[3]; /* of fluence_vdb; 0: murk's choice */
-    bool has_units;         /* else the scenes' */
+    size_t fluence_size[3]; /* grid of fluence_vdb; 0: chosen by the program */
+    bool has_units;         /* false: the units of each scene */
     murk_quantity units;
-    murk_yaml *root; /* what all else is from */
+    murk_yaml *root; /* the tree that names and values belong to */
 } murk_study_file;
 
-/* *out is the caller's: murk_study_file_destroy(). Refuses, before anything is
- * made of it, a study of more than MURK_STUDY_ROWS_MAX rows. Neither the scene
- * nor the plan is opened. */
+/* Reads a study file. The caller owns *out and releases it with
+ * murk_study_file_destroy(). Refuses a study with more than
+ * MURK_STUDY_ROWS_MAX rows before any row is made. Opens neither the scene
+ * nor the plan. */
 murk_status murk_study_file_read(murk_study_file **out, const char *path,
                                  murk_error *err);
 void murk_study_file_destroy(murk_study_file *study); /* NULL is fine */
 
-/* Which value of each axis row `row` has: index[axes]. Grids: the last axis
- * varies fastest. */
+/* Sets index[axes] to the value of each axis in a row. In a grid the last
+ * axis varies fastest. */
 void murk_study_row_indices(const murk_study_file *study, size_t row,
                             size_t *index);
 
-/* The scene of one row. Overrides are the command line's. */
+/* Reads the scene of one row. Overrides come from the command line. */
 murk_status murk_study_row_scene(murk_scene_desc **out,
                                  const murk_study_file *study, size_t row,
                                  const murk_override *overrides,

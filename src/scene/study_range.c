@@ -1,16 +1,36 @@
+/* Ranges of values: numbers in linear or logarithmic steps, times with a
+ * zone, dates and times of day in equal steps. */
 #include "scene/study_range.h"
 
 #include "base/number.h"
-#include "scene/study_axes.h"
 #include "scene/value.h"
 #include "scene/words.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* One end of a range, on whichever scale it is. */
+murk_status murk_study_fail(const murk_yaml *node, const char *key, bool at_key,
+                            murk_error *err, const char *format, ...)
+{
+    char text[512];
+    murk_scene_where where;
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    murk_walk_where(node, key, at_key, where);
+    return murk_fail(err, MURK_BAD_VALUE, where, "%s", text);
+}
+
+murk_status murk_study_no_memory(const char *path, murk_error *err)
+{
+    return murk_fail(err, MURK_NO_MEMORY, path, "no memory for the study");
+}
+
+/* Reads one end of a range, and finds the kind of value. */
 static bool read_end(const murk_yaml *node, murk_study_scale *scale,
                      double *value, int *zone_min)
 {
@@ -20,6 +40,7 @@ static bool read_end(const murk_yaml *node, murk_study_scale *scale,
     if (!node || node->kind != MURK_YAML_SCALAR) {
         return false;
     }
+    /* A number, a date, a time of day, or a time with a zone. */
     if (murk_yaml_number(node, value)) {
         *scale = MURK_STUDY_NUMBERS;
         return true;
@@ -70,6 +91,7 @@ static murk_status read_range_keys(const murk_yaml *node, const char *key,
                                    murk_study_range *out, murk_error *err)
 {
     static const char *const names[] = {"from", "to", "steps", "spacing"};
+    /* No other keys. */
     for (size_t i = 0; i < node->n; ++i) {
         const char *meant = murk_words_meant(node->key[i], names, 4);
         if (!meant || strcmp(meant, node->key[i]) != 0) {
@@ -83,6 +105,7 @@ static murk_status read_range_keys(const murk_yaml *node, const char *key,
     }
     const murk_yaml *steps = murk_yaml_get(node, "steps"),
                     *spacing = murk_yaml_get(node, "spacing");
+    /* The number of steps. */
     uint64_t n = 0;
     if (!steps || !murk_yaml_count(steps, &n) || n < 1 ||
         n > MURK_STUDY_ROWS_MAX) {
@@ -95,6 +118,7 @@ static murk_status read_range_keys(const murk_yaml *node, const char *key,
                                found, MURK_STUDY_ROWS_MAX);
     }
     out->steps = (size_t)n;
+    /* The spacing. */
     const char *word = spacing && spacing->kind == MURK_YAML_SCALAR
                            ? spacing->text
                        : spacing ? ""
@@ -107,8 +131,8 @@ static murk_status read_range_keys(const murk_yaml *node, const char *key,
     return MURK_OK;
 }
 
-/* What 0.1 + 0.2 leaves behind is not what anybody means: numbers are met to 15
- * digits, so that whole steps give whole numbers. */
+/* Rounds to 15 digits, so that sums such as 0.1 + 0.2 give 0.3 and whole
+ * steps give whole numbers. */
 static double rounded(double value)
 {
     char text[40];
@@ -116,7 +140,7 @@ static double rounded(double value)
     return strtod(text, NULL);
 }
 
-/* The ends are met exactly. */
+/* Value i of the range; the ends are exact. */
 static double value_at(const murk_study_range *g, size_t i)
 {
     if (i == 0 || g->steps == 1) {

@@ -1,3 +1,6 @@
+/* Parser of CSV files (RFC 4180, with comment lines, blanks around cells,
+ * and a byte order mark). Cells are terminated in place, so a table needs no
+ * memory for texts of its own. */
 #include "scene/table.h"
 
 #include <limits.h>
@@ -12,6 +15,8 @@
 #include "base/number.h"
 #include "scene/words.h"
 
+/* Limits against hostile files; scene/table.h states them. 1e7 positions of
+ * sensors or points are more than any run can use. */
 #define MAX_BYTES   256000000
 #define MAX_ROWS    10000000
 #define MAX_CELLS   20000000
@@ -19,7 +24,7 @@
 
 typedef struct cursor {
     const char *path;
-    char *next; /* in the text, which cells are cut from in place */
+    char *next; /* position in the text; cells are terminated in place */
     char *end;
     int line;
     murk_error *err;
@@ -42,7 +47,7 @@ static bool is_blank(char c)
     return c == ' ' || c == '\t';
 }
 
-/* Blank lines and comments. */
+/* Skips blank lines and comments. */
 static void skip_lines(cursor *at)
 {
     for (;;) {
@@ -67,12 +72,14 @@ static void skip_lines(cursor *at)
     }
 }
 
-/* A cell in quotes, "" for one of them inside. Ends behind the closing one. */
+/* Reads a cell in quotes; "" stands for one quote. Ends behind the closing
+ * quote. */
 static murk_status read_quoted(cursor *at, char **cell)
 {
     const int line = at->line;
     char *from = at->next + 1, *to = from;
     *cell = from;
+    /* Copy the text in place; a quote that is not doubled ends the cell. */
     for (;; ++from) {
         if (from >= at->end) {
             return fail_at(at, line, "a quote is not closed");
@@ -88,6 +95,7 @@ static murk_status read_quoted(cursor *at, char **cell)
     }
     at->next = from + 1;
     *to = '\0';
+    /* Only blanks may follow before the next comma or line end. */
     while (at->next < at->end && (is_blank(*at->next) || *at->next == '\r')) {
         ++at->next;
     }
@@ -99,7 +107,7 @@ static murk_status read_quoted(cursor *at, char **cell)
     return MURK_OK;
 }
 
-/* One cell; *is_last at the end of the line. */
+/* Reads one cell; *is_last is true at the end of the line. */
 static murk_status read_cell(cursor *at, char **cell, bool *is_last)
 {
     while (at->next < at->end && is_blank(*at->next)) {
@@ -127,7 +135,7 @@ static murk_status read_cell(cursor *at, char **cell, bool *is_last)
         ++at->next;
     }
     if (stop) {
-        *stop = '\0'; /* the text has a '\0' behind its end */
+        *stop = '\0'; /* the text has a '\0' behind the last byte */
     }
     return MURK_OK;
 }
@@ -141,6 +149,7 @@ static murk_status read_header(murk_table *table, cursor *at)
         if (table->columns == MAX_COLUMNS) {
             return fail_at(at, line, "more than 1000 columns");
         }
+        /* Read a name; it must be unique and not empty. */
         char **name = realloc(table->name, (table->columns + 1) * sizeof *name);
         if (!name) {
             return no_memory(at->path, at->err);
@@ -167,9 +176,9 @@ static murk_status read_header(murk_table *table, cursor *at)
     return MURK_OK;
 }
 
-static murk_status grow(murk_table *table, size_t *room, const cursor *at)
+static murk_status grow(murk_table *table, size_t *capacity, const cursor *at)
 {
-    if (table->rows < *room) {
+    if (table->rows < *capacity) {
         return MURK_OK;
     }
     if (table->rows == MAX_ROWS ||
@@ -177,18 +186,20 @@ static murk_status grow(murk_table *table, size_t *room, const cursor *at)
         return fail_at(at, at->line,
                        "too large, must be at most 1e7 rows and 2e7 cells");
     }
-    *room = *room ? 2 * *room : 64;
-    if (*room > MAX_CELLS / table->columns) {
-        *room = MAX_CELLS / table->columns;
+    /* Double the capacity, within the limits. */
+    *capacity = *capacity ? 2 * *capacity : 64;
+    if (*capacity > MAX_CELLS / table->columns) {
+        *capacity = MAX_CELLS / table->columns;
     }
-    if (*room > MAX_ROWS) {
-        *room = MAX_ROWS;
+    if (*capacity > MAX_ROWS) {
+        *capacity = MAX_ROWS;
     }
-    char **cell = realloc(table->cell, *room * table->columns * sizeof *cell);
+    char **cell =
+        realloc(table->cell, *capacity * table->columns * sizeof *cell);
     if (cell) {
         table->cell = cell;
     }
-    int *line = realloc(table->line, *room * sizeof *line);
+    int *line = realloc(table->line, *capacity * sizeof *line);
     if (line) {
         table->line = line;
     }
@@ -201,6 +212,7 @@ static murk_status read_row(murk_table *table, cursor *at)
     char **row = table->cell + table->rows * table->columns;
     size_t n = 0;
     bool is_last = false;
+    /* Count all cells, but store no more than the header has. */
     while (!is_last) {
         char *cell;
         const murk_status status = read_cell(at, &cell, &is_last);
@@ -239,7 +251,7 @@ static murk_status find_nul(const cursor *at)
 murk_status murk_table_parse(murk_table **out, const char *path, char *text,
                              size_t size, murk_error *err)
 {
-    size_t room = 0;
+    size_t capacity = 0;
     murk_table *table = calloc(1, sizeof *table);
     if (!table || !(table->path = strdup(path))) {
         free(table);
@@ -261,7 +273,7 @@ murk_status murk_table_parse(murk_table **out, const char *path, char *text,
         status = read_header(table, &at);
     }
     for (skip_lines(&at); !status && at.next < at.end; skip_lines(&at)) {
-        status = grow(table, &room, &at);
+        status = grow(table, &capacity, &at);
         if (!status) {
             status = read_row(table, &at);
         }

@@ -1,5 +1,5 @@
 /* CSV files with a header row: named columns, strict numbers, messages with
- * line and column name. Comment lines begin with #. */
+ * line and column name. Lines that begin with # are comments. */
 #ifndef MURK_SCENE_TABLE_H
 #define MURK_SCENE_TABLE_H
 
@@ -12,26 +12,29 @@ typedef struct murk_table {
     size_t rows, columns;
     char **name; /* [columns] */
     int header_line;
-    char **cell; /* [rows * columns], row by row */
-    int *line;   /* [rows]: of the file */
-    char *text;  /* the bytes that names and cells point into */
+    char **cell; /* cells row by row: [rows * columns] */
+    int *line;   /* [rows]: line of each row in the file */
+    char *text;  /* the text that names and cells point into */
 } murk_table;
 
-/* At most 256 MB, 1e7 rows and 2e7 cells; every row has the header's number of
- * cells. Cells may be quoted with ". *out is the caller's. */
+/* Reads a table of at most 256 MB, 1e7 rows and 2e7 cells. Every row must
+ * have as many cells as the header. Cells may be in double quotes. The
+ * caller owns *out and releases it with murk_table_destroy(). */
 murk_status murk_table_read(murk_table **out, const char *path,
                             murk_error *err);
-/* The same from memory: takes the text, which has a '\0' behind its bytes, also
- * where it fails; `path` is its name in messages. */
+/* Parses a table from text. Takes ownership of the text, also on failure;
+ * the text must have a '\0' behind its `size` bytes. `path` is the name in
+ * messages. */
 murk_status murk_table_parse(murk_table **out, const char *path, char *text,
                              size_t size, murk_error *err);
 void murk_table_destroy(murk_table *table); /* NULL is fine */
 
-/* The column of that name, or -1. */
+/* The number of the column with a name, or -1. */
 long murk_table_column(const murk_table *table, const char *name);
 
-/* A finite number, or MURK_BAD_VALUE with line and column name. An empty cell
- * (or column -1) gives *out = missing when that is not NaN, else fails. */
+/* Reads a finite number from a cell; otherwise fails with MURK_BAD_VALUE,
+ * line and column name. An empty cell (or column -1) gives *out = missing,
+ * or fails if missing is NaN. */
 murk_status murk_table_number(const murk_table *table, size_t row, long column,
                               double missing, double *out, murk_error *err);
 

@@ -1,3 +1,6 @@
+/* Reads values of a scene by their row of the key table: numbers, counts,
+ * vectors, spectra, lists, texts, paths and words. Each value that is read
+ * is also rewritten in the tree in canonical form (scene/print.h). */
 #include "scene/value.h"
 
 #include <stdio.h>
@@ -44,7 +47,7 @@ static murk_status read_number(murk_key_reader *walk, const murk_key *key,
 {
     double value;
     if (!murk_yaml_number(node, &value)) {
-        murk_key one = *key; /* one of a list is a number, too */
+        murk_key one = *key; /* an item of a list is a number, too */
         one.kind = MURK_KEY_NUMBER;
         return murk_value_wrong(walk, &one, node);
     }
@@ -85,7 +88,7 @@ static murk_status read_count(murk_key_reader *walk, const murk_key *key,
     return MURK_OK;
 }
 
-/* ---- several ---- */
+/* ---- lists of fixed length ---- */
 
 typedef murk_status (*item_reader)(murk_key_reader *walk, const murk_key *key,
                                    murk_yaml *node, size_t index, void *out);
@@ -165,6 +168,7 @@ static murk_status read_bands(murk_key_reader *walk, const murk_key *key,
         node->n > MURK_BANDS_MAX + (are_edges ? 1 : 0)) {
         return murk_value_wrong(walk, key, node);
     }
+    /* Wavelengths must rise. */
     const murk_status status = read_items(walk, key, node, number_item, out);
     if (status) {
         return status;
@@ -176,6 +180,7 @@ static murk_status read_bands(murk_key_reader *walk, const murk_key *key,
                                   out[i - 1]);
         }
     }
+    /* A band between edges has the middle as wavelength. */
     murk_scene_desc *scene = walk->scene;
     scene->has_edges = are_edges;
     scene->bands = (int)node->n - (are_edges ? 1 : 0);
@@ -185,7 +190,8 @@ static murk_status read_bands(murk_key_reader *walk, const murk_key *key,
     return MURK_OK;
 }
 
-/* [0.5, 0.5] is 0.5: one form for one meaning. */
+/* Replaces a list of equal values by one value, so that equal scenes have
+ * one form. */
 static void join_equal(murk_yaml *list)
 {
     for (size_t i = 1; i < list->n; ++i) {
@@ -204,6 +210,7 @@ static murk_status read_spectrum(murk_key_reader *walk, const murk_key *key,
                                  murk_yaml *node, murk_spectrum *out)
 {
     const int bands = walk->scene->bands;
+    /* One value for each band. */
     if (node->kind == MURK_YAML_LIST) {
         if (node->n != (size_t)bands) {
             return murk_walk_fail(walk, MURK_BAD_VALUE, node, false,
@@ -218,6 +225,7 @@ static murk_status read_spectrum(murk_key_reader *walk, const murk_key *key,
         }
         return status;
     }
+    /* One value for all bands, or a total that is spread over the bands. */
     double value = 0;
     if (!murk_yaml_number(node, &value)) {
         return murk_value_wrong(walk, key, node);
@@ -292,7 +300,7 @@ static murk_status read_text(murk_key_reader *walk, const murk_key *key,
     if (!is_text || strlen(node->text) > murk_value_max_bytes(key)) {
         return murk_value_wrong(walk, key, node);
     }
-    node->is_quoted = true; /* a text, also where it looks like a number */
+    node->is_quoted = true; /* a text, even if it looks like a number */
     if (key->size == sizeof(murk_scene_name)) {
         memcpy(member, node->text, strlen(node->text) + 1);
         return MURK_OK;
@@ -340,7 +348,7 @@ murk_status murk_value_word(murk_key_reader *walk, const murk_key *key,
         if (strcmp(word->text, text) != 0) {
             continue;
         }
-        node->is_quoted = false; /* all our words read back plain */
+        node->is_quoted = false; /* no word of a table needs quotes */
         if (value) {
             *value = word->value;
         }
@@ -349,7 +357,7 @@ murk_status murk_value_word(murk_key_reader *walk, const murk_key *key,
     return murk_value_wrong(walk, key, node);
 }
 
-/* ---- what may only be its default ---- */
+/* ---- storing, and all kinds ---- */
 
 void murk_value_store(void *item, size_t at, size_t size, int value)
 {
@@ -379,6 +387,7 @@ murk_status murk_value_read(murk_key_reader *walk, const murk_key *key,
     uint64_t count = 0;
     int word = 0;
     bool fact = false;
+    /* Read the value by kind and store it in the member. */
     switch (key->kind) {
     case MURK_KEY_NUMBER:
         status = read_number(walk, key, node, &number);
@@ -434,6 +443,7 @@ murk_status murk_value_read(murk_key_reader *walk, const murk_key *key,
         return read_spectrum(walk, key, node, member);
     case MURK_KEY_OWN:
         return key->read(walk, key, node, item);
+    /* Kinds that walk_map.c reads. */
     case MURK_KEY_MAP:
     case MURK_KEY_PER_BAND:
     case MURK_KEY_LIST:

@@ -1,4 +1,5 @@
-/* Names of materials and media, where a scene refers to them. */
+/* Reads names that refer to materials and media of the scene, with a
+ * suggestion for misspelled names. */
 #include "scene/value.h"
 
 #include <stdio.h>
@@ -7,7 +8,7 @@
 
 #include "scene/words.h"
 
-/* The message's "did you mean", or the names there are. */
+/* Fails for an unknown name: suggests a similar name, or lists all. */
 static murk_status no_such_name(murk_key_reader *walk, const murk_key *key,
                                 const murk_yaml *node, const murk_yaml *names)
 {
@@ -24,6 +25,7 @@ static murk_status no_such_name(murk_key_reader *walk, const murk_key *key,
                               "%s is not in %s, did you mean %s?", found,
                               key->of, shown);
     }
+    /* List the names that exist, as far as the message has space. */
     char list[MURK_ALLOWED_SIZE] = "";
     size_t length = 0;
     for (size_t i = 0; i < n && length + 80 < sizeof list; ++i) {
@@ -41,7 +43,7 @@ static murk_status find_name(murk_key_reader *walk, const murk_key *key,
                              murk_yaml *node, size_t *index)
 {
     if (node->kind != MURK_YAML_SCALAR || node->text[0] == '\0') {
-        murk_key one = *key; /* one of a list is a name, too */
+        murk_key one = *key; /* an item of a list is a name, too */
         one.kind = MURK_KEY_REFERENCE;
         return murk_value_wrong(walk, &one, node);
     }
@@ -86,6 +88,7 @@ murk_status murk_value_references(murk_key_reader *walk, const murk_key *key,
                               "a list of %zu, must be at most %d", node->n,
                               MURK_SCENE_LIST_MAX);
     }
+    /* Find each name of the list. */
     out->index = calloc(node->n, sizeof *out->index);
     if (!out->index) {
         return murk_walk_no_memory(walk);

@@ -1,4 +1,5 @@
-/* Values in messages: what was found, what is allowed. */
+/* Descriptions of values for messages: the value found, and the values that
+ * a row of the key table allows. */
 #include "scene/value.h"
 
 #include <stdio.h>
@@ -8,8 +9,10 @@
 #include "base/number.h"
 #include "scene/words.h"
 
+/* A range or a list of words is part of a description. */
 #define PART_SIZE (MURK_ALLOWED_SIZE / 2)
 
+/* Two quotes are around the text. */
 #define SHOWN_SIZE (MURK_FOUND_SIZE - 2)
 
 void murk_value_found(const murk_yaml *node, char out[MURK_FOUND_SIZE])
@@ -30,7 +33,7 @@ void murk_value_found(const murk_yaml *node, char out[MURK_FOUND_SIZE])
     }
 }
 
-/* 1e9 as 1e9, 4294967295 in full. */
+/* Prints a bound: powers of ten as 1e9, other numbers in full. */
 static void show_bound(char out[MURK_NUMBER_SIZE], double bound)
 {
     murk_number_print(out, bound);
@@ -104,6 +107,7 @@ void murk_value_allowed(const murk_key *key, char out[MURK_ALLOWED_SIZE])
     const size_t size = MURK_ALLOWED_SIZE;
     char range[PART_SIZE];
     murk_value_range(key, range, sizeof range);
+    /* One description for each kind of key. */
     switch (key->kind) {
     case MURK_KEY_NUMBER:
         snprintf(out, size, "a number, %s", range);

@@ -1,9 +1,11 @@
+/* Reads maps or words that may be given per band, such as phase functions,
+ * into an array of structs. */
 #include "scene/walk_bands.h"
 
 #include <stdio.h>
 #include <string.h>
 
-/* An item of a list of bands speaks of one band. */
+/* Checks that an item of a list of bands has no values per band of its own. */
 static murk_status check_one_band(murk_key_reader *walk, const murk_keys *keys,
                                   const murk_yaml *item)
 {
@@ -42,6 +44,7 @@ murk_status murk_walk_bands(murk_key_reader *walk, const murk_key *key,
                               "one a band",
                               n, keys->noun, walk->scene->bands);
     }
+    /* Read each item of a list under its number, or the single item. */
     memcpy((char *)owner + keys->count_at, &n, sizeof n);
     murk_status status = MURK_OK;
     for (size_t i = 0; is_list && i < n && !status; ++i) {

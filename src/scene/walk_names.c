@@ -1,3 +1,5 @@
+/* Checks which keys a map of the scene may have, with messages that list the
+ * allowed keys or suggest a similar one. */
 #include "scene/walk_names.h"
 
 #include <stdio.h>
@@ -5,7 +7,7 @@
 
 #include "scene/words.h"
 
-#define MAX_KEYS 64 /* rows of one table */
+#define MAX_KEYS 64 /* rows of one table that a message lists */
 
 bool murk_walk_fits(const murk_key *key, int variant)
 {
@@ -23,7 +25,7 @@ const murk_key *murk_walk_find(const murk_keys *keys, const char *name,
     return NULL;
 }
 
-/* The names that may stand in a map, each once. */
+/* Lists the names that a map may have, each once. */
 static size_t list_names(const murk_keys *keys, int variant,
                          const char *names[MAX_KEYS])
 {
@@ -87,7 +89,7 @@ murk_status murk_walk_check_names(murk_key_reader *walk, const murk_keys *keys,
     return MURK_OK;
 }
 
-/* Of each group at most one, and one where the group is required. */
+/* The keys of a group exclude each other. */
 murk_status murk_walk_check_groups(murk_key_reader *walk, const murk_keys *keys,
                                    const murk_yaml *map)
 {
@@ -95,6 +97,7 @@ murk_status murk_walk_check_groups(murk_key_reader *walk, const murk_keys *keys,
         if (key->group == 0) {
             continue;
         }
+        /* Find the keys of the group that are given. */
         const murk_key *given = NULL;
         for (const murk_key *other = keys->key; other->name; ++other) {
             if (other->group != key->group ||
@@ -108,6 +111,7 @@ murk_status murk_walk_check_groups(murk_key_reader *walk, const murk_keys *keys,
             }
             given = other;
         }
+        /* A required group without a key: list the group. */
         if (!given && key->required) {
             const char *names[MAX_KEYS];
             size_t n = 0;

@@ -1,5 +1,6 @@
-/* Shows words of the user in messages, and finds the word that was meant by the
- * least number of changed letters (optimal string alignment). */
+/* Prints words of the user in messages, and finds the word that was meant by
+ * the optimal string alignment distance (Damerau, Commun. ACM 7 (1964) 171,
+ * doi:10.1145/363958.363994). */
 #include "scene/words.h"
 
 #include "base/utf8.h"
@@ -8,6 +9,7 @@
 #include <stdbool.h>
 #include <string.h>
 
+/* A row of the distance table has one more entry than a word has letters. */
 #define ROW_LENGTH (MAX_LETTERS + 1)
 
 #define LONGER_SIZE (SHOWN_MAX + ESCAPE_MAX)
@@ -22,7 +24,8 @@ void murk_words_show(char *out, size_t size, const char *text)
     static const char cut[] = "...";
     char longer[LONGER_SIZE];
     assert(out != text && size >= sizeof cut && size <= SHOWN_MAX);
-    /* one more character than fits: the text is longer than the copy */
+    /* One more character than fits shows that the text is longer than the
+     * copy. */
     const size_t whole = murk_utf8_escape(longer, size + ESCAPE_MAX, text);
     if (whole < size) {
         memcpy(out, longer, whole + 1);
@@ -69,7 +72,8 @@ const char *murk_words_meant(const char *word, const char *const *known,
 {
     const size_t length = strlen(word);
     const char *meant = NULL;
-    size_t nearest = (length < 3 ? 1 : length / 3) + 1; /* one too far */
+    size_t nearest =
+        (length < 3 ? 1 : length / 3) + 1; /* one more than allowed */
     if (length == 0 || length > MAX_LETTERS) {
         return NULL;
     }

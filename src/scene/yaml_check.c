@@ -1,3 +1,5 @@
+/* Checks of YAML text that libyaml does not make: encoding, control
+ * characters and duplicate keys. */
 #include "scene/yaml_check.h"
 
 #include <stdint.h>
@@ -7,9 +9,12 @@
 #include "base/utf8.h"
 #include "scene/words.h"
 
+/* A place in a message: a name of at most 120 bytes, escaped, with line and
+ * column. */
 #define PLACE_SIZE 256
 
-/* Of the character at p, or 0: the text need not end in a NUL. */
+/* Length of the UTF-8 character at p, or 0 if it is malformed. The text need
+ * not end in a NUL. */
 static size_t length_at(const char *p, size_t left)
 {
     char text[5] = {0};
@@ -26,6 +31,7 @@ murk_status murk_yaml_check_text(const char *text, size_t size,
         const size_t n = length_at(text + i, size - i);
         const bool is_control =
             (*p < 0x20 && *p != '\t' && *p != '\n' && *p != '\r') || *p == 0x7F;
+        /* Report the first bad byte with line and column. */
         if (n == 0 || is_control) {
             char place[PLACE_SIZE];
             murk_yaml_show_place(source, line, column, place, sizeof place);
@@ -57,7 +63,8 @@ static int compare_keys(const void *a, const void *b)
                  : (left->index > right->index) - (left->index < right->index);
 }
 
-/* By sorting: a million keys must not take a million squared. */
+/* Duplicates are found by sorting, since a million keys must not take a
+ * million squared steps. */
 murk_status murk_yaml_check_keys(const murk_yaml *map, murk_error *err)
 {
     if (map->n < 2) {
@@ -72,6 +79,7 @@ murk_status murk_yaml_check_keys(const murk_yaml *map, murk_error *err)
         order[i] = (key_order){map->key[i], i};
     }
     qsort(order, map->n, sizeof *order, compare_keys);
+    /* The first key in the file that repeats another. */
     size_t second = SIZE_MAX, first = 0;
     for (size_t i = 1; i < map->n; ++i) {
         if (strcmp(order[i - 1].key, order[i].key) == 0 &&
@@ -84,6 +92,7 @@ murk_status murk_yaml_check_keys(const murk_yaml *map, murk_error *err)
     if (second == SIZE_MAX) {
         return MURK_OK;
     }
+    /* The message names both lines. */
     char place[PLACE_SIZE];
     char key[64];
     murk_yaml_key_place(map->child[second], place, sizeof place);

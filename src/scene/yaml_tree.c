@@ -1,4 +1,5 @@
-/* Trees of YAML once they are read: places, children, scalars. */
+/* Operations on YAML trees: places for messages, copies, changes, and strict
+ * conversion of scalars. */
 #include "scene/yaml.h"
 
 #include <stdio.h>
@@ -8,11 +9,13 @@
 #include "base/number.h"
 #include "scene/words.h"
 
+/* Space for escapes and for three dots. */
 #define SHOWN_SIZE (MAX_SOURCE + 32)
 
+/* Space for three dots. */
 #define NAME_SIZE (MAX_SOURCE + 4)
 
-#define MAX_SOURCE 120 /* bytes of a name shown in a message */
+#define MAX_SOURCE 120 /* bytes of a name that a message shows */
 
 static bool is_option(const char *source)
 {
@@ -28,7 +31,7 @@ void murk_yaml_show_place(const char *source, int line, int column, char *out,
         snprintf(name, sizeof name, "%s", source);
     } else if (is_option(source)) {
         snprintf(name, sizeof name, "%.*s...", MAX_SOURCE - 3, source);
-    } else { /* the end of a path says more than its beginning */
+    } else { /* the end of a path tells more than the beginning */
         snprintf(name, sizeof name, "...%s", source + length - MAX_SOURCE + 3);
     }
     murk_words_show(shown, sizeof shown, name);
@@ -91,21 +94,21 @@ murk_yaml *murk_yaml_make(murk_yaml_kind kind, const char *source)
     return node;
 }
 
-/* Room for one child more: sizes grow by doubling, at powers of two. */
+/* Makes space for one more child: the capacity doubles at powers of two. */
 static bool grow(murk_yaml *node)
 {
     const size_t n = node->n;
     if (n != 0 && (n & (n - 1)) != 0) {
         return true;
     }
-    const size_t room = n ? 2 * n : 1;
-    murk_yaml **child = realloc(node->child, room * sizeof *child);
+    const size_t capacity = n ? 2 * n : 1;
+    murk_yaml **child = realloc(node->child, capacity * sizeof *child);
     if (!child) {
         return false;
     }
     node->child = child;
     if (node->kind == MURK_YAML_MAP) {
-        char **key = realloc(node->key, room * sizeof *key);
+        char **key = realloc(node->key, capacity * sizeof *key);
         if (!key) {
             return false;
         }
@@ -114,7 +117,7 @@ static bool grow(murk_yaml *node)
     return true;
 }
 
-/* Takes key (NULL in a list) and child, also when it fails. */
+/* Takes ownership of key (NULL in a list) and child, also on failure. */
 bool murk_yaml_append(murk_yaml *node, char *key, murk_yaml *child)
 {
     if (!grow(node)) {
@@ -141,6 +144,7 @@ murk_yaml *murk_yaml_copy(const murk_yaml *root)
     out->key_column = root->key_column;
     out->is_quoted = root->is_quoted;
     bool is_whole = !root->text || murk_yaml_set_text(out, root->text);
+    /* Copy the children, with their keys. */
     for (size_t i = 0; is_whole && i < root->n; ++i) {
         murk_yaml *child = murk_yaml_copy(root->child[i]);
         char *key = child && root->key ? strdup(root->key[i]) : NULL;

@@ -1,7 +1,8 @@
 /* Lists the material names of imported meshes with the area of their triangles
  * and with the material of the scene that each name was given.
- * (geometry/placed_shapes.c assigns the materials by the same function.) Warns of
- * names that match no entry of `materials` and of entries that no surface uses.
+ * (geometry/placed_shapes.c assigns the materials by the same function.) Warns
+ * of names that match no entry of `materials` and of entries that no surface
+ * uses.
  */
 #include "world/mesh_materials.h"
 

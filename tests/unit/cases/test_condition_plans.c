@@ -203,7 +203,7 @@ static void test_regret_is_the_min_of_all(bool is_relative)
     size_t at;
     const murk_estimate seen =
         murk_conditions_estimate(m.over.conditions, chosen->in_sample,
-                                 MURK_SCENE_OVER_REGRET, false, &at);
+                                 MURK_SCENE_OBJECTIVE_REGRET, false, &at);
     CHECK(m.plan.in_sample.total.value == seen.value);
     CHECK_NEAR((best.own[at] - seen.value) / (is_relative ? best.own[at] : 1),
                min, ROUNDING);

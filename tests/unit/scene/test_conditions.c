@@ -38,7 +38,7 @@ static void test_each_is_the_scene_with_its_overrides(void)
 {
     murk_scene_desc *scene = must_read(THREE, NULL, 0);
     CHECK(scene->n_conditions == 3);
-    CHECK(scene->placement.over == MURK_SCENE_OVER_WORST);
+    CHECK(scene->placement.over == MURK_SCENE_OBJECTIVE_WORST);
     const murk_scene_condition *c = scene->conditions;
     CHECK_TEXT(c[0].name, "clear");
     CHECK_TEXT(c[1].name, "fog");
@@ -58,7 +58,7 @@ static void test_each_is_the_scene_with_its_overrides(void)
     CHECK(c[1].scene->photons.store == 50 && c[1].scene->photons.emit == 0);
     CHECK(scene->photons.emit == 100 && scene->photons.store == 0);
     CHECK(c[1].scene->n_conditions == 0);
-    CHECK(c[1].scene->placement.over == MURK_SCENE_OVER_NONE);
+    CHECK(c[1].scene->placement.over == MURK_SCENE_OBJECTIVE_NONE);
     CHECK_TEXT(c[2].scene->media[0].where,
                "fog.yaml:3:3: conditions.night.media.fog");
 

@@ -111,7 +111,7 @@ static size_t idle_with(const char *a, const char *b, const char *c)
 
 static const char *text_of(const char *rule)
 {
-    const murk_idle_rule *r = murk_idle_constraints;
+    const murk_idle_key *r = murk_idle_keys;
     while (r->key && strcmp(r->key, rule) != 0) {
         ++r;
     }
@@ -136,7 +136,7 @@ static void check_idle(const idle_case *c)
 static void test_each_rule(void)
 {
     size_t constraints = 0;
-    for (const murk_idle_rule *r = murk_idle_constraints; r->key; ++r) {
+    for (const murk_idle_key *r = murk_idle_keys; r->key; ++r) {
         ++constraints;
     }
     CHECK(constraints == N_CASES);
@@ -205,8 +205,7 @@ static void test_the_readme_lists_them(void)
     size_t size;
     murk_error err = {0};
     CHECK(!murk_file_read(&readme, &size, "scenes/README.md", 1000000, &err));
-    for (const murk_idle_rule *r = murk_idle_constraints; readme && r->key;
-         ++r) {
+    for (const murk_idle_key *r = murk_idle_keys; readme && r->key; ++r) {
         char row[300];
         snprintf(row, sizeof row, "| `%s` | %s |\n", r->key, r->text);
         CHECK(strstr(readme, row));

@@ -1,3 +1,7 @@
+/* Reads a scene: parses the text, applies overrides and a variant, checks
+ * and resolves the tree by the key table, resolves each condition in the
+ * same way, prints the resolved scene and the keys by which results are
+ * recognised, and moves the scene to the local origin. */
 #include "scene/scene.h"
 
 #include <limits.h>
@@ -17,12 +21,12 @@
 #include "scene/variant.h"
 #include "scene/walk.h"
 
-/* What lives as long as the tree does. */
+/* The data that live as long as the tree. */
 typedef struct reading {
     char *text;
     size_t size;
     murk_yaml *root;
-    char **sources; /* [n_sources] of the options */
+    char **sources; /* [n_sources] texts of the options */
     size_t n_sources;
     murk_key_reader walk;
 } reading;
@@ -71,7 +75,7 @@ static murk_status apply_overrides(reading *r, const char *path,
 
 /* ---- files of the scene ---- */
 
-/* Drops "//" and "/./" in place. */
+/* Removes "//" and "/./" from a path, in place. */
 static void tidy(char *path)
 {
     char *to = path;
@@ -92,7 +96,8 @@ static char *absolute(const char *path)
 {
     char folder[PATH_MAX] = "";
     if (path[0] != '/' && !getcwd(folder, sizeof folder)) {
-        return strdup(path); /* no such folder any more: as it was given */
+        return strdup(
+            path); /* the working folder has been removed: the path as given */
     }
     const size_t size = strlen(folder) + strlen(path) + 2;
     char *out = malloc(size);
@@ -103,7 +108,8 @@ static char *absolute(const char *path)
     return out;
 }
 
-/* The name alone: a scene may move with its files. */
+/* Replaces a path by the name of the file, so that a scene that moves with
+ * its files keeps its key. */
 static murk_status drop_folder(murk_yaml *node)
 {
     char *name = strdup(murk_path_name(node->text));
@@ -135,8 +141,8 @@ static bool is_of_world(const char *key)
            strcmp(key, "site") != 0;
 }
 
-/* The texts that need the tree. Paths are rewritten on the way: first as the
- * resolved scene has them, then as the keys do. */
+/* Prints the resolved scene with absolute paths, and lists the files.
+ * print_keys() rewrites the paths again. */
 static murk_status print_resolved(const murk_key_reader *walk,
                                   murk_scene_desc *scene)
 {
@@ -166,7 +172,7 @@ static bool append(char **text, const char *more)
     return grown != NULL;
 }
 
-/* Conditions name files, too: each has a key of its own. */
+/* True for all keys but `conditions`: each condition has a key of its own. */
 static bool is_of_base(const char *key)
 {
     return strcmp(key, "conditions") != 0;
@@ -224,8 +230,9 @@ static murk_scene_desc *scene_make(const char *path, const char sha256[65])
     return scene;
 }
 
-/* The scene of a condition, from the tree as it was given; what the condition
- * sets is rewritten as resolved in the walked tree `root`. */
+/* Reads the scene of a condition from the tree as the user gave it. The
+ * values of the condition are replaced by the resolved ones in the tree
+ * `root` of the base scene. */
 static murk_status read_condition(murk_scene_condition *condition,
                                   const murk_scene_desc *base, murk_yaml *root,
                                   const murk_yaml *given, murk_error *err)
@@ -242,10 +249,13 @@ static murk_status read_condition(murk_scene_condition *condition,
     if (status) {
         goto done;
     }
+    /* Resolve the tree of the condition; keys in messages begin with
+     * conditions.NAME. */
     memcpy(condition->scene->where, condition->where, sizeof condition->where);
     murk_walk_enter(&walk, "conditions");
     murk_walk_enter(&walk, condition->name);
     status = murk_walk_scene(&walk);
+    /* Print, and write the resolved values back before paths are shortened. */
     if (!status && (print_resolved(&walk, condition->scene) ||
                     !murk_condition_put_back(root, condition->name, &values) ||
                     print_keys(&walk, condition->scene))) {
@@ -258,12 +268,13 @@ done:
     return status;
 }
 
-/* Walks the tree, and that of each condition. */
+/* Resolves the tree, and the tree of each condition. */
 static murk_status read_tree(reading *r, murk_scene_desc *scene,
                              murk_error *err)
 {
     murk_status status = MURK_OK;
-    murk_yaml *given = NULL; /* with conditions: the tree before the walk */
+    murk_yaml *given =
+        NULL; /* the tree before it is resolved, if there are conditions */
     if (murk_yaml_get(r->root, "murk_study")) {
         return murk_fail(err, MURK_BAD_FILE, scene->path,
                          "is a study, must be a scene; murk study runs it");
@@ -291,7 +302,7 @@ static murk_status read_tree(reading *r, murk_scene_desc *scene,
     return status;
 }
 
-/* Turns the tree into that of a variant. */
+/* Applies a variant to the tree: the condition, then the changes. */
 static murk_status apply_variant(reading *r, const murk_variant *variant,
                                  murk_error *err)
 {
@@ -311,7 +322,7 @@ static murk_status apply_variant(reading *r, const murk_variant *variant,
     return status;
 }
 
-/* Of what has been read already; variant NULL: the scene itself. */
+/* Reads the scene from r->text; variant NULL: the scene as it stands. */
 static murk_status read_text(reading *r, murk_scene_desc **out,
                              const char *path, const murk_override *overrides,
                              size_t n_overrides, const murk_variant *variant,
@@ -325,6 +336,7 @@ static murk_status read_text(reading *r, murk_scene_desc **out,
         (variant && (status = apply_variant(r, variant, err)))) {
         goto done;
     }
+    /* Check and resolve the tree, then move the scene to the local origin. */
     murk_sha256_hex(r->text, r->size, sha256);
     scene = scene_make(path, sha256);
     status = scene ? read_tree(r, scene, err) : no_memory(path, err);
@@ -401,6 +413,7 @@ void murk_scene_desc_destroy(murk_scene_desc *scene)
     if (!scene) {
         return;
     }
+    /* Members of items first, then the arrays. */
     for (size_t i = 0; i < scene->geometries; ++i) {
         free(scene->geometry[i].file);
     }

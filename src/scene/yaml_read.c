@@ -1,6 +1,6 @@
-/* Events of libyaml, one at a time, so that a limit is noticed before much has
- * been read: its document API would build the whole tree first, and takes 20 s
- * for 200,000 open brackets. */
+/* Reads YAML text by the events of libyaml, one at a time, so that a limit
+ * is noticed before much has been read: libyaml's document interface would
+ * build the whole tree first, and takes 20 s for 200,000 open brackets. */
 #include "scene/yaml.h"
 
 #include <stdint.h>
@@ -13,6 +13,7 @@
 #include "scene/words.h"
 #include "scene/yaml_check.h"
 
+/* Limits against hostile text; scene/yaml.h states them. */
 #define MAX_DEPTH   64
 #define MAX_NODES   1000000
 #define MAX_TEXT    (2 * MURK_YAML_MAX_BYTES)
@@ -67,7 +68,8 @@ static bool next_event(reader *r, yaml_event_t *event)
     return false;
 }
 
-/* Every node passes here, also those that an alias repeats. */
+/* Makes a node and counts it. Every node is made here, copies by aliases
+ * included. */
 static murk_yaml *make_node(reader *r, murk_yaml_kind kind, yaml_mark_t mark,
                             const char *text, size_t length)
 {
@@ -82,6 +84,7 @@ static murk_yaml *make_node(reader *r, murk_yaml_kind kind, yaml_mark_t mark,
                        "too large, must be at most 32 MB with all aliases "
                        "written out");
     }
+    /* Copy place and text. */
     murk_yaml *node = calloc(1, sizeof *node);
     if (!node) {
         return no_memory(r);
@@ -123,6 +126,7 @@ static murk_yaml *copy_node(reader *r, const murk_yaml *from, yaml_mark_t mark,
     if (!node) {
         return NULL;
     }
+    /* Copy the place of the original, then the children. */
     node->line = from->line;
     node->column = from->column;
     node->key_line = from->key_line;
@@ -170,7 +174,8 @@ static murk_yaml *read_alias(reader *r, const yaml_event_t *event, int depth)
                    "an alias without its anchor");
 }
 
-/* The number of the new anchor, or SIZE_MAX: none, or failed. */
+/* Adds an anchor and returns its number; SIZE_MAX without a name or on
+ * failure. */
 static size_t add_anchor(reader *r, const yaml_char_t *name, yaml_mark_t mark)
 {
     if (!name) {
@@ -227,7 +232,8 @@ static bool read_list(reader *r, murk_yaml *list, int depth)
     }
 }
 
-/* The text of a map's key, or NULL. */
+/* Reads the key of a map; NULL on failure. Tags, anchors and merge keys are
+ * refused. */
 static char *read_key(reader *r, const yaml_event_t *event)
 {
     if (event->type != YAML_SCALAR_EVENT) {
@@ -252,6 +258,7 @@ static char *read_key(reader *r, const yaml_event_t *event)
                 "a merge key (<<) is not allowed, write its keys out");
         return NULL;
     }
+    /* Keys count as text, too. */
     r->text_bytes += event->data.scalar.length;
     char *key = strdup(text);
     if (!key) {
@@ -267,6 +274,7 @@ static bool read_map(reader *r, murk_yaml *map, int depth)
         if (!next_event(r, &event)) {
             return false;
         }
+        /* An event is a key, or the end of the map. */
         const bool ends = event.type == YAML_MAPPING_END_EVENT;
         const yaml_mark_t mark = event.start_mark;
         char *key = ends ? NULL : read_key(r, &event);
@@ -275,6 +283,7 @@ static bool read_map(reader *r, murk_yaml *map, int depth)
             r->status = murk_yaml_check_keys(map, r->err);
             return !r->status;
         }
+        /* The value of the key. */
         murk_yaml *child = key ? read_next(r, depth + 1) : NULL;
         if (!child) {
             free(key);
@@ -309,6 +318,7 @@ static murk_yaml *read_node(reader *r, yaml_event_t *event, int depth)
 {
     const yaml_char_t *name = NULL, *tag = NULL;
     murk_yaml_kind kind = MURK_YAML_SCALAR;
+    /* Kind, anchor and tag of the node. */
     switch (event->type) {
     case YAML_ALIAS_EVENT:
         return read_alias(r, event, depth);
@@ -330,6 +340,7 @@ static murk_yaml *read_node(reader *r, yaml_event_t *event, int depth)
         return fail_at(r, event->start_mark, MURK_BAD_FILE,
                        "empty, must be a value");
     }
+    /* Tags and deep nesting are refused. */
     if (tag) {
         char text[128], shown[48];
         murk_words_show(shown, sizeof shown, (const char *)tag);
@@ -339,10 +350,13 @@ static murk_yaml *read_node(reader *r, yaml_event_t *event, int depth)
     if (!is_in_depth(r, event->start_mark, depth)) {
         return NULL;
     }
+    /* The anchor is known before the children, so that an alias inside of it
+     * is recognised. */
     const size_t number = add_anchor(r, name, event->start_mark);
     if (r->status) {
         return NULL;
     }
+    /* Read the node and all children. */
     murk_yaml *node = kind == MURK_YAML_SCALAR
                           ? read_scalar(r, event)
                           : make_node(r, kind, event->start_mark, NULL, 0);
@@ -366,6 +380,7 @@ static murk_yaml *read_document(reader *r)
         if (!next_event(r, &event)) {
             break;
         }
+        /* Exactly one document is allowed. */
         const yaml_mark_t mark = event.start_mark;
         const yaml_event_type_t type = event.type;
         if (type == YAML_STREAM_END_EVENT) {
@@ -400,7 +415,7 @@ murk_status murk_yaml_parse(murk_yaml **out, const char *text, size_t size,
                          "%.4g MB, must be at most 16 MB", (double)size / 1e6);
     }
     if (size >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0) {
-        text += 3; /* byte order mark */
+        text += 3; /* skip the byte order mark */
         size -= 3;
     }
     murk_status status = murk_yaml_check_text(text, size, source, err);

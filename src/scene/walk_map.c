@@ -1,3 +1,7 @@
+/* Traverses a scene's tree by the key table (scene/walk.h): for each map it
+ * checks the names of keys, finds the variant of the map, fills in defaults,
+ * sorts the keys, and reads each value; lists and named items become arrays
+ * of structs. */
 #include "scene/walk.h"
 
 #include <assert.h>
@@ -30,7 +34,7 @@ void murk_walk_leave(murk_key_reader *walk, size_t length)
     walk->key[length] = '\0';
 }
 
-/* Whether an option says the key itself: --set KEY=VALUE, or --seed 3. */
+/* True if an option names the key itself: --set KEY=VALUE, or --seed 3. */
 static bool names_key(const char *source, const char *key)
 {
     const size_t length = strlen(key);
@@ -76,8 +80,8 @@ murk_status murk_walk_no_memory(murk_key_reader *walk)
 
 /* ---- the keys of one map ---- */
 
-/* Defaults are parsed from their text, so that they are read as the user's
- * values are. */
+/* Adds a default to a map. Defaults are parsed from text, so that they are
+ * read like the values of the user. */
 static murk_status put_preset(murk_key_reader *walk, murk_yaml *map,
                               const char *name, const char *text)
 {
@@ -89,7 +93,7 @@ static murk_status put_preset(murk_key_reader *walk, murk_yaml *map,
         return status;
     }
     node->line = node->column = 0;
-    for (size_t i = 0; i < node->n; ++i) { /* no preset nests deeper */
+    for (size_t i = 0; i < node->n; ++i) { /* no default has deeper levels */
         node->child[i]->line = node->child[i]->key_line = 0;
     }
     return murk_yaml_put(map, name, node) ? MURK_OK : murk_walk_no_memory(walk);
@@ -107,6 +111,7 @@ static murk_status find_variant(murk_key_reader *walk, const murk_keys *keys,
     }
     const murk_key *key = murk_keys_find(keys, keys->selector);
     murk_yaml *node = murk_yaml_get(map, keys->selector);
+    /* A default selects the variant if the key is missing. */
     if (!node && key->preset) {
         const murk_status status =
             put_preset(walk, map, key->name, key->preset);
@@ -121,6 +126,7 @@ static murk_status find_variant(murk_key_reader *walk, const murk_keys *keys,
         return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
                               "misses %s, must be %s", key->name, allowed);
     }
+    /* The word of the selector is the variant. */
     const size_t back = murk_walk_enter(walk, key->name);
     const murk_status status = murk_value_word(walk, key, node, variant);
     murk_walk_leave(walk, back);
@@ -199,6 +205,7 @@ static void mark_absent(const murk_keys *keys, const murk_yaml *map,
 static murk_status walk_map(murk_key_reader *walk, const murk_keys *keys,
                             murk_yaml *map, void *item)
 {
+    /* Any keys are allowed: check() reads them all. */
     if (keys->is_open) {
         if (keys->has_where) {
             murk_walk_where(map, walk->key, false,
@@ -206,6 +213,7 @@ static murk_status walk_map(murk_key_reader *walk, const murk_keys *keys,
         }
         return keys->check(walk, map, item);
     }
+    /* Check the keys, then complete the map with defaults. */
     int variant = 0;
     murk_status status = murk_walk_check_names(walk, keys, map);
     if (status || (status = murk_walk_check_groups(walk, keys, map)) ||
@@ -215,6 +223,7 @@ static murk_status walk_map(murk_key_reader *walk, const murk_keys *keys,
         (status = put_presets(walk, keys, map, variant))) {
         return status;
     }
+    /* Canonical order; members that tell the variant and the place. */
     sort_by_table(keys, map, variant);
     mark_absent(keys, map, variant, item);
     if (keys->has_variant_at) {
@@ -224,6 +233,7 @@ static murk_status walk_map(murk_key_reader *walk, const murk_keys *keys,
         char *const where = (char *)item + keys->where_at;
         murk_walk_where(map, walk->key, false, where);
     }
+    /* Read each value. */
     for (size_t i = 0; i < map->n; ++i) {
         const murk_key *key = murk_walk_find(keys, map->key[i], variant);
         assert(key);
@@ -300,7 +310,7 @@ static murk_status check_item_names(murk_key_reader *walk,
     return MURK_OK;
 }
 
-/* The name that is built in comes first, given or not. */
+/* Puts the built-in name first, whether the user gave it or not. */
 static murk_status put_first(murk_key_reader *walk, const murk_keys *keys,
                              murk_yaml *node)
 {
@@ -346,7 +356,7 @@ static murk_status walk_array(murk_key_reader *walk, const murk_key *key,
     if (!items) {
         return murk_walk_no_memory(walk);
     }
-    /* the scene owns them from here on, however far they are filled */
+    /* from here on the scene owns the items, even if reading fails */
     memcpy((char *)owner + keys->array_at, &items, sizeof items);
     memcpy((char *)owner + keys->count_at, &node->n, sizeof node->n);
     return walk_items(walk, keys, node, items);
@@ -363,7 +373,7 @@ murk_status murk_walk_value(murk_key_reader *walk, const murk_key *key,
     if (may_be_word && key->words && node->kind == MURK_YAML_SCALAR) {
         int word = 0;
         const murk_status status = murk_value_word(walk, key, node, &word);
-        if (!status) { /* a list has no room for it: then it is empty */
+        if (!status) { /* a list does not store the word: it is empty then */
             murk_value_store(item, key->at, key->size, word);
         }
         return status;

@@ -1,7 +1,10 @@
+/* Reads study files (scene/study_file.h), and makes the scene of a row: a
+ * variant of the base scene with one value of each axis. */
 #include "scene/study_file.h"
 
 #include "base/file.h"
 #include "scene/study_axes.h"
+#include "scene/study_range.h"
 #include "scene/value.h"
 #include "scene/words.h"
 
@@ -9,12 +12,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* The keys of a study. */
 static const char *const KEYS[] = {"murk_study",   "base", "axes",
                                    "mode",         "plan", "outputs",
                                    "fluence_size", "units"};
+/* The number of these keys. */
 #define N_KEYS (sizeof KEYS / sizeof *KEYS)
 
-/* A file while it is read. */
+/* The state of reading. */
 typedef struct reading {
     murk_study_file *study;
     const murk_yaml *root;
@@ -102,6 +107,7 @@ static murk_status read_outputs(const reading *r)
         node->n > MURK_STUDY_OUTPUTS_MAX) {
         return wrong(r, node, "outputs", "a list of 1..128 names");
     }
+    /* Names of outputs must be unique; whether they exist is checked later. */
     study->output = calloc(node->n, sizeof *study->output);
     if (!study->output) {
         return murk_study_no_memory(study->path, r->err);
@@ -168,6 +174,7 @@ static murk_status read_units(const reading *r)
 
 static murk_status read_all(const reading *r)
 {
+    /* All keys, in the order in which messages are most useful. */
     murk_status status = check_keys(r);
     if (!status) {
         status = read_version(r);
@@ -204,6 +211,7 @@ murk_status murk_study_file_read(murk_study_file **out, const char *path,
         murk_study_file_destroy(study);
         return murk_study_no_memory(path, err);
     }
+    /* Read and parse the text; the hash identifies the study. */
     murk_status status =
         murk_file_read(&text, &size, path, MURK_YAML_MAX_BYTES, err);
     if (!status) {
@@ -218,6 +226,7 @@ murk_status murk_study_file_read(murk_study_file **out, const char *path,
         status = read_all(&r);
     }
     free(text);
+    /* Hand over a complete study only. */
     if (status) {
         murk_study_file_destroy(study);
         return status;
