@@ -1,5 +1,6 @@
-/* The table of every key of a scene: type, unit, range, default, and where
- * its value goes. A new key is one row in keys.c and a member in scene.h. */
+/* The table of every key of a scene: type, unit, range, default, and the
+ * member of the struct in which the value is stored. A new key is one row in
+ * keys_*.c and a member in scene.h. */
 #ifndef MURK_SCENE_KEYS_H
 #define MURK_SCENE_KEYS_H
 
@@ -56,43 +57,45 @@ typedef struct murk_key {
     double factor;      /* to SI; 0: 1 */
     const murk_word *words;
     const murk_keys *keys;        /* of the map, or of each item */
-    const struct murk_key *items; /* numbers: name and range of each */
+    const struct murk_key *items; /* numbers: name and range of each item */
     const char *of;               /* references: "media" or "materials" */
-    size_t at, size;              /* member; size 0: kept in no struct */
+    size_t at, size;              /* member; size 0: not stored */
     bool has_flag;
-    size_t flag_at; /* a bool that says whether the key is there */
+    size_t flag_at; /* a bool that is true if the key is given */
     bool lights;    /* top level: the traced light depends on it */
     murk_status (*read)(murk_key_reader *walk, const struct murk_key *key,
                         murk_yaml *node, void *item);
-    const char *allowed; /* of its own: "free or a list" */
+    const char *allowed; /* allowed values of a key that reads itself: "free or
+                            a list" */
 } murk_key;
 
 struct murk_keys {
     const murk_key *key;
     const char *noun; /* "light" */
-    /* Which variant a map is: the value of the word key `selector`, or what
-     * choose() finds; without both there is but one. */
+    /* The variant of a map: the value of the word key `selector`, or the
+     * result of choose(); without both there is one variant only. */
     const char *selector;
     murk_status (*choose)(murk_key_reader *walk, const murk_yaml *map,
                           int *variant);
     const char *const *variant_names; /* "point" */
     bool has_variant_at, has_where;
     size_t variant_at, where_at; /* members */
-    /* Before defaults are filled in: what more the map gets. */
+    /* Called before defaults are filled in: may add keys to the map. */
     murk_status (*complete)(murk_key_reader *walk, murk_yaml *map);
-    /* Once all members are filled: what involves several of them. */
+    /* Called after all members are filled: checks that involve several of
+     * them. */
     murk_status (*check)(murk_key_reader *walk, const murk_yaml *map,
                          void *item);
     /* Items of lists and names: */
     size_t item_size, array_at, count_at, max_items, name_at;
     bool needs_item;
-    const char *first, *first_preset; /* a name built in, always item 0 */
-    bool is_open; /* any keys with any values: check() reads them */
+    const char *first, *first_preset; /* a built-in name, always item 0 */
+    bool is_open; /* any keys with any values are allowed; check() reads them */
 };
 
 extern const murk_keys murk_scene_keys;
 
-/* The row of that name, of whichever variant, or NULL. */
+/* The first row with a name, of any variant, or NULL. */
 const murk_key *murk_keys_find(const murk_keys *keys, const char *name);
 
 #endif

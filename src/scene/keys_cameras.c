@@ -1,11 +1,11 @@
-/* Cameras that pictures are taken by. Whether they stand within the domain is
- * looked at where that is known. */
+/* Keys of cameras. Whether a camera is inside the domain is checked later,
+ * when the domain is known. */
 #include <float.h>
 #include <string.h>
 
 #include "scene/keys_rows.h"
 
-/* Of one picture. */
+/* Largest number of pixels of one picture: 67 megapixels, to bound memory. */
 #define PIXELS_MAX (1u << 26)
 
 static const char *const CAMERA_VARIANTS[] = {"perspective", "equirectangular"};
@@ -19,8 +19,8 @@ static const murk_word PROJECTION_WORDS[] = {
     WORDS_END,
 };
 
-static murk_status check_way(murk_key_reader *walk, const murk_yaml *map,
-                             const murk_scene_camera *camera)
+static murk_status check_direction(murk_key_reader *walk, const murk_yaml *map,
+                                   const murk_scene_camera *camera)
 {
     const bool is_all_round = camera->projection == MURK_SCENE_EQUIRECTANGULAR;
     const murk_vec3 up = is_all_round ? murk_vec(0, 0, 1) : camera->up;
@@ -32,7 +32,7 @@ static murk_status check_way(murk_key_reader *walk, const murk_yaml *map,
                               camera->to.x, camera->to.y, camera->to.z);
     }
     const double across = murk_length(murk_cross(way, up));
-    /* what rounding leaves of the product of parallel vectors */
+    /* rounding of the product of parallel vectors */
     const double slack = 4 * DBL_EPSILON * murk_length(way) * murk_length(up);
     if (across > slack) {
         return MURK_OK;
@@ -53,10 +53,11 @@ static murk_status check_camera(murk_key_reader *walk, const murk_yaml *map,
 {
     const murk_scene_camera *camera = item;
     const murk_status status =
-        camera->has_to ? check_way(walk, map, camera) : MURK_OK;
+        camera->has_to ? check_direction(walk, map, camera) : MURK_OK;
     if (status) {
         return status;
     }
+    /* Size of the picture, then the name, which must be unique. */
     if ((double)camera->pixels[0] * (double)camera->pixels[1] > PIXELS_MAX) {
         return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
                               "pixels are %zu x %zu, must be %u or fewer "

@@ -1,4 +1,5 @@
-/* Where sensors may stand. */
+/* Keys of candidate sites: a grid, points, mounts on surfaces, and zones in
+ * which sensors may or may not stand. */
 #include "scene/keys_rows.h"
 
 #include <stdio.h>
@@ -7,10 +8,11 @@
 
 #include "scene/value.h"
 
+/* 1e7 candidates: more than placement can hold in memory. */
 #define MAX_CANDIDATES 1e7
 
-/* max - min over spacing_m is rounded a few times: a last point that passes
- * max by less than this share of a step still counts. */
+/* The quotient (max - min) / spacing_m is rounded a few times: a last point
+ * that exceeds max by less than this fraction of a step still counts. */
 #define STEP_SLACK 1e-9
 
 static void fill_size_by_spacing(murk_scene_candidates *settings,
@@ -41,6 +43,7 @@ static murk_status check_grid(murk_key_reader *walk, const murk_yaml *map,
                               "each axis, m",
                               min.x, min.y, min.z, max.x, max.y, max.z);
     }
+    /* A spacing determines the size; then count the points. */
     const murk_yaml *spacing = murk_yaml_get(map, "spacing_m");
     double spacing_m;
     if (spacing && murk_yaml_number(spacing, &spacing_m)) {
@@ -101,7 +104,7 @@ static murk_status read_point(murk_key_reader *walk, murk_yaml *node,
     static const murk_key POINT = {
         .name = "", .kind = MURK_KEY_VECTOR, LONG_M, .size = sizeof(murk_vec3)};
     if (node->kind == MURK_YAML_SCALAR) {
-        /* counted first: what fails has nothing to be freed there */
+        /* counted first, so that the entry is freed after a failure */
         return murk_value_read(walk, &FILE_NAME, node,
                                &points->file[points->files++]);
     }
@@ -126,6 +129,7 @@ static murk_status read_points(murk_key_reader *walk, const murk_key *key,
                               "have more",
                               n, MURK_SCENE_LIST_MAX);
     }
+    /* Reserve both arrays for the worst case, then read each item. */
     murk_walk_where(node, walk->key, false, points->where);
     points->file = calloc(n, sizeof *points->file);
     points->position = calloc(n, sizeof *points->position);
@@ -200,7 +204,7 @@ static const murk_keys MOUNT = {
     .key = MOUNT_ROWS,
 };
 
-/* One map is one mount; a list has many. */
+/* Reads a map as one mount, a list as several; the word `free` as none. */
 static murk_status read_mount(murk_key_reader *walk, const murk_key *key,
                               murk_yaml *node, void *item)
 {
@@ -220,6 +224,7 @@ static murk_status read_mount(murk_key_reader *walk, const murk_key *key,
     if (node->kind != MURK_YAML_MAP) {
         return wrong(walk, key, node);
     }
+    /* A single mount becomes an array of one. */
     settings->mount = calloc(1, sizeof *settings->mount);
     if (!settings->mount) {
         return murk_walk_no_memory(walk);

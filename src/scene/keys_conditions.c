@@ -1,4 +1,5 @@
-/* Conditions: named overrides of the scene, and how much each weighs. */
+/* Keys of conditions: named sets of overrides, and the weights of conditions
+ * in placement. */
 #include "scene/keys_rows.h"
 
 #include "scene/value.h"
@@ -9,13 +10,13 @@
 #define LETTERS \
     "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_"
 
-/* What may differ between conditions; all else says what is placed or what a
- * sensor is, or is the world's frame. */
+/* Keys that may differ between conditions. All others describe the sensors
+ * or the frame of the world, which are the same in all conditions. */
 static const char *const MAY_DIFFER[] = {
     "seed",   "materials", "geometry", "media",   "regions",
     "lights", "photons",   "flight",   "tallies", NULL};
 
-/* Whether the first part of a path is that key. */
+/* True if the first part of a path is the key. */
 static bool begins_with(const char *path, const char *key)
 {
     const size_t length = strlen(key);
@@ -43,13 +44,13 @@ static bool is_of_scene(const char *path)
     return false;
 }
 
-/* Two paths of one condition: one must not lie within the other. */
+/* True if one path is, or lies within, the other. */
 static bool overlap(const char *a, const char *b)
 {
     return begins_with(a, b) || begins_with(b, a);
 }
 
-/* Names stand in tables and columns of result files. */
+/* Checks a name: names appear in tables and columns of result files. */
 static murk_status check_name(murk_key_reader *walk, const murk_yaml *map,
                               const char *name)
 {
@@ -76,6 +77,7 @@ static murk_status check_condition(murk_key_reader *walk, const murk_yaml *map,
     murk_status status = check_name(walk, map, condition->name);
     for (size_t i = 0; !status && i < map->n; ++i) {
         const size_t back = murk_walk_enter(walk, map->key[i]);
+        /* Keys of one condition must not overlap. */
         for (size_t k = 0; !status && k < i; ++k) {
             if (overlap(map->key[i], map->key[k])) {
                 char other[MURK_SCENE_NAME_SIZE];
@@ -87,6 +89,7 @@ static murk_status check_condition(murk_key_reader *walk, const murk_yaml *map,
                                    other);
             }
         }
+        /* Some keys are the same in all conditions. */
         if (!status && !may_differ(map->key[i]) && is_of_scene(map->key[i])) {
             status = murk_walk_fail(
                 walk, MURK_BAD_VALUE, map->child[i], true,
@@ -131,7 +134,8 @@ static murk_status no_such_condition(murk_key_reader *walk,
         meant ? ", did you mean " : "", meant ? meant : "", meant ? "?" : "");
 }
 
-/* The conditions come before placement in the table. */
+/* Reads the weights. Conditions come before placement in the key table, so
+ * they are known here. */
 static murk_status check_weights(murk_key_reader *walk, const murk_yaml *map,
                                  void *item)
 {
@@ -144,6 +148,7 @@ static murk_status check_weights(murk_key_reader *walk, const murk_yaml *map,
             ++k;
         }
         const size_t back = murk_walk_enter(walk, map->key[i]);
+        /* Each weight belongs to a condition. */
         const murk_status status =
             k < scene->n_conditions
                 ? murk_value_read(walk, &WEIGHT, map->child[i],

@@ -1,4 +1,5 @@
-/* Regions of interest. */
+/* Keys of regions of interest: weights of photons inside a box, a sphere or
+ * a mesh, on a material or in a medium. */
 #include "scene/keys_rows.h"
 
 static murk_status check_interest_box(murk_key_reader *walk,

@@ -1,4 +1,5 @@
-/* Lights and the photons that they send out. */
+/* Keys of light sources, one set of keys for each type, and of the photons
+ * that they emit. */
 #include "scene/keys_rows.h"
 
 static murk_status check_light(murk_key_reader *walk, const murk_yaml *map,
@@ -8,6 +9,7 @@ static murk_status check_light(murk_key_reader *walk, const murk_yaml *map,
     if (murk_scene_light_is_of_sky(light)) {
         return murk_check_sky(walk, map, light);
     }
+    /* A schedule needs the time of the scene. */
     if (light->schedule.when != MURK_SCENE_ALWAYS &&
         light->schedule.when != MURK_SCENE_NEVER &&
         !walk->scene->site.has_time) {
@@ -17,6 +19,7 @@ static murk_status check_light(murk_key_reader *walk, const murk_yaml *map,
             "must have site.time (or site.date and "
             "site.clock)");
     }
+    /* Shapes and directions must not be degenerate. */
     if (murk_yaml_get(map, "edge1_m")) {
         return murk_check_edges(walk, map, light->edge1, light->edge2);
     }
@@ -28,7 +31,8 @@ static murk_status check_light(murk_key_reader *walk, const murk_yaml *map,
     return MURK_OK;
 }
 
-/* Bits of the variants that a key belongs to: one a type, and by group. */
+/* Bits of the variants that a key belongs to: one for each type, and for
+ * groups of types. */
 #define TYPE_BIT(id, name, group) id = BIT(MURK_SOURCE_##id),
 #define LAMP_BIT(id, name, group) \
     | (MURK_SOURCE_##group == MURK_SOURCE_LAMP ? id : 0)

@@ -1,4 +1,5 @@
-/* Media and the regions that they fill. */
+/* Keys of media (homogeneous, grid, profile or preset), of their phase
+ * functions and albedo, and of the regions that they fill. */
 #include "scene/keys_rows.h"
 
 #include <stdlib.h>
@@ -42,6 +43,7 @@ static murk_status choose_phase(murk_key_reader *walk, const murk_yaml *map,
     return MURK_OK;
 }
 
+/* A mean cosine: at -1 and 1 the phase function has no density. */
 #define COSINE .min = -1, .max = 1, .above = true, .below = true
 
 static const murk_key TWO_HG_ITEMS[] = {
@@ -94,12 +96,14 @@ static murk_status check_profile(murk_key_reader *walk, const murk_yaml *map,
 {
     const murk_scene_medium *medium = item;
     const murk_scene_numbers *z = &medium->profile_z_m;
+    /* As many heights as extinctions. */
     if (z->n < 2 || z->n != medium->profile_per_m.n) {
         return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
                               "%zu heights and %zu extinctions, must be as "
                               "many of both, at least 2",
                               z->n, medium->profile_per_m.n);
     }
+    /* Heights rise; two equal ones in succession are a jump. */
     for (size_t i = 1; i < z->n; ++i) {
         if (z->value[i] < z->value[i - 1] ||
             (i > 1 && z->value[i] == z->value[i - 2])) {
@@ -130,7 +134,7 @@ static const murk_keys PROFILE = {
     .key = PROFILE_ROWS,
 };
 
-/* The frame's file takes the place of the pattern that names all. */
+/* Replaces the pattern of file names by the file of the frame. */
 static murk_status choose_frame(murk_key_reader *walk, const murk_yaml *map,
                                 murk_scene_medium *medium)
 {
@@ -157,6 +161,7 @@ static murk_status check_medium(murk_key_reader *walk, const murk_yaml *map,
                                 void *item)
 {
     murk_scene_medium *medium = item;
+    /* The file of the frame, then the properties of the preset. */
     if (medium->has_frame) {
         const murk_status status = choose_frame(walk, map, medium);
         if (status) {
@@ -172,6 +177,8 @@ static murk_status check_medium(murk_key_reader *walk, const murk_yaml *map,
     if (!medium->albedo_grid || medium->albedo_vdb) {
         return MURK_OK;
     }
+    /* An albedo grid without a file of its own is in the file of the
+     * density. */
     if (!medium->vdb) {
         const size_t back = murk_walk_enter(walk, "albedo");
         const murk_status status =
@@ -210,7 +217,7 @@ static const murk_key DROPLET_SHAPE_ITEMS[] = {
     END,
 };
 
-/* A word of presets (preset/words.h), which say themselves what they allow. */
+/* A word of presets (preset/words.h); each preset states its own range. */
 #define WORD_ROW(name, id, ...)                                \
     ROW(name, NUMBER, .variants = PRESETS,                     \
         AT(murk_scene_medium, words.value[MURK_WORD_##id][0]), \
@@ -320,15 +327,15 @@ static murk_status choose_region(murk_key_reader *walk, const murk_yaml *map,
     return MURK_OK;
 }
 
-/* What may have an index of refraction: anything but a grid without a shape.
- */
+/* Shapes that may have an index of refraction: all but a grid without a
+ * shape. */
 #define SHARP (~BIT(MURK_REGION_GRID))
 
 #define MOVABLE                                                  \
     .variants = BIT(MURK_REGION_BOX) | BIT(MURK_REGION_SPHERE) | \
                 BIT(MURK_REGION_GRID) | BIT(MURK_REGION_MESH)
 
-/* What is not moved still holds the identity. */
+/* Checks a region. Shapes that cannot be moved have the scale 1. */
 static murk_status check_region(murk_key_reader *walk, const murk_yaml *map,
                                 void *item)
 {

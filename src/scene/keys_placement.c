@@ -1,4 +1,4 @@
-/* Placement: how plans are found and what they are worth. */
+/* Keys of placement: the method of the search, and the value of a plan. */
 #include "scene/keys_rows.h"
 
 static murk_status check_weights(murk_key_reader *walk, const murk_yaml *map,
@@ -131,8 +131,8 @@ static const murk_key PLACEMENT_ROWS[] = {
     END,
 };
 
-/* The strict question is asked of sets of photons that are all known, and of
- * one light. */
+/* at_least counts sensors per photon: it needs certain detection, a search
+ * that knows all photons, and a single condition. */
 static murk_status check_at_least(murk_key_reader *walk, const murk_yaml *map,
                                   const murk_scene_placement *placement)
 {
@@ -153,7 +153,7 @@ static murk_status check_at_least(murk_key_reader *walk, const murk_yaml *map,
                : MURK_OK;
 }
 
-/* Once the regions of interest are read. */
+/* Checks that involve the regions of interest. */
 static murk_status check_placement(murk_key_reader *walk, const murk_yaml *map,
                                    void *item)
 {

@@ -1,5 +1,5 @@
-/* How the tables of keys are written: macros for their rows, and checks that
- * several of them share. Only keys*.c include it. */
+/* Macros for the rows of the key tables, and checks that several tables
+ * share. Only keys*.c include this file. */
 #ifndef MURK_SCENE_KEYS_ROWS_H
 #define MURK_SCENE_KEYS_ROWS_H
 
@@ -16,6 +16,7 @@
     {                \
         .name = NULL \
     }
+/* Ends a list of words. */
 #define WORDS_END \
     {             \
         NULL, 0   \
@@ -34,8 +35,9 @@
     .count_at = offsetof(murk_scene_desc, count)
 #define BIT(variant) (1u << (variant))
 
-/* Larger lengths, powers and so on are slips of the pen; within these, squares
- * and products stay finite in double, and lengths in float. */
+/* Ranges. Larger lengths, powers and so on are mistakes; within these ranges
+ * squares and products stay finite in double precision, and lengths in
+ * single precision. */
 #define LONG_M    .min = -1e9, .max = 1e9, .unit = "m"
 #define SIZE_M    .above = true, .max = 1e9, .unit = "m"
 #define ANY_UNIT  .min = -1e9, .max = 1e9
@@ -48,27 +50,30 @@
 #define MURK_SCHEDULE_ALLOWED \
     "always, night, never, or a list of spans such as [[06:00, 22:00]]"
 
-/* One table per part of a scene; keys.c joins them. */
+/* One table for each part of a scene; keys_scene.c joins them. */
 extern const murk_keys murk_geometry_keys, murk_material_keys, murk_medium_keys,
     murk_region_keys, murk_lightmap_keys, murk_photon_keys, murk_tally_keys,
     murk_placement_keys, murk_sensor_keys, murk_candidate_keys,
     murk_condition_keys, murk_condition_weight_keys, murk_interest_keys,
     murk_target_keys, murk_site_keys, murk_portal_keys, murk_camera_keys;
 
-/* Keys that read themselves: into murk_scene_site, murk_scene_schedule. */
+/* Readers of keys that need a reader of their own: into murk_scene_site,
+ * murk_scene_schedule. */
 murk_status murk_read_time(murk_key_reader *walk, const murk_key *key,
                            murk_yaml *node, void *item);
 murk_status murk_read_schedule(murk_key_reader *walk, const murk_key *key,
                                murk_yaml *node, void *item);
 
-/* Of a light of the sky: what it does not say itself, the scene's site does. */
+/* For a light of the sky: takes place and time that the light does not give
+ * from the site of the scene, and checks them. */
 murk_status murk_check_sky(murk_key_reader *walk, const murk_yaml *map,
                            murk_scene_light *light);
 
-/* Of meshes: x, y, z. */
+/* The up axis of meshes: x, y, z. */
 extern const murk_word murk_up_words[];
 
-/* Of the whole scene, at its end: what it averages over is there. */
+/* For the whole scene, after everything is read: placement over conditions
+ * needs conditions. */
 murk_status murk_check_conditions(murk_key_reader *walk, const murk_yaml *map,
                                   void *item);
 
@@ -82,11 +87,11 @@ murk_region_shape murk_shape_of_region(const murk_yaml *map,
 murk_status murk_choose_zone(murk_key_reader *walk, const murk_yaml *map,
                              int *variant);
 
-/* min less than max on each axis. */
+/* Checks that min is less than max on each axis. */
 murk_status murk_check_box(murk_key_reader *walk, const murk_yaml *map,
                            murk_box box);
 
-/* Two edges that span an area. */
+/* Checks that two edges span an area. */
 murk_status murk_check_edges(murk_key_reader *walk, const murk_yaml *map,
                              murk_vec3 edge1, murk_vec3 edge2);
 

@@ -1,3 +1,5 @@
+/* The key table of the scene: top-level keys, the domain, and checks that
+ * several tables share. The tables of other parts are in keys_*.c. */
 #include "scene/keys.h"
 
 #include <assert.h>
@@ -26,8 +28,8 @@ murk_status murk_check_edges(murk_key_reader *walk, const murk_yaml *map,
                              murk_vec3 edge1, murk_vec3 edge2)
 {
     const double area = murk_length(murk_cross(edge1, edge2));
-    /* three products and three differences: edges that are parallel but for
-     * rounding leave no more than this */
+    /* The cross product has three differences of products: parallel edges
+     * leave no more than this by rounding. */
     const double slack =
         4 * DBL_EPSILON * murk_length(edge1) * murk_length(edge2);
     if (!(area > slack)) {
@@ -73,8 +75,8 @@ static const murk_keys DOMAIN_KEYS = {.noun = "domain",
                                       WHERE(murk_scene_desc, domain_where),
                                       .key = DOMAIN_KEYS_ROWS};
 
-/* What others need comes first: bands before spectra, names before their
- * users. */
+/* Keys are read in this order: bands before spectra, names before the keys
+ * that refer to them. */
 static const murk_word FLIGHT_WORDS[] = {
     {"march", 0},
     {"delta", 1},

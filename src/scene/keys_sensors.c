@@ -1,4 +1,4 @@
-/* Sensors: their types, those that stand already, and how many are wanted. */
+/* Keys of sensors: types, fixed sensors, and the number of sensors to place. */
 #include <stdio.h>
 #include <string.h>
 
@@ -12,6 +12,7 @@ static const char *const VIEW_VARIANTS[] = {MURK_VIEW_SHAPES(VIEW_NAME)};
 #define CONE    .variants = BIT(MURK_VIEW_CONE)
 #define FRUSTUM .variants = BIT(MURK_VIEW_FRUSTUM)
 
+/* A field of view of a frustum: less than a half space. */
 #define FOV                                                              \
     NEEDED, .above = true, .below = true, .max = 180, .unit = "degrees", \
             .factor = MURK_PI / 180, FRUSTUM
@@ -47,7 +48,7 @@ static const murk_keys VIEW = {
     .key = VIEW_ROWS,
 };
 
-/* A type that looks somewhere has headings and tilts. */
+/* A type with a limited view has headings and tilts. */
 enum { ALL_ROUND, DIRECTED };
 
 static const char *const TYPE_VARIANTS[] = {"all round", "with a view"};
@@ -61,8 +62,7 @@ static murk_status choose_type(murk_key_reader *walk, const murk_yaml *map,
     return MURK_OK;
 }
 
-/* The band that a wavelength names: a line as it is given, or where edges
- * enclose it; -1: none. */
+/* The band of a wavelength: equal to a line, or between two edges; -1: none. */
 static int find_band(const murk_scene_desc *scene, double nm)
 {
     for (int b = 0; b < scene->bands; ++b) {
@@ -109,6 +109,7 @@ static murk_status check_type(murk_key_reader *walk, const murk_yaml *map,
                               (unsigned long long)type->min_count,
                               (unsigned long long)type->max_count);
     }
+    /* Names must be unique. */
     for (const murk_scene_sensor_type *other = all->type; other < type;
          ++other) {
         if (strcmp(other->name, type->name) == 0) {
@@ -134,6 +135,7 @@ static const murk_word BANDS_WORDS[] = {
 
 #define HAS_VIEW .variants = BIT(DIRECTED)
 #define POWER    .above = true
+/* A number of sensors; 1e6 stands for no limit. */
 #define COUNT_OF .max = 1e6, .unit = "sensors"
 
 static const murk_key TYPE_ROWS[] = {
@@ -188,7 +190,7 @@ static const murk_keys TYPE = {
     .key = TYPE_ROWS,
 };
 
-/* ---- those that stand already ---- */
+/* ---- fixed sensors ---- */
 
 static murk_status check_fixed(murk_key_reader *walk, const murk_yaml *map,
                                void *item)
@@ -196,6 +198,7 @@ static murk_status check_fixed(murk_key_reader *walk, const murk_yaml *map,
     murk_scene_fixed_sensor *fixed = item;
     const murk_scene_sensors *all = &walk->scene->sensors;
     fixed->type = all->types;
+    /* Find the type by name; without a name there must be only one. */
     for (size_t i = 0; i < all->types; ++i) {
         const bool is_it = fixed->type_name[0] ? strcmp(all->type[i].name,
                                                         fixed->type_name) == 0
@@ -210,6 +213,7 @@ static murk_status check_fixed(murk_key_reader *walk, const murk_yaml *map,
                    : murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
                                     "misses type, must be a name of `types`");
     }
+    /* A direction needs a type with a limited view. */
     const bool has_pose =
         murk_yaml_get(map, "heading_deg") || murk_yaml_get(map, "tilt_deg");
     if (has_pose && all->type[fixed->type].view == MURK_VIEW_SPHERE) {

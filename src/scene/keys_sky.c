@@ -1,5 +1,5 @@
-/* Where and when a scene is, what of its lights goes by that, and the portals
- * at which distant light is aimed. */
+/* Keys of place and time of the scene, of schedules, of portals for distant
+ * light, and checks of lights of the sky. */
 #include "scene/keys_rows.h"
 
 #include <stdio.h>
@@ -35,7 +35,7 @@ murk_status murk_read_time(murk_key_reader *walk, const murk_key *key,
     if (!has_zone) {
         zone_min = site->has_zone ? site->zone_min : walk->scene->site.zone_min;
     }
-    if (!site->has_zone) { /* clocks go by the zone that is given apart */
+    if (!site->has_zone) { /* a separate time zone also applies to clocks */
         site->zone_min = zone_min;
     }
     site->unix_s = local_s - 60.0 * zone_min;
@@ -112,8 +112,9 @@ static murk_status check_site(murk_key_reader *walk, const murk_yaml *map,
     return MURK_OK;
 }
 
-/* What the others need comes first. A date or a clock takes the place of a
- * time, so that one of them may be set on the command line. */
+/* Keys are read in this order, since later ones need earlier ones. A date or
+ * a clock replaces a time, so that one of them may be set on the command
+ * line. */
 static const murk_key SITE_ROWS[] = {
     ROW("latitude_deg", NUMBER, LATITUDE,
         AT(murk_scene_desc, site.latitude_deg),
@@ -178,6 +179,7 @@ murk_status murk_read_schedule(murk_key_reader *walk, const murk_key *key,
                                murk_yaml *node, void *item)
 {
     murk_scene_schedule *schedule = item;
+    /* A word. */
     if (node->kind == MURK_YAML_SCALAR) {
         for (const murk_word *word = SCHEDULE_WORDS; word->text; ++word) {
             if (strcmp(node->text, word->text) == 0) {
@@ -192,6 +194,7 @@ murk_status murk_read_schedule(murk_key_reader *walk, const murk_key *key,
         node->n > MURK_SCENE_SPANS_MAX) {
         return murk_value_wrong(walk, key, node);
     }
+    /* A list of spans of the day. */
     schedule->when = MURK_SCENE_BY_CLOCK;
     for (size_t i = 0; i < node->n; ++i) {
         const murk_status status =
@@ -234,7 +237,7 @@ const murk_keys murk_portal_keys = {
 
 /* ---- lights of the sky ---- */
 
-/* Fills up what the light does not say itself. */
+/* Copies place and time that the light does not give from the scene. */
 static void inherit(murk_scene_site *own, const murk_scene_site *site)
 {
     if (!own->has_latitude) {
@@ -272,13 +275,14 @@ static murk_status check_place_and_time(murk_key_reader *walk,
                : MURK_OK;
 }
 
-/* A total can be spread over bands with edges only; lines have no width. */
+/* Checks that a total irradiance can be spread over the bands: this needs
+ * band edges, since lines have no width. */
 static murk_status check_irradiance(murk_key_reader *walk, const murk_yaml *map,
                                     murk_scene_light *light)
 {
     const murk_yaml *node = murk_yaml_get(map, "irradiance_w_per_m2");
     light->irradiance_total = node && node->kind == MURK_YAML_SCALAR;
-    if (light->irradiance_total) { /* it was shared evenly */
+    if (light->irradiance_total) { /* it has been spread evenly by the reader */
         double total = 0;
         for (int b = 0; b < walk->scene->bands; ++b) {
             total += light->power_w.band[b];

@@ -1,11 +1,10 @@
-/* Geometry and its materials. */
+/* Keys of geometry (mesh file, box, rectangle, sphere) and of materials. */
 #include <float.h>
 
 #include "scene/keys_rows.h"
 
-/* One of the shapes is there; the walk has checked that they exclude each
- * other and that one is given. */
-/* The variants are named as the keys that choose them. */
+/* The table has checked that exactly one shape is given. */
+/* Variants have the names of the keys that select them. */
 #define SHAPE_KEY(id, key) key,
 static const char *const GEOMETRY_VARIANTS[] = {MURK_SURFACE_SHAPES(SHAPE_KEY)};
 

@@ -1,5 +1,5 @@
-/* What is measured along the photons' ways. Names and places are looked at
- * where the domain is known. */
+/* Keys of tallies. Names, and whether a tally is inside the domain, are
+ * checked later, when the domain is known. */
 #include "scene/keys_rows.h"
 
 static murk_status check_tally(murk_key_reader *walk, const murk_yaml *map,

@@ -1,9 +1,10 @@
-/* What plans are to see in place of photons. */
+/* Keys of targets that plans cover in place of photons: points on surfaces,
+ * in a volume, or from a file. */
 #include "scene/keys_rows.h"
 
 #define OF(member) AT(murk_scene_desc, placement.targets.member)
 
-/* Drawn without a number given. */
+/* Number of points; the default if neither number nor spacing is given. */
 #define POINTS \
     .min = 1, .max = 1e8, .unit = "points", .group = 1, .preset = "10000"
 
@@ -95,6 +96,7 @@ static murk_status check_targets(murk_key_reader *walk, const murk_yaml *map,
     murk_scene_targets *targets = &((murk_scene_desc *)item)->placement.targets;
     const murk_scene_desc *scene = item;
     targets->given = true;
+    /* Targets are drawn, or listed in a file. */
     const bool is_drawn = targets->has_surfaces || targets->has_volume;
     if (!is_drawn && !targets->points) {
         return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
@@ -106,6 +108,7 @@ static murk_status check_targets(murk_key_reader *walk, const murk_yaml *map,
                               "has points and others, points must stand "
                               "alone");
     }
+    /* The band must be one of the scene's. */
     bool is_band = targets->band_nm == 0;
     for (int i = 0; i < scene->bands; ++i) {
         is_band |= scene->band_nm[i] == targets->band_nm;

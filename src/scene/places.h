@@ -8,6 +8,7 @@
 
 #include <stddef.h>
 
+/* Three doubles. */
 #define MURK_PLACE_BYTES_MAX 24
 
 size_t murk_place_bytes(const murk_scene_desc *scene); /* 12 or 24 */

@@ -1,9 +1,9 @@
-/* The scene file, read and checked: plain structs, SI units, every item with
+/* A scene file, read and checked: plain structs in SI units. Every item keeps
  * its place in the file ("yard.yaml:12:5: media.fog") for later messages.
  *
- * Keys and meanings: scenes/README.md. A key of the contract that is not built
- * yet is refused by name as not supported yet; any other unknown key with "did
- * you mean". */
+ * Keys and meanings: scenes/README.md. A key of the contract that is not
+ * implemented is refused as not supported yet; any other unknown key is
+ * refused with a suggestion. */
 #ifndef MURK_SCENE_SCENE_H
 #define MURK_SCENE_SCENE_H
 
@@ -23,9 +23,12 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/* Sizes of names and places in bytes, with the '\0': 63 bytes for a name as
+ * in MURK_NAME_SIZE, and a place that holds a file name, line, column and
+ * key. */
 #define MURK_SCENE_NAME_SIZE      64
 #define MURK_SCENE_WHERE_SIZE     320
-#define MURK_SCENE_LONG_NAME_SIZE 256 /* of grids */
+#define MURK_SCENE_LONG_NAME_SIZE 256 /* names of grids in files */
 
 typedef char murk_scene_name[MURK_SCENE_NAME_SIZE];
 typedef char murk_scene_where[MURK_SCENE_WHERE_SIZE];
@@ -33,8 +36,9 @@ typedef char murk_scene_where[MURK_SCENE_WHERE_SIZE];
 typedef struct murk_scene_geometry {
     murk_scene_where where;
     murk_shape shape;
-    char *file;    /* as it is to be opened; NULL for the other shapes */
-    char *allow;   /* folder where `file` may open others; NULL: its own */
+    char *file;  /* as it is to be opened; NULL for the other shapes */
+    char *allow; /* a further folder in which `file` may open other files; NULL:
+                    only the folder of `file` */
     double unit_m; /* 0: what the file says */
     char up;       /* 'x' 'y' 'z'; 0: what the file says */
     murk_box box;
@@ -42,7 +46,7 @@ typedef struct murk_scene_geometry {
     double radius_m;
     murk_vec3 rotate_deg, translate_m;
     double scale;
-    int material; /* index into materials; -1: by the file's own names */
+    int material; /* index into materials; -1: by the names in the mesh file */
 } murk_scene_geometry;
 
 typedef struct murk_scene_material { /* [0] is `default` */
@@ -61,6 +65,7 @@ typedef struct murk_scene_phase {
     murk_mixture *mixture; /* or a sum of phase functions, by a preset */
 } murk_scene_phase;
 
+/* Longer lists belong into files. */
 #define MURK_SCENE_LIST_MAX 65536
 
 typedef struct murk_scene_numbers {
@@ -78,15 +83,16 @@ typedef struct murk_scene_spectra {
     murk_spectrum *value;
 } murk_scene_spectra;
 
-/* With a preset, what the scene does not give itself is the preset's. */
+/* A medium. With a preset, the properties that the scene does not give come
+ * from the preset. */
 typedef struct murk_scene_medium {
     murk_scene_name name;
     murk_scene_where where;
     char *preset;     /* name; NULL: none */
-    murk_words words; /* of the preset, with its defaults */
+    murk_words words; /* words of the preset, defaults included */
     murk_spectrum extinction_per_m, albedo;
     murk_scene_phase phase[MURK_BANDS_MAX];
-    size_t n_phases;   /* 1: the same one in all bands; else one a band */
+    size_t n_phases;   /* 1: the same in all bands; otherwise one per band */
     char *vdb;         /* file as it is to be opened; NULL: homogeneous */
     char *grid;        /* name; NULL: the file's only one, or `density` */
     bool is_linear;    /* interpolation: linear; false: nearest */
@@ -117,16 +123,16 @@ typedef struct murk_scene_region {
     double wind_m_per_s; /* half spaces: 0: level */
 } murk_scene_region;
 
-/* Where on the earth, and when. Of the scene; and of a light of the sky, which
- * has its own or else the scene's. */
+/* A place on the earth and a time: of the scene, or of a light of the sky,
+ * which has its own or takes that of the scene. */
 typedef struct murk_scene_site {
     murk_scene_where where;
     bool has_latitude, has_longitude, has_altitude, has_pressure, has_time;
     double latitude_deg, longitude_deg; /* north and east positive */
     double altitude_m;
-    double pressure_hpa; /* unless has_pressure: of the altitude */
+    double pressure_hpa; /* computed from the altitude unless has_pressure */
     double temperature_c;
-    double unix_s; /* seconds since 1970, UTC; unless has_time: not said */
+    double unix_s; /* seconds since 1970, UTC; undefined unless has_time */
     int zone_min;  /* of local clocks, minutes east of Greenwich */
     bool has_zone, has_date, has_clock;
     murk_date date; /* local; the parts of the time where it is given so */
@@ -140,6 +146,7 @@ typedef enum murk_scene_shining {
     MURK_SCENE_BY_CLOCK
 } murk_scene_shining;
 
+/* More spans of a day than any schedule needs. */
 #define MURK_SCENE_SPANS_MAX 16
 
 typedef struct murk_scene_schedule {
@@ -172,7 +179,7 @@ typedef struct murk_scene_light {
     murk_scene_portal *portal; /* [portals]; 0: all that meets the domain */
     size_t portals;
     /* of the sky: */
-    murk_scene_site site;  /* its own, filled up from the scene's */
+    murk_scene_site site;  /* the light's own, completed from the scene's */
     bool has_irradiance;   /* power_w was given; else it is modelled */
     bool irradiance_total; /* power_w[0] is the total, to be spread by the
                               source's spectrum */
@@ -350,7 +357,7 @@ typedef struct murk_scene_interest { /* a region of interest */
     int material, medium; /* index; -1: any */
 } murk_scene_interest;
 
-/* What plans are to see in place of photons. */
+/* Targets that plans cover in place of photons. */
 typedef struct murk_scene_targets {
     murk_scene_where where;
     bool given; /* false: photons */
@@ -370,7 +377,7 @@ typedef struct murk_scene_targets {
     char up;
     murk_vec3 rotate_deg, translate_m;
     double scale;
-    int medium;             /* where this is alone; -1: anywhere */
+    int medium;             /* only inside this medium; -1: anywhere */
     uint64_t volume_points; /* 0: by the spacing */
     double volume_spacing_m;
     char *points;   /* file as it is to be opened; NULL: none listed */
@@ -404,9 +411,8 @@ typedef struct murk_scene_placement {
     double power_radius_m;     /* for detection: power; 0: not given */
     uint64_t power_neighbours; /* where no radius is given */
     uint64_t redundancy;       /* views of a photon that count */
-    uint64_t at_least;         /* with a target: sensors that are to see each
-                                  photon of it; 0: not asked */
-    bool by_normal;            /* visibility: normal; false: ray */
+    uint64_t at_least; /* with a target: number of sensors that must see each */
+    bool by_normal;    /* visibility: normal; false: ray */
     murk_scene_through through;
     murk_scene_knowledge knowledge;
     bool has_start;
@@ -416,16 +422,17 @@ typedef struct murk_scene_placement {
     double weight_surface, weight_volume;
     murk_scene_interest *interest; /* at most 64 */
     size_t n_interests;
-    double elsewhere; /* weight of what lies in none of them */
+    double elsewhere; /* weight of photons in no region of interest */
     murk_scene_targets targets;
     bool hold_out;
-    double jitter_m, jitter_rad; /* how far sensors may be off; both 0: not
-                                    asked */
+    double jitter_m, jitter_rad; /* uncertainty of a sensor's position and
+                                    direction; both 0: not */
     uint64_t jitter_draws;
     murk_scene_objective over;
     bool relative_regret; /* regret: relative */
 } murk_scene_placement;
 
+/* Each condition has a traced light of its own; 16 bounds memory and time. */
 #define MURK_SCENE_CONDITIONS_MAX 16
 
 typedef struct murk_scene_desc murk_scene_desc;
@@ -441,7 +448,7 @@ typedef struct murk_scene_condition {
             */
 } murk_scene_condition;
 
-/* A key that is given and does nothing. */
+/* A key that the user has set and that has no effect. */
 typedef struct murk_scene_idle {
     murk_scene_where where;
     const char *text; /* why */
@@ -450,8 +457,7 @@ typedef struct murk_scene_idle {
 struct murk_scene_desc {
     char *path;             /* as given */
     char sha256[65];        /* of the file's bytes */
-    murk_scene_where where; /* for messages about the whole of it: of a
-                               condition its place, else empty */
+    murk_scene_where where; /* for messages about the whole scene: of a */
     int bands;
     double band_nm[MURK_BANDS_MAX]; /* lines, or middles of edges */
     double band_edge_nm[MURK_BANDS_MAX + 1];
@@ -507,8 +513,8 @@ struct murk_scene_desc {
     size_t files;
 };
 
-/* A place given from the local origin, in the coordinates of the scene file and
- * of all results; and back. */
+/* Converts a position relative to the local origin to the coordinates of the
+ * scene file and of all results; and back. */
 static inline murk_vec3 murk_scene_user(const murk_scene_desc *scene,
                                         murk_vec3 local)
 {
@@ -528,23 +534,24 @@ static inline murk_box murk_scene_user_box(const murk_scene_desc *scene,
                       murk_scene_user(scene, local.max)};
 }
 
-/* One --set, or an option that is one ("seed=3"). */
+/* One --set, or an option that stands for one ("seed=3"). */
 typedef struct murk_override {
     const char *text;   /* KEY=VALUE, VALUE in YAML flow */
     const char *option; /* as the user typed it, for messages: "--seed 3"; NULL:
                            "--set " and the text */
 } murk_override;
 
-/* *out is the caller's: murk_scene_desc_destroy(). Overrides are applied in
- * order before anything is checked; their messages name the option. Of two keys
- * that exclude each other (photons.emit, photons.store) the one on the command
- * line replaces the scene's; both there are refused. Paths in the scene are
- * relative to it, those of overrides to the working folder. Files named in the
- * scene are not opened. */
+/* Reads a scene. The caller owns *out and releases it with
+ * murk_scene_desc_destroy(). Overrides are applied in order before anything
+ * is checked; messages about them name the option. If two keys exclude each
+ * other (photons.emit, photons.store), the one on the command line replaces
+ * that of the scene; both on the command line are an error. Paths in the
+ * scene are relative to the scene, paths in overrides to the working folder.
+ * Files named in the scene are not opened. */
 murk_status murk_scene_desc_read(murk_scene_desc **out, const char *path,
                                  const murk_override *overrides,
                                  size_t n_overrides, murk_error *err);
-/* The same from text; `path` is its name in messages. */
+/* Reads a scene from text; `path` is the name in messages. */
 murk_status murk_scene_desc_parse(murk_scene_desc **out, const char *text,
                                   const char *path,
                                   const murk_override *overrides,
