@@ -8,14 +8,14 @@
 #include "scene/yaml.h"
 
 typedef enum murk_key_kind {
-    MURK_KEY_NUMBER,      /* double, times `factor` */
-    MURK_KEY_COUNT,       /* uint32_t, uint64_t or size_t */
-    MURK_KEY_BOOL,        /* bool */
-    MURK_KEY_WORD,        /* one of `words`: an enum, bool or char */
-    MURK_KEY_TEXT,        /* murk_scene_name, or char * */
-    MURK_KEY_PATH,        /* char *: as it is to be opened */
-    MURK_KEY_REFERENCE,   /* index among the names of `of`: size_t, or int with
-                             -1 where absent */
+    MURK_KEY_NUMBER,    /* double, times `factor` */
+    MURK_KEY_COUNT,     /* uint32_t, uint64_t or size_t */
+    MURK_KEY_BOOL,      /* bool */
+    MURK_KEY_WORD,      /* one of `words`: an enum, bool or char */
+    MURK_KEY_TEXT,      /* murk_scene_name, or char * */
+    MURK_KEY_PATH,      /* char *: path from the working folder */
+    MURK_KEY_REFERENCE, /* index among the names of `of`: size_t, or int with -1
+                           if absent */
     MURK_KEY_REFERENCES,  /* murk_scene_indices: a list of such names; or one of
                              `words` */
     MURK_KEY_VECTOR,      /* murk_vec3 */
@@ -25,15 +25,15 @@ typedef enum murk_key_kind {
     MURK_KEY_BAND_EDGES,  /* 2..17 rising doubles: the scene's bands */
     MURK_KEY_NUMBER_LIST, /* murk_scene_numbers; or one of `words`: empty */
     MURK_KEY_SPECTRUM_LIST, /* murk_scene_spectra: each as a spectrum */
-    MURK_KEY_SPECTRUM, /* one value for all bands, or a list; or a map, where
-                          there are `keys` */
+    MURK_KEY_SPECTRUM, /* one value for all bands, or a list; or a map, if there
+                          are `keys` */
     MURK_KEY_SHARED,   /* a total spread over the bands, or a list */
     MURK_KEY_MAP,      /* keys into the same struct; or one of `words` */
     MURK_KEY_PER_BAND, /* maps or words, one or a list, one a band: an array
                           of structs in the same struct */
     MURK_KEY_LIST,     /* maps: an array of structs */
     MURK_KEY_NAMED,    /* maps by name: an array of structs */
-    MURK_KEY_OWN       /* what its own `read` reads */
+    MURK_KEY_OWN       /* read by the function `read` */
 } murk_key_kind;
 
 typedef struct murk_word {

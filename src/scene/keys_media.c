@@ -313,7 +313,8 @@ static const murk_keys REGION_SPHERE = {
 #define SHAPE_NAME(id, name, key) name,
 static const char *const REGION_VARIANTS[] = {MURK_REGION_SHAPES(SHAPE_NAME)};
 
-/* A region without a shape is everywhere, or where its medium's grid lies. */
+/* A region without a shape is everywhere, or the box of the grid of the
+ * medium. */
 static murk_status choose_region(murk_key_reader *walk, const murk_yaml *map,
                                  int *variant)
 {

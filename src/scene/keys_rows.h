@@ -77,7 +77,8 @@ extern const murk_word murk_up_words[];
 murk_status murk_check_conditions(murk_key_reader *walk, const murk_yaml *map,
                                   void *item);
 
-/* Of what has a box, a sphere, a mesh or none of them: murk_region_shape. */
+/* The shape of an item with a box, a sphere, a mesh or none of them:
+ * murk_region_shape. */
 extern const char *const murk_zone_variants[];
 
 /* The shape whose key the map has, or `otherwise`. */

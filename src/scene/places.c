@@ -1,5 +1,5 @@
-/* Writes and reads places of binary result files; see scene/places.h. A scene
- * of NULL has no local origin. */
+/* Writes and reads positions in binary result files; see scene/places.h. A
+ * scene of NULL has no local origin. */
 #include "scene/places.h"
 
 #include <string.h>

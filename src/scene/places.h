@@ -1,5 +1,5 @@
-/* Places in binary result files, in the user's coordinates: three floats, as
- * viewers expect; where the scene has a local origin (scene/origin.h) three
+/* Positions in binary result files, in the user's coordinates: three floats,
+ * as viewers expect; for a scene with a local origin (scene/origin.h) three
  * doubles, since floats would round surveyed coordinates to half a metre. */
 #ifndef MURK_SCENE_PLACES_H
 #define MURK_SCENE_PLACES_H
@@ -17,14 +17,15 @@ size_t murk_place_bytes(const murk_scene_desc *scene); /* 12 or 24 */
 const char *murk_place_ply(const murk_scene_desc *scene);
 const char *murk_place_vtk(const murk_scene_desc *scene);
 
-/* Writes murk_place_bytes() of a place that is given from the local origin. */
+/* Writes a position, given relative to the local origin: murk_place_bytes()
+ * bytes. */
 void murk_place_put(const murk_scene_desc *scene, murk_vec3 local, void *to);
 
-/* Reads such a place back, from the local origin. */
+/* Reads a position and returns it relative to the local origin. */
 murk_vec3 murk_place_take(const murk_scene_desc *scene, const void *from);
 
-/* Digits to print a coordinate with: those asked for, or for a scene with a
- * local origin as many as millimetres take. */
+/* Number of digits for printing a coordinate: `asked`, or for a scene with a
+ * local origin as many as millimetres need. */
 int murk_coordinate_digits(const murk_scene_desc *scene, int asked);
 
 #endif

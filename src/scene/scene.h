@@ -36,11 +36,11 @@ typedef char murk_scene_where[MURK_SCENE_WHERE_SIZE];
 typedef struct murk_scene_geometry {
     murk_scene_where where;
     murk_shape shape;
-    char *file;  /* as it is to be opened; NULL for the other shapes */
+    char *file;  /* path from the working folder; NULL for the other shapes */
     char *allow; /* a further folder in which `file` may open other files; NULL:
                     only the folder of `file` */
-    double unit_m; /* 0: what the file says */
-    char up;       /* 'x' 'y' 'z'; 0: what the file says */
+    double unit_m; /* 0: the unit that the file states */
+    char up;       /* 'x' 'y' 'z'; 0: the up axis that the file states */
     murk_box box;
     murk_vec3 corner, edge1, edge2, center;
     double radius_m;
@@ -61,8 +61,9 @@ typedef struct murk_scene_phase {
     murk_phase_kind kind;
     murk_spectrum mean_cosine;            /* of MURK_PHASE_HG */
     double value[MURK_PHASE_NUMBERS_MAX]; /* of all other kinds */
-    char *table; /* of MURK_PHASE_TABLE: CSV file as it is to be opened */
-    murk_mixture *mixture; /* or a sum of phase functions, by a preset */
+    char *table; /* of MURK_PHASE_TABLE: CSV file, path from the working folder
+                  */
+    murk_mixture *mixture; /* of a preset: a sum of phase functions */
 } murk_scene_phase;
 
 /* Longer lists belong into files. */
@@ -93,14 +94,14 @@ typedef struct murk_scene_medium {
     murk_spectrum extinction_per_m, albedo;
     murk_scene_phase phase[MURK_BANDS_MAX];
     size_t n_phases;   /* 1: the same in all bands; otherwise one per band */
-    char *vdb;         /* file as it is to be opened; NULL: homogeneous */
-    char *grid;        /* name; NULL: the file's only one, or `density` */
+    char *vdb;         /* path from the working folder; NULL: homogeneous */
+    char *grid;        /* name; NULL: the only grid of the file, or `density` */
     bool is_linear;    /* interpolation: linear; false: nearest */
-    char *albedo_grid; /* name; NULL: `albedo` holds */
-    char *albedo_vdb;  /* its file */
-    bool has_frame;    /* vdb, and albedo_vdb where it can, are this frame of */
-    uint64_t frame;    /* the files that */
-    char *vdb_frames;  /* this stands for; NULL: no frames */
+    char *albedo_grid; /* name; NULL: the constant `albedo` */
+    char *albedo_vdb;  /* file of the albedo grid */
+    bool has_frame;    /* the files belong to a sequence in time */
+    uint64_t frame;    /* number of the frame that vdb and albedo_vdb are */
+    char *vdb_frames;  /* pattern of the files' names; NULL: no frames */
     murk_scene_numbers profile_z_m; /* n 0: no profile */
     murk_scene_spectra profile_per_m;
 } murk_scene_medium;
@@ -115,12 +116,12 @@ typedef struct murk_scene_region {
     murk_vec3 rotate_deg, translate_m;
     double scale;
     double below_z_m;
-    char *mesh;    /* file as it is to be opened; NULL for the other shapes */
-    double unit_m; /* mesh: as of geometry */
+    char *mesh;    /* path from the working folder; NULL for the other shapes */
+    double unit_m; /* of the mesh, as in murk_scene_geometry */
     char up;
     bool replaces;
     double ior;          /* 0: none */
-    double wind_m_per_s; /* half spaces: 0: level */
+    double wind_m_per_s; /* over a half space; 0: a flat surface */
 } murk_scene_region;
 
 /* A place on the earth and a time: of the scene, or of a light of the sky,
@@ -135,7 +136,8 @@ typedef struct murk_scene_site {
     double unix_s; /* seconds since 1970, UTC; undefined unless has_time */
     int zone_min;  /* of local clocks, minutes east of Greenwich */
     bool has_zone, has_date, has_clock;
-    murk_date date; /* local; the parts of the time where it is given so */
+    murk_date date; /* local date and time of day, if the time is given in these
+                       parts */
     double clock_s;
 } murk_scene_site;
 
@@ -153,7 +155,8 @@ typedef struct murk_scene_schedule {
     murk_scene_shining when;
     size_t spans;
     double from_s[MURK_SCENE_SPANS_MAX]; /* local, since midnight */
-    double to_s[MURK_SCENE_SPANS_MAX];   /* less than from_s: after midnight */
+    double to_s[MURK_SCENE_SPANS_MAX]; /* less than from_s: the span ends after
+                                          midnight */
 } murk_scene_schedule;
 
 typedef enum murk_scene_cover {
@@ -173,23 +176,23 @@ typedef struct murk_scene_light {
     murk_vec3 position; /* center, corner, position or origin */
     murk_vec3 edge1, edge2, direction;
     double radius_m, divergence_rad;
-    murk_spectrum power_w; /* per band; directional and sky: irradiance
-                              [W/m2] */
+    murk_spectrum power_w; /* per band; for directional light and lights of the
+                              sky an irradiance [W/m2] */
     murk_scene_schedule schedule;
-    murk_scene_portal *portal; /* [portals]; 0: all that meets the domain */
+    murk_scene_portal *portal; /* everything that enters the domain */
     size_t portals;
     /* of the sky: */
     murk_scene_site site;  /* the light's own, completed from the scene's */
-    bool has_irradiance;   /* power_w was given; else it is modelled */
+    bool has_irradiance;   /* power_w is given; false: it is modelled */
     bool irradiance_total; /* power_w[0] is the total, to be spread by the
                               source's spectrum */
     double linke_turbidity;
     murk_scene_cover cover; /* sun, moon, sky */
-    uint64_t cie_type;      /* sky: 1..15; 0: by its cover */
+    uint64_t cie_type;      /* sky: 1..15; 0: chosen by `cover` */
     double mag_per_arcsec2; /* night sky, at the zenith */
 } murk_scene_light;
 
-/* Sun, moon and sky: by place and time. */
+/* True for sun, moon and skies, which depend on place and time. */
 static inline bool murk_scene_light_is_of_sky(const murk_scene_light *light)
 {
     const murk_source_group group = murk_source_type_group(light->type);
@@ -245,16 +248,17 @@ typedef struct murk_scene_camera {
     murk_vec3 up;     /* perspective */
     double vfov_rad;  /* perspective */
     size_t pixels[2]; /* width, height */
-    size_t samples;   /* of a pixel */
+    size_t samples;   /* per pixel */
 } murk_scene_camera;
 
-typedef struct murk_scene_site_zone { /* where sensors may or may not stand */
+typedef struct murk_scene_site_zone { /* a zone in which sensors may or may not
+                                         be */
     murk_scene_where where;
     murk_region_shape shape;
     murk_box box;
     murk_vec3 center;
     double radius_m;
-    char *mesh;    /* file as it is to be opened; NULL for the other shapes */
+    char *mesh;    /* path from the working folder; NULL for the other shapes */
     double unit_m; /* mesh: as of geometry */
     char up;
     murk_vec3 rotate_deg, translate_m;
@@ -264,7 +268,7 @@ typedef struct murk_scene_site_zone { /* where sensors may or may not stand */
 typedef struct murk_scene_points {
     murk_scene_where where;
     bool given;
-    char **file; /* [files] CSV, as they are to be opened */
+    char **file; /* [files] CSV files, paths from the working folder */
     size_t files;
     murk_vec3 *position; /* [positions] listed in the scene; after the files */
     size_t positions;
@@ -301,19 +305,21 @@ typedef struct murk_scene_candidates {
 } murk_scene_candidates;
 
 typedef struct murk_scene_sensor_type {
-    murk_scene_name name; /* each its own */
+    murk_scene_name name; /* unique */
     murk_scene_where where;
     double least_range_m, range_m;
     murk_view view;
     double cone_rad, hfov_rad, vfov_rad; /* whole angles */
-    uint64_t headings; /* evenly round from north; 0: those of the list */
-    murk_scene_numbers headings_deg, tilts_deg; /* n 0: sees all round */
-    double acceptance_rad;                      /* half angle; 0: none */
-    bool toward;                                /* arrival: toward */
+    uint64_t headings; /* number of equally spaced headings from north; 0: those
+                          of headings_deg */
+    murk_scene_numbers headings_deg,
+        tilts_deg;         /* n 0: the type sees in all directions */
+    double acceptance_rad; /* half angle; 0: none */
+    bool toward;           /* arrival: toward */
     double aperture_m2, quantum_efficiency, exposure_s; /* detection: power */
     double target_m2, target_m3;
     murk_scene_numbers bands_nm; /* n 0: all */
-    uint32_t bands;              /* the same by bits; 0: all */
+    uint32_t bands;              /* the same as a bit set; 0: all */
     double cost;
     uint64_t min_count, max_count;
 } murk_scene_sensor_type;
@@ -335,10 +341,10 @@ typedef struct murk_scene_sensors {
     size_t n_fixed;
     bool one_per_site;
     murk_scene_candidates candidates;
-    double spacing_m; /* least distance between sensors */
+    double spacing_m; /* smallest distance between sensors */
     uint64_t count;   /* 0: not given */
     double target;    /* coverage 0..1; 0: not given */
-    double budget;    /* in the types' costs; 0: not given */
+    double budget;    /* in the units of the types' costs; 0: not given */
 } murk_scene_sensors;
 
 typedef struct murk_scene_interest { /* a region of interest */
@@ -349,7 +355,7 @@ typedef struct murk_scene_interest { /* a region of interest */
     murk_box box;
     murk_vec3 center;
     double radius_m;
-    char *mesh;    /* file as it is to be opened; NULL for the other shapes */
+    char *mesh;    /* path from the working folder; NULL for the other shapes */
     double unit_m; /* mesh: as of geometry */
     char up;
     murk_vec3 rotate_deg, translate_m;
@@ -372,7 +378,7 @@ typedef struct murk_scene_targets {
     murk_box box;
     murk_vec3 center;
     double radius_m;
-    char *mesh; /* file as it is to be opened; NULL for the other shapes */
+    char *mesh; /* path from the working folder; NULL for the other shapes */
     double unit_m;
     char up;
     murk_vec3 rotate_deg, translate_m;
@@ -380,7 +386,7 @@ typedef struct murk_scene_targets {
     int medium;             /* only inside this medium; -1: anywhere */
     uint64_t volume_points; /* 0: by the spacing */
     double volume_spacing_m;
-    char *points;   /* file as it is to be opened; NULL: none listed */
+    char *points;   /* path from the working folder; NULL: none listed */
     double band_nm; /* 0: the first band */
 } murk_scene_targets;
 
@@ -391,16 +397,17 @@ typedef enum murk_scene_knowledge {
 } murk_scene_knowledge;
 
 typedef enum murk_scene_objective {
-    MURK_SCENE_OBJECTIVE_NONE, /* the scene as it stands */
-    MURK_SCENE_OBJECTIVE_MEAN, /* of its conditions */
+    MURK_SCENE_OBJECTIVE_NONE, /* no conditions: the scene itself */
+    MURK_SCENE_OBJECTIVE_MEAN, /* mean over the conditions */
     MURK_SCENE_OBJECTIVE_WORST,
     MURK_SCENE_OBJECTIVE_REGRET
 } murk_scene_objective;
 
 typedef enum murk_scene_through {
-    MURK_SCENE_THIN, /* sheets dim; boundaries that bend block */
+    MURK_SCENE_THIN, /* sheets attenuate; refracting boundaries block */
     MURK_SCENE_BLOCK,
-    MURK_SCENE_REFRACT /* as thin, and one flat boundary is seen through */
+    MURK_SCENE_REFRACT /* like thin, and sightlines may cross one flat boundary
+                        */
 } murk_scene_through;
 
 typedef struct murk_scene_placement {
@@ -409,14 +416,15 @@ typedef struct murk_scene_placement {
     murk_detection detection;
     double threshold;          /* of transmittance, for detection: threshold */
     double power_radius_m;     /* for detection: power; 0: not given */
-    uint64_t power_neighbours; /* where no radius is given */
-    uint64_t redundancy;       /* views of a photon that count */
-    uint64_t at_least; /* with a target: number of sensors that must see each */
+    uint64_t power_neighbours; /* number of neighbours if no radius is given */
+    uint64_t redundancy;       /* number of sensors per photon that count */
+    uint64_t at_least; /* with a target: number of sensors that must see each
+                          photon of the target; 0: not used */
     bool by_normal;    /* visibility: normal; false: ray */
     murk_scene_through through;
     murk_scene_knowledge knowledge;
     bool has_start;
-    murk_vec3 start; /* explore: where it begins */
+    murk_vec3 start; /* explore: the first position */
     uint64_t restarts, nodes;
     bool balanced; /* weights */
     double weight_surface, weight_volume;
@@ -426,7 +434,7 @@ typedef struct murk_scene_placement {
     murk_scene_targets targets;
     bool hold_out;
     double jitter_m, jitter_rad; /* uncertainty of a sensor's position and
-                                    direction; both 0: not */
+                                    direction; both 0: not evaluated */
     uint64_t jitter_draws;
     murk_scene_objective over;
     bool relative_regret; /* regret: relative */
@@ -441,11 +449,10 @@ typedef struct murk_scene_condition {
     murk_scene_name name; /* letters, digits, - and _; not mean,
                              worst, regret */
     murk_scene_where where;
-    double weight; /* placement.condition_weights; 1 where none is given */
-    murk_scene_desc
-        *scene; /* the scene with its overrides, without conditions; its
-              places read "yard.yaml:12:5: conditions.fog.media.a"
-            */
+    double weight; /* from placement.condition_weights; 1 if none is given */
+    murk_scene_desc *scene; /* the scene with the overrides of the condition,
+                               without conditions; places in it read
+                               "yard.yaml:12:5: conditions.fog.media.a" */
 } murk_scene_condition;
 
 /* A key that the user has set and that has no effect. */
@@ -457,17 +464,18 @@ typedef struct murk_scene_idle {
 struct murk_scene_desc {
     char *path;             /* as given */
     char sha256[65];        /* of the file's bytes */
-    murk_scene_where where; /* for messages about the whole scene: of a */
+    murk_scene_where where; /* place of a condition, for messages about the
+                               whole scene; otherwise empty */
     int bands;
     double band_nm[MURK_BANDS_MAX]; /* lines, or middles of edges */
     double band_edge_nm[MURK_BANDS_MAX + 1];
     bool has_edges;
     uint32_t seed;
-    murk_vec3 north; /* level, of length 1 */
+    murk_vec3 north; /* horizontal unit vector */
     murk_scene_site site;
-    murk_vec3 origin; /* the local origin, in the file's coordinates: all
-                         positions of these structs are given from it; 0 unless
-                         the scene lies far away (scene/origin.h) */
+    murk_vec3 origin; /* the local origin, in the coordinates of the file: all
+                         positions in these structs are relative to it; 0 unless
+                         the scene is far from 0 (scene/origin.h) */
     bool has_domain;
     murk_domain domain;
     bool continues; /* domain.outside: continued; false: empty */
@@ -484,7 +492,7 @@ struct murk_scene_desc {
     size_t n_lights;
     murk_scene_photons photons;
     bool by_delta;       /* flight: delta; false: march */
-    murk_quantity units; /* of what users read */
+    murk_quantity units; /* units of results for users */
     murk_scene_tally *tallies;
     size_t n_tallies;
     murk_scene_sensors sensors;
@@ -493,23 +501,23 @@ struct murk_scene_desc {
     size_t n_cameras;
     murk_scene_condition *conditions;
     size_t n_conditions;
-    char *resolved;  /* the whole scene as it was used, overrides and defaults
-                        written out, files by absolute path, as YAML that reads
-                        back the same from any folder */
-    char *light_key; /* the part of it that the traced light depends on, files
-                        by their name without folder: with the checksums of
-                        those files, two scenes give the same light when these
-                        are equal */
-    char *world_key; /* the light's key without its lights: where these are
-                        equal, light differs by the lights alone */
-    char *whole_key; /* all of the scene as resolved, of each condition as well,
-                        files by their name without folder: with the checksums
-                        of those files, two scenes give the same results when
-                        these are equal */
-    murk_scene_idle *idle; /* [idles] neither here nor in any condition */
+    char *resolved;  /* the resolved scene, with overrides and defaults written
+                        out and absolute paths, as YAML that gives the same scene
+                        when read from any folder */
+    char *light_key; /* the part of the resolved scene that the traced light
+                        depends on, with names of files without folders. Two
+                        scenes give the same light if their keys and the
+                        checksums of those files are equal */
+    char *world_key; /* light_key without the lights: if it is equal for two
+                        scenes, their light differs only by the light sources */
+    char *whole_key; /* the resolved scene and conditions, with names of files
+                        without folders. Two scenes give the same results if
+                        their keys and the checksums of those files are equal */
+    murk_scene_idle *idle; /* [idles] keys without effect in the scene and in
+                              every condition */
     size_t idles;
-    char **file; /* [files] that the scene names, by absolute path; a pattern of
-                    frames as it is written */
+    char **file; /* [files] named by the scene, absolute paths; for frames the
+                    pattern */
     size_t files;
 };
 
