@@ -16,11 +16,11 @@
 void murk_results_list_photons(murk_results_fields *f, const void *of)
 {
     const murk_traced *traced = of;
-    MURK_RESULT(f, count, "emitted", "", "emitted photons", traced->emitted);
-    MURK_RESULT(f, count, "surface", "", "stored in the surface map",
-                murk_photon_map_count(traced->surface));
-    MURK_RESULT(f, count, "volume", "", "stored in the volume map",
-                murk_photon_map_count(traced->volume));
+    MURK_COUNT(f, "emitted", "", "emitted photons", traced->emitted);
+    MURK_COUNT(f, "surface", "", "stored in the surface map",
+               murk_photon_map_count(traced->surface));
+    MURK_COUNT(f, "volume", "", "stored in the volume map",
+               murk_photon_map_count(traced->volume));
 }
 
 /* As it was asked for: turning to radians and back leaves rounding behind. */
@@ -36,32 +36,32 @@ static bool is_all_round(const murk_scene_desc *scene, const murk_pose *sensor)
 
 void murk_results_list_type(murk_results_fields *f, murk_posed p)
 {
-    MURK_RESULT(f, text, "type", "", "name of the sensor type",
-                p.scene->sensors.type[p.pose->type].name);
+    MURK_TEXT(f, "type", "", "name of the sensor type",
+              p.scene->sensors.type[p.pose->type].name);
 }
 
 void murk_results_list_position(murk_results_fields *f, murk_posed p)
 {
     if (murk_results_is_csv(f)) {
-        MURK_RESULT(f, number, "x_m", "m", "position",
+        MURK_NUMBER(f, "x_m", "m", "position",
                     murk_scene_user(p.scene, p.pose->position).x);
-        MURK_RESULT(f, number, "y_m", "m", "position",
+        MURK_NUMBER(f, "y_m", "m", "position",
                     murk_scene_user(p.scene, p.pose->position).y);
-        MURK_RESULT(f, number, "z_m", "m", "position",
+        MURK_NUMBER(f, "z_m", "m", "position",
                     murk_scene_user(p.scene, p.pose->position).z);
     } else {
-        MURK_RESULT(f, vector, "position_m", "m", "position",
+        MURK_VECTOR(f, "position_m", "m", "position",
                     murk_scene_user(p.scene, p.pose->position));
     }
 }
 
 void murk_results_list_heading(murk_results_fields *f, murk_posed p)
 {
-    MURK_RESULT(f, number, "heading_deg", "degrees",
+    MURK_NUMBER(f, "heading_deg", "degrees",
                 "clockwise from north; none of a sensor that sees all round",
                 is_all_round(p.scene, p.pose) ? NAN
                                               : degrees(p.pose->heading_rad));
-    MURK_RESULT(f, number, "tilt_deg", "degrees", "up from the horizon",
+    MURK_NUMBER(f, "tilt_deg", "degrees", "up from the horizon",
                 is_all_round(p.scene, p.pose) ? NAN
                                               : degrees(p.pose->tilt_rad));
 }
@@ -85,18 +85,17 @@ void murk_results_list_sensor(murk_results_fields *f, const void *of, size_t i)
     const murk_sensor_results *s = of;
     const murk_posed p = posed_of(s, i);
     if (murk_results_is_csv(f)) {
-        MURK_RESULT(f, count, "sensor", "", "number, from 1", i + 1);
+        MURK_COUNT(f, "sensor", "", "number, from 1", i + 1);
     }
     murk_results_list_type(f, p);
     murk_results_list_position(f, p);
     if (!murk_results_is_csv(f)) {
-        MURK_RESULT(f, vector, "axis", "", "unit vector of the view",
-                    axis_of(p));
+        MURK_VECTOR(f, "axis", "", "unit vector of the view", axis_of(p));
         murk_results_list_heading(f, p);
     }
-    MURK_RESULT(f, number, "covers", "1", "share that the sensor covers alone",
+    MURK_NUMBER(f, "covers", "1", "share that the sensor covers alone",
                 s->coverage->covers[i]);
-    MURK_RESULT(f, number, "only_it_covers", "1",
+    MURK_NUMBER(f, "only_it_covers", "1",
                 "share that is lost without the sensor",
                 s->coverage->only_it_covers[i]);
 }
@@ -113,8 +112,7 @@ void murk_results_list_place(murk_results_fields *f, const void *of, size_t i)
 void murk_results_list_sensors(murk_results_fields *f, const void *of)
 {
     const murk_sensor_results *s = of;
-    MURK_RESULT_LIST(f, "sensors", "the sensors", murk_results_list_sensor, s,
-                     s->n);
+    MURK_LIST(f, "sensors", "the sensors", murk_results_list_sensor, s, s->n);
 }
 
 static const char *const map_name[] = {"surface", "volume"};
@@ -123,7 +121,7 @@ static void list_weights(murk_results_fields *f, const void *of)
 {
     const murk_coverage_result *coverage = of;
     for (int p = 0; p < 2; ++p) {
-        MURK_RESULT(f, number, map_name[p], "1",
+        MURK_NUMBER(f, map_name[p], "1",
                     "weight of the map's own coverage in the total",
                     coverage->map[p].weight);
     }
@@ -135,30 +133,30 @@ static void list_thin_map(murk_results_fields *f, const void *of)
     const murk_sensor_results *s = of;
     const int thin = s ? murk_thin_map(s->scene, s->coverage) : 0;
     const murk_map_share *map = s ? &s->coverage->map[thin] : NULL;
-    MURK_RESULT(f, text, "map", "", "surface or volume", map_name[thin]);
-    MURK_RESULT(f, count, "photons", "", "stored in the map", map->photons);
-    MURK_RESULT(f, number, "weight", "1", "the map's share of the coverage",
+    MURK_TEXT(f, "map", "", "surface or volume", map_name[thin]);
+    MURK_COUNT(f, "photons", "", "stored in the map", map->photons);
+    MURK_NUMBER(f, "weight", "1", "the map's share of the coverage",
                 map->weight);
-    MURK_RESULT(f, number, "standard_error", "1",
+    MURK_NUMBER(f, "standard_error", "1",
                 "of the coverage, from this map alone", map->standard_error);
-    MURK_RESULT(f, number, "variance_share", "1", "of the coverage's variance",
+    MURK_NUMBER(f, "variance_share", "1", "of the coverage's variance",
                 murk_map_variance_share(s->coverage, thin));
 }
 
 void murk_results_list_shares(murk_results_fields *f, const void *of)
 {
     const murk_sensor_results *s = of;
-    MURK_RESULT_OBJECT(f, "weights_used",
-                       "weight of each map in the coverage, together 1",
-                       list_weights, s->coverage);
-    MURK_RESULT_OBJECT(f, "thin_map",
-                       "null, or the map that has few photons, each of which "
-                       "weighs much",
-                       list_thin_map,
-                       murk_thin_map(s->scene, s->coverage) < 0 ? NULL : s);
-    MURK_RESULT(f, numbers, "seen_by_at_least", "1",
-                "share that at least 1, 2, ... sensors see",
-                s->coverage->seen_by_at_least, s->n);
+    MURK_OBJECT(f, "weights_used",
+                "weight of each map in the coverage, together 1", list_weights,
+                s->coverage);
+    MURK_OBJECT(f, "thin_map",
+                "null, or the map that has few photons, each of which "
+                "weighs much",
+                list_thin_map,
+                murk_thin_map(s->scene, s->coverage) < 0 ? NULL : s);
+    MURK_NUMBERS(f, "seen_by_at_least", "1",
+                 "share that at least 1, 2, ... sensors see",
+                 s->coverage->seen_by_at_least, s->n);
     murk_results_list_regions(f, s);
 }
 

@@ -63,51 +63,48 @@ void murk_results_list_step(murk_results_fields *f, const void *of, size_t i)
         e ? (murk_posed){e->scene, &e->plan->poses->pose[step->candidate]}
           : (murk_posed){NULL, NULL};
     if (murk_results_is_csv(f)) {
-        MURK_RESULT(f, count, "step", "", "number, from 1", i + 1);
+        MURK_COUNT(f, "step", "", "number, from 1", i + 1);
         murk_results_list_position(f, p);
         murk_results_list_type(f, p);
         murk_results_list_heading(f, p);
     }
-    MURK_RESULT(f, count, "sensor", "", "number among the plan's, from 1",
-                sensor_of(e->plan, step));
+    MURK_COUNT(f, "sensor", "", "number among the plan's, from 1",
+               sensor_of(e->plan, step));
     if (!murk_results_is_csv(f)) {
         murk_results_list_type(f, p);
         murk_results_list_position(f, p);
         murk_results_list_heading(f, p);
     }
-    MURK_RESULT(f, rounded, "gain", "1", "coverage that the station adds",
-                coverage_of(e->plan, step->gain), DIGITS);
-    MURK_RESULT(f, rounded, "coverage", "1", "coverage so far",
-                coverage_of(e->plan, step->value), DIGITS);
-    MURK_RESULT(f, rounded, "path_m", "m", "length of the path so far",
-                step->path_m, DIGITS);
-    MURK_RESULT(f, count, "places_seen", "", "candidates known so far",
-                step->places_seen);
-    MURK_RESULT(f, count, "queries", "", "queries of the maps so far",
-                step->queries);
-    MURK_RESULT(f, count, "shadow_rays", "", "sightlines followed so far",
-                step->shadow_rays);
+    MURK_ROUNDED(f, "gain", "1", "coverage that the station adds",
+                 coverage_of(e->plan, step->gain), DIGITS);
+    MURK_ROUNDED(f, "coverage", "1", "coverage so far",
+                 coverage_of(e->plan, step->value), DIGITS);
+    MURK_ROUNDED(f, "path_m", "m", "length of the path so far", step->path_m,
+                 DIGITS);
+    MURK_COUNT(f, "places_seen", "", "candidates known so far",
+               step->places_seen);
+    MURK_COUNT(f, "queries", "", "queries of the maps so far", step->queries);
+    MURK_COUNT(f, "shadow_rays", "", "sightlines followed so far",
+               step->shadow_rays);
 }
 
 static void list_explore(murk_results_fields *f, const void *of)
 {
     const explored *e = of;
     const murk_explore *explore = e ? &e->plan->explore : NULL;
-    MURK_RESULT(f, vector, "start_m", "m", "the first station",
+    MURK_VECTOR(f, "start_m", "m", "the first station",
                 explore->stops ? murk_scene_user(e->scene, explore->stop[0])
                                : murk_vec(NAN, NAN, NAN));
-    MURK_RESULT(f, number, "path_m", "m", "length of the path",
-                path_of(explore));
-    MURK_RESULT(f, count, "places", "", "candidates", explore->places);
-    MURK_RESULT(f, count, "places_seen", "", "candidates that became known",
-                seen_of(explore));
-    MURK_RESULT(f, count, "ways_tried", "", "segments that were tried",
-                explore->ways);
-    MURK_RESULT(f, text, "ended_by", "",
-                "count, target, rules, nothing_to_gain or stations",
-                END_NAMES[explore->end]);
-    MURK_RESULT_LIST(f, "steps", "the stations, in order",
-                     murk_results_list_step, e, explore->steps);
+    MURK_NUMBER(f, "path_m", "m", "length of the path", path_of(explore));
+    MURK_COUNT(f, "places", "", "candidates", explore->places);
+    MURK_COUNT(f, "places_seen", "", "candidates that became known",
+               seen_of(explore));
+    MURK_COUNT(f, "ways_tried", "", "segments that were tried", explore->ways);
+    MURK_TEXT(f, "ended_by", "",
+              "count, target, rules, nothing_to_gain or stations",
+              END_NAMES[explore->end]);
+    MURK_LIST(f, "steps", "the stations, in order", murk_results_list_step, e,
+              explore->steps);
 }
 
 void murk_results_list_explore(murk_results_fields *f,
@@ -115,9 +112,8 @@ void murk_results_list_explore(murk_results_fields *f,
                                const murk_plan_result *plan)
 {
     const explored e = {plan, scene};
-    if (MURK_RESULT_IF(f, scene->placement.knowledge == MURK_SCENE_EXPLORE)) {
-        MURK_RESULT_OBJECT(f, "explore", "with knowledge: explore",
-                           list_explore, &e);
+    if (MURK_LISTED_IF(f, scene->placement.knowledge == MURK_SCENE_EXPLORE)) {
+        MURK_OBJECT(f, "explore", "with knowledge: explore", list_explore, &e);
     }
 }
 

@@ -83,12 +83,12 @@ void murk_results_list_candidate(murk_results_fields *f, const void *of,
     const candidate_list *list = of;
     const murk_posed p = list ? (murk_posed){list->scene, &list->poses->pose[j]}
                               : (murk_posed){NULL, NULL};
-    MURK_RESULT(f, count, "column", "", "number, from 1", j + 1);
+    MURK_COUNT(f, "column", "", "number, from 1", j + 1);
     murk_results_list_position(f, p);
     murk_results_list_type(f, p);
     murk_results_list_heading(f, p);
-    MURK_RESULT(f, rounded, "cost", "", "of the sensor type",
-                p.scene->sensors.type[p.pose->type].cost, COST_DIGITS);
+    MURK_ROUNDED(f, "cost", "", "of the sensor type",
+                 p.scene->sensors.type[p.pose->type].cost, COST_DIGITS);
 }
 
 /* Too large a matrix is told late, like a file that cannot be. */

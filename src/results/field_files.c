@@ -213,24 +213,16 @@ static void put_header(FILE *to, const files *f)
           to);
 }
 
-static murk_status write_vti(const char *path, const void *context,
-                             murk_error *err)
+static void write_vti(FILE *to, const void *context)
 {
     const files *f = context;
     const uint64_t bytes = murk_field_voxels(f->box) * sizeof(float);
-    murk_file *file = NULL;
-    const murk_status status = murk_file_create(&file, path, err);
-    if (status) {
-        return status;
-    }
-    FILE *to = murk_file_stream(file);
     put_header(to, f);
     for (size_t i = 0; i < f->n; ++i) {
         (void)fwrite(&bytes, sizeof bytes, 1, to); /* commit asks ferror */
         (void)fwrite(f->field[i].value, 1, bytes, to);
     }
     fputs("\n  </AppendedData>\n</VTKFile>\n", to);
-    return murk_file_commit(&file, err);
 }
 
 murk_status murk_field_add_vti(murk_results *results, const char *name,
@@ -240,5 +232,5 @@ murk_status murk_field_add_vti(murk_results *results, const char *name,
                                murk_error *err)
 {
     const files f = {scene, box, field, n, MURK_FIELD_AS_IT_IS};
-    return murk_results_add(results, name, write_vti, &f, err);
+    return murk_results_add_stream(results, name, write_vti, &f, err);
 }

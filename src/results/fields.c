@@ -101,12 +101,6 @@ void murk_results_put_text(murk_results_fields *f, const char *text)
     }
 }
 
-void murk_results_put_null(murk_results_fields *f, int unused)
-{
-    (void)unused;
-    murk_results_put_number(f, NAN);
-}
-
 void murk_results_put_numbers(murk_results_fields *f, const double *value,
                               size_t n)
 {
@@ -126,7 +120,7 @@ void murk_results_put_vector(murk_results_fields *f, murk_vec3 v)
     if (isfinite(v.x)) {
         murk_results_put_numbers(f, xyz, 3);
     } else {
-        murk_results_put_null(f, 0);
+        murk_results_put_number(f, NAN);
     }
 }
 
@@ -150,7 +144,7 @@ void murk_results_object(murk_results_fields *f, const char *name,
     }
     const bool has_value = murk_results_next(f, name, "", help);
     if (has_value && !of) {
-        murk_results_put_null(f, 0);
+        murk_results_put_number(f, NAN);
         return;
     }
     murk_results_fields in =
@@ -209,20 +203,13 @@ typedef struct csv {
     size_t n;
 } csv;
 
-static murk_status write_csv(const char *path, const void *context,
-                             murk_error *err)
+static void write_csv(FILE *to, const void *context)
 {
     const csv *c = context;
-    murk_file *file = NULL;
-    const murk_status status = murk_file_create(&file, path, err);
-    if (status) {
-        return status;
-    }
-    murk_results_csv_heading(murk_file_stream(file), c->item);
+    murk_results_csv_heading(to, c->item);
     for (size_t i = 0; i < c->n; ++i) {
-        murk_results_csv_line(murk_file_stream(file), c->item, c->of, i);
+        murk_results_csv_line(to, c->item, c->of, i);
     }
-    return murk_file_commit(&file, err); /* notices failed writes */
 }
 
 murk_status murk_results_add_csv(murk_results *results, const char *name,
@@ -230,7 +217,7 @@ murk_status murk_results_add_csv(murk_results *results, const char *name,
                                  size_t n, murk_error *err)
 {
     const csv c = {item, of, n};
-    return murk_results_add(results, name, write_csv, &c, err);
+    return murk_results_add_stream(results, name, write_csv, &c, err);
 }
 
 void murk_results_describe(FILE *to, murk_results_list list)

@@ -7,21 +7,21 @@
  *     static void list_map(murk_results_fields *f, const void *of)
  *     {
  *         const murk_traced *traced = of;
- *         MURK_RESULT(f, count, "emitted", "", "emitted photons",
- *                     traced->emitted);
+ *         MURK_COUNT(f, "emitted", "", "emitted photons", traced->emitted);
  *     }
  *
  * The same rows become keys of a JSON object, columns of a CSV file and the
  * description that the manual prints. The description has no results: `of` is
  * NULL then. So a list reads `of` only inside the value of a row, inside
- * MURK_RESULT_IF() and inside the arguments of MURK_RESULT_OBJECT() and
- * MURK_RESULT_LIST(), which are not evaluated for a description. */
+ * MURK_LISTED_IF() and inside the arguments of MURK_OBJECT() and
+ * MURK_LIST(), which are not evaluated for a description. */
 #ifndef MURK_RESULTS_FIELDS_H
 #define MURK_RESULTS_FIELDS_H
 
 #include "base/stats.h"
 #include "results/results.h"
 
+#include <math.h>
 #include <stdio.h>
 
 typedef struct murk_results_fields murk_results_fields;
@@ -31,9 +31,20 @@ typedef void (*murk_results_list)(murk_results_fields *f, const void *of);
 typedef void (*murk_results_item)(murk_results_fields *f, const void *of,
                                   size_t i);
 
-/* One row. kind: number, count, flag, text, vector, numbers, json, rounded or
- * null, the ends of the functions murk_results_put_...() below, which take the
- * rest. unit: "" for a text, a flag or a count, "1" for a share. */
+/* One row. The value is as murk_results_put_...() below take it. unit: "" for a
+ * text, a flag or a count, "1" for a share. */
+#define MURK_NUMBER(f, ...)  MURK_RESULT(f, number, __VA_ARGS__)
+#define MURK_COUNT(f, ...)   MURK_RESULT(f, count, __VA_ARGS__)
+#define MURK_FLAG(f, ...)    MURK_RESULT(f, flag, __VA_ARGS__)
+#define MURK_TEXT(f, ...)    MURK_RESULT(f, text, __VA_ARGS__)
+#define MURK_VECTOR(f, ...)  MURK_RESULT(f, vector, __VA_ARGS__)
+#define MURK_NUMBERS(f, ...) MURK_RESULT(f, numbers, __VA_ARGS__)
+#define MURK_JSON(f, ...)    MURK_RESULT(f, json, __VA_ARGS__)
+#define MURK_ROUNDED(f, ...) MURK_RESULT(f, rounded, __VA_ARGS__)
+#define MURK_NULL(f, name, unit, help) \
+    MURK_RESULT(f, number, name, unit, help, (double)NAN)
+
+/* The same by the end of a function's name, as the rows above use it. */
 #define MURK_RESULT(f, kind, name, unit, help, ...)   \
     do {                                              \
         if (murk_results_next(f, name, unit, help)) { \
@@ -42,23 +53,23 @@ typedef void (*murk_results_item)(murk_results_fields *f, const void *of,
     } while (0)
 
 /* Two rows: NAME and NAME_standard_error, of a murk_estimate. */
-#define MURK_RESULT_ESTIMATE(f, name, unit, help, ...)                        \
+#define MURK_ESTIMATE(f, name, unit, help, ...)                               \
     do {                                                                      \
-        MURK_RESULT(f, number, name, unit, help, (__VA_ARGS__).value);        \
-        MURK_RESULT(f, number, name "_standard_error", unit,                  \
+        MURK_NUMBER(f, name, unit, help, (__VA_ARGS__).value);                \
+        MURK_NUMBER(f, name "_standard_error", unit,                          \
                     "standard error of " name, (__VA_ARGS__).standard_error); \
     } while (0)
 
 /* True if rows that depend on a condition are to be listed. */
-#define MURK_RESULT_IF(f, condition) (murk_results_describes(f) || (condition))
+#define MURK_LISTED_IF(f, condition) (murk_results_describes(f) || (condition))
 
 /* An object with rows of its own; null if of_them is NULL. CSV has none. */
-#define MURK_RESULT_OBJECT(f, name, help, list, of_them) \
-    murk_results_object(f, name, help, list,             \
+#define MURK_OBJECT(f, name, help, list, of_them) \
+    murk_results_object(f, name, help, list,      \
                         murk_results_describes(f) ? NULL : (of_them))
 
 /* A list of n objects. CSV has none. */
-#define MURK_RESULT_LIST(f, name, help, item, of_them, n)            \
+#define MURK_LIST(f, name, help, item, of_them, n)                   \
     murk_results_items(f, name, help, item,                          \
                        murk_results_describes(f) ? NULL : (of_them), \
                        murk_results_describes(f) ? 1 : (n))
@@ -73,7 +84,6 @@ void murk_results_put_number(murk_results_fields *f, double value);
 void murk_results_put_count(murk_results_fields *f, uint64_t value);
 void murk_results_put_flag(murk_results_fields *f, bool value);
 void murk_results_put_text(murk_results_fields *f, const char *text);
-void murk_results_put_null(murk_results_fields *f, int unused);
 /* In JSON alone: three numbers, or n of them. */
 void murk_results_put_vector(murk_results_fields *f, murk_vec3 v);
 void murk_results_put_numbers(murk_results_fields *f, const double *value,

@@ -28,32 +28,28 @@ static void list_parameter(murk_results_fields *fields, const void *of,
     const murk_fit_facts *f = of;
     const murk_calibration *c = f ? f->found : NULL;
     const murk_free_key *key = f ? &f->keys->key[k] : NULL;
-    MURK_RESULT(fields, text, "key", "", "path of the scene's key", key->name);
-    MURK_RESULT(fields, number, "value", "", "found", c->value[k]);
-    if (!MURK_RESULT_IF(fields, !f->only_predicts)) {
+    MURK_TEXT(fields, "key", "", "path of the scene's key", key->name);
+    MURK_NUMBER(fields, "value", "", "found", c->value[k]);
+    if (!MURK_LISTED_IF(fields, !f->only_predicts)) {
         return;
     }
-    MURK_RESULT(fields, number, "standard_error", "", "of value",
-                c->standard_error[k]);
-    MURK_RESULT(fields, number, "lower", "", "95 % confidence limit",
-                c->lower[k]);
-    MURK_RESULT(fields, number, "upper", "", "95 % confidence limit",
-                c->upper[k]);
-    MURK_RESULT(fields, flag, "at_bound", "", "true if value lies at a bound",
-                c->at_bound[k]);
-    MURK_RESULT(fields, text, "status", "",
-                "determined, at its bound, or not determined by these data; "
-                "only the first has an error",
-                murk_calibration_status(c, k));
-    MURK_RESULT(fields, number, "start", "", "value that the search began at",
+    MURK_NUMBER(fields, "standard_error", "", "of value", c->standard_error[k]);
+    MURK_NUMBER(fields, "lower", "", "95 % confidence limit", c->lower[k]);
+    MURK_NUMBER(fields, "upper", "", "95 % confidence limit", c->upper[k]);
+    MURK_FLAG(fields, "at_bound", "", "true if value lies at a bound",
+              c->at_bound[k]);
+    MURK_TEXT(fields, "status", "",
+              "determined, at its bound, or not determined by these data; "
+              "only the first has an error",
+              murk_calibration_status(c, k));
+    MURK_NUMBER(fields, "start", "", "value that the search began at",
                 key->start);
-    MURK_RESULT(fields, number, "bound_lower", "", "least value allowed",
-                key->lower);
-    MURK_RESULT(fields, number, "bound_upper", "", "greatest value allowed",
+    MURK_NUMBER(fields, "bound_lower", "", "least value allowed", key->lower);
+    MURK_NUMBER(fields, "bound_upper", "", "greatest value allowed",
                 key->upper);
-    MURK_RESULT(fields, text, "kind", "", "medium, light, world or gain",
-                kinds[key->kind]);
-    MURK_RESULT(fields, number, "slope_error", "1",
+    MURK_TEXT(fields, "kind", "", "medium, light, world or gain",
+              kinds[key->kind]);
+    MURK_NUMBER(fields, "slope_error", "1",
                 "largest error of slopes from light that was traced again",
                 murk_model_slope_error(c->model, k));
 }
@@ -84,38 +80,38 @@ static void list_direction(murk_results_fields *fields, const void *of,
 {
     const murk_fit_facts *f = of;
     const murk_certainty *c = f ? &f->found->certainty : NULL;
-    MURK_RESULT(fields, number, "standard_error", "", "along the direction",
+    MURK_NUMBER(fields, "standard_error", "", "along the direction",
                 c->direction_error[i]);
-    MURK_RESULT(fields, flag, "determined", "", "true if the data tell of it",
-                i < c->determined);
-    MURK_RESULT(fields, json, "direction", "",
-                "by key; of positive keys, of the logarithm",
-                by_key(f, c->direction + i * c->n));
+    MURK_FLAG(fields, "determined", "", "true if the data tell of it",
+              i < c->determined);
+    MURK_JSON(fields, "direction", "",
+              "by key; of positive keys, of the logarithm",
+              by_key(f, c->direction + i * c->n));
 }
 
 static void list_identifiability(murk_results_fields *fields, const void *of)
 {
     const murk_fit_facts *f = of;
-    MURK_RESULT(fields, count, "determined", "", "directions that are known",
-                f->found->certainty.determined);
-    MURK_RESULT_LIST(fields, "directions", "from the best known on",
-                     list_direction, f, f->found->certainty.directions);
+    MURK_COUNT(fields, "determined", "", "directions that are known",
+               f->found->certainty.determined);
+    MURK_LIST(fields, "directions", "from the best known on", list_direction, f,
+              f->found->certainty.directions);
 }
 
 static void list_start(murk_results_fields *fields, const void *of, size_t i)
 {
     const murk_fit_facts *f = of;
     const murk_calibration_start *start = f ? &f->found->start[i] : NULL;
-    MURK_RESULT(fields, json, "from", "", "by key", by_key(f, start->from));
-    MURK_RESULT(fields, json, "to", "", "by key",
-                by_key(f, isnan(start->chi2) ? NULL : start->to));
-    MURK_RESULT(fields, number, "chi2", "", "at the end", start->chi2);
-    MURK_RESULT(fields, flag, "converged", "", "true if the search did",
-                start->converged);
-    MURK_RESULT(fields, text, "why", "", "the search ended", start->why);
-    MURK_RESULT(fields, count, "traces", "",
-                "lights traced; 0: on the light of the start before",
-                start->traces);
+    MURK_JSON(fields, "from", "", "by key", by_key(f, start->from));
+    MURK_JSON(fields, "to", "", "by key",
+              by_key(f, isnan(start->chi2) ? NULL : start->to));
+    MURK_NUMBER(fields, "chi2", "", "at the end", start->chi2);
+    MURK_FLAG(fields, "converged", "", "true if the search did",
+              start->converged);
+    MURK_TEXT(fields, "why", "", "the search ended", start->why);
+    MURK_COUNT(fields, "traces", "",
+               "lights traced; 0: on the light of the start before",
+               start->traces);
 }
 
 static void list_next_place(murk_results_fields *fields, const void *of,
@@ -126,7 +122,7 @@ static void list_next_place(murk_results_fields *fields, const void *of,
     const murk_posed p =
         f ? (murk_posed){f->scene, &place->pose} : (murk_posed){NULL, NULL};
     const bool is_coverage =
-        MURK_RESULT_IF(fields, f->next->kind == MURK_READ_COVERAGE);
+        MURK_LISTED_IF(fields, f->next->kind == MURK_READ_COVERAGE);
     if (is_coverage) {
         murk_results_list_type(fields, p);
     }
@@ -134,11 +130,11 @@ static void list_next_place(murk_results_fields *fields, const void *of,
     if (is_coverage) {
         murk_results_list_heading(fields, p);
     }
-    MURK_RESULT(fields, number, "gain", "",
+    MURK_NUMBER(fields, "gain", "",
                 "in knowledge of the parameters, natural logarithm",
                 place->gain);
-    MURK_RESULT(fields, number, "predicted", "", "reading", place->predicted);
-    MURK_RESULT(fields, number, "standard_error", "", "of predicted",
+    MURK_NUMBER(fields, "predicted", "", "reading", place->predicted);
+    MURK_NUMBER(fields, "standard_error", "", "of predicted",
                 place->standard_error);
 }
 
@@ -146,73 +142,69 @@ static void list_next(murk_results_fields *fields, const void *of)
 {
     const murk_fit_facts *f = of;
     const murk_next *next = f ? f->next : NULL;
-    MURK_RESULT(fields, text, "kind", "",
-                "coverage, fluence, irradiance or transmittance",
-                murk_reading_kinds[next->kind]);
-    MURK_RESULT(fields, text, "unit", "", "of the reading",
-                murk_reading_unit_name(next->unit));
-    MURK_RESULT(fields, text, "condition", "", "of the reading",
-                condition_of(f->scene, next->condition));
-    if (MURK_RESULT_IF(fields, next->kind == MURK_READ_IRRADIANCE)) {
-        MURK_RESULT(fields, vector, "direction", "",
-                    "the irradiated face looks to", next->direction);
+    MURK_TEXT(fields, "kind", "",
+              "coverage, fluence, irradiance or transmittance",
+              murk_reading_kinds[next->kind]);
+    MURK_TEXT(fields, "unit", "", "of the reading",
+              murk_reading_unit_name(next->unit));
+    MURK_TEXT(fields, "condition", "", "of the reading",
+              condition_of(f->scene, next->condition));
+    if (MURK_LISTED_IF(fields, next->kind == MURK_READ_IRRADIANCE)) {
+        MURK_VECTOR(fields, "direction", "", "the irradiated face looks to",
+                    next->direction);
     }
-    if (MURK_RESULT_IF(fields, next->kind != MURK_READ_COVERAGE)) {
-        MURK_RESULT(fields, number, "radius_m", "m", "of the receiver",
-                    next->radius_m);
-        MURK_RESULT(fields, number, "band_nm", "nm", "of the reading",
+    if (MURK_LISTED_IF(fields, next->kind != MURK_READ_COVERAGE)) {
+        MURK_NUMBER(fields, "radius_m", "m", "of the receiver", next->radius_m);
+        MURK_NUMBER(fields, "band_nm", "nm", "of the reading",
                     next->band < 0 ? NAN : f->scene->band_nm[next->band]);
     }
-    MURK_RESULT(fields, number, "relative_error", "1", "of a reading",
+    MURK_NUMBER(fields, "relative_error", "1", "of a reading",
                 next->relative_error);
-    MURK_RESULT(fields, count, "candidates", "", "places looked at",
-                next->candidates);
-    MURK_RESULT(fields, count, "judged", "", "places that were compared",
-                next->judged);
-    MURK_RESULT_LIST(fields, "places", "the best, in order", list_next_place, f,
-                     next->n);
-    MURK_RESULT(fields, json, "standard_errors_with_all", "",
-                "of the parameters, by key, once all of these are measured",
-                by_key(f, next->standard_error));
+    MURK_COUNT(fields, "candidates", "", "places looked at", next->candidates);
+    MURK_COUNT(fields, "judged", "", "places that were compared", next->judged);
+    MURK_LIST(fields, "places", "the best, in order", list_next_place, f,
+              next->n);
+    MURK_JSON(fields, "standard_errors_with_all", "",
+              "of the parameters, by key, once all of these are measured",
+              by_key(f, next->standard_error));
 }
 
 static void list_data(murk_results_fields *fields, const void *of)
 {
     const murk_fit_facts *f = of;
-    MURK_RESULT(fields, text, "file", "", "of --data", f->measured->path);
-    MURK_RESULT(fields, text, "sha256", "", "of the file", f->measured->sha256);
-    MURK_RESULT(fields, count, "rows", "", "of the file", f->measured->rows);
-    MURK_RESULT(fields, count, "photons", "", "of each light",
-                f->found->photons);
+    MURK_TEXT(fields, "file", "", "of --data", f->measured->path);
+    MURK_TEXT(fields, "sha256", "", "of the file", f->measured->sha256);
+    MURK_COUNT(fields, "rows", "", "of the file", f->measured->rows);
+    MURK_COUNT(fields, "photons", "", "of each light", f->found->photons);
 }
 
 static void list_held_out(murk_results_fields *fields, const void *of)
 {
     const murk_calibration *c = of;
-    MURK_RESULT(fields, count, "rows", "", "that were not fitted", c->held_out);
-    MURK_RESULT(fields, number, "rms", "", "residual in the rows' unit",
+    MURK_COUNT(fields, "rows", "", "that were not fitted", c->held_out);
+    MURK_NUMBER(fields, "rms", "", "residual in the rows' unit",
                 c->held_out_rms);
-    MURK_RESULT(fields, number, "rms_in_standard_errors", "1", "residual",
+    MURK_NUMBER(fields, "rms_in_standard_errors", "1", "residual",
                 c->held_out_rms_sigma);
 }
 
 /* The verdict comes first, because it decides about the worth of the rest. */
 static void list_verdict(murk_results_fields *fields, const murk_calibration *c)
 {
-    if (MURK_RESULT_IF(fields, !isnan(c->p_value))) {
-        MURK_RESULT(fields, flag, "accepted", "",
-                    "false: chi-squared refuses the model (p_value below "
-                    "1e-4), so the values are not to be used; null: no more "
-                    "readings than values",
-                    c->is_accepted);
+    if (MURK_LISTED_IF(fields, !isnan(c->p_value))) {
+        MURK_FLAG(fields, "accepted", "",
+                  "false: chi-squared refuses the model (p_value below "
+                  "1e-4), so the values are not to be used; null: no more "
+                  "readings than values",
+                  c->is_accepted);
     } else {
-        MURK_RESULT(fields, null, "accepted", "", "", 0);
+        MURK_NULL(fields, "accepted", "", "");
     }
-    MURK_RESULT(fields, text, "verdict", "",
-                "whether the model fits, and which parameters the data do not "
-                "determine, in words",
-                c->verdict);
-    MURK_RESULT(fields, number, "p_value", "1",
+    MURK_TEXT(fields, "verdict", "",
+              "whether the model fits, and which parameters the data do not "
+              "determine, in words",
+              c->verdict);
+    MURK_NUMBER(fields, "p_value", "1",
                 "chance of so large a chi2, or a larger one, if model and "
                 "errors are right",
                 c->p_value);
@@ -220,58 +212,56 @@ static void list_verdict(murk_results_fields *fields, const murk_calibration *c)
 
 static void list_search(murk_results_fields *fields, const murk_calibration *c)
 {
-    MURK_RESULT(fields, json, "covariance", "", "in the parameters' order",
-                matrix_json(c->covariance, c->n));
-    MURK_RESULT(fields, json, "correlation", "1", "in the parameters' order",
-                matrix_json(c->correlation, c->n));
-    MURK_RESULT(fields, number, "chi2", "",
+    MURK_JSON(fields, "covariance", "", "in the parameters' order",
+              matrix_json(c->covariance, c->n));
+    MURK_JSON(fields, "correlation", "1", "in the parameters' order",
+              matrix_json(c->correlation, c->n));
+    MURK_NUMBER(fields, "chi2", "",
                 "sum of squared residuals in "
                 "standard errors",
                 c->chi2);
-    MURK_RESULT(fields, number, "degrees_of_freedom", "", "of chi2",
+    MURK_NUMBER(fields, "degrees_of_freedom", "", "of chi2",
                 (double)c->degrees_of_freedom);
-    MURK_RESULT(fields, flag, "converged", "", "true if the search did",
-                c->converged);
-    MURK_RESULT(fields, text, "why", "", "the search ended", c->why);
-    MURK_RESULT(fields, count, "iterations", "", "of the search",
-                (uint64_t)c->iterations);
-    MURK_RESULT(fields, count, "evaluations", "", "of the model",
-                c->evaluations);
+    MURK_FLAG(fields, "converged", "", "true if the search did", c->converged);
+    MURK_TEXT(fields, "why", "", "the search ended", c->why);
+    MURK_COUNT(fields, "iterations", "", "of the search",
+               (uint64_t)c->iterations);
+    MURK_COUNT(fields, "evaluations", "", "of the model", c->evaluations);
 }
 
 void murk_results_list_fit(murk_results_fields *fields, const void *of)
 {
     const murk_fit_facts *f = of;
     const murk_calibration *c = f ? f->found : NULL;
-    const bool fits = MURK_RESULT_IF(fields, !f->only_predicts);
+    const bool fits = MURK_LISTED_IF(fields, !f->only_predicts);
     murk_results_list_head(fields, f ? f->scene : NULL);
     if (fits) {
         list_verdict(fields, c);
     }
-    MURK_RESULT_OBJECT(fields, "data", "the measurements", list_data, f);
-    MURK_RESULT_LIST(fields, "parameters", "the free keys", list_parameter, f,
-                     f->keys->n);
+    MURK_OBJECT(fields, "data", "the measurements", list_data, f);
+    MURK_LIST(fields, "parameters", "the free keys", list_parameter, f,
+              f->keys->n);
     if (fits) {
         list_search(fields, c);
     }
-    MURK_RESULT(fields, count, "traces", "", "lights traced", c->traces);
-    MURK_RESULT(fields, number, "effective_share", "1",
+    MURK_COUNT(fields, "traces", "", "lights traced", c->traces);
+    MURK_NUMBER(fields, "effective_share", "1",
                 "effective sample of the re-weighted light over its photons",
                 c->effective_share);
-    MURK_RESULT(fields, number, "slope_noise", "1",
+    MURK_NUMBER(fields, "slope_noise", "1",
                 "share of the errors that photons' noise in slopes makes up",
                 c->slope_noise);
-    MURK_RESULT_OBJECT(fields, "hold_out", "rows that were not fitted",
-                       list_held_out, c);
+    MURK_OBJECT(fields, "hold_out", "rows that were not fitted", list_held_out,
+                c);
     if (fits) {
-        MURK_RESULT_OBJECT(fields, "identifiability",
-                           "how well the data determine the parameters",
-                           list_identifiability, f);
-        MURK_RESULT_LIST(fields, "starts", "of the search, restarts last",
-                         list_start, f, c->starts_done);
+        MURK_OBJECT(fields, "identifiability",
+                    "how well the data determine the parameters",
+                    list_identifiability, f);
+        MURK_LIST(fields, "starts", "of the search, restarts last", list_start,
+                  f, c->starts_done);
     }
-    if (MURK_RESULT_IF(fields, f->next)) {
-        MURK_RESULT_OBJECT(fields, "next", "with --next", list_next, f);
+    if (MURK_LISTED_IF(fields, f->next)) {
+        MURK_OBJECT(fields, "next", "with --next", list_next, f);
     }
 }
 
@@ -298,34 +288,31 @@ void murk_results_list_fit_row(murk_results_fields *fields, const void *of,
     const murk_reading *r =
         f ? &f->measured->reading[f->measured->row[i].first] : NULL;
     const murk_calibrated_row *c = f ? &f->found->row[i] : NULL;
-    MURK_RESULT(fields, count, "line", "", "of the data", r->line);
-    MURK_RESULT(fields, text, "kind", "",
-                "coverage, fluence, irradiance or transmittance",
-                murk_reading_kinds[r->kind]);
-    MURK_RESULT(fields, text, "condition", "", "of the reading",
-                condition_of(f->scene, r->condition));
-    MURK_RESULT(fields, text, "group", "", "of readings",
-                f->measured->group[i]);
-    MURK_RESULT(fields, number, "x_m", "m", "place", position_of(f, r).x);
-    MURK_RESULT(fields, number, "y_m", "m", "place", position_of(f, r).y);
-    MURK_RESULT(fields, number, "z_m", "m", "place", position_of(f, r).z);
-    MURK_RESULT(fields, number, "band_nm", "nm", "of the reading",
+    MURK_COUNT(fields, "line", "", "of the data", r->line);
+    MURK_TEXT(fields, "kind", "",
+              "coverage, fluence, irradiance or transmittance",
+              murk_reading_kinds[r->kind]);
+    MURK_TEXT(fields, "condition", "", "of the reading",
+              condition_of(f->scene, r->condition));
+    MURK_TEXT(fields, "group", "", "of readings", f->measured->group[i]);
+    MURK_NUMBER(fields, "x_m", "m", "place", position_of(f, r).x);
+    MURK_NUMBER(fields, "y_m", "m", "place", position_of(f, r).y);
+    MURK_NUMBER(fields, "z_m", "m", "place", position_of(f, r).z);
+    MURK_NUMBER(fields, "band_nm", "nm", "of the reading",
                 r->band < 0 ? NAN : f->scene->band_nm[r->band]);
-    MURK_RESULT(fields, text, "unit", "", "of value",
-                murk_reading_unit_name(r->unit));
-    MURK_RESULT(fields, text, "use", "", "fit or hold_out",
-                r->is_held_out ? "hold_out" : "fit");
-    MURK_RESULT(fields, number, "value", "", "reading", r->value);
-    MURK_RESULT(fields, number, "standard_error", "", "of value",
-                r->standard_error);
-    MURK_RESULT(fields, number, "predicted", "", "by the model", c->predicted);
-    MURK_RESULT(fields, number, "photon_standard_error", "", "of predicted",
+    MURK_TEXT(fields, "unit", "", "of value", murk_reading_unit_name(r->unit));
+    MURK_TEXT(fields, "use", "", "fit or hold_out",
+              r->is_held_out ? "hold_out" : "fit");
+    MURK_NUMBER(fields, "value", "", "reading", r->value);
+    MURK_NUMBER(fields, "standard_error", "", "of value", r->standard_error);
+    MURK_NUMBER(fields, "predicted", "", "by the model", c->predicted);
+    MURK_NUMBER(fields, "photon_standard_error", "", "of predicted",
                 c->photon_error);
-    MURK_RESULT(fields, number, "residual_in_standard_errors", "1",
-                "of the reading", c->residual);
-    MURK_RESULT(fields, number, "x2_m", "m", "end of a line", end_of(f, r).x);
-    MURK_RESULT(fields, number, "y2_m", "m", "end of a line", end_of(f, r).y);
-    MURK_RESULT(fields, number, "z2_m", "m", "end of a line", end_of(f, r).z);
+    MURK_NUMBER(fields, "residual_in_standard_errors", "1", "of the reading",
+                c->residual);
+    MURK_NUMBER(fields, "x2_m", "m", "end of a line", end_of(f, r).x);
+    MURK_NUMBER(fields, "y2_m", "m", "end of a line", end_of(f, r).y);
+    MURK_NUMBER(fields, "z2_m", "m", "end of a line", end_of(f, r).z);
 }
 
 murk_status murk_add_fit_csv(murk_results *results, const murk_fit_facts *facts,

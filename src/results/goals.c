@@ -14,28 +14,28 @@ static murk_estimate held_out_of(const murk_sensor_results *s, size_t i)
 static void list_region(murk_results_fields *f, const void *of, size_t i)
 {
     const murk_sensor_results *s = of;
-    MURK_RESULT(f, text, "name", "", "of the region",
-                s->scene->placement.interest[i].name);
-    MURK_RESULT(f, number, "weight", "1", "of what lies in the region",
+    MURK_TEXT(f, "name", "", "of the region",
+              s->scene->placement.interest[i].name);
+    MURK_NUMBER(f, "weight", "1", "of what lies in the region",
                 s->scene->placement.interest[i].weight);
-    MURK_RESULT(f, count,
-                s && s->scene->placement.targets.given ? "targets"
-                                                       : "stored_photons",
-                "", "in the region; named targets if targets are given",
-                s->coverage->region[i].photons);
-    MURK_RESULT(f, number, "coverage", "1", "of the region, in sample",
+    MURK_COUNT(f,
+               s && s->scene->placement.targets.given ? "targets"
+                                                      : "stored_photons",
+               "", "in the region; named targets if targets are given",
+               s->coverage->region[i].photons);
+    MURK_NUMBER(f, "coverage", "1", "of the region, in sample",
                 s->coverage->region[i].coverage.value);
-    MURK_RESULT(f, number, "standard_error", "1", "of coverage",
+    MURK_NUMBER(f, "standard_error", "1", "of coverage",
                 s->coverage->region[i].coverage.standard_error);
-    MURK_RESULT_ESTIMATE(f, "held_out", "1", "of the region, on a second map",
-                         held_out_of(s, i));
+    MURK_ESTIMATE(f, "held_out", "1", "of the region, on a second map",
+                  held_out_of(s, i));
 }
 
 void murk_results_list_regions(murk_results_fields *f, const void *of)
 {
     const murk_sensor_results *s = of;
-    MURK_RESULT_LIST(f, "regions_of_interest", "the scene's regions",
-                     list_region, s, s->scene->placement.n_interests);
+    MURK_LIST(f, "regions_of_interest", "the scene's regions", list_region, s,
+              s->scene->placement.n_interests);
 }
 
 static void print_in_view(murk_estimate seen)
@@ -74,26 +74,25 @@ void murk_print_regions(const murk_sensor_results *sensors)
 static void list_targets(murk_results_fields *f, const void *of)
 {
     const murk_target_results *t = of;
-    MURK_RESULT(f, flag, "listed", "", "true if a file lists the points",
-                t->scene->placement.targets.points != NULL);
-    MURK_RESULT(f, count, "points", "", "all targets", t->facts->points);
-    MURK_RESULT(f, count, "surface", "", "on surfaces", t->facts->surface);
-    MURK_RESULT(f, count, "volume", "", "in the volume", t->facts->volume);
-    MURK_RESULT_ESTIMATE(f, "area_m2", "m2", "surfaces that targets stand for",
-                         t->facts->area_m2);
-    MURK_RESULT_ESTIMATE(f, "volume_m3", "m3",
-                         "free space that targets stand for",
-                         t->facts->volume_m3);
-    MURK_RESULT(f, number, "band_nm", "nm", "the band they are seen at",
+    MURK_FLAG(f, "listed", "", "true if a file lists the points",
+              t->scene->placement.targets.points != NULL);
+    MURK_COUNT(f, "points", "", "all targets", t->facts->points);
+    MURK_COUNT(f, "surface", "", "on surfaces", t->facts->surface);
+    MURK_COUNT(f, "volume", "", "in the volume", t->facts->volume);
+    MURK_ESTIMATE(f, "area_m2", "m2", "surfaces that targets stand for",
+                  t->facts->area_m2);
+    MURK_ESTIMATE(f, "volume_m3", "m3", "free space that targets stand for",
+                  t->facts->volume_m3);
+    MURK_NUMBER(f, "band_nm", "nm", "the band they are seen at",
                 t->scene->band_nm[murk_targets_band(t->scene)]);
 }
 
 void murk_results_list_targets(murk_results_fields *f, const void *of)
 {
     const murk_target_results *t = of;
-    MURK_RESULT_OBJECT(
-        f, "targets", "null, or the targets that stand in place of photons",
-        list_targets, t->scene->placement.targets.given ? t : NULL);
+    MURK_OBJECT(f, "targets",
+                "null, or the targets that stand in place of photons",
+                list_targets, t->scene->placement.targets.given ? t : NULL);
 }
 
 static void print_size(murk_estimate size, const char *unit, const char *what)

@@ -94,8 +94,8 @@ static void list_lost(murk_results_fields *f, const void *of)
         [MURK_LOSS_NUMERICAL] = "could not be followed"};
     const murk_ledger *ledger = of;
     for (int i = 0; i < MURK_LOSSES; ++i) {
-        MURK_RESULT(f, count, cause[i], "", help[i],
-                    (uint64_t)murk_tally_read(&ledger->lost_photons[i]));
+        MURK_COUNT(f, cause[i], "", help[i],
+                   (uint64_t)murk_tally_read(&ledger->lost_photons[i]));
     }
 }
 
@@ -107,38 +107,37 @@ void murk_results_list_ledger(murk_results_fields *f, const void *of)
     const double *packet = l ? l->traced->packet_w : NULL;
     const murk_quantity units = l ? l->stage->scene->units : MURK_RADIOMETRIC;
     char emitted[40] = "emitted_lm";
-    MURK_RESULT(f, json, "emitted_w", "W", total,
-                column_json(l, ledger->emitted, packet));
+    MURK_JSON(f, "emitted_w", "W", total,
+              column_json(l, ledger->emitted, packet));
     if (units != MURK_RADIOMETRIC) {
         snprintf(emitted, sizeof emitted, "emitted_%s",
                  murk_units_of(units).suffix);
     }
-    if (MURK_RESULT_IF(f, units != MURK_RADIOMETRIC)) {
-        MURK_RESULT(f, json, emitted, "",
-                    "or emitted_photons_per_s, emitted_umol_per_s: in the "
-                    "scene's units, if these are not watts",
-                    emitted_json(l));
+    if (MURK_LISTED_IF(f, units != MURK_RADIOMETRIC)) {
+        MURK_JSON(f, emitted, "",
+                  "or emitted_photons_per_s, emitted_umol_per_s: in the "
+                  "scene's units, if these are not watts",
+                  emitted_json(l));
     }
-    MURK_RESULT(f, json, "absorbed_surfaces_w", "W", total,
-                column_json(l, ledger->absorbed_surfaces, packet));
-    MURK_RESULT(f, json, "absorbed_media_w", "W", total,
-                column_json(l, ledger->absorbed_media, packet));
-    MURK_RESULT(f, json, "escaped_w", "W", total,
-                column_json(l, ledger->escaped, packet));
-    MURK_RESULT(f, json, "lost_w", "W", total,
-                column_json(l, ledger->lost, packet));
-    MURK_RESULT(f, json, "absorbed_by_material_w", "W",
-                "by name, each total and bands", absorbed_json(l, false));
-    MURK_RESULT(f, json, "absorbed_by_medium_w", "W",
-                "by name, each total and bands", absorbed_json(l, true));
-    MURK_RESULT(f, count, "photons_emitted", "", "emitted photons",
-                (uint64_t)murk_tally_read(&ledger->photons));
-    MURK_RESULT(f, count, "collisions", "", "real collisions in media",
-                (uint64_t)murk_tally_read(&ledger->collisions));
-    MURK_RESULT_OBJECT(f, "lost",
-                       "photons dropped, by cause; more than 1 % refuse the "
-                       "run",
-                       list_lost, ledger);
-    MURK_RESULT(f, number, "imbalance_quanta", "", "emitted less all else: 0",
+    MURK_JSON(f, "absorbed_surfaces_w", "W", total,
+              column_json(l, ledger->absorbed_surfaces, packet));
+    MURK_JSON(f, "absorbed_media_w", "W", total,
+              column_json(l, ledger->absorbed_media, packet));
+    MURK_JSON(f, "escaped_w", "W", total,
+              column_json(l, ledger->escaped, packet));
+    MURK_JSON(f, "lost_w", "W", total, column_json(l, ledger->lost, packet));
+    MURK_JSON(f, "absorbed_by_material_w", "W", "by name, each total and bands",
+              absorbed_json(l, false));
+    MURK_JSON(f, "absorbed_by_medium_w", "W", "by name, each total and bands",
+              absorbed_json(l, true));
+    MURK_COUNT(f, "photons_emitted", "", "emitted photons",
+               (uint64_t)murk_tally_read(&ledger->photons));
+    MURK_COUNT(f, "collisions", "", "real collisions in media",
+               (uint64_t)murk_tally_read(&ledger->collisions));
+    MURK_OBJECT(f, "lost",
+                "photons dropped, by cause; more than 1 % refuse the "
+                "run",
+                list_lost, ledger);
+    MURK_NUMBER(f, "imbalance_quanta", "", "emitted less all else: 0",
                 (double)murk_ledger_imbalance(ledger));
 }

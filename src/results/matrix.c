@@ -25,21 +25,19 @@ static double as_given(const murk_matrix_plan *p, uint64_t value)
 static void list_matrix(murk_results_fields *f, const void *of)
 {
     const murk_matrix_plan *p = of;
-    MURK_RESULT(f, text, "file", "", "as named", p->file);
-    MURK_RESULT(f, text, "sha256", "", "of the file", p->matrix->sha256);
-    MURK_RESULT(f, text, "format", "",
-                "dense CSV, sparse CSV or OR-Library text",
-                format_name(p->matrix->format));
-    MURK_RESULT(f, count, "rows", "", "of the matrix", p->matrix->rows);
-    MURK_RESULT(f, count, "columns", "", "of the matrix", p->matrix->columns);
-    MURK_RESULT(f, count, "entries", "", "other than 0",
-                murk_sparse_matrix_entries(p->matrix));
-    MURK_RESULT(f, number, "weight", "", "of all rows",
-                as_given(p, p->place.whole));
-    MURK_RESULT(f, number, "covered", "", "weight that the columns cover",
+    MURK_TEXT(f, "file", "", "as named", p->file);
+    MURK_TEXT(f, "sha256", "", "of the file", p->matrix->sha256);
+    MURK_TEXT(f, "format", "", "dense CSV, sparse CSV or OR-Library text",
+              format_name(p->matrix->format));
+    MURK_COUNT(f, "rows", "", "of the matrix", p->matrix->rows);
+    MURK_COUNT(f, "columns", "", "of the matrix", p->matrix->columns);
+    MURK_COUNT(f, "entries", "", "other than 0",
+               murk_sparse_matrix_entries(p->matrix));
+    MURK_NUMBER(f, "weight", "", "of all rows", as_given(p, p->place.whole));
+    MURK_NUMBER(f, "covered", "", "weight that the columns cover",
                 as_given(p, p->place.value));
-    MURK_RESULT(f, number, "covered_at_most", "",
-                "no as many columns cover more", as_given(p, p->place.upper));
+    MURK_NUMBER(f, "covered_at_most", "", "no as many columns cover more",
+                as_given(p, p->place.upper));
 }
 
 /* Rows that a plan of places has and a matrix knows nothing of. */
@@ -47,7 +45,7 @@ static void list_nulls(murk_results_fields *f, const char *const *name,
                        size_t n)
 {
     for (size_t i = 0; i < n; ++i) {
-        MURK_RESULT(f, null, name[i], "", "null", 0);
+        MURK_NULL(f, name[i], "", "null");
     }
 }
 
@@ -61,11 +59,11 @@ static void list_photons(murk_results_fields *f, const void *of)
 static void list_candidates(murk_results_fields *f, const void *of)
 {
     const murk_matrix_plan *p = of;
-    MURK_RESULT(f, count, "asked", "", "columns", p->matrix->columns);
-    MURK_RESULT(f, count, "usable", "", "columns", p->matrix->columns);
-    MURK_RESULT(f, null, "doubtful", "", "null", 0);
-    MURK_RESULT(f, count, "after_presolve", "",
-                "columns that no other dominates", p->place.after_presolve);
+    MURK_COUNT(f, "asked", "", "columns", p->matrix->columns);
+    MURK_COUNT(f, "usable", "", "columns", p->matrix->columns);
+    MURK_NULL(f, "doubtful", "", "null");
+    MURK_COUNT(f, "after_presolve", "", "columns that no other dominates",
+               p->place.after_presolve);
 }
 
 static void list_column(murk_results_fields *f, const void *of, size_t k)
@@ -75,14 +73,14 @@ static void list_column(murk_results_fields *f, const void *of, size_t k)
     const murk_matrix_plan *p = of;
     const size_t column = p ? p->place.sensor[k] : 0;
     list_nulls(f, none, sizeof none / sizeof *none);
-    MURK_RESULT(f, count, "column", "", "of the matrix, from 1", column + 1);
-    MURK_RESULT(f, text, "name", "", "of the column",
-                p->matrix->name ? p->matrix->name[column] : NULL);
-    MURK_RESULT(f, number, "cost", "", "of the column",
+    MURK_COUNT(f, "column", "", "of the matrix, from 1", column + 1);
+    MURK_TEXT(f, "name", "", "of the column",
+              p->matrix->name ? p->matrix->name[column] : NULL);
+    MURK_NUMBER(f, "cost", "", "of the column",
                 p->matrix->cost ? p->matrix->cost[column] : NAN);
-    MURK_RESULT(f, number, "covers", "1", "share that the column covers alone",
+    MURK_NUMBER(f, "covers", "1", "share that the column covers alone",
                 murk_share(p->covers.alone[k], p->place.whole));
-    MURK_RESULT(f, number, "only_it_covers", "1",
+    MURK_NUMBER(f, "only_it_covers", "1",
                 "share that is lost without the column",
                 murk_share(p->covers.only[k], p->place.whole));
 }
@@ -92,13 +90,12 @@ static void list_coverage(murk_results_fields *f, const void *of)
     static const char *const none[] = {"held_out", "held_out_standard_error",
                                        "surface", "volume"};
     const murk_matrix_plan *p = of;
-    MURK_RESULT(f, number, "in_sample", "1", "share of the weight",
+    MURK_NUMBER(f, "in_sample", "1", "share of the weight",
                 murk_share(p->place.value, p->place.whole));
     list_nulls(f, none, sizeof none / sizeof *none);
-    MURK_RESULT(f, number, "ceiling", "1", "coverage of all columns",
+    MURK_NUMBER(f, "ceiling", "1", "coverage of all columns",
                 murk_share(p->place.ceiling, p->place.whole));
-    MURK_RESULT(f, number, "sum_of_views", "1",
-                "sum of the columns' own coverages",
+    MURK_NUMBER(f, "sum_of_views", "1", "sum of the columns' own coverages",
                 murk_share(p->covers.sum, p->place.whole / p->redundancy));
 }
 
@@ -116,11 +113,11 @@ static cJSON *seen_by(const murk_matrix_plan *p)
 static void list_target(murk_results_fields *f, const void *of)
 {
     const murk_matrix_plan *p = of;
-    MURK_RESULT(f, number, "asked", "1", "the target", p->target);
-    MURK_RESULT(f, count, "fewest_possible", "",
-                "no fewer columns reach the target", p->place.fewest);
-    MURK_RESULT(f, null, "confirmed", "", "null", 0);
-    MURK_RESULT(f, null, "confirmed_standard_error", "", "null", 0);
+    MURK_NUMBER(f, "asked", "1", "the target", p->target);
+    MURK_COUNT(f, "fewest_possible", "", "no fewer columns reach the target",
+               p->place.fewest);
+    MURK_NULL(f, "confirmed", "", "null");
+    MURK_NULL(f, "confirmed_standard_error", "", "null");
 }
 
 static void list_placement(murk_results_fields *f, const void *of)
@@ -130,18 +127,18 @@ static void list_placement(murk_results_fields *f, const void *of)
                                          "sightlines_blocked_by_interfaces",
                                          "sightlines_totally_reflected"};
     const murk_matrix_plan *p = of;
-    MURK_RESULT(f, text, "method", "", "a word of placement.method",
-                murk_place_method_name(p->desc.method));
-    MURK_RESULT(f, text, "detection", "", "a word of placement.detection",
-                murk_detection_name(p->detection));
-    MURK_RESULT(f, null, "threshold", "", "null", 0);
-    MURK_RESULT(f, count, "redundancy", "", "columns that count for a row",
-                p->redundancy);
+    MURK_TEXT(f, "method", "", "a word of placement.method",
+              murk_place_method_name(p->desc.method));
+    MURK_TEXT(f, "detection", "", "a word of placement.detection",
+              murk_detection_name(p->detection));
+    MURK_NULL(f, "threshold", "", "null");
+    MURK_COUNT(f, "redundancy", "", "columns that count for a row",
+               p->redundancy);
     list_nulls(f, before, 2);
-    MURK_RESULT(f, text, "knowledge", "", "known", "known");
-    MURK_RESULT(f, count, "restarts", "", "starts asked for", p->desc.restarts);
-    MURK_RESULT(f, count, "starts", "", "starts made", p->place.restarts);
-    MURK_RESULT(f, count, "evaluations", "", "of plans", p->place.evaluations);
+    MURK_TEXT(f, "knowledge", "", "known", "known");
+    MURK_COUNT(f, "restarts", "", "starts asked for", p->desc.restarts);
+    MURK_COUNT(f, "starts", "", "starts made", p->place.restarts);
+    MURK_COUNT(f, "evaluations", "", "of plans", p->place.evaluations);
     list_nulls(f, behind, sizeof behind / sizeof *behind);
     murk_results_list_cut(f, p ? &p->place : NULL);
 }
@@ -156,27 +153,25 @@ void murk_results_list_matrix_plan(murk_results_fields *f, const void *of)
         murk_results_list_murk(f, NULL);
     }
     list_nulls(f, scene, 2);
-    MURK_RESULT(f, count, "seed", "", "of all random numbers", p->desc.seed);
-    MURK_RESULT_OBJECT(f, "matrix", "with --matrix", list_matrix, p);
-    MURK_RESULT_OBJECT(f, "photons", "nulls", list_photons, p);
-    MURK_RESULT_OBJECT(f, "candidates", "the columns", list_candidates, p);
-    MURK_RESULT_LIST(f, "sensors", "the chosen columns", list_column, p,
-                     p->place.count);
-    MURK_RESULT_OBJECT(f, "coverage", "coverage of the plan", list_coverage, p);
-    MURK_RESULT(f, json, "seen_by_at_least", "1",
-                "share that at least 1, 2, ... columns cover", seen_by(p));
-    MURK_RESULT(f, null, "robustness", "", "null: no places, and one sample",
-                0);
+    MURK_COUNT(f, "seed", "", "of all random numbers", p->desc.seed);
+    MURK_OBJECT(f, "matrix", "with --matrix", list_matrix, p);
+    MURK_OBJECT(f, "photons", "nulls", list_photons, p);
+    MURK_OBJECT(f, "candidates", "the columns", list_candidates, p);
+    MURK_LIST(f, "sensors", "the chosen columns", list_column, p,
+              p->place.count);
+    MURK_OBJECT(f, "coverage", "coverage of the plan", list_coverage, p);
+    MURK_JSON(f, "seen_by_at_least", "1",
+              "share that at least 1, 2, ... columns cover", seen_by(p));
+    MURK_NULL(f, "robustness", "", "null: no places, and one sample");
     murk_results_list_bound(f, p ? &p->place : NULL);
-    if (MURK_RESULT_IF(f, p->target > 0)) {
-        MURK_RESULT_OBJECT(f, "target", "with a target", list_target, p);
+    if (MURK_LISTED_IF(f, p->target > 0)) {
+        MURK_OBJECT(f, "target", "with a target", list_target, p);
     }
-    if (MURK_RESULT_IF(f, p->budget > 0)) {
-        MURK_RESULT_OBJECT(f, "budget", "with a budget",
-                           murk_results_list_budget, &budget);
+    if (MURK_LISTED_IF(f, p->budget > 0)) {
+        MURK_OBJECT(f, "budget", "with a budget", murk_results_list_budget,
+                    &budget);
     }
-    MURK_RESULT_OBJECT(f, "placement", "how the plan was found", list_placement,
-                       p);
+    MURK_OBJECT(f, "placement", "how the plan was found", list_placement, p);
 }
 
 void murk_matrix_plan_print(const murk_matrix_plan *p)

@@ -117,22 +117,20 @@ void murk_results_list_use(murk_results_fields *f, const void *of, size_t i)
     const murk_condition_plans *over = of;
     const size_t n = over ? over->conditions->n : 1, c = i % n;
     const murk_condition_plan *plan = over ? &over->plan[i / n] : NULL;
-    MURK_RESULT(f, text, "made_for", "", "condition, or a plan's name",
-                plan->made_for);
-    MURK_RESULT(f, text, "used_in", "", "condition",
-                over->conditions->condition[c].settings->name);
-    MURK_RESULT(f, rounded, "in_sample", "1", "coverage there",
-                plan->in_sample[c].value, DIGITS);
-    MURK_RESULT(f, rounded, "in_sample_standard_error", "1", "of in_sample",
-                plan->in_sample[c].standard_error, ERROR_DIGITS);
-    MURK_RESULT(f, rounded, "held_out", "1", "coverage there on a second map",
-                over->has_held_out ? plan->held_out[c].value : NAN, DIGITS);
-    MURK_RESULT(f, rounded, "held_out_standard_error", "1", "of held_out",
-                over->has_held_out ? plan->held_out[c].standard_error : NAN,
-                ERROR_DIGITS);
-    MURK_RESULT(f, rounded, "regret", "1",
-                "coverage lost to the condition's own plan",
-                murk_condition_plans_regret(over, plan, c), DIGITS);
+    MURK_TEXT(f, "made_for", "", "condition, or a plan's name", plan->made_for);
+    MURK_TEXT(f, "used_in", "", "condition",
+              over->conditions->condition[c].settings->name);
+    MURK_ROUNDED(f, "in_sample", "1", "coverage there",
+                 plan->in_sample[c].value, DIGITS);
+    MURK_ROUNDED(f, "in_sample_standard_error", "1", "of in_sample",
+                 plan->in_sample[c].standard_error, ERROR_DIGITS);
+    MURK_ROUNDED(f, "held_out", "1", "coverage there on a second map",
+                 over->has_held_out ? plan->held_out[c].value : NAN, DIGITS);
+    MURK_ROUNDED(f, "held_out_standard_error", "1", "of held_out",
+                 over->has_held_out ? plan->held_out[c].standard_error : NAN,
+                 ERROR_DIGITS);
+    MURK_ROUNDED(f, "regret", "1", "coverage lost to the condition's own plan",
+                 murk_condition_plans_regret(over, plan, c), DIGITS);
 }
 
 murk_status murk_over_add_files(murk_session *session,
@@ -174,9 +172,9 @@ void murk_results_list_over_photons(murk_results_fields *f, const void *of)
         surface += murk_photon_map_count(traced->surface);
         volume += murk_photon_map_count(traced->volume);
     }
-    MURK_RESULT(f, count, "emitted", "", "in all conditions", emitted);
-    MURK_RESULT(f, count, "surface", "", "in all conditions", surface);
-    MURK_RESULT(f, count, "volume", "", "in all conditions", volume);
+    MURK_COUNT(f, "emitted", "", "in all conditions", emitted);
+    MURK_COUNT(f, "surface", "", "in all conditions", surface);
+    MURK_COUNT(f, "volume", "", "in all conditions", volume);
 }
 
 static const murk_estimate NONE = {NAN, NAN};
@@ -188,20 +186,17 @@ static void list_condition(murk_results_fields *f, const void *of, size_t c)
     const murk_condition *condition =
         over ? &over->conditions->condition[c] : NULL;
     const bool is_dark = over && c >= over->conditions->n;
-    MURK_RESULT(f, text, "name", "", "of the condition",
-                condition->settings->name);
-    MURK_RESULT(f, number, "weight", "1", "in the mean",
-                condition->settings->weight);
-    MURK_RESULT_OBJECT(f, "photons", "photons of the condition's light",
-                       murk_results_list_photons, condition->traced);
-    MURK_RESULT_ESTIMATE(f, "in_sample", "1", "coverage of the plan",
-                         is_dark ? NONE : chosen->in_sample[c]);
-    MURK_RESULT_ESTIMATE(f, "held_out", "1", "the same on a second map",
-                         over->has_held_out && !is_dark ? chosen->held_out[c]
-                                                        : NONE);
-    MURK_RESULT(f, number, "surface", "1", "of the surface map alone",
+    MURK_TEXT(f, "name", "", "of the condition", condition->settings->name);
+    MURK_NUMBER(f, "weight", "1", "in the mean", condition->settings->weight);
+    MURK_OBJECT(f, "photons", "photons of the condition's light",
+                murk_results_list_photons, condition->traced);
+    MURK_ESTIMATE(f, "in_sample", "1", "coverage of the plan",
+                  is_dark ? NONE : chosen->in_sample[c]);
+    MURK_ESTIMATE(f, "held_out", "1", "the same on a second map",
+                  over->has_held_out && !is_dark ? chosen->held_out[c] : NONE);
+    MURK_NUMBER(f, "surface", "1", "of the surface map alone",
                 is_dark ? NAN : over->coverage[c].surface.value);
-    MURK_RESULT(f, number, "volume", "1", "of the volume map alone",
+    MURK_NUMBER(f, "volume", "1", "of the volume map alone",
                 is_dark ? NAN : over->coverage[c].volume.value);
 }
 
@@ -266,20 +261,19 @@ static void list_made(murk_results_fields *f, const void *of, size_t i)
 {
     const murk_condition_plans *over = of;
     const murk_condition_plan *plan = over ? &over->plan[i] : NULL;
-    MURK_RESULT(f, text, "made_for", "", "condition, or a plan's name",
-                plan->made_for);
-    MURK_RESULT(f, json, "positions_m", "m", "of the sensors",
-                positions_of(over, plan));
-    MURK_RESULT(f, json, "coverage", "1", "in each condition",
-                all_of(over, plan, coverage_in));
-    MURK_RESULT(f, json, "standard_error", "1", "of coverage",
-                all_of(over, plan, error_in));
-    MURK_RESULT(f, json, "regret", "1", "in each condition",
-                all_of(over, plan, murk_condition_plans_regret));
-    MURK_RESULT_ESTIMATE(f, "mean", "1", "over the conditions",
-                         best_known_of(over, plan, MURK_SCENE_OBJECTIVE_MEAN));
-    MURK_RESULT_ESTIMATE(f, "worst", "1", "of the conditions",
-                         best_known_of(over, plan, MURK_SCENE_OBJECTIVE_WORST));
+    MURK_TEXT(f, "made_for", "", "condition, or a plan's name", plan->made_for);
+    MURK_JSON(f, "positions_m", "m", "of the sensors",
+              positions_of(over, plan));
+    MURK_JSON(f, "coverage", "1", "in each condition",
+              all_of(over, plan, coverage_in));
+    MURK_JSON(f, "standard_error", "1", "of coverage",
+              all_of(over, plan, error_in));
+    MURK_JSON(f, "regret", "1", "in each condition",
+              all_of(over, plan, murk_condition_plans_regret));
+    MURK_ESTIMATE(f, "mean", "1", "over the conditions",
+                  best_known_of(over, plan, MURK_SCENE_OBJECTIVE_MEAN));
+    MURK_ESTIMATE(f, "worst", "1", "of the conditions",
+                  best_known_of(over, plan, MURK_SCENE_OBJECTIVE_WORST));
 }
 
 static double lit(const murk_condition_plans *over, double value)
@@ -291,38 +285,37 @@ static double lit(const murk_condition_plans *over, double value)
 static void list_largest(murk_results_fields *f,
                          const murk_condition_plans *over)
 {
-    MURK_RESULT(f, text, "measure", "", "absolute or relative",
-                over->conditions->scene->placement.relative_regret
-                    ? "relative"
-                    : "absolute");
-    MURK_RESULT(f, number, "largest", "1",
+    MURK_TEXT(f, "measure", "", "absolute or relative",
+              over->conditions->scene->placement.relative_regret ? "relative"
+                                                                 : "absolute");
+    MURK_NUMBER(f, "largest", "1",
                 "of the plan, to the best plan found for each condition alone",
                 lit(over, over->regret));
-    MURK_RESULT(f, number, "largest_at_least", "1",
+    MURK_NUMBER(f, "largest_at_least", "1",
                 "no plan has less, compared with these or with the true optima",
                 lit(over, over->regret_lower));
-    MURK_RESULT(f, number, "largest_to_optimum_at_most", "1",
+    MURK_NUMBER(f, "largest_to_optimum_at_most", "1",
                 "of this plan, to the true optima",
                 lit(over, over->regret_upper));
-    MURK_RESULT(f, json, "best_known", "1",
-                "coverage of the best plan found for each condition alone",
-                all_of(over, NULL, best_known_in));
-    MURK_RESULT(f, json, "best_at_most", "1", "upper bound on best_known",
-                all_of(over, NULL, best_upper_in));
+    MURK_JSON(f, "best_known", "1",
+              "coverage of the best plan found for each condition alone",
+              all_of(over, NULL, best_known_in));
+    MURK_JSON(f, "best_at_most", "1", "upper bound on best_known",
+              all_of(over, NULL, best_upper_in));
 }
 
 /* Rows are plans, columns the conditions in their order, but for dark ones. */
 static void list_regret(murk_results_fields *f, const void *of)
 {
     const murk_condition_plans *over = of;
-    MURK_RESULT(f, flag, "held_out", "", "true if measured on second maps",
-                over->has_held_out);
-    if (MURK_RESULT_IF(f, over->conditions->scene->placement.over ==
+    MURK_FLAG(f, "held_out", "", "true if measured on second maps",
+              over->has_held_out);
+    if (MURK_LISTED_IF(f, over->conditions->scene->placement.over ==
                               MURK_SCENE_OBJECTIVE_REGRET)) {
         list_largest(f, over);
     }
-    MURK_RESULT_LIST(f, "plans", "each condition's own plan, and this one",
-                     list_made, over, over->plans);
+    MURK_LIST(f, "plans", "each condition's own plan, and this one", list_made,
+              over, over->plans);
 }
 
 static const char *worst_of(const murk_condition_plans *over)
@@ -338,16 +331,15 @@ static const char *worst_of(const murk_condition_plans *over)
 void murk_results_list_over(murk_results_fields *f, const void *of)
 {
     const murk_condition_plans *over = of;
-    MURK_RESULT(f, text, "over", "", "over conditions: mean, worst or regret",
-                murk_scene_word("placement.over",
-                                (int)over->conditions->scene->placement.over));
-    MURK_RESULT(f, text, "worst_condition", "",
-                "covered least, or with the largest regret", worst_of(over));
-    MURK_RESULT_LIST(f, "conditions", "the conditions, dark ones last",
-                     list_condition, over,
-                     over->conditions->n + over->conditions->dark);
-    MURK_RESULT_OBJECT(f, "regret", "coverage of each plan in each condition",
-                       list_regret, over);
+    MURK_TEXT(f, "over", "", "over conditions: mean, worst or regret",
+              murk_scene_word("placement.over",
+                              (int)over->conditions->scene->placement.over));
+    MURK_TEXT(f, "worst_condition", "",
+              "covered least, or with the largest regret", worst_of(over));
+    MURK_LIST(f, "conditions", "the conditions, dark ones last", list_condition,
+              over, over->conditions->n + over->conditions->dark);
+    MURK_OBJECT(f, "regret", "coverage of each plan in each condition",
+                list_regret, over);
 }
 
 /* ---- lines ---- */

@@ -113,16 +113,9 @@ static void put_edges(FILE *to, const path *p)
     }
 }
 
-static murk_status write_ply(const char *name, const void *context,
-                             murk_error *err)
+static void write_ply(FILE *to, const void *context)
 {
     const path *p = context;
-    murk_file *file = NULL;
-    const murk_status status = murk_file_create(&file, name, err);
-    if (status) {
-        return status;
-    }
-    FILE *to = murk_file_stream(file);
     fprintf(to,
             "ply\nformat binary_little_endian 1.0\n"
             "comment murk path: stops, corners of the line between them\n"
@@ -139,7 +132,6 @@ static murk_status write_ply(const char *name, const void *context,
     put_corners(to, p);
     put_faces(to, p);
     put_edges(to, p);
-    return murk_file_commit(&file, err);
 }
 
 murk_status murk_add_path_ply(murk_results *results,
@@ -149,5 +141,5 @@ murk_status murk_add_path_ply(murk_results *results,
 {
     const path p = {scene, explore, explore->stops > 0 ? explore->stops - 1 : 0,
                     LINE_SIZE * size_m};
-    return murk_results_add(results, "path.ply", write_ply, &p, err);
+    return murk_results_add_stream(results, "path.ply", write_ply, &p, err);
 }

@@ -22,56 +22,56 @@ double murk_share(uint64_t part, uint64_t whole)
 static void list_bound(murk_results_fields *f, const void *of)
 {
     const murk_place_result *place = of;
-    MURK_RESULT(f, number, "upper", "1",
+    MURK_NUMBER(f, "upper", "1",
                 "no plan of as many sensors covers more of this sample",
                 murk_share(place->upper, place->whole));
-    MURK_RESULT(f, number, "gap", "1", "(upper - coverage) / upper",
+    MURK_NUMBER(f, "gap", "1", "(upper - coverage) / upper",
                 place->upper || !place->whole
                     ? murk_share(place->upper - place->value, place->upper)
                     : 0);
-    MURK_RESULT(f, flag, "proven_optimal", "",
-                "true if no plan is better on this sample",
-                place->proven_optimal);
-    MURK_RESULT(f, text, "guarantee", "", "of the method, before it is run",
-                place->guarantee);
+    MURK_FLAG(f, "proven_optimal", "",
+              "true if no plan is better on this sample",
+              place->proven_optimal);
+    MURK_TEXT(f, "guarantee", "", "of the method, before it is run",
+              place->guarantee);
 }
 
 static void list_point(murk_results_fields *f, const void *of, size_t i)
 {
     const murk_place_result *place = of;
-    MURK_RESULT(f, count, "count", "", "sensors", place->curve[i].count);
-    MURK_RESULT(f, number, "coverage", "1", "of the plan of so many",
+    MURK_COUNT(f, "count", "", "sensors", place->curve[i].count);
+    MURK_NUMBER(f, "coverage", "1", "of the plan of so many",
                 murk_share(place->curve[i].value, place->whole));
-    MURK_RESULT(f, number, "upper", "1", "bound on such plans",
+    MURK_NUMBER(f, "upper", "1", "bound on such plans",
                 murk_share(place->curve[i].upper, place->whole));
 }
 
 void murk_results_list_bound(murk_results_fields *f, const void *of)
 {
     const murk_place_result *place = of;
-    MURK_RESULT_OBJECT(f, "bound", "the bound on the coverage of plans",
-                       list_bound, place);
-    MURK_RESULT_LIST(f, "curve", "plans of 1 sensor, 2 sensors, ...",
-                     list_point, place, place->curve_points);
+    MURK_OBJECT(f, "bound", "the bound on the coverage of plans", list_bound,
+                place);
+    MURK_LIST(f, "curve", "plans of 1 sensor, 2 sensors, ...", list_point,
+              place, place->curve_points);
 }
 
 void murk_results_list_cut(murk_results_fields *f, const void *of)
 {
     const murk_place_result *place = of;
-    MURK_RESULT(f, count, "nodes", "", "of branch and bound", place->nodes);
-    MURK_RESULT(f, text, "cut_by", "",
-                "null, or the limit that ended the search: nodes (of branch "
-                "and bound, over all counts together) or work",
-                place->is_cut        ? "nodes"
-                : place->is_work_cut ? "work"
-                                     : NULL);
+    MURK_COUNT(f, "nodes", "", "of branch and bound", place->nodes);
+    MURK_TEXT(f, "cut_by", "",
+              "null, or the limit that ended the search: nodes (of branch "
+              "and bound, over all counts together) or work",
+              place->is_cut        ? "nodes"
+              : place->is_work_cut ? "work"
+                                   : NULL);
 }
 
 void murk_results_list_budget(murk_results_fields *f, const void *of)
 {
     const murk_budget_results *budget = of;
-    MURK_RESULT(f, number, "asked", "", "the budget", budget->asked);
-    MURK_RESULT(f, number, "spent", "", "cost of the sensors",
+    MURK_NUMBER(f, "asked", "", "the budget", budget->asked);
+    MURK_NUMBER(f, "spent", "", "cost of the sensors",
                 (double)budget->place->cost * MURK_COST_UNIT);
 }
 
@@ -81,11 +81,10 @@ static void list_candidates(murk_results_fields *f, const void *of)
 {
     const murk_plan_result *plan = of;
     murk_results_list_candidates(f, plan ? plan->candidates : NULL);
-    MURK_RESULT(f, count, "poses", "", "candidates with heading and tilt",
-                plan->poses->count);
-    MURK_RESULT(f, count, "after_presolve", "",
-                "candidates that no other dominates",
-                plan->place.after_presolve);
+    MURK_COUNT(f, "poses", "", "candidates with heading and tilt",
+               plan->poses->count);
+    MURK_COUNT(f, "after_presolve", "", "candidates that no other dominates",
+               plan->place.after_presolve);
 }
 
 static murk_estimate held_out_of(const murk_plan_result *plan)
@@ -102,23 +101,22 @@ static void list_coverage(murk_results_fields *f, const void *of)
 {
     const murk_plan_results *r = of;
     const murk_plan_result *plan = r ? r->plan : NULL;
-    MURK_RESULT(f, number, "in_sample", "1", "on the light that chose the plan",
+    MURK_NUMBER(f, "in_sample", "1", "on the light that chose the plan",
                 plan->in_sample.total.value);
-    MURK_RESULT_ESTIMATE(f, "held_out", "1", "on a second, independent map",
-                         held_out_of(plan));
-    MURK_RESULT(f, number, "in_sample_standard_error", "1",
+    MURK_ESTIMATE(f, "held_out", "1", "on a second, independent map",
+                  held_out_of(plan));
+    MURK_NUMBER(f, "in_sample_standard_error", "1",
                 "standard error of in_sample",
                 plan->in_sample.total.standard_error);
-    MURK_RESULT_ESTIMATE(f, "surface", "1", "of the surface map alone",
-                         plan->in_sample.surface);
-    MURK_RESULT_ESTIMATE(f, "volume", "1", "of the volume map alone",
-                         plan->in_sample.volume);
-    MURK_RESULT(f, number, "ceiling", "1", "coverage of all candidates",
+    MURK_ESTIMATE(f, "surface", "1", "of the surface map alone",
+                  plan->in_sample.surface);
+    MURK_ESTIMATE(f, "volume", "1", "of the volume map alone",
+                  plan->in_sample.volume);
+    MURK_NUMBER(f, "ceiling", "1", "coverage of all candidates",
                 murk_plan_at_least(r->session->scene) > 0
                     ? NAN
                     : ceiling_of(&plan->place));
-    MURK_RESULT(f, number, "sum_of_views", "1",
-                "sum of the sensors' own coverages",
+    MURK_NUMBER(f, "sum_of_views", "1", "sum of the sensors' own coverages",
                 plan->in_sample.sum_of_views);
 }
 
@@ -126,31 +124,29 @@ static void list_coverage(murk_results_fields *f, const void *of)
 static void list_strict(murk_results_fields *f, const murk_plan_results *r)
 {
     const murk_plan_result *plan = r ? r->plan : NULL;
-    MURK_RESULT(f, count, "at_least", "", "sensors that see each photon",
-                murk_plan_at_least(r->session->scene));
-    MURK_RESULT_ESTIMATE(f, "reached", "1", "share so seen, in sample",
-                         plan->is_dark ? (murk_estimate){NAN, NAN}
-                                       : plan->in_sample.at_least);
-    MURK_RESULT(f, number, "ceiling", "1", "share so seen by all candidates",
+    MURK_COUNT(f, "at_least", "", "sensors that see each photon",
+               murk_plan_at_least(r->session->scene));
+    MURK_ESTIMATE(f, "reached", "1", "share so seen, in sample",
+                  plan->is_dark ? (murk_estimate){NAN, NAN}
+                                : plan->in_sample.at_least);
+    MURK_NUMBER(f, "ceiling", "1", "share so seen by all candidates",
                 ceiling_of(&plan->place));
-    MURK_RESULT(f, flag, "proven_fewest", "", "true if fewest_possible is met",
-                !plan->is_dark && plan->place.count <= plan->place.fewest);
+    MURK_FLAG(f, "proven_fewest", "", "true if fewest_possible is met",
+              !plan->is_dark && plan->place.count <= plan->place.fewest);
 }
 
 static void list_target(murk_results_fields *f, const void *of)
 {
     const murk_plan_results *r = of;
     const murk_plan_result *plan = r ? r->plan : NULL;
-    MURK_RESULT(f, number, "asked", "1", "the target",
+    MURK_NUMBER(f, "asked", "1", "the target",
                 r->session->scene->sensors.target);
-    MURK_RESULT(f, number, "fewest_possible", "",
-                "no fewer sensors reach the target",
+    MURK_NUMBER(f, "fewest_possible", "", "no fewer sensors reach the target",
                 plan->is_dark ? NAN : (double)plan->place.fewest);
-    if (MURK_RESULT_IF(f, murk_plan_at_least(r->session->scene) > 0)) {
+    if (MURK_LISTED_IF(f, murk_plan_at_least(r->session->scene) > 0)) {
         list_strict(f, r);
     }
-    MURK_RESULT_ESTIMATE(f, "confirmed", "1", "on a third map",
-                         plan->confirmed);
+    MURK_ESTIMATE(f, "confirmed", "1", "on a third map", plan->confirmed);
 }
 
 static void list_placement(murk_results_fields *f, const void *of)
@@ -159,42 +155,40 @@ static void list_placement(murk_results_fields *f, const void *of)
     const murk_plan_result *plan = r ? r->plan : NULL;
     const murk_scene_placement *asked =
         r ? &r->session->scene->placement : NULL;
-    MURK_RESULT(f, text, "method", "", "a word of placement.method",
-                asked->knowledge == MURK_SCENE_EXPLORE
-                    ? "greedy"
-                    : murk_place_method_name(asked->method));
-    MURK_RESULT(f, text, "detection", "", "a word of placement.detection",
-                murk_detection_name(asked->detection));
-    MURK_RESULT(
-        f, number, "threshold", "1", "of detection: threshold",
+    MURK_TEXT(f, "method", "", "a word of placement.method",
+              asked->knowledge == MURK_SCENE_EXPLORE
+                  ? "greedy"
+                  : murk_place_method_name(asked->method));
+    MURK_TEXT(f, "detection", "", "a word of placement.detection",
+              murk_detection_name(asked->detection));
+    MURK_NUMBER(
+        f, "threshold", "1", "of detection: threshold",
         murk_detection_is(asked->detection, MURK_DETECTION_HAS_THRESHOLD)
             ? asked->threshold
             : NAN);
-    MURK_RESULT(f, number, "power_radius_m", "m", "of detection: power",
+    MURK_NUMBER(f, "power_radius_m", "m", "of detection: power",
                 plan->power_radius_m > 0 ? plan->power_radius_m : NAN);
-    MURK_RESULT(f, number, "power_neighbours", "", "of detection: power",
+    MURK_NUMBER(f, "power_neighbours", "", "of detection: power",
                 plan->power_neighbours ? (double)plan->power_neighbours : NAN);
-    MURK_RESULT(f, count, "redundancy", "", "sensors that count for a photon",
-                asked->redundancy);
-    MURK_RESULT(f, text, "visibility", "", "ray or normal",
-                asked->by_normal ? "normal" : "ray");
-    MURK_RESULT(f, text, "through", "", "a word of placement.through",
-                murk_scene_word("placement.through", (int)asked->through));
-    MURK_RESULT(f, text, "knowledge", "", "a word of placement.knowledge",
-                murk_scene_word("placement.knowledge", (int)asked->knowledge));
-    MURK_RESULT(f, count, "restarts", "", "starts asked for", asked->restarts);
-    MURK_RESULT(f, count, "starts", "", "starts made", plan->place.restarts);
-    MURK_RESULT(f, count, "evaluations", "", "of plans",
-                plan->place.evaluations);
-    MURK_RESULT(f, count, "queries", "", "of the maps", plan->queries);
-    MURK_RESULT(f, count, "shadow_rays", "", "sightlines followed",
-                plan->shadow_rays);
-    MURK_RESULT(f, count, "sightlines_blocked_by_interfaces", "",
-                "sightlines that end at an interface",
-                plan->blocked_by_interfaces);
-    MURK_RESULT(f, count, "sightlines_totally_reflected", "",
-                "sightlines that no refracted way joins",
-                plan->totally_reflected);
+    MURK_COUNT(f, "redundancy", "", "sensors that count for a photon",
+               asked->redundancy);
+    MURK_TEXT(f, "visibility", "", "ray or normal",
+              asked->by_normal ? "normal" : "ray");
+    MURK_TEXT(f, "through", "", "a word of placement.through",
+              murk_scene_word("placement.through", (int)asked->through));
+    MURK_TEXT(f, "knowledge", "", "a word of placement.knowledge",
+              murk_scene_word("placement.knowledge", (int)asked->knowledge));
+    MURK_COUNT(f, "restarts", "", "starts asked for", asked->restarts);
+    MURK_COUNT(f, "starts", "", "starts made", plan->place.restarts);
+    MURK_COUNT(f, "evaluations", "", "of plans", plan->place.evaluations);
+    MURK_COUNT(f, "queries", "", "of the maps", plan->queries);
+    MURK_COUNT(f, "shadow_rays", "", "sightlines followed", plan->shadow_rays);
+    MURK_COUNT(f, "sightlines_blocked_by_interfaces", "",
+               "sightlines that end at an interface",
+               plan->blocked_by_interfaces);
+    MURK_COUNT(f, "sightlines_totally_reflected", "",
+               "sightlines that no refracted way joins",
+               plan->totally_reflected);
     murk_results_list_cut(f, plan ? &plan->place : NULL);
 }
 
@@ -212,36 +206,33 @@ void murk_results_list_plan(murk_results_fields *f, const void *of)
                                         place};
     murk_results_list_head(f, scene);
     if (r && r->over) {
-        MURK_RESULT_OBJECT(f, "photons", "", murk_results_list_over_photons,
-                           r->over);
+        MURK_OBJECT(f, "photons", "", murk_results_list_over_photons, r->over);
     } else {
-        MURK_RESULT_OBJECT(f, "photons", "photons of the light",
-                           murk_results_list_photons, r->session->traced);
+        MURK_OBJECT(f, "photons", "photons of the light",
+                    murk_results_list_photons, r->session->traced);
     }
     murk_results_list_targets(f, &targets);
-    MURK_RESULT_OBJECT(f, "candidates", "places for sensors", list_candidates,
-                       plan);
+    MURK_OBJECT(f, "candidates", "places for sensors", list_candidates, plan);
     murk_results_list_sensors(f, &sensors);
-    MURK_RESULT_OBJECT(f, "coverage", "coverage of the plan", list_coverage, r);
+    MURK_OBJECT(f, "coverage", "coverage of the plan", list_coverage, r);
     murk_results_list_shares(f, &sensors);
     murk_results_list_robust(f, &robust);
     murk_results_list_bound(f, place);
-    if (MURK_RESULT_IF(f, scene->sensors.target > 0)) {
-        MURK_RESULT_OBJECT(f, "target", "with a target", list_target, r);
+    if (MURK_LISTED_IF(f, scene->sensors.target > 0)) {
+        MURK_OBJECT(f, "target", "with a target", list_target, r);
     }
-    if (MURK_RESULT_IF(f, budget.asked > 0)) {
-        MURK_RESULT_OBJECT(f, "budget", "with a budget",
-                           murk_results_list_budget, &budget);
+    if (MURK_LISTED_IF(f, budget.asked > 0)) {
+        MURK_OBJECT(f, "budget", "with a budget", murk_results_list_budget,
+                    &budget);
     }
     murk_results_list_explore(f, scene, plan);
-    MURK_RESULT_OBJECT(f, "placement", "how the plan was found", list_placement,
-                       r);
-    if (MURK_RESULT_IF(f, r->over)) {
+    MURK_OBJECT(f, "placement", "how the plan was found", list_placement, r);
+    if (MURK_LISTED_IF(f, r->over)) {
         murk_results_list_over(f, r ? r->over : NULL);
     }
-    if (MURK_RESULT_IF(f, r->repeat)) {
-        MURK_RESULT_OBJECT(f, "repeat", "with --repeat",
-                           murk_results_list_repeat, r->repeat);
+    if (MURK_LISTED_IF(f, r->repeat)) {
+        MURK_OBJECT(f, "repeat", "with --repeat", murk_results_list_repeat,
+                    r->repeat);
     }
 }
 

@@ -152,17 +152,10 @@ static void put_faces(FILE *to, const parts *p)
     }
 }
 
-static murk_status write_ply(const char *path, const void *context,
-                             murk_error *err)
+static void write_ply(FILE *to, const void *context)
 {
     const parts *p = context;
     const murk_sight_desc *maps = murk_sight_described(p->sight);
-    murk_file *file = NULL;
-    const murk_status status = murk_file_create(&file, path, err);
-    if (status) {
-        return status;
-    }
-    FILE *to = murk_file_stream(file);
     size_t corners = 0, faces = 0;
     for (size_t k = 0; k < p->sensors; ++k) {
         const murk_mark mark = mark_of(p, k);
@@ -190,7 +183,6 @@ static murk_status write_ply(const char *path, const void *context,
     put_map(to, p, maps->volume_map, VOLUME_PHOTON,
             p->seen + murk_photon_map_count(maps->surface_map));
     put_faces(to, p);
-    return murk_file_commit(&file, err);
 }
 
 murk_status murk_add_plan_ply(murk_results *results, const char *name,
@@ -209,7 +201,7 @@ murk_status murk_add_plan_ply(murk_results *results, const char *name,
         p.seen ? look_all(&p, err)
                : murk_fail(err, MURK_NO_MEMORY, name, "no memory to write it");
     if (!status) {
-        status = murk_results_add(results, name, write_ply, &p, err);
+        status = murk_results_add_stream(results, name, write_ply, &p, err);
     }
     free(p.seen);
     return status;

@@ -14,39 +14,38 @@
 static void list_spread(murk_results_fields *f, const void *of)
 {
     const murk_spread *s = of;
-    MURK_RESULT(f, number, "median", "", "over the runs", s->median);
-    MURK_RESULT(f, number, "minimum", "", "over the runs", s->min);
-    MURK_RESULT(f, number, "maximum", "", "over the runs", s->max);
+    MURK_NUMBER(f, "median", "", "over the runs", s->median);
+    MURK_NUMBER(f, "minimum", "", "over the runs", s->min);
+    MURK_NUMBER(f, "maximum", "", "over the runs", s->max);
 }
 
 static void list_upper(murk_results_fields *f, const void *of)
 {
     const murk_repeat_summary *s = of;
     list_spread(f, s ? &s->upper : NULL);
-    MURK_RESULT(f, number, "mean", "1", "over the runs", s->upper_mean.value);
-    MURK_RESULT(f, number, "standard_error", "1", "of the mean",
+    MURK_NUMBER(f, "mean", "1", "over the runs", s->upper_mean.value);
+    MURK_NUMBER(f, "standard_error", "1", "of the mean",
                 s->upper_mean.standard_error);
 }
 
 static void list_plan(murk_results_fields *f, const void *of)
 {
     const murk_estimate *plan = of;
-    MURK_RESULT(f, number, "coverage", "1",
+    MURK_NUMBER(f, "coverage", "1",
                 "of the first plan, by maps that did not choose it",
                 plan->value);
-    MURK_RESULT(f, number, "standard_error", "1", "of coverage",
-                plan->standard_error);
+    MURK_NUMBER(f, "standard_error", "1", "of coverage", plan->standard_error);
 }
 
 static void list_gap(murk_results_fields *f, const void *of)
 {
     const murk_gap *gap = of;
-    MURK_RESULT(f, number, "value", "1", "statistical gap to the best plan",
+    MURK_NUMBER(f, "value", "1", "statistical gap to the best plan",
                 gap->value);
-    MURK_RESULT(f, number, "lower", "1", "confidence limit", gap->lower);
-    MURK_RESULT(f, number, "upper", "1", "confidence limit", gap->upper);
-    MURK_RESULT(f, number, "confidence", "1", "of the limits", CONFIDENCE);
-    MURK_RESULT(f, count, "runs", "", "that tell of the gap", gap->runs);
+    MURK_NUMBER(f, "lower", "1", "confidence limit", gap->lower);
+    MURK_NUMBER(f, "upper", "1", "confidence limit", gap->upper);
+    MURK_NUMBER(f, "confidence", "1", "of the limits", CONFIDENCE);
+    MURK_COUNT(f, "runs", "", "that tell of the gap", gap->runs);
 }
 
 void murk_results_list_repeat(murk_results_fields *f, const void *of)
@@ -54,23 +53,21 @@ void murk_results_list_repeat(murk_results_fields *f, const void *of)
     const murk_repeat_results *r = of;
     const murk_repeat *repeat = r ? r->repeat : NULL;
     const murk_repeat_summary *s = r ? &r->summary : NULL;
-    MURK_RESULT(f, count, "asked", "", "runs asked for", repeat->asked);
-    MURK_RESULT(f, count, "runs", "", "runs that were finished", repeat->runs);
-    MURK_RESULT(f, count, "first_seed", "", "of the runs", repeat->run[0].seed);
-    MURK_RESULT_OBJECT(f, "sensors", "how many", list_spread, &s->sensors);
-    MURK_RESULT_OBJECT(f, "in_sample", "coverage in sample", list_spread,
-                       &s->in_sample);
-    MURK_RESULT_OBJECT(f, "held_out", "coverage held out", list_spread,
-                       &s->held_out);
-    MURK_RESULT_OBJECT(f, "upper", "the bound", list_upper, s);
-    MURK_RESULT_OBJECT(f, "plan", "the first run's plan", list_plan, &s->plan);
-    MURK_RESULT_OBJECT(f, "gap", "null if too few runs tell of it", list_gap,
-                       s->gap.runs ? &s->gap : NULL);
-    MURK_RESULT(f, number, "best_seed", "",
-                "of the run with the greatest held-out coverage",
-                s->best < repeat->runs ? (double)repeat->run[s->best].seed
-                                       : NAN);
-    MURK_RESULT(f, number, "target_met", "",
+    MURK_COUNT(f, "asked", "", "runs asked for", repeat->asked);
+    MURK_COUNT(f, "runs", "", "runs that were finished", repeat->runs);
+    MURK_COUNT(f, "first_seed", "", "of the runs", repeat->run[0].seed);
+    MURK_OBJECT(f, "sensors", "how many", list_spread, &s->sensors);
+    MURK_OBJECT(f, "in_sample", "coverage in sample", list_spread,
+                &s->in_sample);
+    MURK_OBJECT(f, "held_out", "coverage held out", list_spread, &s->held_out);
+    MURK_OBJECT(f, "upper", "the bound", list_upper, s);
+    MURK_OBJECT(f, "plan", "the first run's plan", list_plan, &s->plan);
+    MURK_OBJECT(f, "gap", "null if too few runs tell of it", list_gap,
+                s->gap.runs ? &s->gap : NULL);
+    MURK_NUMBER(
+        f, "best_seed", "", "of the run with the greatest held-out coverage",
+        s->best < repeat->runs ? (double)repeat->run[s->best].seed : NAN);
+    MURK_NUMBER(f, "target_met", "",
                 "runs whose held-out coverage meets the target",
                 repeat->target > 0 ? (double)s->met : NAN);
 }
@@ -80,19 +77,17 @@ void murk_results_list_run(murk_results_fields *f, const void *of, size_t i)
 {
     const murk_repeat *repeat = of;
     const murk_repeat_run *run = repeat ? &repeat->run[i] : NULL;
-    MURK_RESULT(f, count, "seed", "", "of the run", run->seed);
-    MURK_RESULT(f, count, "sensors", "", "of the run's plan", run->sensors);
-    MURK_RESULT(f, number, "in_sample", "1", "coverage of the run's plan",
+    MURK_COUNT(f, "seed", "", "of the run", run->seed);
+    MURK_COUNT(f, "sensors", "", "of the run's plan", run->sensors);
+    MURK_NUMBER(f, "in_sample", "1", "coverage of the run's plan",
                 run->in_sample);
-    MURK_RESULT_ESTIMATE(f, "held_out", "1",
-                         "coverage of the run's plan on a second map",
-                         run->held_out);
-    MURK_RESULT(f, number, "upper", "1", "the run's bound", run->upper);
-    MURK_RESULT(f, flag, "proven_optimal", "", "true if the bound is met",
-                run->proven_optimal);
-    MURK_RESULT_ESTIMATE(f, "plan", "1",
-                         "coverage of the first run's plan on this map",
-                         run->plan);
+    MURK_ESTIMATE(f, "held_out", "1",
+                  "coverage of the run's plan on a second map", run->held_out);
+    MURK_NUMBER(f, "upper", "1", "the run's bound", run->upper);
+    MURK_FLAG(f, "proven_optimal", "", "true if the bound is met",
+              run->proven_optimal);
+    MURK_ESTIMATE(f, "plan", "1",
+                  "coverage of the first run's plan on this map", run->plan);
 }
 
 murk_status murk_add_repeat_csv(murk_results *results,

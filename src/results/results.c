@@ -212,6 +212,32 @@ murk_status murk_results_add(murk_results *results, const char *name,
     return status;
 }
 
+typedef struct stream {
+    murk_results_stream write;
+    const void *context;
+} stream;
+
+static murk_status write_stream(const char *path, const void *context,
+                                murk_error *err)
+{
+    const stream *s = context;
+    murk_file *file = NULL;
+    const murk_status status = murk_file_create(&file, path, err);
+    if (status) {
+        return status;
+    }
+    s->write(murk_file_stream(file), s->context);
+    return murk_file_commit(&file, err);
+}
+
+murk_status murk_results_add_stream(murk_results *results, const char *name,
+                                    murk_results_stream write,
+                                    const void *context, murk_error *err)
+{
+    const stream s = {write, context};
+    return murk_results_add(results, name, write_stream, &s, err);
+}
+
 static murk_status write_text(const char *path, const void *text,
                               murk_error *err)
 {

@@ -60,6 +60,11 @@ typedef murk_status (*murk_results_writer)(const char *path,
 murk_status murk_results_add(murk_results *results, const char *name,
                              murk_results_writer write, const void *context,
                              murk_error *err);
+/* The same of what write() puts into the stream, whose failures are noticed. */
+typedef void (*murk_results_stream)(FILE *to, const void *context);
+murk_status murk_results_add_stream(murk_results *results, const char *name,
+                                    murk_results_stream write,
+                                    const void *context, murk_error *err);
 murk_status murk_results_add_text(murk_results *results, const char *name,
                                   const char *text, murk_error *err);
 murk_status murk_results_add_light(murk_results *results, const char *name,

@@ -17,10 +17,10 @@ static double asked_deg(const murk_scene_desc *scene)
 static void list_without(murk_results_fields *f, const void *of, size_t i)
 {
     const murk_robust *r = of;
-    MURK_RESULT(f, count, "sensor", "", "number, from 1", i + 1);
-    MURK_RESULT(f, number, "in_sample", "1", "coverage without the sensor",
+    MURK_COUNT(f, "sensor", "", "number, from 1", i + 1);
+    MURK_NUMBER(f, "in_sample", "1", "coverage without the sensor",
                 r->without[i]);
-    MURK_RESULT(f, number, "held_out", "1", "the same on a second map",
+    MURK_NUMBER(f, "held_out", "1", "the same on a second map",
                 r->without_held_out ? r->without_held_out[i] : NAN);
 }
 
@@ -28,76 +28,71 @@ static void list_drop_one(murk_results_fields *f, const void *of)
 {
     const murk_robust *r = of;
     const murk_drop_one drop = r ? murk_robust_drop_one(r) : (murk_drop_one){0};
-    MURK_RESULT(f, number, "worst_sensor", "",
+    MURK_NUMBER(f, "worst_sensor", "",
                 "the sensor whose loss lowers coverage most",
                 isfinite(drop.worst_loss) ? (double)drop.worst + 1 : NAN);
-    MURK_RESULT(f, number, "worst_loss", "1", "coverage lost with that sensor",
+    MURK_NUMBER(f, "worst_loss", "1", "coverage lost with that sensor",
                 drop.worst_loss);
-    MURK_RESULT(f, number, "mean_loss", "1", "mean over the sensors",
-                drop.mean_loss);
-    MURK_RESULT_LIST(f, "without", "coverage without each sensor", list_without,
-                     r, r->sensors);
+    MURK_NUMBER(f, "mean_loss", "1", "mean over the sensors", drop.mean_loss);
+    MURK_LIST(f, "without", "coverage without each sensor", list_without, r,
+              r->sensors);
 }
 
 static void list_jitter(murk_results_fields *f, const void *of)
 {
     const murk_robust_results *r = of;
     const murk_jittered *j = r ? &r->robust->jittered : NULL;
-    MURK_RESULT(f, number, "jitter_m", "m", "radius of displacements",
+    MURK_NUMBER(f, "jitter_m", "m", "radius of displacements",
                 r->scene->placement.jitter_m);
-    MURK_RESULT(f, number, "jitter_deg", "degrees", "largest turn",
+    MURK_NUMBER(f, "jitter_deg", "degrees", "largest turn",
                 asked_deg(r->scene));
-    MURK_RESULT(f, count, "draws", "", "displaced plans", j->draws);
-    MURK_RESULT(f, text, "measured", "", "held_out or in_sample",
-                j->on_held_out ? "held_out" : "in_sample");
-    MURK_RESULT(f, number, "as_planned", "1", "coverage without displacement",
+    MURK_COUNT(f, "draws", "", "displaced plans", j->draws);
+    MURK_TEXT(f, "measured", "", "held_out or in_sample",
+              j->on_held_out ? "held_out" : "in_sample");
+    MURK_NUMBER(f, "as_planned", "1", "coverage without displacement",
                 j->as_planned);
-    MURK_RESULT_ESTIMATE(f, "mean", "1", "mean coverage of displaced plans",
-                         j->mean);
-    MURK_RESULT(f, number, "quantile_5", "1",
+    MURK_ESTIMATE(f, "mean", "1", "mean coverage of displaced plans", j->mean);
+    MURK_NUMBER(f, "quantile_5", "1",
                 "coverage that 95 % of displaced plans exceed", j->quantile);
-    MURK_RESULT(f, number, "quantile_5_lower", "1",
+    MURK_NUMBER(f, "quantile_5_lower", "1",
                 "lower 95 % confidence limit of quantile_5", j->quantile_lower);
-    MURK_RESULT(f, number, "quantile_5_upper", "1",
+    MURK_NUMBER(f, "quantile_5_upper", "1",
                 "upper 95 % confidence limit of quantile_5", j->quantile_upper);
-    MURK_RESULT(f, count, "unmoved", "",
-                "displacements that found no free place", j->unmoved);
+    MURK_COUNT(f, "unmoved", "", "displacements that found no free place",
+               j->unmoved);
 }
 
 static void list_link(murk_results_fields *f, const void *of, size_t i)
 {
     const murk_links *links = of;
-    MURK_RESULT(f, count, "from", "", "sensor, from 1",
-                links->link[i].from + 1);
-    MURK_RESULT(f, count, "to", "", "sensor, from 1", links->link[i].to + 1);
-    MURK_RESULT(f, number, "length_m", "m", "distance",
-                links->link[i].length_m);
+    MURK_COUNT(f, "from", "", "sensor, from 1", links->link[i].from + 1);
+    MURK_COUNT(f, "to", "", "sensor, from 1", links->link[i].to + 1);
+    MURK_NUMBER(f, "length_m", "m", "distance", links->link[i].length_m);
 }
 
 static void list_robust(murk_results_fields *f, const void *of)
 {
     const murk_robust_results *r = of;
     const murk_links *links = r ? &r->robust->links : NULL;
-    MURK_RESULT_OBJECT(f, "drop_one", "coverage if one sensor fails",
-                       list_drop_one, r->robust);
-    MURK_RESULT_OBJECT(f, "jitter",
-                       "null, or coverage if sensors are displaced",
-                       list_jitter, r->robust->jittered.draws ? r : NULL);
-    MURK_RESULT(f, number, "link_range_m", "m",
+    MURK_OBJECT(f, "drop_one", "coverage if one sensor fails", list_drop_one,
+                r->robust);
+    MURK_OBJECT(f, "jitter", "null, or coverage if sensors are displaced",
+                list_jitter, r->robust->jittered.draws ? r : NULL);
+    MURK_NUMBER(f, "link_range_m", "m",
                 "least range of links that joins all sensors by open ways",
                 links->range_m);
-    MURK_RESULT(f, number, "plain_link_range_m", "m",
-                "the same if all ways were open", links->plain_range_m);
-    MURK_RESULT(f, number, "link_groups", "", "groups that open ways join",
+    MURK_NUMBER(f, "plain_link_range_m", "m", "the same if all ways were open",
+                links->plain_range_m);
+    MURK_NUMBER(f, "link_groups", "", "groups that open ways join",
                 links->groups > 0 ? (double)links->groups : NAN);
-    MURK_RESULT_LIST(f, "links", "pairs of the shortest tree that joins them",
-                     list_link, links, links->n);
+    MURK_LIST(f, "links", "pairs of the shortest tree that joins them",
+              list_link, links, links->n);
 }
 
 void murk_results_list_robust(murk_results_fields *f, const void *of)
 {
-    MURK_RESULT_OBJECT(f, "robustness", "coverage if the plan is not followed",
-                       list_robust, of);
+    MURK_OBJECT(f, "robustness", "coverage if the plan is not followed",
+                list_robust, of);
 }
 
 static void print_jitter(const murk_scene_desc *scene, const murk_jittered *j,

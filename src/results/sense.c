@@ -10,19 +10,19 @@
 static void list_coverage(murk_results_fields *f, const void *of)
 {
     const murk_coverage_result *coverage = of;
-    MURK_RESULT(f, number, "in_sample", "1", "on the light that was traced",
+    MURK_NUMBER(f, "in_sample", "1", "on the light that was traced",
                 coverage->total.value);
-    MURK_RESULT(f, number, "standard_error", "1", "of in_sample",
+    MURK_NUMBER(f, "standard_error", "1", "of in_sample",
                 coverage->total.standard_error);
-    MURK_RESULT(f, null, "held_out", "1", "null: nothing was chosen", 0);
-    MURK_RESULT(f, null, "held_out_standard_error", "1", "null", 0);
-    MURK_RESULT(f, null, "ceiling", "1", "null: no candidates were asked", 0);
-    MURK_RESULT_ESTIMATE(f, "surface", "1", "of the surface map alone",
-                         coverage->surface);
-    MURK_RESULT_ESTIMATE(f, "volume", "1", "of the volume map alone",
-                         coverage->volume);
-    MURK_RESULT(f, number, "sum_of_views", "1",
-                "sum of the sensors' own coverages", coverage->sum_of_views);
+    MURK_NULL(f, "held_out", "1", "null: nothing was chosen");
+    MURK_NULL(f, "held_out_standard_error", "1", "null");
+    MURK_NULL(f, "ceiling", "1", "null: no candidates were asked");
+    MURK_ESTIMATE(f, "surface", "1", "of the surface map alone",
+                  coverage->surface);
+    MURK_ESTIMATE(f, "volume", "1", "of the volume map alone",
+                  coverage->volume);
+    MURK_NUMBER(f, "sum_of_views", "1", "sum of the sensors' own coverages",
+                coverage->sum_of_views);
 }
 
 void murk_results_list_sense(murk_results_fields *f, const void *of)
@@ -33,12 +33,12 @@ void murk_results_list_sense(murk_results_fields *f, const void *of)
     const murk_target_results targets = {scene, r ? r->targets : NULL};
     const murk_robust_results robust = {scene, r ? r->robust : NULL};
     murk_results_list_head(f, scene);
-    MURK_RESULT_OBJECT(f, "photons", "photons of the light",
-                       murk_results_list_photons, r->session->traced);
+    MURK_OBJECT(f, "photons", "photons of the light", murk_results_list_photons,
+                r->session->traced);
     murk_results_list_targets(f, &targets);
     murk_results_list_sensors(f, sensors);
-    MURK_RESULT_OBJECT(f, "coverage", "coverage of the sensors", list_coverage,
-                       sensors->coverage);
+    MURK_OBJECT(f, "coverage", "coverage of the sensors", list_coverage,
+                sensors->coverage);
     murk_results_list_shares(f, sensors);
     murk_results_list_robust(f, &robust);
 }

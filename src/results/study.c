@@ -133,9 +133,9 @@ static void list_axis(murk_results_fields *f, const void *of, size_t a)
 {
     const murk_study_axis *axis =
         of ? &((const murk_study_file *)of)->axis[a] : NULL;
-    MURK_RESULT(f, text, "key", "", "of the scene", axis->name);
-    MURK_RESULT(
-        f, json, "values", "", "as given",
+    MURK_TEXT(f, "key", "", "of the scene", axis->name);
+    MURK_JSON(
+        f, "values", "", "as given",
         cJSON_CreateStringArray((const char *const *)axis->text, (int)axis->n));
 }
 
@@ -156,18 +156,17 @@ static void list_sensor(murk_results_fields *f, const void *of, size_t i)
 {
     const murk_study_row *row = of;
     const murk_study_sensor *sensor = row ? &row->sensor[i] : NULL;
-    MURK_RESULT(f, text, "type", "", "name of the sensor type", sensor->type);
-    MURK_RESULT(f, vector, "position_m", "m", "position", sensor->position);
-    MURK_RESULT(f, number, "heading_deg", "degrees", "clockwise from north",
+    MURK_TEXT(f, "type", "", "name of the sensor type", sensor->type);
+    MURK_VECTOR(f, "position_m", "m", "position", sensor->position);
+    MURK_NUMBER(f, "heading_deg", "degrees", "clockwise from north",
                 sensor->heading_deg);
-    MURK_RESULT(f, number, "tilt_deg", "degrees", "up from the horizon",
+    MURK_NUMBER(f, "tilt_deg", "degrees", "up from the horizon",
                 sensor->tilt_deg);
 }
 
 static void list_sensors(murk_results_fields *f, const murk_study_row *row)
 {
-    MURK_RESULT_LIST(f, "sensors", "of the plan", list_sensor, row,
-                     row->sensors);
+    MURK_LIST(f, "sensors", "of the plan", list_sensor, row, row->sensors);
 }
 
 static const char *or_null(const char *text)
@@ -199,21 +198,19 @@ static void list_row(murk_results_fields *f, const void *of, size_t k)
     const done_rows *done = of;
     const size_t i = done ? done->row[k] : 0;
     const murk_sweep_row *row = done ? &done->sweep->row[i] : NULL;
-    MURK_RESULT(f, count, "row", "", "number, from 1", i + 1);
-    MURK_RESULT(f, json, "axes", "", "value of each axis, by key",
-                axes_json(done->sweep->desc.study, i));
-    MURK_RESULT(f, json, "values", "",
-                "by name, each value, standard_error, unit",
-                values_json(&row->found));
+    MURK_COUNT(f, "row", "", "number, from 1", i + 1);
+    MURK_JSON(f, "axes", "", "value of each axis, by key",
+              axes_json(done->sweep->desc.study, i));
+    MURK_JSON(f, "values", "", "by name, each value, standard_error, unit",
+              values_json(&row->found));
     list_sensors(f, row ? &row->found : NULL);
-    MURK_RESULT(f, count, "photons_emitted", "", "emitted photons",
-                row->found.emitted);
-    MURK_RESULT(f, number, "light", "", "number of the light that rows share",
+    MURK_COUNT(f, "photons_emitted", "", "emitted photons", row->found.emitted);
+    MURK_NUMBER(f, "light", "", "number of the light that rows share",
                 row->group == SIZE_MAX ? NAN : (double)(row->group + 1));
-    MURK_RESULT(f, text, "note", "", "null, or notes on the row",
-                or_null(row->found.note));
-    MURK_RESULT(f, text, "failed", "", "null, or the reason of the failure",
-                or_null(row->found.failed));
+    MURK_TEXT(f, "note", "", "null, or notes on the row",
+              or_null(row->found.note));
+    MURK_TEXT(f, "failed", "", "null, or the reason of the failure",
+              or_null(row->found.failed));
 }
 
 /* Numbers from 1 of n rows. */
@@ -230,19 +227,18 @@ static void list_light(murk_results_fields *f, const void *of, size_t g)
 {
     const murk_sweep *sweep = of;
     const murk_sweep_group *group = sweep ? &sweep->group[g] : NULL;
-    MURK_RESULT(f, count, "light", "", "number, from 1", g + 1);
-    MURK_RESULT(f, json, "rows", "", "that share the traced light",
-                numbers_json(group->row, group->n));
-    MURK_RESULT(f, count, "scaled_lights", "",
-                "light sources whose powers rows scale", group->lights);
+    MURK_COUNT(f, "light", "", "number, from 1", g + 1);
+    MURK_JSON(f, "rows", "", "that share the traced light",
+              numbers_json(group->row, group->n));
+    MURK_COUNT(f, "scaled_lights", "", "light sources whose powers rows scale",
+               group->lights);
 }
 
 static void list_estimate(murk_results_fields *f, const void *of)
 {
     const murk_estimate *e = of;
-    MURK_RESULT(f, number, "value", "1", "coverage", e->value);
-    MURK_RESULT(f, number, "standard_error", "1", "of value",
-                e->standard_error);
+    MURK_NUMBER(f, "value", "1", "coverage", e->value);
+    MURK_NUMBER(f, "standard_error", "1", "of value", e->standard_error);
 }
 
 static double value_of(const murk_study_row *found, const char *name)
@@ -263,20 +259,20 @@ static void list_plan(murk_results_fields *f, const void *of)
     const murk_sweep *sweep = p ? p->sweep : NULL;
     const murk_sweep_plan *plan = p ? p->plan : NULL;
     list_sensors(f, plan ? &plan->found : NULL);
-    MURK_RESULT_OBJECT(f, "mean", "over the rows", list_estimate, &plan->mean);
-    MURK_RESULT_OBJECT(f, "worst", "of the rows", list_estimate, &plan->worst);
-    MURK_RESULT(f, number, "worst_row", "", "number, from 1",
+    MURK_OBJECT(f, "mean", "over the rows", list_estimate, &plan->mean);
+    MURK_OBJECT(f, "worst", "of the rows", list_estimate, &plan->worst);
+    MURK_NUMBER(f, "worst_row", "", "number, from 1",
                 plan->worst_row < sweep->desc.study->rows
                     ? (double)(plan->worst_row + 1)
                     : NAN);
-    MURK_RESULT(f, number, "in_sample", "1", "on the light that chose",
+    MURK_NUMBER(f, "in_sample", "1", "on the light that chose",
                 value_of(&plan->found, "in_sample"));
-    MURK_RESULT(f, number, "upper_bound", "1", "on in_sample",
+    MURK_NUMBER(f, "upper_bound", "1", "on in_sample",
                 value_of(&plan->found, "upper_bound"));
-    MURK_RESULT(f, json, "chosen_for_rows", "", "numbers, from 1",
-                numbers_json(sweep->chooser, sweep->choosers));
-    MURK_RESULT(f, text, "failed", "", "null, or the reason of the failure",
-                or_null(plan->found.failed));
+    MURK_JSON(f, "chosen_for_rows", "", "numbers, from 1",
+              numbers_json(sweep->chooser, sweep->choosers));
+    MURK_TEXT(f, "failed", "", "null, or the reason of the failure",
+              or_null(plan->found.failed));
 }
 
 /* One plan for all rows, as far as it was asked for. */
@@ -287,9 +283,9 @@ static void list_plans(murk_results_fields *f, const void *of)
     const murk_sweep *sweep = of;
     for (int p = 0; p < MURK_SWEEP_PLANS; ++p) {
         const plan_of_rows plan = {sweep, sweep ? &sweep->plan[p] : NULL};
-        if (MURK_RESULT_IF(f, plan.plan->is_wanted)) {
-            MURK_RESULT_OBJECT(f, names[p], "the plan for this criterion",
-                               list_plan, &plan);
+        if (MURK_LISTED_IF(f, plan.plan->is_wanted)) {
+            MURK_OBJECT(f, names[p], "the plan for this criterion", list_plan,
+                        &plan);
         }
     }
 }
@@ -304,8 +300,8 @@ static void list_run(murk_results_fields *f, const void *of)
     for (size_t i = 0; sweep && i < sweep->desc.study->rows; ++i) {
         kept += sweep->row[i].is_kept;
     }
-    MURK_RESULT(f, count, "lights_traced", "", "by this run", traced);
-    MURK_RESULT(f, count, "rows_kept", "", "from earlier runs", kept);
+    MURK_COUNT(f, "lights_traced", "", "by this run", traced);
+    MURK_COUNT(f, "rows_kept", "", "from earlier runs", kept);
 }
 
 typedef struct study_results {
@@ -321,31 +317,25 @@ void murk_results_list_study(murk_results_fields *f, const void *of)
     if (!murk_results_describes(f)) {
         murk_results_list_murk(f, NULL);
     }
-    MURK_RESULT(f, text, "study", "", "the study file as named", study->path);
-    MURK_RESULT(f, text, "study_sha256", "", "of the study file",
-                study->sha256);
-    MURK_RESULT(f, text, "scene", "", "the base scene", study->base);
-    MURK_RESULT(f, text, "scene_sha256", "", "of the base scene",
-                sweep->scene_sha256);
-    MURK_RESULT(f, count, "seed", "", "of all random numbers", sweep->seed);
-    MURK_RESULT(f, text, "mode", "", "grid or paired",
-                study->is_paired ? "paired" : "grid");
-    MURK_RESULT_LIST(f, "axes", "the keys that vary", list_axis, study,
-                     study->axes);
-    MURK_RESULT(f, count, "rows_asked", "", "of the study", study->rows);
-    MURK_RESULT(f, count, "rows_done", "", "failed ones included",
-                murk_sweep_done(sweep));
-    MURK_RESULT(f, count, "rows_failed", "", "of those done",
-                murk_sweep_failed(sweep));
-    MURK_RESULT(f, flag, "interrupted", "", "true if the run was",
-                r->is_interrupted);
-    MURK_RESULT_LIST(f, "rows", "those done", list_row, &r->done, r->done.n);
-    MURK_RESULT_OBJECT(f, "plans", "one plan for all rows, as asked for",
-                       list_plans, sweep);
-    MURK_RESULT_LIST(f, "lights", "groups of rows that share a light",
-                     list_light, sweep, sweep->groups);
-    MURK_RESULT_OBJECT(f, "run", "beside the keys of every JSON", list_run,
-                       sweep);
+    MURK_TEXT(f, "study", "", "the study file as named", study->path);
+    MURK_TEXT(f, "study_sha256", "", "of the study file", study->sha256);
+    MURK_TEXT(f, "scene", "", "the base scene", study->base);
+    MURK_TEXT(f, "scene_sha256", "", "of the base scene", sweep->scene_sha256);
+    MURK_COUNT(f, "seed", "", "of all random numbers", sweep->seed);
+    MURK_TEXT(f, "mode", "", "grid or paired",
+              study->is_paired ? "paired" : "grid");
+    MURK_LIST(f, "axes", "the keys that vary", list_axis, study, study->axes);
+    MURK_COUNT(f, "rows_asked", "", "of the study", study->rows);
+    MURK_COUNT(f, "rows_done", "", "failed ones included",
+               murk_sweep_done(sweep));
+    MURK_COUNT(f, "rows_failed", "", "of those done", murk_sweep_failed(sweep));
+    MURK_FLAG(f, "interrupted", "", "true if the run was", r->is_interrupted);
+    MURK_LIST(f, "rows", "those done", list_row, &r->done, r->done.n);
+    MURK_OBJECT(f, "plans", "one plan for all rows, as asked for", list_plans,
+                sweep);
+    MURK_LIST(f, "lights", "groups of rows that share a light", list_light,
+              sweep, sweep->groups);
+    MURK_OBJECT(f, "run", "beside the keys of every JSON", list_run, sweep);
 }
 
 cJSON *murk_study_json(const murk_sweep *sweep, bool is_interrupted)

@@ -258,19 +258,12 @@ static void put_faces(FILE *to, const surfaces *s)
     }
 }
 
-static murk_status write_ply(const char *path, const void *context,
-                             murk_error *err)
+static void write_ply(FILE *to, const void *context)
 {
     const surfaces *s = context;
-    murk_file *file = NULL;
-    const murk_status status = murk_file_create(&file, path, err);
-    if (status) {
-        return status;
-    }
-    put_header(murk_file_stream(file), s);
-    put_vertices(murk_file_stream(file), s);
-    put_faces(murk_file_stream(file), s);
-    return murk_file_commit(&file, err);
+    put_header(to, s);
+    put_vertices(to, s);
+    put_faces(to, s);
 }
 
 static murk_status write_vtp(const char *path, const void *context,
@@ -346,8 +339,8 @@ static void add_files(murk_session *session, const murk_lit_pieces *lit,
     } else {
         choose(&s);
         snprintf(s.lost, sizeof s.lost, "%llu", (unsigned long long)lit->lost);
-        (void)murk_results_add(&session->results, "surfaces.ply", write_ply, &s,
-                               late);
+        (void)murk_results_add_stream(&session->results, "surfaces.ply",
+                                      write_ply, &s, late);
         (void)murk_results_add(&session->results, "surfaces.vtp", write_vtp, &s,
                                late);
     }

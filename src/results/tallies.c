@@ -81,21 +81,20 @@ void murk_results_list_tally(murk_results_fields *f, const void *of, size_t i)
     const tally_value *v = of;
     const murk_tally_desc *d = v ? v->of->desc : NULL;
     (void)i; /* each value is of its own */
-    MURK_RESULT(f, text, "tally", "", "name", d->name);
-    MURK_RESULT(f, rounded, "band_nm", "nm", "band",
-                v->of->scene->band_nm[v->band], 9);
-    MURK_RESULT(f, count, "bin_i", "", "along the first axis, from 0",
-                v->bin % bins_of(d, 0));
-    MURK_RESULT(f, count, "bin_j", "", "along the second axis, from 0",
-                v->bin / bins_of(d, 0) % bins_of(d, 1));
-    MURK_RESULT(f, count, "bin_k", "", "of angle, from 0",
-                v->bin / bins_of(d, 0) / bins_of(d, 1));
-    MURK_RESULT(f, text, "direction", "", "forward, backward, up or down",
-                direction_of(d, v->direction));
-    MURK_RESULT(f, rounded, "value", "", "in the unit", v->value.value, 12);
-    MURK_RESULT(f, rounded, "standard_error", "", "of value",
-                v->value.standard_error, 6);
-    MURK_RESULT(f, text, "unit", "", "of value", unit_of(d, &v->of->units));
+    MURK_TEXT(f, "tally", "", "name", d->name);
+    MURK_ROUNDED(f, "band_nm", "nm", "band", v->of->scene->band_nm[v->band], 9);
+    MURK_COUNT(f, "bin_i", "", "along the first axis, from 0",
+               v->bin % bins_of(d, 0));
+    MURK_COUNT(f, "bin_j", "", "along the second axis, from 0",
+               v->bin / bins_of(d, 0) % bins_of(d, 1));
+    MURK_COUNT(f, "bin_k", "", "of angle, from 0",
+               v->bin / bins_of(d, 0) / bins_of(d, 1));
+    MURK_TEXT(f, "direction", "", "forward, backward, up or down",
+              direction_of(d, v->direction));
+    MURK_ROUNDED(f, "value", "", "in the unit", v->value.value, 12);
+    MURK_ROUNDED(f, "standard_error", "", "of value", v->value.standard_error,
+                 6);
+    MURK_TEXT(f, "unit", "", "of value", unit_of(d, &v->of->units));
 }
 
 static void write_rows(const tally *t, FILE *file)
@@ -111,25 +110,16 @@ static void write_rows(const tally *t, FILE *file)
     }
 }
 
-static murk_status write_csv(const char *path, const void *context,
-                             murk_error *err)
+static void write_csv(FILE *to, const void *context)
 {
     const murk_session *session = context;
-    murk_file *file = NULL;
-    murk_status status = murk_file_create(&file, path, err);
-    if (status) {
-        return status;
-    }
-    murk_results_csv_heading(murk_file_stream(file), murk_results_list_tally);
+    murk_results_csv_heading(to, murk_results_list_tally);
     for (size_t i = 0; i < murk_tallies_count(session->traced->tallies); ++i) {
         const tally t = tally_of(session, i);
         if (t.desc->type != MURK_TALLY_GRID) {
-            write_rows(&t, murk_file_stream(file));
+            write_rows(&t, to);
         }
     }
-    status = murk_file_commit(&file, err); /* notices failed writes */
-    murk_file_discard(file);
-    return status;
 }
 
 /* ---- grids ---- */
@@ -209,8 +199,8 @@ murk_status murk_add_tallies(murk_session *session, murk_error *err)
         }
         return MURK_OK;
     }
-    murk_status status = murk_results_add(&session->results, "tallies.csv",
-                                          write_csv, session, err);
+    murk_status status = murk_results_add_stream(
+        &session->results, "tallies.csv", write_csv, session, err);
     for (size_t i = 0; i < murk_tallies_count(tallies) && !status; ++i) {
         tally t = tally_of(session, i);
         if (t.desc->type == MURK_TALLY_GRID) {
