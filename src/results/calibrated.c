@@ -1,3 +1,6 @@
+/* Writes calibrated.yaml: the values that a fit found, as keys for --set @FILE.
+ * A key that a condition overrides in the scene is written once more under that
+ * condition, because the value of the scene would not reach the condition. */
 #include "results/fit.h"
 
 #include "base/log.h"

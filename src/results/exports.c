@@ -1,3 +1,7 @@
+/* Adds the files of --export: the coverage matrix in its formats (CSV,
+ * OR-Library text, LP), candidates.csv, fields, photons and surfaces; and
+ * plan.ply. A file that cannot be made is told late, after the results are
+ * written. */
 #include "results/exports.h"
 
 #include "base/log.h"

@@ -1,3 +1,5 @@
+/* Writes fields on a box of voxels: as OpenVDB grids with metadata, and as VTK
+ * image data (.vti), XML before raw bytes in appended mode. */
 #include "results/field_files.h"
 
 #include "medium/grid_write.h"

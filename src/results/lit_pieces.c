@@ -1,3 +1,7 @@
+/* Estimates irradiance on pieces of surfaces from the surface photon map: the
+ * stored power over the diffuse coefficient, summed over the photons of a piece
+ * and divided by the area of the piece, with the standard error by emitted
+ * photon; and the coverage of pieces by sensors. */
 #include "results/lit_pieces.h"
 
 #include "base/interrupt.h"

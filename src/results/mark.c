@@ -1,3 +1,6 @@
+/* Makes the mark of a sensor for viewers, as corners and triangles: an
+ * octahedron if the sensor sees all round, else a pyramid or a cone of the
+ * view. */
 #include "results/mark.h"
 
 #include <math.h>

@@ -1,3 +1,5 @@
+/* Writes path.ply: the stops of an exploration, and a thin three-sided tube
+ * about each leg, because some viewers leave the edges of a PLY file out. */
 #include "results/path_ply.h"
 
 #include "scene/places.h"

@@ -1,3 +1,7 @@
+/* Writes photons.ply and photons.vtp: each stored photon of both maps with
+ * place, direction, normal, power, numbers and a colour. Colours of several
+ * bands follow from the colour matching functions (render/colour.h), in sRGB.
+ */
 #include "results/photons.h"
 
 #include "base/interrupt.h"

@@ -1,3 +1,6 @@
+/* Cuts the triangles of a scene into k^2 triangles of the same shape, k by the
+ * longest edge, so that a photon finds the piece from the barycentric
+ * coordinates of its place alone. A sphere is cut into octants first. */
 #include "results/pieces.h"
 
 #include <assert.h>

@@ -1,3 +1,7 @@
+/* Writes plan.ply: sensors, their marks and the stored photons, each photon
+ * with the number of sensors that see it. The sightlines are looked at once
+ * more, for a few sensors at a time, so that memory does not grow with the
+ * plan. */
 #include "results/plan_ply.h"
 
 #include "placement/sparse_matrix.h"

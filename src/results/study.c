@@ -1,3 +1,5 @@
+/* Writes the rows of a study: table.csv, whose columns are the axes and the
+ * values that the rows have, and the table of fields of study.json. */
 #include "results/study.h"
 
 #include "results/coverage.h"

@@ -1,3 +1,5 @@
+/* Prints the rows of a study as a table on the terminal, as many columns and
+ * rows as there is room for. */
 #include "results/study_print.h"
 
 #include "results/summary.h"

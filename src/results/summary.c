@@ -1,3 +1,5 @@
+/* Prints the summary: breaks lines at 80 columns, and escapes control
+ * characters of names, so that no name can act on the terminal. */
 #include "results/summary.h"
 
 #include "base/machine.h"

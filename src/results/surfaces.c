@@ -1,3 +1,6 @@
+/* Writes surfaces.ply and surfaces.vtp: the pieces of the surfaces
+ * (results/pieces.h) with irradiance, error, number of photons and, with
+ * sensors, coverage. Colours follow a perceptually uniform ramp. */
 #include "results/surfaces.h"
 
 #include "base/number.h"

@@ -1,3 +1,7 @@
+/* Writes the tallies of planes and spheres as tallies.csv and as lines of the
+ * summary, and the tallies of grids as OpenVDB files of value and standard
+ * error. Values are turned from watts into the units of the scene
+ * (world/units.h). */
 #include "results/tallies.h"
 
 #include "base/log.h"

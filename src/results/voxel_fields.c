@@ -1,3 +1,7 @@
+/* Makes the fields of --export fields over the domain: extinction at the middle
+ * of each voxel, and coverage, number of sensors, clarity and optical depth, as
+ * placement would count a photon that is stored there (sensing/places_seen.h).
+ */
 #include "results/voxel_fields.h"
 
 #include "base/number.h"

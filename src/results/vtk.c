@@ -1,3 +1,6 @@
+/* Writes VTK's XML poly data (.vtp) with arrays of raw bytes in appended mode,
+ * and the parts that it shares with .vti and PLY files: facts of the origin as
+ * field data or as comments. */
 #include "results/vtk.h"
 
 #include "base/file.h"
