@@ -12,7 +12,7 @@
 #include "base/machine.h"
 #include "base/number.h"
 #include "plan/poses.h"
-#include "sensing/views.h"
+#include "sensing/combined_rows.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -211,15 +211,16 @@ static murk_status fit_settings(murk_matrix_plan *p,
 
 /* ---- the plan ---- */
 
-static murk_status set_aside(murk_matrix_plan *p, murk_views *views,
+static murk_status set_aside(murk_matrix_plan *p, murk_combined_rows *combined,
                              murk_error *err)
 {
     const size_t n = p->place.count;
     p->covers = (murk_covering){.alone = calloc(n, sizeof(uint64_t)),
                                 .only = calloc(n, sizeof(uint64_t)),
                                 .seen_by = calloc(n + 1, sizeof(uint64_t))};
-    return murk_views_init(views, p->matrix->rows,
-                           murk_combining_of(p->detection), p->redundancy) &&
+    return murk_combined_rows_init(combined, p->matrix->rows,
+                                   murk_combining_of(p->detection),
+                                   p->redundancy) &&
                    p->covers.alone && p->covers.only && p->covers.seen_by
                ? MURK_OK
                : murk_fail(err, MURK_NO_MEMORY, p->file,
@@ -233,10 +234,10 @@ static murk_status measure(murk_matrix_plan *p, const murk_problem *problem,
     const murk_sparse_matrix *m = p->matrix;
     const size_t n = p->place.count;
     murk_covering *c = &p->covers;
-    murk_views views = {0};
-    const murk_status status = set_aside(p, &views, err);
+    murk_combined_rows combined = {0};
+    const murk_status status = set_aside(p, &combined, err);
     if (status) {
-        murk_views_release(&views);
+        murk_combined_rows_release(&combined);
         return status;
     }
     /* What each column covers alone. */
@@ -247,29 +248,29 @@ static murk_status measure(murk_matrix_plan *p, const murk_problem *problem,
             c->alone[k] += (uint64_t)m->weight[row.photon[i]] *
                            (row.clarity ? row.clarity[i] : MURK_CLEAR);
         }
-        murk_views_add(&views, (uint32_t)k, &row);
+        murk_combined_rows_add(&combined, (uint32_t)k, &row);
         c->sum += c->alone[k];
     }
     /* What only that column covers. */
-    for (size_t k = 0; k < n && views.dose; ++k) {
+    for (size_t k = 0; k < n && combined.dose; ++k) {
         murk_sparse_row row;
         problem->get_row(problem->context, 0, p->place.sensor[k], &row);
-        c->only[k] = murk_views_only_of(&views, m->weight, &row);
+        c->only[k] = murk_combined_rows_only_of(&combined, m->weight, &row);
     }
-    if (!views.dose) {
-        murk_views_only(&views, m->weight, c->only);
+    if (!combined.dose) {
+        murk_combined_rows_only(&combined, m->weight, c->only);
     }
     /* Weight of the rows that at least so many columns cover. */
     for (size_t i = 0; i < m->rows; ++i) {
         c->whole_rows += m->weight[i];
-        if (views.sensors[i]) {
-            c->seen_by[views.sensors[i] - 1] += m->weight[i];
+        if (combined.sensors[i]) {
+            c->seen_by[combined.sensors[i] - 1] += m->weight[i];
         }
     }
     for (size_t k = n - 1; k > 0; --k) {
         c->seen_by[k - 1] += c->seen_by[k];
     }
-    murk_views_release(&views);
+    murk_combined_rows_release(&combined);
     return MURK_OK;
 }
 

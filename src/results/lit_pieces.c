@@ -7,8 +7,8 @@
 #include "base/interrupt.h"
 #include "base/pool.h"
 #include "base/progress.h"
+#include "sensing/combined_rows.h"
 #include "sensing/places_seen.h"
-#include "sensing/views.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -193,18 +193,19 @@ static murk_status light_all(murk_lit_pieces *out, const murk_traced *traced,
 
 /* Weight of what lies on the pieces, and of what is seen of it. */
 static void weigh(murk_lit_pieces *out, const murk_sight *sight,
-                  const murk_views *views, const uint32_t *piece,
+                  const murk_combined_rows *combined, const uint32_t *piece,
                   uint64_t *whole, uint64_t *seen)
 {
     const size_t n =
         murk_photon_map_count(murk_sight_described(sight)->surface_map);
     const uint32_t *weight = murk_sight_weights(sight);
     const uint64_t full =
-        (uint64_t)MURK_CLEAR * (views->layers > 1 ? views->layers : 1);
+        (uint64_t)MURK_CLEAR * (combined->layers > 1 ? combined->layers : 1);
     for (size_t i = 0; i < n; ++i) {
         if (piece[i] != MURK_NO_PIECE) {
             whole[piece[i]] += weight[i] * full;
-            seen[piece[i]] += (uint64_t)weight[i] * murk_views_worth(views, i);
+            seen[piece[i]] +=
+                (uint64_t)weight[i] * murk_combined_rows_worth(combined, i);
         }
     }
     for (size_t i = 0; i < out->pieces->n; ++i) {
@@ -221,20 +222,21 @@ static murk_status cover_all(murk_lit_pieces *out, murk_sight *sight,
     const size_t pieces = out->pieces->n;
     uint64_t *whole = calloc(pieces + 1, sizeof *whole);
     uint64_t *seen = calloc(pieces + 1, sizeof *seen);
-    murk_views views = {0};
+    murk_combined_rows combined = {0};
     const bool has_room =
-        murk_views_init(&views, murk_sight_photons(sight), desc->combining,
-                        desc->redundancy > 1 ? desc->redundancy : 1) &&
+        murk_combined_rows_init(&combined, murk_sight_photons(sight),
+                                desc->combining,
+                                desc->redundancy > 1 ? desc->redundancy : 1) &&
         whole && seen;
     for (size_t k = 0; has_room && k < sensors && !murk_interrupted(); ++k) {
         murk_sparse_row row;
         murk_sight_row(sight, 0, &sensor[k], &row);
-        murk_views_add(&views, (uint32_t)k, &row);
+        murk_combined_rows_add(&combined, (uint32_t)k, &row);
     }
     if (has_room) {
-        weigh(out, sight, &views, piece, whole, seen);
+        weigh(out, sight, &combined, piece, whole, seen);
     }
-    murk_views_release(&views);
+    murk_combined_rows_release(&combined);
     free(whole);
     free(seen);
     return !has_room ? no_memory(out->pieces, err)

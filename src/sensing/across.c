@@ -1,7 +1,12 @@
+/* Sightlines across one interface: takes the refracted paths
+ * (sensing/refract.h), tests range, field of view, normal and surfaces for
+ * each, and multiplies the transmittances of boundary, sheets and media.
+ * Photons that a straight line would show, but no refracted path does, are
+ * counted by cause. */
 #include "sensing/across.h"
 
-/* Photons that a straight line would see, if nothing bent, and that have no way
- * at all. */
+/* Counts a photon that a straight sightline would show and that no path
+ * reaches. */
 static void count_lost(const murk_across *a, const murk_side *facing,
                        murk_vec3 from, bool is_reflected)
 {
@@ -17,8 +22,10 @@ static void count_lost(const murk_across *a, const murk_side *facing,
     }
 }
 
+/* True if a refracted path passes the filters of the sensor and meets no
+ * surface. */
 static bool is_open(const murk_across *a, const murk_photon *photon,
-                    const murk_side *facing, const murk_way *way,
+                    const murk_side *facing, const murk_refracted_path *way,
                     murk_vec3 apparent)
 {
     const murk_snell *s = &way->snell;
@@ -34,23 +41,27 @@ static bool is_open(const murk_across *a, const murk_photon *photon,
         return false;
     }
     murk_tally_add(a->shadow_rays, 1);
-    return !murk_way_blocked(way, a->sensor, a->surfaces, a->through_sheets);
+    return !murk_refracted_path_blocked(way, a->sensor, a->surfaces,
+                                        a->through_sheets);
 }
 
-size_t murk_across_look(const murk_across *a, const murk_photon *photon,
-                        const murk_side *facing, murk_vec3 from, double index,
-                        murk_sightline line[MURK_WAYS_MAX])
+size_t murk_across_sightlines(const murk_across *a, const murk_photon *photon,
+                              const murk_side *facing, murk_vec3 from,
+                              double index,
+                              murk_sightline line[MURK_REFRACTED_PATHS_MAX])
 {
     const murk_path_viewpoint *p = a->sensor;
-    murk_way way[MURK_WAYS_MAX];
+    murk_refracted_path way[MURK_REFRACTED_PATHS_MAX];
     bool is_reflected;
-    const size_t ways =
-        murk_ways_across(a->interfaces, p, from, index, way, &is_reflected);
-    if (ways == 0) {
+    const size_t paths = murk_refracted_paths_find(a->interfaces, p, from,
+                                                   index, way, &is_reflected);
+    /* Without a path the photon is lost. */
+    if (paths == 0) {
         count_lost(a, facing, from, is_reflected);
     }
+    /* Each open path makes a sightline. */
     size_t lines = 0;
-    for (size_t i = 0; i < ways; ++i) {
+    for (size_t i = 0; i < paths; ++i) {
         const murk_snell *s = &way[i].snell;
         const murk_vec3 to = murk_sub(s->crossing, p->position);
         const murk_vec3 apparent =
@@ -62,9 +73,10 @@ size_t murk_across_look(const murk_across *a, const murk_photon *photon,
         line[lines++] = (murk_sightline){
             .transmittance =
                 s->transmittance *
-                murk_way_sheets(&way[i], p, a->surfaces,
-                                murk_photon_band(photon)) *
-                murk_way_transmittance(&way[i], p, murk_photon_band(photon)),
+                murk_refracted_path_sheets(&way[i], p, a->surfaces,
+                                           murk_photon_band(photon)) *
+                murk_refracted_path_transmittance(&way[i], p,
+                                                  murk_photon_band(photon)),
             .way = apparent,
             .leaving = murk_unit(murk_sub(s->crossing, way[i].photon)),
             .gain = ratio * ratio};

@@ -12,8 +12,8 @@
 #include "base/interrupt.h"
 #include "base/pool.h"
 #include "base/position.h"
+#include "sensing/combined_rows.h"
 #include "sensing/region_coverage.h"
-#include "sensing/views.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -32,7 +32,7 @@ typedef struct measure {
     const murk_pose *pose;
     size_t sensors, photons, surface_photons;
     const uint32_t *weight;
-    murk_views views;
+    murk_combined_rows combined;
     stored_row *block;             /* [ROWS_EACH * threads] */
     size_t first;                  /* sensor of block[0] */
     uint64_t *single_value, *only; /* [sensors] weight * clarity: alone, and
@@ -79,7 +79,8 @@ static void find_row(void *context, unsigned worker, uint64_t batch)
 static void add_row(measure *m, uint32_t sensor, const murk_sparse_row *row)
 {
     if (m->is_second_pass) {
-        m->only[sensor] = murk_views_only_of(&m->views, m->weight, row);
+        m->only[sensor] =
+            murk_combined_rows_only_of(&m->combined, m->weight, row);
         return;
     }
     for (size_t k = 0; k < row->seen; ++k) {
@@ -87,7 +88,7 @@ static void add_row(measure *m, uint32_t sensor, const murk_sparse_row *row)
             (uint64_t)m->weight[row->photon[k]] *
             (row->clarity ? row->clarity[k] : MURK_CLEAR);
     }
-    murk_views_add(&m->views, sensor, row);
+    murk_combined_rows_add(&m->combined, sensor, row);
 }
 
 static void release_block(stored_row *block, size_t n)
@@ -130,11 +131,11 @@ static murk_status find_rows(measure *m, murk_error *err)
 
 static murk_status find_only(measure *m, murk_error *err)
 {
-    m->is_second_pass = m->views.dose;
+    m->is_second_pass = m->combined.dose;
     if (m->is_second_pass) {
         return find_rows(m, err);
     }
-    murk_views_only(&m->views, m->weight, m->only);
+    murk_combined_rows_only(&m->combined, m->weight, m->only);
     return MURK_OK;
 }
 
@@ -143,15 +144,15 @@ static murk_status find_only(measure *m, murk_error *err)
 /* The value of a photon that is fully covered. */
 static uint32_t full_of(const measure *m)
 {
-    return (uint32_t)m->views.layers * MURK_CLEAR;
+    return (uint32_t)m->combined.layers * MURK_CLEAR;
 }
 
 /* The value of photon i for these sensors. */
 static uint32_t worth_of(const measure *m, size_t i)
 {
-    return m->at_least == 0                     ? murk_views_worth(&m->views, i)
-           : m->views.sensors[i] >= m->at_least ? full_of(m)
-                                                : 0;
+    return m->at_least == 0 ? murk_combined_rows_worth(&m->combined, i)
+           : m->combined.sensors[i] >= m->at_least ? full_of(m)
+                                                   : 0;
 }
 
 /* Sums over the records of a map, which begin with photon `first`. Power is
@@ -188,7 +189,7 @@ static void fill(murk_coverage_result *out, const measure *m, uint64_t whole)
 {
     uint64_t seen = 0;
     for (size_t i = 0; i < m->photons; ++i) {
-        m->seen_by[m->views.sensors[i]] += m->weight[i];
+        m->seen_by[m->combined.sensors[i]] += m->weight[i];
     }
     for (size_t k = m->sensors; k-- > 0;) {
         seen += m->seen_by[k + 1];
@@ -198,7 +199,8 @@ static void fill(murk_coverage_result *out, const measure *m, uint64_t whole)
     for (size_t j = 0; j < m->sensors; ++j) {
         out->covers[j] = ratio(m->single_value[j], whole);
         out->only_it_covers[j] = ratio(m->only[j], whole);
-        out->sum_of_views += ratio(m->single_value[j], whole / m->views.layers);
+        out->sum_of_views +=
+            ratio(m->single_value[j], whole / m->combined.layers);
     }
 }
 
@@ -308,7 +310,7 @@ static void find_at_least(murk_coverage_result *out, const measure *m,
 static double seen_of(const void *context, size_t i)
 {
     const measure *m = context;
-    return (double)murk_views_worth(&m->views, i) / full_of(m);
+    return (double)murk_combined_rows_worth(&m->combined, i) / full_of(m);
 }
 
 static murk_status find_errors(murk_coverage_result *out, const measure *m,
@@ -400,8 +402,8 @@ static murk_status allocate(measure *m, murk_coverage_result *out,
     const size_t regions = interest ? interest->n : 0;
     out->region = regions ? calloc(regions, sizeof *out->region) : NULL;
     const murk_sight_desc *desc = murk_sight_described(m->sight);
-    if (murk_views_init(&m->views, m->photons, desc->combining,
-                        desc->redundancy > 1 ? desc->redundancy : 1) &&
+    if (murk_combined_rows_init(&m->combined, m->photons, desc->combining,
+                                desc->redundancy > 1 ? desc->redundancy : 1) &&
         m->block && m->single_value && m->only && m->seen_by && out->covers &&
         out->only_it_covers && out->seen_by_at_least &&
         (out->region || !regions)) {
@@ -458,7 +460,7 @@ murk_status murk_coverage_result_measure(murk_coverage_result *out,
 done:
     murk_coverage_result_release(&coverage);
     release_block(m.block, (size_t)ROWS_EACH * desc->threads);
-    murk_views_release(&m.views);
+    murk_combined_rows_release(&m.combined);
     free(m.block);
     free(m.single_value);
     free(m.only);

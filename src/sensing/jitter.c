@@ -5,7 +5,7 @@
 #include "sensing/jitter.h"
 
 #include "base/rng.h"
-#include "sensing/ways.h"
+#include "sensing/free_segments.h"
 
 /* Tries for a free position. If less than a hundredth of the ball is free, the
  * sensor stays in place. */
@@ -31,7 +31,8 @@ static double wrap(double x, double min, double max)
 }
 
 static bool move_within_ball(murk_vec3 *place, const murk_jitter *j,
-                             const murk_ways *ways, const murk_address *address)
+                             const murk_free_segments *segments,
+                             const murk_address *address)
 {
     const murk_box *box = &j->domain->box;
     /* Draw a position, wrap it, and test it. */
@@ -49,8 +50,8 @@ static bool move_within_ball(murk_vec3 *place, const murk_jitter *j,
             at.y = wrap(to.y, box->min.y, box->max.y);
         }
         if (murk_box_contains(box, at) &&
-            !murk_surfaces_near(j->surfaces, at, ways->tolerance_m) &&
-            murk_way_is_open(ways, *place, to)) {
+            !murk_surfaces_near(j->surfaces, at, segments->tolerance_m) &&
+            murk_free_segment_is_open(segments, *place, to)) {
             *place = at;
             return true;
         }
@@ -81,15 +82,16 @@ size_t murk_jitter_draw(murk_pose *out, const murk_pose *pose, size_t n,
                         const murk_sensor_type *type, const murk_jitter *jitter,
                         uint64_t draw)
 {
-    murk_ways ways = murk_ways_of(jitter->surfaces, jitter->domain);
-    ways.by_sheets = true;
+    murk_free_segments segments =
+        murk_free_segments_of(jitter->surfaces, jitter->domain);
+    segments.by_sheets = true;
     size_t unmoved = 0;
     for (size_t i = 0; i < n; ++i) {
         const murk_address address = {jitter->seed, MURK_JITTER, draw,
                                       (uint32_t)i};
         out[i] = pose[i];
         if (jitter->step_m > 0 &&
-            !move_within_ball(&out[i].position, jitter, &ways, &address)) {
+            !move_within_ball(&out[i].position, jitter, &segments, &address)) {
             ++unmoved;
         }
         if (jitter->turn_rad > 0 &&

@@ -5,7 +5,7 @@
 
 #include "base/interrupt.h"
 #include "path/segment.h"
-#include "sensing/ways.h"
+#include "sensing/free_segments.h"
 
 #include <stdlib.h>
 
@@ -18,7 +18,7 @@ typedef struct nearest_link {
 typedef struct search {
     const murk_pose *pose;
     size_t n;
-    const murk_ways *ways; /* NULL: all segments are open */
+    const murk_free_segments *segments; /* NULL: all segments are open */
     const murk_domain *domain;
     nearest_link *nearest; /* [n] */
     bool *is_in;           /* [n] */
@@ -36,7 +36,7 @@ static void spread(search *s, size_t from)
             murk_path_nearest_image(s->domain, s->pose[j].position, at);
         const double length_m = murk_length(murk_sub(to, at));
         if (length_m < s->nearest[j].length_m &&
-            (!s->ways || murk_way_is_open(s->ways, at, to))) {
+            (!s->segments || murk_free_segment_is_open(s->segments, at, to))) {
             s->nearest[j] = (nearest_link){length_m, from};
         }
     }
@@ -91,8 +91,8 @@ murk_status murk_links_find(murk_links *out, const murk_pose *pose, size_t n,
         return MURK_OK;
     }
     /* Allocate for both trees. */
-    murk_ways ways = murk_ways_of(surfaces, domain);
-    ways.by_sheets = !through_sheets;
+    murk_free_segments segments = murk_free_segments_of(surfaces, domain);
+    segments.by_sheets = !through_sheets;
     search s = {.pose = pose,
                 .n = n,
                 .domain = domain,
@@ -108,7 +108,7 @@ murk_status murk_links_find(murk_links *out, const murk_pose *pose, size_t n,
     }
     /* First with all segments open, then with surfaces. */
     bool is_done = grow(&s, &plain);
-    s.ways = &ways;
+    s.segments = &segments;
     is_done = is_done && grow(&s, &links);
     if (!is_done) {
         status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");

@@ -173,7 +173,7 @@ typedef struct classification {
     const murk_candidate_desc *desc;
     const murk_free_space *space;
     const murk_reach *reach;
-    murk_ways ways;
+    murk_free_segments segments;
     const murk_listed *site;
     size_t n;
     uint8_t *verdict;
@@ -241,14 +241,15 @@ static bool is_any_open(const classification *j, neighbours *near,
     bool blocked[NEAREST_MAX] = {false};
     const bool is_periodic = j->reach->domain.is_periodic;
     if (!is_periodic) {
-        murk_surfaces_blocked_many(j->ways.surfaces, near->point, near->n,
+        murk_surfaces_blocked_many(j->segments.surfaces, near->point, near->n,
                                    point, true, blocked);
     }
     bool is_open = false;
     for (size_t i = 0; i < near->n && !is_open; ++i) {
         const murk_vec3 to =
             murk_path_nearest_image(&j->reach->domain, point, near->point[i]);
-        is_open = !blocked[i] && murk_way_is_open(&j->ways, near->point[i], to);
+        is_open = !blocked[i] &&
+                  murk_free_segment_is_open(&j->segments, near->point[i], to);
     }
     near->tried += near->n;
     near->n = 0;
@@ -285,11 +286,12 @@ static bool is_joined(const classification *j, murk_vec3 point)
     for (size_t i = 0; i < j->lamps; ++i) {
         const murk_vec3 to =
             murk_path_nearest_image(&j->reach->domain, point, j->lamp[i]);
-        if (murk_way_is_open(&j->ways, j->lamp[i], to)) {
+        if (murk_free_segment_is_open(&j->segments, j->lamp[i], to)) {
             return true;
         }
     }
-    return j->reach->from_sides && murk_way_leads_out(&j->ways, point);
+    return j->reach->from_sides &&
+           murk_free_segment_leads_out(&j->segments, point);
 }
 
 /* ---- classification ---- */
@@ -303,7 +305,7 @@ static bool is_mounted(const murk_listed *site)
 static bool is_cut_off(const classification *j, const murk_listed *site,
                        const murk_mount_site *foot)
 {
-    const murk_surfaces *s = j->ways.surfaces;
+    const murk_surfaces *s = j->segments.surfaces;
     return murk_surfaces_blocked(
         s, murk_surfaces_leave(s, foot->position, foot->normal), site->position,
         true);
@@ -323,8 +325,8 @@ static murk_verdict classify(const classification *j, const murk_listed *site)
         return MURK_SITE_FORBIDDEN;
     }
     /* Clearance and reach. */
-    const murk_closeness closeness = murk_ways_closeness(
-        &j->ways, site->position, j->desc->grid.clearance_m, mounted_on);
+    const murk_closeness closeness = murk_free_segments_closeness(
+        &j->segments, site->position, j->desc->grid.clearance_m, mounted_on);
     if (closeness == MURK_ON_SURFACE) {
         return MURK_SITE_TOO_CLOSE;
     }
@@ -361,7 +363,7 @@ static murk_status place_lamps(classification *j, const char *where,
                          reach->n_lamps);
     }
     for (size_t i = 0; i < reach->n_lamps; ++i) {
-        j->lamps += murk_lamp_places(j->ways.surfaces, &reach->domain,
+        j->lamps += murk_lamp_places(j->segments.surfaces, &reach->domain,
                                      reach->lamps[i], j->lamp + j->lamps);
     }
     return MURK_OK;
@@ -378,12 +380,13 @@ murk_status murk_listed_judge(uint8_t *verdict, const murk_listed *sites,
     classification j = {.desc = desc,
                         .space = space,
                         .reach = reach,
-                        .ways = murk_ways_of(surfaces, &reach->domain),
+                        .segments =
+                            murk_free_segments_of(surfaces, &reach->domain),
                         .site = sites,
                         .n = n,
                         .verdict = verdict};
     murk_status status =
-        find_duplicates(verdict, sites, n, desc, j.ways.tolerance_m, err);
+        find_duplicates(verdict, sites, n, desc, j.segments.tolerance_m, err);
     if (!status) {
         status = place_lamps(&j, where, err);
     }

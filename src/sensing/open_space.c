@@ -4,16 +4,16 @@
 #include "sensing/open_space.h"
 
 #include "path/segment.h"
+#include "sensing/free_segments.h"
 #include "sensing/lamp.h"
 #include "sensing/reach.h"
-#include "sensing/ways.h"
 
 #include <assert.h>
 #include <stdlib.h>
 
 struct murk_open_space {
     murk_domain domain;
-    murk_ways ways;
+    murk_free_segments segments;
     size_t n_grids, n_places;
     murk_candidate_grid grid[MURK_OPEN_SPACE_GRIDS];
     murk_free_space reached[MURK_OPEN_SPACE_GRIDS];
@@ -55,7 +55,7 @@ murk_status murk_open_space_create(murk_open_space **out,
     }
     /* The places of light, then the free space of each grid. */
     space->domain = reach->domain;
-    space->ways = murk_ways_of(surfaces, &space->domain);
+    space->segments = murk_free_segments_of(surfaces, &space->domain);
     murk_status status = find_places(space, surfaces, reach, where, err);
     for (size_t i = 0; i < n_grids && !status; ++i) {
         space->grid[i] = grid[i];
@@ -99,7 +99,7 @@ static bool leads_to(const murk_open_space *space, const start *from,
     const murk_vec3 way = murk_sub(near, from->point);
     const bool is_free = murk_dot(from->normal, from->normal) == 0;
     return (is_free || murk_dot(from->normal, way) > 0) &&
-           murk_way_is_open(&space->ways, from->point, near);
+           murk_free_segment_is_open(&space->segments, from->point, near);
 }
 
 /* The indices of the grid points of the cell around x and of the cells beside

@@ -7,10 +7,10 @@
 void murk_outlook_init(murk_outlook *out, const murk_sight_desc *sight,
                        int bands)
 {
-    *out =
-        (murk_outlook){.sight = sight,
-                       .bands = bands,
-                       .ways = murk_ways_of(sight->surfaces, &sight->domain)};
+    *out = (murk_outlook){
+        .sight = sight,
+        .bands = bands,
+        .segments = murk_free_segments_of(sight->surfaces, &sight->domain)};
 }
 
 static bool is_same(murk_vec3 a, murk_vec3 b)
@@ -30,7 +30,7 @@ bool murk_outlook_is_open(murk_outlook *o, murk_vec3 from, murk_vec3 to)
     const murk_vec3 a = is_turned ? to : from, b = is_turned ? from : to;
     murk_tally_add(&o->tried, 1);
     return !murk_surfaces_blocked(o->sight->surfaces, a, b, false) &&
-           murk_way_is_open(&o->ways, a, b);
+           murk_free_segment_is_open(&o->segments, a, b);
 }
 
 murk_outlook_view murk_outlook_from(murk_outlook *outlook,

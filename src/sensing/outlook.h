@@ -12,8 +12,8 @@
 #define MURK_SENSING_OUTLOOK_H
 
 #include "base/tally.h"
+#include "sensing/free_segments.h"
 #include "sensing/sight.h"
-#include "sensing/ways.h"
 
 /* The contrast at the end of the meteorological optical range (World
  * Meteorological Organization, Guide No. 8). */
@@ -22,7 +22,7 @@
 typedef struct murk_outlook {
     const murk_sight_desc *sight;
     int bands;
-    murk_ways ways;
+    murk_free_segments segments;
     murk_tally tried; /* segments tested so far */
 } murk_outlook;
 

@@ -8,8 +8,8 @@
 #include "base/pool.h"
 #include "base/progress.h"
 #include "medium/rescaled.h"
+#include "sensing/combined_rows.h"
 #include "sensing/depths.h"
-#include "sensing/views.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -101,17 +101,18 @@ static murk_place_seen *place_of(const work *w, const piece *p,
 static murk_status see(const work *w, const piece *p, murk_error *err)
 {
     const size_t layers = w->sight.redundancy > 1 ? w->sight.redundancy : 1;
-    murk_views views = {0};
+    murk_combined_rows combined = {0};
     murk_sight *sight = NULL;
     murk_status status = sight_onto(&sight, w->sight, p, err);
-    if (!status && !murk_views_init(&views, p->n, w->sight.combining, layers)) {
+    if (!status &&
+        !murk_combined_rows_init(&combined, p->n, w->sight.combining, layers)) {
         status = no_memory(err);
     }
     /* The row of each sensor; then the combined value of each place. */
     for (size_t k = 0; k < w->sensors && !status; ++k) {
         murk_sparse_row row;
         murk_sight_row(sight, 0, &w->pose[k], &row);
-        murk_views_add(&views, (uint32_t)k, &row);
+        murk_combined_rows_add(&combined, (uint32_t)k, &row);
         for (size_t i = 0; i < row.seen; ++i) {
             const uint16_t clarity = row.clarity ? row.clarity[i] : MURK_CLEAR;
             murk_place_seen *place = place_of(w, p, sight, row.photon[i]);
@@ -120,11 +121,11 @@ static murk_status see(const work *w, const piece *p, murk_error *err)
     }
     for (uint32_t i = 0; i < p->n && !status; ++i) {
         murk_place_seen *place = place_of(w, p, sight, i);
-        place->sensors = views.sensors[i];
-        place->worth = (float)((double)murk_views_worth(&views, i) /
+        place->sensors = combined.sensors[i];
+        place->worth = (float)((double)murk_combined_rows_worth(&combined, i) /
                                (double)(layers * MURK_CLEAR));
     }
-    murk_views_release(&views);
+    murk_combined_rows_release(&combined);
     murk_sight_destroy(sight);
     return status;
 }

@@ -9,8 +9,8 @@
 #include "base/pool.h"
 #include "base/progress.h"
 #include "path/segment.h"
+#include "sensing/free_segments.h"
 #include "sensing/lamp.h"
-#include "sensing/ways.h"
 
 #include <stdlib.h>
 
@@ -30,7 +30,7 @@ typedef struct search {
     unsigned threads;
     size_t points;
     size_t stride[3];
-    murk_ways ways;
+    murk_free_segments segments;
     uint8_t *closeness;
     uint8_t *open; /* bit `axis`: the step to the next point along the axis is
                       open */
@@ -51,8 +51,8 @@ static void measure_closeness(void *context, uint64_t batch)
     const size_t begin = (size_t)batch * BATCH_POINTS;
     const size_t end = batch_end(s, batch);
     for (size_t i = begin; i < end; ++i) {
-        s->closeness[i] = (uint8_t)murk_ways_closeness(
-            &s->ways, murk_candidate_grid_point(s->grid, i),
+        s->closeness[i] = (uint8_t)murk_free_segments_closeness(
+            &s->segments, murk_candidate_grid_point(s->grid, i),
             s->grid->clearance_m, NULL);
     }
     murk_progress_add(end - begin);
@@ -112,7 +112,7 @@ static bool step_is_open(const search *s, size_t point, int axis)
         to.x += axis == 0 ? box->max.x - box->min.x : 0;
         to.y += axis == 1 ? box->max.y - box->min.y : 0;
     }
-    return murk_way_is_open(&s->ways, from, to);
+    return murk_free_segment_is_open(&s->segments, from, to);
 }
 
 static void open_steps(void *context, uint64_t batch)
@@ -176,7 +176,7 @@ static void ask_light(void *context, uint64_t batch)
         const murk_vec3 point = murk_candidate_grid_point(s->grid, i);
         const murk_vec3 to =
             murk_path_nearest_image(&s->reach->domain, point, s->light);
-        if (murk_way_is_open(&s->ways, s->light, to)) {
+        if (murk_free_segment_is_open(&s->segments, s->light, to)) {
             s->reached[i] = SEEN_BY_LIGHT;
         }
     }
@@ -188,8 +188,8 @@ static void ask_sides(void *context, uint64_t batch)
     const size_t end = batch_end(s, batch);
     for (size_t i = (size_t)batch * BATCH_POINTS; i < end; ++i) {
         if (!s->reached[i] && s->closeness[i] != MURK_ON_SURFACE &&
-            murk_way_leads_out(&s->ways,
-                               murk_candidate_grid_point(s->grid, i))) {
+            murk_free_segment_leads_out(
+                &s->segments, murk_candidate_grid_point(s->grid, i))) {
             s->reached[i] = SEEN_BY_LIGHT;
         }
     }
@@ -222,8 +222,9 @@ static bool diagonal_is_open(const search *s, size_t point, const int step[3])
                                      if the step is negative */
     }
     return s->reached[other] &&
-           murk_way_is_open(&s->ways, murk_candidate_grid_point(s->grid, other),
-                            murk_candidate_grid_point(s->grid, point));
+           murk_free_segment_is_open(&s->segments,
+                                     murk_candidate_grid_point(s->grid, other),
+                                     murk_candidate_grid_point(s->grid, point));
 }
 
 static bool is_doubtful(const search *s, size_t point)
@@ -286,7 +287,7 @@ murk_status murk_free_space_find(murk_free_space *out,
                 .threads = threads,
                 .points = n[0] * n[1] * n[2],
                 .stride = {1, n[0], n[0] * n[1]},
-                .ways = murk_ways_of(surfaces, &reach->domain)};
+                .segments = murk_free_segments_of(surfaces, &reach->domain)};
     /* Allocate, explore, and hand the arrays over; `open` then has the doubtful
      * points. */
     s.closeness = malloc(s.points);

@@ -10,7 +10,7 @@
 
 #include "base/status.h"
 #include "sensing/candidates.h"
-#include "sensing/ways.h"
+#include "sensing/free_segments.h"
 
 #include <stdint.h>
 

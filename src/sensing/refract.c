@@ -1,12 +1,14 @@
-/* Every face that lies between sensor and photon gives one way through its
- * plane; it is a way of light when walking along it meets the index's one
- * change there. The walk decides, so ends of faces, regions in regions and
- * boundaries that lie in each other need no rules of their own. */
+/* Refracted paths: each face between sensor and photon gives one path through
+ * its plane (sensing/snell.h). The path is valid if the walk along it
+ * (path/path.h) meets the expected change of index at the crossing and no
+ * other. The walk decides, so edges of faces, nested regions and coinciding
+ * boundaries need no rules of their own. */
 #include "sensing/refract.h"
 
 #include <assert.h>
 
-/* Of what faces may be off and still be one: rounding of the crossing. */
+/* Tolerance between coinciding faces, as a multiple of the rounding of a single
+ * crossing. */
 #define NEAR_TIMES 8
 
 void murk_interfaces_find(murk_interfaces *out, const murk_path_space *space)
@@ -23,14 +25,15 @@ void murk_interfaces_find(murk_interfaces *out, const murk_path_space *space)
             : 0;
     for (int i = 0; i < MURK_REGIONS_MAX; ++i) {
         const murk_inside bit = (murk_inside)1 << i;
-        /* The index of a region alone: 1 where it has none, or bends not. */
+        /* the index of the region alone: 1 if it has none or does not refract
+         */
         if ((meshes & bit) && murk_media_index(media, bit) != 1) {
             out->any_mesh = true;
         }
     }
 }
 
-/* ---- one way ---- */
+/* ---- one path ---- */
 
 static murk_vec3 direction_of(murk_vec3 from, murk_vec3 to)
 {
@@ -44,7 +47,8 @@ static murk_vec3 inside_domain(const murk_path_viewpoint *v, murk_vec3 point)
         v->space->domain, point, murk_scale(0.5, murk_add(box->min, box->max)));
 }
 
-/* A tilted face may go on beyond the domain, where no light is. */
+/* True if the point lies in the domain. A tilted face may extend beyond the
+ * domain, where no light is traced. */
 static bool is_in_domain(const murk_interfaces *at,
                          const murk_path_viewpoint *v, murk_vec3 point)
 {
@@ -54,8 +58,8 @@ static bool is_in_domain(const murk_interfaces *at,
     return murk_box_contains(&box, inside_domain(v, point));
 }
 
-/* The first segment's change is the crossing: `inside` becomes the set beyond.
- */
+/* Walks the first part of a path. True if the first change of index is the
+ * crossing; *inside is then the set of regions beyond it. */
 static bool reaches_crossing(const murk_interfaces *at,
                              const murk_path_viewpoint *v,
                              const murk_snell *path, const double n[2],
@@ -65,12 +69,15 @@ static bool reaches_crossing(const murk_interfaces *at,
     murk_path segment[MURK_PATH_SEGMENTS_MAX];
     murk_path_change change;
     const int segments = murk_path_to(v, path->crossing, segment);
+    /* No change of index before the last segment. */
     for (int i = 0; i + 1 < segments; ++i) {
         if (segment[i].length_m > 0 &&
             murk_path_next_change(&segment[i], &change)) {
             return false;
         }
     }
+    /* The last segment ends at the crossing; extended a little, it must meet
+     * the expected change there. */
     murk_path *last = &segment[segments - 1];
     const double end = last->length_m;
     if (!(end > 0)) {
@@ -86,7 +93,8 @@ static bool reaches_crossing(const murk_interfaces *at,
     return off * path->cosine[0] <= at->near_m || off <= 2 * tolerance;
 }
 
-/* The second segment, from the crossing on, in the regions `inside`. */
+/* Walks the second part, from the crossing on, in the regions `inside`. True if
+ * no change of index is met. */
 static bool goes_on(const murk_path_viewpoint *v, const murk_snell *path,
                     murk_vec3 photon, murk_inside inside)
 {
@@ -108,20 +116,21 @@ static bool goes_on(const murk_path_viewpoint *v, const murk_snell *path,
     return true;
 }
 
-/* Adds the way through a plane, if there is one that is not had already. */
-static size_t add_way(const murk_interfaces *at, const murk_path_viewpoint *v,
-                      const murk_interface_plane *plane, murk_vec3 photon,
-                      const double n[2], murk_way *way, size_t had)
+/* Adds the path through a plane, if there is a valid one that has not been
+ * found already. */
+static size_t add_path(const murk_interfaces *at, const murk_path_viewpoint *v,
+                       const murk_interface_plane *plane, murk_vec3 photon,
+                       const double n[2], murk_refracted_path *way, size_t had)
 {
     murk_snell path;
     murk_inside inside;
-    if (had == MURK_WAYS_MAX ||
+    if (had == MURK_REFRACTED_PATHS_MAX ||
         !murk_snell_path(v->position, photon, plane, n, &path)) {
         return had;
     }
     for (size_t i = 0; i < had; ++i) {
-        const murk_vec3 apart = murk_sub(way[i].snell.crossing, path.crossing);
-        if (murk_length(apart) * path.cosine[0] <= at->near_m) {
+        const murk_vec3 offset = murk_sub(way[i].snell.crossing, path.crossing);
+        if (murk_length(offset) * path.cosine[0] <= at->near_m) {
             return had;
         }
     }
@@ -130,13 +139,14 @@ static size_t add_way(const murk_interfaces *at, const murk_path_viewpoint *v,
         !goes_on(v, &path, photon, inside)) {
         return had;
     }
-    way[had] = (murk_way){path, photon};
+    way[had] = (murk_refracted_path){path, photon};
     return had + 1;
 }
 
-/* ---- all ways ---- */
+/* ---- all paths ---- */
 
-/* Where the straight line first meets another index, if it does. */
+/* Finds the place at which the straight line first meets another index. False
+ * if it does not. */
 static bool first_change(const murk_path_viewpoint *v, murk_vec3 photon,
                          murk_path_change *change, murk_vec3 *place)
 {
@@ -164,9 +174,10 @@ static bool is_beyond_critical(const murk_path_change *change,
     return sine * ratio >= 1;
 }
 
-size_t murk_ways_across(const murk_interfaces *at, const murk_path_viewpoint *v,
-                        murk_vec3 photon, double photon_index,
-                        murk_way way[MURK_WAYS_MAX], bool *is_reflected)
+size_t murk_refracted_paths_find(
+    const murk_interfaces *at, const murk_path_viewpoint *v, murk_vec3 photon,
+    double photon_index, murk_refracted_path way[MURK_REFRACTED_PATHS_MAX],
+    bool *is_reflected)
 {
     const murk_vec3 image =
         murk_path_nearest_image(v->space->domain, photon, v->position);
@@ -174,35 +185,37 @@ size_t murk_ways_across(const murk_interfaces *at, const murk_path_viewpoint *v,
     const bool is_here = murk_dot(shift, shift) == 0;
     const double n[2] = {v->index, photon_index};
     assert(n[0] != n[1]);
-    size_t ways = 0;
+    size_t paths = 0;
     for (size_t i = 0; i < at->n; ++i) {
-        /* A face that does not reach from side to side may be near the sensor,
-         * or near the photon in another period. */
+        /* a face that does not extend from side to side may be near the sensor,
+         * or near the photon in another period */
         murk_interface_plane plane = {at->flat[i].point, at->flat[i].normal};
-        ways = add_way(at, v, &plane, image, n, way, ways);
+        paths = add_path(at, v, &plane, image, n, way, paths);
         if (!is_here) {
             plane.point = murk_add(plane.point, shift);
-            ways = add_way(at, v, &plane, image, n, way, ways);
+            paths = add_path(at, v, &plane, image, n, way, paths);
         }
     }
+    /* Faces of meshes are found by the straight line, which also tells total
+     * reflection. */
     *is_reflected = false;
     murk_path_change change;
     murk_vec3 place;
-    if ((at->any_mesh || ways == 0) &&
+    if ((at->any_mesh || paths == 0) &&
         first_change(v, image, &change, &place)) {
         if (change.is_mesh) {
             const murk_interface_plane plane = {place, change.normal};
-            ways = add_way(at, v, &plane, image, n, way, ways);
+            paths = add_path(at, v, &plane, image, n, way, paths);
         }
         *is_reflected =
-            ways == 0 &&
+            paths == 0 &&
             is_beyond_critical(&change, direction_of(v->position, image));
     }
-    return ways;
+    return paths;
 }
 
-double murk_ways_reach(const murk_interfaces *at, const murk_path_viewpoint *v,
-                       double range_m)
+double murk_refracted_paths_range(const murk_interfaces *at,
+                                  const murk_path_viewpoint *v, double range_m)
 {
     double reach = range_m;
     if (at->any_mesh || v->space->domain->is_periodic) {
@@ -222,16 +235,16 @@ double murk_ways_reach(const murk_interfaces *at, const murk_path_viewpoint *v,
     return reach;
 }
 
-/* ---- along a way ---- */
+/* ---- along a path ---- */
 
-/* The crossing as seen from where the photon itself lies. */
-static murk_vec3 crossing_near(const murk_way *way, murk_vec3 photon)
+/* The crossing, moved to the period of the photon. */
+static murk_vec3 crossing_near(const murk_refracted_path *way, murk_vec3 photon)
 {
     return murk_add(way->snell.crossing, murk_sub(photon, way->photon));
 }
 
-double murk_way_transmittance(const murk_way *way, const murk_path_viewpoint *v,
-                              int band)
+double murk_refracted_path_transmittance(const murk_refracted_path *way,
+                                         const murk_path_viewpoint *v, int band)
 {
     const murk_vec3 photon = inside_domain(v, way->photon);
     const murk_path_viewpoint back = murk_path_viewpoint_at(v->space, photon);
@@ -240,37 +253,40 @@ double murk_way_transmittance(const murk_way *way, const murk_path_viewpoint *v,
            murk_path_transmittance_to(&back, band, crossing);
 }
 
-/* The crossing moved along `direction`, at most to the end of the segment
- * ahead. */
+/* The crossing, moved along `direction`, at most to the end of the part ahead.
+ */
 static murk_vec3 beyond(murk_vec3 crossing, murk_vec3 direction,
-                        double tolerance_m, double leg_m)
+                        double tolerance_m, double length_m)
 {
-    return murk_along(crossing, fmin(tolerance_m, leg_m), direction);
+    return murk_along(crossing, fmin(tolerance_m, length_m), direction);
 }
 
-bool murk_way_blocked(const murk_way *way, const murk_path_viewpoint *v,
-                      const murk_surfaces *surfaces, bool through_sheets)
+bool murk_refracted_path_blocked(const murk_refracted_path *way,
+                                 const murk_path_viewpoint *v,
+                                 const murk_surfaces *surfaces,
+                                 bool through_sheets)
 {
     const murk_snell *s = &way->snell;
     const double sight_tolerance =
         murk_path_surface_tolerance_m(surfaces, v->space->domain);
     const murk_vec3 photon = inside_domain(v, way->photon);
     const murk_vec3 crossing = crossing_near(way, photon);
-    /* Each segment goes on beyond the crossing, so that neither misses a
-     * surface that lies in the boundary. */
+    /* each part is tested a little beyond the crossing, so that neither misses
+     * a surface that lies in the boundary */
     return murk_path_blocked(surfaces, v->space->domain, v->position,
                              beyond(s->crossing,
                                     direction_of(v->position, s->crossing),
-                                    sight_tolerance, s->leg_m[1]),
+                                    sight_tolerance, s->length_m[1]),
                              through_sheets) ||
            murk_path_blocked(surfaces, v->space->domain, photon,
                              beyond(crossing, direction_of(photon, crossing),
-                                    sight_tolerance, s->leg_m[0]),
+                                    sight_tolerance, s->length_m[0]),
                              through_sheets);
 }
 
-double murk_way_sheets(const murk_way *way, const murk_path_viewpoint *v,
-                       const murk_surfaces *surfaces, int band)
+double murk_refracted_path_sheets(const murk_refracted_path *way,
+                                  const murk_path_viewpoint *v,
+                                  const murk_surfaces *surfaces, int band)
 {
     const murk_snell *s = &way->snell;
     const double sight_tolerance =
@@ -280,9 +296,9 @@ double murk_way_sheets(const murk_way *way, const murk_path_viewpoint *v,
     double through = murk_path_sheets(
         surfaces, v->space->domain, v->position,
         beyond(s->crossing, direction_of(v->position, s->crossing),
-               sight_tolerance, s->leg_m[1]),
+               sight_tolerance, s->length_m[1]),
         band);
-    if (s->leg_m[1] > sight_tolerance) {
+    if (s->length_m[1] > sight_tolerance) {
         through *= murk_path_sheets(surfaces, v->space->domain, photon,
                                     murk_along(crossing, sight_tolerance,
                                                direction_of(crossing, photon)),

@@ -1,12 +1,13 @@
-/* Ways from a sensor to a photon across one flat boundary between two indices
- * of refraction, by Snell's law. Internal to the room.
+/* Paths of light from a sensor to a photon across one flat boundary between two
+ * refractive indices, by Snell's law. Internal to the room.
  *
- * A way goes straight to a flat face (a half space's level, a face of a box,
- * and of meshes the face that the straight line first meets), is bent there as
- * sensing/snell.h says, and goes straight on to the photon; the index changes
- * nowhere else. There may be several, through different faces of a box: the
- * photon is then seen as often, and its clearest way counts. Where a sensor and
- * a photon have one index about them the straight line alone is a way. */
+ * A path goes straight to a flat face (the plane of a half space, a face of a
+ * box; of meshes the face that the straight line meets first), is refracted
+ * there (sensing/snell.h), and goes straight on to the photon; the index
+ * changes nowhere else. There may be several paths, through different faces of
+ * a box: the photon is then seen several times, and the path of the largest
+ * clarity counts. If sensor and photon lie in media of the same index, the
+ * straight line is the only path. */
 #ifndef MURK_SENSING_REFRACT_H
 #define MURK_SENSING_REFRACT_H
 
@@ -14,46 +15,53 @@
 #include "path/viewpoint.h"
 #include "sensing/snell.h"
 
-/* What bends in a world, made ready once. */
+/* The refracting boundaries of a world, prepared once. */
 typedef struct murk_interfaces {
-    double near_m; /* faces within this of each other are one */
-    bool any_mesh; /* some mesh is a region with an index */
+    double near_m; /* faces closer than this to each other count as one */
+    bool any_mesh; /* some mesh is a region with a refractive index */
     size_t n, indices;
     murk_flat flat[MURK_FLATS_MAX];
     double index[MURK_REGIONS_MAX + 1];
 } murk_interfaces;
 
+/* Collects the refracting boundaries of a space. */
 void murk_interfaces_find(murk_interfaces *out, const murk_path_space *space);
 
-typedef struct murk_way {
+typedef struct murk_refracted_path {
     murk_snell snell;
-    murk_vec3 photon; /* the image of it that the crossing is next to */
-} murk_way;
+    murk_vec3 photon; /* the image of the photon that is next to the crossing */
+} murk_refracted_path;
 
-/* A point sees at most three faces of a box. */
-#define MURK_WAYS_MAX 4
+/* At most three faces of a box face a point; one more is for a mesh. */
+#define MURK_REFRACTED_PATHS_MAX 4
 
-/* Writes the ways to a photon where the index is another than about the sensor
- * (photon_index); returns how many. Where there is none, *is_reflected says
- * whether the straight line meets the first boundary from the denser side
- * beyond the critical angle. */
-size_t murk_ways_across(const murk_interfaces *interfaces,
-                        const murk_path_viewpoint *sensor, murk_vec3 photon,
-                        double photon_index, murk_way way[MURK_WAYS_MAX],
-                        bool *is_reflected);
+/* Writes the paths to a photon in a medium of index photon_index, which differs
+ * from the index at the sensor. Returns their number. If there is none,
+ * *is_reflected tells whether the straight line meets the first boundary from
+ * the denser side beyond the critical angle. */
+size_t murk_refracted_paths_find(
+    const murk_interfaces *interfaces, const murk_path_viewpoint *sensor,
+    murk_vec3 photon, double photon_index,
+    murk_refracted_path way[MURK_REFRACTED_PATHS_MAX], bool *is_reflected);
 
-/* Nothing that appears nearer than range_m through a face is farther from the
- * sensor than this [m]; may be infinite. */
-double murk_ways_reach(const murk_interfaces *interfaces,
-                       const murk_path_viewpoint *sensor, double range_m);
+/* Upper bound on the distance of objects that appear nearer than range_m
+ * through a face [m]; may be infinite. */
+double murk_refracted_paths_range(const murk_interfaces *interfaces,
+                                  const murk_path_viewpoint *sensor,
+                                  double range_m);
 
-/* Both legs: what media let through, whether surfaces block, what thin sheets
- * let through. What lies in the boundary counts once. */
-double murk_way_transmittance(const murk_way *way,
-                              const murk_path_viewpoint *sensor, int band);
-bool murk_way_blocked(const murk_way *way, const murk_path_viewpoint *sensor,
-                      const murk_surfaces *surfaces, bool through_sheets);
-double murk_way_sheets(const murk_way *way, const murk_path_viewpoint *sensor,
-                       const murk_surfaces *surfaces, int band);
+/* Both parts of a path together: transmittance of the media, test against
+ * surfaces, and transmittance of thin sheets. A surface that lies in the
+ * boundary counts once. */
+double murk_refracted_path_transmittance(const murk_refracted_path *way,
+                                         const murk_path_viewpoint *sensor,
+                                         int band);
+bool murk_refracted_path_blocked(const murk_refracted_path *way,
+                                 const murk_path_viewpoint *sensor,
+                                 const murk_surfaces *surfaces,
+                                 bool through_sheets);
+double murk_refracted_path_sheets(const murk_refracted_path *way,
+                                  const murk_path_viewpoint *sensor,
+                                  const murk_surfaces *surfaces, int band);
 
 #endif

@@ -1,3 +1,7 @@
+/* Creation of a sight: checks the description and the records, prepares media
+ * by acceptance angle, refracting boundaries, weights, regions of interest and
+ * detection by power, and allocates the scratch buffers of the workers. Rows
+ * are computed in sight_row.c, coverage in coverage.c. */
 #include "sensing/sight.h"
 
 #include "base/bands.h"
@@ -10,21 +14,23 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* How far a stored position may be off its surface, as a share of the domain's
- * largest coordinate: rounding of vertices and of storing it, with room. */
+/* Possible distance of a stored position from the surface, as a share of the
+ * domain's largest coordinate: rounding of vertices and of the stored position,
+ * with a margin. */
 #define POSITION_ERROR 0x1p-20
 
 /* ---- detection ---- */
 
-/* A sensor detects all or nothing. */
+/* The clarity of a sensor that detects all or nothing. */
 static double detect_from_threshold(const murk_sight_desc *desc,
                                     double transmittance)
 {
     return transmittance >= desc->threshold ? 1 : 0;
 }
 
-/* One row a mode: the clarity, 0..1, that follows from the transmittance of a
- * sightline. NULL: the transmittance itself, or the chance by power. */
+/* One row for each mode: the clarity, 0..1, that follows from the transmittance
+ * of a sightline. NULL: the transmittance itself, or the detection probability
+ * by power. */
 static double (*const DETECT[MURK_DETECTIONS_COUNT])(
     const murk_sight_desc *desc, double transmittance) = {
     [MURK_DETECTION_THRESHOLD] = detect_from_threshold};
@@ -54,8 +60,8 @@ static murk_status check_map(const murk_photon_map *map, const char *name,
     return MURK_OK;
 }
 
-/* Of a photon, that anything asks for. */
-static unsigned max_views(const murk_sight_desc *desc)
+/* The largest number of entries of a photon that any result needs. */
+static unsigned max_layers(const murk_sight_desc *desc)
 {
     const unsigned maximum =
         desc->redundancy > desc->at_least ? desc->redundancy : desc->at_least;
@@ -64,6 +70,7 @@ static unsigned max_views(const murk_sight_desc *desc)
 
 static murk_status check(const murk_sight_desc *desc, murk_error *err)
 {
+    /* Sensor types. */
     for (size_t k = 0; k < desc->types; ++k) {
         const murk_sensor_type *type = &desc->type[k];
         if (!(type->range_m > 0) || !(type->least_range_m >= 0) ||
@@ -79,6 +86,7 @@ static murk_status check(const murk_sight_desc *desc, murk_error *err)
                              type->acceptance_rad);
         }
     }
+    /* Detection. */
     if (!(desc->threshold >= 0 && desc->threshold <= 1)) {
         return murk_fail(err, MURK_BAD_VALUE, "placement.threshold",
                          "%g, must be 0..1", desc->threshold);
@@ -89,6 +97,7 @@ static murk_status check(const murk_sight_desc *desc, murk_error *err)
         return murk_fail(err, MURK_BAD_VALUE, "placement.redundancy",
                          "%u, must be 1..%u", desc->redundancy, maximum);
     }
+    /* Records: indices have 32 bits. */
     const double photons = (double)murk_photon_map_count(desc->surface_map) +
                            (double)murk_photon_map_count(desc->volume_map);
     if (!(photons <= UINT32_MAX)) {
@@ -103,13 +112,14 @@ static murk_status check(const murk_sight_desc *desc, murk_error *err)
                               desc->photons_emitted, err);
 }
 
-/* Photons found through several images are told apart only afterwards. */
+/* Photons found through several images are distinguished only after the query,
+ * so the buffers need twice the space. */
 static size_t scratch_photons(const murk_sight *sight)
 {
     return sight->photons * (sight->desc.domain.is_periodic ? 2 : 1);
 }
 
-static murk_status set_aside(murk_sight *sight, murk_error *err)
+static murk_status allocate(murk_sight *sight, murk_error *err)
 {
     const size_t n = sight->photons, found = scratch_photons(sight);
     const unsigned threads = sight->desc.threads;
@@ -120,19 +130,19 @@ static murk_status set_aside(murk_sight *sight, murk_error *err)
     const bool has_regions = sight->desc.interest && sight->desc.interest->n;
     sight->regions =
         has_regions ? malloc(n * sizeof *sight->regions + 1) : NULL;
-    bool has_room =
+    bool has_memory =
         sight->weight && sight->worker && (sight->regions || !has_regions);
-    for (unsigned i = 0; has_room && i < threads; ++i) {
+    for (unsigned i = 0; has_memory && i < threads; ++i) {
         murk_scratch *s = &sight->worker[i];
         s->photon = malloc(found * sizeof *s->photon + 1);
         s->clarity = attenuates ? malloc(n * sizeof *s->clarity + 1) : NULL;
-        has_room = s->photon && (s->clarity || !attenuates);
+        has_memory = s->photon && (s->clarity || !attenuates);
     }
-    return has_room ? MURK_OK
-                    : murk_fail(err, MURK_NO_MEMORY, "",
-                                "no memory to look at %zu photons with %u "
-                                "threads",
-                                n, threads);
+    return has_memory ? MURK_OK
+                      : murk_fail(err, MURK_NO_MEMORY, "",
+                                  "no memory to look at %zu photons with %u "
+                                  "threads",
+                                  n, threads);
 }
 
 static void find_regions(murk_sight *sight)
@@ -148,7 +158,7 @@ static void find_regions(murk_sight *sight)
     }
 }
 
-static murk_status see_media(murk_sight *sight, murk_error *err)
+static murk_status find_accepting_media(murk_sight *sight, murk_error *err)
 {
     const murk_sight_desc *desc = &sight->desc;
     sight->accepting = calloc(desc->types + 1, sizeof *sight->accepting);
@@ -165,8 +175,8 @@ static murk_status see_media(murk_sight *sight, murk_error *err)
     return status;
 }
 
-/* Makes sight->power where it is wished for. */
-static murk_status judge_by_power(murk_sight *sight, murk_error *err)
+/* Creates sight->power if the description asks for it. */
+static murk_status create_power(murk_sight *sight, murk_error *err)
 {
     const murk_sight_desc *desc = &sight->desc;
     if (!(desc->power.radius_m > 0)) {
@@ -207,6 +217,7 @@ murk_status murk_sight_create(murk_sight **out, const murk_sight_desc *desc,
     const murk_box *box = &desc->domain.box;
     sight->desc = *desc;
     sight->detect = DETECT[desc->detection];
+    /* Types and media. */
     if (murk_length(desc->north) == 0) {
         sight->desc.north = murk_vec(0, 1, 0);
     }
@@ -215,16 +226,17 @@ murk_status murk_sight_create(murk_sight **out, const murk_sight_desc *desc,
         status = murk_fail(err, MURK_NO_MEMORY, "", "no memory for a sight");
         goto done;
     }
-    /* Twice the diagonal holds every image, and its square is finite. */
+    /* twice the diagonal contains every image, and its square is finite */
     sight->max_m = 2 * murk_length(murk_sub(box->max, box->min));
     memcpy(sight->type, desc->type, desc->types * sizeof *sight->type);
     sight->desc.type = sight->type;
-    status = see_media(sight, err);
+    status = find_accepting_media(sight, err);
     if (status) {
         goto done;
     }
     sight->position_error_m =
         POSITION_ERROR * murk_box_largest_coordinate(&desc->domain.box);
+    /* Sheets, media and boundaries that sightlines may meet. */
     sight->has_media = murk_media_any(desc->media);
     sight->has_sheets = desc->through_sheets &&
                         desc->visibility == MURK_VISIBILITY_RAY &&
@@ -244,19 +256,20 @@ murk_status murk_sight_create(murk_sight **out, const murk_sight_desc *desc,
     }
     sight->photons = murk_photon_map_count(desc->surface_map) +
                      murk_photon_map_count(desc->volume_map);
-    status = set_aside(sight, err);
+    status = allocate(sight, err);
     if (status) {
         goto done;
     }
+    /* Weights, and detection by power. */
     find_regions(sight);
     const murk_photon_factors factors = {desc->interest, sight->regions};
     status = murk_photon_weights(
         sight->weight, desc->surface_map, desc->volume_map, &desc->weights,
-        &factors, max_views(desc), desc->where ? desc->where : "", err);
+        &factors, max_layers(desc), desc->where ? desc->where : "", err);
     if (status) {
         goto done;
     }
-    status = judge_by_power(sight, err);
+    status = create_power(sight, err);
     if (status) {
         goto done;
     }

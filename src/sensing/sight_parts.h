@@ -1,4 +1,4 @@
-/* What a murk_sight is made of; inside this room only. */
+/* The members of a murk_sight. Internal to the room. */
 #ifndef MURK_SENSING_SIGHT_PARTS_H
 #define MURK_SENSING_SIGHT_PARTS_H
 
@@ -6,35 +6,39 @@
 #include "sensing/refract.h"
 #include "sensing/sight.h"
 
-/* A worker's room for what it sees. */
+/* The scratch buffers of a worker for one row. */
 typedef struct murk_scratch {
-    uint32_t *photon;  /* numbers of photons */
-    uint16_t *clarity; /* NULL where all is clear */
+    uint32_t *photon;  /* indices of photons */
+    uint16_t *clarity; /* NULL if all entries are MURK_CLEAR */
 } murk_scratch;
 
 struct murk_sight {
     murk_sight_desc desc;
     murk_sensor_type *type; /* [desc.types] */
-    murk_media **accepting; /* [desc.types] the media as the type sees them;
-                               NULL: as they are */
-    double max_m;           /* nothing is farther from anything */
+    murk_media *
+        *accepting; /* [desc.types] media with the type's acceptance of forward
+                       scattered light; NULL: the media themselves */
+    double max_m;   /* longer than any distance in the domain */
     double position_error_m;
     bool has_media;
-    bool has_sheets;             /* that let light through */
-    bool has_interfaces;         /* where the index changes */
-    murk_interfaces *interfaces; /* to see through; NULL: not wanted, or none */
-    murk_power *power;           /* NULL: clarity is by transmittance */
-    /* The clarity, 0..1, of a transmittance; NULL: the transmittance. */
+    bool has_sheets;             /* sheets that transmit light */
+    bool has_interfaces;         /* the refractive index changes somewhere */
+    murk_interfaces *interfaces; /* boundaries to look through; NULL: not
+                                    requested, or none */
+    murk_power *power; /* NULL: the clarity follows from the transmittance */
+    /* The clarity, 0..1, for a transmittance; NULL: the transmittance itself.
+     */
     double (*detect)(const murk_sight_desc *desc, double transmittance);
     uint32_t *weight;
-    uint64_t *regions; /* of interest, [photons]; NULL: none */
+    uint64_t *regions; /* [photons] regions of interest; NULL: none */
     size_t photons;
-    murk_scratch *worker;                      /* [threads] */
-    murk_photon_map *own_surface, *own_volume; /* NULL: of others */
+    murk_scratch *worker; /* [threads] */
+    murk_photon_map *own_surface,
+        *own_volume; /* NULL: the maps belong to others */
     murk_tally queries, shadow_rays, blocked_by_interfaces, totally_reflected;
 };
 
-/* The clarity of a sightline that lets so much through. */
+/* The clarity of a sightline with this transmittance, rounded. */
 static inline uint16_t murk_sight_clarity(const murk_sight *sight,
                                           double through)
 {

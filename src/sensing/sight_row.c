@@ -175,10 +175,10 @@ static void add_across(row_search *l, const murk_photon *p,
                        const murk_side *facing, murk_vec3 from, double index,
                        uint32_t first, uint32_t number)
 {
-    murk_sightline line[MURK_WAYS_MAX];
+    murk_sightline line[MURK_REFRACTED_PATHS_MAX];
     const size_t lines =
         l->bands >> murk_photon_band(p) & 1
-            ? murk_across_look(&l->across, p, facing, from, index, line)
+            ? murk_across_sightlines(&l->across, p, facing, from, index, line)
             : 0;
     const uint16_t clarity = clarity_along(l, p, number, line, lines);
     if (clarity > 0) {
@@ -266,8 +266,9 @@ static void prepare_across(row_search *l, double range_m)
                               .shadow_rays = &sight->shadow_rays,
                               .blocked = &sight->blocked_by_interfaces,
                               .reflected = &sight->totally_reflected};
-    l->query_m = fmin(sight->max_m, murk_ways_reach(sight->interfaces,
-                                                    &l->viewpoint, range_m));
+    l->query_m =
+        fmin(sight->max_m, murk_refracted_paths_range(sight->interfaces,
+                                                      &l->viewpoint, range_m));
 }
 
 void murk_sight_row(murk_sight *sight, unsigned worker, const murk_pose *pose,
@@ -296,6 +297,7 @@ void murk_sight_row(murk_sight *sight, unsigned worker, const murk_pose *pose,
         .clarity = s->clarity,
         .is_binary = true};
     l.viewpoint = murk_path_viewpoint_at(&l.space, pose->position);
+    /* Search both maps; volume photons are numbered after surface photons. */
     if (sight->interfaces) {
         prepare_across(&l, type->range_m);
     }

@@ -33,31 +33,36 @@ bool murk_snell_path(murk_vec3 sensor, murk_vec3 photon,
                      const murk_interface_plane *plane, const double n[2],
                      murk_snell *path)
 {
+    /* Heights over the plane; the points must lie on different sides. */
     const murk_vec3 way = murk_sub(photon, sensor);
     const double up = murk_dot(murk_sub(sensor, plane->point), plane->normal);
     const double down = murk_dot(murk_sub(plane->point, photon), plane->normal);
     if (!(up * down > 0) || !isfinite(up + down) || !murk_is_finite(way)) {
         return false;
     }
+    /* Distance along the plane, and the tangent of the angle on the rare side.
+     */
     const murk_vec3 along = murk_along(way, up + down, plane->normal);
     const double r = murk_length(along), h[2] = {fabs(up), fabs(down)};
     const int rare = n[0] < n[1] ? 0 : 1, dense = 1 - rare;
     const double m = n[dense] / n[rare];
     const double t = tangent_of(r, h[rare], h[dense], m);
+    /* Angles, lengths and the crossing follow from the tangent. */
     const double secant = sqrt(1 + t * t);
     const double root = sqrt(m * m + (m * m - 1) * t * t);
     const double aside[2] = {h[rare] * t, h[dense] * t / root};
     path->cosine[rare] = 1 / secant;
     path->cosine[dense] = root / (m * secant);
-    path->leg_m[rare] = h[rare] * secant;
-    path->leg_m[dense] = h[dense] / path->cosine[dense];
+    path->length_m[rare] = h[rare] * secant;
+    path->length_m[dense] = h[dense] / path->cosine[dense];
     const murk_vec3 foot = murk_along(sensor, -up, plane->normal);
     path->crossing =
         r > 0 ? murk_along(foot, aside[rare == 0 ? 0 : 1] / r, along) : foot;
+    /* Transmittance, and the apparent distance from the two spreads. */
     double refracted;
     path->transmittance =
         1 - murk_fresnel(n[rare], n[dense], path->cosine[rare], &refracted);
-    const double *d = path->leg_m, *c = path->cosine, ratio = n[0] / n[1];
+    const double *d = path->length_m, *c = path->cosine, ratio = n[0] / n[1];
     const double sagittal = d[0] + d[1] * ratio;
     const double tangential = d[0] * c[1] / c[0] + d[1] * ratio * c[0] / c[1];
     path->apparent_m = sqrt(sagittal * tangential);
@@ -73,12 +78,12 @@ bool murk_snell_path(murk_vec3 sensor, murk_vec3 photon,
  * cosine of the critical angle. */
 double murk_snell_reach(double range_m, double height_m, const double n[2])
 {
-    const double ratio = n[0] / n[1], apart = 1 + 1 / ratio;
+    const double ratio = n[0] / n[1], spread = 1 + 1 / ratio;
     if (ratio < 1) {
         const double square = range_m * range_m;
         return fmax(range_m / ratio,
-                    apart * cbrt(square * square / (4 * height_m)));
+                    spread * cbrt(square * square / (4 * height_m)));
     }
     const double critical = sqrt(1 - 1 / (ratio * ratio));
-    return fmax(range_m, apart * height_m / critical);
+    return fmax(range_m, spread * height_m / critical);
 }

@@ -82,12 +82,12 @@ static void balance(double *factor_surface, double *factor_volume,
 murk_status
 murk_photon_weights(uint32_t *weight, const murk_photon_map *surface,
                     const murk_photon_map *volume, const murk_map_weights *maps,
-                    const murk_photon_factors *factors, unsigned views,
+                    const murk_photon_factors *factors, unsigned combined,
                     const char *where, murk_error *err)
 {
     /* Refuse weights of the maps without a positive sum. */
     const double a = maps->surface, b = maps->volume,
-                 whole = WEIGHT_SUM / views;
+                 whole = WEIGHT_SUM / combined;
     if (!maps->balanced &&
         !(a >= 0 && b >= 0 && a + b > 0 && isfinite(a + b))) {
         return murk_fail(err, MURK_BAD_VALUE, "placement.weights",

@@ -19,7 +19,7 @@ typedef struct murk_photon_factors {
 murk_status
 murk_photon_weights(uint32_t *weight, const murk_photon_map *surface,
                     const murk_photon_map *volume, const murk_map_weights *maps,
-                    const murk_photon_factors *factors, unsigned views,
+                    const murk_photon_factors *factors, unsigned combined,
                     const char *where, murk_error *err);
 
 #endif

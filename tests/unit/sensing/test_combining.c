@@ -126,8 +126,8 @@ static double seen_of(const struct mode *mode, const murk_photon *p,
     if (mode->combining == MURK_COMBINE_INDEPENDENT) {
         return 1 - miss;
     }
-    const unsigned views = mode->redundancy > 1 ? mode->redundancy : 1;
-    for (unsigned k = 0; k < views && k < SENSORS; ++k) {
+    const unsigned combined = mode->redundancy > 1 ? mode->redundancy : 1;
+    for (unsigned k = 0; k < combined && k < SENSORS; ++k) {
         int best = 0;
         for (int j = 1; j < SENSORS; ++j) {
             best = through[j] > through[best] ? j : best;
@@ -135,7 +135,7 @@ static double seen_of(const struct mode *mode, const murk_photon *p,
         sum += through[best];
         through[best] = 0;
     }
-    return sum / views;
+    return sum / combined;
 }
 
 /* A stored clarity is off by half a unit, and by the step off a surface, far
@@ -218,7 +218,7 @@ static void test_clear_air_is_a_count(void)
 {
     for (size_t k = 0; k < MODES; ++k) {
         const struct mode *mode = &modes[k];
-        const unsigned views = mode->redundancy > 1 ? mode->redundancy : 1;
+        const unsigned combined = mode->redundancy > 1 ? mode->redundancy : 1;
         world *w = build(mode, 0, false);
         murk_coverage_result c =
             measure(w, partial_at(sensor, SENSORS), SENSORS);
@@ -228,11 +228,11 @@ static void test_clear_air_is_a_count(void)
             for (int j = 0; j < SENSORS; ++j) {
                 by += transmittance(&w->photon[i], sensor[j], 0) > 0;
             }
-            count += by < views ? by : views;
+            count += by < combined ? by : combined;
         }
         /* whole numbers below 2^63, told as a double */
-        CHECK_NEAR(c.total.value, (double)count / (views * (SURFACE + VOLUME)),
-                   0x1p-52);
+        CHECK_NEAR(c.total.value,
+                   (double)count / (combined * (SURFACE + VOLUME)), 0x1p-52);
         murk_coverage_result_release(&c);
         tear_down(w);
     }

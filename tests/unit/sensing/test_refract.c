@@ -55,7 +55,7 @@ static murk_media *media_of(const murk_region *region, size_t n,
 typedef struct answer {
     size_t n;
     bool is_reflected;
-    murk_way way[MURK_WAYS_MAX];
+    murk_refracted_path way[MURK_REFRACTED_PATHS_MAX];
 } answer;
 
 static answer ask(const murk_media *media,
@@ -69,7 +69,8 @@ static answer ask(const murk_media *media,
     const murk_path_viewpoint p = murk_path_viewpoint_at(&space, sensor);
     const murk_path_viewpoint q = murk_path_viewpoint_at(&space, photon);
     answer a = {0};
-    a.n = murk_ways_across(&at, &p, photon, q.index, a.way, &a.is_reflected);
+    a.n = murk_refracted_paths_find(&at, &p, photon, q.index, a.way,
+                                    &a.is_reflected);
     return a;
 }
 
@@ -369,11 +370,13 @@ static void test_media_attenuate_along_both_legs(void)
         CHECK(there.n == 1 && back.n == 1);
         const murk_path_viewpoint p = murk_path_viewpoint_at(&space, sensor);
         const murk_path_viewpoint q = murk_path_viewpoint_at(&space, photon);
-        const double got = murk_way_transmittance(&there.way[0], &p, 0);
-        const double *leg = there.way[0].snell.leg_m;
+        const double got =
+            murk_refracted_path_transmittance(&there.way[0], &p, 0);
+        const double *leg = there.way[0].snell.length_m;
         const double want = exp(-0.7 * leg[0] - 0.3 * leg[1]);
         CHECK_NEAR(got, want, 1e-14);
-        CHECK_NEAR(murk_way_transmittance(&back.way[0], &q, 0), got, 1e-14);
+        CHECK_NEAR(murk_refracted_path_transmittance(&back.way[0], &q, 0), got,
+                   1e-14);
         CHECK(fabs(exp(-0.7 * leg[0] - 0.301 * leg[1]) - got) > 1e-14);
     }
     murk_media_destroy(media);
@@ -389,7 +392,7 @@ static void test_surfaces_count_along_both_legs(void)
     const murk_vec3 sensor = {-2, 0, 1}, photon = {2, 0, -1};
     const answer a = ask(media, NULL, &cube, sensor, photon);
     CHECK(a.n == 1);
-    const murk_way *way = &a.way[0];
+    const murk_refracted_path *way = &a.way[0];
     const murk_vec3 x = way->snell.crossing;
     const murk_path_viewpoint p = murk_path_viewpoint_at(&space, sensor);
     const murk_vec3 at[4] = {murk_scale(0.5, murk_add(sensor, x)),
@@ -406,10 +409,10 @@ static void test_surfaces_count_along_both_legs(void)
                              murk_vec(0, 2, 0), murk_vec(0, 0, 0.2), material);
             murk_surfaces *s = surfaces_of(&rect, 1);
             const bool in_way = k < 3;
-            CHECK(murk_way_blocked(way, &p, s, false) == in_way);
-            CHECK(murk_way_blocked(way, &p, s, true) ==
+            CHECK(murk_refracted_path_blocked(way, &p, s, false) == in_way);
+            CHECK(murk_refracted_path_blocked(way, &p, s, true) ==
                   (in_way && material == WALL));
-            CHECK_NEAR(murk_way_sheets(way, &p, s, 0),
+            CHECK_NEAR(murk_refracted_path_sheets(way, &p, s, 0),
                        in_way && material == GLASS ? GLASS_TRANSMIT : 1, 1e-15);
             murk_surfaces_destroy(s);
         }
@@ -429,11 +432,11 @@ static void test_reach_is_that_of_the_faces(void)
         murk_path_viewpoint_at(&space, murk_vec(0, 0, 2));
     const murk_path_viewpoint below =
         murk_path_viewpoint_at(&space, murk_vec(0, 0, -1));
-    CHECK_NEAR(murk_ways_reach(&at, &above, 3), murk_snell_reach(3, 2, n),
-               1e-12);
-    CHECK_NEAR(murk_ways_reach(&at, &below, 3), murk_snell_reach(3, 1, back),
-               1e-12);
-    CHECK(murk_ways_reach(&at, &above, 3) >= 4);
+    CHECK_NEAR(murk_refracted_paths_range(&at, &above, 3),
+               murk_snell_reach(3, 2, n), 1e-12);
+    CHECK_NEAR(murk_refracted_paths_range(&at, &below, 3),
+               murk_snell_reach(3, 1, back), 1e-12);
+    CHECK(murk_refracted_paths_range(&at, &above, 3) >= 4);
     murk_media_destroy(media);
 }
 

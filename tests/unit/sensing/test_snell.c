@@ -96,8 +96,8 @@ static void test_the_way_is_the_shortest_in_time(void)
         const double min = min_length(&s, &at);
         const double length = optical_length(&s, s.n, path.crossing);
         CHECK(length <= min + PLACE_M);
-        CHECK_NEAR(s.n[0] * path.leg_m[0] + s.n[1] * path.leg_m[1], length,
-                   PLACE_M);
+        CHECK_NEAR(s.n[0] * path.length_m[0] + s.n[1] * path.length_m[1],
+                   length, PLACE_M);
         /* Teeth: an index off by a hundredth is a longer way. */
         const double off[2] = {s.n[0], 1.01 * s.n[1]};
         CHECK(murk_snell_path(s.sensor, s.photon, &s.plane, off, &path));
@@ -143,7 +143,7 @@ static void test_both_ends_agree(void)
         CHECK(murk_snell_path(s.photon, s.sensor, &turned, back, &b));
         CHECK_NEAR(a.transmittance, b.transmittance, ROUNDINGS);
         /* A height of 1e-12 is known to 1e-4 of itself: so are distances. */
-        CHECK_NEAR(a.leg_m[0], b.leg_m[1], 1e-12);
+        CHECK_NEAR(a.length_m[0], b.length_m[1], 1e-12);
         if (fmin(a.cosine[0], a.cosine[1]) > 1e-3) {
             CHECK_NEAR(b.apparent_m, a.apparent_m * s.n[1] / s.n[0],
                        1e-9 * b.apparent_m);
@@ -246,7 +246,7 @@ static void test_reach_holds_all(void)
         murk_snell path;
         CHECK(murk_snell_path(s.sensor, s.photon, &s.plane, s.n, &path));
         const double chord = murk_length(murk_sub(s.photon, s.sensor));
-        const double height = path.leg_m[0] * path.cosine[0];
+        const double height = path.length_m[0] * path.cosine[0];
         const double reach = murk_snell_reach(path.apparent_m, height, s.n);
         CHECK(chord <= reach * (1 + 1e-12));
         const int dense = s.n[0] > s.n[1];

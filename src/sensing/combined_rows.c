@@ -1,13 +1,17 @@
-#include "sensing/views.h"
+/* Keeps the k + 1 largest entries of each photon, so that the value without any
+ * one sensor is known; or the sum of the doses for detection probabilities
+ * (placement/dose.h). */
+#include "sensing/combined_rows.h"
 
 #include <stdlib.h>
 
-bool murk_views_init(murk_views *out, size_t photons, murk_combining combining,
-                     size_t layers)
+bool murk_combined_rows_init(murk_combined_rows *out, size_t photons,
+                             murk_combining combining, size_t layers)
 {
-    *out = (murk_views){.photons = photons,
-                        .layers = layers,
-                        .sensors = calloc(photons + 1, sizeof *out->sensors)};
+    *out = (murk_combined_rows){.photons = photons,
+                                .layers = layers,
+                                .sensors =
+                                    calloc(photons + 1, sizeof *out->sensors)};
     if (combining == MURK_COMBINE_INDEPENDENT) {
         out->dose = calloc(photons + 1, sizeof *out->dose);
         out->doses = malloc(sizeof *out->doses);
@@ -21,17 +25,18 @@ bool murk_views_init(murk_views *out, size_t photons, murk_combining combining,
     return out->sensors && out->clarity && out->clearest;
 }
 
-void murk_views_release(murk_views *views)
+void murk_combined_rows_release(murk_combined_rows *combined)
 {
-    free(views->sensors);
-    free(views->clarity);
-    free(views->clearest);
-    free(views->dose);
-    free(views->doses);
-    *views = (murk_views){0};
+    free(combined->sensors);
+    free(combined->clarity);
+    free(combined->clearest);
+    free(combined->dose);
+    free(combined->doses);
+    *combined = (murk_combined_rows){0};
 }
 
-static void keep_clearest(murk_views *v, size_t i, uint32_t sensor,
+/* Inserts an entry among the largest ones of a photon. */
+static void keep_clearest(murk_combined_rows *v, size_t i, uint32_t sensor,
                           uint16_t clarity)
 {
     uint16_t *at = v->clarity + i * (v->layers + 1);
@@ -57,7 +62,8 @@ static uint16_t clarity_at(const murk_sparse_row *row, size_t k)
     return row->clarity ? row->clarity[k] : MURK_CLEAR;
 }
 
-void murk_views_add(murk_views *v, uint32_t sensor, const murk_sparse_row *row)
+void murk_combined_rows_add(murk_combined_rows *v, uint32_t sensor,
+                            const murk_sparse_row *row)
 {
     for (size_t k = 0; k < row->seen; ++k) {
         const uint32_t i = row->photon[k];
@@ -70,13 +76,13 @@ void murk_views_add(murk_views *v, uint32_t sensor, const murk_sparse_row *row)
     }
 }
 
-static uint16_t worth_of(const murk_views *v, uint64_t dose)
+static uint16_t worth_of(const murk_combined_rows *v, uint64_t dose)
 {
     return murk_dose_worth(v->doses, dose < MURK_DOSE_FULL ? (uint32_t)dose
                                                            : MURK_DOSE_FULL);
 }
 
-uint32_t murk_views_worth(const murk_views *v, size_t i)
+uint32_t murk_combined_rows_worth(const murk_combined_rows *v, size_t i)
 {
     if (v->dose) {
         return worth_of(v, v->dose[i]);
@@ -88,9 +94,9 @@ uint32_t murk_views_worth(const murk_views *v, size_t i)
     return sum;
 }
 
-/* Without one of those that count, the next clearest does. */
-void murk_views_only(const murk_views *v, const uint32_t *weight,
-                     uint64_t *only)
+/* Without one of the entries that count, the next largest one counts. */
+void murk_combined_rows_only(const murk_combined_rows *v,
+                             const uint32_t *weight, uint64_t *only)
 {
     for (size_t i = 0; i < v->photons; ++i) {
         const uint16_t *at = v->clarity + i * (v->layers + 1);
@@ -101,8 +107,9 @@ void murk_views_only(const murk_views *v, const uint32_t *weight,
     }
 }
 
-uint64_t murk_views_only_of(const murk_views *v, const uint32_t *weight,
-                            const murk_sparse_row *row)
+uint64_t murk_combined_rows_only_of(const murk_combined_rows *v,
+                                    const uint32_t *weight,
+                                    const murk_sparse_row *row)
 {
     uint64_t sum = 0;
     for (size_t k = 0; k < row->seen; ++k) {

@@ -1,0 +1,105 @@
+/* Tests of segments and points against surfaces for the search of candidate
+ * sites. Each segment is tested by three rays, because a ray along the seam of
+ * a mesh may slip through. */
+#include "sensing/free_segments.h"
+
+#include "path/segment.h"
+
+/* Share of the offset of a mount: surfaces that rise less than this over the
+ * wall are part of the wall, such as skirtings and steps between panels (a
+ * choice). */
+#define WALL_SHARE 0.5
+
+murk_free_segments murk_free_segments_of(const murk_surfaces *surfaces,
+                                         const murk_domain *domain)
+{
+    murk_free_segments segments = {
+        .surfaces = surfaces,
+        .domain = domain,
+        .tolerance_m = murk_path_surface_tolerance_m(surfaces, domain)};
+    /* at right angles to each other, so that no seam follows both; tilted, so
+     * that no axis does */
+    murk_vec3 aside[3] = {{0.537, 0.781, 0.319}};
+    aside[0] = murk_unit(aside[0]);
+    murk_frame(aside[0], &aside[1], &aside[2]);
+    segments.aside[0] = murk_scale(0.5 * segments.tolerance_m, aside[0]);
+    segments.aside[1] = murk_scale(0.5 * segments.tolerance_m, aside[1]);
+    return segments;
+}
+
+bool murk_free_segment_is_open(const murk_free_segments *w, murk_vec3 from,
+                               murk_vec3 to)
+{
+    if (murk_path_blocked(w->surfaces, w->domain, from, to, !w->by_sheets)) {
+        return false;
+    }
+    for (int i = 0; i < 2; ++i) {
+        if (murk_path_blocked(w->surfaces, w->domain, from,
+                              murk_add(to, w->aside[i]), !w->by_sheets)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* The segments end two tolerances beyond the side, so that a wall in the plane
+ * of the side closes it. */
+bool murk_free_segment_leads_out(const murk_free_segments *w, murk_vec3 point)
+{
+    const murk_domain *domain = w->domain;
+    const double beyond = 2 * w->tolerance_m;
+    const double x[2] = {domain->box.min.x - beyond,
+                         domain->box.max.x + beyond};
+    const double y[2] = {domain->box.min.y - beyond,
+                         domain->box.max.y + beyond};
+    const double z[2] = {domain->box.min.z - beyond,
+                         domain->box.max.z + beyond};
+    /* Top and bottom; without periods also the four other sides. */
+    for (int i = 0; i < 2; ++i) {
+        if (murk_free_segment_is_open(w, murk_vec(point.x, point.y, z[i]),
+                                      point)) {
+            return true;
+        }
+        if (domain->is_periodic) {
+            continue;
+        }
+        if (murk_free_segment_is_open(w, murk_vec(x[i], point.y, point.z),
+                                      point) ||
+            murk_free_segment_is_open(w, murk_vec(point.x, y[i], point.z),
+                                      point)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* True if a surface other than that of the mount lies within the radius. */
+static bool is_near(const murk_free_segments *w, murk_vec3 point,
+                    double radius_m, const murk_mount_site *foot)
+{
+    if (!foot) {
+        return murk_surfaces_near(w->surfaces, point, radius_m);
+    }
+    const double offset_m =
+        murk_dot(murk_sub(point, foot->position), foot->normal);
+    return murk_surfaces_near_mount(w->surfaces, point, radius_m, foot,
+                                    WALL_SHARE * offset_m);
+}
+
+murk_closeness murk_free_segments_closeness(const murk_free_segments *w,
+                                            murk_vec3 point, double clearance_m,
+                                            const murk_mount_site *foot)
+{
+    const double tolerance = w->tolerance_m;
+    if (murk_surfaces_near(w->surfaces, point, tolerance)) {
+        return MURK_ON_SURFACE;
+    }
+    /* a point exactly at the clearance is not dropped by rounding */
+    if (clearance_m > 2 * tolerance &&
+        is_near(w, point, clearance_m - tolerance, foot)) {
+        return MURK_TOO_CLOSE;
+    }
+    return murk_surfaces_near(w->surfaces, point, 2 * tolerance)
+               ? MURK_BARELY_CLEAR
+               : MURK_CLEAR_OF_SURFACES;
+}

@@ -1,0 +1,52 @@
+/* Straight segments through free space, and distances of points to surfaces:
+ * the tests that decide which sites are usable. Internal to the room.
+ *
+ * A ray aimed exactly at a seam of a mesh may slip through (one in 500, if a
+ * vertex lies on another triangle's edge), and grids and walls at round
+ * coordinates produce such rays. So a segment is open only if two more
+ * segments, with the far end moved aside by half a tolerance, are open as well.
+ */
+#ifndef MURK_SENSING_FREE_SEGMENTS_H
+#define MURK_SENSING_FREE_SEGMENTS_H
+
+#include "geometry/mount_sites.h"
+#include "sensing/candidates.h"
+
+typedef enum murk_closeness {
+    MURK_CLEAR_OF_SURFACES,
+    MURK_BARELY_CLEAR, /* no surface within the tolerance, one within twice the
+                          tolerance */
+    MURK_TOO_CLOSE,    /* for the requested clearance */
+    MURK_ON_SURFACE /* within the tolerance: sees nothing, and no segment leads
+                       there */
+} murk_closeness;
+
+/* The setting of the tests. */
+typedef struct murk_free_segments {
+    const murk_surfaces *surfaces;
+    const murk_domain *domain;
+    bool by_sheets; /* transmitting sheets block as well; false by default */
+    double tolerance_m; /* murk_path_surface_tolerance_m() */
+    murk_vec3 aside[2]; /* offsets by half a tolerance */
+} murk_free_segments;
+
+murk_free_segments murk_free_segments_of(const murk_surfaces *surfaces,
+                                         const murk_domain *domain);
+
+/* True if no surface blocks the segment. */
+bool murk_free_segment_is_open(const murk_free_segments *segments,
+                               murk_vec3 from, murk_vec3 to);
+
+/* True if a segment along an axis leads from the point to an open side of the
+ * domain: all six sides, in a periodic domain top and bottom. */
+bool murk_free_segment_leads_out(const murk_free_segments *segments,
+                                 murk_vec3 point);
+
+/* The distance class of a point. foot: the mounting point on a surface that
+ * does not count for clearance, with the normal towards the point; NULL: none.
+ */
+murk_closeness murk_free_segments_closeness(const murk_free_segments *segments,
+                                            murk_vec3 point, double clearance_m,
+                                            const murk_mount_site *foot);
+
+#endif
