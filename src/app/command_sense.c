@@ -74,9 +74,9 @@ static murk_status measure(measured *of, murk_session *session,
 {
     const murk_stage *stage = session->stage;
     murk_sight *sight = NULL;
-    murk_status status =
-        murk_plan_sight_told(&sight, &of->targets, stage, session->traced,
-                             session->settings.threads, err);
+    murk_status status = murk_plan_sight_and_targets(
+        &sight, &of->targets, stage, session->traced, session->settings.threads,
+        err);
     if (!status) {
         status =
             murk_goals_check_seen(stage->goals, murk_goals_seen(sight), err);

@@ -91,8 +91,8 @@ static murk_followed *new_followed(const murk_followed_desc *desc)
 static murk_status make_maps(murk_followed *f, const job *j, murk_error *err)
 {
     murk_record_buffers *buffers = j->recorder->buffers;
-    murk_record_buffers_price(buffers, f->packet_w,
-                              j->desc->stage->scene->bands);
+    murk_record_buffers_to_watts(buffers, f->packet_w,
+                                 j->desc->stage->scene->bands);
     const murk_status status = murk_record_buffers_map(
         &f->surface, &buffers->surface, j->desc->threads, err);
     return status ? status
@@ -108,7 +108,7 @@ static murk_status finish(murk_followed *f, const job *j, murk_error *err)
         return status;
     }
     f->emitted = j->emission.emitted;
-    murk_emission_price(&j->emission, f->emitted_in, f->packet_w);
+    murk_emission_packet_powers(&j->emission, f->emitted_in, f->packet_w);
     murk_recorded_fit(all, f->media);
     f->n = all->n;
     f->contribution = all->contribution;

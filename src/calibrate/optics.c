@@ -1,7 +1,7 @@
 #include "calibrate/optics.h"
 
 #include "base/log.h"
-#include "lightmap/relight.h"
+#include "lightmap/scaled_light.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -60,8 +60,9 @@ static murk_status create(murk_optics **out, murk_scene_desc *scene,
     o->channels = scene->n_lights * (size_t)scene->bands;
     murk_status status = fill_media(o, err);
     if (!status) {
-        status = power_w ? copy_power(o, power_w, err)
-                         : murk_relight_powers(&o->power_w, scene, domain, err);
+        status =
+            power_w ? copy_power(o, power_w, err)
+                    : murk_scaled_light_powers(&o->power_w, scene, domain, err);
     }
     murk_warn_quiet(was_silent);
     if (status) {

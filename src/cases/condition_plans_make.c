@@ -136,9 +136,9 @@ static murk_status shake(murk_condition_plans *plans,
     const size_t draws = murk_robust_draws(stage->scene);
     return draws == 0
                ? MURK_OK
-               : murk_robust_shake(plans->shaken + c * draws, &plans->unmoved,
-                                   stage, sight, plan->sensor,
-                                   plans->plan[plans->chosen].count, err);
+               : murk_robust_draw(plans->shaken + c * draws, &plans->unmoved,
+                                  stage, sight, plan->sensor,
+                                  plans->plan[plans->chosen].count, err);
 }
 
 static murk_status allocate_jitter(murk_condition_plans *plans, murk_error *err)
@@ -175,13 +175,12 @@ static murk_status sum_up_jitter(murk_condition_plans *plans,
     }
     /* The spread of the draws about the figure of the plan as it stands. */
     const murk_status status =
-        draws == 0
-            ? MURK_OK
-            : murk_robust_sum_up(&plan->robust, covered, draws, plans->unmoved,
-                                 plans->has_held_out
-                                     ? plan->held_out.value
-                                     : plan->in_sample.total.value,
-                                 plans->has_held_out, err);
+        draws == 0 ? MURK_OK
+                   : murk_robust_summarise(
+                         &plan->robust, covered, draws, plans->unmoved,
+                         plans->has_held_out ? plan->held_out.value
+                                             : plan->in_sample.total.value,
+                         plans->has_held_out, err);
     free(covered);
     return status;
 }
@@ -390,7 +389,7 @@ static murk_status measure(murk_condition_plans *plans, murk_plan_result *plan,
         status = allocate_jitter(plans, err);
     }
     /* Held-out light, jitter and the confirmation of a target. */
-    const bool is_more = murk_plan_can_see_anew(all->scene);
+    const bool is_more = murk_plan_has_streams(all->scene);
     const bool holds_out = is_more && all->scene->placement.hold_out;
     for (size_t c = 0; !status && !holds_out && c < all->n; ++c) {
         status = shake(plans, plan, c, all->condition[c].sight, err);

@@ -230,8 +230,9 @@ static murk_status light_one(murk_conditions *all, size_t c, unsigned threads,
     }
     return status || c >= all->n
                ? status
-               : murk_plan_sight_told(&one->sight, &one->targets, one->stage,
-                                      one->traced, threads, err);
+               : murk_plan_sight_and_targets(&one->sight, &one->targets,
+                                             one->stage, one->traced, threads,
+                                             err);
 }
 
 murk_status murk_conditions_light(murk_conditions *all, unsigned threads,

@@ -82,14 +82,15 @@ static murk_status run_again(murk_repeat_run *out,
     again.scene = &scene;
     murk_traced *traced = NULL;
     murk_plan_result plan = plan_again(first->plan);
-    murk_status status = murk_plan_see_anew(&traced, &again, 0, threads, err);
+    murk_status status =
+        murk_plan_trace_stream(&traced, &again, 0, threads, err);
     if (!status) {
         status = murk_plan_result_make(&plan, &again, traced, threads, err);
     }
     if (!status) {
         *out = run_of(&plan, scene.seed);
     }
-    if (!status && murk_plan_can_see_anew(&scene)) {
+    if (!status && murk_plan_has_streams(&scene)) {
         status = measure(&out->plan, first->plan, &again, traced, threads, err);
     }
     release_again(&plan);
@@ -142,7 +143,7 @@ static murk_status run_conditions_again(murk_repeat_run *out,
         *out = run_of(&plan, over->conditions->scene->seed);
     }
     /* Measure the plan of the first run on the maps of this run. */
-    if (!status && murk_plan_can_see_anew(over->conditions->scene)) {
+    if (!status && murk_plan_has_streams(over->conditions->scene)) {
         status =
             measure_conditions(&out->plan, first->plan, over->conditions, err);
     }

@@ -1,10 +1,10 @@
 /* A study (parameter sweep): its rows, their groups, and plans for all rows.
  *
  * Rows whose light differs only by the power of their lights are a group, whose
- * light is traced once (lightmap/relight.h). Each group runs in a subprocess
- * (base/isolated.h), so that files are imported before any ray device exists,
- * and so that its memory ends with it. A row that fails leaves the other rows
- * alone.
+ * light is traced once (lightmap/scaled_light.h). Each group runs in a
+ * subprocess (base/isolated.h), so that files are imported before any ray
+ * device exists, and so that its memory ends with it. A row that fails leaves
+ * the other rows alone.
  *
  * A finished row is stored in FOLDER/rows, in a file named by a hash of
  * everything that the row follows from: the resolved scene, the files that it

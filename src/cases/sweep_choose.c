@@ -109,11 +109,11 @@ static murk_status light_row(choosing *ch, murk_sweep_light *l, size_t k,
     }
     status = check_memory(l, err);
     if (!status) {
-        status =
-            murk_sweep_light_shines(l, k)
-                ? murk_sweep_light_of(l, k, 0, &row->traced, &row->owns_light,
-                                      err)
-                : murk_plan_see_anew(&row->traced, row->stage, 0, threads, err);
+        status = murk_sweep_light_shines(l, k)
+                     ? murk_sweep_light_of(l, k, 0, &row->traced,
+                                           &row->owns_light, err)
+                     : murk_plan_trace_stream(&row->traced, row->stage, 0,
+                                              threads, err);
     }
     return !status && murk_sweep_has_seen(row->stage, row->traced)
                ? murk_plan_sight(&row->sight, row->stage, row->traced, threads,

@@ -56,7 +56,7 @@ static murk_status measure_anew(murk_sweep_light *l, size_t k, uint32_t stream,
     /* Targets need no light; photons are those of another stream of the row. */
     murk_status status =
         murk_sweep_needs_no_light(stage->scene)
-            ? murk_plan_see_anew(&traced, stage, stream, threads, err)
+            ? murk_plan_trace_stream(&traced, stage, stream, threads, err)
             : murk_sweep_light_of(l, k, stream, &traced, &is_own, err);
     /* Measure if there is something to see. */
     if (!status && murk_sweep_has_seen(stage, traced)) {
@@ -76,7 +76,7 @@ static murk_status measure_anew(murk_sweep_light *l, size_t k, uint32_t stream,
 
 static bool holds_out(const murk_scene_desc *scene)
 {
-    return scene->placement.hold_out && murk_plan_can_see_anew(scene);
+    return scene->placement.hold_out && murk_plan_has_streams(scene);
 }
 
 murk_status murk_sweep_measure(murk_sweep_light *l, size_t k,

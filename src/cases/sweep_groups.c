@@ -1,5 +1,5 @@
 /* Groups of rows that share the world and differ at most by the power of their
- * lights, so that their light is traced once (lightmap/relight.h). */
+ * lights, so that their light is traced once (lightmap/scaled_light.h). */
 #include "cases/sweep_groups.h"
 
 #include "base/file.h"

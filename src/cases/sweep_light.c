@@ -2,7 +2,7 @@
  * light whose records are scaled to the powers of each row. */
 #include "cases/sweep_light.h"
 
-#include "lightmap/relight.h"
+#include "lightmap/scaled_light.h"
 #include "world/stage_build.h"
 
 #include <math.h>
@@ -106,12 +106,13 @@ static murk_status find_lights(murk_sweep_light *l, double *grow,
     bool any = false;
     murk_status status = MURK_OK;
     for (size_t k = 0; k < l->n && !status; ++k) {
-        status = murk_relight_powers(&l->power_w[k], l->scene[k], domain, err);
+        status =
+            murk_scaled_light_powers(&l->power_w[k], l->scene[k], domain, err);
         any |= !status && murk_sweep_light_shines(l, k);
     }
     return status || !any || all_alike(l)
                ? status
-               : murk_relight_lights(
+               : murk_scaled_light_sources(
                      &l->lights, grow, (const murk_scene_desc *const *)l->scene,
                      (double *const *)l->power_w, l->n, domain, err);
 }
@@ -183,8 +184,9 @@ murk_status murk_sweep_light_of(murk_sweep_light *l, size_t k, uint32_t stream,
     if (!status && !l->lights) {
         *out = l->traced[stream];
     } else if (!status) {
-        status = murk_relight(out, l->traced[stream], l->lights, l->power_w[k],
-                              l->scene[k]->bands, threads, err);
+        status = murk_scaled_light_make(out, l->traced[stream], l->lights,
+                                        l->power_w[k], l->scene[k]->bands,
+                                        threads, err);
     }
     return status;
 }

@@ -125,8 +125,8 @@ static murk_status measure_row(group_work *w, size_t k, murk_study_row *row,
     }
     if (!status && !shines && murk_sweep_can_see(l, k)) { /* targets */
         is_own = true;
-        status = murk_plan_see_anew(&traced, l->stage[k], 0,
-                                    l->sweep->desc.threads, err);
+        status = murk_plan_trace_stream(&traced, l->stage[k], 0,
+                                        l->sweep->desc.threads, err);
     }
     if (!status) {
         status = murk_sweep_measure_coverage(l, k, row, traced, err);

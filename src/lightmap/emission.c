@@ -179,8 +179,8 @@ murk_status murk_emission_check_losses(const murk_emission *e, murk_error *err)
     return MURK_OK;
 }
 
-void murk_emission_price(const murk_emission *e, uint64_t *emitted_in,
-                         double *packet_w)
+void murk_emission_packet_powers(const murk_emission *e, uint64_t *emitted_in,
+                                 double *packet_w)
 {
     const murk_sources *lights = e->stage->lights;
     murk_sources_deal(lights, e->emitted, emitted_in);

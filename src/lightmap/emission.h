@@ -54,7 +54,7 @@ murk_status murk_emission_check_losses(const murk_emission *emission,
 /* Sets packet_w[channels] to the power of one photon packet of each channel,
  * light * bands + band, and emitted_in[channels] to the number of photons
  * emitted in that channel. The power is 0 for a channel without photons. */
-void murk_emission_price(const murk_emission *emission, uint64_t *emitted_in,
-                         double *packet_w);
+void murk_emission_packet_powers(const murk_emission *emission,
+                                 uint64_t *emitted_in, double *packet_w);
 
 #endif

@@ -167,7 +167,7 @@ static murk_status price_packets(murk_traced *traced,
         return murk_fail(err, MURK_NO_MEMORY, emission->stage->scene->path,
                          "no memory for the lights");
     }
-    murk_emission_price(emission, count, traced->packet_w);
+    murk_emission_packet_powers(emission, count, traced->packet_w);
     free(count);
     return MURK_OK;
 }
@@ -187,8 +187,8 @@ static murk_status finish(murk_traced *traced, const murk_emission *emission,
     }
     const double begun_s = murk_clock_s();
     murk_progress_begin_group("maps", 0, "");
-    murk_record_buffers_price(buffers, traced->packet_w,
-                              emission->stage->scene->bands);
+    murk_record_buffers_to_watts(buffers, traced->packet_w,
+                                 emission->stage->scene->bands);
     status = murk_record_buffers_map(&traced->surface, &buffers->surface,
                                      emission->threads, err);
     if (!status) {

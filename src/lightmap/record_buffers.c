@@ -149,8 +149,8 @@ static void price(murk_record_list *buffer, const double *packet_w, int bands)
     }
 }
 
-void murk_record_buffers_price(murk_record_buffers *h, const double *packet_w,
-                               int bands)
+void murk_record_buffers_to_watts(murk_record_buffers *h,
+                                  const double *packet_w, int bands)
 {
     price(&h->surface, packet_w, bands);
     price(&h->volume, packet_w, bands);

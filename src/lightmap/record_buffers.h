@@ -42,8 +42,8 @@ double murk_record_buffers_share(const murk_record_buffers *buffers,
                                  const murk_event *event);
 
 /* The event sink of the photon tracer; context is the murk_record_buffers. The
- * power of a record is a share of the packet until murk_record_buffers_price()
- * is called. */
+ * power of a record is a share of the packet until
+ * murk_record_buffers_to_watts() is called. */
 void murk_record_buffers_event(void *context, uint64_t batch,
                                const murk_event *event);
 
@@ -60,8 +60,8 @@ murk_status murk_record_buffers_gather(murk_record_buffers *buffers,
 
 /* Multiplies each record by the power of a packet of the same channel,
  * packet_w[light * bands + band], so that shares become watts. */
-void murk_record_buffers_price(murk_record_buffers *buffers,
-                               const double *packet_w, int bands);
+void murk_record_buffers_to_watts(murk_record_buffers *buffers,
+                                  const double *packet_w, int bands);
 
 /* Passes the records of a list to a new photon map, which owns them; the list
  * becomes empty. The caller owns *out. */

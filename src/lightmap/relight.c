@@ -2,7 +2,7 @@
  * to trace with so that one traced light serves several scenes. Sampling each
  * channel by the largest share it has in any scene bounds the noise of every
  * scene by that of a run of its own. */
-#include "lightmap/relight.h"
+#include "lightmap/scaled_light.h"
 
 #include "world/sky.h"
 
@@ -38,8 +38,8 @@ static murk_status lights_of(murk_source **out, bool *shines,
     return MURK_OK;
 }
 
-murk_status murk_relight_powers(double **out, const murk_scene_desc *scene,
-                                const murk_domain *domain, murk_error *err)
+murk_status murk_scaled_light_powers(double **out, const murk_scene_desc *scene,
+                                     const murk_domain *domain, murk_error *err)
 {
     const size_t channels = scene->n_lights * (size_t)scene->bands;
     murk_source *light = NULL;
@@ -128,10 +128,11 @@ static murk_status share_out(murk_source *light, const double *share,
     return status;
 }
 
-murk_status murk_relight_lights(murk_sources **out, double *grow,
-                                const murk_scene_desc *const *scene,
-                                double *const *power_w, size_t n,
-                                const murk_domain *domain, murk_error *err)
+murk_status murk_scaled_light_sources(murk_sources **out, double *grow,
+                                      const murk_scene_desc *const *scene,
+                                      double *const *power_w, size_t n,
+                                      const murk_domain *domain,
+                                      murk_error *err)
 {
     const size_t channels = scene[0]->n_lights * (size_t)scene[0]->bands;
     murk_source *light = calloc(scene[0]->n_lights + 1, sizeof *light);
@@ -189,9 +190,10 @@ static murk_status scale_map(murk_photon_map **out, const murk_photon_map *map,
     return murk_photon_map_create(out, photon, kept, threads, err);
 }
 
-murk_status murk_relight(murk_traced **out, const murk_traced *traced,
-                         const murk_sources *lights, const double *power_w,
-                         int bands, unsigned threads, murk_error *err)
+murk_status murk_scaled_light_make(murk_traced **out, const murk_traced *traced,
+                                   const murk_sources *lights,
+                                   const double *power_w, int bands,
+                                   unsigned threads, murk_error *err)
 {
     const size_t channels = traced->channels;
     double *factor = calloc(channels + 1, sizeof *factor);

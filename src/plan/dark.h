@@ -8,8 +8,8 @@
 #include "sensing/sight.h"
 #include "world/stage.h"
 
-/* Coverage of n sensors. Release it as any other coverage. Fails with
- * MURK_NO_MEMORY. */
+/* Sets all coverage of n sensors to NaN. Release the result as any other
+ * coverage. Fails with MURK_NO_MEMORY. */
 murk_status murk_dark_coverage(murk_coverage_result *out,
                                const murk_stage *stage, size_t n,
                                murk_error *err);

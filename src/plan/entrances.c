@@ -1,3 +1,5 @@
+/* Lists the positions of lamps and the centres of portals. Distant light adds
+ * the open sides of the domain. */
 #include "plan/entrances.h"
 
 #include <stdlib.h>
@@ -7,7 +9,8 @@ static bool is_same(murk_vec3 a, murk_vec3 b)
     return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
-/* Sun and sky come through the same windows, which are asked once. */
+/* Appends the centre of a portal unless it is in the list already: sun and sky
+ * usually share their portals. */
 static size_t add_portal(murk_vec3 *place, size_t first, size_t n,
                          const murk_portal *portal)
 {
@@ -28,6 +31,7 @@ murk_status murk_entrances(murk_reach *out, murk_vec3 **places,
 {
     const murk_sources *lights = stage->lights;
     const size_t n = murk_sources_count(lights);
+    /* Allocate for one position of each lamp and one of each portal. */
     size_t room = n + 1;
     for (size_t i = 0; i < n; ++i) {
         room += murk_sources_get(lights, i)->portals;
@@ -37,6 +41,7 @@ murk_status murk_entrances(murk_reach *out, murk_vec3 **places,
         return murk_fail(err, MURK_NO_MEMORY, where,
                          "no memory for the lamps' places");
     }
+    /* Lamps, and whether any light is distant. */
     murk_reach reach = {.lamps = place, .domain = stage->world.domain};
     for (size_t i = 0; i < n; ++i) {
         if (murk_sources_place(lights, i, &place[reach.n_lamps])) {
@@ -45,6 +50,7 @@ murk_status murk_entrances(murk_reach *out, murk_vec3 **places,
             reach.from_sides = true;
         }
     }
+    /* Portals. */
     const size_t lamps = reach.n_lamps;
     for (size_t i = 0; i < n; ++i) {
         const murk_source *light = murk_sources_get(lights, i);

@@ -1,3 +1,8 @@
+/* Greedy next best view with path planning over the places seen so far
+ * (plan/explore.h describes the method and cites the source). Gains are
+ * evaluated lazily (placement/lazy_greedy.h), and so is the number of places
+ * that a pose brings into view: both can only decrease while more is seen, so
+ * the last known value is an upper bound. */
 #include "plan/explore.h"
 
 #include "base/interrupt.h"
@@ -10,8 +15,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Poses whose outlook is asked between two looks at the best so far; fixed, so
- * that who is asked does not depend on the threads. */
+/* Poses whose view is computed between two comparisons with the best pose so
+ * far. The number is fixed, so the set of computed views does not depend on the
+ * number of threads; 32 poses occupy the threads of a large machine. */
 #define CHUNK 32
 
 typedef struct exploring {
@@ -23,16 +29,18 @@ typedef struct exploring {
     murk_partial_plan partial;
     murk_lazy_greedy greedy;
     murk_explored explored;
-    uint32_t *open;      /* [poses] that may be next */
-    uint32_t *opens;     /* [poses] places each brings into view, at most */
-    murk_ranked *ranked; /* [poses] */
+    uint32_t *open;      /* [poses]; poses that the constraints admit next */
+    uint32_t *opens;     /* [poses]; upper bound on the number of places that
+                          * each pose brings into view */
+    murk_ranked *ranked; /* [poses]; sorted by that bound */
     uint32_t chunk[CHUNK];
-    uint32_t here; /* the place last gone to */
+    uint32_t here; /* place of the last station */
 } exploring;
 
-/* ---- what may be next ---- */
+/* ---- candidates for the next station ---- */
 
-/* *seen: poses in seen space, those that stand too. */
+/* Fills e->open with the poses that may be added and returns how many. *seen is
+ * the number of poses at places that were seen, including poses of the plan. */
 static size_t gather(exploring *e, size_t *seen)
 {
     size_t n = 0;
@@ -60,15 +68,20 @@ static void count_opened(void *context, uint64_t batch)
         &e->explored, &e->poses->pose[j], e->poses->site[j]);
 }
 
-/* The pose that brings most places into view, if any does. What it brings only
- * falls as more is seen. */
+/* Finds the pose that brings most places into view; false if none brings any.
+ * The number of a pose only decreases while more is seen, so poses are
+ * evaluated in the order of their last number until the best cannot be
+ * exceeded. */
 static bool widen(exploring *e, size_t n, uint32_t *next)
 {
+    /* Sort by the upper bounds. */
     for (size_t k = 0; k < n; ++k) {
         e->ranked[k] = (murk_ranked){e->opens[e->open[k]], e->open[k]};
     }
     murk_ranked_sort(e->ranked, n);
     murk_ranked best = {0, 0};
+    /* Evaluate a chunk of poses that may exceed the best, or equal it with a
+     * lower number. */
     for (size_t at = 0; at < n && !murk_interrupted();) {
         size_t taken = 0;
         while (at < n && taken < CHUNK &&
@@ -97,18 +110,21 @@ static bool widen(exploring *e, size_t n, uint32_t *next)
 
 /* ---- steps ---- */
 
+/* Appends the shortest path from the current place to `place` and makes it the
+ * current place. */
 static murk_status go_to(exploring *e, uint32_t place, double *length_m,
                          murk_error *err)
 {
     murk_explore *out = e->out;
     size_t stops = 0;
     murk_vec3 *way = NULL;
-    murk_status status = murk_explored_way(&e->explored, &way, &stops, length_m,
-                                           e->here, place, err);
+    murk_status status = murk_explored_path(&e->explored, &way, &stops,
+                                            length_m, e->here, place, err);
     if (status) {
         return status;
     }
-    const size_t first = out->stops > 0; /* where it is already */
+    const size_t first = out->stops > 0; /* the first stop is the current place,
+                                          * already in the list */
     murk_vec3 *stop =
         realloc(out->stop, (out->stops + stops + 1) * sizeof *stop);
     if (stop) {
@@ -123,18 +139,22 @@ static murk_status go_to(exploring *e, uint32_t place, double *length_m,
     return status;
 }
 
+/* Adds a pose to the plan and records the state. is_gone_to: extend the path to
+ * the place of the pose. */
 static murk_status take(exploring *e, uint32_t j, bool is_gone_to,
                         murk_error *err)
 {
     murk_explore *out = e->out;
     murk_explore_step *step = &out->step[out->steps];
     double length_m = 0;
+    /* Extend the path. */
     if (is_gone_to) {
         const murk_status status = go_to(e, e->poses->site[j], &length_m, err);
         if (status) {
             return status;
         }
     }
+    /* Add the pose and record the coverage and the work so far. */
     const double gone_m = out->steps ? out->step[out->steps - 1].path_m : 0;
     murk_partial_plan_add(&e->partial, j);
     *step = (murk_explore_step){
@@ -152,7 +172,7 @@ static murk_status take(exploring *e, uint32_t j, bool is_gone_to,
     return MURK_OK;
 }
 
-/* Finds what is next; false where nothing is, out->end then says why. */
+/* Finds the next station; if there is none, sets out->end and returns false. */
 static bool choose(exploring *e, uint32_t *next)
 {
     uint64_t gain = 0;
@@ -170,9 +190,11 @@ static bool choose(exploring *e, uint32_t *next)
     }
     *next = e->open[0];
     e->out->end = MURK_EXPLORE_NOTHING;
-    return e->out->stops == 0; /* the start is a station, come what may */
+    return e->out->stops == 0; /* the start is a station even if nothing is
+                                * gained there */
 }
 
+/* Puts the start into the path and the fixed sensors into the plan. */
 static murk_status begin(exploring *e, bool has_start, murk_error *err)
 {
     double none;
@@ -185,12 +207,14 @@ static murk_status begin(exploring *e, bool has_start, murk_error *err)
     return status;
 }
 
+/* Adds stations until an end condition holds. */
 static murk_status step_on(exploring *e, const murk_place_desc *desc,
                            const char *where, murk_error *err)
 {
     murk_status status = MURK_OK;
     while (!status && !murk_interrupted()) {
         uint32_t next;
+        /* Target, count and limit of stations. */
         if (desc->target && e->greedy.value >= desc->target) {
             e->out->end = MURK_EXPLORE_TARGET;
             return MURK_OK;
@@ -204,11 +228,13 @@ static murk_status step_on(exploring *e, const murk_place_desc *desc,
             e->out->end = MURK_EXPLORE_STATIONS;
             return MURK_OK;
         }
+        /* The next station. */
         if (!choose(e, &next)) {
             break;
         }
         status = take(e, next, true, err);
     }
+    /* An interrupt is an error, and so is a start that no sensor may occupy. */
     if (!status && murk_interrupted()) {
         status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
     } else if (!status && e->out->stops == 0) {
@@ -219,7 +245,7 @@ static murk_status step_on(exploring *e, const murk_place_desc *desc,
     return status;
 }
 
-/* ---- the plan ---- */
+/* ---- result ---- */
 
 static const char *why(murk_explore_end end)
 {
@@ -229,6 +255,7 @@ static const char *why(murk_explore_end end)
                                           : "nothing in seen space adds to it";
 }
 
+/* Fails if the target or the minimum counts of types are not reached. */
 static murk_status check_end(const exploring *e, const murk_place_desc *desc,
                              murk_error *err)
 {
@@ -258,6 +285,7 @@ static int by_number(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
+/* Fills the result with the sensors in rising order. */
 static murk_status fill(murk_place_result *place, const exploring *e,
                         murk_error *err)
 {
@@ -280,6 +308,8 @@ static murk_status fill(murk_place_result *place, const exploring *e,
     return MURK_OK;
 }
 
+/* Allocates; the bound on places brought into view starts at the largest
+ * number. */
 static murk_status set_aside(exploring *e, murk_error *err)
 {
     const size_t n = e->poses->count + 1;
@@ -312,6 +342,8 @@ murk_status murk_explore_run(murk_explore *out, murk_place_result *place,
                    .start = start,
                    .here = start};
     *out = (murk_explore){.places = sites->usable};
+    /* Set up constraints, the partial plan, lazy evaluation and the map of
+     * places. With a target or a budget the count is a maximum. */
     const bool is_max = desc->target || desc->constraints->budget > 0;
     const size_t count = desc->count > 0 ? desc->count : poses->count;
     murk_status status = murk_constraint_set_init(
@@ -334,12 +366,14 @@ murk_status murk_explore_run(murk_explore *out, murk_place_result *place,
     if (status) {
         goto done;
     }
+    /* Explore. */
     murk_progress_begin("explore", desc->target ? 0 : count, "stations");
     status = begin(&e, settings->has_start, err);
     if (!status) {
         status = step_on(&e, desc, settings->where, err);
     }
     murk_progress_end();
+    /* Check and return the plan. */
     out->ways = (uint64_t)murk_tally_read(&e.explored.outlook.tried);
     if (!status) {
         status = check_end(&e, desc, err);

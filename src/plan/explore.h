@@ -1,19 +1,22 @@
-/* knowledge: explore. Stations are taken up one after the other, each inside
- * space already seen from those before it: greedy next best view.
+/* Placement with `knowledge: explore`: stations are chosen one after the other,
+ * each inside the space that earlier stations have seen (greedy next best
+ * view).
  *
- * What the explorer knows: the start, what its stations and the fixed sensors
- * see, and which places (sensing/outlook.h) they see. A place that is seen may
- * be tried, which costs a query for each pose there (one, where the problem
- * remembers its looks); nothing is known of the others. Next comes the pose
- * there that adds most coverage (with a budget: most per cost) under the rules;
- * where none adds any, the one that brings most unseen places into view, since
- * a corner may have to be turned first; where none does, it ends. Ties go to
- * the lowest number.
+ * The explorer knows the start position, the photons seen by the stations and
+ * the fixed sensors, and which places (sensing/outlook.h) these see. A pose at
+ * a place that has been seen may be evaluated, which costs one visibility
+ * query, or none if the row of that candidate is cached. Nothing is known about
+ * other places. The next station is the pose that adds most coverage (with a
+ * budget: most coverage per cost) under the constraints. If no pose adds
+ * coverage, the next station is the pose that brings most unseen places into
+ * view, because it may be necessary to turn a corner first. If no pose does
+ * that either, exploration ends. Ties go to the lowest candidate number.
  *
- * The first station is at the start. Between stations the way is the shortest
- * over places seen by then, in straight open steps (plan/route.h).
+ * The first station is at the start. The path between two stations is the
+ * shortest path over places seen so far, in straight unobstructed steps
+ * (plan/route.h).
  *
- * Source: Connolly, Proc. IEEE ICRA (1985) 432,
+ * Source: C. I. Connolly, Proc. IEEE ICRA (1985) 432,
  * doi:10.1109/ROBOT.1985.1087372 (next best view). */
 #ifndef MURK_PLAN_EXPLORE_H
 #define MURK_PLAN_EXPLORE_H
@@ -23,51 +26,57 @@
 #include "sensing/candidates.h"
 #include "world/stage.h"
 
-/* Stations at most. */
+/* Upper limit on the number of stations: exploration ends even if no other
+ * limit is reached. */
 #define MURK_EXPLORE_MAX 1000
 
 typedef enum murk_explore_end {
-    MURK_EXPLORE_COUNT,       /* as many as were asked for */
-    MURK_EXPLORE_TARGET,      /* reached */
-    MURK_EXPLORE_CONSTRAINTS, /* nobody in seen space may join: budget, counts,
-                           spacing, sites */
-    MURK_EXPLORE_NOTHING, /* none adds coverage or brings places into view */
-    MURK_EXPLORE_STATIONS /* MURK_EXPLORE_MAX */
+    MURK_EXPLORE_COUNT,       /* the requested number of stations is reached */
+    MURK_EXPLORE_TARGET,      /* the target coverage is reached */
+    MURK_EXPLORE_CONSTRAINTS, /* the constraints (budget, counts, spacing,
+                               * sites) admit no further pose in the space that
+                               * was seen */
+    MURK_EXPLORE_NOTHING, /* no pose adds coverage or brings places into view */
+    MURK_EXPLORE_STATIONS /* MURK_EXPLORE_MAX stations were chosen */
 } murk_explore_end;
 
-/* What holds once the station stands. */
+/* The state after one station was added. */
 typedef struct murk_explore_step {
-    uint32_t candidate;   /* of the poses */
-    uint64_t gain, value; /* weight * clarity: added, and of all by then */
-    double path_m;        /* gone */
-    size_t places_seen;   /* of the usable sites */
-    uint64_t queries, shadow_rays; /* spent */
-    size_t
-        stops; /* of the path, up to the station; 0: before the path begins */
+    uint32_t candidate;   /* number of the pose */
+    uint64_t gain, value; /* weight * clarity: added by this station, and of all
+                           * stations so far */
+    double path_m;        /* length of the path so far */
+    size_t places_seen;   /* number of usable sites seen so far */
+    uint64_t queries, shadow_rays; /* work so far */
+    size_t stops; /* number of stops of the path up to this station; 0 before
+                   * the path begins */
 } murk_explore_step;
 
 typedef struct murk_explore {
-    murk_explore_step *step; /* [steps], fixed sensors first */
+    murk_explore_step *step; /* [steps]; fixed sensors first */
     size_t steps, fixed;
-    murk_vec3 *stop; /* [stops] the path, the start first */
+    murk_vec3 *stop; /* [stops]; vertices of the path, beginning with the start
+                      */
     size_t stops;
-    size_t places; /* usable sites */
-    uint64_t ways; /* straight ways tried between places */
+    size_t places; /* number of usable sites */
+    uint64_t ways; /* number of straight lines between places that were tested
+                    */
     murk_explore_end end;
 } murk_explore;
 
-/* The place where the path begins: that of the usable candidates nearest to
- * start_m which a straight open way leads to, or without start_m that of the
- * first fixed sensor. A number as of poses->site. Fails with MURK_BAD_VALUE at
- * the scene's placement. */
+/* Finds the place where the path begins: the nearest usable candidate to
+ * start_m that is visible from there in a straight line; without start_m, the
+ * place of the first fixed sensor. The number counts as poses->site does. Fails
+ * with MURK_BAD_VALUE at the placement of the scene. */
 murk_status murk_explore_start(uint32_t *start, const murk_stage *stage,
                                const murk_candidates *sites,
                                const murk_poses *poses, murk_error *err);
 
-/* Fills *out, and the plan that the stations are: sensor, count, value, cost.
- * desc->count is the most, with a target or budget; desc->rules is needed.
- * Fails with MURK_RUN_FAILED where it ends before the target, or before least
- * counts are met. Release *out also after a failure. */
+/* Explores. Fills *out, and in *place the sensors, count, value and cost of the
+ * plan that the stations form. With a target or a budget, desc->count is the
+ * maximum number of sensors. desc->constraints must be set. Fails with
+ * MURK_RUN_FAILED if exploration ends before the target or the minimum counts
+ * of sensor types are reached. Release *out also after a failure. */
 murk_status murk_explore_run(murk_explore *out, murk_place_result *place,
                              const murk_stage *stage, murk_sight *sight,
                              const murk_problem *problem,
@@ -75,10 +84,10 @@ murk_status murk_explore_run(murk_explore *out, murk_place_result *place,
                              const murk_poses *poses, uint32_t start,
                              const murk_place_desc *desc, murk_error *err);
 
-/* Adds to that plan what holds of all candidates, seen or not: upper, ceiling,
- * the curve of its stations with upper bounds, the fewest sensors that may
- * reach the target. Looks at every candidate, within most_bytes where it can.
- */
+/* Adds upper bounds over all candidates, seen or not, to the plan: upper,
+ * ceiling, the curve of the stations with upper bounds, and a lower bound on
+ * the number of sensors that reach the target. Computes the coverage row of
+ * every candidate, and stores all rows in a matrix if max_bytes allow. */
 murk_status murk_explore_bound(murk_place_result *place,
                                const murk_explore *explore,
                                const murk_problem *problem,

@@ -1,4 +1,6 @@
-/* What no plan of all candidates exceeds, for one that was explored. */
+/* Upper bounds on the value of any plan over all candidates, for comparison
+ * with a plan that was explored. They are the bounds that greedy placement
+ * computes (placement/place.h) when all candidates are known. */
 #include "plan/explore.h"
 
 #include <assert.h>
@@ -6,9 +8,11 @@
 
 typedef struct everywhere {
     const murk_problem *problem;
-    murk_matrix *matrix; /* NULL: no room, each is looked at anew */
+    murk_matrix *matrix; /* NULL if it does not fit in memory: rows are then
+                          * computed anew */
 } everywhere;
 
+/* Places sensors with all candidates, with or without a matrix. */
 static murk_status place_all(murk_place_result *out, const everywhere *all,
                              const murk_place_desc *desc, murk_error *err)
 {
@@ -17,6 +21,7 @@ static murk_status place_all(murk_place_result *out, const everywhere *all,
                : murk_place_unknown(out, all->problem, desc, err);
 }
 
+/* True if a sensor type has a minimum count. */
 static bool has_min(const murk_constraints *constraints)
 {
     size_t sum = 0;
@@ -26,10 +31,11 @@ static bool has_min(const murk_constraints *constraints)
     return sum > 0;
 }
 
-/* Greedy's plan of as many sensors comes with bounds for that count and the
- * fewer ones. Stations on the way need not meet least counts: they are bounded
- * as plans without these, the last as one with them. *fewest: sensors that a
- * plan has at least, where there is a curve. */
+/* Bounds the plans of desc->count sensors and of every smaller number: greedy
+ * placement returns a bound for each number. The plan at an intermediate
+ * station need not meet minimum counts yet, so intermediate numbers are bounded
+ * without minimum counts and the last number with them. *fewest is a lower
+ * bound on the number of sensors of a plan, if there is a curve. */
 static murk_status bound_all(murk_place_result *out, size_t *fewest,
                              const everywhere *all, const murk_place_desc *desc,
                              murk_error *err)
@@ -39,12 +45,14 @@ static murk_status bound_all(murk_place_result *out, size_t *fewest,
     if (status || !has_min(desc->constraints) || !out->curve) {
         return status;
     }
+    /* Once more without minimum counts. */
     murk_constraints constraints = *desc->constraints;
     murk_place_desc freer = *desc;
     murk_place_result on_the_way = {0};
     constraints.min = NULL;
     freer.constraints = &constraints;
     const murk_status later = place_all(&on_the_way, all, &freer, err);
+    /* The curve of that run, with the tighter bound at the last number. */
     if (!later) {
         free(out->curve);
         out->curve = on_the_way.curve;
@@ -58,7 +66,8 @@ static murk_status bound_all(murk_place_result *out, size_t *fewest,
     return later;
 }
 
-/* It looks at every candidate, in a matrix where there is room. */
+/* Computes the rows of all candidates, in a matrix if max_bytes allow, and the
+ * bounds. */
 static murk_status look_and_bound(murk_place_result *out, size_t *fewest,
                                   const murk_problem *problem,
                                   const murk_place_desc *desc,
@@ -75,7 +84,8 @@ static murk_status look_and_bound(murk_place_result *out, size_t *fewest,
     return status;
 }
 
-/* The curve of the stations in their order, with the bounds. */
+/* Replaces the values of the curve by those of the stations in their order, and
+ * finds the smallest number of sensors whose bound reaches the target. */
 static void follow(murk_place_result *all, const murk_explore *explore,
                    uint64_t target, size_t fewest)
 {
@@ -97,6 +107,7 @@ murk_status murk_explore_bound(murk_place_result *place,
                                murk_error *err)
 {
     assert(desc->constraints);
+    /* Greedy placement over all candidates, for the same number of sensors. */
     murk_place_desc greedy = *desc;
     murk_place_result all = {0};
     const bool has_budget = desc->constraints->budget > 0;
@@ -111,6 +122,8 @@ murk_status murk_explore_bound(murk_place_result *place,
         murk_place_release(&all);
         return status;
     }
+    /* Take over the bounds; the plan keeps the value and the sensors of the
+     * stations. */
     follow(&all, explore, desc->target, fewest);
     place->upper = all.upper;
     place->proven_optimal = place->value == place->upper;

@@ -1,4 +1,6 @@
-/* Where exploring begins. */
+/* The place where exploration begins: usable sites are tested in the order of
+ * their distance from start_m until one is visible from there in a straight
+ * line. */
 #include "base/interrupt.h"
 #include "base/position.h"
 #include "plan/explore.h"
@@ -11,6 +13,7 @@ typedef struct far_place {
     uint32_t place;
 } far_place;
 
+/* Rising distance; ties go to the lower number. */
 static int by_distance(const void *a, const void *b)
 {
     const far_place *x = a, *y = b;
@@ -20,7 +23,7 @@ static int by_distance(const void *a, const void *b)
     return (x->place > y->place) - (x->place < y->place);
 }
 
-/* False where there is none. */
+/* Finds the nearest visible site; false if there is none. */
 static bool find_nearest(uint32_t *start, murk_outlook *outlook,
                          const murk_candidates *sites, far_place *order,
                          murk_vec3 from)
@@ -47,6 +50,7 @@ murk_status murk_explore_start(uint32_t *start, const murk_stage *stage,
     const murk_scene_placement *settings = &stage->scene->placement;
     const murk_domain *domain = &stage->world.domain;
     const murk_vec3 x = settings->start;
+    /* Without start_m, begin at the first fixed sensor. */
     if (!settings->has_start && poses->fixed == 0) {
         return murk_fail(err, MURK_BAD_VALUE, settings->where,
                          "start_m: not given, but knowledge is explore, which "
@@ -57,6 +61,7 @@ murk_status murk_explore_start(uint32_t *start, const murk_stage *stage,
         *start = poses->site[poses->count - poses->fixed];
         return MURK_OK;
     }
+    /* start_m must lie in the domain. */
     if (!murk_box_contains(&domain->box, x)) {
         return murk_fail(err, MURK_BAD_VALUE, settings->where,
                          "start_m: %s m lies outside the domain, %s to %s m",
@@ -64,6 +69,7 @@ murk_status murk_explore_start(uint32_t *start, const murk_stage *stage,
                          murk_position_show(domain->box.min).text,
                          murk_position_show(domain->box.max).text);
     }
+    /* Search. */
     far_place *order = calloc(sites->usable + 1, sizeof *order);
     if (!order) {
         return murk_fail(err, MURK_NO_MEMORY, settings->where,

@@ -1,3 +1,6 @@
+/* Seen places and their connections, kept as disjoint sets with path
+ * compression (R. E. Tarjan, Journal of the ACM 22 (1975) 215,
+ * doi:10.1145/321879.321884), and paths between places. */
 #include "plan/explored.h"
 
 #include "plan/route.h"
@@ -5,19 +8,21 @@
 #include <assert.h>
 #include <stdlib.h>
 
-/* Seen places that a way is sought over, beside those that must be: the steps
- * between them are some 2e6. */
+/* Seen places that a path is searched over, besides those that are always used.
+ * There are some 2e6 steps between 2000 places. */
 #define WAY_PLACES_MAX 2000
 
 murk_status murk_explored_init(murk_explored *out, const murk_sight_desc *sight,
                                int bands, size_t sites, const murk_poses *poses,
                                murk_error *err)
 {
+    /* The number of places: sites, and places of fixed sensors. */
     size_t places = sites;
     for (size_t j = 0; j < poses->count; ++j) {
         const size_t above = (size_t)poses->site[j] + 1;
         places = above > places ? above : places;
     }
+    /* Allocate. */
     *out = (murk_explored){.places = places, .sites = sites};
     murk_outlook_init(&out->outlook, sight, bands);
     out->place = calloc(places + 1, sizeof *out->place);
@@ -29,6 +34,7 @@ murk_status murk_explored_init(murk_explored *out, const murk_sight_desc *sight,
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for %zu places",
                          places);
     }
+    /* Positions; at first every place is a set of its own. */
     for (size_t j = 0; j < poses->count; ++j) {
         out->place[poses->site[j]] = poses->pose[j].position;
     }
@@ -47,7 +53,7 @@ void murk_explored_release(murk_explored *explored)
     *explored = (murk_explored){0};
 }
 
-/* The least place of those joined to this one. */
+/* The representative of the set that a place belongs to: the lowest number. */
 static uint32_t root_of(const murk_explored *e, uint32_t place)
 {
     while (e->joined[place] != place) {
@@ -56,7 +62,7 @@ static uint32_t root_of(const murk_explored *e, uint32_t place)
     return place;
 }
 
-/* Shortens the way to the root for next time. */
+/* The same, and shortens the chain of parents for later calls. */
 static uint32_t find_root(murk_explored *e, uint32_t place)
 {
     const uint32_t root = root_of(e, place);
@@ -90,6 +96,8 @@ size_t murk_explored_see(murk_explored *e, const murk_pose *pose,
         if (!murk_outlook_sees(&view, e->place[k])) {
             continue;
         }
+        /* A place that was seen earlier and belongs to another set connects
+         * both sets, so paths need it. */
         if (e->is_seen[k] && find_root(e, k) != find_root(e, place)) {
             e->is_kept[k] = 1;
         }
@@ -116,7 +124,9 @@ size_t murk_explored_opens(murk_explored *e, const murk_pose *pose,
     return n;
 }
 
-/* The places that a way may lead over, rising. */
+/* Lists, in rising order, the places that a path may lead over: both ends,
+ * places that are always used, and every `each`-th of the other seen places in
+ * the same set. */
 static size_t list_places(const murk_explored *e, uint32_t from, uint32_t to,
                           uint32_t *list)
 {
@@ -143,10 +153,11 @@ static size_t list_places(const murk_explored *e, uint32_t from, uint32_t to,
     return n;
 }
 
-murk_status murk_explored_way(murk_explored *e, murk_vec3 **way, size_t *stops,
-                              double *length_m, uint32_t from, uint32_t to,
-                              murk_error *err)
+murk_status murk_explored_path(murk_explored *e, murk_vec3 **way, size_t *stops,
+                               double *length_m, uint32_t from, uint32_t to,
+                               murk_error *err)
 {
+    /* List the places and find the ends in the list. */
     uint32_t *list = malloc((e->places + 1) * sizeof *list);
     size_t n = list ? list_places(e, from, to, list) : 0;
     murk_vec3 *place = malloc((n + 1) * sizeof *place);
@@ -164,12 +175,14 @@ murk_status murk_explored_way(murk_explored *e, murk_vec3 **way, size_t *stops,
         first = list[k] == from ? k : first;
         last = list[k] == to ? k : last;
     }
+    /* Search. */
     status = murk_route_find(stop, stops, length_m, &e->outlook, place, n,
                              first, last, err);
     if (status) {
         goto done;
     }
     assert(*stops > 0);
+    /* Translate the stops into positions. */
     for (size_t k = 0; k < *stops; ++k) {
         out[k] = place[stop[k]];
     }

@@ -1,9 +1,9 @@
-/* Which places an explorer has seen, and how it gets from one to another.
+/* The places that an explorer has seen, and the paths between them.
  *
- * Places are numbered as poses->site: usable sites first, then those of fixed
- * sensors elsewhere. Two are joined when one is seen from the other, or both
- * are joined to a third; a way leads over seen places from any to any joined
- * one. */
+ * Places are numbered as poses->site: usable sites first, then the places of
+ * fixed sensors that are not at a site. Two places are connected if one is seen
+ * from a station at the other, or if both are connected to a third place. A
+ * path leads over seen places from any place to any connected place. */
 #ifndef MURK_PLAN_EXPLORED_H
 #define MURK_PLAN_EXPLORED_H
 
@@ -12,39 +12,41 @@
 
 typedef struct murk_explored {
     murk_outlook outlook;
-    size_t places, sites; /* sites are the usable ones, the first */
+    size_t places, sites; /* sites are the usable ones, numbered first */
     murk_vec3 *place;     /* [places] */
     uint8_t *is_seen;     /* [places] */
-    uint8_t *is_kept;     /* [places] ways need it: a station, or what joined
-                             what was apart */
-    uint32_t *joined;     /* [places] a place that it is joined to, or itself */
+    uint8_t *is_kept;     /* [places]; always used for paths: a station, or a
+                           * place that connected two sets of places */
+    uint32_t *joined;     /* [places]; disjoint sets: the parent of a place, or
+                           * the place itself */
     size_t sites_seen;
 } murk_explored;
 
-/* Borrows the description. */
+/* Borrows the description of sight. */
 murk_status murk_explored_init(murk_explored *out, const murk_sight_desc *sight,
                                int bands, size_t sites, const murk_poses *poses,
                                murk_error *err);
 void murk_explored_release(murk_explored *explored);
 
-/* A station stands there: what it sees is seen. Returns the usable sites seen
- * by then. */
+/* Marks everything as seen that a station with this pose sees. Returns the
+ * number of usable sites seen so far. */
 size_t murk_explored_see(murk_explored *explored, const murk_pose *pose,
                          uint32_t place);
 
-/* Whether the place is seen and joined to the other. */
+/* True if the place is seen and connected to the other place. */
 bool murk_explored_joins(const murk_explored *explored, uint32_t place,
                          uint32_t other);
 
-/* How many usable sites a pose there would bring into view, or join to the
- * place. From any thread. */
+/* The number of usable sites that a station with this pose would newly see or
+ * connect to its place. May be called from several threads. */
 size_t murk_explored_opens(murk_explored *explored, const murk_pose *pose,
                            uint32_t place);
 
-/* The way between two joined places, *way [*stops] the caller's for free().
- * Shortest over all seen places up to 2000; of more, a part serves. */
-murk_status murk_explored_way(murk_explored *explored, murk_vec3 **way,
-                              size_t *stops, double *length_m, uint32_t from,
-                              uint32_t to, murk_error *err);
+/* The shortest path between two connected places. *way[*stops] belongs to the
+ * caller: free(). The path is the shortest over all seen places if there are at
+ * most 2000 of them; otherwise it leads over a subset. */
+murk_status murk_explored_path(murk_explored *explored, murk_vec3 **way,
+                               size_t *stops, double *length_m, uint32_t from,
+                               uint32_t to, murk_error *err);
 
 #endif

@@ -1,3 +1,5 @@
+/* Finds maps whose few records carry much of the weight, and warns about them
+ * (plan/few_photons.h). */
 #include "plan/few_photons.h"
 
 #include "base/log.h"
@@ -5,15 +7,20 @@
 #include <math.h>
 #include <stdio.h>
 
-/* One photon of a thin map weighs more than so many of the other's. */
+/* A record of a thin map weighs more than this number of records of the other
+ * map. An order of magnitude is more than a difference that a user sets on
+ * purpose. */
 #define THIN_RATIO 10
 
+/* Text of the remedy in both warnings. */
 #define REMEDY                                                            \
     "more photons, or placement.weights: {surface: 1, volume: 1}, which " \
     "counts all photons alike"
 
 static const char *const PLACE[] = {"on surfaces", "in media"};
 
+/* True for a map of `photons` records with a share `weight` of the total
+ * weight. */
 static bool is_thin(double photons, double weight, double others,
                     double others_weight)
 {
@@ -50,6 +57,7 @@ void murk_warn_of_thin_map(const murk_scene_desc *scene,
     if (p < 0) {
         return;
     }
+    /* The variance is not finite if neither map has an error. */
     const double variance = murk_map_variance_share(coverage, p);
     char error[64] = "";
     if (isfinite(variance)) {
@@ -71,8 +79,8 @@ void murk_warn_of_thin_forecast(const murk_scene_desc *scene,
     const double photons[] = {forecast->surface, forecast->volume};
     const murk_scene_placement *settings = &scene->placement;
     for (int p = 0; p < 2; ++p) {
-        /* other weights go by power, which a forecast of counts does not know
-         */
+        /* Weights other than balanced depend on power, which a forecast of
+         * counts does not contain. */
         if (settings->balanced && !settings->targets.given &&
             scene->sensors.given &&
             is_thin(photons[p], .5, photons[1 - p], .5)) {

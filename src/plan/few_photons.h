@@ -1,32 +1,37 @@
-/* Warns where a map's share of the coverage rests on few photons.
+/* Warnings about coverage that depends on few photons of one map.
  *
- * With `weights: balanced` both maps count alike, however few photons one of
- * them has: a handful in a faint plume may be half of what a plan is chosen
- * for. A map is thin where it has fewer than MURK_THIN_MAP_PHOTONS records and
- * each of them weighs more than ten of the other map's. */
+ * With `weights: balanced` both maps have the same total weight, however few
+ * records one of them has. A handful of records in a thin plume may then be
+ * half of the coverage that a plan maximises. A map is called thin if it has
+ * fewer than MURK_THIN_MAP_PHOTONS records and each of them weighs more than
+ * ten records of the other map. */
 #ifndef MURK_PLAN_FEW_PHOTONS_H
 #define MURK_PLAN_FEW_PHOTONS_H
 
 #include "lightmap/lightmap.h"
 #include "sensing/sight.h"
 
-/* A share seen of n photons is known to .5 / sqrt(n) at best: 1.6 points. */
+/* A share estimated from n photons has a standard error of at most .5 /
+ * sqrt(n): 0.016 for 1000 photons. */
 #define MURK_THIN_MAP_PHOTONS 1000
 
-/* The thin map of the coverage: 0 surface, 1 volume; -1: neither. Targets that
- * stand in place of photons are as many as were asked for: none is thin. */
+/* The map that is thin: 0 surface, 1 volume, -1 neither. Targets that stand in
+ * for photons are as many as the user asked for, so no map of targets is thin.
+ */
 int murk_thin_map(const murk_scene_desc *scene,
                   const murk_coverage_result *coverage);
 
-/* Of the variance of the total, the share from this map's records. */
+/* The share of the variance of the total coverage that comes from the records
+ * of this map. */
 double murk_map_variance_share(const murk_coverage_result *coverage, int map);
 
-/* Warns of it; condition NULL: the scene as it stands. */
+/* Warns if a map is thin. condition is the name of a condition, or NULL for the
+ * scene itself. */
 void murk_warn_of_thin_map(const murk_scene_desc *scene,
                            const murk_coverage_result *coverage,
                            const char *condition);
 
-/* Before light is traced, by the forecast. */
+/* The same warning from the forecast, before light is traced. */
 void murk_warn_of_thin_forecast(const murk_scene_desc *scene,
                                 const murk_forecast *forecast);
 

@@ -1,3 +1,7 @@
+/* Stratified estimate of the free share of a box or a ball: 24^3 equal cells of
+ * the bounding box with one random point each; points outside a ball are
+ * ignored. Source of the method: any text on Monte Carlo integration, for
+ * example A. B. Owen, Monte Carlo theory, methods and examples, chapter 8. */
 #include "plan/free_share.h"
 
 #include "base/pool.h"
@@ -6,7 +10,9 @@
 
 #include <math.h>
 
-#define CELLS_EACH 24 /* along an axis: the error is at most .5 / 24^1.5 */
+/* Cells on each axis. With 24^3 points the standard error is at most .5 /
+ * 24^1.5 = 0.004. */
+#define CELLS_EACH 24
 
 typedef struct job {
     const murk_part *part;
@@ -15,7 +21,7 @@ typedef struct job {
     murk_tally inside, free;
 } job;
 
-/* One layer of cells. */
+/* Tests the points of one layer of cells. */
 static void ask(void *context, uint64_t layer)
 {
     job *j = context;
@@ -24,6 +30,7 @@ static void ask(void *context, uint64_t layer)
     int64_t inside = 0, is_free = 0;
     for (uint64_t i = 0; i < CELLS_EACH * CELLS_EACH; ++i) {
         const uint64_t place = layer * CELLS_EACH * CELLS_EACH + i;
+        /* A random point in the cell. */
         const murk_random4 r =
             murk_random(j->seed, MURK_FREE_SPACE, place, part->number, 0);
         const murk_vec3 at = murk_vec(
@@ -32,6 +39,7 @@ static void ask(void *context, uint64_t layer)
             part->box.min.y +
                 size.y * ((double)(i / CELLS_EACH) + r.u[1]) / CELLS_EACH,
             part->box.min.z + size.z * ((double)layer + r.u[2]) / CELLS_EACH);
+        /* Count the points in the part, and those in free space. */
         if (part->is_ball &&
             murk_length(murk_sub(at, part->center)) > part->radius_m) {
             continue;

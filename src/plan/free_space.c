@@ -1,15 +1,18 @@
+/* Sets up the grids and the entrances of light for the test of free space. */
 #include "plan/free_space.h"
 
 #include "plan/entrances.h"
 
 #include <stdlib.h>
 
-/* Points along the longest axis, or the only one. */
+/* Points on each axis of the grid of candidates, and of the whole grid over the
+ * domain: each grid has at most 16^3 = 4096 points. */
 #define POINTS_EACH 16
 #define POINTS_ALL  4096
 
-/* Over where the scene wants candidates, as finely as it does, within bounds.
- */
+/* Fills *out with a grid over the grid of candidates, not finer than
+ * POINTS_EACH points on an axis. False if the scene has no such grid in the
+ * domain. */
 static bool grid_of_sensors(const murk_stage *stage, murk_candidate_grid *out)
 {
     const murk_scene_candidates *settings = &stage->scene->sensors.candidates;

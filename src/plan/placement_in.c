@@ -1,3 +1,6 @@
+/* Reads sensors from a CSV table or from the list "sensors" of a JSON result.
+ * Both lead to the same checks of one sensor: type, position in the domain,
+ * heading and tilt. */
 #include "plan/placement_in.h"
 
 #include "base/position.h"
@@ -9,15 +12,18 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Sensors that a file may list: beyond any deployment, and some 50 MB. */
 #define SENSORS_MAX 1000000
 
-/* Angles are NAN where none is given. */
+/* Checks one sensor and converts it; p is in the coordinates of the user.
+ * Angles are NAN if the file gives none. */
 static murk_status read_sensor(murk_pose *out, const char *where,
                                const char *type, murk_vec3 p,
                                double heading_deg, double tilt_deg,
                                const murk_scene_desc *scene,
                                const murk_domain *domain, murk_error *err)
 {
+    /* The type must exist in the scene. */
     const murk_scene_sensors *settings = &scene->sensors;
     size_t k = 0;
     while (k < settings->types && strcmp(type, settings->type[k].name) != 0) {
@@ -29,6 +35,7 @@ static murk_status read_sensor(murk_pose *out, const char *where,
                          "first there is %s",
                          type, settings->type[0].name);
     }
+    /* The position must lie in the domain. */
     const murk_vec3 local = murk_scene_local(scene, p);
     if (!murk_box_contains(&domain->box, local)) {
         return murk_fail(err, MURK_BAD_VALUE, where,
@@ -36,6 +43,7 @@ static murk_status read_sensor(murk_pose *out, const char *where,
                          murk_position_show(local).text);
     }
     *out = (murk_pose){.type = (uint32_t)k, .position = local};
+    /* A type with a view needs a heading and a tilt. */
     if (settings->type[k].view == MURK_VIEW_SPHERE) {
         return MURK_OK;
     }
@@ -66,10 +74,12 @@ static bool is_empty(const murk_table *table, size_t row, long column)
     return table->cell[row * table->columns + (size_t)column][0] == '\0';
 }
 
+/* Reads the sensors of a table. */
 static murk_status from_table(murk_pose *sensor, const murk_table *table,
                               const murk_scene_desc *scene,
                               const murk_domain *domain, murk_error *err)
 {
+    /* Find the columns; heading and tilt may be missing. */
     static const char *const names[6] = {"type", "x_m",         "y_m",
                                          "z_m",  "heading_deg", "tilt_deg"};
     long column[6];
@@ -80,6 +90,7 @@ static murk_status from_table(murk_pose *sensor, const murk_table *table,
     column[4] = murk_table_column(table, names[4]);
     column[5] = murk_table_column(table, names[5]);
     for (size_t row = 0; row < table->rows && !status; ++row) {
+        /* Read the numbers of a row; an empty angle stays NAN. */
         double p[5] = {NAN, NAN, NAN, NAN, NAN};
         for (int i = 0; i < 5 && !status; ++i) {
             if (column[i + 1] >= 0 &&
@@ -91,6 +102,7 @@ static murk_status from_table(murk_pose *sensor, const murk_table *table,
         if (status) {
             break;
         }
+        /* Check and convert. */
         char where[320];
         snprintf(where, sizeof where, "%s:%d", table->path, table->line[row]);
         status = read_sensor(
@@ -110,6 +122,7 @@ static murk_status read_csv(murk_pose **out, size_t *n, const char *path,
     if (status) {
         return status;
     }
+    /* The number of rows must be in range. */
     murk_pose *sensor = calloc(table->rows + 1, sizeof *sensor);
     if (!sensor) {
         status = murk_fail(err, MURK_NO_MEMORY, path, "no memory to read it");
@@ -130,7 +143,7 @@ static murk_status read_csv(murk_pose **out, size_t *n, const char *path,
     return status;
 }
 
-/* NAN where there is none, or null. */
+/* The number of a key; NAN if the key is missing or null. */
 static double angle_of(const murk_yaml *item, const char *name)
 {
     const murk_yaml *node = murk_yaml_get(item, name);
@@ -138,6 +151,7 @@ static double angle_of(const murk_yaml *item, const char *name)
     return node && murk_yaml_number(node, &value) ? value : NAN;
 }
 
+/* Reads the sensors of a JSON list. */
 static murk_status from_plan(murk_pose *sensor, const murk_yaml *list,
                              const murk_scene_desc *scene,
                              const murk_domain *domain, murk_error *err)
@@ -147,6 +161,7 @@ static murk_status from_plan(murk_pose *sensor, const murk_yaml *list,
         char where[320];
         snprintf(where, sizeof where, "%s:%d:%d: sensors.%zu", item->source,
                  item->line, item->column, i);
+        /* A type and a position of three numbers. */
         const murk_yaml *type =
             item->kind == MURK_YAML_MAP ? murk_yaml_get(item, "type") : NULL;
         const murk_yaml *place = item->kind == MURK_YAML_MAP
@@ -163,6 +178,7 @@ static murk_status from_plan(murk_pose *sensor, const murk_yaml *list,
                              "must have a type and a position_m [x, y, z] in "
                              "m");
         }
+        /* Check and convert. */
         const murk_status status = read_sensor(
             &sensor[i], where, type->text, murk_vec(p[0], p[1], p[2]),
             angle_of(item, "heading_deg"), angle_of(item, "tilt_deg"), scene,
@@ -174,8 +190,8 @@ static murk_status from_plan(murk_pose *sensor, const murk_yaml *list,
     return MURK_OK;
 }
 
-/* JSON is YAML in flow style: the scene reader's parser knows lines and
- * columns. */
+/* JSON is read by the YAML parser, because JSON is YAML in flow style and that
+ * parser reports lines and columns. */
 static murk_status read_json(murk_pose **out, size_t *n, const char *path,
                              size_t min, const murk_scene_desc *scene,
                              const murk_domain *domain, murk_error *err)
@@ -185,6 +201,7 @@ static murk_status read_json(murk_pose **out, size_t *n, const char *path,
     if (status) {
         return status;
     }
+    /* Find the list. */
     const murk_yaml *list =
         root->kind == MURK_YAML_MAP ? murk_yaml_get(root, "sensors") : NULL;
     murk_pose *sensor = NULL;
@@ -195,6 +212,7 @@ static murk_status read_json(murk_pose **out, size_t *n, const char *path,
                       "has no list \"sensors\" of %zu..%d", min, SENSORS_MAX);
         goto done;
     }
+    /* Convert the list. */
     sensor = calloc(list->n + 1, sizeof *sensor);
     status = sensor
                  ? from_plan(sensor, list, scene, domain, err)

@@ -1,3 +1,8 @@
+/* Computes a plan: checks the settings, chooses sensors by a coverage matrix
+ * (known), by repeated visibility queries (unknown) or by exploration
+ * (explore), and measures coverage on the photons that chose and on independent
+ * ones. The held-out measurement is needed because the coverage of the photons
+ * that chose the plan is biased upwards. */
 #include "plan/plan.h"
 
 #include "base/log.h"
@@ -12,9 +17,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#define MATRIX_SHARE 0.7 /* of the free memory, for the known matrix */
+/* Share of the free memory that the coverage matrix may take; the rest is for
+ * the maps and for bounds. */
+#define MATRIX_SHARE 0.7
 
-/* Of a share of nothing. */
+/* The estimate of a share of nothing. */
 static const murk_estimate NO_ESTIMATE = {NAN, NAN};
 
 murk_place_desc murk_plan_desc(const murk_scene_desc *scene)
@@ -28,7 +35,8 @@ murk_place_desc murk_plan_desc(const murk_scene_desc *scene)
     return desc;
 }
 
-/* What sight would refuse after light is traced. */
+/* Fails where murk_sight_create() would fail after light is traced: acceptance
+ * angles and the radius of `detection: power`. */
 static murk_status check_sensing(const murk_stage *stage, murk_error *err)
 {
     const murk_scene_sensors *settings = &stage->scene->sensors;
@@ -46,6 +54,7 @@ static murk_status check_sensing(const murk_stage *stage, murk_error *err)
     return status;
 }
 
+/* Fails if sensors, their number, or stored photons are missing. */
 static murk_status validate(const murk_stage *stage, murk_error *err)
 {
     const murk_scene_sensors *settings = &stage->scene->sensors;
@@ -112,22 +121,24 @@ uint64_t murk_plan_value_of(double share, const murk_problem *problem)
         whole += (uint64_t)problem->weight[i] * MURK_CLEAR *
                  murk_problem_layers(problem);
     }
-    /* .195 of 200 is 39, though .195 in binary is a little more */
+    /* The product of a share and a whole may exceed the exact value by
+     * rounding: .195 of 200 is 39, but .195 in binary is slightly more. 2^-51
+     * is two units in the last place. */
     const double value = ceil(share * (double)whole * (1 - 0x1p-51));
     return value < (double)whole ? (uint64_t)value : whole;
 }
 
-/* Choosing ends here. */
+/* Records the work of choosing, without that of the forecast. */
 static void note_spent(murk_plan_result *plan, const murk_sight *sight)
 {
-    plan->queries = murk_sight_queries(sight) - plan->forecast_looks;
+    plan->queries = murk_sight_queries(sight) - plan->forecast_queries;
     plan->shadow_rays = murk_sight_shadow_rays(sight) - plan->forecast_rays;
     plan->blocked_by_interfaces = murk_sight_blocked_by_interfaces(sight);
     plan->totally_reflected = murk_sight_totally_reflected(sight);
 }
 
-/* What has been tried is remembered. The queries of the bound are not the
- * explorer's. */
+/* Explores with a cache of coverage rows, then computes bounds. The queries of
+ * the bounds do not count for the explorer. */
 static murk_status explore(murk_plan_result *plan, const murk_stage *stage,
                            murk_sight *sight, const murk_problem *problem,
                            murk_place_desc *desc, murk_error *err)
@@ -150,14 +161,15 @@ static murk_status explore(murk_plan_result *plan, const murk_stage *stage,
     return status;
 }
 
-/* Looks of the forecast's sample, and the sweeps of one start: SPOQ's until one
- * gains nothing, and relocation's. */
+/* Candidates that the forecast evaluates, and the sweeps of one start: SPOQ
+ * sweeps until one has no gain, and relocation. */
 #define FORECAST_LOOKS  16
 #define FORECAST_SWEEPS 4
 
-/* Before `best` looks again and again: what it takes at the least number of
- * starts without gain, by the rays and the time of a sample of looks, against
- * what a known environment takes. The sample's looks count for nothing else. */
+/* Forecasts the work of `method: best` in an unknown environment, at the
+ * smallest number of starts, from the rays and the time of a sample of
+ * candidates, and prints it beside the work in a known environment. The queries
+ * of the sample are not counted elsewhere. */
 static void forecast_unknown(murk_plan_result *plan, murk_sight *sight,
                              const murk_problem *problem,
                              const murk_place_desc *desc)
@@ -166,15 +178,18 @@ static void forecast_unknown(murk_plan_result *plan, murk_sight *sight,
     const size_t sample = n < FORECAST_LOOKS ? n : FORECAST_LOOKS;
     const uint64_t rays = murk_sight_shadow_rays(sight);
     const double begun_s = murk_clock_s();
+    /* Other methods need no warning. */
     if (desc->method != MURK_PLACE_BEST || desc->count < 2 || desc->target) {
         return;
     }
+    /* Evaluate the sample. */
     for (size_t k = 0; k < sample; ++k) {
         murk_sparse_row row;
         problem->get_row(problem->context, 0, k * n / sample, &row);
     }
-    plan->forecast_looks = sample;
+    plan->forecast_queries = sample;
     plan->forecast_rays = murk_sight_shadow_rays(sight) - rays;
+    /* Scale to all evaluations. */
     const double each = (double)plan->forecast_rays / (double)sample;
     const double each_s =
         (murk_clock_s() - begun_s) / (double)sample / (double)problem->threads;
@@ -194,11 +209,11 @@ static void forecast_unknown(murk_plan_result *plan, murk_sight *sight,
         each * (double)n, each_s * (double)n);
 }
 
-/* Chooses, by matrix (known), by looking again and again (unknown), or step by
- * step (explore). */
+/* Chooses the sensors by the method that placement.knowledge asks for. */
 static murk_status choose(murk_plan_result *plan, const murk_stage *stage,
                           murk_sight *sight, murk_error *err)
 {
+    /* Settings; a target replaces the count. */
     murk_sight_problem seen;
     murk_sight_problem_init(&seen, sight, plan->poses->pose,
                             plan->poses->count);
@@ -213,11 +228,13 @@ static murk_status choose(murk_plan_result *plan, const murk_stage *stage,
     murk_matrix *matrix = NULL;
     murk_status status = MURK_OK;
     double begun_s = murk_clock_s();
+    /* Explore. */
     if (stage->scene->placement.knowledge == MURK_SCENE_EXPLORE) {
         status = explore(plan, stage, sight, &seen.problem, &desc, err);
         plan->place_s = murk_clock_s() - begun_s;
         return status;
     }
+    /* Unknown environment: rows are computed at each evaluation. */
     if (stage->scene->placement.knowledge == MURK_SCENE_UNKNOWN) {
         forecast_unknown(plan, sight, &seen.problem, &desc);
         status = murk_place_unknown(&plan->place, &seen.problem, &desc, err);
@@ -225,6 +242,7 @@ static murk_status choose(murk_plan_result *plan, const murk_stage *stage,
         note_spent(plan, sight);
         return status;
     }
+    /* Known environment: build the matrix, then choose. */
     const size_t at_least = murk_plan_at_least(stage->scene);
     murk_at_least strict;
     murk_at_least_init(&strict, &seen.problem, (unsigned)at_least);
@@ -234,7 +252,8 @@ static murk_status choose(murk_plan_result *plan, const murk_stage *stage,
     plan->sense_s = murk_clock_s() - begun_s;
     begun_s = murk_clock_s();
     if (!status && at_least) {
-        /* of weights, not of views */
+        /* At_least counts photons that enough sensors see, so the target is a
+         * share of the weights alone. */
         desc.target =
             murk_plan_value_of(stage->scene->sensors.target,
                                &(murk_problem){.photons = problem->photons,
@@ -254,9 +273,9 @@ size_t murk_plan_at_least(const murk_scene_desc *scene)
     return scene->sensors.target > 0 ? (size_t)scene->placement.at_least : 0;
 }
 
-murk_status murk_plan_see_anew(murk_traced **out, const murk_stage *stage,
-                               uint32_t stream, unsigned threads,
-                               murk_error *err)
+murk_status murk_plan_trace_stream(murk_traced **out, const murk_stage *stage,
+                                   uint32_t stream, unsigned threads,
+                                   murk_error *err)
 {
     const murk_scene_placement *settings = &stage->scene->placement;
     if (!settings->targets.given ||
@@ -267,13 +286,14 @@ murk_status murk_plan_see_anew(murk_traced **out, const murk_stage *stage,
     return *out ? MURK_OK : MURK_NO_MEMORY;
 }
 
-bool murk_plan_can_see_anew(const murk_scene_desc *scene)
+bool murk_plan_has_streams(const murk_scene_desc *scene)
 {
     return !scene->placement.targets.points;
 }
 
-/* The plan's coverage on light that had no part in choosing it; regions may be
- * NULL. */
+/* Measures the coverage of the plan on photons of another stream. With the
+ * held-out stream, also the robustness. regions may be NULL; otherwise *regions
+ * receives the coverage of the regions of interest. */
 static murk_status measure_on(murk_plan_result *plan, uint32_t stream,
                               murk_estimate *out,
                               murk_region_coverage **regions,
@@ -285,16 +305,18 @@ static murk_status measure_on(murk_plan_result *plan, uint32_t stream,
     murk_coverage_result coverage = {0};
     murk_progress_begin_group("hold out", 0, "");
     murk_status status =
-        murk_plan_see_anew(&other, stage, stream, threads, err);
+        murk_plan_trace_stream(&other, stage, stream, threads, err);
     if (!status) {
         plan->trace_s += other->trace_s;
         plan->map_s += other->map_s;
         status = murk_plan_sight(&sight, stage, other, threads, err);
     }
+    /* Measure coverage. */
     if (!status) {
         status = murk_coverage_result_measure(&coverage, sight, plan->sensor,
                                               plan->place.count, err);
     }
+    /* Robustness is reported on the held-out photons. */
     if (!status && stream == MURK_HELD_OUT_STREAM) {
         status = murk_robust_hold_out(&plan->robust, &coverage, err);
     }
@@ -302,6 +324,7 @@ static murk_status measure_on(murk_plan_result *plan, uint32_t stream,
         status = murk_robust_jitter(&plan->robust, stage, sight, plan->sensor,
                                     &coverage, true, err);
     }
+    /* Return the coverage; at_least is confirmed by the strict share. */
     if (!status) {
         *out = stream == MURK_CONFIRM_STREAM && murk_plan_at_least(stage->scene)
                    ? coverage.at_least
@@ -343,6 +366,7 @@ murk_status murk_plan_choose(murk_plan_result *plan, const murk_stage *stage,
 murk_status murk_plan_result_make_dark(murk_plan_result *plan,
                                        const murk_stage *stage, murk_error *err)
 {
+    /* Every share is undefined. */
     const murk_poses *poses = plan->poses;
     const size_t n = poses->fixed;
     plan->is_dark = true;
@@ -355,6 +379,7 @@ murk_status murk_plan_result_make_dark(murk_plan_result *plan,
         return murk_fail(err, MURK_NO_MEMORY, stage->scene->path,
                          "no memory for the plan");
     }
+    /* The plan consists of the fixed sensors. */
     plan->place.count = n;
     for (size_t i = 0; i < n; ++i) {
         plan->place.sensor[i] = poses->fixed_number[i];
@@ -378,8 +403,9 @@ murk_status murk_plan_result_make(murk_plan_result *plan,
     if (murk_stage_has_nothing_to_see(stage)) {
         return murk_plan_result_make_dark(plan, stage, err);
     }
-    murk_status status = murk_plan_sight_told(&sight, &plan->targets, stage,
-                                              traced, threads, err);
+    /* Choose, on photons or targets. */
+    murk_status status = murk_plan_sight_and_targets(
+        &sight, &plan->targets, stage, traced, threads, err);
     if (!status) {
         status =
             murk_goals_check_seen(stage->goals, murk_goals_seen(sight), err);
@@ -390,6 +416,7 @@ murk_status murk_plan_result_make(murk_plan_result *plan,
     if (status) {
         goto done;
     }
+    /* Measure on the same photons. */
     status = murk_coverage_result_measure(&plan->in_sample, sight, plan->sensor,
                                           plan->place.count, err);
     plan->confirmed = (murk_estimate){NAN, NAN};
@@ -398,19 +425,22 @@ murk_status murk_plan_result_make(murk_plan_result *plan,
         status = murk_robust_begin(&plan->robust, stage, plan->sensor,
                                    plan->place.count, &plan->in_sample, err);
     }
-    const bool has_held_out = stage->scene->placement.hold_out &&
-                              murk_plan_can_see_anew(stage->scene);
+    /* Without a second map, jitter is measured on the first. */
+    const bool has_held_out =
+        stage->scene->placement.hold_out && murk_plan_has_streams(stage->scene);
     if (!status && !has_held_out) {
         status = murk_robust_jitter(&plan->robust, stage, sight, plan->sensor,
                                     &plan->in_sample, false, err);
     }
+    /* Measure on independent photons. */
     if (!status && has_held_out) {
         status = measure_on(plan, MURK_HELD_OUT_STREAM, &plan->held_out,
                             &plan->held_out_region, stage, threads, err);
         plan->has_held_out = !status;
     }
+    /* With a target, measure on a third map whether the plan reaches it. */
     if (!status && stage->scene->sensors.target > 0 &&
-        murk_plan_can_see_anew(stage->scene)) {
+        murk_plan_has_streams(stage->scene)) {
         status = measure_on(plan, MURK_CONFIRM_STREAM, &plan->confirmed, NULL,
                             stage, threads, err);
     }

@@ -1,4 +1,6 @@
-/* Sight of a scene's sensors: onto light, targets, or given points. */
+/* Creates the sight of the sensors of a scene: the sensor types, the media and
+ * surfaces of the stage, and the records to be covered, which are photons,
+ * targets or given points. */
 #include "plan/plan.h"
 
 #include "base/log.h"
@@ -6,17 +8,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What plans look at: traced light, or targets. */
+/* The records that sensors cover: traced light or targets. */
 typedef struct seen_maps {
     const murk_photon_map *surface, *volume;
     uint64_t emitted;
 } seen_maps;
 
-/* Of the domain's diagonal, the largest radius where the scene leaves
- * power_radius_m to murk. */
+/* Largest radius of density estimates as a fraction of the diagonal of the
+ * domain, if the scene leaves the radius to murk: the radius then depends on
+ * the neighbours, and this limit keeps estimates local. */
 #define POWER_RADIUS 0.1
 
-/* Of the photons: more that are judged by next to nothing are worth a word. */
+/* Warn if more than this share of the photons have an estimate from very few
+ * neighbours. */
 #define FEW_SHARE 0.05
 
 double murk_plan_power_radius_m(const murk_stage *stage)
@@ -54,7 +58,8 @@ static murk_power_settings power_of(const murk_stage *stage,
     return out;
 }
 
-/* Of the first stream's light: the others' is alike. */
+/* Warns of density estimates from few neighbours. Only for the first stream,
+ * because other streams are statistically equal. */
 static void warn_of_few(const murk_sight *sight, const murk_stage *stage,
                         const murk_traced *traced, size_t all)
 {
@@ -69,8 +74,8 @@ static void warn_of_few(const murk_sight *sight, const murk_stage *stage,
     }
 }
 
-/* What is the same whatever is looked at; the types are the caller's to free(),
- * NULL when out of memory. */
+/* The part of the description that is the same for photons, targets and points.
+ */
 static murk_sight_desc describe(const murk_stage *stage, const seen_maps *maps,
                                 murk_sensor_type *types, unsigned threads)
 {
@@ -108,6 +113,8 @@ static murk_status sight_onto(murk_sight **out, const murk_stage *stage,
                               const murk_traced *traced, const seen_maps *maps,
                               unsigned threads, murk_error *err)
 {
+    /* Describe, with weights, regions of interest and detection of the scene.
+     */
     const murk_scene_placement *settings = &stage->scene->placement;
     murk_sensor_type *types = murk_poses_types(stage->scene);
     if (!types) {
@@ -122,6 +129,7 @@ static murk_status sight_onto(murk_sight **out, const murk_stage *stage,
     desc.redundancy = (unsigned)settings->redundancy;
     desc.at_least = (unsigned)murk_plan_at_least(stage->scene);
     desc.power = power_of(stage, traced);
+    /* Create, and warn of poor density estimates. */
     const murk_status status = murk_sight_create(out, &desc, err);
     if (!status) {
         warn_of_few(*out, stage, traced,
@@ -152,11 +160,13 @@ murk_status murk_plan_sight_points(murk_sight **out, const murk_stage *stage,
     return status;
 }
 
-murk_status murk_plan_sight_told(murk_sight **out, murk_target_facts *facts,
-                                 const murk_stage *stage,
-                                 const murk_traced *traced, unsigned threads,
-                                 murk_error *err)
+murk_status murk_plan_sight_and_targets(murk_sight **out,
+                                        murk_target_facts *facts,
+                                        const murk_stage *stage,
+                                        const murk_traced *traced,
+                                        unsigned threads, murk_error *err)
 {
+    /* The records are those of the light, or targets. */
     murk_targets targets = {0};
     murk_sight *sight = NULL;
     murk_status status = MURK_OK;
@@ -169,6 +179,7 @@ murk_status murk_plan_sight_told(murk_sight **out, murk_target_facts *facts,
             (seen_maps){targets.surface, targets.volume, targets.independent};
     }
     *facts = targets.facts;
+    /* Create the sight, which then owns the maps of targets. */
     if (!status) {
         status = sight_onto(&sight, stage, traced, &maps, threads, err);
     }
@@ -190,5 +201,6 @@ murk_status murk_plan_sight(murk_sight **out, const murk_stage *stage,
                             murk_error *err)
 {
     murk_target_facts facts;
-    return murk_plan_sight_told(out, &facts, stage, traced, threads, err);
+    return murk_plan_sight_and_targets(out, &facts, stage, traced, threads,
+                                       err);
 }

@@ -1,3 +1,7 @@
+/* Expands sites, sensor types, headings and tilts into numbered candidates,
+ * appends the fixed sensors, and converts the rules of the scene (counts of
+ * types, budget, one sensor per site, spacing) into constraints of placement.
+ */
 #include "plan/poses.h"
 
 #include "base/position.h"
@@ -7,11 +11,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Limit on the number of candidates: their arrays take some 0.9 GB. */
 #define POSES_MAX 1e7
 
-#define RAD_PER_DEG (MURK_PI / 180)
+#define RAD_PER_DEG (MURK_PI / 180) /* radians in a degree */
 
-/* What a type that says no most count has in the scene: any number. */
+/* max_count of a type without a limit, as scene/ sets it. */
 #define ANY_COUNT 1000000
 
 /* ---- types ---- */
@@ -43,6 +48,8 @@ murk_sensor_type *murk_poses_types(const murk_scene_desc *scene)
 
 /* ---- poses ---- */
 
+/* Number of headings of a type: listed, or evenly spaced; 1 for a type that
+ * looks everywhere. */
 static size_t headings_of(const murk_scene_sensor_type *type)
 {
     return type->view == MURK_VIEW_SPHERE ? 1
@@ -70,7 +77,8 @@ static murk_pose pose_of(const murk_scene_sensor_type *type, size_t number,
     return pose;
 }
 
-/* Writes the poses of all types at one site; returns how many. */
+/* Writes the poses of all types at one site, from index `at` on; returns their
+ * number. */
 static size_t fill_site(murk_poses *p, const murk_scene_sensors *settings,
                         murk_vec3 site, uint32_t number, size_t at)
 {
@@ -92,6 +100,7 @@ typedef struct place {
     size_t pose;
 } place;
 
+/* Order by position, then by number. */
 static int by_place(const void *a, const void *b)
 {
     const place *x = a, *y = b;
@@ -105,8 +114,8 @@ static int by_place(const void *a, const void *b)
     return (x->pose > y->pose) - (x->pose < y->pose);
 }
 
-/* Those that stand, from pose `first` on, where another may stand have its
- * site. */
+/* A fixed sensor (pose `first` or later) at the position of a site gets the
+ * number of that site, so that one_per_site applies to it. */
 static murk_status join_sites(murk_poses *p, size_t first, murk_error *err)
 {
     place *order = malloc((p->count + 1) * sizeof *order);
@@ -117,6 +126,7 @@ static murk_status join_sites(murk_poses *p, size_t first, murk_error *err)
     for (size_t j = 0; j < p->count; ++j) {
         order[j] = (place){p->pose[j].position, j};
     }
+    /* Equal positions are neighbours after sorting. */
     qsort(order, p->count, sizeof *order, by_place);
     for (size_t k = 1; k < p->count; ++k) {
         const murk_vec3 a = order[k - 1].at, b = order[k].at;
@@ -128,6 +138,7 @@ static murk_status join_sites(murk_poses *p, size_t first, murk_error *err)
     return MURK_OK;
 }
 
+/* Appends the fixed sensors. */
 static murk_status place_fixed(murk_poses *p,
                                const murk_scene_sensors *settings,
                                const murk_domain *domain, uint32_t sites,
@@ -137,6 +148,7 @@ static murk_status place_fixed(murk_poses *p,
     for (size_t k = 0; k < p->fixed; ++k) {
         const murk_scene_fixed_sensor *fixed = &settings->fixed[k];
         const murk_vec3 x = fixed->position;
+        /* A fixed sensor must lie in the domain. */
         if (!murk_box_contains(&domain->box, x)) {
             return murk_fail(err, MURK_BAD_VALUE, fixed->where,
                              "position_m: %s m lies outside the domain, %s to "
@@ -145,6 +157,7 @@ static murk_status place_fixed(murk_poses *p,
                              murk_position_show(domain->box.min).text,
                              murk_position_show(domain->box.max).text);
         }
+        /* The pose of the sensor and a site of its own. */
         p->fixed_number[k] = first + k;
         p->pose[first + k] = (murk_pose){.type = (uint32_t)fixed->type,
                                          .position = x,
@@ -155,7 +168,7 @@ static murk_status place_fixed(murk_poses *p,
     return settings->one_per_site ? join_sites(p, first, err) : MURK_OK;
 }
 
-/* ---- rules ---- */
+/* ---- constraints ---- */
 
 static murk_status check_count(const murk_poses *p,
                                const murk_scene_sensors *settings,
@@ -169,7 +182,8 @@ static murk_status check_count(const murk_poses *p,
     return MURK_OK;
 }
 
-/* Contradictions come to light before any light is traced. */
+/* Fails if the constraints contradict each other, so that the user learns it
+ * before light is traced. */
 static murk_status check_constraints(const murk_poses *p,
                                      const murk_scene_sensors *settings,
                                      murk_error *err)
@@ -190,8 +204,10 @@ static murk_status check_constraints(const murk_poses *p,
     return MURK_OK;
 }
 
+/* Fills the constraints from the settings of the scene. */
 static void fill_constraints(murk_poses *p, const murk_scene_sensors *settings)
 {
+    /* Minimum and maximum counts of types. */
     bool has_classes = false, has_costs = settings->budget > 0;
     for (size_t k = 0; k < settings->types; ++k) {
         const murk_scene_sensor_type *type = &settings->type[k];
@@ -202,6 +218,8 @@ static void fill_constraints(murk_poses *p, const murk_scene_sensors *settings)
         has_classes =
             has_classes || type->min_count > 0 || type->max_count < ANY_COUNT;
     }
+    /* Type, cost and position of each candidate. Fixed sensors are paid for
+     * already. */
     for (size_t j = 0; j < p->count; ++j) {
         const murk_vec3 x = p->pose[j].position;
         p->class_of[j] = p->pose[j].type;
@@ -213,6 +231,7 @@ static void fill_constraints(murk_poses *p, const murk_scene_sensors *settings)
         p->position_m[j][1] = x.y;
         p->position_m[j][2] = x.z;
     }
+    /* Leave out the arrays of constraints that the scene does not have. */
     p->constraints = (murk_constraints){
         .classes = has_classes ? settings->types : 0,
         .class_of = has_classes ? p->class_of : NULL,
@@ -233,6 +252,7 @@ static void fill_constraints(murk_poses *p, const murk_scene_sensors *settings)
 
 /* ---- all ---- */
 
+/* Allocates all arrays. */
 static bool set_aside(murk_poses *p, size_t types)
 {
     const size_t n = p->count + 1;
@@ -256,6 +276,7 @@ murk_status murk_poses_create(murk_poses **out, const murk_scene_desc *scene,
     const murk_scene_sensors *settings = &scene->sensors;
     murk_poses *p = calloc(1, sizeof *p);
     murk_status status = MURK_OK;
+    /* Count the poses of one site, then of all. */
     double each = 0;
     for (size_t k = 0; k < settings->types; ++k) {
         each += (double)headings_of(&settings->type[k]) *
@@ -272,6 +293,7 @@ murk_status murk_poses_create(murk_poses **out, const murk_scene_desc *scene,
         p->fixed = settings->n_fixed;
         p->count = (size_t)each * n + p->fixed;
     }
+    /* Allocate, and write the poses of each site. */
     if (!p || !set_aside(p, settings->types)) {
         status = murk_fail(err, MURK_NO_MEMORY, settings->where,
                            "no memory for the candidates");
@@ -282,6 +304,7 @@ murk_status murk_poses_create(murk_poses **out, const murk_scene_desc *scene,
         at += fill_site(p, settings, site[i], (uint32_t)i, at);
     }
     assert(at + p->fixed == p->count);
+    /* Append the fixed sensors; check the constraints. */
     status = place_fixed(p, settings, domain, (uint32_t)n, err);
     if (!status) {
         status = check_count(p, settings, err);

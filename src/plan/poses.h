@@ -1,5 +1,5 @@
-/* Candidates as placement counts them: every type at every site, for each of
- * its headings and tilts; and the rules that a plan of them keeps. */
+/* The candidates of placement: every sensor type at every site, for each
+ * heading and tilt of the type. Also the constraints that a plan keeps. */
 #ifndef MURK_PLAN_POSES_H
 #define MURK_PLAN_POSES_H
 
@@ -7,38 +7,38 @@
 #include "scene/scene.h"
 #include "sensing/sensor.h"
 
-/* Costs are whole numbers of this. */
+/* Costs are integer multiples of this unit, so that sums of costs are exact. */
 #define MURK_COST_UNIT 1e-6
 
 typedef struct murk_poses {
-    murk_pose *pose; /* [count]: site by site, then type, heading, tilt; the
-                        fixed ones last */
+    murk_pose *pose; /* [count]; ordered by site, then type, heading, tilt;
+                      * fixed sensors last */
     size_t count, fixed;
-    murk_constraints
+    murk_constraints /* 0 for constraints that the scene does not have */
         constraints; /* what is no rule of the scene's is 0 there */
     bool has_constraints;
-    /* What the rules point to. */
+    /* Arrays that the constraints point to. */
     uint32_t *class_of, *site;
     size_t *min, *max, *fixed_number;
     int64_t *cost;
     double (*position_m)[3];
-    const char **class_name; /* [types], the scene's */
+    const char **class_name; /* [types]; names of the scene */
 } murk_poses;
 
-/* Sites as they are usable, [n]; *out is the caller's. Fails at the scene's own
- * places: more than 1e7 poses, a fixed sensor outside the domain, a count that
- * the candidates cannot meet, rules that contradict each other. The scene must
- * outlive them. */
+/* Creates the poses at the usable sites, site[n]. The caller owns *out; the
+ * scene must outlive it. Fails at the place of the sensors in the scene if
+ * there are more than 1e7 poses, if a fixed sensor lies outside the domain, if
+ * the count exceeds the candidates, or if constraints contradict each other. */
 murk_status murk_poses_create(murk_poses **out, const murk_scene_desc *scene,
                               const murk_domain *domain, const murk_vec3 *site,
                               size_t n, murk_error *err);
 void murk_poses_destroy(murk_poses *poses); /* NULL is fine */
 
-/* NULL where only the count binds. */
+/* NULL if the count is the only constraint. */
 const murk_constraints *murk_poses_constraints(const murk_poses *poses);
 
-/* The scene's types as sensing knows them, [scene->sensors.types], for free();
- * NULL when out of memory. */
+/* The sensor types of the scene as the room sensing describes them,
+ * [scene->sensors.types], to be freed with free(). NULL when out of memory. */
 murk_sensor_type *murk_poses_types(const murk_scene_desc *scene);
 
 #endif

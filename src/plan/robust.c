@@ -1,3 +1,8 @@
+/* Robustness of a plan. The coverage without a sensor is the total minus the
+ * coverage of photons that only this sensor sees. Errors of position and
+ * direction are sampled (sensing/jitter.h); the confidence interval of the
+ * quantile is distribution-free, by ranks of the binomial distribution
+ * (base/quantile.h). */
 #include "plan/robust.h"
 
 #include "base/progress.h"
@@ -6,8 +11,10 @@
 
 #include <stdlib.h>
 
+/* The reported quantile: one draw in twenty covers less. */
 #define QUANTILE 0.05
-#define MISS     0.025 /* of either limit: 95 % between them */
+/* Probability that the quantile lies beyond one limit: 95 % between both. */
+#define MISS 0.025
 
 static murk_status no_memory(size_t n, murk_error *err)
 {
@@ -17,7 +24,8 @@ static murk_status no_memory(size_t n, murk_error *err)
 
 /* ---- each sensor ---- */
 
-/* [n] total less what only it covers; NULL when out of memory. */
+/* out[n]: the total without the share that only this sensor covers. NULL when
+ * out of memory. */
 static double *without_each(const murk_coverage_result *coverage, size_t n)
 {
     double *out = malloc(n * sizeof *out + 1);
@@ -91,9 +99,9 @@ size_t murk_robust_draws(const murk_scene_desc *scene)
                : 0;
 }
 
-murk_status murk_robust_shake(murk_estimate *covered, size_t *unmoved,
-                              const murk_stage *stage, murk_sight *sight,
-                              const murk_pose *pose, size_t n, murk_error *err)
+murk_status murk_robust_draw(murk_estimate *covered, size_t *unmoved,
+                             const murk_stage *stage, murk_sight *sight,
+                             const murk_pose *pose, size_t n, murk_error *err)
 {
     const murk_scene_placement *settings = &stage->scene->placement;
     const murk_jitter jitter = {.step_m = settings->jitter_m,
@@ -113,7 +121,7 @@ murk_status murk_robust_shake(murk_estimate *covered, size_t *unmoved,
         *unmoved += murk_jitter_draw(moved, pose, n, type, &jitter, d);
         status = murk_coverage_result_measure(&c, sight, moved, n, err);
         covered[d] = c.total;
-        if (settings->targets.points) {
+        if (settings->targets.points) { /* a list is complete, not a sample */
             covered[d].standard_error = 0; /* a list is all there is */
         }
         murk_coverage_result_release(&c);
@@ -124,21 +132,23 @@ murk_status murk_robust_shake(murk_estimate *covered, size_t *unmoved,
     return status;
 }
 
-/* The mean's error by photons is no more than the mean of the draws' own
- * (Minkowski's inequality: all draws look at the same photons). */
-murk_status murk_robust_sum_up(murk_robust *robust,
-                               const murk_estimate *covered, size_t draws,
-                               size_t unmoved, double as_planned,
-                               bool on_held_out, murk_error *err)
+/* The error of the mean by photons is at most the mean of the errors of the
+ * draws, because all draws use the same photons (Minkowski's inequality). */
+murk_status murk_robust_summarise(murk_robust *robust,
+                                  const murk_estimate *covered, size_t draws,
+                                  size_t unmoved, double as_planned,
+                                  bool on_held_out, murk_error *err)
 {
     double *x = malloc(draws * sizeof *x), errors = 0;
     if (!x) {
         return no_memory(robust->sensors, err);
     }
+    /* Collect the coverage of the draws and the sum of their errors. */
     for (size_t d = 0; d < draws; ++d) {
         x[d] = covered[d].value;
         errors += covered[d].standard_error;
     }
+    /* Mean with both errors. */
     const murk_ranks rank = murk_quantile_ranks(draws, QUANTILE, MISS);
     murk_jittered out = {.draws = draws,
                          .on_held_out = on_held_out,
@@ -147,6 +157,7 @@ murk_status murk_robust_sum_up(murk_robust *robust,
                          .unmoved = unmoved};
     out.mean.standard_error =
         hypot(out.mean.standard_error, errors / (double)draws);
+    /* Quantile and confidence interval by rank. */
     qsort(x, draws, sizeof *x, by_value);
     out.quantile = x[rank.value - 1];
     out.quantile_lower = rank.lower ? x[rank.lower - 1] : NAN;
@@ -167,13 +178,13 @@ murk_status murk_robust_jitter(murk_robust *robust, const murk_stage *stage,
     }
     murk_estimate *covered = malloc(draws * sizeof *covered);
     size_t unmoved = 0;
-    murk_status status =
-        covered ? murk_robust_shake(covered, &unmoved, stage, sight, pose,
-                                    robust->sensors, err)
-                : no_memory(robust->sensors, err);
+    murk_status status = covered
+                             ? murk_robust_draw(covered, &unmoved, stage, sight,
+                                                pose, robust->sensors, err)
+                             : no_memory(robust->sensors, err);
     if (!status) {
-        status = murk_robust_sum_up(robust, covered, draws, unmoved,
-                                    coverage->total.value, on_held_out, err);
+        status = murk_robust_summarise(robust, covered, draws, unmoved,
+                                       coverage->total.value, on_held_out, err);
     }
     free(covered);
     return status;

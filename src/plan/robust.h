@@ -1,5 +1,6 @@
-/* How much a plan hangs on each of its sensors, on standing just so, and on
- * how far its links reach. */
+/* Robustness of a plan: the coverage lost with each sensor, the coverage with
+ * position and direction errors, and the distances between sensors that must be
+ * linked. */
 #ifndef MURK_PLAN_ROBUST_H
 #define MURK_PLAN_ROBUST_H
 
@@ -7,67 +8,77 @@
 #include "sensing/sight.h"
 #include "world/stage.h"
 
-/* Coverage of sensors set down not quite where and turned not quite as planned
+/* Coverage of sensors that are placed and turned with random errors
  * (sensing/jitter.h), over many draws. */
 typedef struct murk_jittered {
-    size_t draws;      /* 0: not asked for */
-    bool on_held_out;  /* the map it was measured on; else the one that chose */
-    double as_planned; /* on the same map */
-    murk_estimate mean; /* error: of the draws and of the map's photons; the
-                           latter at most, the mean of each draw's own */
-    double quantile;    /* 5 %: one draw in twenty covers no more */
-    double quantile_lower, quantile_upper; /* hold it at 95 %, as for the
-                           draws; NaN where there are too few draws */
-    size_t unmoved; /* of draws * sensors: found no free place */
+    size_t draws;      /* 0 if the scene does not ask for it */
+    bool on_held_out;  /* measured on the second map; else on the map that chose
+                        * the plan */
+    double as_planned; /* coverage without errors, on the same map */
+    murk_estimate mean; /* mean over the draws. Error: that of the draws, and
+                         * that of the photons, for which the mean of the errors
+                         * of the draws is an upper bound */
+    double quantile;    /* 5 % quantile: one draw in twenty covers less */
+    double quantile_lower, quantile_upper; /* 95 % confidence interval of the
+                                            * quantile, by the number of draws;
+                                            * NaN if there are too few draws */
+    size_t unmoved; /* number of the draws * sensors displacements that found no
+                     * free position */
 } murk_jittered;
 
 typedef struct murk_robust {
     size_t sensors;
-    double *without;              /* [sensors] coverage without that one */
-    double *without_held_out;     /* likewise on the second map; NULL: none */
-    double total, total_held_out; /* with all of them */
+    double *without;              /* [sensors]; coverage of the plan without
+                                   * that sensor */
+    double *without_held_out;     /* [sensors]; the same on the second map; NULL
+                                   * if there is none */
+    double total, total_held_out; /* coverage with all sensors */
     murk_jittered jittered;
     murk_links links;
 } murk_robust;
 
-/* Links, and coverage without each sensor, from coverage of all n as measured
- * on the map that chose. Release also after a failure. */
+/* Computes the links, and the coverage without each sensor from the coverage of
+ * all n sensors on the map that chose the plan. Release also after a failure.
+ */
 murk_status murk_robust_begin(murk_robust *robust, const murk_stage *stage,
                               const murk_pose *pose, size_t n,
                               const murk_coverage_result *coverage,
                               murk_error *err);
 
-/* Coverage without each sensor on the second map. */
+/* Adds the coverage without each sensor on the second map. */
 murk_status murk_robust_hold_out(murk_robust *robust,
                                  const murk_coverage_result *coverage,
                                  murk_error *err);
 
-/* Fills `jittered` where the scene asks for it. `coverage` is the plan's on
+/* Fills `jittered` if the scene asks for it. coverage is that of the plan on
  * this sight. Fails as murk_coverage_result_measure(). */
 murk_status murk_robust_jitter(murk_robust *robust, const murk_stage *stage,
                                murk_sight *sight, const murk_pose *pose,
                                const murk_coverage_result *coverage,
                                bool on_held_out, murk_error *err);
 
-/* The same in two steps, for a plan over several sights. Draws that the scene
- * asks for; 0: none. */
+/* The number of draws that the scene asks for; 0: none. This and the next two
+ * functions are the steps of murk_robust_jitter(), for a plan over several
+ * sights. */
 size_t murk_robust_draws(const murk_scene_desc *scene);
 
-/* covered[draws] of n sensors set down by this stage's surfaces, on one sight;
- * the same draws on any sight. */
-murk_status murk_robust_shake(murk_estimate *covered, size_t *unmoved,
-                              const murk_stage *stage, murk_sight *sight,
-                              const murk_pose *pose, size_t n, murk_error *err);
+/* Computes covered[draws] of n sensors displaced among the surfaces of this
+ * stage, on one sight. The draws are the same for any sight. *unmoved counts
+ * displacements that found no free position. */
+murk_status murk_robust_draw(murk_estimate *covered, size_t *unmoved,
+                             const murk_stage *stage, murk_sight *sight,
+                             const murk_pose *pose, size_t n, murk_error *err);
 
-/* `jittered` from what each draw covers, and the plan as it is. */
-murk_status murk_robust_sum_up(murk_robust *robust,
-                               const murk_estimate *covered, size_t draws,
-                               size_t unmoved, double as_planned,
-                               bool on_held_out, murk_error *err);
+/* Sets `jittered` from the coverage of each draw and the coverage without
+ * errors. */
+murk_status murk_robust_summarise(murk_robust *robust,
+                                  const murk_estimate *covered, size_t draws,
+                                  size_t unmoved, double as_planned,
+                                  bool on_held_out, murk_error *err);
 void murk_robust_release(murk_robust *robust);
 
-/* The sensor, from 0, without which coverage falls most, and by how much; the
- * mean over all. On the second map where there is one. */
+/* The sensor (counted from 0) whose loss lowers coverage most, with that loss,
+ * and the mean loss over all sensors; on the second map if there is one. */
 typedef struct murk_drop_one {
     size_t worst;
     double worst_loss, mean_loss;

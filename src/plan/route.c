@@ -1,14 +1,18 @@
+/* A* search with lazy evaluation of steps: steps enter a priority queue (binary
+ * heap) by the length of the path they would give, and the line of a step is
+ * tested when the step leaves the queue. Straight-line distance to the goal is
+ * the admissible heuristic. */
 #include "plan/route.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-#define NOWHERE SIZE_MAX
+#define NOWHERE SIZE_MAX /* the predecessor of a place that is not reached */
 
-/* A step not yet tried, onto a place that is not yet reached. */
+/* A step that is not yet tested, to a place that is not yet reached. */
 typedef struct step {
-    double whole_m; /* of a way with this step, at least */
-    double gone_m;  /* from the start to the step's end */
+    double whole_m; /* lower bound on the length of a path that uses the step */
+    double gone_m;  /* length from the start to the end of the step */
     uint32_t from, to;
 } step;
 
@@ -16,13 +20,15 @@ typedef struct search {
     murk_outlook *outlook;
     const murk_vec3 *place;
     size_t n, goal;
-    size_t *before; /* [n] on the shortest way; NOWHERE: not reached */
-    double *gone_m; /* [n] */
-    step *heap;     /* the least first */
+    size_t *before; /* [n]; predecessor on the shortest path; NOWHERE: not
+                     * reached */
+    double *gone_m; /* [n]; length from the start */
+    step *heap;     /* binary heap, smallest first */
     size_t steps, room;
 } search;
 
-/* Total, so that equal ways end alike everywhere. */
+/* A total order, so that of paths of equal length the same one is found on
+ * every machine. */
 static bool is_less(const step *a, const step *b)
 {
     if (a->whole_m != b->whole_m) {
@@ -41,6 +47,7 @@ static void swap(step *a, step *b)
     *b = c;
 }
 
+/* Adds a step to the heap; false when out of memory. */
 static bool push(search *s, step new)
 {
     if (s->steps == s->room) {
@@ -61,6 +68,7 @@ static bool push(search *s, step new)
     return true;
 }
 
+/* Removes the smallest step from the heap. */
 static step pop(search *s)
 {
     const step min = s->heap[0];
@@ -89,6 +97,7 @@ static bool is_open(const search *s, size_t a, size_t b)
     return murk_outlook_is_open(s->outlook, s->place[a], s->place[b]);
 }
 
+/* Adds the steps from a place that was reached to all places that are not. */
 static bool leave(search *s, size_t from)
 {
     for (size_t to = 0; to < s->n; ++to) {
@@ -104,6 +113,8 @@ static bool leave(search *s, size_t from)
     return true;
 }
 
+/* Searches until the goal is reached or no step is left; false when out of
+ * memory. */
 static bool walk(search *s, size_t from)
 {
     s->before[from] = from;
@@ -119,20 +130,24 @@ static bool walk(search *s, size_t from)
     return has_memory;
 }
 
-/* From the goal backwards, then turned round, then without what lies on a
- * straight way between others. */
+/* Writes the path to stop[] and returns the number of stops: follows the
+ * predecessors from the goal, reverses the order, and leaves out places that a
+ * straight step between their neighbours bypasses. */
 static size_t trace(const search *s, size_t from, size_t *stop)
 {
+    /* Follow the predecessors. */
     size_t n = 0;
     for (size_t at = s->goal; at != from; at = s->before[at]) {
         stop[n++] = at;
     }
     stop[n++] = from;
+    /* Reverse. */
     for (size_t k = 0; k < n / 2; ++k) {
         const size_t other = stop[k];
         stop[k] = stop[n - 1 - k];
         stop[n - 1 - k] = other;
     }
+    /* Leave out places that are not needed. */
     size_t kept = 1;
     for (size_t k = 1; k < n; ++k) {
         const bool is_needed =
@@ -151,10 +166,12 @@ murk_status murk_route_find(size_t *stop, size_t *stops, double *length_m,
     search s = {.outlook = outlook, .place = place, .n = n, .goal = to};
     *stops = 0;
     *length_m = 0;
+    /* A path to the same place has one stop. */
     if (from == to) {
         stop[(*stops)++] = from;
         return MURK_OK;
     }
+    /* Allocate; no place is reached. */
     s.before = malloc(n * sizeof *s.before);
     s.gone_m = calloc(n, sizeof *s.gone_m);
     murk_status status = MURK_OK;
@@ -162,17 +179,19 @@ murk_status murk_route_find(size_t *stop, size_t *stops, double *length_m,
         for (size_t k = 0; k < n; ++k) {
             s.before[k] = NOWHERE;
         }
-        /* mostly the first of all ways */
+        /* The straight line to the goal is unobstructed in most cases. */
         if (is_open(&s, from, to)) {
             s.before[to] = from;
         }
     }
+    /* Otherwise search. */
     if (!s.before || !s.gone_m ||
         (s.before[to] == NOWHERE && !walk(&s, from))) {
         status = murk_fail(err, MURK_NO_MEMORY, "",
                            "no memory for a way over %zu places", n);
         goto done;
     }
+    /* Read the path and measure it. */
     if (s.before[to] != NOWHERE) {
         *stops = trace(&s, from, stop);
     }

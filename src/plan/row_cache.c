@@ -1,3 +1,6 @@
+/* Caches coverage rows in memory, one allocation for each row. Threads may ask
+ * for the same row at the same time: an atomic exchange decides which copy
+ * stays. */
 #include "plan/row_cache.h"
 
 #include <stdatomic.h>
@@ -6,10 +9,11 @@
 
 struct murk_cached_row {
     murk_sparse_row row;
-    uint32_t photon[]; /* [look.seen], then the clarities where there are any */
+    uint32_t photon[]; /* [row.seen], followed by the clarities if there are any
+                        */
 };
 
-/* NULL where it takes more than most_bytes, or there is no memory. */
+/* Copies a row; NULL if it takes more than max_bytes or memory is short. */
 static murk_cached_row *keep(const murk_sparse_row *row, size_t max_bytes)
 {
     const size_t photons = row->seen * sizeof *row->photon;
@@ -48,7 +52,7 @@ static void get_row(void *context, unsigned worker, size_t candidate,
     murk_cached_row *none = NULL;
     if (kept &&
         !atomic_compare_exchange_strong(&r->kept[candidate], &none, kept)) {
-        free(kept); /* another worker was quicker */
+        free(kept); /* another worker cached it first */
     }
 }
 

@@ -1,3 +1,5 @@
+/* Reads candidate points from CSV tables and from the list of the scene; the
+ * coordinates of tables are converted to the local origin of the scene. */
 #include "plan/site_points.h"
 
 #include "base/position.h"
@@ -15,6 +17,7 @@ static murk_status refuse_outside(const char *where, murk_vec3 p,
         murk_position_show(box->max).text);
 }
 
+/* Reads one row; the point must lie in the domain. */
 static murk_status read_row(const murk_table *table, size_t row,
                             const long column[3], murk_vec3 origin,
                             const murk_box *box, murk_vec3 *out,
@@ -38,6 +41,7 @@ static murk_status read_row(const murk_table *table, size_t row,
     return MURK_OK;
 }
 
+/* Finds the columns; a table must have rows. */
 static murk_status check_table(const murk_table *table, long column[3],
                                murk_error *err)
 {
@@ -56,7 +60,7 @@ static murk_status check_table(const murk_table *table, long column[3],
                            "lists no points, must have one or more");
 }
 
-/* Adds the table's points to the *n there are. */
+/* Appends the points of a table to the *n points read so far. */
 static murk_status add_table(murk_vec3 **point, size_t *n,
                              const murk_table *table, murk_vec3 origin,
                              const murk_box *box, size_t maximum,
@@ -67,6 +71,7 @@ static murk_status add_table(murk_vec3 **point, size_t *n,
     if (status) {
         return status;
     }
+    /* Check the limit and allocate. */
     if (table->rows > maximum - *n) {
         return murk_fail(err, MURK_BAD_VALUE, table->path,
                          "%zu points, with those before it more than %zu, the "
@@ -79,6 +84,7 @@ static murk_status add_table(murk_vec3 **point, size_t *n,
                          "no memory for %zu points", *n + table->rows);
     }
     *point = grown;
+    /* Read the points. */
     for (size_t row = 0; row < table->rows && !status; ++row) {
         status =
             read_row(table, row, column, origin, box, &grown[*n + row], err);
@@ -87,6 +93,7 @@ static murk_status add_table(murk_vec3 **point, size_t *n,
     return status;
 }
 
+/* Appends the points listed in the scene. */
 static murk_status add_listed(murk_vec3 **point, size_t *n,
                               const murk_scene_points *points,
                               const murk_box *box, size_t maximum,
@@ -123,6 +130,7 @@ murk_status murk_site_points_read(murk_vec3 **out, size_t *n,
     murk_vec3 *point = NULL;
     murk_status status = MURK_OK;
     *n = 0;
+    /* Files first, then the list. */
     for (size_t i = 0; i < points->files && !status; ++i) {
         murk_table *table = NULL;
         status = murk_table_read(&table, points->file[i], err);

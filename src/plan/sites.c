@@ -1,3 +1,6 @@
+/* Describes the candidate sites of a scene to sensing/candidates.h, which tests
+ * them: the grid, listed points, and sites on mounting surfaces
+ * (geometry/mount_sites.h). */
 #include "plan/sites.h"
 
 #include "plan/entrances.h"
@@ -8,9 +11,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define LAID_POINTS 1000 /* of a grid that the scene leaves to murk */
+/* points of a grid that the scene leaves to murk: the manual states some 1000
+ */
+#define LAID_POINTS 1000
 
-/* The scene's grid, or one over the domain. */
+/* The grid of the scene, or one over the domain. */
 static murk_candidate_grid grid_of(const murk_stage *stage)
 {
     const murk_scene_candidates *settings = &stage->scene->sensors.candidates;
@@ -30,10 +35,13 @@ static murk_candidate_grid grid_of(const murk_stage *stage)
 
 /* ---- mounts ---- */
 
-#define LEVEL_COSINE                                        \
-    0.70710678118654752 /* cos 45 degrees: up, down or side \
-                         */
+/* cos 45 degrees: a normal within 45 degrees of vertical faces up or down, any
+ * other faces sideways. */
+/* cos 45 degrees: up, down or side */
+#define LEVEL_COSINE 0.70710678118654752
 
+/* Restricts the normals of surfaces, and the directions of mounts, by the key
+ * `facing`. rise is the absolute z component of a normal, up the signed one. */
 static void face(const murk_scene_mount *settings, murk_mount_search *lay,
                  murk_candidate_mount *mount)
 {
@@ -57,12 +65,14 @@ static void face(const murk_scene_mount *settings, murk_mount_search *lay,
     }
 }
 
-/* All of one mount but its feet, which are *foot, the caller's to free. */
+/* Fills *mount except for the sites themselves, which *foot receives; the
+ * caller frees them. */
 static murk_status lay_mount(murk_candidate_mount *mount,
                              murk_mount_site **foot,
                              const murk_scene_mount *settings,
                              const murk_stage *stage, murk_error *err)
 {
+    /* Select materials and heights. */
     const double min_m = murk_mount_spacing_min_m(stage->surfaces);
     bool material[MURK_MATERIALS_MAX] = {false};
     for (size_t i = 0; i < settings->materials.n; ++i) {
@@ -77,12 +87,14 @@ static murk_status lay_mount(murk_candidate_mount *mount,
         lay.within.min.z = fmax(lay.within.min.z, settings->band_m[0]);
         lay.within.max.z = fmin(lay.within.max.z, settings->band_m[1]);
     }
+    /* The spacing must exceed the rounding of positions. */
     if (!(settings->spacing_m > min_m)) {
         return murk_fail(err, MURK_BAD_VALUE, settings->where,
                          "spacing_m is %g m, must be more than %.3g m: less is "
                          "lost in rounding",
                          settings->spacing_m, min_m);
     }
+    /* Find the sites. */
     mount->offset_m = settings->offset_m;
     face(settings, &lay, mount);
     const murk_status status = murk_surfaces_mount_sites(
@@ -97,7 +109,7 @@ static murk_status lay_mount(murk_candidate_mount *mount,
 
 /* ---- all of them ---- */
 
-/* What is asked for, owned. */
+/* The description of all candidates, with the arrays that it points to. */
 typedef struct asking {
     murk_candidate_desc desc;
     murk_vec3 *point;
@@ -120,12 +132,15 @@ static void release(asking *a)
     murk_zones_destroy(a->within);
 }
 
+/* Fills the description: grid, listed points, mounts, zones. */
 static murk_status ask(asking *a, const murk_stage *stage, murk_error *err)
 {
     const murk_scene_candidates *settings = &stage->scene->sensors.candidates;
+    /* The grid. */
     a->desc.grid = grid_of(stage);
     a->desc.is_reach_grid =
         !settings->has_grid && (settings->points.given || settings->mounts > 0);
+    /* Listed points. */
     murk_status status =
         murk_site_points_read(&a->point, &a->desc.points, stage->scene,
                               &stage->world.domain, MURK_CANDIDATES_MAX, err);
@@ -133,6 +148,7 @@ static murk_status ask(asking *a, const murk_stage *stage, murk_error *err)
         return status;
     }
     a->desc.point = a->point;
+    /* Mounts. */
     a->mount = calloc(settings->mounts + 1, sizeof *a->mount);
     a->site = calloc(settings->mounts + 1, sizeof *a->site);
     if (!a->mount || !a->site) {
@@ -146,6 +162,7 @@ static murk_status ask(asking *a, const murk_stage *stage, murk_error *err)
                            stage, err);
         a->mount[i].site = a->site[i];
     }
+    /* Zones. */
     if (!status) {
         status = murk_site_zones_create(&a->avoid, &a->within, stage->scene,
                                         stage->site_meshes, err);
@@ -177,7 +194,7 @@ murk_status murk_sites_find(murk_candidates **out, const murk_stage *stage,
     return status;
 }
 
-/* ---- in several worlds ---- */
+/* ---- several worlds ---- */
 
 static int by_place(const void *a, const void *b)
 {
@@ -191,11 +208,13 @@ static int by_place(const void *a, const void *b)
     return 0;
 }
 
-/* Keeps of `all` those that the other has, too. */
+/* Removes from `all` the candidates that `other` does not have. Candidates are
+ * compared by exact position. */
 static murk_status keep_common(murk_candidates *all,
                                const murk_candidates *other, const char *where,
                                murk_error *err)
 {
+    /* Sort the positions of the other. */
     murk_vec3 *sorted = malloc((other->usable + 1) * sizeof *sorted);
     if (!sorted) {
         return murk_fail(err, MURK_NO_MEMORY, where,
@@ -203,6 +222,7 @@ static murk_status keep_common(murk_candidates *all,
     }
     memcpy(sorted, other->position, other->usable * sizeof *sorted);
     qsort(sorted, other->usable, sizeof *sorted, by_place);
+    /* Keep those that are found there. */
     size_t kept = 0;
     for (size_t i = 0; i < all->usable; ++i) {
         if (bsearch(&all->position[i], sorted, other->usable, sizeof *sorted,

@@ -1,22 +1,23 @@
-/* Where the scene's sensors may stand: its grid of points (or one laid by murk
- * where the scene names no candidates; where it names others, that one carries
- * reach alone), its listed points and its mounts, in its free space and
- * zones. */
+/* Candidate sites of a scene: a grid of points, listed points, and points on
+ * mounting surfaces, as far as they lie in free space and in the permitted
+ * zones. If the scene names no candidates, murk chooses a grid; if it names
+ * points or mounts alone, that grid serves only to find the space that light
+ * reaches. */
 #ifndef MURK_PLAN_SITES_H
 #define MURK_PLAN_SITES_H
 
 #include "sensing/candidates.h"
 #include "world/stage.h"
 
-/* *out is the caller's: murk_candidates_destroy(). Fails at the scene's
- * own places, or those of the files it names. */
+/* The caller owns *out (murk_candidates_destroy()). Fails at the place in the
+ * scene, or in the file that the scene names. */
 murk_status murk_sites_find(murk_candidates **out, const murk_stage *stage,
                             unsigned threads, murk_error *err);
 
-/* The same of n worlds: the candidates that are usable in each of them, by
- * their places. Counts of why others are not are those of the first; those that
- * only a later one drops count as unreached. Fails at where[i] where none is
- * left. */
+/* The candidates that are usable in each of n stages, matched by position. The
+ * counts of rejected candidates are those of the first stage; candidates that
+ * only a later stage rejects count as unreached. Fails at where[i] if stage i
+ * leaves none. */
 murk_status murk_sites_find_common(murk_candidates **out,
                                    const murk_stage *const *stage,
                                    const char *const *where, size_t n,

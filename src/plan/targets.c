@@ -1,10 +1,13 @@
+/* Creates the records of targets: reads the list or draws points
+ * (targets_drawn.c, targets_listed.c), then builds the maps. */
 #include "plan/targets.h"
 
 #include "plan/target_buffer.h"
 
 #include <stdlib.h>
 
-#define FIRST_ROOM  256
+#define FIRST_ROOM 256 /* first capacity of a buffer: 8 kB */
+/* points that murk_targets_check() draws: one shows that there is free space */
 #define CHECK_KEEPS 1
 
 bool murk_target_buffer_put(murk_target_buffer *buffer,
@@ -65,11 +68,13 @@ int murk_targets_band(const murk_scene_desc *scene)
     return 0;
 }
 
+/* Records of both maps before the maps are built. */
 typedef struct piles {
     murk_target_buffer surface, volume;
     murk_target_facts facts;
 } piles;
 
+/* Reads or draws all targets. */
 static murk_status fill(piles *p, murk_target_source source, murk_error *err)
 {
     const murk_scene_targets *settings =
@@ -78,16 +83,19 @@ static murk_status fill(piles *p, murk_target_source source, murk_error *err)
     facts->area_m2 = facts->volume_m3 = (murk_estimate){NAN, NAN};
     murk_target_draw drawn = {0};
     murk_status status = MURK_OK;
+    /* Listed points. */
     if (settings->points) {
         status = murk_targets_read(&p->surface, &p->volume, &facts->points,
                                    source.stage, err);
     }
+    /* Points on surfaces. */
     if (!status && settings->has_surfaces) {
         status = murk_targets_draw_surfaces(&p->surface, &drawn, &source, err);
         facts->area_m2 = drawn.size;
         facts->points += drawn.points;
         source.first_number = facts->points;
     }
+    /* Points in the volume, numbered after those on surfaces. */
     if (!status && settings->has_volume) {
         status = murk_targets_draw_volume(&p->volume, &drawn, &source, err);
         facts->volume_m3 = drawn.size;
@@ -109,7 +117,7 @@ murk_status murk_targets_create(murk_targets *out, const murk_stage *stage,
                                        .threads = threads,
                                        .max = UINT64_MAX};
     murk_status status = fill(&p, source, err);
-    if (!status) { /* takes the records over, also when it fails */
+    if (!status) { /* the map takes the records over, also when it fails */
         status = murk_photon_map_create(&out->surface, p.surface.photon,
                                         p.surface.n, threads, err);
         p.surface.photon = NULL;

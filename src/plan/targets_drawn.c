@@ -1,11 +1,12 @@
-/* Drawing targets evenly over area and volume.
+/* Draws targets uniformly over area and volume by rejection.
  *
- * Draws are numbered and each is a function of its number alone. Waves of them
- * are judged in parallel, then taken up in order of their numbers until enough
- * are kept, so threads change nothing. The kept ones' powers add up to an
- * unbiased estimate of what lies in free space: of n draws each stands for size
- * / n; where it was the k-th kept that ended them, for size (k - 1) / (k (n -
- * 1)) (Haldane, Biometrika 33 (1945) 222, doi:10.1093/biomet/33.3.222). */
+ * Draws are numbered, and each is a function of its number alone. A wave of
+ * draws is tested in parallel; then the draws are accepted in the order of
+ * their numbers until enough points are kept, so the result does not depend on
+ * threads. The powers of the kept records add up to an unbiased estimate of the
+ * size of the free space: of n draws each represents size / n. If sampling
+ * stops at the k-th kept point, each represents size (k - 1) / (k (n - 1)) (J.
+ * B. S. Haldane, Biometrika 33 (1945) 222, doi:10.1093/biomet/33.3.222). */
 #include "plan/target_buffer.h"
 #include "plan/targets.h"
 
@@ -21,21 +22,26 @@
 
 #include <stdlib.h>
 
+/* Draws of one task, tasks of one wave, and draws of one wave: enough work for
+ * the threads of a large machine, and 1 MB of results. */
 #define BATCH_DRAWS  256
 #define WAVE_BATCHES 64
 #define WAVE_DRAWS   (BATCH_DRAWS * WAVE_BATCHES)
 
-/* Draws at most for one that is kept, and those beyond: then what is looked
- * for is too rare to be found. */
+/* Upper limit on draws: a first number, and a number for each point to keep. If
+ * fewer than one draw in 100 is accepted, the requested space is too small to
+ * be sampled by rejection. */
 #define DRAWS_EACH  100
 #define DRAWS_FIRST 100000
 
-/* Draws judged at a time for one that is still to be kept. */
+/* Draws tested at once for each point that is still missing: half more than
+ * needed if all are accepted, so that few waves suffice. */
 #define DRAWS_AHEAD 1.5
 
+/* A surface has two sides. */
 #define SIDES 2
 
-/* What a draw leaves: a record for each side in free space. */
+/* The result of one draw: a record for each side in free space. */
 typedef struct found {
     int n;
     murk_photon photon[SIDES];
@@ -45,14 +51,15 @@ typedef struct drawing {
     const murk_target_source *source;
     murk_open_space *space;
     int band;
-    /* one of them */
+    /* Area or box: one of them is used. */
     murk_area *area;
     murk_box box;
-    uint64_t first;   /* draw of the wave */
-    uint64_t batches; /* in it */
+    uint64_t first;   /* number of the first draw of the wave */
+    uint64_t batches; /* number of tasks in the wave */
     found *wave;      /* [WAVE_DRAWS] */
 } drawing;
 
+/* The random numbers of a draw; event keeps surfaces and volume independent. */
 static murk_random4 draw_of(const drawing *d, uint64_t number, uint32_t event)
 {
     return murk_random(d->source->stage->scene->seed,
@@ -60,6 +67,7 @@ static murk_random4 draw_of(const drawing *d, uint64_t number, uint32_t event)
                        event, 0);
 }
 
+/* Adds a record to the result of a draw. */
 static void keep(found *f, murk_vec3 place, murk_vec3 normal, int band,
                  uint8_t material)
 {
@@ -69,6 +77,7 @@ static void keep(found *f, murk_vec3 place, murk_vec3 normal, int band,
 
 /* ---- surfaces ---- */
 
+/* Draws a point on the surfaces and tests both sides. */
 static void draw_on_surface(const drawing *d, uint64_t number, found *f)
 {
     const murk_stage *stage = d->source->stage;
@@ -87,6 +96,8 @@ static void draw_on_surface(const drawing *d, uint64_t number, found *f)
 
 /* ---- volume ---- */
 
+/* True if the point lies in the shape and the medium that the scene asks for.
+ */
 static bool is_wanted(const drawing *d, murk_inside inside, murk_vec3 p)
 {
     const murk_stage *stage = d->source->stage;
@@ -107,6 +118,7 @@ static bool is_wanted(const drawing *d, murk_inside inside, murk_vec3 p)
     }
 }
 
+/* Draws a point in the box and tests it. */
 static void draw_in_volume(const drawing *d, uint64_t number, found *f)
 {
     const murk_stage *stage = d->source->stage;
@@ -126,6 +138,7 @@ static void draw_in_volume(const drawing *d, uint64_t number, found *f)
 
 /* ---- both ---- */
 
+/* Tests the draws of one task. */
 static void draw_batch(void *context, uint64_t batch)
 {
     const drawing *d = context;
@@ -139,11 +152,13 @@ static void draw_batch(void *context, uint64_t batch)
     }
 }
 
-/* How many draws at most, and how many of them are to be kept. */
+/* Upper limit on draws, and the number of points to keep. */
 typedef struct amount {
     uint64_t draws, keeps;
 } amount;
 
+/* Determines both numbers: from a number of points, or from a spacing, which
+ * fixes the number of draws. */
 static murk_status amount_of(amount *out, const murk_target_source *source,
                              uint64_t points, double spacings,
                              const char *where, murk_error *err)
@@ -162,7 +177,8 @@ static murk_status amount_of(amount *out, const murk_target_source *source,
     return MURK_OK;
 }
 
-/* Takes up a wave until enough are kept. *draws: those up to the last. */
+/* Accepts the draws of a wave in order until enough points are kept. *draws
+ * counts draws up to the last accepted one. */
 static murk_status take_up(murk_target_buffer *buffer, const drawing *d,
                            const amount *a, uint64_t *points, uint64_t *draws,
                            murk_error *err)
@@ -186,7 +202,9 @@ static murk_status take_up(murk_target_buffer *buffer, const drawing *d,
     return MURK_OK;
 }
 
-/* Prices the records; of n draws each brings 0, 1 or 2 sides. */
+/* Sets the power of the records, and returns the size of the free space with
+ * standard error. A draw contributes 0, 1 or 2 sides; the variance of that
+ * number over n draws gives the error. */
 static murk_estimate price(murk_target_buffer *buffer, uint64_t points,
                            uint64_t draws, bool is_ended_by_kept, double size)
 {
@@ -203,9 +221,11 @@ static murk_estimate price(murk_target_buffer *buffer, uint64_t points,
         sides * each, n > 1 ? size * sqrt(fmax(0, variance) / (n - 1)) : NAN};
 }
 
-/* Records grow by half their room, and move. */
+/* Memory of a growing list relative to the content: capacity grows by half, and
+ * old and new array exist while it moves. */
 #define ROOM_TIMES 2.5
 
+/* Fails if the points do not fit in memory. */
 static murk_status check_memory(const amount *a, const char *where,
                                 murk_error *err)
 {
@@ -220,16 +240,19 @@ static murk_status check_memory(const amount *a, const char *where,
                            points, bytes / 1e9, have / 1e9);
 }
 
+/* Draws in waves until enough points are kept or the limit is reached. */
 static murk_status draw_all(murk_target_buffer *buffer, murk_target_draw *out,
                             drawing *d, const amount *a, double size,
                             const char *where, murk_error *err)
 {
     murk_status status = check_memory(a, where, err);
+    /* Start with empty counts. */
     uint64_t draws = 0;
     uint64_t *points = &out->points;
     *out = (murk_target_draw){0};
     murk_progress_begin("targets", a->keeps < a->draws ? a->keeps : a->draws,
                         "points");
+    /* Test a wave, then accept in order. */
     while (!status && draws < a->draws && *points < a->keeps) {
         const uint64_t before = *points;
         const double left = fmin((double)(a->draws - draws),
@@ -243,6 +266,7 @@ static murk_status draw_all(murk_target_buffer *buffer, murk_target_draw *out,
         murk_progress_add(*points - before);
     }
     murk_progress_end();
+    /* At least one point must lie in free space. */
     if (!status && *points == 0) {
         status = murk_fail(err, MURK_BAD_VALUE, where,
                            "none of %llu points drawn lies in free space",
@@ -261,6 +285,7 @@ static void release(drawing *d)
     free(d->wave);
 }
 
+/* Allocates a wave and sets up the test of free space. */
 static murk_status begin(drawing *d, const char *where, murk_error *err)
 {
     d->band = murk_targets_band(d->source->stage->scene);
@@ -282,6 +307,7 @@ murk_status murk_targets_draw_surfaces(murk_target_buffer *buffer,
     const char *where = settings->surfaces_where;
     drawing d = {.source = source};
     amount a = {0};
+    /* Select the materials. */
     bool wanted[MURK_MATERIALS_MAX] = {false};
     for (size_t i = 0; i < settings->materials.n; ++i) {
         wanted[settings->materials.index[i]] = true;
@@ -290,10 +316,12 @@ murk_status murk_targets_draw_surfaces(murk_target_buffer *buffer,
         murk_area_create(&d.area, stage->surfaces,
                          settings->materials.n > 0 ? wanted : NULL, where, err);
     if (!status) {
+        /* Determine the number of points. */
         const double s = settings->surface_spacing_m;
         status = amount_of(&a, source, settings->surface_points,
                            murk_area_m2(d.area) / (s * s), where, err);
     }
+    /* Draw. */
     if (!status) {
         status = begin(&d, where, err);
     }
@@ -313,7 +341,7 @@ static murk_box meet(murk_box a, murk_box b)
                        fmin(a.max.z, b.max.z)}};
 }
 
-/* What holds all of a medium. */
+/* A box that contains all regions of a medium. */
 static murk_box box_of_medium(const murk_stage *stage, int medium)
 {
     murk_box box = murk_box_empty();
@@ -334,6 +362,7 @@ static murk_box box_of_medium(const murk_stage *stage, int medium)
     return box;
 }
 
+/* The box that points are drawn from: domain, shape and medium. */
 static murk_box box_to_draw_from(const murk_stage *stage)
 {
     const murk_scene_targets *settings = &stage->scene->placement.targets;
@@ -366,10 +395,12 @@ murk_status murk_targets_draw_volume(murk_target_buffer *buffer,
     drawing d = {.source = source, .box = box_to_draw_from(source->stage)};
     amount a = {0};
     const murk_vec3 size = murk_sub(d.box.max, d.box.min);
+    /* The box must have a volume. */
     if (!(size.x > 0 && size.y > 0 && size.z > 0)) {
         return murk_fail(err, MURK_BAD_VALUE, where,
                          "holds none of the domain's space");
     }
+    /* Determine the number of points, then draw. */
     const double s = settings->volume_spacing_m, all = size.x * size.y * size.z;
     murk_status status = amount_of(&a, source, settings->volume_points,
                                    all / (s * s * s), where, err);

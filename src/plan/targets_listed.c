@@ -1,4 +1,6 @@
-/* Targets from a list. */
+/* Reads targets from a CSV table: position, optional normal, optional weight. A
+ * point with a normal is a record on a surface, a point without one a record in
+ * the volume. */
 #include "base/position.h"
 #include "plan/target_buffer.h"
 #include "plan/targets.h"
@@ -12,24 +14,28 @@ enum { X, Y, Z, NORMAL_X, NORMAL_Y, NORMAL_Z, WEIGHT, COLUMNS };
 static const char *const NAMES[COLUMNS] = {
     "x_m", "y_m", "z_m", "normal_x", "normal_y", "normal_z", "weight"};
 
+/* Columns that must be there: x_m, y_m, z_m. */
 #define NEEDED_COLUMNS 3
 
+/* Largest weight that the manual permits. */
 #define WEIGHT_MAX 1e6
 
-/* A point without a normal that is nearer to a surface than this many of the
- * steps that leave it would be hidden by it, as rounding goes. */
+/* A point without a normal must be further from any surface than this multiple
+ * of the step by which rays leave a surface, or rounding could hide the point
+ * behind that surface. */
 #define ON_SURFACE_STEPS 2
 
 typedef struct list {
     const murk_stage *stage;
     const murk_table *table;
-    long column[COLUMNS]; /* -1: not there */
+    long column[COLUMNS]; /* -1 if the table does not have the column */
     int band;
     double step_m;
     murk_target_buffer *surface, *volume;
-    double weight; /* of all */
+    double weight; /* sum over all targets */
 } list;
 
+/* Finds the columns; a normal needs all three columns. */
 static murk_status find_columns(list *l, murk_error *err)
 {
     int normals = 0;
@@ -49,6 +55,7 @@ static murk_status find_columns(list *l, murk_error *err)
                            "normal_z, must have all three or none");
 }
 
+/* Checks the values of a row. */
 static murk_status check_row(const list *l, size_t row, murk_vec3 place,
                              murk_vec3 normal, double weight, murk_error *err)
 {
@@ -56,6 +63,7 @@ static murk_status check_row(const list *l, size_t row, murk_vec3 place,
     char where[320];
     snprintf(where, sizeof where, "%.300s:%d", l->table->path,
              l->table->line[row]);
+    /* Position and weight. */
     if (!murk_box_contains(box, place)) {
         return murk_fail(err, MURK_BAD_VALUE, where,
                          "target at %s m lies outside of the domain",
@@ -65,6 +73,7 @@ static murk_status check_row(const list *l, size_t row, murk_vec3 place,
         return murk_fail(err, MURK_BAD_VALUE, where,
                          "weight is %g, must be 0..1e6", weight);
     }
+    /* Normal: finite, and present if the point lies on a surface. */
     const double length = murk_length(normal);
     if (!isfinite(length)) {
         return murk_fail(err, MURK_BAD_VALUE, where,
@@ -80,7 +89,7 @@ static murk_status check_row(const list *l, size_t row, murk_vec3 place,
     return MURK_OK;
 }
 
-/* Of the surface that a point with a normal lies on. */
+/* The material of the surface that a point with a normal lies on. */
 static uint8_t material_at(const list *l, murk_vec3 place, murk_vec3 normal)
 {
     murk_hit hit;
@@ -92,9 +101,11 @@ static uint8_t material_at(const list *l, murk_vec3 place, murk_vec3 normal)
                : MURK_TARGET_IN_NONE;
 }
 
+/* Reads one row into a record. */
 static murk_status read_row(list *l, size_t row, murk_error *err)
 {
     double value[COLUMNS];
+    /* Read the values; a missing weight is 1. */
     for (int i = 0; i < COLUMNS; ++i) {
         const double missing = i < NEEDED_COLUMNS ? NAN : i == WEIGHT ? 1 : 0;
         const murk_status status = murk_table_number(
@@ -103,6 +114,7 @@ static murk_status read_row(list *l, size_t row, murk_error *err)
             return status;
         }
     }
+    /* Convert to the local origin and check. */
     const murk_vec3 place = murk_scene_local(
         l->stage->scene, murk_vec(value[X], value[Y], value[Z]));
     murk_vec3 normal = {value[NORMAL_X], value[NORMAL_Y], value[NORMAL_Z]};
@@ -111,6 +123,7 @@ static murk_status read_row(list *l, size_t row, murk_error *err)
     if (status) {
         return status;
     }
+    /* Store the record with weight and material or medium. */
     const bool is_volume = !(murk_length(normal) > 0);
     normal = is_volume ? (murk_vec3){0, 0, 0} : murk_unit(normal);
     murk_photon photon = murk_target_of(place, normal, 0, l->band);
@@ -132,6 +145,7 @@ murk_status murk_targets_read(murk_target_buffer *surface,
     const murk_scene_desc *scene = stage->scene;
     murk_table *table = NULL;
     murk_status status =
+        /* Read the table. */
         murk_table_read(&table, scene->placement.targets.points, err);
     if (status) {
         return status;
@@ -142,10 +156,12 @@ murk_status murk_targets_read(murk_target_buffer *surface,
               .step_m = murk_surfaces_leave_step_m(stage->surfaces),
               .surface = surface,
               .volume = volume};
+    /* Read the rows. */
     status = find_columns(&l, err);
     for (size_t row = 0; row < table->rows && !status; ++row) {
         status = read_row(&l, row, err);
     }
+    /* At least one target must have a weight. */
     if (!status && !(l.weight > 0)) {
         status = murk_fail(err, MURK_BAD_FILE, table->path,
                            "%zu targets, must be one or more with a weight "

@@ -114,9 +114,10 @@ static murk_status check_pairs(const murk_boundary_meshes *boundary_meshes,
     return MURK_OK;
 }
 
-murk_status murk_enclose(murk_boundary_meshes **out,
-                         const murk_scene_desc *scene, murk_mesh *const *mesh,
-                         const murk_box *domain, murk_error *err)
+murk_status murk_stage_boundary_meshes(murk_boundary_meshes **out,
+                                       const murk_scene_desc *scene,
+                                       murk_mesh *const *mesh,
+                                       const murk_box *domain, murk_error *err)
 {
     murk_boundary_mesh_desc desc[MURK_BOUNDARY_MESHES_MAX];
     murk_boundary_meshes *made = NULL;

@@ -18,8 +18,9 @@
  * them is a mesh. (The room medium checks pairs of other shapes.) A face of a
  * box that lies in a side of the domain or beyond that side does not count as a
  * boundary: the box is taken to continue outside the domain. */
-murk_status murk_enclose(murk_boundary_meshes **out,
-                         const murk_scene_desc *scene, murk_mesh *const *mesh,
-                         const murk_box *domain, murk_error *err);
+murk_status murk_stage_boundary_meshes(murk_boundary_meshes **out,
+                                       const murk_scene_desc *scene,
+                                       murk_mesh *const *mesh,
+                                       const murk_box *domain, murk_error *err);
 
 #endif

@@ -356,9 +356,9 @@ murk_status murk_stage_build(murk_stage *stage, murk_error *err)
                                     stage->grid, stage->region_mesh, err);
     }
     if (!status) {
-        status =
-            murk_enclose(&stage->boundary_meshes, scene, stage->region_mesh,
-                         &stage->world.domain.box, err);
+        status = murk_stage_boundary_meshes(&stage->boundary_meshes, scene,
+                                            stage->region_mesh,
+                                            &stage->world.domain.box, err);
     }
     if (!status) {
         status = build_surfaces(stage, err);
@@ -387,7 +387,7 @@ murk_status murk_stage_build(murk_stage *stage, murk_error *err)
     stage->world.lights = stage->lights;
     stage->world.bands = scene->bands;
     stage->world.continues = scene->continues && !scene->domain.is_periodic;
-    murk_stage_tell(stage);
+    murk_stage_warn(stage);
     return MURK_OK;
 }
 

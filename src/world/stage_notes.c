@@ -155,7 +155,7 @@ static void warn_of_lit_sides(const murk_stage *stage)
     }
 }
 
-void murk_stage_tell(const murk_stage *stage)
+void murk_stage_warn(const murk_stage *stage)
 {
     warn_of_cuts(stage);
     murk_warn_of_materials(stage);

@@ -6,6 +6,6 @@
 #include "world/stage.h"
 
 /* Prints the warnings and notes. Call it when the stage is complete. */
-void murk_stage_tell(const murk_stage *stage);
+void murk_stage_warn(const murk_stage *stage);
 
 #endif

@@ -1,7 +1,7 @@
 /* Light that only scales: shares of channels by hand, and a map whose records
  * follow their channels' powers. Seeds are fixed, and what is said of maps
  * holds for any. */
-#include "lightmap/relight.h"
+#include "lightmap/scaled_light.h"
 
 #include "base/log.h"
 #include "check.h"
@@ -40,7 +40,7 @@ static double *powers_of(const murk_scene_desc *scene,
 {
     double *power_w = NULL;
     murk_error err = {0};
-    CHECK(murk_relight_powers(&power_w, scene, domain, &err) == MURK_OK);
+    CHECK(murk_scaled_light_powers(&power_w, scene, domain, &err) == MURK_OK);
     return power_w;
 }
 
@@ -70,8 +70,8 @@ static void test_every_channel_has_its_largest_share(void)
     murk_sources *lights = NULL;
     double grow = 0;
     murk_error err = {0};
-    CHECK(murk_relight_lights(&lights, &grow, scene, power_w, 3, domain,
-                              &err) == MURK_OK);
+    CHECK(murk_scaled_light_sources(&lights, &grow, scene, power_w, 3, domain,
+                                    &err) == MURK_OK);
     CHECK_NEAR(grow, 1.4, 1e-12);
     for (size_t c = 0; lights && c < CHANNELS; ++c) {
         CHECK_NEAR(murk_sources_channel_power_w(lights, c), share[c], 1e-12);
@@ -81,8 +81,8 @@ static void test_every_channel_has_its_largest_share(void)
     /* one scene alone, and no other behind it */
     const murk_scene_desc *const alone[] = {b, NULL};
     lights = NULL;
-    CHECK(murk_relight_lights(&lights, &grow, alone, &power_w[1], 1, domain,
-                              &err) == MURK_OK);
+    CHECK(murk_scaled_light_sources(&lights, &grow, alone, &power_w[1], 1,
+                                    domain, &err) == MURK_OK);
     CHECK_NEAR(grow, 1, 1e-12);
     for (size_t c = 0; lights && c < CHANNELS; ++c) {
         CHECK_NEAR(murk_sources_channel_power_w(lights, c), second[c] / 30,
@@ -110,8 +110,8 @@ static void test_a_lamp_without_power_stays(void)
     const murk_scene_desc *const alone[] = {stage->scene, NULL};
     murk_sources *lights = NULL;
     murk_error err = {0};
-    CHECK(murk_relight_lights(&lights, &grow, alone, &power_w, 1,
-                              &stage->world.domain, &err) == MURK_OK);
+    CHECK(murk_scaled_light_sources(&lights, &grow, alone, &power_w, 1,
+                                    &stage->world.domain, &err) == MURK_OK);
     if (lights) {
         CHECK(murk_sources_get(lights, 1)->position.x == 2);
         CHECK(murk_sources_channel_power_w(lights, 3) == 0);
@@ -166,8 +166,8 @@ static void test_records_follow_their_channels(void)
         return;
     }
     double *power_w = powers_of(b, &stage->world.domain);
-    CHECK(murk_relight(&made, traced, stage->lights, power_w, 2, 2, &err) ==
-          MURK_OK);
+    CHECK(murk_scaled_light_make(&made, traced, stage->lights, power_w, 2, 2,
+                                 &err) == MURK_OK);
     if (made) {
         check_map(traced->surface, made->surface, factor);
         check_map(traced->volume, made->volume, factor);
@@ -183,8 +183,8 @@ static void test_records_follow_their_channels(void)
     for (size_t c = 0; c < CHANNELS; ++c) { /* all dark */
         power_w[c] = 0;
     }
-    CHECK(murk_relight(&made, traced, stage->lights, power_w, 2, 1, &err) ==
-          MURK_OK);
+    CHECK(murk_scaled_light_make(&made, traced, stage->lights, power_w, 2, 1,
+                                 &err) == MURK_OK);
     CHECK(made && murk_photon_map_count(made->surface) == 0);
     murk_traced_destroy(made);
     murk_traced_destroy(traced);
