@@ -84,8 +84,8 @@ static void take_back(const murk_emission *e, uint64_t first, uint64_t last)
 }
 
 /* The settings of a trace with the sinks of the emission. */
-static murk_trace heard_trace(const murk_emission *e, uint64_t first,
-                              uint64_t last)
+static murk_trace trace_with_sinks(const murk_emission *e, uint64_t first,
+                                   uint64_t last)
 {
     murk_trace trace = trace_of(e, first, last);
     if (e->sink) {
@@ -105,7 +105,7 @@ static murk_status send_wave(murk_emission *e, bool *is_done, murk_error *err)
 {
     const uint64_t first = e->emitted;
     uint64_t end = first + wave_photons(e);
-    const murk_trace trace = heard_trace(e, first, end);
+    const murk_trace trace = trace_with_sinks(e, first, end);
     murk_trace_run(&trace, e->ledger);
 
     /* Find the photon that reaches `store`, and remove those after it. */

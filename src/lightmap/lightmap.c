@@ -159,8 +159,9 @@ static murk_status check_forecast(const murk_forecast *forecast,
 /* ---- tracing ---- */
 
 /* Sets the power of the photon packets of each channel. */
-static murk_status price_packets(murk_traced *traced,
-                                 const murk_emission *emission, murk_error *err)
+static murk_status set_packet_powers(murk_traced *traced,
+                                     const murk_emission *emission,
+                                     murk_error *err)
 {
     uint64_t *count = calloc(traced->channels, sizeof *count);
     if (!count) {
@@ -180,7 +181,7 @@ static murk_status finish(murk_traced *traced, const murk_emission *emission,
     murk_record_buffers *buffers = emission->buffers;
     murk_status status = murk_emission_check_losses(emission, err);
     if (!status) {
-        status = price_packets(traced, emission, err);
+        status = set_packet_powers(traced, emission, err);
     }
     if (status) {
         return status;

@@ -6,7 +6,7 @@
 
 #include <stdlib.h>
 
-#define FIRST_ROOM 256 /* first capacity of a list: 8 kB */
+#define FIRST_CAPACITY 256 /* first capacity of a list: 8 kB */
 
 static murk_photon record_of(const murk_event *event, double share)
 {
@@ -27,15 +27,16 @@ static murk_photon record_of(const murk_event *event, double share)
 /* Appends a record; the capacity grows by half. False when out of memory. */
 static bool put(murk_record_list *buffer, const murk_photon *photon)
 {
-    if (buffer->n == buffer->room) {
-        const size_t room =
-            buffer->room ? buffer->room + buffer->room / 2 : FIRST_ROOM;
-        murk_photon *grown = realloc(buffer->photon, room * sizeof *grown);
+    if (buffer->n == buffer->capacity) {
+        const size_t capacity = buffer->capacity
+                                    ? buffer->capacity + buffer->capacity / 2
+                                    : FIRST_CAPACITY;
+        murk_photon *grown = realloc(buffer->photon, capacity * sizeof *grown);
         if (!grown) {
             return false;
         }
         buffer->photon = grown;
-        buffer->room = room;
+        buffer->capacity = capacity;
     }
     buffer->photon[buffer->n++] = *photon;
     return true;
@@ -139,7 +140,8 @@ murk_status murk_record_buffers_gather(murk_record_buffers *h, uint64_t last,
     return MURK_OK;
 }
 
-static void price(murk_record_list *buffer, const double *packet_w, int bands)
+static void to_watts(murk_record_list *buffer, const double *packet_w,
+                     int bands)
 {
     for (size_t i = 0; i < buffer->n; ++i) {
         murk_photon *p = &buffer->photon[i];
@@ -152,8 +154,8 @@ static void price(murk_record_list *buffer, const double *packet_w, int bands)
 void murk_record_buffers_to_watts(murk_record_buffers *h,
                                   const double *packet_w, int bands)
 {
-    price(&h->surface, packet_w, bands);
-    price(&h->volume, packet_w, bands);
+    to_watts(&h->surface, packet_w, bands);
+    to_watts(&h->volume, packet_w, bands);
 }
 
 murk_status murk_record_buffers_map(murk_photon_map **out,
@@ -166,7 +168,7 @@ murk_status murk_record_buffers_map(murk_photon_map **out,
     if (n == 0) {
         free(photons);
         photons = NULL;
-    } else if (n < buffer->room) {
+    } else if (n < buffer->capacity) {
         murk_photon *fitted = realloc(photons, n * sizeof *fitted);
         if (fitted) {
             photons = fitted;

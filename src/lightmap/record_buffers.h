@@ -16,7 +16,7 @@
 
 typedef struct murk_record_list {
     murk_photon *photon;
-    size_t n, room;
+    size_t n, capacity;
     bool is_short_of_memory;
 } murk_record_list;
 

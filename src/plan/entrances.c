@@ -32,11 +32,11 @@ murk_status murk_entrances(murk_reach *out, murk_vec3 **places,
     const murk_sources *lights = stage->lights;
     const size_t n = murk_sources_count(lights);
     /* Allocate for one position of each lamp and one of each portal. */
-    size_t room = n + 1;
+    size_t capacity = n + 1;
     for (size_t i = 0; i < n; ++i) {
-        room += murk_sources_get(lights, i)->portals;
+        capacity += murk_sources_get(lights, i)->portals;
     }
-    murk_vec3 *place = calloc(room, sizeof *place);
+    murk_vec3 *place = calloc(capacity, sizeof *place);
     if (!place) {
         return murk_fail(err, MURK_NO_MEMORY, where,
                          "no memory for the lamps' places");

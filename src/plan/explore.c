@@ -25,7 +25,7 @@ typedef struct exploring {
     const murk_poses *poses;
     murk_sight *sight;
     uint32_t start;
-    murk_constraint_set book;
+    murk_constraint_set constraint_set;
     murk_partial_plan partial;
     murk_lazy_greedy greedy;
     murk_explored explored;
@@ -72,7 +72,7 @@ static void count_opened(void *context, uint64_t batch)
  * The number of a pose only decreases while more is seen, so poses are
  * evaluated in the order of their last number until the best cannot be
  * exceeded. */
-static bool widen(exploring *e, size_t n, uint32_t *next)
+static bool find_opener(exploring *e, size_t n, uint32_t *next)
 {
     /* Sort by the upper bounds. */
     for (size_t k = 0; k < n; ++k) {
@@ -129,13 +129,13 @@ static murk_status go_to(exploring *e, uint32_t place, double *length_m,
         realloc(out->stop, (out->stops + stops + 1) * sizeof *stop);
     if (stop) {
         out->stop = stop;
-        memcpy(stop + out->stops, way + first, (stops - first) * sizeof *stop);
+        memcpy(stop + out->stops, path + first, (stops - first) * sizeof *stop);
         out->stops += stops - first;
         e->here = place;
     } else {
         status = murk_fail(err, MURK_NO_MEMORY, "", "no memory for the path");
     }
-    free(way);
+    free(path);
     return status;
 }
 
@@ -185,7 +185,7 @@ static bool choose(exploring *e, uint32_t *next)
         return false;
     }
     *next = murk_lazy_greedy_best(&e->greedy, e->open, n, &gain);
-    if (gain > 0 || widen(e, n, next)) {
+    if (gain > 0 || find_opener(e, n, next)) {
         return true;
     }
     *next = e->open[0];
@@ -208,8 +208,8 @@ static murk_status begin(exploring *e, bool has_start, murk_error *err)
 }
 
 /* Adds stations until an end condition holds. */
-static murk_status step_on(exploring *e, const murk_place_desc *desc,
-                           const char *where, murk_error *err)
+static murk_status add_stations(exploring *e, const murk_place_desc *desc,
+                                const char *where, murk_error *err)
 {
     murk_status status = MURK_OK;
     while (!status && !murk_interrupted()) {
@@ -310,7 +310,7 @@ static murk_status fill(murk_place_result *place, const exploring *e,
 
 /* Allocates; the bound on places brought into view starts at the largest
  * number. */
-static murk_status set_aside(exploring *e, murk_error *err)
+static murk_status allocate(exploring *e, murk_error *err)
 {
     const size_t n = e->poses->count + 1;
     const size_t steps = e->poses->fixed + MURK_EXPLORE_MAX + 1;
@@ -347,13 +347,14 @@ murk_status murk_explore_run(murk_explore *out, murk_place_result *place,
     const bool is_max = desc->target || desc->constraints->budget > 0;
     const size_t count = desc->count > 0 ? desc->count : poses->count;
     murk_status status = murk_constraint_set_init(
-        &e.book, desc->constraints, poses->count,
+        &e.constraint_set, desc->constraints, poses->count,
         count < poses->count ? count : poses->count, is_max, err);
     if (!status) {
-        status = murk_partial_plan_init(&e.partial, &e.book, err);
+        status = murk_partial_plan_init(&e.partial, &e.constraint_set, err);
     }
     if (!status) {
-        status = murk_lazy_greedy_init(&e.greedy, problem, &e.book, err);
+        status =
+            murk_lazy_greedy_init(&e.greedy, problem, &e.constraint_set, err);
     }
     if (!status) {
         status =
@@ -361,7 +362,7 @@ murk_status murk_explore_run(murk_explore *out, murk_place_result *place,
                                stage->scene->bands, sites->usable, poses, err);
     }
     if (!status) {
-        status = set_aside(&e, err);
+        status = allocate(&e, err);
     }
     if (status) {
         goto done;
@@ -370,7 +371,7 @@ murk_status murk_explore_run(murk_explore *out, murk_place_result *place,
     murk_progress_begin("explore", desc->target ? 0 : count, "stations");
     status = begin(&e, settings->has_start, err);
     if (!status) {
-        status = step_on(&e, desc, settings->where, err);
+        status = add_stations(&e, desc, settings->where, err);
     }
     murk_progress_end();
     /* Check and return the plan. */
@@ -388,7 +389,7 @@ done:
     murk_explored_release(&e.explored);
     murk_lazy_greedy_release(&e.greedy);
     murk_partial_plan_release(&e.partial);
-    murk_constraint_set_release(&e.book);
+    murk_constraint_set_release(&e.constraint_set);
     return status;
 }
 

@@ -48,30 +48,30 @@ static murk_status bound_all(murk_place_result *out, size_t *fewest,
     /* Once more without minimum counts. */
     murk_constraints constraints = *desc->constraints;
     murk_place_desc freer = *desc;
-    murk_place_result on_the_way = {0};
+    murk_place_result intermediate = {0};
     constraints.min = NULL;
     freer.constraints = &constraints;
-    const murk_status later = place_all(&on_the_way, all, &freer, err);
+    const murk_status later = place_all(&intermediate, all, &freer, err);
     /* The curve of that run, with the tighter bound at the last number. */
     if (!later) {
         free(out->curve);
-        out->curve = on_the_way.curve;
-        out->curve_points = on_the_way.curve_points;
-        on_the_way.curve = NULL;
+        out->curve = intermediate.curve;
+        out->curve_points = intermediate.curve_points;
+        intermediate.curve = NULL;
         murk_curve_point *last = &out->curve[out->curve_points - 1];
         last->upper = out->upper < last->upper ? out->upper : last->upper;
         out->upper = last->upper;
     }
-    murk_place_release(&on_the_way);
+    murk_place_release(&intermediate);
     return later;
 }
 
 /* Computes the rows of all candidates, in a matrix if max_bytes allow, and the
  * bounds. */
-static murk_status look_and_bound(murk_place_result *out, size_t *fewest,
-                                  const murk_problem *problem,
-                                  const murk_place_desc *desc,
-                                  uint64_t max_bytes, murk_error *err)
+static murk_status bound_by_rows(murk_place_result *out, size_t *fewest,
+                                 const murk_problem *problem,
+                                 const murk_place_desc *desc,
+                                 uint64_t max_bytes, murk_error *err)
 {
     everywhere all = {.problem = problem};
     murk_error full = {0};
@@ -86,8 +86,8 @@ static murk_status look_and_bound(murk_place_result *out, size_t *fewest,
 
 /* Replaces the values of the curve by those of the stations in their order, and
  * finds the smallest number of sensors whose bound reaches the target. */
-static void follow(murk_place_result *all, const murk_explore *explore,
-                   uint64_t target, size_t fewest)
+static void take_values(murk_place_result *all, const murk_explore *explore,
+                        uint64_t target, size_t fewest)
 {
     all->fewest = 0;
     for (size_t k = 0; k < all->curve_points; ++k) {
@@ -117,14 +117,14 @@ murk_status murk_explore_bound(murk_place_result *place,
     greedy.count = has_budget ? desc->count : place->count;
     size_t fewest = 0;
     const murk_status status =
-        look_and_bound(&all, &fewest, problem, &greedy, max_bytes, err);
+        bound_by_rows(&all, &fewest, problem, &greedy, max_bytes, err);
     if (status) {
         murk_place_release(&all);
         return status;
     }
     /* Take over the bounds; the plan keeps the value and the sensors of the
      * stations. */
-    follow(&all, explore, desc->target, fewest);
+    take_values(&all, explore, desc->target, fewest);
     place->upper = all.upper;
     place->proven_optimal = place->value == place->upper;
     place->guarantee = "none";

@@ -10,7 +10,7 @@
 
 /* Seen places that a path is searched over, besides those that are always used.
  * There are some 2e6 steps between 2000 places. */
-#define WAY_PLACES_MAX 2000
+#define PATH_PLACES_MAX 2000
 
 murk_status murk_explored_init(murk_explored *out, const murk_sight_desc *sight,
                                int bands, size_t sites, const murk_poses *poses,
@@ -135,9 +135,12 @@ static size_t list_places(const murk_explored *e, uint32_t from, uint32_t to,
     for (uint32_t k = 0; k < e->places; ++k) {
         free_ones += e->is_seen[k] && !e->is_kept[k] && root_of(e, k) == root;
     }
-    const size_t each = free_ones > WAY_PLACES_MAX
-                            ? (free_ones + WAY_PLACES_MAX - 1) / WAY_PLACES_MAX
-                            : 1;
+    /* Thin the places that need not be used. */
+    const size_t each =
+        free_ones > PATH_PLACES_MAX
+            ? (free_ones + PATH_PLACES_MAX - 1) / PATH_PLACES_MAX
+            : 1;
+    /* List the places. */
     size_t n = 0, met = 0;
     for (uint32_t k = 0; k < e->places; ++k) {
         const bool is_end = k == from || k == to;
@@ -186,7 +189,7 @@ murk_status murk_explored_path(murk_explored *e, murk_vec3 **way, size_t *stops,
     for (size_t k = 0; k < *stops; ++k) {
         out[k] = place[stop[k]];
     }
-    *way = out;
+    *path = out;
     out = NULL;
 done:
     free(list);

@@ -163,8 +163,8 @@ static murk_status explore(murk_plan_result *plan, const murk_stage *stage,
 
 /* Candidates that the forecast evaluates, and the sweeps of one start: SPOQ
  * sweeps until one has no gain, and relocation. */
-#define FORECAST_LOOKS  16
-#define FORECAST_SWEEPS 4
+#define FORECAST_CANDIDATES 16
+#define FORECAST_SWEEPS     4
 
 /* Forecasts the work of `method: best` in an unknown environment, at the
  * smallest number of starts, from the rays and the time of a sample of
@@ -175,7 +175,7 @@ static void forecast_unknown(murk_plan_result *plan, murk_sight *sight,
                              const murk_place_desc *desc)
 {
     const size_t n = problem->candidates;
-    const size_t sample = n < FORECAST_LOOKS ? n : FORECAST_LOOKS;
+    const size_t sample = n < FORECAST_CANDIDATES ? n : FORECAST_CANDIDATES;
     const uint64_t rays = murk_sight_shadow_rays(sight);
     const double begun_s = murk_clock_s();
     /* Other methods need no warning. */
@@ -196,7 +196,7 @@ static void forecast_unknown(murk_plan_result *plan, murk_sight *sight,
     const double starts = desc->restarts < MURK_STARTS_WITHOUT_GAIN
                               ? (double)desc->restarts
                               : (double)MURK_STARTS_WITHOUT_GAIN;
-    const double looks =
+    const double queries =
         starts * FORECAST_SWEEPS * (double)desc->count * (double)n;
     murk_note(
         "placement.knowledge",
@@ -205,7 +205,7 @@ static void forecast_unknown(murk_plan_result *plan, murk_sight *sight,
         "%.2g s with %.0f starts (at most %zu are made). knowledge: known "
         "needs %zu queries (%.2g rays, %.2g s) for a plan that is at least as "
         "good; method: greedy or spoq, or fewer restarts, take less time",
-        looks, looks * each, looks * each_s, starts, desc->restarts, n,
+        queries, queries * each, queries * each_s, starts, desc->restarts, n,
         each * (double)n, each_s * (double)n);
 }
 

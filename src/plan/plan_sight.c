@@ -80,6 +80,8 @@ static murk_sight_desc describe(const murk_stage *stage, const seen_maps *maps,
                                 murk_sensor_type *types, unsigned threads)
 {
     const murk_scene_placement *settings = &stage->scene->placement;
+    /* Weights, regions of interest and redundancy are left at neutral values.
+     */
     return (murk_sight_desc){
         .surfaces = stage->surfaces,
         .media = stage->media,

@@ -188,19 +188,19 @@ static murk_status check_constraints(const murk_poses *p,
                                      const murk_scene_sensors *settings,
                                      murk_error *err)
 {
-    murk_constraint_set book;
+    murk_constraint_set constraint_set;
     if (!p->has_constraints) {
         return MURK_OK;
     }
-    murk_error told = {0};
+    murk_error cause = {0};
     const murk_status status = murk_constraint_set_init(
-        &book, &p->constraints, p->count,
+        &constraint_set, &p->constraints, p->count,
         settings->count > 0 ? (size_t)settings->count : p->count,
-        settings->count == 0, &told);
+        settings->count == 0, &cause);
     if (status) {
-        return murk_fail(err, status, settings->where, "%s", told.text);
+        return murk_fail(err, status, settings->where, "%s", cause.text);
     }
-    murk_constraint_set_release(&book);
+    murk_constraint_set_release(&constraint_set);
     return MURK_OK;
 }
 
@@ -253,7 +253,7 @@ static void fill_constraints(murk_poses *p, const murk_scene_sensors *settings)
 /* ---- all ---- */
 
 /* Allocates all arrays. */
-static bool set_aside(murk_poses *p, size_t types)
+static bool allocate(murk_poses *p, size_t types)
 {
     const size_t n = p->count + 1;
     p->pose = calloc(n, sizeof *p->pose);
@@ -294,7 +294,7 @@ murk_status murk_poses_create(murk_poses **out, const murk_scene_desc *scene,
         p->count = (size_t)each * n + p->fixed;
     }
     /* Allocate, and write the poses of each site. */
-    if (!p || !set_aside(p, settings->types)) {
+    if (!p || !allocate(p, settings->types)) {
         status = murk_fail(err, MURK_NO_MEMORY, settings->where,
                            "no memory for the candidates");
         goto done;

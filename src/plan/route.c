@@ -24,7 +24,7 @@ typedef struct search {
                      * reached */
     double *gone_m; /* [n]; length from the start */
     step *heap;     /* binary heap, smallest first */
-    size_t steps, room;
+    size_t steps, capacity;
 } search;
 
 /* A total order, so that of paths of equal length the same one is found on
@@ -50,14 +50,14 @@ static void swap(step *a, step *b)
 /* Adds a step to the heap; false when out of memory. */
 static bool push(search *s, step new)
 {
-    if (s->steps == s->room) {
-        const size_t room = 2 * s->room + 1024;
-        step *heap = realloc(s->heap, room * sizeof *heap);
+    if (s->steps == s->capacity) {
+        const size_t capacity = 2 * s->capacity + 1024;
+        step *heap = realloc(s->heap, capacity * sizeof *heap);
         if (!heap) {
             return false;
         }
         s->heap = heap;
-        s->room = room;
+        s->capacity = capacity;
     }
     size_t at = s->steps++;
     s->heap[at] = new;
@@ -98,7 +98,7 @@ static bool is_open(const search *s, size_t a, size_t b)
 }
 
 /* Adds the steps from a place that was reached to all places that are not. */
-static bool leave(search *s, size_t from)
+static bool push_steps(search *s, size_t from)
 {
     for (size_t to = 0; to < s->n; ++to) {
         if (s->before[to] == NOWHERE) {
@@ -115,16 +115,16 @@ static bool leave(search *s, size_t from)
 
 /* Searches until the goal is reached or no step is left; false when out of
  * memory. */
-static bool walk(search *s, size_t from)
+static bool find_goal(search *s, size_t from)
 {
     s->before[from] = from;
-    bool has_memory = leave(s, from);
+    bool has_memory = push_steps(s, from);
     while (has_memory && s->steps > 0 && s->before[s->goal] == NOWHERE) {
         const step next = pop(s);
         if (s->before[next.to] == NOWHERE && is_open(s, next.from, next.to)) {
             s->before[next.to] = next.from;
             s->gone_m[next.to] = next.gone_m;
-            has_memory = next.to == s->goal || leave(s, next.to);
+            has_memory = next.to == s->goal || push_steps(s, next.to);
         }
     }
     return has_memory;
@@ -133,7 +133,7 @@ static bool walk(search *s, size_t from)
 /* Writes the path to stop[] and returns the number of stops: follows the
  * predecessors from the goal, reverses the order, and leaves out places that a
  * straight step between their neighbours bypasses. */
-static size_t trace(const search *s, size_t from, size_t *stop)
+static size_t read_path(const search *s, size_t from, size_t *stop)
 {
     /* Follow the predecessors. */
     size_t n = 0;
@@ -186,14 +186,14 @@ murk_status murk_route_find(size_t *stop, size_t *stops, double *length_m,
     }
     /* Otherwise search. */
     if (!s.before || !s.gone_m ||
-        (s.before[to] == NOWHERE && !walk(&s, from))) {
+        (s.before[to] == NOWHERE && !find_goal(&s, from))) {
         status = murk_fail(err, MURK_NO_MEMORY, "",
                            "no memory for a way over %zu places", n);
         goto done;
     }
     /* Read the path and measure it. */
     if (s.before[to] != NOWHERE) {
-        *stops = trace(&s, from, stop);
+        *stops = read_path(&s, from, stop);
     }
     for (size_t k = 1; k < *stops; ++k) {
         *length_m += distance(&s, stop[k - 1], stop[k]);

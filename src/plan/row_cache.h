@@ -24,6 +24,6 @@ typedef struct murk_row_cache {
 /* Borrows the source. *out must not move while it is used. */
 murk_status murk_row_cache_init(murk_row_cache *out, const murk_problem *source,
                                 murk_error *err);
-void murk_row_cache_release(murk_row_cache *remembered);
+void murk_row_cache_release(murk_row_cache *cache);
 
 #endif

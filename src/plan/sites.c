@@ -13,7 +13,7 @@
 
 /* points of a grid that the scene leaves to murk: the manual states some 1000
  */
-#define LAID_POINTS 1000
+#define GRID_POINTS 1000
 
 /* The grid of the scene, or one over the domain. */
 static murk_candidate_grid grid_of(const murk_stage *stage)
@@ -42,24 +42,24 @@ static murk_candidate_grid grid_of(const murk_stage *stage)
 
 /* Restricts the normals of surfaces, and the directions of mounts, by the key
  * `facing`. rise is the absolute z component of a normal, up the signed one. */
-static void face(const murk_scene_mount *settings, murk_mount_search *lay,
+static void face(const murk_scene_mount *settings, murk_mount_search *search,
                  murk_candidate_mount *mount)
 {
     mount->min_up = -1;
     mount->max_up = 1;
-    lay->max_rise = 1;
+    search->max_rise = 1;
     switch (settings->facing) {
     case MURK_SCENE_FACING_ANY:
         break;
     case MURK_SCENE_FACING_UP:
-        lay->min_rise = mount->min_up = LEVEL_COSINE;
+        search->min_rise = mount->min_up = LEVEL_COSINE;
         break;
     case MURK_SCENE_FACING_DOWN:
-        lay->min_rise = LEVEL_COSINE;
+        search->min_rise = LEVEL_COSINE;
         mount->max_up = -LEVEL_COSINE;
         break;
     case MURK_SCENE_FACING_SIDE:
-        lay->max_rise = mount->max_up = LEVEL_COSINE;
+        search->max_rise = mount->max_up = LEVEL_COSINE;
         mount->min_up = -LEVEL_COSINE;
         break;
     }
@@ -67,10 +67,10 @@ static void face(const murk_scene_mount *settings, murk_mount_search *lay,
 
 /* Fills *mount except for the sites themselves, which *foot receives; the
  * caller frees them. */
-static murk_status lay_mount(murk_candidate_mount *mount,
-                             murk_mount_site **foot,
-                             const murk_scene_mount *settings,
-                             const murk_stage *stage, murk_error *err)
+static murk_status find_mount(murk_candidate_mount *mount,
+                              murk_mount_site **foot,
+                              const murk_scene_mount *settings,
+                              const murk_stage *stage, murk_error *err)
 {
     /* Select materials and heights. */
     const double min_m = murk_mount_spacing_min_m(stage->surfaces);
@@ -78,14 +78,14 @@ static murk_status lay_mount(murk_candidate_mount *mount,
     for (size_t i = 0; i < settings->materials.n; ++i) {
         material[settings->materials.index[i]] = true;
     }
-    murk_mount_search lay = {.spacing_m = settings->spacing_m,
-                             .within = stage->world.domain.box,
-                             .materials =
-                                 settings->materials.n > 0 ? material : NULL,
-                             .max = MURK_CANDIDATES_MAX / 2};
+    murk_mount_search search = {.spacing_m = settings->spacing_m,
+                                .within = stage->world.domain.box,
+                                .materials =
+                                    settings->materials.n > 0 ? material : NULL,
+                                .max = MURK_CANDIDATES_MAX / 2};
     if (settings->has_band) {
-        lay.within.min.z = fmax(lay.within.min.z, settings->band_m[0]);
-        lay.within.max.z = fmin(lay.within.max.z, settings->band_m[1]);
+        search.within.min.z = fmax(search.within.min.z, settings->band_m[0]);
+        search.within.max.z = fmin(search.within.max.z, settings->band_m[1]);
     }
     /* The spacing must exceed the rounding of positions. */
     if (!(settings->spacing_m > min_m)) {
@@ -96,7 +96,7 @@ static murk_status lay_mount(murk_candidate_mount *mount,
     }
     /* Find the sites. */
     mount->offset_m = settings->offset_m;
-    face(settings, &lay, mount);
+    face(settings, &search, mount);
     const murk_status status = murk_surfaces_mount_sites(
         foot, &mount->sites, stage->surfaces, &lay, settings->where, err);
     if (!status && mount->sites == 0) {
@@ -110,16 +110,16 @@ static murk_status lay_mount(murk_candidate_mount *mount,
 /* ---- all of them ---- */
 
 /* The description of all candidates, with the arrays that it points to. */
-typedef struct asking {
+typedef struct asked_candidates {
     murk_candidate_desc desc;
     murk_vec3 *point;
     murk_mount_site **site; /* [mounts] */
     murk_candidate_mount *mount;
     murk_zones *avoid, *within;
     murk_vec3 *lamp;
-} asking;
+} asked_candidates;
 
-static void release(asking *a)
+static void release(asked_candidates *a)
 {
     for (size_t i = 0; a->site && i < a->desc.mounts; ++i) {
         free(a->site[i]);
@@ -133,7 +133,8 @@ static void release(asking *a)
 }
 
 /* Fills the description: grid, listed points, mounts, zones. */
-static murk_status ask(asking *a, const murk_stage *stage, murk_error *err)
+static murk_status describe_candidates(asked_candidates *a,
+                                       const murk_stage *stage, murk_error *err)
 {
     const murk_scene_candidates *settings = &stage->scene->sensors.candidates;
     /* The grid. */
@@ -178,12 +179,12 @@ murk_status murk_sites_find(murk_candidates **out, const murk_stage *stage,
     const murk_scene_candidates *settings = &stage->scene->sensors.candidates;
     const bool is_grid_alone =
         settings->has_grid && !settings->points.given && settings->mounts == 0;
-    asking a = {0};
+    asked_candidates a = {0};
     murk_reach reach;
     murk_status status =
         murk_entrances(&reach, &a.lamp, stage, settings->where, err);
     if (!status) {
-        status = ask(&a, stage, err);
+        status = describe_candidates(&a, stage, err);
     }
     if (!status) {
         status = murk_candidates_create(

@@ -9,7 +9,7 @@
 
 typedef struct murk_target_buffer {
     murk_photon *photon;
-    size_t n, room;
+    size_t n, capacity;
 } murk_target_buffer;
 
 /* False when out of memory. */

@@ -6,22 +6,23 @@
 
 #include <stdlib.h>
 
-#define FIRST_ROOM 256 /* first capacity of a buffer: 8 kB */
+#define FIRST_CAPACITY 256 /* first capacity of a buffer: 8 kB */
 /* points that murk_targets_check() draws: one shows that there is free space */
 #define CHECK_KEEPS 1
 
 bool murk_target_buffer_put(murk_target_buffer *buffer,
                             const murk_photon *photon)
 {
-    if (buffer->n == buffer->room) {
-        const size_t room =
-            buffer->room ? buffer->room + buffer->room / 2 : FIRST_ROOM;
-        murk_photon *grown = realloc(buffer->photon, room * sizeof *grown);
+    if (buffer->n == buffer->capacity) {
+        const size_t capacity = buffer->capacity
+                                    ? buffer->capacity + buffer->capacity / 2
+                                    : FIRST_CAPACITY;
+        murk_photon *grown = realloc(buffer->photon, capacity * sizeof *grown);
         if (!grown) {
             return false;
         }
         buffer->photon = grown;
-        buffer->room = room;
+        buffer->capacity = capacity;
     }
     buffer->photon[buffer->n++] = *photon;
     return true;
@@ -69,13 +70,14 @@ int murk_targets_band(const murk_scene_desc *scene)
 }
 
 /* Records of both maps before the maps are built. */
-typedef struct piles {
+typedef struct target_records {
     murk_target_buffer surface, volume;
     murk_target_facts facts;
-} piles;
+} target_records;
 
 /* Reads or draws all targets. */
-static murk_status fill(piles *p, murk_target_source source, murk_error *err)
+static murk_status fill(target_records *p, murk_target_source source,
+                        murk_error *err)
 {
     const murk_scene_targets *settings =
         &source.stage->scene->placement.targets;
@@ -111,7 +113,7 @@ murk_status murk_targets_create(murk_targets *out, const murk_stage *stage,
                                 murk_error *err)
 {
     *out = (murk_targets){0};
-    piles p = {0};
+    target_records p = {0};
     const murk_target_source source = {.stage = stage,
                                        .stream = stream,
                                        .threads = threads,
@@ -145,7 +147,7 @@ void murk_targets_release(murk_targets *targets)
 murk_status murk_targets_check(const murk_stage *stage, unsigned threads,
                                murk_error *err)
 {
-    piles p = {0};
+    target_records p = {0};
     const murk_target_source source = {
         .stage = stage, .threads = threads, .max = CHECK_KEEPS};
     const murk_status status = fill(&p, source, err);

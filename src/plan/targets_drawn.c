@@ -179,9 +179,9 @@ static murk_status amount_of(amount *out, const murk_target_source *source,
 
 /* Accepts the draws of a wave in order until enough points are kept. *draws
  * counts draws up to the last accepted one. */
-static murk_status take_up(murk_target_buffer *buffer, const drawing *d,
-                           const amount *a, uint64_t *points, uint64_t *draws,
-                           murk_error *err)
+static murk_status accept_wave(murk_target_buffer *buffer, const drawing *d,
+                               const amount *a, uint64_t *points,
+                               uint64_t *draws, murk_error *err)
 {
     for (uint64_t i = 0; i < d->batches * BATCH_DRAWS && *draws < a->draws &&
                          *points < a->keeps;
@@ -205,12 +205,13 @@ static murk_status take_up(murk_target_buffer *buffer, const drawing *d,
 /* Sets the power of the records, and returns the size of the free space with
  * standard error. A draw contributes 0, 1 or 2 sides; the variance of that
  * number over n draws gives the error. */
-static murk_estimate price(murk_target_buffer *buffer, uint64_t points,
-                           uint64_t draws, bool is_ended_by_kept, double size)
+static murk_estimate set_powers(murk_target_buffer *buffer, uint64_t points,
+                                uint64_t draws, bool is_ended_by_count,
+                                double size)
 {
     const double n = (double)draws, k = (double)points;
     const double each =
-        is_ended_by_kept && k > 1 ? size * (k - 1) / (k * (n - 1)) : size / n;
+        is_ended_by_count && k > 1 ? size * (k - 1) / (k * (n - 1)) : size / n;
     const double sides = (double)buffer->n, both = sides - k;
     const double variance =
         (k - both + 4 * both) / n - (sides / n) * (sides / n);
@@ -223,14 +224,14 @@ static murk_estimate price(murk_target_buffer *buffer, uint64_t points,
 
 /* Memory of a growing list relative to the content: capacity grows by half, and
  * old and new array exist while it moves. */
-#define ROOM_TIMES 2.5
+#define GROWTH_FACTOR 2.5
 
 /* Fails if the points do not fit in memory. */
 static murk_status check_memory(const amount *a, const char *where,
                                 murk_error *err)
 {
     const double points = (double)(a->keeps < a->draws ? a->keeps : a->draws);
-    const double bytes = ROOM_TIMES * sizeof(murk_photon) * points;
+    const double bytes = GROWTH_FACTOR * sizeof(murk_photon) * points;
     const double have = murk_machine_memory_bytes();
     return bytes <= have
                ? MURK_OK
@@ -262,7 +263,7 @@ static murk_status draw_all(murk_target_buffer *buffer, murk_target_draw *out,
         murk_pool_run(d->source->threads, d->batches, draw_batch, d);
         status = murk_interrupted()
                      ? murk_fail(err, MURK_INTERRUPTED, "", "interrupted")
-                     : take_up(buffer, d, a, points, &draws, err);
+                     : accept_wave(buffer, d, a, points, &draws, err);
         murk_progress_add(*points - before);
     }
     murk_progress_end();
@@ -273,7 +274,8 @@ static murk_status draw_all(murk_target_buffer *buffer, murk_target_draw *out,
                            (unsigned long long)draws);
     }
     if (!status) {
-        out->size = price(buffer, *points, draws, *points == a->keeps, size);
+        out->size =
+            set_powers(buffer, *points, draws, *points == a->keeps, size);
     }
     return status;
 }

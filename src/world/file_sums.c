@@ -9,10 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Far above real meshes and grids; a sparse file of terabytes must not stall.
- */
-#define FILE_BYTES_MAX (UINT64_C(8) << 30)
-
 void murk_file_sums_release(murk_file_sums *sums)
 {
     for (size_t i = 0; i < sums->n; ++i) {
@@ -46,7 +42,7 @@ static const char *sum_of(murk_file_sums *sums, const char *path)
     /* Read the file. */
     uint64_t sum[2];
     const bool is_read =
-        murk_file_checksum(path, FILE_BYTES_MAX, sum, NULL) == MURK_OK;
+        murk_file_checksum(path, MURK_SUM_BYTES_MAX, sum, NULL) == MURK_OK;
     paths[sums->n] = copy;
     if (is_read) {
         snprintf(all[sums->n], sizeof *all, "%016" PRIx64 "%016" PRIx64, sum[1],

@@ -7,7 +7,12 @@
 
 #include "scene/scene.h"
 
+#include <stdint.h>
 #include <stdio.h>
+
+/* Larger files are refused: far above real meshes and grids, but a sparse file
+ * of terabytes must not stall a run. */
+#define MURK_SUM_BYTES_MAX (UINT64_C(8) << 30)
 
 /* A cache of checksums by path, so that each file is read once. Begins as
  * zeros; murk_file_sums_release() frees the contents. */

@@ -152,6 +152,7 @@ static murk_status check_place(const murk_goals *goals, size_t i,
     const murk_scene_desc *scene = goals->scene;
     const murk_scene_interest *r = &scene->placement.interest[i];
     const murk_box box = box_of(goals, i);
+    /* The shape lies outside the domain. */
     if (!overlap(&box, domain)) {
         return murk_fail(err, MURK_BAD_VALUE, r->where,
                          "%s is empty: it spans %s to %s m, outside of the "
@@ -159,6 +160,7 @@ static murk_status check_place(const murk_goals *goals, size_t i,
                          r->name, murk_position_show(box.min).text,
                          murk_position_show(box.max).text);
     }
+    /* The material or the medium is not used. */
     if (r->material >= 0 &&
         !(murk_surfaces_material_area(surfaces, (size_t)r->material) > 0)) {
         return murk_fail(err, MURK_BAD_VALUE, r->where,

@@ -9,7 +9,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#define RADIANS (3.14159265358979323846 / 180)
+#define RADIANS (3.14159265358979323846 / 180) /* radians in a degree */
 
 /* The scattering angles of the rows: logarithmic steps from FIRST_DEG to
  * EVEN_DEG, even steps beyond. Between two rows the table is linear in log
@@ -74,7 +74,7 @@ static int compare(const void *a, const void *b)
 
 /* Fills m->angle_deg with the steps above and the angles of all given tables,
  * in rising order, each angle once. */
-static void lay_angles(mixing *m)
+static void fill_angles(mixing *m)
 {
     double *at = m->angle_deg;
     size_t n = 0;
@@ -152,7 +152,7 @@ murk_status murk_mixture_table(murk_phase_table **out,
         status = make_part(&m, i, where, err);
     }
     if (!status) {
-        lay_angles(&m);
+        fill_angles(&m);
         status = add_up(out, &m, where, err);
     }
     /* Free the tables of the parts: the result has rows of its own. */

@@ -40,6 +40,7 @@ typedef struct clouds {
 
 static clouds clouds_of(murk_scene_cover cover)
 {
+    /* The share of the sky that each key word stands for. */
     static const double share[] = {[MURK_SCENE_CLEAR] = 0,
                                    [MURK_SCENE_INTERMEDIATE] = .5,
                                    [MURK_SCENE_OVERCAST] = 1};
@@ -69,15 +70,15 @@ static murk_status find(murk_body *out, body_finder at,
                         murk_error *err)
 {
     const murk_observer observer = observer_of(site);
-    murk_error told = {0};
+    murk_error cause = {0};
     const murk_status status =
-        at(out, &observer, murk_julian_date(site->unix_s), &told);
+        at(out, &observer, murk_julian_date(site->unix_s), &cause);
     if (!status) {
         return MURK_OK;
     }
     char time[MURK_TIME_SIZE];
     murk_time_print(time, site->unix_s, site->zone_min);
-    return murk_fail(err, status, where, "at %s: %s", time, told.text);
+    return murk_fail(err, status, where, "at %s: %s", time, cause.text);
 }
 
 /* Unit vector from the ground towards a body; north is the unit vector of north
@@ -240,8 +241,8 @@ typedef struct daylight {
     double pressure_hpa;
 } daylight;
 
-static murk_status look_up(daylight *out, const murk_scene_light *light,
-                           murk_error *err)
+static murk_status find_daylight(daylight *out, const murk_scene_light *light,
+                                 murk_error *err)
 {
     const murk_scene_site *site = &light->site;
     const murk_status status =
@@ -272,7 +273,7 @@ static murk_status sun_light(murk_source *out, murk_sky_facts *facts,
                              const murk_scene_light *light, murk_error *err)
 {
     daylight day;
-    const murk_status status = look_up(&day, light, err);
+    const murk_status status = find_daylight(&day, light, err);
     if (status) {
         return status;
     }
@@ -362,7 +363,7 @@ static murk_status sky_light(murk_source *out, murk_sky_facts *facts,
     /* Positions of sun and moon. */
     daylight day;
     murk_body body;
-    murk_status status = look_up(&day, light, err);
+    murk_status status = find_daylight(&day, light, err);
     if (!status) {
         status = find(&body, murk_moon_at, &light->site, light->where, err);
     }

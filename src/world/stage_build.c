@@ -10,6 +10,7 @@
 #include "medium/interfaces.h"
 #include "world/boundary_files.h"
 #include "world/extent.h"
+#include "world/file_sums.h"
 #include "world/scene_tallies.h"
 #include "world/stage_media.h"
 #include "world/stage_notes.h"
@@ -19,34 +20,30 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Far above real meshes and grids; a sparse file of terabytes must not stall.
- */
-#define FILE_BYTES_MAX (UINT64_C(8) << 30)
-
 /* Warn if the step of single precision is more than this share of the extent of
  * a mesh. A mesh that lies 160 times its extent from the origin reaches it (160
  * * 2^-24 = 1e-5). */
-#define STEP_TOLD 1e-5
+#define STEP_WARNED 1e-5
 
 /* Appends the checksum of a file to the light key. The key has the name of the
  * file already, without its folder, so that a scene may be moved together with
  * its files. */
-static murk_status sign_file(murk_stage *stage, const char *path,
-                             const char *where, murk_error *err)
+static murk_status add_checksum(murk_stage *stage, const char *path,
+                                const char *where, murk_error *err)
 {
     uint64_t sum[2];
-    murk_error told = {0};
+    murk_error cause = {0};
     const murk_status status =
-        murk_file_checksum(path, FILE_BYTES_MAX, sum, &told);
+        murk_file_checksum(path, MURK_SUM_BYTES_MAX, sum, &cause);
     if (status) {
-        return murk_fail(err, status, where, "%s: %s", path, told.text);
+        return murk_fail(err, status, where, "%s: %s", path, cause.text);
     }
-    const size_t old = strlen(stage->light_key), room = 64;
-    char *key = realloc(stage->light_key, old + room);
+    const size_t old = strlen(stage->light_key), added = 64;
+    char *key = realloc(stage->light_key, old + added);
     if (!key) {
         return murk_fail(err, MURK_NO_MEMORY, where, "no memory for its sum");
     }
-    snprintf(key + old, room, "checksum: %016" PRIx64 "%016" PRIx64 "\n",
+    snprintf(key + old, added, "checksum: %016" PRIx64 "%016" PRIx64 "\n",
              sum[1], sum[0]);
     stage->light_key = key;
     return MURK_OK;
@@ -75,7 +72,7 @@ static murk_status check_step(const murk_scene_desc *scene,
                          "write it as OBJ or PLY with text or doubles",
                          file, step_m, clearance_m);
     }
-    if (step_m > STEP_TOLD * longest_m) {
+    if (step_m > STEP_WARNED * longest_m) {
         murk_warn(where,
                   "%s is read in single precision, whose step at its "
                   "coordinates is %.3g m: bring the mesh nearer to 0 and give "
@@ -90,7 +87,7 @@ static murk_status import_mesh(murk_stage *stage, murk_mesh **out,
                                const char *file, const murk_mesh_import *import,
                                double scale, const char *where, murk_error *err)
 {
-    murk_status status = sign_file(stage, file, where, err);
+    murk_status status = add_checksum(stage, file, where, err);
     if (!status) {
         status = murk_mesh_read(out, file, import, where, err);
     }
@@ -127,7 +124,8 @@ static murk_status import_world(murk_stage *stage, murk_error *err)
         const char *file[2] = {NULL, NULL}, *where = scene->media[i].where;
         status = murk_fillings_files(scene, i, file, err);
         for (int k = 0; k < 2 && !status; ++k) {
-            status = file[k] ? sign_file(stage, file[k], where, err) : MURK_OK;
+            status =
+                file[k] ? add_checksum(stage, file[k], where, err) : MURK_OK;
         }
     }
     return status ? status : murk_fillings_create(&stage->fillings, scene, err);
@@ -164,8 +162,8 @@ static murk_status make_phases(murk_stage *stage, murk_error *err)
         const murk_scene_medium *m = &scene->media[i];
         for (size_t k = 0; k < m->n_phases && !status; ++k) {
             if (m->phase[k].table) {
-                status =
-                    sign_file(stage, m->phase[k].table, m->phase[k].where, err);
+                status = add_checksum(stage, m->phase[k].table,
+                                      m->phase[k].where, err);
             }
         }
     }

@@ -99,10 +99,10 @@ static void find_largest(double *share, size_t *who, double *const *power_w,
 /* Sets the power of each light source so that each channel has its share. The
  * power of a channel is proportional to power_w of the source, so the ratio of
  * shares scales it, whatever quantity power_w is for that type. */
-static murk_status share_out(murk_source *light, const double *share,
-                             const size_t *who,
-                             const murk_scene_desc *const *scene,
-                             double *const *power_w, size_t n, murk_error *err)
+static murk_status set_shares(murk_source *light, const double *share,
+                              const size_t *who,
+                              const murk_scene_desc *const *scene,
+                              double *const *power_w, size_t n, murk_error *err)
 {
     const size_t bands = (size_t)scene[0]->bands;
     murk_status status = MURK_OK;
@@ -146,7 +146,7 @@ murk_status murk_scaled_light_sources(murk_sources **out, double *grow,
     /* Find the shares, then build sources of these powers. */
     find_largest(share, who, power_w, n, channels);
     *grow = sum_of(share, channels);
-    status = share_out(light, share, who, scene, power_w, n, err);
+    status = set_shares(light, share, who, scene, power_w, n, err);
     if (!status) {
         status = murk_sources_create(out, light, scene[0]->n_lights,
                                      scene[0]->bands, domain, err);
