@@ -75,6 +75,7 @@ static murk_status run_again(murk_repeat_run *out,
                              const murk_repeat_first *first, uint32_t later,
                              unsigned threads, murk_error *err)
 {
+    /* A shallow copy of the stage with another seed: nothing is built anew. */
     murk_scene_desc scene = *first->stage->scene;
     scene.seed += later;
     scene.placement.jitter_m = scene.placement.jitter_rad = 0;
