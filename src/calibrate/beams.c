@@ -1,3 +1,6 @@
+/* Computes transmittance by Beer-Lambert along straight segments, with the same
+ * passage through media as sightlines (sensing/passage.h), and refuses segments
+ * that are not clear and straight. */
 #include "calibrate/beams.h"
 
 #include "base/position.h"
@@ -11,9 +14,9 @@
 #include <stdlib.h>
 
 struct murk_beams {
-    murk_domain domain; /* as if open: ways are straight */
+    murk_domain domain; /* not periodic: segments are straight */
     const murk_boundary_meshes *boundary_meshes;
-    murk_fillings fillings; /* grids are the stage's, profiles its own */
+    murk_fillings fillings; /* grids of the stage, profiles of this scene */
     murk_profile *profile;
     murk_media *media;
     int bands;
@@ -26,7 +29,8 @@ static murk_domain open_domain(const murk_stage *stage)
     return domain;
 }
 
-/* Off the surfaces that the ends lie on. */
+/* True if a surface lies between the ends; surfaces at the ends do not count.
+ */
 static bool is_blocked(const murk_surfaces *surfaces, const murk_reading *r)
 {
     const murk_vec3 way = murk_sub(r->to, r->position);
@@ -39,11 +43,13 @@ static bool is_blocked(const murk_surfaces *surfaces, const murk_reading *r)
     return is_a_way && murk_surfaces_blocked(surfaces, from, to, false);
 }
 
+/* Checks one segment. */
 static murk_status check_reading(const murk_stage *stage,
                                  const murk_domain *domain,
                                  const murk_reading *r, const char *where,
                                  murk_error *err)
 {
+    /* Ends must not lie in a solid. */
     const murk_vec3 a = r->position, b = r->to;
     if (murk_surfaces_solid_at(stage->surfaces, a) ||
         murk_surfaces_solid_at(stage->surfaces, b)) {
@@ -53,6 +59,7 @@ static murk_status check_reading(const murk_stage *stage,
                          murk_position_show(a).text,
                          murk_position_show(b).text);
     }
+    /* No surface may block the segment, and light must not be refracted. */
     if (is_blocked(stage->surfaces, r)) {
         return murk_fail(
             err, MURK_BAD_VALUE, where,
@@ -101,6 +108,7 @@ murk_status murk_beams_create(murk_beams **out, const murk_stage *stage,
            scene->n_regions == stage->scene->n_regions);
     murk_status status = MURK_OK;
     murk_beams *beams = calloc(1, sizeof *beams);
+    /* Allocate; profiles depend on the values, grids do not. */
     if (beams) {
         beams->profile = calloc(scene->n_media + 1, sizeof *beams->profile);
     }
@@ -114,6 +122,7 @@ murk_status murk_beams_create(murk_beams **out, const murk_stage *stage,
         beams->profile[i] = (murk_profile){
             m->profile_z_m.n, m->profile_z_m.value, m->profile_per_m.value};
     }
+    /* Build the media for an open domain. */
     beams->domain = open_domain(stage);
     beams->boundary_meshes = stage->boundary_meshes;
     beams->fillings = *stage->fillings;
@@ -140,6 +149,7 @@ void murk_beams_destroy(murk_beams *beams)
     }
 }
 
+/* The transmittance in the band of the reading, or the mean over all bands. */
 static double through(const murk_beams *beams, const murk_media *media,
                       const murk_reading *reading)
 {

@@ -1,7 +1,8 @@
-/* Transmittance along segments: exact, without photons.
+/* Transmittance along segments, computed exactly and without photons.
  *
- * The way is straight from one end to the other, in a periodic domain too.
- * Surfaces at its ends do not count: an instrument is mounted to something. */
+ * A segment is straight from one end to the other, in a periodic domain as
+ * well. Surfaces that carry the ends do not block the segment, because an
+ * instrument is mounted on something. */
 #ifndef MURK_CALIBRATE_BEAMS_H
 #define MURK_CALIBRATE_BEAMS_H
 
@@ -9,26 +10,28 @@
 #include "calibrate/optics.h"
 #include "world/stage.h"
 
-/* Refuses a segment that a surface stands across (a thin sheet too), that ends
- * in a solid, or on which the index of refraction changes, at the reading's
- * line; and an acceptance where an albedo is a grid. Once a condition. */
+/* Checks the segments of one condition. Fails at the line of a reading if a
+ * surface blocks the segment (a thin sheet, too), if the segment ends in a
+ * solid, if the index of refraction changes on it, or if it has an acceptance
+ * angle and an albedo is a grid. Call it once for each condition. */
 murk_status murk_beams_check(const murk_stage *stage,
                              const murk_measurements *measured,
                              size_t condition, murk_error *err);
 
-/* The media of a scene that differs from the stage's in numbers alone, for
- * optical depths. */
+/* The media of a scene that differs from the scene of the stage in numbers
+ * alone, for optical depths. */
 typedef struct murk_beams murk_beams;
 
-/* Of `optics` its scene and phase functions count; grids and meshes are the
- * stage's. All are borrowed. *out is the caller's: murk_beams_destroy(). */
+/* Creates the media from the scene and the phase functions of `optics`; grids
+ * and meshes are those of the stage. Everything is borrowed. The caller owns
+ * *out (murk_beams_destroy()). */
 murk_status murk_beams_create(murk_beams **out, const murk_stage *stage,
                               const murk_optics *optics, murk_error *err);
 void murk_beams_destroy(murk_beams *beams); /* NULL is fine */
 
-/* exp(-optical depth) of a reading, seen as its acceptance says
- * (medium/acceptance.h); all bands: the mean over them. Fails with
- * MURK_NO_MEMORY. */
+/* The transmittance of a reading, exp(-optical depth), with the acceptance
+ * angle of the instrument (medium/acceptance.h). For a reading of all bands,
+ * the mean over the bands. Fails with MURK_NO_MEMORY. */
 murk_status murk_beam_transmittance(double *out, const murk_beams *beams,
                                     const murk_reading *reading,
                                     murk_error *err);

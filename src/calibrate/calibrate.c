@@ -1,3 +1,7 @@
+/* Runs the searches of a fit and summarises the best one: values, covariance
+ * and confidence intervals, residuals of the rows, and held-out error. Photon
+ * noise of the slopes is removed from the information (calibrate/slope_noise.h)
+ * before the covariance is computed (fit/certainty.h). */
 #include "calibrate/calibrate.h"
 
 #include "base/interrupt.h"
@@ -12,10 +16,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A value nearer to a bound than this share of itself or of 1 is at it; a
- * factor, which may be of any size, of itself. */
+/* A value is at a bound if it is closer than this share of itself or of 1; for
+ * a factor of readings, whose size is arbitrary, of itself. */
 #define AT_BOUND 1e-6
 
+/* 97.5 % quantile of the standard normal distribution */
 #define NORMAL_95 1.959963984540054
 
 static murk_status no_memory(murk_error *err)
@@ -23,6 +28,7 @@ static murk_status no_memory(murk_error *err)
     return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the fit");
 }
 
+/* Allocates the result for n parameters, rows and starts. */
 static murk_status set_aside(murk_calibration *out, size_t n, size_t rows,
                              size_t starts, murk_error *err)
 {
@@ -37,6 +43,7 @@ static murk_status set_aside(murk_calibration *out, size_t n, size_t rows,
     out->information = calloc(n * n + 1, sizeof *out->information);
     out->row = calloc(rows + 1, sizeof *out->row);
     out->start = calloc(starts + 1, sizeof *out->start);
+    /* The starts have arrays of their own. */
     bool has_memory = out->value && out->lower && out->upper &&
                       out->standard_error && out->at_bound && out->covariance &&
                       out->correlation && out->information && out->row &&
@@ -74,15 +81,16 @@ void murk_calibration_release(murk_calibration *c)
     *c = (murk_calibration){0};
 }
 
-/* ---- what was found ---- */
+/* ---- result ---- */
 
+/* The size of a large change of a parameter in search coordinates. */
 static double scale_of(const murk_free_key *key, double value)
 {
     if (key->is_log) {
         return 1;
     }
     if (key->kind == MURK_FREE_GAIN && value > 0) {
-        return value; /* of counts, which may be of any size */
+        return value; /* a factor of readings may have any size */
     }
     return isfinite(key->lower) && isfinite(key->upper)
                ? key->upper - key->lower
@@ -100,20 +108,24 @@ static bool is_at_bound(const murk_free_key *key, double value)
            murk_free_highest(key) - at <= near;
 }
 
+/* Computes standard errors, intervals, covariance and correlation of the values
+ * from those in search coordinates. */
 static void tell_values(murk_calibration *out, const murk_free_keys *keys)
 {
     const size_t n = out->n;
     for (size_t k = 0; k < n; ++k) {
+        /* The standard error of a logarithm is a relative error. */
         const bool is_log = keys->key[k].is_log;
         const double v = out->value[k];
         const double error = out->certainty.standard_error[k];
         out->standard_error[k] = is_log ? v * error : error;
         const double reach = NORMAL_95 * error;
-        /* what cannot be is in no interval; NaN stays NaN */
+        /* Intervals end at the limits of a key; NaN stays NaN. */
         const double low = is_log ? v * exp(-reach) : v - reach;
         const double high = is_log ? v * exp(reach) : v + reach;
         out->lower[k] = low < keys->key[k].lower ? keys->key[k].lower : low;
         out->upper[k] = high > keys->key[k].upper ? keys->key[k].upper : high;
+        /* Covariance by the chain rule; correlation does not change. */
         for (size_t j = 0; j < n; ++j) {
             out->covariance[k * n + j] =
                 out->certainty.covariance[k * n + j] *
@@ -123,8 +135,8 @@ static void tell_values(murk_calibration *out, const murk_free_keys *keys)
     }
 }
 
-/* Slopes by re-traced light have noise of their own, which also looks like
- * knowledge. */
+/* Adds the noise of slopes that come from light traced at two values: such
+ * noise, too, looks like information. */
 static void add_world_noise(murk_slope_noise *noise, const murk_fit_search *s,
                             const double *jacobian)
 {
@@ -138,7 +150,8 @@ static void add_world_noise(murk_slope_noise *noise, const murk_fit_search *s,
     }
 }
 
-/* Rows as good as those of the data, without their photons' noise. */
+/* Computes the rows that carry the information of the data without photon
+ * noise. */
 static murk_status inform(murk_calibration *out, const murk_fit_search *s,
                           murk_error *err)
 {
@@ -150,21 +163,24 @@ static murk_status inform(murk_calibration *out, const murk_fit_search *s,
         free(room);
         return no_memory(err);
     }
+    /* Residuals and Jacobian of the last evaluation. */
     murk_slope_noise noise;
     murk_fit_search_residuals(s, room, room + rows);
     murk_status status = murk_slope_noise_find(&noise, s, err);
+    /* Remove the noise of the slopes. */
     if (!status) {
         add_world_noise(&noise, s, room + rows);
         status =
             murk_slope_noise_information(out->jacobian, &out->slope_noise,
                                          &noise, room + rows, rows, n, err);
-        out->slope_noise = fmin(out->slope_noise, 1); /* which is all of it */
+        out->slope_noise = fmin(out->slope_noise, 1); /* all of it is noise */
     }
     murk_slope_noise_release(&noise);
     free(room);
     return status;
 }
 
+/* Computes the uncertainty of the parameters. */
 static murk_status be_certain(murk_calibration *out, const murk_fit_search *s,
                               murk_error *err)
 {
@@ -172,16 +188,19 @@ static murk_status be_certain(murk_calibration *out, const murk_fit_search *s,
     const murk_free_keys *keys = s->desc->keys;
     out->scale = calloc(n + 1, sizeof *out->scale);
     murk_status status = out->scale ? inform(out, s, err) : no_memory(err);
+    /* Scales, and parameters at a bound. */
     for (size_t k = 0; k < n && !status; ++k) {
         out->scale[k] = scale_of(&keys->key[k], out->value[k]);
         out->at_bound[k] = is_at_bound(&keys->key[k], out->value[k]);
     }
+    /* The Fisher information. */
     for (size_t i = 0; i < out->fitted && !status; ++i) {
         for (size_t k = 0; k < n * n; ++k) {
             out->information[k] +=
                 out->jacobian[i * n + k / n] * out->jacobian[i * n + k % n];
         }
     }
+    /* Covariance and undetermined directions. */
     if (!status) {
         status = murk_certainty_create(&out->certainty, out->jacobian,
                                        out->fitted, n, out->at_bound,
@@ -193,6 +212,7 @@ static murk_status be_certain(murk_calibration *out, const murk_fit_search *s,
     return status;
 }
 
+/* Fills the predicted values, photon errors and residuals of all rows. */
 static murk_status tell_rows(murk_calibration *out, const murk_fit_search *s,
                              murk_error *err)
 {
@@ -219,6 +239,7 @@ static murk_status tell_rows(murk_calibration *out, const murk_fit_search *s,
     return MURK_OK;
 }
 
+/* Computes the root mean square residual of the held-out rows. */
 static void judge_held_out(murk_calibration *out, const murk_fit_search *s)
 {
     const murk_measurements *measured = s->desc->measured;
@@ -244,7 +265,8 @@ static void judge_held_out(murk_calibration *out, const murk_fit_search *s)
     out->held_out_rms_sigma = n > 0 ? sqrt(sigmas / n) : NAN;
 }
 
-/* Of the search that looks at the best start's end. */
+/* Fills the result from the search, which has evaluated the end of the best
+ * start. */
 static murk_status tell(murk_calibration *out, const murk_fit_search *s,
                         murk_error *err)
 {
@@ -259,6 +281,7 @@ static murk_status tell(murk_calibration *out, const murk_fit_search *s,
         judge_held_out(out, s);
         status = be_certain(out, s, err);
     }
+    /* Parameters at a bound are not free. */
     long free_ones = 0;
     for (size_t k = 0; k < out->n; ++k) {
         free_ones += !out->at_bound[k];
@@ -268,8 +291,9 @@ static murk_status tell(murk_calibration *out, const murk_fit_search *s,
     return status;
 }
 
-/* ---- the starts ---- */
+/* ---- starts ---- */
 
+/* Traces light at the values and evaluates the rows there. */
 static murk_status look_at(murk_fit_search *s, murk_model *model,
                            const double *value, double *x, murk_error *err)
 {
@@ -278,6 +302,7 @@ static murk_status look_at(murk_fit_search *s, murk_model *model,
     return status ? status : murk_fit_search_look(s, x, err);
 }
 
+/* Evaluates the start values only. */
 static murk_status only_predict(murk_calibration *out, murk_fit_search *s,
                                 murk_model *model, double *x, murk_error *err)
 {
@@ -302,10 +327,10 @@ static size_t starts_asked(const murk_calibration_desc *desc)
     return desc->starts ? desc->starts : MURK_FIT_STARTS;
 }
 
-/* True if the best start so far may be a false minimum: its cost is impossible
- * for a right model, or a value ended at a bound. Outliers that a robust loss
- * is asked to forgive are no reason to search again, so the cost counts here.
- */
+/* True if the best start so far may be a false minimum: the cost is impossible
+ * for a correct model, or a value ended at a bound. The cost includes the
+ * robust loss, because outliers that the user asked to tolerate are no reason
+ * to search again. */
 static bool is_doubtful(const murk_calibration *out, const murk_fit_search *s)
 {
     const murk_calibration_start *best = &out->start[out->best];
@@ -318,6 +343,7 @@ static bool is_doubtful(const murk_calibration *out, const murk_fit_search *s)
            murk_chi2_upper(best->cost, freedom) < MURK_FIT_REFUSED;
 }
 
+/* Runs the starts, then restarts, and returns to the best. */
 static murk_status run(murk_calibration *out, murk_fit_search *s,
                        murk_model *model, murk_error *err)
 {
@@ -329,15 +355,15 @@ static murk_status run(murk_calibration *out, murk_fit_search *s,
         free(x);
         return status;
     }
-    /* the starts asked for: the first traces light, the others follow it */
+    /* The requested starts: the first traces light, the others use that light
+     * as far as it is valid. */
     const size_t asked = starts_asked(desc);
     size_t done = 0;
     for (; done < asked && !status; ++done) {
         s->shares_light = done > 0;
         status = murk_fit_start(out, s, done, x, err);
     }
-    /* restarts, with light of their own, while the best is not to be believed
-     */
+    /* Restarts with light of their own, while the best start is doubtful. */
     s->shares_light = false;
     for (; done < out->starts && !status && is_doubtful(out, s); ++done) {
         status = murk_fit_start(out, s, done, x, err);
@@ -346,9 +372,10 @@ static murk_status run(murk_calibration *out, murk_fit_search *s,
     out->starts_done = is_cut ? done - 1 : done;
     if (is_cut) {
         free(x);
-        return status; /* the values of the best; nothing else is known */
+        return status; /* the values of the best start; nothing else is known */
     }
-    /* back to the best, in its own light while that is the light at hand */
+    /* Evaluate the best start again, with the light at hand if that light was
+     * traced for it. */
     const murk_calibration_start *best = &out->start[out->best];
     if (!status && out->best + 1 != done) {
         const bool is_lit =
@@ -375,7 +402,7 @@ murk_status murk_calibrate(murk_calibration *out,
                                         .forecast = desc->forecast,
                                         .context = desc->context};
     murk_fit_search search = {0};
-    /* as many restarts as there are starts beside the first */
+    /* As many restarts as there are starts beside the first. */
     const size_t starts = desc->only_predicts ? 0 : 2 * starts_asked(desc) - 1;
     murk_status status =
         set_aside(out, desc->keys->n, desc->measured->rows, starts, err);

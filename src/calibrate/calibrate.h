@@ -1,11 +1,11 @@
-/* The search: parameters that bring the model to the data, and how sure they
- * are.
+/* The fit: finds the parameters that make the forward model agree with the
+ * data, with their uncertainty.
  *
- * Light is traced at the present parameters, re-weighted while Ceres moves
- * them, and traced anew where what is left of it, by effective sample size, is
- * less than MURK_MIN_SHARE; the fit ends when it has converged on light that
- * is still good there. Rows are whitened by measurement errors and the photons'
- * covariance together. */
+ * Light is traced at the present parameters and re-weighted while Ceres varies
+ * them. Light is traced again when the effective sample size falls below the
+ * share MURK_MIN_SHARE. The fit ends when least squares converge on light that
+ * is still valid there. Rows are whitened by the measurement errors together
+ * with the covariance from photons. */
 #ifndef MURK_CALIBRATE_CALIBRATE_H
 #define MURK_CALIBRATE_CALIBRATE_H
 
@@ -13,98 +13,109 @@
 #include "fit/certainty.h"
 #include "fit/least_squares.h"
 
-/* Of the light's effective sample, below which it is traced again. */
+/* Light is traced again when the effective sample size falls below this share
+ * of the sample: at one half, the variance of estimates has doubled. */
 #define MURK_MIN_SHARE 0.5
 
-/* Directions whose standard error is a factor e, or all of a parameter's own
- * scale, are not determined. */
+/* A direction in parameter space is undetermined if its standard error is at
+ * least this large in units of the scale of the parameter: a factor e for a key
+ * that is searched in logarithms, otherwise the scale itself. */
 #define MURK_UNDETERMINED 1.0
 
-/* Searches of a fit that is asked for nothing else. By a single one 2 of 110
- * planted fits (three parameters, thirteen readings of 3 %) ended in a false
- * minimum. The number is fixed, so that a result does not depend on the
- * machine. */
+/* Number of searches from different starts, if the user does not state one.
+ * With a single search, 2 of 110 synthetic fits (three parameters, thirteen
+ * readings of 3 %) ended in a false minimum. The number is fixed, so that a
+ * result does not depend on the machine. */
 #define MURK_FIT_STARTS 4
 
 typedef struct murk_calibration_desc {
     const murk_free_keys *keys;
     const murk_measurements *measured;
-    const murk_imported_stages *imported; /* of the keys' scene */
+    const murk_imported_stages *imported; /* of the scene of the keys */
     murk_loss_function loss;
     double loss_width; /* in standard errors */
-    size_t starts;     /* 0: MURK_FIT_STARTS; 1: from the scene's values, and
-                          no restart; more: others around, too */
-    size_t traces_max; /* of light, each start; 0: 12 */
+    size_t starts;     /* 0: MURK_FIT_STARTS; 1: from the values of the scene,
+                        * and no restart; more: also from other values */
+    size_t traces_max; /* limit on traces of light for each start; 0: 12 */
     unsigned threads;
-    uint32_t seed;      /* of further starts */
-    bool only_predicts; /* rows at the start; no search */
-    /* After each step of the search, on the caller's thread; may be NULL. */
+    uint32_t seed;      /* for the values of further starts */
+    bool only_predicts; /* predict the rows at the start values; no search */
+    /* Called after each step of the search, in the thread of the caller; may be
+     * NULL. */
     void (*watch)(void *context, size_t start, size_t traces, int iteration,
                   double chi2, const double *value);
+    /* As in murk_model_desc. */
     /* As in murk_model_desc. */
     void (*forecast)(void *context, double bytes, double have_bytes);
     void *context;
 } murk_calibration_desc;
 
 typedef struct murk_calibrated_row {
-    double predicted;    /* in the row's unit */
-    double photon_error; /* its standard error by photons */
-    double residual;     /* measured less predicted, over both errors */
+    double predicted;    /* in the unit of the row */
+    double photon_error; /* standard error by photons */
+    double residual;     /* measured minus predicted, over both errors */
 } murk_calibrated_row;
 
 typedef struct murk_calibration_start {
     double *from, *to; /* [keys->n] */
-    double chi2;       /* NaN: it failed, */
-    double cost;       /* what was lowered: chi2, or less by a robust loss */
-    char why[256];     /* or how it ended */
+    double chi2;       /* NaN if the search failed */
+    double cost;       /* the minimised quantity: chi2, or less with a robust
+                        * loss */
+    char why[256];     /* why the search failed or ended */
     bool converged;
-    size_t traces; /* 0: it found its way on the light of the one before */
-    size_t light;  /* lights that the fit had traced when it ended */
+    size_t traces; /* traces of light; 0: the light of an earlier start was
+                    * sufficient */
+    size_t light;  /* number of traces of the fit when this search ended */
 } murk_calibration_start;
 
 typedef struct murk_calibration {
-    size_t n;                 /* parameters */
+    size_t n;                 /* number of parameters */
     double *value;            /* [n] */
-    double *lower, *upper;    /* [n] 95 % interval; NaN: undetermined */
-    double *standard_error;   /* [n] NaN: undetermined, or at a bound */
+    double *lower, *upper;    /* [n]; 95 % confidence interval; NaN if
+                               * undetermined */
+    double *standard_error;   /* [n]; NaN if undetermined or at a bound */
     bool *at_bound;           /* [n] */
-    murk_certainty certainty; /* in search coordinates: logarithms of keys that
-                                 are positive */
-    double *covariance, *correlation; /* [n * n] of the values */
+    murk_certainty certainty; /* in search coordinates: logarithms of positive
+                               * keys */
+    double *covariance, *correlation; /* [n * n]; of the values */
     murk_calibrated_row *row;         /* [measured->rows] */
     double chi2;
     long degrees_of_freedom;
-    double p_value;    /* chance of at least this chi2; NaN: no freedom */
-    bool is_accepted;  /* false: chi2 refuses the model (verdict.h) */
-    char verdict[512]; /* the fit in a sentence or two, for every output */
+    double p_value;    /* probability of at least this chi2; NaN without degrees
+                        * of freedom */
+    bool is_accepted;  /* false: chi2 rejects the model (verdict.h) */
+    char verdict[512]; /* the verdict in one or two sentences, for every output
+                        */
     size_t held_out;
-    double held_out_rms; /* in units, where all held-out rows have one unit;
-                            else NaN */
-    double held_out_rms_sigma; /* in their own errors; NaN without any */
+    double held_out_rms; /* in the unit of the held-out rows, NaN if their units
+                          * differ */
+    double held_out_rms_sigma; /* in standard errors; NaN without held-out rows
+                                */
     bool converged;
     char why[256];
     int iterations;
     size_t evaluations, traces;
     uint64_t photons;
     double effective_share;
-    double slope_noise;  /* the largest part of what any direction seems to tell
-                            that is photons' noise, and is taken off; near 1:
-                            more photons are needed */
-    size_t fitted;       /* rows */
-    double *jacobian;    /* [fitted][n] that carry what is known: whitened, in
-                            search coordinates, without photons' noise */
-    double *scale;       /* [n] what a large change is there */
-    double *information; /* [n * n] likewise, of the fitted rows */
-    murk_calibration_start *start; /* [starts], of which [starts_done] were
-                                      made: those asked for, then restarts */
+    double slope_noise;  /* largest share of the apparent information in any
+                          * direction that is photon noise and is subtracted;
+                          * close to 1: more photons are needed */
+    size_t fitted;       /* number of rows of the Jacobian */
+    double *jacobian;    /* [fitted][n]; rows that carry the information:
+                          * whitened, in search coordinates, without photon
+                          * noise */
+    double *scale;       /* [n]; size of a large change of each parameter */
+    double *information; /* [n * n]; Fisher information of the fitted rows */
+    murk_calibration_start *start; /* [starts]; of which starts_done were run:
+                                    * the requested ones, then restarts */
     size_t starts, starts_done, best;
     double trace_s;
-    murk_model *model; /* built at the values, or near them */
+    murk_model *model; /* evaluated at the values, or close to them */
 } murk_calibration;
 
-/* *out is the caller's; release it also after a failure. Where a first start
- * fails, so does the fit; where it is interrupted after starts have ended,
- * these are there (starts_done) and the status is MURK_INTERRUPTED. */
+/* Runs the fit. The caller releases *out, also after a failure. The fit fails
+ * if the first start fails. If it is interrupted after some starts have ended,
+ * these starts are in *out (starts_done) and the status is MURK_INTERRUPTED. */
 murk_status murk_calibrate(murk_calibration *out,
                            const murk_calibration_desc *desc, murk_error *err);
 void murk_calibration_release(murk_calibration *calibration);

@@ -1,3 +1,6 @@
+/* Compares two sets of optics medium by medium and channel by channel, and
+ * differentiates them with respect to each key by central differences of the
+ * optics of the scene, which have no noise. */
 #include "calibrate/change.h"
 
 #include <assert.h>
@@ -5,8 +8,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* sigma_s over that traced. An albedo that is the same, a grid's too, is left
- * out. */
+/* Ratio of the scattering coefficients. An albedo that is equal in both, such
+ * as a grid, cancels. */
 static double scattering_ratio(const murk_optics *traced, const murk_optics *at,
                                size_t medium, size_t band)
 {
@@ -17,8 +20,9 @@ static double scattering_ratio(const murk_optics *traced, const murk_optics *at,
     return (t_at == t ? 1 : t_at / t) * (a_at == a ? 1 : a_at / a);
 }
 
-/* Tables that differ by rounding alone are one law: slopes by small steps would
- * make much of what their nodes are off by. */
+/* True if the phase functions differ. Two tables that differ by rounding alone
+ * count as equal: a derivative over a small step would amplify the errors of
+ * their nodes. */
 static bool do_turn(const murk_optics *a, const murk_optics *b, size_t medium,
                     size_t band)
 {
@@ -30,7 +34,8 @@ static bool do_turn(const murk_optics *a, const murk_optics *b, size_t medium,
            !(are_tables && murk_optics_turn_alike(a, b, medium, (int)band));
 }
 
-/* Light that never was there cannot be given weight. */
+/* Fails if the wanted optics need scattering, extinction or power that the
+ * traced light did not have: such light has no histories to re-weight. */
 static murk_status check(const murk_optics *traced, const murk_optics *at,
                          size_t medium, size_t band, murk_error *err)
 {
@@ -51,6 +56,7 @@ static murk_status check(const murk_optics *traced, const murk_optics *at,
     return MURK_OK;
 }
 
+/* Compares one medium in one band. */
 static murk_status compare_medium(murk_changes *c, size_t m, size_t medium,
                                   size_t band, const murk_optics *traced,
                                   const murk_optics *at,
@@ -63,6 +69,7 @@ static murk_status compare_medium(murk_changes *c, size_t m, size_t medium,
     if (status) {
         return status;
     }
+    /* Values. */
     murk_medium_change *change = &c->medium[i];
     *change = (murk_medium_change){
         .scattering = scattering_ratio(traced, at, medium, band),
@@ -74,6 +81,7 @@ static murk_status compare_medium(murk_changes *c, size_t m, size_t medium,
         change->scattering > 0 ? log(change->scattering) : 0;
     change->turns = do_turn(traced, at, medium, band);
     c->any_turns |= change->turns;
+    /* Derivatives. */
     for (size_t k = 0; k < c->keys; ++k) {
         if (!(c->span[k] > 0)) {
             continue;
@@ -101,12 +109,14 @@ static double power_ratio(double traced_w, double at_w)
     return at_w == traced_w ? 1 : at_w / traced_w;
 }
 
+/* Compares the power of one channel. */
 static murk_status compare_power(murk_changes *c, size_t channel,
                                  const murk_optics *traced,
                                  const murk_optics *at,
                                  const murk_optics_sides *sides,
                                  murk_error *err)
 {
+    /* Power cannot be created by re-weighting. */
     const double traced_w = traced->power_w[channel];
     const double at_w = at->power_w[channel];
     if (traced_w == 0 && at_w > 0) {
@@ -117,6 +127,7 @@ static murk_status compare_power(murk_changes *c, size_t channel,
                          "re-weighted to %g W: must start above 0",
                          channel % (size_t)c->bands, at_w);
     }
+    /* Ratio and derivatives. */
     c->power[channel] = power_ratio(traced_w, at_w);
     for (size_t k = 0; k < c->keys && traced_w > 0; ++k) {
         if (c->span[k] > 0) {
@@ -168,10 +179,12 @@ murk_status murk_changes_create(murk_changes **out,
         return murk_fail(err, MURK_NO_MEMORY, "fit",
                          "no memory for %zu parameters", keys);
     }
+    /* Step of each key; 0 for keys without effect. */
     for (size_t k = 0; k < keys; ++k) {
         assert(!sides[k].low || (sides[k].high && sides[k].span > 0));
         c->span[k] = sides[k].low ? sides[k].span : 0;
     }
+    /* Media, then light sources. */
     const size_t bands = (size_t)c->bands;
     for (size_t i = 0; i < c->media * bands && !status; ++i) {
         status = compare_medium(c, i / bands, followed->medium[i / bands],

@@ -1,20 +1,24 @@
-/* How the optics of the media and lights that light was followed through differ
- * from those it was traced with. Private to this room. */
+/* The differences between the optics that light was traced with and the optics
+ * that are wanted, as needed to re-weight photon histories. Internal to this
+ * room. */
 #ifndef MURK_CALIBRATE_CHANGE_H
 #define MURK_CALIBRATE_CHANGE_H
 
 #include "calibrate/reweigh.h"
 
 /* Of a kept medium in a band. */
+/* The change of a re-weighted medium in a band. */
 typedef struct murk_medium_change {
-    double scattering;     /* sigma_s' / sigma_s */
-    double log_scattering; /* of it; where it is 0, 0 */
-    double more_per_m;     /* sigma_t' - sigma_t */
+    double scattering;     /* ratio of the scattering coefficients, wanted /
+                            * traced */
+    double log_scattering; /* logarithm of the ratio; 0 if the ratio is 0 */
+    double more_per_m;     /* difference of the extinction coefficients, wanted
+                            * - traced */
     bool turns; /* the phase functions differ by more than rounding */
     const murk_phase *traced, *at;
 } murk_medium_change;
 
-/* The same, by a key. */
+/* The derivative of these quantities with respect to a key. */
 typedef struct murk_change_slope {
     double scattering, more_per_m;
     bool turns;
@@ -24,15 +28,17 @@ typedef struct murk_change_slope {
 typedef struct murk_changes {
     size_t media, keys, channels;
     int bands;
-    double *span;               /* [keys] 0: has no say */
+    double *span;               /* [keys]; 0: the key has no effect here */
     murk_medium_change *medium; /* [media][bands] */
     murk_change_slope *slope;   /* [keys][media][bands] */
-    double *power;              /* [channels] ratio */
-    double *power_slope;        /* [keys][channels] of the ratio */
-    bool any_turns;             /* some phase function differs, or would */
+    double *power;              /* [channels]; ratio of powers */
+    double *power_slope;        /* [keys][channels]; derivative of the ratio */
+    bool any_turns;             /* some phase function differs, or would with
+                                 * some key */
 } murk_changes;
 
-/* *out is the caller's: murk_changes_destroy(); borrows the optics. */
+/* Compares the optics. Borrows them. The caller owns *out
+ * (murk_changes_destroy()). */
 murk_status murk_changes_create(murk_changes **out,
                                 const murk_followed *followed,
                                 const murk_optics *traced,

@@ -1,25 +1,28 @@
-/* Receivers lie in a tree of boxes, which a leg goes through in one order,
- * whatever its way: a box's parts come right after it, and what it misses is
- * skipped. */
+/* A bounding volume hierarchy over the receivers: nodes are stored in
+ * depth-first order with a skip index, so that a traversal is one loop with a
+ * fixed order (B. Smits, Journal of Graphics Tools 3 (1998) 1,
+ * doi:10.1080/10867651.1998.10487488). Nodes split at the median of the longest
+ * axis. */
 #include "calibrate/chords.h"
 
 #include <assert.h>
 #include <stdlib.h>
 
-#define LEAF 4
+#define LEAF 4 /* receivers in a leaf, few enough to test one by one */
 
-/* Boxes are larger than their spheres by these shares of radius and place, far
- * beyond what rounding could make of a leg. */
+/* Boxes exceed the spheres by these shares of the radius and of the distance
+ * from the origin, far more than the rounding of a segment. */
 #define GROWN_RADIUS 1e-6
 #define GROWN_PLACE  1e-12
 
-/* A direction as flat as this is level: its inverse stays finite. */
+/* A direction component smaller than this counts as this, so that the inverse
+ * is finite. */
 #define LEVEL 1e-300
 
 typedef struct node {
     murk_box box;
-    uint32_t skip;     /* the node after all of its parts */
-    uint32_t first, n; /* n > 0: a leaf of order[first .. first + n) */
+    uint32_t skip;     /* the node that follows all descendants */
+    uint32_t first, n; /* n > 0: a leaf with order[first .. first + n) */
 } node;
 
 struct murk_chords {
@@ -29,14 +32,14 @@ struct murk_chords {
     size_t n_nodes;
 };
 
-/* ---- the tree ---- */
+/* ---- building ---- */
 
 static double along_axis(murk_vec3 p, int axis)
 {
     return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
 }
 
-/* What a receiver is sorted by: its place along the axis, then its number. */
+/* Sort key of a receiver: position on the axis, then number. */
 typedef struct sorted {
     double at;
     uint32_t receiver;
@@ -64,13 +67,15 @@ static murk_box box_of(const murk_chords *c, uint32_t first, uint32_t n)
     return box;
 }
 
-/* Halves by the longest axis, over and over: as deep as n has digits. */
+/* Builds the node of n receivers and recursively the nodes of both halves. The
+ * depth is the logarithm of n. */
 static void split(murk_chords *c, sorted *scratch, uint32_t first, uint32_t n)
 {
     node *made = &c->nodes[c->n_nodes++];
     made->box = box_of(c, first, n);
     made->first = first;
     made->n = n <= LEAF ? n : 0;
+    /* Sort by position on the longest axis. */
     if (n > LEAF) {
         const murk_vec3 size = murk_sub(made->box.max, made->box.min);
         const int axis = size.x >= size.y && size.x >= size.z ? 0
@@ -94,6 +99,7 @@ murk_status murk_chords_create(murk_chords **out, const murk_receiver *receiver,
                                size_t n, murk_error *err)
 {
     assert(n < UINT32_MAX / 4);
+    /* Allocate; a binary tree has fewer than 2 n nodes. */
     murk_chords *c = calloc(1, sizeof *c);
     sorted *scratch = malloc((n + 1) * sizeof *scratch);
     if (c) {
@@ -107,6 +113,7 @@ murk_status murk_chords_create(murk_chords **out, const murk_receiver *receiver,
         return murk_fail(err, MURK_NO_MEMORY, "receivers",
                          "no memory for %zu receivers", n);
     }
+    /* Build. */
     for (size_t i = 0; i < n; ++i) {
         assert(receiver[i].radius_m > 0 && murk_is_finite(receiver[i].center));
         c->order[i] = (uint32_t)i;
@@ -128,8 +135,9 @@ void murk_chords_destroy(murk_chords *chords)
     }
 }
 
-/* ---- a leg ---- */
+/* ---- traversal ---- */
 
+/* A segment with the inverse of the direction. */
 typedef struct leg {
     murk_vec3 from, direction, inverse;
     double length_m;
@@ -140,6 +148,7 @@ static double inverse_of(double d)
     return 1 / (fabs(d) < LEVEL ? LEVEL : d);
 }
 
+/* Intersects the interval [t0, t1] with one slab. */
 static inline void clip(double low, double high, double from, double inverse,
                         double *t0, double *t1)
 {
@@ -158,8 +167,9 @@ static inline bool meets(const leg *l, const murk_box *box)
     return t0 <= t1;
 }
 
-/* The length of the chord is taken from the line's nearest point to the
- * centre, which keeps its digits for a small sphere far away. */
+/* The chord of a segment in a sphere. The half length follows from the point of
+ * the line closest to the centre, which keeps precision for a small sphere far
+ * away. */
 static inline bool cross(const leg *l, const murk_receiver *receiver,
                          murk_chord *chord)
 {

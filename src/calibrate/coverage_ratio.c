@@ -1,8 +1,10 @@
+/* Ratio estimator of coverage with derivatives and with the contributions of
+ * batches and runs of photons, whose covariance is that of the coverage. */
 #include "calibrate/coverage_ratio.h"
 
 #include <math.h>
 
-#define MAPS MURK_MAP_PARTS
+#define MAPS MURK_MAP_PARTS /* number of photon maps */
 
 bool murk_coverage_mix_of(murk_coverage_mix *out,
                           const murk_map_weights *weights,
@@ -13,6 +15,7 @@ bool murk_coverage_mix_of(murk_coverage_mix *out,
     if (!(isfinite(surface) && isfinite(volume))) {
         return false;
     }
+    /* Balanced: each map with weight counts equally. */
     if (weights->balanced) {
         const double each = surface > 0 && volume > 0 ? 0.5 : 1;
         *out = (murk_coverage_mix){
@@ -27,8 +30,8 @@ bool murk_coverage_mix_of(murk_coverage_mix *out,
     return whole > 0;
 }
 
-/* What seen and all, added to X and Y by map, add to C to first order. ratio[]
- * are the fractions that Y counts for. */
+/* The contribution to C, to first order, of weights seen[] and all[] that are
+ * added to X and Y of the maps. ratio[] are the shares by which Y counts. */
 static double linearised(const murk_coverage_mix *mix, const double ratio[MAPS],
                          const double seen[MAPS], const double all[MAPS])
 {
@@ -42,6 +45,7 @@ static double linearised(const murk_coverage_mix *mix, const double ratio[MAPS],
     return sum;
 }
 
+/* Fills the ratio of each map and returns the coverage. */
 static double find_ratios(double ratio[MAPS], const double *seen,
                           size_t batches, const murk_coverage_mix *mix)
 {
@@ -66,11 +70,13 @@ void murk_coverage_ratio(double *value, double *slope, double *batch,
                          const murk_coverage_sums *sums,
                          const murk_coverage_mix *mix)
 {
+    /* The coverage. */
     const size_t keys = sums->keys, runs = sums->runs;
     const double *seen = sums->in_view + group * sums->batches * MAPS;
     const double *of = sums->in_view_slope + group * runs * MAPS * keys;
     double ratio[MAPS];
     *value = find_ratios(ratio, seen, sums->batches, mix);
+    /* Derivatives: sums over the runs. */
     for (size_t k = 0; k < keys; ++k) {
         double seen_slope[MAPS] = {0}, all_slope[MAPS] = {0};
         for (size_t i = 0; i < runs * MAPS; ++i) {
@@ -79,6 +85,7 @@ void murk_coverage_ratio(double *value, double *slope, double *batch,
         }
         slope[k] = linearised(mix, ratio, seen_slope, all_slope);
     }
+    /* Contributions of the batches. */
     for (size_t b = 0; batch && b < sums->batches; ++b) {
         batch[b * stride] =
             *value / (double)sums->batches +
@@ -86,11 +93,12 @@ void murk_coverage_ratio(double *value, double *slope, double *batch,
     }
 }
 
-/* X and Y of a run, and how they turn with key k. */
+/* X and Y of a run, and their derivatives with respect to a key. */
 typedef struct run_sums {
     double seen[MAPS], all[MAPS], seen_slope[MAPS], all_slope[MAPS];
 } run_sums;
 
+/* Adds the batches of a run. */
 static void add_run(run_sums *to, const murk_coverage_sums *sums, size_t group,
                     size_t run, size_t k)
 {
@@ -112,6 +120,7 @@ static void add_run(run_sums *to, const murk_coverage_sums *sums, size_t group,
     }
 }
 
+/* The contribution of a run to the derivative of the coverage. */
 static double slope_part(const run_sums *run, const double ratio[MAPS],
                          const double turn[MAPS], const murk_coverage_mix *mix,
                          const double by_whole[MAPS])
@@ -128,7 +137,7 @@ static double slope_part(const run_sums *run, const double ratio[MAPS],
     return sum;
 }
 
-/* How the ratio that Y counts for turns, and the whole's relative slope. */
+/* The derivatives of the ratios, and the relative derivative of the whole. */
 static void turns_of(double turn[MAPS], double by_whole[MAPS],
                      const run_sums *total, const double ratio[MAPS],
                      const murk_coverage_mix *mix)
@@ -157,6 +166,7 @@ void murk_coverage_slope_parts(double *part, size_t stride, const double *slope,
     double ratio[MAPS], turn[MAPS], by_whole[MAPS];
     (void)find_ratios(ratio, sums->in_view + group * sums->batches * MAPS,
                       sums->batches, mix);
+    /* Sum over all runs, then the contribution of each. */
     for (size_t k = 0; k < sums->keys; ++k) {
         run_sums total = {{0}, {0}, {0}, {0}};
         for (size_t run = 0; run < sums->runs; ++run) {

@@ -1,40 +1,44 @@
-/* Coverage from its sums: C = X / Y of one map, X what is seen and Y all of its
- * weight; balanced, the mean of two such ratios. Inside this room only.
+/* Coverage as a ratio of sums: C = X / Y for one map, with X the weight of the
+ * records that are covered and Y the weight of all; with balanced weights, the
+ * mean of two such ratios. Internal to this room.
  *
- * The part of a batch in C = X / Y is C / batches + (X_b - C Y_b) / Y: the
- * second term is the ratio estimator's linearised residual, which adds up to 0,
- * so its covariance over batches is that of sensing/coverage.c over emitted
- * photons (Cochran, Sampling Techniques, 1977, ch. 6): the very same where each
- * photon is a batch. Batches of more hold the photons of each light and band in
- * proportion, as they are dealt, so that what differs between these is no error
- * (stratified sampling, ibid. ch. 5), as it is not in truth; photons one by one
- * count it. */
+ * The contribution of a batch to C = X / Y is C / batches + (X_b - C Y_b) / Y.
+ * The second term is the linearised residual of the ratio estimator and sums to
+ * 0. The covariance over batches is therefore that of sensing/coverage.c over
+ * emitted photons (Cochran, Sampling Techniques, 1977, ch. 6), and equal to it
+ * if each photon is a batch. Larger batches contain the photons of each light
+ * source and band in proportion, so differences between sources do not count as
+ * error (stratified sampling, ibid. ch. 5). That is correct, because the
+ * proportions are fixed; photons taken one by one would count these
+ * differences. */
 #ifndef MURK_CALIBRATE_COVERAGE_RATIO_H
 #define MURK_CALIBRATE_COVERAGE_RATIO_H
 
 #include "calibrate/coverage_sums.h"
 
-/* C = sum over maps of part X / whole. */
+/* C = sum over maps of part * X / whole. */
 typedef struct murk_coverage_mix {
     double part[MURK_MAP_PARTS], whole[MURK_MAP_PARTS];
-    bool is_one; /* one ratio of sums, not a mean of ratios */
+    bool is_one; /* one ratio of sums instead of a mean of ratios */
 } murk_coverage_mix;
 
-/* As the scene weighs the maps, by all their weight. False where they have
- * none. */
+/* Sets the weights of both maps as the scene asks, from the total weight of
+ * each map. False if neither map has weight. */
 bool murk_coverage_mix_of(murk_coverage_mix *out,
                           const murk_map_weights *weights,
                           const double all[MURK_MAP_PARTS]);
 
-/* slope[keys]; batch[batches * stride], every stride-th, or NULL. */
+/* Computes the coverage of a group with slope[keys] and, unless batch is NULL,
+ * batch[batches * stride] (every stride-th element), the contributions of the
+ * batches. */
 void murk_coverage_ratio(double *value, double *slope, double *batch,
                          size_t stride, size_t group,
                          const murk_coverage_sums *sums,
                          const murk_coverage_mix *mix);
 
-/* Runs' parts of the slopes, part[runs * stride], each [keys], which add up to
- * slope[keys]: of the linearised residuals (X_b - C Y_b) / Y, by the quotient's
- * own rule. */
+/* Contributions of the runs to the slopes: part[runs * stride], each [keys],
+ * which add up to slope[keys]. They are the derivatives of the linearised
+ * residuals (X_b - C Y_b) / Y, by the quotient rule. */
 void murk_coverage_slope_parts(double *part, size_t stride, const double *slope,
                                size_t group, const murk_coverage_sums *sums,
                                const murk_coverage_mix *mix);

@@ -1,3 +1,5 @@
+/* Sums weights and covered weights of the records, with derivatives, in
+ * parallel over runs of batches. Each run writes only its own sums. */
 #include "calibrate/coverage_sums.h"
 
 #include "base/pool.h"
@@ -14,7 +16,8 @@ static void run_of(const murk_coverage_sums *r, size_t run, size_t *first,
     *last = (run + 1) * r->batches / r->runs;
 }
 
-/* slope[keys] += a contribution's own slopes times a factor. */
+/* Adds to slope[keys] the derivatives of the weight of a contribution times a
+ * factor. */
 static void add_slopes(double *slope, const murk_coverage_sums *r,
                        size_t contribution, double factor)
 {
@@ -26,6 +29,7 @@ static void add_slopes(double *slope, const murk_coverage_sums *r,
     }
 }
 
+/* Sums the weights of the records of a run. */
 static void sum_all(void *context, uint64_t run)
 {
     murk_coverage_sums *r = context;
@@ -45,10 +49,13 @@ static void sum_all(void *context, uint64_t run)
     }
 }
 
-/* D of through[n] as the scene combines them, and by[n], its slope by each. */
+/* Combines the transmittances through[n] of one record into the clarity D, as
+ * the mode of detection asks, and sets by[n] to the derivatives of D. */
 static double combine(const murk_coverage_sums *r, const double *through,
                       size_t n, double *by)
 {
+    /* Independent detections: D = 1 - product of (1 - T). The derivatives are
+     * products of the other factors, from both ends. */
     double before = 1, after = 1;
     if (r->combining == MURK_COMBINE_INDEPENDENT) {
         for (size_t j = 0; j < n; ++j) {
@@ -61,6 +68,7 @@ static double combine(const murk_coverage_sums *r, const double *through,
         }
         return 1 - before;
     }
+    /* Otherwise: the mean of the clearest `redundancy` sightlines. */
     memset(by, 0, n * sizeof *by);
     const double each = 1 / (double)r->redundancy;
     double sum = 0;
@@ -77,7 +85,7 @@ static double combine(const murk_coverage_sums *r, const double *through,
     return sum;
 }
 
-/* Of sightline i: its row of extinctions, a number of acceptance and band. */
+/* The row of the extinctions that sightline i needs: acceptance and band. */
 static size_t row_of(const murk_coverage_sums *r, const murk_sightlines *lines,
                      size_t i)
 {
@@ -86,6 +94,7 @@ static size_t row_of(const murk_coverage_sums *r, const murk_sightlines *lines,
     return a * r->bands + (r->seen->kind[lines->contribution[i]] >> 1);
 }
 
+/* The transmittance of sightline i. */
 static double through_of(const murk_coverage_sums *r,
                          const murk_sightlines *lines, size_t i)
 {
@@ -98,13 +107,13 @@ static double through_of(const murk_coverage_sums *r,
     return (lines->rest ? (double)lines->rest[i] : 1) * exp(-depth);
 }
 
-/* What a run needs beside its sums. */
+/* Scratch arrays of a run. */
 typedef struct scratch {
-    double *through, *by; /* [most] of a record's sightlines */
-    double *less;         /* [MURK_MAP_PARTS][cells] sum w c T path */
+    double *through, *by; /* [max]; for the sightlines of one record */
+    double *less;         /* [MURK_MAP_PARTS][cells]; sum of w (dD/dT) T path */
 } scratch;
 
-/* The record whose sightlines are [i, end). */
+/* Adds the record whose sightlines are [i, end). */
 static void add_record(const murk_coverage_sums *r,
                        const murk_sightlines *lines, size_t i, size_t end,
                        scratch *s, double seen_by[MURK_MAP_PARTS],
@@ -115,6 +124,7 @@ static void add_record(const murk_coverage_sums *r,
     const size_t contribution = lines->contribution[i];
     const size_t map = seen->kind[contribution] & 1;
     const double worth_w = seen->worth_w[contribution];
+    /* Weight, transmittances, combined clarity. */
     const double w = worth_w * r->reweighed->ratio[contribution];
     for (size_t j = i; j < end; ++j) {
         s->through[j - i] = through_of(r, lines, j);
@@ -123,6 +133,7 @@ static void add_record(const murk_coverage_sums *r,
     seen_by[map] += w * clarity;
     add_slopes(slope + map * r->keys, r, contribution, worth_w * clarity);
     double *less = s->less + map * murk_coverage_cells(r);
+    /* The sums for the derivatives of the extinctions. */
     for (size_t j = i; j < end; ++j) {
         const double factor = w * s->by[j - i] * s->through[j - i];
         double *row = less + row_of(r, lines, j) * media;
@@ -132,6 +143,7 @@ static void add_record(const murk_coverage_sums *r,
     }
 }
 
+/* The first sightline of a contribution, or of the next one that has any. */
 static size_t first_at_least(const murk_sightlines *lines, size_t contribution)
 {
     size_t low = 0, high = lines->n;
@@ -146,6 +158,7 @@ static size_t first_at_least(const murk_sightlines *lines, size_t contribution)
     return low;
 }
 
+/* Sums the covered weights of one group in one run. */
 static void sum_seen(void *context, uint64_t job)
 {
     murk_coverage_sums *r = context;
@@ -153,9 +166,11 @@ static void sum_seen(void *context, uint64_t job)
     const murk_sightlines *lines = &r->seen->of[group];
     const size_t cells = murk_coverage_cells(r);
     double *slope = r->in_view_slope + job * MURK_MAP_PARTS * r->keys;
+    /* Scratch arrays. */
     scratch s = {.through = malloc(lines->max * sizeof *s.through + 1),
                  .by = malloc(lines->max * sizeof *s.by + 1),
                  .less = calloc(MURK_MAP_PARTS * cells + 1, sizeof *s.less)};
+    /* Add the records of each batch; sightlines are sorted by record. */
     size_t first, last;
     run_of(r, run, &first, &last);
     size_t i = first_at_least(lines, r->bound[first]);
@@ -173,6 +188,7 @@ static void sum_seen(void *context, uint64_t job)
             i = end;
         }
     }
+    /* Apply the derivatives of the extinctions. */
     for (size_t map = 0; has_room && map < MURK_MAP_PARTS; ++map) {
         for (size_t k = 0; k < r->keys; ++k) {
             for (size_t cell = 0; cell < cells; ++cell) {

@@ -1,3 +1,7 @@
+/* Coverage of re-weighted records: the sightlines are found once
+ * (calibrate/seen.h), the sums are computed for each set of optics
+ * (calibrate/coverage_sums.h) and combined into a ratio
+ * (calibrate/coverage_ratio.h). */
 #include "calibrate/covered.h"
 
 #include "base/interrupt.h"
@@ -7,17 +11,18 @@
 #include <assert.h>
 #include <stdlib.h>
 
-/* Runs of batches that are worked on apart. */
+/* Runs of batches that are processed in parallel: enough tasks for the threads
+ * of most machines. */
 #define RUNS 16
 
-/* Where the caller wants no batches. */
+/* Number of batches if the caller wants none. */
 #define BATCHES_OWN 64
 
 struct murk_covered {
     murk_covered_desc desc;
     murk_map_weights weights;
     murk_combining combining;
-    size_t redundancy; /* views that count, 1 or more */
+    size_t redundancy; /* number of views that count, at least 1 */
     murk_seen *seen;
 };
 
@@ -25,6 +30,8 @@ struct murk_covered {
 
 murk_status murk_covered_check(const murk_scene_desc *scene, murk_error *err)
 {
+    /* The combined clarity must be a smooth function of the medium, and
+     * sightlines must be straight. */
     const murk_scene_placement *settings = &scene->placement;
     if (!murk_detection_is(settings->detection, MURK_DETECTION_SMOOTH)) {
         return murk_fail(
@@ -67,6 +74,7 @@ murk_status murk_covered_create(murk_covered **out,
     if (!made) {
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for coverage");
     }
+    /* Settings of the scene. */
     made->desc = *desc;
     made->combining =
         murk_combining_of(desc->stage->scene->placement.detection);
@@ -75,6 +83,7 @@ murk_status murk_covered_create(murk_covered **out,
     made->weights = (murk_map_weights){.balanced = settings->balanced,
                                        .surface = settings->weight_surface,
                                        .volume = settings->weight_volume};
+    /* Find the sightlines. */
     status = murk_seen_create(&made->seen, &seen, err);
     if (!status) {
         *out = made;
@@ -103,7 +112,7 @@ double murk_covered_bytes(const murk_covered *covered)
     return bytes;
 }
 
-/* ---- extinctions as sensors see them ---- */
+/* ---- extinction as sensors see it ---- */
 
 static double extinction_of(const murk_optics *optics, size_t medium,
                             size_t band, double acceptance_rad)
@@ -114,7 +123,7 @@ static double extinction_of(const murk_optics *optics, size_t medium,
                                 acceptance_rad);
 }
 
-/* extinction[acceptances][bands][media] of the kept media. */
+/* Fills extinction[acceptances][bands][media] of the re-weighted media. */
 static void fill_extinctions(double *extinction, const murk_covered *c,
                              const murk_optics *optics)
 {
@@ -131,7 +140,7 @@ static void fill_extinctions(double *extinction, const murk_covered *c,
     }
 }
 
-/* Media whose density paths were not kept may not change. */
+/* Fails if a medium without stored density paths differs. */
 static murk_status check_others(const murk_covered *c,
                                 const murk_optics *traced,
                                 const murk_optics *at, murk_error *err)
@@ -158,9 +167,10 @@ static murk_status check_others(const murk_covered *c,
     return MURK_OK;
 }
 
-/* ---- reading ---- */
+/* ---- evaluation ---- */
 
-/* Batch b is of the photons p with p * batches / emitted = b, rounded down. */
+/* Finds the first contribution of each batch: batch b contains the photons p
+ * with p * batches / emitted = b, rounded down. */
 static void find_bounds(murk_coverage_sums *r, const murk_followed *followed)
 {
     size_t i = 0;
@@ -176,7 +186,7 @@ static void find_bounds(murk_coverage_sums *r, const murk_followed *followed)
     assert(i == followed->n);
 }
 
-/* Room for all sums; sums->seen and the counts are there. */
+/* Allocates all sums; sums->seen and the counts must be set. */
 static murk_status set_aside(murk_coverage_sums *s, murk_error *err)
 {
     const size_t cells = murk_coverage_cells(s), groups = s->seen->groups;
@@ -210,6 +220,8 @@ static void release(murk_coverage_sums *s)
     free(s->in_view_slope);
 }
 
+/* Fills the derivatives of the extinctions with respect to each key, by central
+ * differences. */
 static murk_status find_slopes(murk_coverage_sums *s, const murk_covered *c,
                                const murk_optics *traced,
                                const murk_optics_sides *sides, murk_error *err)
@@ -224,8 +236,9 @@ static murk_status find_slopes(murk_coverage_sums *s, const murk_covered *c,
         double *slope = s->steepness + k * cells;
         s->has_say[k] = side->low != NULL;
         if (!side->low) {
-            continue;
+            continue; /* the key has no effect */
         }
+        /* Difference quotients; other media must not change. */
         fill_extinctions(low, c, side->low);
         fill_extinctions(slope, c, side->high);
         for (size_t cell = 0; cell < cells; ++cell) {
@@ -240,6 +253,7 @@ static murk_status find_slopes(murk_coverage_sums *s, const murk_covered *c,
     return status;
 }
 
+/* Fills the weights of the maps at the wanted optics. */
 static murk_status mix_all(murk_coverage_mix *out, const murk_coverage_sums *s,
                            const murk_covered *c, murk_error *err)
 {
@@ -257,6 +271,7 @@ static murk_status mix_all(murk_coverage_mix *out, const murk_coverage_sums *s,
                            all[MURK_SURFACE_PART], all[MURK_VOLUME_PART]);
 }
 
+/* Computes the sums; tells an interrupt from lack of memory. */
 static murk_status add_up(murk_coverage_sums *s, const murk_covered *c,
                           murk_error *err)
 {
@@ -292,6 +307,7 @@ murk_status murk_covered_read(double *value, double *slope, double *batch,
                                                       : RUNS,
                                .keys = keys};
     murk_coverage_mix mix;
+    /* Optics: check, allocate, fill extinctions and derivatives. */
     murk_status status = check_others(covered, traced, at, err);
     if (!status) {
         status = set_aside(&sums, err);
@@ -301,12 +317,14 @@ murk_status murk_covered_read(double *value, double *slope, double *batch,
         fill_extinctions(sums.extinction, covered, at);
         status = find_slopes(&sums, covered, traced, sides, err);
     }
+    /* Sum. */
     if (!status) {
         status = add_up(&sums, covered, err);
     }
     if (!status) {
         status = mix_all(&mix, &sums, covered, err);
     }
+    /* Ratio, slopes and contributions of each group. */
     for (size_t g = 0; g < covered->desc.groups && !status; ++g) {
         murk_coverage_ratio(&value[g], slope + g * keys,
                             batches > 0 ? batch + g : NULL,

@@ -1,14 +1,17 @@
 /* Coverage of groups of sensors from re-weighted records.
  *
- * C = sum w D / sum w, map by map as the scene weighs them, w the records'
- * power times regions of interest times murk_reweighed.ratio, and
- *     dC = [sum (w' D + w D') - C sum w'] / sum w.
- * D is of the clearest sightlines, as many as the scene's redundancy
- * (detection: weighted), or of independent chances. How clear a sightline is at
- * other parameters follows from the density path along it, kept by medium, and
- * from extinctions as a sensor of such acceptance sees them
- * (medium/acceptance.h). What murk_coverage_result_measure() finds of the same
- * records differs by rounding to 1/65535 alone. */
+ * C = sum(w D) / sum(w), map by map with the weights of the scene; w is the
+ * power of a record times the factors of regions of interest times
+ * murk_reweighed.ratio, and
+ *
+ * dC = [sum(w' D + w D') - C sum(w')] / sum(w).
+ *
+ * D combines the clearest sightlines, as many as the redundancy of the scene
+ * (detection: weighted), or independent probabilities. The transmittance of a
+ * sightline at other parameters follows from the density path along it, stored
+ * by medium, and from the extinctions for the acceptance angle of the sensor
+ * (medium/acceptance.h). The result differs from murk_coverage_result_measure()
+ * of the same records by the rounding of clarities to 1/65535 alone. */
 #ifndef MURK_CALIBRATE_COVERED_H
 #define MURK_CALIBRATE_COVERED_H
 
@@ -18,37 +21,41 @@
 typedef struct murk_covered murk_covered;
 
 typedef struct murk_covered_desc {
-    const murk_stage *stage;       /* that was traced */
-    const murk_followed *followed; /* with records */
-    const murk_pose *pose;         /* [poses] of all groups */
-    const size_t *group;           /* [poses] rising, 0..groups-1 */
+    const murk_stage *stage;       /* the stage that was traced */
+    const murk_followed *followed; /* photon histories with records */
+    const murk_pose *pose;         /* [poses]; of all groups */
+    const size_t *group;           /* [poses]; rising, 0..groups-1 */
     size_t poses, groups;
     unsigned threads;
 } murk_covered_desc;
 
-/* What murk_covered_create() refuses of a scene, before light is traced. */
+/* Fails as murk_covered_create() does because of the scene; to be called before
+ * light is traced. */
 murk_status murk_covered_check(const murk_scene_desc *scene, murk_error *err);
 
-/* Refuses detection: threshold and power, through: refract, targets, poses
- * outside the domain, sensors with acceptance where an albedo is a grid, and
- * sightlines beyond what the machine holds: 4 bytes and 4 for each kept medium,
- * sheets and other media 4 more. MURK_RUN_FAILED where no record has weight.
- * Borrows stage and followed. */
+/* Finds the sightlines of all groups. Fails for detection: threshold and power,
+ * through: refract, targets, poses outside the domain, acceptance angles
+ * together with a grid of albedo, and if the sightlines need more memory than
+ * the machine has: 4 bytes and 4 for each re-weighted medium, 4 more with
+ * sheets or other media. MURK_RUN_FAILED if no record has weight. Borrows stage
+ * and histories. */
 murk_status murk_covered_create(murk_covered **out,
                                 const murk_covered_desc *desc, murk_error *err);
 void murk_covered_destroy(murk_covered *covered); /* NULL is fine */
 
-/* Bytes that it holds by what is seen, so in proportion to the photons. */
+/* Memory of the sightlines in bytes, which grows in proportion to the photons.
+ */
 double murk_covered_bytes(const murk_covered *covered);
 
-/* value[groups], slope[groups][keys]; batch[batches][groups], or NULL with 0:
- * the linearised parts of batches of photons, whose total over batches is the
- * value and whose covariance is the values' (calibrate/coverage_ratio.h);
- * photon p is in batch p * batches / emitted, rounded down. slope_batch
- * [runs][groups][keys], or NULL: likewise of the slopes, runs dividing batches.
- * Where several sightlines are equally the clearest, the slope is the first's.
- * Fails with MURK_BAD_VALUE (a medium that followed does not keep is another),
- * MURK_RUN_FAILED (no weight is left), MURK_INTERRUPTED or MURK_NO_MEMORY. */
+/* Computes value[groups] and slope[groups][keys] at other optics.
+ * batch[batches][groups], or NULL with batches 0, receives the contributions of
+ * batches of photons, which add up to the values and whose covariance is that
+ * of the values (calibrate/coverage_ratio.h). Photon p is in batch p * batches
+ * / emitted, rounded down. slope_batch[runs][groups][keys], or NULL, receives
+ * the contributions of runs to the slopes; runs must divide batches. If several
+ * sightlines are equally clear, the slope is that of the first. Fails with
+ * MURK_BAD_VALUE (a medium without stored paths differs), MURK_RUN_FAILED (no
+ * weight is left), MURK_INTERRUPTED or MURK_NO_MEMORY. */
 murk_status murk_covered_read(double *value, double *slope, double *batch,
                               size_t batches, double *slope_batch, size_t runs,
                               const murk_covered *covered,

@@ -1,7 +1,11 @@
+/* Linear least squares for one factor at a time: rows that use a factor are
+ * proportional to it. */
 #include "calibrate/first_gains.h"
 
 #include <math.h>
 
+/* The factor that fits the rows best; the slope of a row with respect to a
+ * factor is the row with factor 1. */
 static double best_gain(const murk_fit_search *s, size_t k)
 {
     double with_measured = 0, with_itself = 0;

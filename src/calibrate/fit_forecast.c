@@ -1,3 +1,6 @@
+/* Traces a few photons of each condition, measures the memory of their
+ * contributions and sightlines, and scales it to the number of photons of the
+ * fit. */
 #include "calibrate/fit_forecast.h"
 
 #include "base/log.h"
@@ -6,16 +9,17 @@
 
 #include <math.h>
 
-/* What traced light takes, of one condition. */
+/* Memory of the traced light of one condition, in bytes except for the number
+ * of contributions. */
 typedef struct light_size {
     double contributions;
-    double followed; /* bytes: contributions and maps, */
-    double growing;  /* and beside them while they are traced */
-    double seen;     /* coverage; as much again while sightlines are joined */
-    double weights;  /* ratios and slopes of one reading */
+    double followed; /* contributions and maps */
+    double growing;  /* additional memory while they are traced */
+    double seen;     /* sightlines; the same again while they are sorted */
+    double weights;  /* ratios and slopes of one evaluation */
 } light_size;
 
-/* Of so many photons as those of the pilot, `grow` times. */
+/* The memory of `grow` times the photons of the pilot. */
 static light_size size_of(const murk_lit *pilot, double grow, size_t keys)
 {
     const murk_followed *f = pilot->followed;
@@ -37,14 +41,14 @@ static light_size size_of(const murk_lit *pilot, double grow, size_t keys)
         .weights = n * (double)(keys + 1) * sizeof(double)};
 }
 
-/* How many times the pilot's photons all are. */
+/* The ratio of the photons of the fit to those of the pilot. */
 static murk_status find_growth(double *grow, const murk_lit *pilot,
                                murk_error *err)
 {
     const murk_scene_photons *settings = &pilot->scene->photons;
     murk_forecast forecast = {.emitted = (double)settings->emit};
     murk_status status = MURK_OK;
-    if (!settings->emit) { /* until so many are stored */
+    if (!settings->emit) { /* the run ends when enough records are stored */
         status = murk_lightmap_forecast(&forecast, pilot->stage, 0,
                                         pilot->desc->threads, err);
     }
@@ -52,6 +56,8 @@ static murk_status find_growth(double *grow, const murk_lit *pilot,
     return status;
 }
 
+/* Traces the pilot and forecasts; a failure other than an interrupt gives
+ * zeros. */
 static murk_status try_light(light_size *out, const murk_lit *lit, size_t keys,
                              murk_error *err)
 {
@@ -59,11 +65,13 @@ static murk_status try_light(light_size *out, const murk_lit *lit, size_t keys,
                       .scene = lit->scene,
                       .stage = lit->stage,
                       .optics = lit->optics};
+    /* Few photons. */
     const murk_scene_photons *settings = &lit->scene->photons;
     const uint64_t photons =
         settings->emit && settings->emit < MURK_FIT_FORECAST_FROM
             ? settings->emit
             : MURK_FIT_FORECAST_FROM;
+    /* Trace without warnings and errors. */
     murk_error own = {0};
     *out = (light_size){0};
     const murk_warn_sink sink = murk_warn_to(NULL);
@@ -75,6 +83,7 @@ static murk_status try_light(light_size *out, const murk_lit *lit, size_t keys,
     (void)murk_warn_to(sink);
     if (!status) {
         *out = size_of(&pilot, grow, keys);
+        /* Only an interrupt is reported. */
     }
     murk_lit_darken(&pilot);
     return status == MURK_INTERRUPTED
@@ -82,23 +91,23 @@ static murk_status try_light(light_size *out, const murk_lit *lit, size_t keys,
                : MURK_OK;
 }
 
-/* Sums by batch and run that a reading of so many rows keeps; it makes them
- * beside, before they are put into their place. */
+/* Memory of the sums by batch and run for this number of rows. They exist twice
+ * while an evaluation copies them into place. */
 static double sums_bytes(const murk_model *m, double rows)
 {
     return rows * sizeof(double) *
            ((double)m->batches + (double)m->runs * ((double)m->n + 1));
 }
 
-/* The covariance of all rows of light, of those fitted, its factor, and the
- * batches that it is of. */
+/* Memory of the covariance of all rows that need light, of the fitted ones, of
+ * the factor, and of the batches. */
 static double noise_bytes(const murk_model *m)
 {
     const double lits = (double)m->lits;
     return 3 * lits * lits * sizeof(double) + sums_bytes(m, lits);
 }
 
-/* What all conditions keep, and the most that any needs beside. */
+/* Memory that all conditions keep, and the largest additional memory of any. */
 typedef struct need {
     double light, weights, sums;
     double tracing, reading;
@@ -108,7 +117,7 @@ static void add_condition(need *all, const light_size *size, double sums,
                           bool has_world_keys)
 {
     const double tracing = fmax(size->growing, size->seen);
-    /* slopes of the world: another light, and sums at two places */
+    /* Slopes of world keys need a second light and sums at two values. */
     const double another = size->followed + size->seen +
                            size->contributions * (double)sizeof(double) +
                            3 * sums;
@@ -136,7 +145,8 @@ murk_status murk_model_forecast(murk_fit_forecast *out, const murk_model *m,
             contributions += size.contributions;
         }
     }
-    /* weights are given back before light is traced anew */
+    /* Weights are released before light is traced again, so the larger of both
+     * counts. */
     const double max = fmax(all.tracing, all.weights + all.reading);
     *out = (murk_fit_forecast){contributions, all.light + all.weights,
                                all.light + all.sums + max};

@@ -1,3 +1,6 @@
+/* Traces photons with a recorder (calibrate/recorder.h) as event sink, checks
+ * after each wave of photons that the memory will suffice, and collects the
+ * contributions and photon maps. */
 #include "calibrate/followed.h"
 
 #include "base/machine.h"
@@ -22,7 +25,8 @@ static const char *where_of(const murk_followed_desc *desc)
     return desc->stage->scene->photons.where;
 }
 
-/* What is there now, times `grow`, takes so many bytes until it is a map. */
+/* Memory of `grow` times the present contributions and records, including the
+ * growth of arrays and the photon maps. */
 static double bytes_at(const job *j, double grow)
 {
     const murk_recorded *all = &j->recorder->all;
@@ -36,7 +40,8 @@ static double bytes_at(const job *j, double grow)
            murk_photon_map_memory_for(records) - sizeof(murk_photon) * records;
 }
 
-/* After a wave: what all will take if it goes on like that. */
+/* After a wave: stores the contributions, and fails if the forecast for all
+ * photons exceeds the memory. */
 static murk_status gather(void *context, uint64_t last, murk_error *err)
 {
     const job *j = context;
@@ -46,12 +51,14 @@ static murk_status gather(void *context, uint64_t last, murk_error *err)
     }
     const murk_emission *e = &j->emission;
     const murk_scene_photons *settings = &j->desc->stage->scene->photons;
+    /* The ratio of all photons to those traced so far. */
     const murk_record_buffers *buffers = j->recorder->buffers;
     const double stored =
         buffers ? (double)(buffers->surface.n + buffers->volume.n) : 0;
     const double grow = e->emit      ? (double)e->emit / (double)e->emitted
                         : stored > 0 ? (double)settings->store / stored
                                      : 1;
+    /* Forecast. */
     const double bytes = bytes_at(j, grow > 1 ? grow : 1);
     if (!(bytes <= j->max_bytes)) {
         return murk_fail(err, MURK_BAD_VALUE, where_of(j->desc),
@@ -88,6 +95,7 @@ static murk_followed *new_followed(const murk_followed_desc *desc)
     return f;
 }
 
+/* Builds the photon maps. */
 static murk_status make_maps(murk_followed *f, const job *j, murk_error *err)
 {
     murk_record_buffers *buffers = j->recorder->buffers;
@@ -100,6 +108,7 @@ static murk_status make_maps(murk_followed *f, const job *j, murk_error *err)
                                             j->desc->threads, err);
 }
 
+/* Checks the losses and moves the contributions into the result. */
 static murk_status finish(murk_followed *f, const job *j, murk_error *err)
 {
     murk_recorded *all = &j->recorder->all;
@@ -122,6 +131,7 @@ static murk_status finish(murk_followed *f, const job *j, murk_error *err)
     return j->desc->keeps_records ? make_maps(f, j, err) : MURK_OK;
 }
 
+/* Fails if nothing can be traced. */
 static murk_status check(const murk_followed_desc *desc, uint64_t emit,
                          murk_error *err)
 {
@@ -138,7 +148,8 @@ static murk_status check(const murk_followed_desc *desc, uint64_t emit,
     return murk_ending_check(desc->stage, desc->stream, err);
 }
 
-/* Records are counted where their number ends the run, and kept if wanted. */
+/* Creates record buffers if records are stored, or if their number ends the
+ * run. */
 static murk_status make_buffers(murk_record_buffers **out,
                                 const murk_followed_desc *desc, uint64_t emit,
                                 murk_error *err)
@@ -162,6 +173,7 @@ murk_status murk_followed_trace(murk_followed **out,
     murk_ledger *ledger = NULL;
     murk_record_buffers *buffers = NULL;
     murk_followed *followed = NULL;
+    /* Check, and create recorder and ledger. */
     job j = {.desc = desc,
              .max_bytes = desc->memory_max_bytes > 0
                               ? desc->memory_max_bytes
@@ -179,6 +191,7 @@ murk_status murk_followed_trace(murk_followed **out,
     if (status) {
         goto done;
     }
+    /* Create the result and the emission. */
     followed = new_followed(desc);
     if (!followed) {
         status = murk_fail(err, MURK_NO_MEMORY, where_of(desc),
@@ -201,6 +214,7 @@ murk_status murk_followed_trace(murk_followed **out,
     if (status) {
         goto done;
     }
+    /* Trace. */
     const double begun_s = murk_clock_s();
     murk_progress_begin("trace", emit, "photons");
     status = murk_emission_run(&j.emission, err);

@@ -1,3 +1,6 @@
+/* Sets up the parameters of a fit: finds each key in the resolved scene of each
+ * condition, takes start value and range, and determines the effect of the key
+ * by comparing the optics and the world at two values. */
 #include "calibrate/free_keys.h"
 
 #include "base/log.h"
@@ -10,13 +13,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Trees of numbers made here name the option, not a line of the scene. */
+/* Values that are made here name the option in messages, not a line of the
+ * scene. */
 #define SOURCE "--free"
 
-/* What a key is changed by to see what it does, as a share of its size. */
+/* Relative change of a key that is used to find the effect of the key: small
+ * enough to be valid, large enough to exceed rounding. */
 #define PROBE 1e-3
 
-/* Of differences; see free_keys.h. */
+/* Relative steps of differences; see murk_free_key_around(). */
 #define STEP       1e-5
 #define STEP_TABLE 2e-2
 
@@ -33,7 +38,8 @@ static murk_status fail(const murk_free_keys *keys, size_t k, murk_error *err,
 
 /* ---- places ---- */
 
-/* Where key k is in condition c, for which it may be meant. */
+/* Finds key k in condition c; the first condition that has the key determines
+ * start and range. */
 static murk_status place_in(murk_free_keys *keys, size_t k, size_t c,
                             murk_yaml *root, bool *is_first, murk_error *err)
 {
@@ -42,6 +48,7 @@ static murk_status place_in(murk_free_keys *keys, size_t k, size_t c,
     murk_key_place place;
     murk_key_range range;
     (void)murk_key_place_spread(root, key->path, keys->bands);
+    /* Find the key; read the range. */
     murk_status status =
         murk_key_place_find(&place, root, key->path, spot->source, err);
     if (!status && *is_first) {
@@ -51,6 +58,7 @@ static murk_status place_in(murk_free_keys *keys, size_t k, size_t c,
     if (status) {
         return status;
     }
+    /* Record the place; an item of a list is set by setting the whole list. */
     spot->is_in[c] = true;
     if (place.list) {
         spot->list[c] = murk_yaml_copy(place.list);
@@ -60,6 +68,7 @@ static murk_status place_in(murk_free_keys *keys, size_t k, size_t c,
             return no_memory(err);
         }
     }
+    /* Start and range. */
     if (*is_first) {
         key->start = place.value;
         key->lower = range.lower;
@@ -70,6 +79,7 @@ static murk_status place_in(murk_free_keys *keys, size_t k, size_t c,
     return MURK_OK;
 }
 
+/* Notes of conditions that do not have the key. */
 static void tell_absence(const murk_free_keys *keys, size_t k)
 {
     for (size_t c = 0; c < keys->conditions; ++c) {
@@ -83,7 +93,7 @@ static void tell_absence(const murk_free_keys *keys, size_t k)
     }
 }
 
-/* The resolved scene of each condition, as a tree. */
+/* Parses the resolved scene of each condition. */
 static murk_status read_trees(murk_yaml **root, const murk_free_keys *keys,
                               murk_error *err)
 {
@@ -100,6 +110,7 @@ static murk_status read_trees(murk_yaml **root, const murk_free_keys *keys,
     return status;
 }
 
+/* Finds a key in all conditions that it is meant for; fails if none has it. */
 static murk_status place_key(murk_free_keys *keys, size_t k,
                              murk_yaml *const *root, murk_error *err)
 {
@@ -125,6 +136,7 @@ static murk_status place_key(murk_free_keys *keys, size_t k,
     return MURK_OK;
 }
 
+/* Finds all keys and factors. */
 static murk_status place_all(murk_free_keys *keys, murk_error *err)
 {
     murk_yaml **root = calloc(keys->conditions + 1, sizeof *root);
@@ -141,15 +153,17 @@ static murk_status place_all(murk_free_keys *keys, murk_error *err)
     return status;
 }
 
-/* ---- kinds ---- */
+/* ---- effects ---- */
 
-/* What changes of a key are measured by. */
+/* The size of a value, as the unit of steps. */
 static double size_of(const murk_free_key *key, double value)
 {
     const double range = key->upper - key->lower;
     return key->is_log ? value : fmax(fabs(value), fmin(1, range));
 }
 
+/* Two values around `value` at distance `step`, within the range: symmetric if
+ * there is room, otherwise to the side with more room. */
 static void around(const murk_free_key *key, double step, double value,
                    double *low, double *high)
 {
@@ -168,13 +182,14 @@ static void around(const murk_free_key *key, double step, double value,
     }
 }
 
-/* Of key k in condition c: what differs between the start and a value beside
- * it. */
+/* Compares the optics and the world of condition c at the start with those at a
+ * value of key k beside it. */
 static murk_status probe(murk_turned *turned, murk_free_keys *keys, size_t k,
                          size_t c, double *value, const murk_optics *base,
                          murk_error *err)
 {
     murk_optics *moved = NULL;
+    /* The optics at the other value. */
     double low, high;
     around(&keys->key[k], PROBE, value[k], &low, &high);
     const double start = value[k];
@@ -184,6 +199,7 @@ static murk_status probe(murk_turned *turned, murk_free_keys *keys, size_t k,
     if (status) {
         return status;
     }
+    /* Compare; re-weighting cannot start from nothing. */
     status = murk_turned_add(turned, base, moved, err);
     char nothing[96];
     if (!status && !turned->world &&
@@ -198,6 +214,7 @@ static murk_status probe(murk_turned *turned, murk_free_keys *keys, size_t k,
     return status;
 }
 
+/* Sets the kind of a key from the comparisons of all conditions. */
 static murk_status tell_kind(murk_free_keys *keys, size_t k,
                              const murk_turned *turned, murk_error *err)
 {
@@ -216,7 +233,8 @@ static murk_status tell_kind(murk_free_keys *keys, size_t k,
     return MURK_OK;
 }
 
-/* Lights by time and place take longer than all else of optics. */
+/* Stores the channel powers if no free key affects them: computing them
+ * (ephemeris, sky) takes longer than all other optics. */
 static murk_status keep_power(murk_free_keys *keys, size_t c,
                               const murk_optics *base, murk_error *err)
 {
@@ -237,6 +255,7 @@ static murk_status keep_power(murk_free_keys *keys, size_t c,
     return MURK_OK;
 }
 
+/* Determines the kind of every key. */
 static murk_status find_kinds(murk_free_keys *keys, murk_error *err)
 {
     double *value = calloc(keys->n + 1, sizeof *value);
@@ -244,9 +263,11 @@ static murk_status find_kinds(murk_free_keys *keys, murk_error *err)
     keys->power_w = calloc(keys->conditions + 1, sizeof *keys->power_w);
     murk_status status =
         value && turned && keys->power_w ? MURK_OK : no_memory(err);
+    /* Start values. */
     for (size_t k = 0; k < keys->n && !status; ++k) {
         value[k] = keys->key[k].start;
     }
+    /* Compare in each condition that has the key. */
     for (size_t c = 0; c < keys->conditions && !status; ++c) {
         murk_optics *base = NULL;
         status = murk_free_optics(&base, keys, c, value, err);
@@ -260,6 +281,7 @@ static murk_status find_kinds(murk_free_keys *keys, murk_error *err)
         }
         murk_optics_destroy(base);
     }
+    /* Set the kinds. */
     for (size_t k = 0; k < keys->n && !status; ++k) {
         if (keys->key[k].gain == SIZE_MAX) {
             status = tell_kind(keys, k, &turned[k], err);
@@ -272,6 +294,7 @@ static murk_status find_kinds(murk_free_keys *keys, murk_error *err)
 
 /* ---- all ---- */
 
+/* Fails if there are no keys, or more keys than rows. */
 static murk_status check_count(const murk_free_keys *keys, murk_error *err)
 {
     const murk_measurements *m = keys->desc.measured;

@@ -1,98 +1,109 @@
-/* The parameters of a fit: keys of the scene, one value for all conditions or
- * one for each, and free factors of readings.
+/* The parameters of a fit: keys of the scene, with one value for all conditions
+ * or one for each, and free factors of readings.
  *
- * What a key does is found by reading the scene at two of its values and
- * comparing: whether it turns the optics of media alone, the power of lights
- * alone, or the world itself. */
+ * The effect of a key is found by reading the scene at two values of the key
+ * and comparing: the key may change the optics of media alone, the power of
+ * light sources alone, or the world itself. */
 #ifndef MURK_CALIBRATE_FREE_KEYS_H
 #define MURK_CALIBRATE_FREE_KEYS_H
 
 #include "calibrate/measurements.h"
 #include "calibrate/optics.h"
 
+/* Limit on the parameters of a fit, far above the number that readings of the
+ * field determine. */
 #define MURK_FREE_MAX 512
 
 typedef enum murk_free_kind {
-    MURK_FREE_MEDIUM, /* extinction, albedo, phase of media: re-weighted */
-    MURK_FREE_LIGHT,  /* power alone: scales */
+    MURK_FREE_MEDIUM, /* extinction, albedo, phase function of media:
+                       * re-weighted */
+    MURK_FREE_LIGHT,  /* power alone: scaled */
     MURK_FREE_GAIN,   /* a factor of readings */
     MURK_FREE_WORLD   /* anything else: light is traced again */
 } murk_free_kind;
 
 typedef struct murk_free_key {
-    char name[232];   /* for people: "media.fog.visibility_m@dawn"; @scene: of
-                         the scene as it stands */
-    char path[160];   /* of the scene's key; empty: a gain */
-    size_t condition; /* that it is for, of keys->condition[]; SIZE_MAX: all
-                         that have the key */
-    size_t gain;      /* of the readings' gains; SIZE_MAX: a key */
+    char name[232];   /* for the user: "media.fog.visibility_m@dawn"; @scene
+                       * stands for the scene without a condition */
+    char path[160];   /* key of the scene; empty for a factor of readings */
+    size_t condition; /* index into keys->condition[]; SIZE_MAX: all conditions
+                       * that have the key */
+    size_t gain;      /* index of the factor; SIZE_MAX: a key */
     murk_free_kind kind;
-    double start, lower, upper; /* in the key's own unit; ends may be infinite,
-                                   lower is 0 of what runs over its logarithm */
-    bool is_log;                /* the search runs over its logarithm */
-    bool turns_phase;           /* of a medium: its cosines matter */
+    double start, lower, upper; /* in the unit of the key; limits may be
+                                 * infinite; lower is 0 for a key that is
+                                 * searched in logarithms */
+    bool is_log;                /* the search uses the logarithm */
+    bool turns_phase;           /* changes the phase function of a medium, so
+                                 * cosines are needed */
 } murk_free_key;
 
 typedef struct murk_free_desc {
     const char *scene_path;
     const murk_override *overrides;
     size_t n_overrides;
-    const char *const *asked; /* [n_asked] "KEY", "KEY@each", "gain.NAME" */
+    const char *const *asked; /* [n_asked]; "KEY", "KEY@each", "gain.NAME" */
     size_t n_asked;
-    const char *const *bounds; /* [n_bounds] "KEY=LOW:HIGH", either may be
-                                  empty */
+    const char *const *bounds; /* [n_bounds]; "KEY=LOW:HIGH", either may be
+                                * empty */
     size_t n_bounds;
     const murk_measurements *measured;
     const murk_domain *domain;
 } murk_free_desc;
 
-typedef struct murk_free_spot murk_free_spot; /* where a key is put */
+typedef struct murk_free_spot murk_free_spot; /* the place of a key in the scene
+                                               */
 
 typedef struct murk_free_keys {
     size_t n;
     murk_free_key *key; /* [n] */
     int bands;          /* of the scene */
-    size_t conditions;  /* in use by the data; each a scene of its own */
-    size_t *condition;  /* [conditions] of the scene's, rising; SIZE_MAX: as it
-                           stands, first */
-    murk_scene_name *condition_name; /* [conditions]; empty: as it stands */
+    size_t conditions;  /* conditions that the data use; each is a scene of its
+                         * own */
+    size_t *condition;  /* [conditions]; numbers of the scene, rising; SIZE_MAX:
+                         * the scene without a condition, first */
+    murk_scene_name *condition_name; /* [conditions]; empty for the scene
+                                      * without a condition */
     murk_free_desc desc;             /* what it points to must outlive this */
-    murk_free_spot *spot;            /* [n] private */
-    double **power_w; /* [conditions] private: of channels, where no key has
-                         a say in them; else NULL */
-    char sha256[65];  /* of the scene's file, which must stay as it is */
+    murk_free_spot *spot;            /* [n]; internal */
+    double **power_w; /* [conditions]; internal: channel powers if no key
+                       * affects them, else NULL */
+    char sha256[65];  /* of the scene file, which must not change during a fit
+                       */
 } murk_free_keys;
 
-/* Starts are the values of the scene, or of the first condition in use that has
- * the key; with @each, of each condition. What a condition sets itself gives
- * way to a free key; one that has no such key (it puts another medium there) is
- * left alone, which a note says. Ranges: key_range.h, within `bounds`.
+/* Finds and checks the parameters. Start values are those of the scene, or of
+ * the first used condition that has the key; with @each, of each condition. A
+ * free key overrides the value that a condition sets. A condition without the
+ * key (because it has another medium in its place) is not affected, which a
+ * note states. Ranges: key_range.h, within `bounds`.
  *
- * Refuses: unknown keys ("did you mean"), keys that are no single number, keys
- * of anything but media, regions, lights and site, gains that no reading names,
- * relative light whose gain is not free, a key asked for twice or without
- * effect, more parameters than rows, starts outside the bounds, and a start of
- * albedo, extinction or power 0, which cannot be re-weighted. *out is the
- * caller's. */
+ * Fails for unknown keys (with a suggestion), keys that are not a single
+ * number, keys of anything but media, regions, lights and site, factors that no
+ * reading names, relative light without a free factor, a key that is given
+ * twice or has no effect, more parameters than rows, starts outside the bounds,
+ * and a start with albedo, extinction or power 0, which cannot be re-weighted.
+ * The caller owns *out. */
 murk_status murk_free_keys_create(murk_free_keys **out,
                                   const murk_free_desc *desc, murk_error *err);
 void murk_free_keys_destroy(murk_free_keys *keys); /* NULL is fine */
 
-/* The scene of condition c (an index into keys->condition) at value[n]; and its
- * optics. Fails at "--free KEY" where the scene does not take a value. No
- * warnings. */
+/* The scene of condition c (an index into keys->condition) at value[n], and the
+ * optics of that scene. Fails at "--free KEY" if the scene does not accept a
+ * value. Prints no warnings. */
 murk_status murk_free_scene(murk_scene_desc **out, const murk_free_keys *keys,
                             size_t c, const double *value, murk_error *err);
 murk_status murk_free_optics(murk_optics **out, const murk_free_keys *keys,
                              size_t c, const double *value, murk_error *err);
 
-/* Whether key k has a say in condition c. */
+/* True if key k has an effect in condition c. */
 bool murk_free_key_is_in(const murk_free_keys *keys, size_t k, size_t c);
 
-/* Two values around value[k], within its bounds, for differences: d/dvalue =
- * (f(high) - f(low)) / (high - low); equal distances where the bounds allow, at
- * a bound both on one side. 1e-5 of its size apart: some 1e-9 off; of keys that
- * turn tabulated phase functions, whose nodes are right to 1e-5, 2e-2. */
+/* Two values around value[k] and within bounds, for derivatives: df/dvalue =
+ * (f(high) - f(low)) / (high - low). They are symmetric if the bounds allow,
+ * one-sided at a bound. The distance is 1e-5 of the size of the value, which
+ * gives an error of some 1e-9. For keys that change tabulated phase functions,
+ * whose nodes are accurate to 1e-5, the distance is 2e-2. */
 void murk_free_key_around(const murk_free_keys *keys, size_t k, double value,
                           double *low, double *high);
 

@@ -1,3 +1,6 @@
+/* Parses the names of free parameters: keys of the scene, keys with a value for
+ * each condition ("@each"), and factors of readings ("gain.NAME"). Also finds
+ * the conditions that the data use. */
 #include "calibrate/free_parts.h"
 
 #include "base/log.h"
@@ -24,13 +27,15 @@ static murk_status fail(const murk_free_keys *keys, size_t k, murk_error *err,
 
 /* ---- conditions ---- */
 
-/* Those of the data, and the file's checksum. */
+/* Finds the conditions that readings use, and the checksum of the scene file.
+ */
 murk_status murk_free_find_conditions(murk_free_keys *keys, murk_error *err)
 {
     const murk_free_desc *desc = &keys->desc;
     const murk_measurements *m = desc->measured;
     murk_scene_desc *scene = NULL;
     bool is_used[MURK_SCENE_CONDITIONS_MAX + 1] = {false}; /* [0]: none */
+    /* Read the scene without warnings. */
     const bool was_silent = murk_warn_quiet(true);
     const murk_status status = murk_scene_desc_read(
         &scene, desc->scene_path, desc->overrides, desc->n_overrides, err);
@@ -39,10 +44,12 @@ murk_status murk_free_find_conditions(murk_free_keys *keys, murk_error *err)
         return status;
     }
     keys->bands = scene->bands;
+    /* Mark the conditions of the readings. */
     for (size_t i = 0; i < m->readings; ++i) {
         const size_t c = m->reading[i].condition;
         is_used[c < scene->n_conditions ? c + 1 : 0] = true;
     }
+    /* List them; the scene without a condition comes first. */
     keys->condition = calloc(scene->n_conditions + 1, sizeof *keys->condition);
     keys->condition_name =
         calloc(scene->n_conditions + 1, sizeof *keys->condition_name);
@@ -69,9 +76,11 @@ static const char *condition_text(const murk_free_keys *keys, size_t c)
     return keys->condition_name[c][0] ? keys->condition_name[c] : "scene";
 }
 
+/* Adds a parameter, unless it is there already. */
 static murk_status add(murk_free_keys *keys, const char *name, const char *path,
                        size_t condition, size_t gain, murk_error *err)
 {
+    /* The same key may not be free twice in a condition. */
     for (size_t k = 0; k < keys->n; ++k) {
         const murk_free_key *other = &keys->key[k];
         if (other->gain == gain && strcmp(other->path, path) == 0 &&
@@ -80,6 +89,7 @@ static murk_status add(murk_free_keys *keys, const char *name, const char *path,
             return fail(keys, k, err, "asked for twice");
         }
     }
+    /* Append. */
     if (keys->n == MURK_FREE_MAX) {
         return murk_fail(err, MURK_BAD_VALUE, SOURCE,
                          "more than %d parameters, the most there may be",
@@ -96,6 +106,7 @@ static murk_status add(murk_free_keys *keys, const char *name, const char *path,
                : no_memory(err);
 }
 
+/* Adds a factor of readings; suggests a name if no reading has this factor. */
 static murk_status add_gain(murk_free_keys *keys, const char *asked,
                             murk_error *err)
 {
@@ -117,7 +128,7 @@ static murk_status add_gain(murk_free_keys *keys, const char *asked,
                      meant ? "?" : "");
 }
 
-/* Keys that a fit may move. */
+/* Fails unless the key belongs to a part of the scene that a fit may change. */
 static murk_status check_part(const char *path, const char *where,
                               murk_error *err)
 {
@@ -143,11 +154,13 @@ static murk_status check_part(const char *path, const char *where,
                            shown[0] ? shown : "nothing");
 }
 
+/* Adds a key, or one parameter for each condition. */
 static murk_status add_key(murk_free_keys *keys, const char *asked,
                            murk_error *err)
 {
     char path[sizeof keys->key->path], name[sizeof keys->key->name];
     char where[200], shown[160];
+    /* Split the name at "@". */
     const char *at = strrchr(asked, '@');
     const size_t length = at ? (size_t)(at - asked) : strlen(asked);
     murk_words_show(shown, sizeof shown, asked);
@@ -163,6 +176,7 @@ static murk_status add_key(murk_free_keys *keys, const char *asked,
                          " (one value for each condition) or nothing",
                          at);
     }
+    /* Check and add. */
     memcpy(path, asked, length);
     path[length] = '\0';
     murk_status status = check_part(path, where, err);
@@ -195,7 +209,7 @@ murk_status murk_free_add_all(murk_free_keys *keys, murk_error *err)
 
 /* ---- gains ---- */
 
-/* The first reading of a gain, of all or of those to be fitted. */
+/* The first reading with a factor; of all readings, or of the fitted ones. */
 static const murk_reading *reading_of(const murk_measurements *m, size_t gain,
                                       bool is_fitted)
 {
@@ -217,6 +231,7 @@ murk_status murk_free_place_gain(murk_free_keys *keys, size_t k,
     key->start = 1;
     key->lower = 0;
     key->upper = INFINITY;
+    /* Conditions in which a reading uses the factor. */
     for (size_t c = 0; c < keys->conditions; ++c) {
         for (size_t i = 0; i < m->readings; ++i) {
             keys->spot[k].is_in[c] |=
@@ -231,16 +246,19 @@ murk_status murk_free_place_gain(murk_free_keys *keys, size_t k,
                       "or more to be fitted");
 }
 
-/* Relative light says nothing of its size. */
+/* Fails if relative light has no free factor: such a reading does not state an
+ * absolute value. */
 murk_status murk_free_check_gains(const murk_free_keys *keys, murk_error *err)
 {
     const murk_measurements *m = keys->desc.measured;
     for (size_t g = 0; g < m->gains; ++g) {
+        /* Is the factor free? */
         const murk_reading *reading = reading_of(m, g, false);
         bool is_free = false;
         for (size_t k = 0; k < keys->n; ++k) {
             is_free = is_free || keys->key[k].gain == g;
         }
+        /* Is the light relative? */
         const bool is_light = reading->kind == MURK_READ_FLUENCE ||
                               reading->kind == MURK_READ_IRRADIANCE;
         const bool is_relative = reading->unit == MURK_UNIT_RELATIVE ||

@@ -1,3 +1,5 @@
+/* Writes values of free keys into a scene: builds a list of changes
+ * (scene/variant.h) and reads the scene file with them. */
 #include "calibrate/free_parts.h"
 
 #include "base/log.h"
@@ -38,8 +40,9 @@ static murk_status no_memory(const murk_free_keys *keys, murk_error *err)
                      "no memory for a variant of the scene");
 }
 
+/* The changes of a scene. */
 typedef struct changes {
-    murk_key_change *change; /* [n] */
+    murk_key_change *change; /* [n]; owned: the new values */
     murk_yaml **node;        /* [n] owned: their values */
     size_t n;
 } changes;
@@ -60,7 +63,7 @@ static bool set_number(murk_yaml *node, double value)
     return murk_yaml_set_text(node, text);
 }
 
-/* The list that an earlier key of the same one has put, or NULL. */
+/* The list that an earlier key of the same list has changed, or NULL. */
 static murk_yaml *find_list(const changes *all, const char *put)
 {
     for (size_t i = 0; i < all->n; ++i) {
@@ -71,6 +74,8 @@ static murk_yaml *find_list(const changes *all, const char *put)
     return NULL;
 }
 
+/* Adds the change of one key. Keys of the same list change one copy of the
+ * list. */
 static bool add_change(changes *all, const murk_free_spot *spot, size_t c,
                        double value)
 {
@@ -90,6 +95,7 @@ static bool add_change(changes *all, const murk_free_spot *spot, size_t c,
     return set_number(list ? node->child[spot->index] : node, value);
 }
 
+/* Fails if the scene file changed since the fit began. */
 static murk_status check_file(const murk_free_keys *keys,
                               const murk_scene_desc *scene, murk_error *err)
 {
@@ -107,6 +113,7 @@ murk_status murk_free_spot_scene(murk_scene_desc **out,
     changes all = {calloc(keys->n + 1, sizeof *all.change),
                    calloc(keys->n + 1, sizeof *all.node), 0};
     bool is_whole = all.change && all.node;
+    /* Collect the changes. */
     for (size_t k = 0; is_whole && value && k < keys->n; ++k) {
         if (keys->spot[k].is_in[c] && keys->key[k].gain == SIZE_MAX) {
             is_whole = add_change(&all, &keys->spot[k], c, value[k]);
@@ -115,6 +122,7 @@ murk_status murk_free_spot_scene(murk_scene_desc **out,
     const murk_variant variant = {
         keys->condition_name[c][0] ? keys->condition_name[c] : NULL, all.change,
         all.n};
+    /* Read the scene with the changes, without warnings. */
     murk_scene_desc *scene = NULL;
     const bool was_silent = murk_warn_quiet(true);
     murk_status status = is_whole

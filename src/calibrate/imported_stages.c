@@ -1,9 +1,12 @@
+/* Imports the files of each condition; conditions with the same world share one
+ * import. */
 #include "calibrate/imported_stages.h"
 #include "world/stage_build.h"
 
 #include <stdlib.h>
 #include <string.h>
 
+/* An imported stage with the same world, or NULL. */
 static murk_stage *like(const murk_imported_stages *d,
                         const murk_scene_desc *scene)
 {

@@ -1,6 +1,6 @@
-/* The files of a scene and of its conditions, imported once for all worlds that
- * a fit builds: before any of them, since that makes a ray device, and
- * importing forks. */
+/* The imported files of a scene and its conditions, shared by all worlds that a
+ * fit builds. Files are imported before the first world is built, because
+ * importing starts subprocesses and building creates a ray device. */
 #ifndef MURK_CALIBRATE_IMPORTED_STAGES_H
 #define MURK_CALIBRATE_IMPORTED_STAGES_H
 
@@ -8,8 +8,9 @@
 
 typedef struct murk_imported_stages {
     size_t n;
-    murk_stage **stage; /* [n] imported, not built: as the scene stands, then
-                           its conditions, which may share */
+    murk_stage **stage; /* [n]; imported, not built: the scene without a
+                         * condition first, then the conditions; elements may be
+                         * equal */
 } murk_imported_stages;
 
 /* Release also after a failure. The scene must outlive it. */
@@ -18,7 +19,8 @@ murk_status murk_imported_stages_import(murk_imported_stages *out,
                                         murk_error *err);
 void murk_imported_stages_release(murk_imported_stages *imported);
 
-/* Of a condition of the scene, SIZE_MAX: as it stands. */
+/* The stage of a condition of the scene; SIZE_MAX: the scene without a
+ * condition. */
 static inline const murk_stage *
 murk_imported_stage_of(const murk_imported_stages *imported, size_t condition)
 {

@@ -1,3 +1,5 @@
+/* Converts readings into receivers (calibrate/followed.h), sensors grouped into
+ * rows of coverage, and beams. */
 #include "calibrate/instruments.h"
 
 #include "base/log.h"
@@ -33,6 +35,7 @@ static void add_group(murk_instruments *p, const murk_measurements *measured,
     p->lit_row[p->receivers + p->groups++] = row;
 }
 
+/* The first reading of a row if the row belongs to the condition, else NULL. */
 static const murk_reading *first_of(const murk_measurements *measured,
                                     size_t row, size_t condition)
 {
@@ -44,6 +47,7 @@ murk_status murk_instruments_create(murk_instruments *out,
                                     const murk_measurements *measured,
                                     size_t condition, murk_error *err)
 {
+    /* Allocate. */
     const size_t rows = measured->rows + 1, readings = measured->readings + 1;
     *out = (murk_instruments){.receiver = calloc(rows, sizeof *out->receiver),
                               .quantity = calloc(rows, sizeof *out->quantity),
@@ -56,6 +60,7 @@ murk_status murk_instruments_create(murk_instruments *out,
         return murk_fail(err, MURK_NO_MEMORY, measured->path,
                          "no memory for %zu readings", measured->readings);
     }
+    /* Beams and receivers, then groups of coverage. */
     for (size_t i = 0; i < measured->rows; ++i) {
         const murk_reading *reading = first_of(measured, i, condition);
         if (reading && reading->kind == MURK_READ_TRANSMITTANCE) {
@@ -85,17 +90,18 @@ void murk_instruments_release(murk_instruments *instruments)
     *instruments = (murk_instruments){0};
 }
 
-/* Of the radius; a cap less high than this holds less than 7.5e-5 of the ball
- * (3/4 of its square), and touching is not crossing. */
+/* A surface must cut a sphere by more than this share of the radius: the cap of
+ * a smaller cut has less than 7.5e-5 of the volume (3/4 of the square). */
 #define CUT_DEPTH .01
 
-/* Receivers that are named one by one. */
+/* Number of receivers that warnings name one by one. */
 #define CUT_NAMED 5
 
 void murk_instruments_warn_of_cut(const murk_instruments *instruments,
                                   const murk_measurements *measured,
                                   const murk_surfaces *surfaces)
 {
+    /* Warn of each receiver that is cut, up to a limit. */
     size_t cut = 0;
     for (size_t i = 0; i < instruments->receivers; ++i) {
         const murk_receiver *r = &instruments->receiver[i];

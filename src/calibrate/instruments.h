@@ -1,35 +1,39 @@
-/* What stands in one condition to measure: the rows of the data as receivers,
- * sensors and beams. */
+/* The instruments of one condition: the rows of the data as receivers, sensors
+ * and beams. */
 #ifndef MURK_CALIBRATE_INSTRUMENTS_H
 #define MURK_CALIBRATE_INSTRUMENTS_H
 
 #include "calibrate/followed.h"
 #include "calibrate/measurements.h"
 
-/* Rows that need photons are its lit rows: receivers first, then groups. */
+/* Rows that need photons are called lit rows; receivers come first, then groups
+ * of sensors. */
 typedef struct murk_instruments {
     size_t receivers;
     murk_receiver *receiver; /* [receivers] */
-    murk_quantity *quantity; /* [receivers] that each one's unit is of */
+    murk_quantity *quantity; /* [receivers]; quantity of the unit of each
+                              * receiver */
     size_t groups, poses;
-    murk_pose *pose; /* [poses] group by group */
+    murk_pose *pose; /* [poses]; ordered by group */
     size_t *group;   /* [poses] */
     size_t lit;      /* receivers + groups */
-    size_t *lit_row; /* [lit] numbers of the data's rows */
+    size_t *lit_row; /* [lit]; numbers of the rows in the data */
     size_t beams;
-    size_t *beam_row; /* [beams] likewise */
+    size_t *beam_row; /* [beams]; numbers of the rows in the data */
 } murk_instruments;
 
 /* Of the rows in a condition of the scene (SIZE_MAX: as it stands). Release
  * also after a failure.
  */
+/* Lists the rows of a condition of the scene (SIZE_MAX: the scene without a
+ * condition). Release also after a failure. */
 murk_status murk_instruments_create(murk_instruments *out,
                                     const murk_measurements *measured,
                                     size_t condition, murk_error *err);
 void murk_instruments_release(murk_instruments *instruments);
 
-/* Warns of receivers whose sphere a surface crosses: what lies behind it is
- * dark, so they read low. */
+/* Warns of receivers whose sphere is cut by a surface: the part behind the
+ * surface is dark, so the receiver reads low. */
 void murk_instruments_warn_of_cut(const murk_instruments *instruments,
                                   const murk_measurements *measured,
                                   const murk_surfaces *surfaces);

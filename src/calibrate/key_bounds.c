@@ -1,3 +1,5 @@
+/* Parses bounds "KEY=LOW:HIGH" and applies them to all parameters of that key.
+ */
 #include "calibrate/key_bounds.h"
 
 #include "base/number.h"
@@ -14,13 +16,14 @@ typedef struct bound {
     double low, high;
 } bound;
 
-/* An end: nothing is none. */
+/* Parses one end; an empty text means `none`. */
 static bool read_end(const char *text, double none, double *out)
 {
     *out = none;
     return text[0] == '\0' || murk_number_parse(text, out);
 }
 
+/* Parses one bound. */
 static murk_status read_bound(bound *out, const char *text, murk_error *err)
 {
     char shown[200];
@@ -28,6 +31,7 @@ static murk_status read_bound(bound *out, const char *text, murk_error *err)
     const char *colon = equals ? strchr(equals, ':') : NULL;
     murk_words_show(shown, sizeof shown, text);
     snprintf(out->where, sizeof out->where, "--bounds %s", shown);
+    /* Split at "=" and ":". */
     const bool fits = colon && (size_t)(equals - text) < sizeof out->key &&
                       (size_t)(colon - equals) < sizeof out->low_text &&
                       strlen(colon + 1) < sizeof out->high_text;
@@ -38,6 +42,7 @@ static murk_status read_bound(bound *out, const char *text, murk_error *err)
         out->low_text[colon - equals - 1] = '\0';
         snprintf(out->high_text, sizeof out->high_text, "%s", colon + 1);
     }
+    /* Both ends must be numbers or empty, in order. */
     if (!fits || !read_end(out->low_text, -INFINITY, &out->low) ||
         !read_end(out->high_text, INFINITY, &out->high)) {
         return murk_fail(err, MURK_BAD_VALUE, out->where,
@@ -53,7 +58,8 @@ static murk_status read_bound(bound *out, const char *text, murk_error *err)
                            out->low, out->high);
 }
 
-/* "KEY", "KEY@each" and "KEY@dawn" are all meant by KEY. */
+/* True if the name of a bound means this parameter: KEY stands for "KEY",
+ * "KEY@each" and "KEY@dawn". */
 static bool is_meant(const murk_free_key *key, const char *name)
 {
     const size_t length = strlen(key->path);
@@ -62,6 +68,7 @@ static bool is_meant(const murk_free_key *key, const char *name)
             (name[length] == '\0' || strcmp(name + length, "@each") == 0));
 }
 
+/* Narrows a range; the bound must lie in the range of the key. */
 static murk_status narrow(murk_free_key *key, const bound *b, murk_error *err)
 {
     if ((b->low > -INFINITY && b->low < key->lower) ||
@@ -76,6 +83,7 @@ static murk_status narrow(murk_free_key *key, const bound *b, murk_error *err)
     return MURK_OK;
 }
 
+/* Applies one bound to all parameters that it means. */
 static murk_status apply(murk_free_keys *keys, const char *text,
                          murk_error *err)
 {
@@ -99,6 +107,8 @@ static murk_status apply(murk_free_keys *keys, const char *text,
         meant ? ", did you mean " : "", meant ? meant : "", meant ? "?" : "");
 }
 
+/* Checks the start value; a factor of readings has no start in the scene, so it
+ * is moved into the range. */
 static murk_status check_start(murk_free_keys *keys, size_t k, murk_error *err)
 {
     murk_free_key *key = &keys->key[k];

@@ -1,3 +1,6 @@
+/* Follows a dotted path through the parsed scene and, in parallel, through the
+ * key tables (scene/keys.h), so that the row of the key is known at the end.
+ * Errors name the part of the path that fails, with a suggestion. */
 #include "calibrate/key_place.h"
 
 #include "base/number.h"
@@ -9,18 +12,21 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Names that a suggestion may choose from: more than any map of a scene has. */
 #define NAMES_MAX 400
 
-/* Where a path has come to. `row` is of the present node; in_item: the node is
- * an item of the row's list or one of its names, so its keys are the row's. */
+/* A position in the scene. row belongs to the node. in_item: the node is an
+ * item of the list of the row, or one of the names of the row, so the keys of
+ * the node are those of the row. */
 typedef struct spot {
     const murk_yaml *node;
     const murk_key *row;
     bool in_item;
 } spot;
 
+/* The state of the search, for messages. */
 typedef struct incumbent {
-    const char *path, *at; /* the part to be found next */
+    const char *path, *at; /* the next part of the path */
     const char *where;
     murk_error *err;
 } incumbent;
@@ -30,7 +36,7 @@ static murk_status fail(const incumbent *f, const char *text)
     return murk_fail(f->err, MURK_BAD_VALUE, f->where, "%s", text);
 }
 
-/* The path up to here, for messages. */
+/* The path so far, for messages. */
 static void shown_so_far(const incumbent *f, char *out, size_t size)
 {
     char part[200];
@@ -40,6 +46,7 @@ static void shown_so_far(const incumbent *f, char *out, size_t size)
     murk_words_show(out, size, n ? part : "the scene");
 }
 
+/* True if the keys of the node are listed in the key tables. */
 static bool is_map_row(const spot *at)
 {
     return !at->row || at->in_item || at->row->kind == MURK_KEY_MAP ||
@@ -57,14 +64,15 @@ static bool is_medium(const spot *at)
     return at->in_item && at->row && strcmp(at->row->name, "media") == 0;
 }
 
-/* Refuses a word that the medium's preset does not use, and names those that it
- * does; without a preset any such word. MURK_OK for other keys. */
+/* Fails if a word of presets is not used by the preset of the medium, with the
+ * words that are; also if the medium has no preset. MURK_OK for other keys. */
 static murk_status check_preset(const incumbent *f, const spot *at,
                                 const char *part)
 {
     const int word = is_medium(at) ? murk_word_find(part) : -1;
     const murk_yaml *name = word < 0 ? NULL : murk_yaml_get(at->node, "preset");
     murk_preset *preset = NULL;
+    /* A word of presets needs a preset. */
     if (word >= 0 && !name) {
         return fail(f, "changes nothing, so it cannot be free: a word of "
                        "presets, and the medium has none");
@@ -74,6 +82,7 @@ static murk_status check_preset(const incumbent *f, const spot *at,
         return MURK_OK;
     }
     murk_status status = MURK_OK;
+    /* Ask the preset. */
     if (!murk_preset_word_of(preset, (murk_word_id)word).is_known) {
         const double none[MURK_WORD_NUMBERS_MAX] = {0};
         murk_error told = {0};
@@ -88,6 +97,7 @@ static murk_status check_preset(const incumbent *f, const spot *at,
     return status;
 }
 
+/* The error message for an unknown part of a path. */
 static murk_status unknown(const incumbent *f, const spot *at, const char *part)
 {
     const char *names[NAMES_MAX];
@@ -98,6 +108,7 @@ static murk_status unknown(const incumbent *f, const spot *at, const char *part)
     if (status) {
         return status;
     }
+    /* A key that exists but has no value in the scene. */
     shown_so_far(f, owner, sizeof owner);
     murk_words_show(shown, sizeof shown, part);
     if (keys && murk_keys_find(keys, part)) {
@@ -107,6 +118,7 @@ static murk_status unknown(const incumbent *f, const spot *at, const char *part)
                  owner, shown);
         return fail(f, text);
     }
+    /* A suggestion from the names of the map and of the key table. */
     for (size_t i = 0; i < at->node->n && n < NAMES_MAX; ++i) {
         names[n++] = at->node->key[i];
     }
@@ -121,7 +133,7 @@ static murk_status unknown(const incumbent *f, const spot *at, const char *part)
     return fail(f, text);
 }
 
-/* Bytes of the next part: a name that holds dots is taken whole. */
+/* Length of the next part; a name that contains dots is taken as a whole. */
 static size_t part_length(const spot *at, const char *path)
 {
     size_t length = strcspn(path, ".");
@@ -136,6 +148,7 @@ static size_t part_length(const spot *at, const char *path)
     return length;
 }
 
+/* Steps into a map. */
 static murk_status step_map(const incumbent *f, spot *at, const char *part)
 {
     const murk_yaml *child = murk_yaml_get(at->node, part);
@@ -153,6 +166,7 @@ static murk_status step_map(const incumbent *f, spot *at, const char *part)
     return MURK_OK;
 }
 
+/* Steps into a list. */
 static murk_status step_list(const incumbent *f, spot *at, const char *part)
 {
     uint64_t index;
@@ -170,7 +184,7 @@ static murk_status step_list(const incumbent *f, spot *at, const char *part)
     return MURK_OK;
 }
 
-/* One part down. */
+/* Steps into a child of the present node. */
 static murk_status step(const incumbent *f, spot *at, const char *part)
 {
     char owner[120], text[300];
@@ -189,11 +203,12 @@ static murk_status step(const incumbent *f, spot *at, const char *part)
     return fail(f, text);
 }
 
-/* What may be free: numbers that may be any within a range. */
+/* Fails unless the value is a single number that may vary continuously. */
 static murk_status check_end(murk_key_place *out, const incumbent *f,
                              const spot *at)
 {
     char text[300], shown[64];
+    /* The value must be a scalar and a number. */
     if (at->node->kind != MURK_YAML_SCALAR) {
         const bool is_list = at->node->kind == MURK_YAML_LIST;
         if (is_list && at->node->n > 0 &&
@@ -212,6 +227,7 @@ static murk_status check_end(murk_key_place *out, const incumbent *f,
         snprintf(text, sizeof text, "%s, must be a number", shown);
         return fail(f, text);
     }
+    /* Choices and counts do not vary continuously. */
     const bool is_number =
         at->row &&
         (at->row->kind == MURK_KEY_NUMBER || at->row->kind == MURK_KEY_VECTOR ||
@@ -225,7 +241,7 @@ static murk_status check_end(murk_key_place *out, const incumbent *f,
                                "be any");
 }
 
-/* Notes what the path goes through. */
+/* Records the list that the path goes through. */
 static void note_list(murk_key_place *out, const spot *before, const spot *at,
                       const incumbent *f)
 {
@@ -253,6 +269,7 @@ murk_status murk_key_place_find(murk_key_place *out, const murk_yaml *root,
     char *part = malloc(strlen(path) + 1);
     murk_status status =
         part ? MURK_OK : murk_fail(err, MURK_NO_MEMORY, where, "no memory");
+    /* Follow the path part by part. */
     while (!status) {
         const size_t length = part_length(&at, f.at);
         const spot before = at;
@@ -272,6 +289,7 @@ murk_status murk_key_place_find(murk_key_place *out, const murk_yaml *root,
         f.at += length + 1;
     }
     free(part);
+    /* Check the end. */
     if (!status) {
         place.row = at.row;
         place.node = at.node;
@@ -288,6 +306,7 @@ bool murk_key_place_spread(murk_yaml *root, const char *path, int bands)
     const char *last = strrchr(path, '.');
     uint64_t index;
     murk_key_place place;
+    /* The path must be an item of a value for all bands. */
     char *of = last ? strndup(path, (size_t)(last - path)) : NULL;
     const bool is_it =
         of && murk_count_parse(last + 1, &index) && index < (uint64_t)bands &&
@@ -297,7 +316,9 @@ bool murk_key_place_spread(murk_yaml *root, const char *path, int bands)
     if (!is_it) {
         return false;
     }
-    murk_yaml *node = (murk_yaml *)place.node; /* of root, which is not const */
+    murk_yaml *node = (murk_yaml *)place.node; /* a node of root, which is not
+                                                * const */
+    /* Replace the value by a list of copies. */
     murk_yaml *one = murk_yaml_copy(node);
     bool is_whole = one != NULL;
     if (is_whole) {

@@ -1,5 +1,5 @@
-/* Where a key stands in a scene: its number, and its row of the table of keys.
- * Private to free_keys. */
+/* Finds the place of a key in a scene: the number and the row of the key table.
+ * Internal to free_keys. */
 #ifndef MURK_CALIBRATE_KEY_PLACE_H
 #define MURK_CALIBRATE_KEY_PLACE_H
 
@@ -7,27 +7,31 @@
 
 typedef struct murk_key_place {
     double value;
-    const murk_yaml *node; /* that it is written in */
-    const murk_key *row;   /* of an item of a list: the list's */
-    const murk_key *item;  /* of a list in which each has a row of its own */
-    const murk_yaml *list; /* that it is an item of; NULL: of none */
-    size_t index;          /* in it */
-    size_t put;            /* bytes of the path up to the list's key; without
-                              list: all of them */
-    const murk_yaml
-        *medium; /* map of the medium that it is a key of; or NULL */
+    const murk_yaml *node; /* the node that has the value */
+    const murk_key *row;   /* row of the key; for an item of a list, that of the
+                            * list */
+    const murk_key *item;  /* row of the item if each item of the list has a row
+                            * of its own */
+    const murk_yaml *list; /* the list that contains it; NULL: none */
+    size_t index;          /* index in the list */
+    size_t put;            /* length of the path up to the key of the list;
+                            * without a list, of the whole path */
+    const murk_yaml /* the map of the medium that the key belongs to; or NULL */
+        *medium;    /* map of the medium that it is a key of; or NULL */
 } murk_key_place;
 
-/* Finds a path in a scene as resolved (scene->resolved, parsed), where all
- * defaults are written. Fails at `where` when there is nothing, or no single
- * number that may be any. What is found points into `root` and the table. */
+/* Finds a path in a resolved scene (scene->resolved, parsed), which contains
+ * all defaults. Fails at `where` if the path does not exist, or if the value is
+ * not a single number that may vary continuously. The result points into `root`
+ * and the key table. */
 murk_status murk_key_place_find(murk_key_place *out, const murk_yaml *root,
                                 const char *path, const char *where,
                                 murk_error *err);
 
-/* Where the path is an item, below `bands`, of what is one value for all bands,
- * writes that value out for each: a scene as resolved says once what may have
- * been listed. False where it is not so, or without memory. */
+/* If the path is an item, numbered below `bands`, of a value that is given once
+ * for all bands, replaces the value by a list with one item for each band. A
+ * resolved scene contains equal values of all bands only once. False if this
+ * does not apply, or when out of memory. */
 bool murk_key_place_spread(murk_yaml *root, const char *path, int bands);
 
 #endif

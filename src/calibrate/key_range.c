@@ -1,3 +1,5 @@
+/* Ranges of free keys from the key table (scene/keys.h) and from the words of
+ * presets. */
 #include "calibrate/key_range.h"
 
 #include "preset/check_words.h"
@@ -6,12 +8,12 @@
 #include <math.h>
 #include <string.h>
 
+/* Limits of the key table from this size on only catch typing errors. */
 #define SLIP_OF_THE_PEN 1e9
-#define OFF_THE_END     1e-3
+#define OFF_THE_END     1e-3 /* distance from a limit that may not be reached */
 
-/* Keys that may be 0 or more, and as much as this, are scales: what matters of
- * them is by how many times they are off. Albedo, the index of refraction,
- * temperature and wind are not. */
+/* A key whose range is 0 to at least this value is a scale: relative changes
+ * matter. Albedo, index of refraction, temperature and wind are not scales. */
 #define SCALE_FROM 1000
 
 static void from_row(murk_key_range *out, const murk_key *row)
@@ -28,11 +30,13 @@ static void from_row(murk_key_range *out, const murk_key *row)
     }
 }
 
-/* A preset knows its words better than the table. */
+/* Narrows the range by that of the preset, which knows the words that it uses.
+ */
 static murk_status from_preset(murk_key_range *out, const murk_key_place *place,
                                const char *name, const char *where,
                                murk_error *err)
 {
+    /* Only words of a medium with a preset. */
     const int word = murk_word_find(name);
     const murk_yaml *preset =
         place->medium ? murk_yaml_get(place->medium, "preset") : NULL;
@@ -40,6 +44,7 @@ static murk_status from_preset(murk_key_range *out, const murk_key_place *place,
     if (word < 0 || !preset || preset->kind != MURK_YAML_SCALAR) {
         return MURK_OK;
     }
+    /* Read the preset. */
     const murk_status status =
         murk_presets_read(&read, preset->text, where, err);
     if (status) {
@@ -56,6 +61,7 @@ static murk_status from_preset(murk_key_range *out, const murk_key_place *place,
     return MURK_OK;
 }
 
+/* The last part of the path is the name of the key. */
 murk_status murk_key_range_of(murk_key_range *out, const murk_key_place *place,
                               const char *path, const char *where,
                               murk_error *err)

@@ -1,3 +1,6 @@
+/* Builds and traces the world of one condition, and evaluates the rows that
+ * need light by re-weighting: receivers (calibrate/reweigh.h) and groups of
+ * coverage (calibrate/covered.h). */
 #include "calibrate/lit.h"
 
 #include "base/interrupt.h"
@@ -6,7 +9,8 @@
 
 #include <stdlib.h>
 
-/* What a watt of each light counts as for each receiver. */
+/* Fills the factors from watts to the unit of each receiver, for each light
+ * source and band. */
 static murk_status count_watts(murk_lit *lit, murk_error *err)
 {
     const murk_instruments *instruments = lit->desc->instruments;
@@ -25,10 +29,12 @@ static murk_status count_watts(murk_lit *lit, murk_error *err)
     return MURK_OK;
 }
 
+/* Traces the light and finds the sightlines. */
 static murk_status follow(murk_lit *lit, uint64_t photons, murk_error *err)
 {
     const murk_lit_desc *d = lit->desc;
     const murk_instruments *instruments = d->instruments;
+    /* Trace. */
     const murk_followed_desc followed = {.stage = lit->stage,
                                          .photons = photons,
                                          .threads = d->threads,
@@ -43,6 +49,7 @@ static murk_status follow(murk_lit *lit, uint64_t photons, murk_error *err)
     if (!status) {
         status = count_watts(lit, err);
     }
+    /* Find sightlines, if there are rows of coverage. */
     if (!status && instruments->groups) {
         const murk_covered_desc covered = {.stage = lit->stage,
                                            .followed = lit->followed,
@@ -134,7 +141,8 @@ void murk_lit_rows_release(murk_lit_rows *rows)
     *rows = (murk_lit_rows){0};
 }
 
-/* Parts of some of the rows into their place among all. */
+/* Copies the contributions of the runs for n rows from index `first` on to
+ * their place among all rows. */
 static void place_runs(murk_lit_rows *out, const murk_lit_desc *desc,
                        const double *run, size_t first, size_t n, size_t keys,
                        const double *scale)
@@ -150,7 +158,8 @@ static void place_runs(murk_lit_rows *out, const murk_lit_desc *desc,
     }
 }
 
-/* Coverage is a fraction; its row may be in percent. */
+/* Converts coverage, a fraction, to the unit of the row, which may be percent.
+ */
 static void turn_groups(murk_lit_rows *out, const murk_lit_desc *desc,
                         const murk_measurements *measured, const double *batch,
                         double *scale, size_t keys)
@@ -183,6 +192,7 @@ static murk_status read_groups(murk_lit_rows *out, const murk_lit *lit,
     const murk_lit_desc *d = lit->desc;
     const size_t first = d->instruments->receivers,
                  groups = d->instruments->groups;
+    /* Evaluate. */
     double *batch = calloc((d->batches + 1) * groups, sizeof *batch);
     double *run = calloc(d->runs * groups * (keys + 1), sizeof *run);
     murk_status status = MURK_OK;
@@ -194,6 +204,7 @@ static murk_status read_groups(murk_lit_rows *out, const murk_lit *lit,
             keys ? run : NULL, d->runs, lit->covered, reweighed, lit->optics,
             at, sides, keys, err);
     }
+    /* Convert, and copy into place. */
     if (!status) {
         double *scale = batch + d->batches * groups;
         turn_groups(out, d, measured, batch, scale, keys);
@@ -219,6 +230,7 @@ static murk_status read_receivers(murk_lit_rows *out, const murk_lit *lit,
         free(run);
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for receivers");
     }
+    /* Evaluate, then copy runs and batches into place. */
     murk_receivers_read(out->value, out->slope, batch, d->batches, run, d->runs,
                         instruments->receiver, lit->per_watt,
                         instruments->receivers, lit->followed, reweighed,

@@ -1,3 +1,6 @@
+/* Reads a CSV file of readings, checks them against each other, and groups them
+ * into rows: sensors of one group and condition form one reading of coverage.
+ */
 #include "calibrate/measurements.h"
 
 #include "base/file.h"
@@ -11,18 +14,19 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* some 300 bytes for each of the most readings */
 #define FILE_BYTES_MAX 32000000
 
-/* A reading with the names of its line, which point into the table. */
+/* A reading with the names of group and factor, which point into the table. */
 typedef struct named {
     murk_reading reading;
     const char *group, *gain;
-    size_t leader; /* the first reading of its row */
+    size_t leader; /* first reading of the row */
 } named;
 
 typedef struct listing {
     const murk_table *table;
-    named *item; /* [n] in the order of their lines */
+    named *item; /* [n]; in the order of lines */
     size_t n;
     murk_error *err;
 } listing;
@@ -55,7 +59,7 @@ static int compare_groups(const void *a, const void *b)
     return x < y ? -1 : 1;
 }
 
-/* Readings of one name: they are of one kind, and in one unit. */
+/* Readings of one group must have one kind and one unit. */
 static murk_status check_alike(const listing *all, const named *first,
                                const named *at)
 {
@@ -77,7 +81,8 @@ static murk_status check_alike(const listing *all, const named *first,
     return MURK_OK;
 }
 
-/* Sensors of one reading of coverage: each line says the same of it. */
+/* The sensors of one reading of coverage must state the same value, error,
+ * factor and use. */
 static murk_status check_same(const listing *all, const named *first,
                               const named *at)
 {
@@ -85,6 +90,7 @@ static murk_status check_same(const listing *all, const named *first,
     const struct {
         bool differs;
         murk_reading_column column;
+        /* Compare the columns. */
     } parts[] = {
         {a->value != b->value, MURK_COLUMN_VALUE},
         {a->standard_error != b->standard_error, MURK_COLUMN_ERROR},
@@ -104,13 +110,14 @@ static murk_status check_same(const listing *all, const named *first,
     return MURK_OK;
 }
 
-/* Fills the leaders. */
+/* Finds the first reading of the row of each reading. */
 static murk_status find_rows(listing *all)
 {
     named **sorted = calloc(all->n + 1, sizeof *sorted);
     murk_status status =
         sorted ? MURK_OK : no_memory(all->table->path, all->err);
     size_t n = 0;
+    /* Sort the readings that have a group by name, condition and line. */
     for (size_t i = 0; i < all->n && !status; ++i) {
         all->item[i].leader = i;
         if (all->item[i].group[0] != '\0') {
@@ -120,6 +127,7 @@ static murk_status find_rows(listing *all)
     if (n > 0) {
         qsort(sorted, n, sizeof *sorted, compare_groups);
     }
+    /* Compare neighbours: first of the name, leader of the row. */
     for (size_t i = 1, first = 0, leader = 0; i < n && !status; ++i) {
         const bool is_named = strcmp(sorted[i]->group, sorted[i - 1]->group);
         first = is_named ? i : first;
@@ -138,9 +146,10 @@ static murk_status find_rows(listing *all)
     return status;
 }
 
-/* Brings the readings of a row together, rows in the order of their leaders. */
+/* Orders the readings by row, and rows by their first lines. */
 static void lay_rows(murk_measurements *m, const listing *all, size_t *row_of)
 {
+    /* Number the rows and count their readings. */
     for (size_t i = 0; i < all->n; ++i) {
         const named *at = &all->item[i];
         if (at->leader == i) {
@@ -151,12 +160,14 @@ static void lay_rows(murk_measurements *m, const listing *all, size_t *row_of)
         row_of[i] = row_of[at->leader];
         ++m->row[row_of[i]].n;
     }
+    /* Positions of the rows. */
     for (size_t r = 1; r < m->rows; ++r) {
         m->row[r].first = m->row[r - 1].first + m->row[r - 1].n;
     }
     for (size_t r = 0; r < m->rows; ++r) {
         m->row[r].n = 0;
     }
+    /* Place the readings. */
     for (size_t i = 0; i < all->n; ++i) {
         murk_measured_row *row = &m->row[row_of[i]];
         m->reading[row->first + row->n++] = all->item[i].reading;
@@ -176,6 +187,7 @@ static bool is_plain(const char *name)
     return true;
 }
 
+/* Adds a factor. */
 static murk_status add_gain(murk_measurements *m, const named **first,
                             const listing *all, const named *at)
 {
@@ -193,7 +205,8 @@ static murk_status add_gain(murk_measurements *m, const named **first,
     return MURK_OK;
 }
 
-/* Numbers the factors by their first lines. */
+/* Numbers the factors in the order of their first lines; readings of one factor
+ * must have one unit. */
 static murk_status find_gains(murk_measurements *m, listing *all)
 {
     const named *first[MURK_READING_GAINS_MAX];
@@ -203,6 +216,7 @@ static murk_status find_gains(murk_measurements *m, listing *all)
         if (at->gain[0] == '\0') {
             continue;
         }
+        /* Find the factor or add it. */
         while (k < m->gains && strcmp(m->gain[k], at->gain) != 0) {
             ++k;
         }
@@ -212,6 +226,7 @@ static murk_status find_gains(murk_measurements *m, listing *all)
                 return status;
             }
         }
+        /* Compare the units. */
         if (at->reading.unit != first[k]->reading.unit) {
             char text[200];
             snprintf(text, sizeof text,
@@ -229,6 +244,7 @@ static murk_status find_gains(murk_measurements *m, listing *all)
 
 /* ---- all ---- */
 
+/* Notes the laws of units that are derived from a transmittance. */
 static void tell(const murk_measurements *m)
 {
     size_t count[MURK_READING_UNITS] = {0};
@@ -258,6 +274,7 @@ static murk_status read_lines(listing *all, const murk_reading_source *source)
     return status;
 }
 
+/* Allocates and fills the rows. */
 static murk_status fill(murk_measurements *m, listing *all)
 {
     size_t *row_of = calloc(all->n, sizeof *row_of);
@@ -282,8 +299,10 @@ static murk_status from_table(murk_measurements *m, const murk_table *table,
                               const murk_scene_desc *scene,
                               const murk_domain *domain, murk_error *err)
 {
-    murk_reading_source source = {
-        .table = table, .scene = scene, .domain = domain};
+    murk_reading_source source = {/* Find the columns, then read each line. */
+                                  .table = table,
+                                  .scene = scene,
+                                  .domain = domain};
     murk_status status = murk_reading_columns(&source, err);
     if (status) {
         return status;
@@ -315,6 +334,7 @@ murk_status murk_measurements_read(murk_measurements **out, const char *path,
     murk_status status =
         murk_file_read(&text, &size, path, FILE_BYTES_MAX, err);
     if (status) {
+        /* The checksum identifies the data in results. */
         return status;
     }
     murk_measurements *m = calloc(1, sizeof *m);
@@ -323,6 +343,7 @@ murk_status murk_measurements_read(murk_measurements **out, const char *path,
         free(m);
         return no_memory(path, err);
     }
+    /* Parse and convert. */
     murk_sha256_hex(text, size, m->sha256);
     status = murk_table_parse(&table, path, text, size, err);
     if (!status) {

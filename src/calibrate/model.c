@@ -1,3 +1,6 @@
+/* Creates the forward model and traces the light of all conditions: chooses the
+ * media whose densities must be recorded, divides photons into batches and
+ * runs, forecasts memory, and computes slopes of world keys. */
 #include "calibrate/model_parts.h"
 
 #include "base/log.h"
@@ -11,16 +14,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Batches of photons: many more than rows, or their covariance reads low where
- * it matters, and few enough for memory. */
+/* Batches of photons. The covariance of rows is singular, or too small, unless
+ * there are many more batches than rows; BATCHES_MIN is the least that is
+ * accepted, BATCHES_ROOM limits batches * rows (256 MB). */
 #define BATCHES_MAX  4096
 #define BATCHES_MIN  100
 #define BATCHES_ROOM (UINT64_C(1) << 25)
 
-/* Chords through a receiver, below which a warning is due. */
+/* Warn if fewer photons than this cross a receiver: the standard error itself
+ * is then uncertain by 10 %. */
 #define PHOTONS_FEW 50
 
-/* Of slopes, which are not inverted, so fewer do. */
+/* Runs of photons for the noise of slopes. That covariance is not inverted, so
+ * fewer suffice. */
 #define RUNS_MAX 256
 
 static murk_status no_memory(murk_error *err)
@@ -57,6 +63,7 @@ void murk_model_destroy(murk_model *m)
     free(m);
 }
 
+/* True if extinction or albedo of a medium differ. */
 static bool differs(const murk_optics *a, const murk_optics *b, size_t medium)
 {
     return memcmp(&a->extinction_per_m[medium], &b->extinction_per_m[medium],
@@ -65,18 +72,23 @@ static bool differs(const murk_optics *a, const murk_optics *b, size_t medium)
                   sizeof a->albedo[medium]) != 0;
 }
 
+/* Finds the media that some key re-weights, whether cosines are needed, and
+ * whether keys change the world. */
 static murk_status choose_media(murk_model *m, size_t c, const double *value,
                                 murk_error *err)
 {
     murk_model_world *w = &m->world[c];
     const size_t n_media = w->scene->n_media;
     murk_sides around;
+    /* Optics at two values of each key. */
     murk_status status = murk_model_look_around(&around, m, c, value, err);
     w->medium = calloc(n_media + 1, sizeof *w->medium);
     if (!status && !w->medium) {
         status = no_memory(err);
     }
     w->desc.medium = w->medium;
+    /* A medium is recorded if a key changes extinction, albedo or phase
+     * function. */
     for (size_t i = 0; i < n_media && !status; ++i) {
         bool is_kept = false;
         for (size_t k = 0; k < m->n; ++k) {
@@ -89,6 +101,7 @@ static murk_status choose_media(murk_model *m, size_t c, const double *value,
             w->medium[w->desc.media++] = i;
         }
     }
+    /* Cosines and world keys. */
     for (size_t k = 0; k < m->n && !status; ++k) {
         w->desc.keeps_cosines =
             w->desc.keeps_cosines ||
@@ -100,6 +113,7 @@ static murk_status choose_media(murk_model *m, size_t c, const double *value,
     return status;
 }
 
+/* Prepares one condition. */
 static murk_status begin_world(murk_model *m, size_t c, const double *start,
                                murk_error *err)
 {
@@ -129,8 +143,10 @@ static int by_size(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
+/* Lists the rows that need light, of all conditions. */
 static murk_status list_lit(murk_model *m, murk_error *err)
 {
+    /* Collect them. */
     for (size_t c = 0; c < m->worlds; ++c) {
         const murk_instruments *instruments = &m->world[c].instruments;
         memcpy(m->lit + m->lits, instruments->lit_row,
@@ -142,6 +158,7 @@ static murk_status list_lit(murk_model *m, murk_error *err)
                          "%zu rows of light and coverage, at most %d", m->lits,
                          MURK_MODEL_LIT_ROWS_MAX);
     }
+    /* Sort; place[] is the inverse. */
     qsort(m->lit, m->lits, sizeof *m->lit, by_size);
     for (size_t i = 0; i < m->lits; ++i) {
         m->place[m->lit[i]] = i;
@@ -149,12 +166,14 @@ static murk_status list_lit(murk_model *m, murk_error *err)
     return MURK_OK;
 }
 
-/* As many batches as there is room for. */
+/* Determines the number of batches and runs: as many as memory, the limits and
+ * the photons permit. */
 static murk_status lay_batches(murk_model *m, murk_error *err)
 {
     const uint64_t room = BATCHES_ROOM / (m->lits + 1);
     m->batches = room < BATCHES_MAX ? (size_t)room : BATCHES_MAX;
     murk_status status = MURK_OK;
+    /* No more batches than photons in any condition. */
     for (size_t c = 0; c < m->worlds && !status; ++c) {
         murk_model_world *w = &m->world[c];
         const murk_scene_photons *photons = &w->scene->photons;
@@ -165,8 +184,8 @@ static murk_status lay_batches(murk_model *m, murk_error *err)
                              (unsigned long long)emit, BATCHES_MIN);
         }
         if (w->instruments.lit && w->scene->continues) {
-            /* how much light enters would depend on the medium, which the
-             * paths that are weighed anew do not know */
+            /* The amount of light that enters through the sides would depend on
+             * the medium, and recorded paths do not contain that dependence. */
             return murk_fail(err, MURK_UNSUPPORTED, w->scene->domain_where,
                              "outside: continued does not go with fits, use "
                              "sides: periodic or outside: empty");
@@ -175,8 +194,10 @@ static murk_status lay_batches(murk_model *m, murk_error *err)
             m->batches = (size_t)emit;
         }
     }
+    /* Runs divide batches. */
     m->runs = m->batches < RUNS_MAX ? m->batches : RUNS_MAX;
     m->batches -= m->batches % m->runs;
+    /* Allocate the rows. */
     for (size_t c = 0; c < m->worlds && !status; ++c) {
         murk_model_world *w = &m->world[c];
         w->desc.batches = m->batches;
@@ -192,6 +213,7 @@ static murk_status lay_batches(murk_model *m, murk_error *err)
     return status;
 }
 
+/* Fills the model. */
 static murk_status fill(murk_model *m, murk_error *err)
 {
     const murk_free_keys *keys = m->desc.keys;
@@ -203,12 +225,14 @@ static murk_status fill(murk_model *m, murk_error *err)
     m->gain_key = calloc(m->rows + 1, sizeof *m->gain_key);
     m->lit = calloc(m->rows + 1, sizeof *m->lit);
     m->place = calloc(m->rows + 1, sizeof *m->place);
+    /* Allocate. */
     double *start = calloc(m->n + 1, sizeof *start);
     murk_status status = MURK_OK;
     if (!m->world || !m->traced || !m->slope_off || !m->slope_size ||
         !m->factor || !m->gain_key || !m->lit || !m->place || !start) {
         status = no_memory(err);
     }
+    /* Prepare the conditions at the start values. */
     for (size_t k = 0; k < m->n && !status; ++k) {
         start[k] = keys->key[k].start;
     }
@@ -242,6 +266,8 @@ murk_status murk_model_create(murk_model **out, const murk_model_desc *desc,
     return MURK_OK;
 }
 
+/* Computes the slopes of the rows of one condition with respect to world keys.
+ */
 static murk_status slopes_of_world(murk_model *m, size_t c, murk_error *err)
 {
     murk_model_world *w = &m->world[c];
@@ -265,17 +291,20 @@ static murk_status slopes_of_world(murk_model *m, size_t c, murk_error *err)
     return status;
 }
 
-/* A mean and its error by a handful of photons are not to be trusted. */
+/* Warns of receivers that few photons cross: their value and their error are
+ * then unreliable. */
 static void warn_of_few(const murk_model *m, const murk_model_world *w)
 {
     const murk_followed *f = w->lit.followed;
     const murk_measurements *measured = m->desc.measured;
+    /* Count the chords of each receiver. */
     size_t *photons = calloc(w->instruments.receivers + 1, sizeof *photons);
     for (size_t i = 0; photons && i < f->n; ++i) {
         const murk_contribution *c = &f->contribution[i];
         photons[murk_contribution_is_record(c) ? w->instruments.receivers
                                                : c->receiver]++;
     }
+    /* Find the receivers with few. */
     size_t few = 0, first = 0;
     for (size_t i = 0; photons && i < w->instruments.receivers; ++i) {
         if (photons[i] < PHOTONS_FEW) {
@@ -295,7 +324,7 @@ static void warn_of_few(const murk_model *m, const murk_model_world *w)
     free(photons);
 }
 
-/* What cannot fit is refused before light is traced. */
+/* Forecasts the memory, and fails if there is less. */
 static murk_status foretell(murk_model *m, murk_error *err)
 {
     murk_fit_forecast forecast;
@@ -319,12 +348,13 @@ static murk_status foretell(murk_model *m, murk_error *err)
                      forecast.contributions, forecast.bytes / 1e9, have / 1e9);
 }
 
-/* All worlds, dark. */
+/* Builds the worlds of all conditions, without light. */
 static murk_status build_worlds(murk_model *m, const double *value,
                                 murk_error *err)
 {
     murk_status status = MURK_OK;
-    for (size_t c = 0; c < m->worlds; ++c) { /* before more is needed */
+    for (size_t c = 0; c < m->worlds; ++c) { /* release the old worlds first, to
+                                              * save memory */
         murk_lit_release(&m->world[c].lit);
         murk_reweighed_release(&m->world[c].rows.reweighed);
     }
@@ -343,6 +373,7 @@ static murk_status build_worlds(murk_model *m, const double *value,
     return status;
 }
 
+/* Traces the light of one condition, and the slopes of world keys. */
 static murk_status light_world(murk_model *m, size_t c, murk_error *err)
 {
     murk_model_world *w = &m->world[c];
@@ -366,12 +397,14 @@ static murk_status light_world(murk_model *m, size_t c, murk_error *err)
 murk_status murk_model_trace(murk_model *m, const double *value,
                              murk_error *err)
 {
-    /* what there is to say of the worlds is said once */
+    /* Warnings about the worlds are printed once. */
+    /* Reset. */
     const murk_warn_sink sink = m->was_built ? murk_warn_to(NULL) : NULL;
     memcpy(m->traced, value, m->n * sizeof *value);
     for (size_t k = 0; k < m->n; ++k) {
         m->slope_off[k] = m->slope_size[k] = 0;
     }
+    /* Build, forecast, trace. */
     const double begun_s = murk_clock_s();
     murk_status status = build_worlds(m, value, err);
     if (!status && !m->was_built) {

@@ -1,3 +1,6 @@
+/* Predicts a reading and slopes at every candidate with a forward model of its
+ * own, and selects candidates greedily by the determinant of the information
+ * (fit/optimal.h). */
 #include "calibrate/next.h"
 
 #include "calibrate/reading_cells.h"
@@ -8,8 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A reading is never better than this share of the largest one: else places
- * where nothing is to be read would be the best. */
+/* A reading has at least the error of a reading of this share of the largest
+ * one. Otherwise places where almost nothing is measured would seem best. */
 #define FLOOR_SHARE .01
 
 static murk_status no_memory(murk_error *err)
@@ -36,11 +39,13 @@ static int by_value(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* What kind of reading most are, its error, and one of them. */
+/* Determines the most frequent kind of reading, the median relative error, and
+ * an example. */
 static murk_status choose_kind(murk_next *out, const murk_reading **example,
                                const murk_measurements *measured,
                                murk_error *err)
 {
+    /* Count the kinds. */
     size_t count[MURK_READING_KINDS] = {0};
     for (size_t i = 0; i < measured->rows; ++i) {
         const murk_reading *reading = reading_of(measured, i);
@@ -58,6 +63,7 @@ static murk_status choose_kind(murk_next *out, const murk_reading **example,
                          "no reading of coverage, fluence or irradiance is "
                          "fitted: --next proposes places for such");
     }
+    /* Median of the relative errors. */
     double *error = malloc(n * sizeof *error);
     if (!error) {
         return no_memory(err);
@@ -74,10 +80,11 @@ static murk_status choose_kind(murk_next *out, const murk_reading **example,
     qsort(error, n, sizeof *error, by_value);
     out->relative_error = error[n / 2];
     free(error);
-    if (!first) { /* cannot be: n counted it */
+    if (!first) { /* impossible: n readings were counted */
         return murk_fail(err, MURK_RUN_FAILED, measured->path,
                          "no reading of the kind that was counted");
     }
+    /* Properties of the example. */
     out->unit = first->unit;
     out->condition = first->condition;
     out->direction = first->direction;
@@ -105,7 +112,8 @@ murk_status murk_next_check(const murk_measurements *measured,
     return status ? status : check_sensors(scene, err);
 }
 
-/* Poses of the scene's candidates; the caller's. */
+/* Lists the poses or positions of the candidates of the scene; the caller owns
+ * *out. */
 static murk_status list_poses(murk_pose **out, size_t *n, murk_next *next,
                               const murk_stage *stage, unsigned threads,
                               murk_error *err)
@@ -118,6 +126,7 @@ static murk_status list_poses(murk_pose **out, size_t *n, murk_next *next,
         status = murk_poses_create(&poses, stage->scene, &stage->world.domain,
                                    sites->position, sites->usable, err);
     }
+    /* Thin to the limit. */
     if (!status) {
         next->candidates = looks ? poses->count - poses->fixed : sites->usable;
         const size_t every = (next->candidates + MURK_NEXT_CANDIDATES_MAX - 1) /
@@ -137,7 +146,7 @@ static murk_status list_poses(murk_pose **out, size_t *n, murk_next *next,
     return status;
 }
 
-/* Each candidate as a row like the example. */
+/* One row for each candidate, like the example. */
 static murk_status make_rows(murk_measurements *out,
                              const murk_measurements *measured,
                              const murk_reading *example, const murk_pose *pose,
@@ -160,11 +169,11 @@ static murk_status make_rows(murk_measurements *out,
     return MURK_OK;
 }
 
-/* What photons' noise in one of many slopes may come to: the best of hundreds
- * of candidates would else be the noisiest. */
+/* Slopes are reduced by this many standard errors, because the best of hundreds
+ * of candidates would otherwise be the one with the largest error. */
 #define SIGMAS_LESS 2
 
-/* Brings slopes, of the last prediction, nearer to 0 by so many of their
+/* Moves the slopes of the last prediction towards 0 by a number of standard
  * errors. */
 static murk_status discount(double *slope, const murk_model *model, size_t n,
                             murk_error *err)
@@ -176,6 +185,7 @@ static murk_status discount(double *slope, const murk_model *model, size_t n,
         return status;
     }
     const size_t *lit = murk_model_lit(model, &lits);
+    /* The standard error of a slope from the contributions of the runs. */
     for (size_t i = 0; i < lits * n; ++i) {
         const size_t row = i / n, k = i % n;
         const double *of_row = part + row * (n + 1) + 1 + k;
@@ -196,7 +206,7 @@ static murk_status discount(double *slope, const murk_model *model, size_t n,
     return MURK_OK;
 }
 
-/* Slopes by search coordinates over each reading's error. */
+/* Slopes in search coordinates, divided by the error of each reading. */
 static void weigh_rows(double *row, double *error, const double *predicted,
                        const double *slope, size_t rows, double relative_error,
                        const murk_free_keys *keys, const double *value)
@@ -215,12 +225,13 @@ static void weigh_rows(double *row, double *error, const double *predicted,
     }
 }
 
-/* How sure the fit would be with the picks read as well. */
+/* Predicts the standard errors of the parameters with the selected readings. */
 static murk_status foresee(murk_next *out, const murk_calibration *found,
                            const murk_free_keys *keys, const double *row,
                            const murk_optimal_pick *pick, murk_error *err)
 {
     const size_t n = keys->n, fitted = found->fitted;
+    /* Append the selected rows to those of the fit. */
     double *all = malloc((fitted + out->n) * n * sizeof *all);
     murk_certainty certainty = {0};
     if (!all) {
@@ -231,6 +242,7 @@ static murk_status foresee(murk_next *out, const murk_calibration *found,
         memcpy(all + (fitted + i) * n, row + pick[i].candidate * n,
                n * sizeof *all);
     }
+    /* Covariance of all rows. */
     murk_status status = murk_certainty_create(&certainty, all, fitted + out->n,
                                                n, found->at_bound, found->scale,
                                                MURK_UNDETERMINED, err);
@@ -243,6 +255,7 @@ static murk_status foresee(murk_next *out, const murk_calibration *found,
     return status;
 }
 
+/* Predicts all candidates and selects k of them. */
 static murk_status judge(murk_next *out, size_t k, murk_model *model,
                          const murk_pose *pose, const murk_calibration *found,
                          const murk_calibration_desc *desc, murk_error *err)
@@ -257,6 +270,7 @@ static murk_status judge(murk_next *out, size_t k, murk_model *model,
         free(pick);
         return no_memory(err);
     }
+    /* Predict, with slopes reduced by their errors. */
     double *predicted = room, *error = room + rows, *slope = room + 2 * rows,
            *row = room + 2 * rows + rows * n;
     murk_status status = murk_model_trace(model, found->value, err);
@@ -267,6 +281,7 @@ static murk_status judge(murk_next *out, size_t k, murk_model *model,
     if (!status) {
         status = discount(slope, model, n, err);
     }
+    /* Select. */
     if (!status) {
         weigh_rows(row, error, predicted, slope, rows, out->relative_error,
                    keys, found->value);
@@ -274,6 +289,7 @@ static murk_status judge(murk_next *out, size_t k, murk_model *model,
         status = murk_optimal_choose(pick, out->n, found->information, row,
                                      rows, n, err);
     }
+    /* Fill the result. */
     for (size_t i = 0; i < out->n && !status; ++i) {
         const size_t c = pick[i].candidate;
         out->place[i] =
@@ -287,6 +303,7 @@ static murk_status judge(murk_next *out, size_t k, murk_model *model,
     return status;
 }
 
+/* Lists the candidates in the condition of the example. */
 static murk_status stand(murk_pose **pose, size_t *n, murk_next *out,
                          const murk_calibration *found,
                          const murk_calibration_desc *desc, murk_error *err)
@@ -316,6 +333,7 @@ murk_status murk_next_propose(murk_next *out, size_t k,
     size_t n = 0;
     murk_status status =
         out->place && out->standard_error ? MURK_OK : no_memory(err);
+    /* Kind of reading and candidates. */
     if (!status) {
         status = choose_kind(out, &example, desc->measured, err);
     }
@@ -325,6 +343,7 @@ murk_status murk_next_propose(murk_next *out, size_t k,
     if (!status) {
         status = make_rows(&rows, desc->measured, example, pose, n, err);
     }
+    /* Forward model of the candidates. */
     if (!status) {
         const murk_model_desc of = {.keys = desc->keys,
                                     .measured = &rows,
@@ -332,6 +351,7 @@ murk_status murk_next_propose(murk_next *out, size_t k,
                                     .threads = desc->threads};
         status = murk_model_create(&model, &of, err);
     }
+    /* Select. */
     if (!status) {
         status = judge(out, k, model, pose, found, desc, err);
     }

@@ -1,3 +1,4 @@
+/* Extracts the optical properties of a scene for re-weighting. */
 #include "calibrate/optics.h"
 
 #include "base/log.h"
@@ -42,7 +43,7 @@ static murk_status copy_power(murk_optics *o, const double *power_w,
     return MURK_OK;
 }
 
-/* power_w NULL: to be worked out, in the domain. */
+/* power_w NULL: computed from the light sources in the domain. */
 static murk_status create(murk_optics **out, murk_scene_desc *scene,
                           const murk_domain *domain, const double *power_w,
                           murk_error *err)
@@ -53,6 +54,7 @@ static murk_status create(murk_optics **out, murk_scene_desc *scene,
         murk_scene_desc_destroy(scene);
         return status;
     }
+    /* Fill media and power without warnings. */
     const bool was_silent = murk_warn_quiet(true);
     o->scene = scene;
     o->media = scene->n_media;
@@ -97,13 +99,14 @@ void murk_optics_destroy(murk_optics *optics)
     }
 }
 
-/* Angles at which two phase functions are held against each other: dense where
- * diffraction is. */
+/* Angles at which phase functions are compared, in logarithmic steps because of
+ * the diffraction peak. */
 #define ANGLES 60
 
-/* More than laws round off. A parameter that turns light by no more when it
- * changes by a thousandth moves a path's weight by 1e-4 a scattering when it
- * changes by all of itself: rain's share of absorbed light in the visible. */
+/* Relative tolerance, above rounding. A parameter that changes a phase function
+ * by less than this when it changes by a thousandth changes the weight of a
+ * path by at most 1e-4 for each scattering when it doubles. Example: the
+ * absorbed share of rain in the visible. */
 #define ALIKE 1e-7
 
 bool murk_optics_turn_alike(const murk_optics *a, const murk_optics *b,

@@ -1,3 +1,6 @@
+/* Evaluates the forward model: lit rows by re-weighting plus the linear effect
+ * of world keys, transmittance along beams exactly, then factors of readings.
+ * Also computes the noise of the last prediction. */
 #include "calibrate/beams.h"
 #include "calibrate/model_parts.h"
 #include "calibrate/world_slopes.h"
@@ -7,7 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* By how much slopes over a tiny step and over a wide one may differ. */
+/* If the slopes over a small step and over a wide one differ by more than this
+ * factor, the small one is dominated by steps of the function. */
 #define STEEP 10
 
 static murk_status no_memory(murk_error *err)
@@ -26,6 +30,7 @@ void murk_sides_release(murk_sides *s, size_t n)
     free(s->high);
 }
 
+/* The optics of condition c with `instead` as the value of key k. */
 static murk_status optics_with(murk_optics **out, const murk_model *m, size_t c,
                                const double *value, size_t k, double instead,
                                murk_error *err)
@@ -55,9 +60,11 @@ murk_status murk_model_look_around(murk_sides *out, const murk_model *m,
     murk_status status = MURK_OK;
     for (size_t k = 0; k < m->n && !status; ++k) {
         if (!murk_model_reweighs(m, k, c)) {
+            /* Keys without an effect by re-weighting keep NULL. */
             continue;
         }
         double low, high;
+        /* The optics at both values. */
         murk_free_key_around(m->desc.keys, k, value[k], &low, &high);
         status = optics_with(&out->low[k], m, c, value, k, low, err);
         if (!status) {
@@ -69,6 +76,7 @@ murk_status murk_model_look_around(murk_sides *out, const murk_model *m,
     return status;
 }
 
+/* Predicts the lit rows of one condition. */
 static murk_status predict_light(murk_model *m, size_t c, const double *value,
                                  bool with_slopes, double *predicted,
                                  double *slope, murk_error *err)
@@ -78,19 +86,23 @@ static murk_status predict_light(murk_model *m, size_t c, const double *value,
     murk_optics *at = NULL;
     murk_sides around = {0};
     murk_status status = moved ? MURK_OK : no_memory(err);
+    /* World keys keep the traced value; their effect is added below. */
     for (size_t k = 0; k < m->n && !status; ++k) {
         moved[k] = murk_model_turns_world(m, k, c) ? m->traced[k] : value[k];
     }
     if (!status) {
         status = murk_free_optics(&at, m->desc.keys, c, moved, err);
     }
+    /* Optics at these values and around them. */
     if (!status && with_slopes) {
         status = murk_model_look_around(&around, m, c, moved, err);
     }
+    /* Re-weight. */
     if (!status) {
         status = murk_lit_read(&w->rows, &w->lit, m->desc.measured, at,
                                around.side, with_slopes ? m->n : 0, err);
     }
+    /* Add the linear effect of world keys. */
     for (size_t i = 0; i < w->instruments.lit && !status; ++i) {
         const size_t row = w->instruments.lit_row[i];
         predicted[row] = w->rows.value[i];
@@ -110,7 +122,8 @@ static murk_status predict_light(murk_model *m, size_t c, const double *value,
     return status;
 }
 
-/* In the rows' units, of the world that the scene of these values is. */
+/* Transmittances at the given values, in the units of the rows. Beams use the
+ * scene of these values, world keys included. */
 static murk_status beams_at(double *out, const murk_model *m, size_t c,
                             const double *value, murk_error *err)
 {
@@ -123,6 +136,7 @@ static murk_status beams_at(double *out, const murk_model *m, size_t c,
         status = murk_beams_create(&beams, w->lit.stage, optics, err);
     }
     for (size_t i = 0; i < w->instruments.beams && !status; ++i) {
+        /* Evaluate each beam. */
         const murk_reading *reading =
             &measured->reading[measured->row[w->instruments.beam_row[i]].first];
         double transmittance, unused;
@@ -136,6 +150,7 @@ static murk_status beams_at(double *out, const murk_model *m, size_t c,
     return status;
 }
 
+/* Difference quotients of the beams over [low, high] of key k. */
 static murk_status beam_differences(double *out, const murk_model *m, size_t c,
                                     const double *value, size_t k, double low,
                                     double high, murk_error *err)
@@ -160,8 +175,10 @@ static murk_status beam_differences(double *out, const murk_model *m, size_t c,
     return status;
 }
 
-/* Where a grid moves, level beams go by steps of its voxels: flat for the most
- * part, and then a jump. Such slopes give way to those over a wide step. */
+/* True if the slopes over a small and a wide step differ much. If a grid moves,
+ * a level beam changes only when it crosses a layer of voxels: it is constant
+ * almost everywhere, and then jumps. The slopes over the wide step are then
+ * used. */
 static bool are_of_steps(const double *slope, const double *wide, size_t n)
 {
     double of_slopes = 0, of_wide = 0;
@@ -173,7 +190,7 @@ static bool are_of_steps(const double *slope, const double *wide, size_t n)
            of_wide > STEEP * STEEP * of_slopes;
 }
 
-/* room[2 * beams]. */
+/* Slopes of the beams with respect to key k; room[2 * beams] is a workspace. */
 static murk_status beam_slopes(const murk_model *m, size_t c,
                                const double *value, size_t k, double *room,
                                double *slope, murk_error *err)
@@ -196,6 +213,7 @@ static murk_status beam_slopes(const murk_model *m, size_t c,
     return status;
 }
 
+/* Predicts the beams of one condition. */
 static murk_status predict_beams(const murk_model *m, size_t c,
                                  const double *value, double *predicted,
                                  double *slope, murk_error *err)
@@ -220,7 +238,7 @@ static murk_status predict_beams(const murk_model *m, size_t c,
     return status;
 }
 
-/* The free factor of a row, as a key; n: none. */
+/* The key of the free factor of a row; n: none. */
 static size_t gain_of(const murk_model *m, size_t row)
 {
     const murk_measurements *measured = m->desc.measured;
@@ -237,6 +255,8 @@ static size_t gain_of(const murk_model *m, size_t row)
     return m->n;
 }
 
+/* Applies the factors; the slope with respect to a factor is the row without
+ * the factor. */
 static void apply_gains(murk_model *m, const double *value, double *predicted,
                         double *slope)
 {
@@ -263,6 +283,7 @@ murk_status murk_model_predict(murk_model *m, const double *value,
     if (slope) {
         memset(slope, 0, m->rows * m->n * sizeof *slope);
     }
+    /* Each condition: lit rows, then beams. */
     for (size_t c = 0; c < m->worlds && !status; ++c) {
         murk_model_world *w = &m->world[c];
         if (w->instruments.lit) {
@@ -297,6 +318,7 @@ murk_status murk_model_noise(const murk_model *m, const size_t **lit, size_t *n,
         *covariance = NULL;
         return no_memory(err);
     }
+    /* Collect the batches of all conditions, with factors. */
     for (size_t c = 0; c < m->worlds; ++c) {
         const murk_model_world *w = &m->world[c];
         for (size_t i = 0; i < w->instruments.lit; ++i) {
@@ -318,7 +340,7 @@ const size_t *murk_model_lit(const murk_model *m, size_t *n)
     return m->lit;
 }
 
-/* One row's parts in a run. */
+/* Writes the contribution of a run to one row. */
 static void add_part(double *to, const murk_model *m, const murk_model_world *w,
                      size_t i, size_t run, double value)
 {
@@ -347,6 +369,8 @@ murk_status murk_model_parts(const murk_model *m, size_t *runs, double **part,
     if (!all) {
         return no_memory(err);
     }
+    /* Values of a run: sum of the batches of that run. Slopes are stored by
+     * run. */
     for (size_t c = 0; c < m->worlds; ++c) {
         const murk_model_world *w = &m->world[c];
         for (size_t j = 0; j < m->runs * w->instruments.lit; ++j) {

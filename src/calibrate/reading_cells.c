@@ -1,3 +1,5 @@
+/* Reads the cells of a table of readings, with messages that name file, line
+ * and column. */
 #include "calibrate/reading_cells.h"
 
 #include "scene/words.h"
@@ -56,7 +58,8 @@ static bool is_known(const char *name)
     return false;
 }
 
-/* `known`: how many others are. */
+/* Fails because of an unknown column. known: number of known columns of the
+ * table. */
 static murk_status refuse_column(const murk_table *table, const char *name,
                                  size_t known, murk_error *err)
 {
@@ -82,6 +85,7 @@ murk_status murk_reading_columns(murk_reading_source *source, murk_error *err)
     static const murk_reading_column always[] = {
         MURK_COLUMN_KIND, MURK_COLUMN_VALUE, MURK_COLUMN_ERROR};
     const murk_table *table = source->table;
+    /* Refuse unknown columns. */
     size_t known = 0;
     for (size_t i = 0; i < table->columns; ++i) {
         known += is_known(table->name[i]);
@@ -91,6 +95,7 @@ murk_status murk_reading_columns(murk_reading_source *source, murk_error *err)
             return refuse_column(table, table->name[i], known, err);
         }
     }
+    /* Find all columns; some must exist. */
     for (int i = 0; i < MURK_READING_COLUMNS; ++i) {
         source->column[i] = murk_table_column(table, NAMES[i]);
     }
@@ -154,6 +159,7 @@ murk_status murk_reading_vector(const murk_reading_row *at,
     return MURK_OK;
 }
 
+/* Fails because a word is unknown, with a suggestion or the list of words. */
 static murk_status not_one(const murk_reading_row *at,
                            murk_reading_column column, const char *const *known,
                            size_t n)

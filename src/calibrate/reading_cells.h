@@ -1,19 +1,19 @@
-/* The columns of a file of readings, and the cells of one of its rows. Private
- * to measurements. */
+/* The columns of a file of readings, and the cells of one row. Internal to
+ * measurements. */
 #ifndef MURK_CALIBRATE_READING_CELLS_H
 #define MURK_CALIBRATE_READING_CELLS_H
 
 #include "calibrate/measurements.h"
 #include "scene/table.h"
 
-#define MURK_READING_NAME_SIZE 64 /* of groups and gains */
+#define MURK_READING_NAME_SIZE 64 /* size of names of groups and factors */
 
 typedef enum murk_reading_column {
     MURK_COLUMN_KIND,
     MURK_COLUMN_CONDITION,
-    MURK_COLUMN_X,                                /* then y, z */
-    MURK_COLUMN_X2 = MURK_COLUMN_X + 3,           /* likewise */
-    MURK_COLUMN_DIRECTION_X = MURK_COLUMN_X2 + 3, /* likewise */
+    MURK_COLUMN_X,                                /* followed by y, z */
+    MURK_COLUMN_X2 = MURK_COLUMN_X + 3,           /* followed by y, z */
+    MURK_COLUMN_DIRECTION_X = MURK_COLUMN_X2 + 3, /* followed by y, z */
     MURK_COLUMN_RADIUS = MURK_COLUMN_DIRECTION_X + 3,
     MURK_COLUMN_ACCEPTANCE,
     MURK_COLUMN_BAND,
@@ -29,52 +29,57 @@ typedef enum murk_reading_column {
     MURK_READING_COLUMNS
 } murk_reading_column;
 
+/* Number of murk_reading_kind. */
 #define MURK_READING_KINDS 4
 
-/* "coverage" .. by murk_reading_kind. */
+/* Names of the kinds, by murk_reading_kind. */
 extern const char *const murk_reading_kinds[MURK_READING_KINDS];
 
 typedef struct murk_reading_source {
     const murk_table *table;
-    long column[MURK_READING_COLUMNS]; /* -1: not there */
+    long column[MURK_READING_COLUMNS]; /* -1: the file does not have the column
+                                        */
     const murk_scene_desc *scene;
     const murk_domain *domain;
 } murk_reading_source;
 
 typedef struct murk_reading_row {
     const murk_reading_source *source;
-    size_t row; /* of the table */
+    size_t row; /* row of the table */
     murk_error *err;
 } murk_reading_row;
 
-/* Finds the columns; refuses those that are none of a reading's, and a table
- * without kind, value or standard_error. */
+/* Finds the columns. Fails for unknown columns, and if kind, value or
+ * standard_error are missing. */
 murk_status murk_reading_columns(murk_reading_source *source, murk_error *err);
 
-/* "field.csv:7: group": the place of a cell. */
+/* The place of a cell for messages: "field.csv:7: group". */
 void murk_reading_where(char out[320], const murk_table *table, int line,
                         murk_reading_column column);
 
-/* Empty where the column is missing. */
+/* The text of a cell; empty if the column is missing. */
 const char *murk_reading_cell(const murk_reading_row *at,
                               murk_reading_column column);
 
+/* Fails with MURK_BAD_VALUE at a cell. */
 murk_status murk_reading_fail(const murk_reading_row *at,
                               murk_reading_column column, const char *text);
 
+/* Reads a number. */
 murk_status murk_reading_number(const murk_reading_row *at,
                                 murk_reading_column column, double *out);
 
-/* Of three columns that follow each other. */
+/* Reads a vector from three adjacent columns. */
 murk_status murk_reading_vector(const murk_reading_row *at,
                                 murk_reading_column first, murk_vec3 *out);
 
-/* Which of known[n] it is. */
+/* Reads a word; *out is the index in known[n]. */
 murk_status murk_reading_word(const murk_reading_row *at,
                               murk_reading_column column,
                               const char *const *known, size_t n, size_t *out);
 
-/* A text of at most MURK_READING_NAME_SIZE - 1 bytes; may be empty. */
+/* Reads a name of at most MURK_READING_NAME_SIZE - 1 bytes, which may be empty.
+ */
 murk_status murk_reading_name(const murk_reading_row *at,
                               murk_reading_column column, const char **out);
 

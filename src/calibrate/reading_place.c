@@ -1,3 +1,4 @@
+/* Reads and checks the columns of a reading that describe the instrument. */
 #include "calibrate/reading_place.h"
 
 #include "base/position.h"
@@ -7,8 +8,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#define SENSOR_TYPES_MAX 64 /* of a scene */
-#define RAD_PER_DEG      (MURK_PI / 180)
+#define SENSOR_TYPES_MAX 64 /* sensor types that a scene may have */
+#define RAD_PER_DEG      (MURK_PI / 180) /* radians in a degree */
 
 static murk_status outside(const murk_reading_row *at,
                            murk_reading_column column, const char *what,
@@ -23,6 +24,7 @@ static murk_status outside(const murk_reading_row *at,
     return murk_reading_fail(at, column, text);
 }
 
+/* Reads a position, which must lie in the domain. */
 static murk_status inside(const murk_reading_row *at,
                           murk_reading_column column, murk_vec3 *out)
 {
@@ -33,14 +35,17 @@ static murk_status inside(const murk_reading_row *at,
                : outside(at, column, "the place", *out);
 }
 
+/* Reads the band: the one that contains the wavelength; empty means all. */
 static murk_status read_band(murk_reading *out, const murk_reading_row *at)
 {
     const murk_scene_desc *scene = at->source->scene;
     double nm = NAN;
+    /* Empty: all bands. */
     out->band = -1;
     if (murk_reading_cell(at, MURK_COLUMN_BAND)[0] == '\0') {
         return MURK_OK;
     }
+    /* The band that contains the wavelength. */
     const murk_status status = murk_reading_number(at, MURK_COLUMN_BAND, &nm);
     for (int b = 0; b < scene->bands && !status; ++b) {
         const bool is_it = scene->has_edges
@@ -52,6 +57,7 @@ static murk_status read_band(murk_reading *out, const murk_reading_row *at)
             return MURK_OK;
         }
     }
+    /* Suggest the nearest band. */
     char text[128];
     int near = 0;
     for (int b = 1; b < scene->bands; ++b) {
@@ -65,6 +71,7 @@ static murk_status read_band(murk_reading *out, const murk_reading_row *at)
     return status ? status : murk_reading_fail(at, MURK_COLUMN_BAND, text);
 }
 
+/* Reads an angle that the sensor type requires. */
 static murk_status read_angle(const murk_reading_row *at,
                               murk_reading_column column, double max_deg,
                               double *rad)
@@ -85,11 +92,13 @@ static murk_status read_angle(const murk_reading_row *at,
     return status;
 }
 
+/* Reads type, heading and tilt of a sensor. */
 static murk_status read_sensor(murk_reading *out, const murk_reading_row *at)
 {
     const murk_scene_sensors *sensors = &at->source->scene->sensors;
     const char *known[SENSOR_TYPES_MAX];
     size_t k = 0;
+    /* The type may be left out if there is only one. */
     if (sensors->types == 0) {
         return murk_reading_fail(
             at, MURK_COLUMN_KIND,
@@ -110,17 +119,20 @@ static murk_status read_sensor(murk_reading *out, const murk_reading_row *at)
     if (sensors->type[k].view == MURK_VIEW_SPHERE) {
         return MURK_OK;
     }
+    /* A type with a view needs heading and tilt. */
     const murk_status status =
         read_angle(at, MURK_COLUMN_HEADING, 360, &out->pose.heading_rad);
     return status ? status
                   : read_angle(at, MURK_COLUMN_TILT, 90, &out->pose.tilt_rad);
 }
 
-/* Wholly inside, since light beyond the domain is none of its photons'. */
+/* Reads a receiver, whose sphere must lie in the domain entirely: there is no
+ * light outside. */
 static murk_status read_receiver(murk_reading *out, const murk_reading_row *at)
 {
     const murk_box *box = &at->source->domain->box;
     const murk_vec3 p = out->position;
+    /* Radius. */
     murk_status status =
         murk_reading_number(at, MURK_COLUMN_RADIUS, &out->radius_m);
     const double r = out->radius_m;
@@ -132,7 +144,8 @@ static murk_status read_receiver(murk_reading *out, const murk_reading_row *at)
         snprintf(text, sizeof text, "%.9g, must be more than 0 m", r);
         return murk_reading_fail(at, MURK_COLUMN_RADIUS, text);
     }
-    /* what adding and subtracting two lengths rounds off */
+    /* Tolerance for rounding: a few units in the last place of the coordinates.
+     */
     const double slack =
         4 * DBL_EPSILON * fmax(murk_length(box->min), murk_length(box->max));
     if (!(p.x - r >= box->min.x - slack && p.x + r <= box->max.x + slack &&
@@ -144,6 +157,7 @@ static murk_status read_receiver(murk_reading *out, const murk_reading_row *at)
     if (out->kind == MURK_READ_FLUENCE) {
         return MURK_OK;
     }
+    /* Irradiance needs the normal of the receiving side. */
     status = murk_reading_vector(at, MURK_COLUMN_DIRECTION_X, &out->direction);
     const double length = murk_length(out->direction);
     if (!status && !(length > 0 && isfinite(length))) {
@@ -167,6 +181,7 @@ static murk_status read_segment(murk_reading *out, const murk_reading_row *at)
                      "segment's other end");
 }
 
+/* Reads the acceptance angle, which may be empty. */
 static murk_status read_acceptance(murk_reading *out,
                                    const murk_reading_row *at)
 {

@@ -1,11 +1,13 @@
-/* Where and how a reading was taken. Private to measurements. */
+/* The position of a reading and the properties of the instrument. Internal to
+ * measurements. */
 #ifndef MURK_CALIBRATE_READING_PLACE_H
 #define MURK_CALIBRATE_READING_PLACE_H
 
 #include "calibrate/reading_cells.h"
 
-/* Position, band, acceptance and what its kind has: a sensor, a sphere or a
- * segment; all of it within the domain. out->kind is set. */
+/* Reads position, band, acceptance, and the properties of the kind of reading:
+ * a sensor, a sphere or a segment. Everything must lie in the domain. out->kind
+ * must be set. */
 murk_status murk_reading_place(murk_reading *out, const murk_reading_row *at);
 
 #endif

@@ -1,3 +1,5 @@
+/* Reads one line of a file of readings: checks which columns the kind of
+ * reading needs and allows, then reads place, unit, value and error. */
 #include "calibrate/reading_row.h"
 
 #include "calibrate/reading_place.h"
@@ -12,7 +14,8 @@ static const char *const USES[] = {"fit", "hold_out"};
 #define BIT(column)   (1u << (MURK_COLUMN_##column))
 #define THREE(column) (7u << (MURK_COLUMN_##column))
 
-/* What readings of a kind must have, and what they may have beside it. */
+/* Bit sets of columns: those that every reading needs, those that every reading
+ * may have, and both by kind. */
 static const unsigned ALWAYS = BIT(KIND) | THREE(X) | BIT(VALUE) | BIT(ERROR);
 static const unsigned ANY =
     BIT(CONDITION) | BIT(GROUP) | BIT(GAIN) | BIT(UNIT) | BIT(USE);
@@ -27,8 +30,10 @@ static const unsigned ALLOWED[] = {
     [MURK_READ_IRRADIANCE] = BIT(BAND) | BIT(ACCEPTANCE),
     [MURK_READ_TRANSMITTANCE] = BIT(BAND) | BIT(ACCEPTANCE)};
 
-/* ---- what a kind has ---- */
+/* ---- columns of a kind ---- */
 
+/* Fails if a needed cell is empty, or if a cell is not empty that the kind does
+ * not have. */
 static murk_status check_cells(const murk_reading_row *at,
                                murk_reading_kind kind)
 {
@@ -76,7 +81,7 @@ static murk_status read_condition(murk_reading *out, const murk_reading_row *at)
 
 /* ---- value ---- */
 
-/* Squares and their inverses stay within the range of numbers. */
+/* Largest value and error: squares and inverse squares remain representable. */
 #define LARGEST 1e30
 
 static murk_status read_value(murk_reading *out, const murk_reading_row *at)
@@ -112,8 +117,11 @@ static murk_status read_error(murk_reading *out, const murk_reading_row *at)
     return status;
 }
 
+/* Reads the unit; units of relative light need a factor, and units per length
+ * permit none. */
 static murk_status read_unit(murk_reading *out, const murk_reading_row *at)
 {
+    /* Find the unit. */
     char where[320], text[200];
     murk_reading_where(where, at->source->table,
                        at->source->table->line[at->row], MURK_COLUMN_UNIT);
@@ -123,6 +131,7 @@ static murk_status read_unit(murk_reading *out, const murk_reading_row *at)
     if (status) {
         return status;
     }
+    /* Compare with the column of factors. */
     const bool has_gain = murk_reading_cell(at, MURK_COLUMN_GAIN)[0] != '\0';
     if (!has_gain && murk_reading_unit_needs_gain(out->unit, out->kind)) {
         snprintf(text, sizeof text,
@@ -141,7 +150,8 @@ static murk_status read_unit(murk_reading *out, const murk_reading_row *at)
     return MURK_OK;
 }
 
-/* Light of bands that count nothing, such as lux of infrared. */
+/* Fails for a unit in which the bands count nothing, such as lux of infrared
+ * light. */
 static murk_status check_counts(const murk_reading *out,
                                 const murk_reading_row *at)
 {
@@ -165,6 +175,7 @@ murk_status murk_reading_read(murk_reading *out, const char **group,
 {
     const murk_reading_row at = {source, row, err};
     size_t kind = 0, use = 0;
+    /* The kind determines the columns. */
     murk_status status = murk_reading_word(
         &at, MURK_COLUMN_KIND, murk_reading_kinds, MURK_READING_KINDS, &kind);
     if (status) {
@@ -173,6 +184,7 @@ murk_status murk_reading_read(murk_reading *out, const char **group,
     *out = (murk_reading){.kind = (murk_reading_kind)kind,
                           .line = (size_t)source->table->line[row],
                           .gain = SIZE_MAX};
+    /* Read each part. */
     if ((status = check_cells(&at, out->kind)) ||
         (status = read_condition(out, &at)) ||
         (status = murk_reading_place(out, &at)) ||
@@ -182,6 +194,7 @@ murk_status murk_reading_read(murk_reading *out, const char **group,
         (status = murk_reading_name(&at, MURK_COLUMN_GAIN, gain))) {
         return status;
     }
+    /* Whether the reading is held out. */
     if (murk_reading_cell(&at, MURK_COLUMN_USE)[0] != '\0') {
         status = murk_reading_word(&at, MURK_COLUMN_USE, USES, 2, &use);
     }

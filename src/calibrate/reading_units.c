@@ -1,3 +1,5 @@
+/* The table of units of readings, and conversions from the quantity of the
+ * model to each unit. */
 #include "calibrate/reading_units.h"
 
 #include "base/photometry.h"
@@ -7,16 +9,19 @@
 #include <stdio.h>
 #include <string.h>
 
-/* The contract's: extinction = 3.912 / visibility = 2.996 / optical range. */
+/* Visibility is defined by a contrast of 2 % (Koschmieder: ln 50 = 3.912),
+ * meteorological optical range by 5 % (ln 20 = 2.996). */
 #define VISIBILITY    3.912
 #define OPTICAL_RANGE 2.996
-#define DECIBEL       (10 / 2.302585092994046) /* -10 log10 T = DECIBEL * -ln T */
+/* 10 / ln 10: -10 log10 T = DECIBEL * -ln T */
+#define DECIBEL (10 / 2.302585092994046)
 
-/* Beyond these the logarithm and its slope leave the range of numbers, and
- * nothing that was measured lies there. */
+/* Transmittance is limited to this range: beyond it the logarithm and the slope
+ * are not representable, and no measured value lies there. */
 #define T_MIN 1e-300
 #define T_MAX (1 - 0x1p-53)
 
+/* Sets of kinds. */
 #define COVERAGE BIT(MURK_READ_COVERAGE)
 #define LIGHT    (BIT(MURK_READ_FLUENCE) | BIT(MURK_READ_IRRADIANCE))
 #define BEAM     BIT(MURK_READ_TRANSMITTANCE)
@@ -25,13 +30,14 @@
 typedef struct unit_row {
     const char *name;
     unsigned kinds;
-    double min, max; /* beyond which a reading is of another unit */
+    double min, max; /* outside of this range, a reading must be of another unit
+                      */
     const char *range;
     const char *law;
 } unit_row;
 
-/* Noise carries readings past 0 and 1, so ranges leave room for half as much
- * again. */
+/* Noise may carry readings beyond 0 and 1, so ranges allow half as much again.
+ */
 static const unit_row UNITS[MURK_READING_UNITS] = {
     [MURK_UNIT_FRACTION] = {"fraction", COVERAGE | BEAM, -.5, 1.5,
                             "0..1, and noise up to half beyond", NULL},
@@ -58,7 +64,7 @@ static const unit_row UNITS[MURK_READING_UNITS] = {
                          "2.996 L / -ln(T)"},
 };
 
-/* Other spellings of them. */
+/* Other spellings. */
 static const struct {
     const char *name;
     murk_reading_unit unit;
@@ -111,7 +117,7 @@ bool murk_reading_unit_needs_gain(murk_reading_unit unit,
            (unit == MURK_UNIT_PERCENT || unit == MURK_UNIT_RELATIVE);
 }
 
-/* The units of a kind, for a message. */
+/* Lists the units of a kind, for a message. */
 static void list_of(char *out, size_t size, murk_reading_kind kind)
 {
     size_t used = 0;
@@ -124,6 +130,7 @@ static void list_of(char *out, size_t size, murk_reading_kind kind)
     }
 }
 
+/* Fails because a word is not a unit of the kind, with a suggestion. */
 static murk_status wrong_unit(const char *word, murk_reading_kind kind,
                               const char *where, murk_error *err)
 {
@@ -162,6 +169,7 @@ murk_status murk_reading_unit_find(murk_reading_unit *out, const char *word,
                                    murk_reading_kind kind, const char *where,
                                    murk_error *err)
 {
+    /* Words that could mean two units. */
     for (size_t i = 0; i < sizeof AMBIGUOUS / sizeof *AMBIGUOUS; ++i) {
         if (strcmp(word, AMBIGUOUS[i]) == 0) {
             return murk_fail(err, MURK_BAD_VALUE, where,
@@ -171,6 +179,7 @@ murk_status murk_reading_unit_find(murk_reading_unit *out, const char *word,
                              word);
         }
     }
+    /* Find the unit; it must be one of the kind. */
     const int unit = word[0] == '\0' && !(BIT(kind) & LIGHT)
                          ? (int)MURK_UNIT_FRACTION
                          : unit_of(word);
@@ -203,6 +212,7 @@ murk_status murk_reading_unit_check(murk_reading_unit unit, double value,
 double murk_reading_in_unit(murk_reading_unit unit, double model,
                             double length_m, double *slope)
 {
+    /* Units without a law. */
     if (unit == MURK_UNIT_PERCENT) {
         *slope = 100;
         return 100 * model;
@@ -211,6 +221,7 @@ double murk_reading_in_unit(murk_reading_unit unit, double model,
         *slope = 1;
         return model;
     }
+    /* Units derived from the extinction along the segment. */
     const double t = model < T_MIN ? T_MIN : model > T_MAX ? T_MAX : model;
     const double per_m = -log(t) / length_m;
     const double d_per_m = -1 / (t * length_m);

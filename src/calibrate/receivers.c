@@ -1,10 +1,14 @@
-/* What receivers read of re-weighted light. */
+/* Evaluates receivers on re-weighted light: track-length estimates of fluence
+ * rate and irradiance, averaged over the sphere (Spanier and Gelbard, Monte
+ * Carlo Principles and Neutron Transport Problems, 1969), by batch, with slopes
+ * by run. */
 #include "base/pool.h"
 #include "calibrate/reweigh.h"
 
 #include <assert.h>
 #include <string.h>
 
+/* Arguments of murk_receivers_read(). */
 typedef struct job {
     double *batch, *slope_batch; /* as murk_receivers_read() says */
     size_t batches, runs, receivers;
@@ -14,7 +18,7 @@ typedef struct job {
     const murk_reweighed *reweighed;
 } job;
 
-/* Photons are in order. */
+/* The first contribution of a run; contributions are sorted by photon. */
 static size_t first_of_run(const job *j, uint64_t run)
 {
     const murk_followed *f = j->followed;
@@ -31,7 +35,7 @@ static size_t first_of_run(const job *j, uint64_t run)
     return low;
 }
 
-/* Of a ratio of 1. */
+/* The value of a contribution with ratio 1. */
 static double worth_of(const job *j, const murk_contribution *c)
 {
     const murk_followed *f = j->followed;
@@ -43,7 +47,7 @@ static double worth_of(const job *j, const murk_contribution *c)
            j->per_watt[c->receiver * lights + c->light].band[c->band] / volume;
 }
 
-/* Its batches are its own. */
+/* Sums the contributions of one run; batches belong to one run each. */
 static void read_run(void *context, uint64_t run)
 {
     const job *j = context;
@@ -78,16 +82,18 @@ void murk_receivers_read(double *value, double *slope, double *batch,
     const size_t keys = reweighed->keys, slopes = receivers * keys;
     job j = {batch,    slope_batch, batches,  runs,     receivers,
              receiver, per_watt,    followed, reweighed};
-    if (!slope_batch) { /* one run of all */
+    if (!slope_batch) { /* a single run */
         j.slope_batch = slope;
         j.runs = 1;
     }
     assert(batches % j.runs == 0);
+    /* Clear the sums, then process the runs in parallel. */
     memset(value, 0, receivers * sizeof *value);
     memset(slope, 0, slopes * sizeof *slope);
     memset(batch, 0, batches * receivers * sizeof *batch);
     memset(j.slope_batch, 0, j.runs * slopes * sizeof *j.slope_batch);
     murk_pool_run(threads, j.runs, read_run, &j);
+    /* Totals. */
     for (size_t b = 0; b < batches; ++b) {
         for (size_t r = 0; r < receivers; ++r) {
             value[r] += batch[b * receivers + r];

@@ -1,3 +1,8 @@
+/* Records photon histories: density path and number of scatterings by medium,
+ * cosines if needed, and a contribution for each chord in a receiver and each
+ * stored record. The density path is the optical depth in a medium of
+ * extinction 1 (medium/alone.h), so overlapping and replaced media are treated
+ * as in the photon tracer. */
 #include "calibrate/recorder.h"
 
 #include "medium/single_medium.h"
@@ -6,9 +11,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define FIRST_ROOM 256
+#define FIRST_ROOM 256 /* first capacity: 256 contributions */
 
-/* ---- growing ---- */
+/* ---- growing arrays ---- */
 
 static bool regrow(void **array, size_t room, size_t size)
 {
@@ -40,7 +45,7 @@ static bool set_turn_room(murk_recorded *r, size_t room)
     return fits;
 }
 
-/* At least `more` beyond what is there. */
+/* Ensures capacity for `more` further contributions. */
 static bool make_room(murk_recorded *r, size_t media, size_t more)
 {
     const size_t min = r->n + more, grown = r->room + r->room / 2;
@@ -82,11 +87,12 @@ void murk_recorded_fit(murk_recorded *r, size_t media)
     set_turn_room(r, r->turns);
 }
 
-/* ---- a photon's way ---- */
+/* ---- the history of a photon ---- */
 
 static void begin_photon(murk_recorder *r, murk_photon_history *f)
 {
-    f->buffer.turns = f->needed; /* nothing came after the others */
+    f->buffer.turns = f->needed; /* cosines after the last contribution are not
+                                  * needed */
     f->first = f->needed;
     f->turns = 0;
     for (size_t m = 0; m < r->media; ++m) {
@@ -95,8 +101,8 @@ static void begin_photon(murk_recorder *r, murk_photon_history *f)
     }
 }
 
-/* Adds what the photon has behind it; path and chord are the caller's to say.
- * NULL when out of memory. */
+/* Appends a contribution with the history so far; the caller fills path and
+ * chord. NULL when out of memory. */
 static murk_contribution *add(murk_recorder *r, murk_photon_history *f,
                               float **path, float **chord)
 {
@@ -116,7 +122,7 @@ static murk_contribution *add(murk_recorder *r, murk_photon_history *f,
     return &buffer->contribution[i];
 }
 
-/* Density path [m] of a kept medium along a part of the leg. */
+/* Density path [m] of a recorded medium along a part of the segment. */
 static double path_along(const murk_recorder *r, size_t m,
                          const murk_trace_leg *leg, double from_m, double to_m)
 {
@@ -127,8 +133,8 @@ static double path_along(const murk_recorder *r, size_t m,
                                   leg->direction, to_m - from_m);
 }
 
-/* What a receiver makes of light from there: 1, or the cosine of incidence on
- * its side; 0 where it does not take it. */
+/* The weight of a receiver for light on this segment: 1, or the cosine of
+ * incidence; 0 if the receiver does not accept the light. */
 static double taken(const murk_receiver *receiver, const murk_trace_leg *leg)
 {
     if (receiver->band >= 0 && receiver->band != leg->band) {
@@ -146,6 +152,7 @@ void murk_recorder_leg(void *context, uint64_t batch, const murk_trace_leg *leg)
 {
     murk_recorder *r = context;
     murk_photon_history *f = &r->follower[batch];
+    /* A contribution for each receiver on the segment. */
     const size_t n = murk_chords_of(r->chords, leg->from, leg->direction,
                                     leg->length_m, f->chord);
     for (size_t i = 0; i < n; ++i) {
@@ -169,11 +176,13 @@ void murk_recorder_leg(void *context, uint64_t batch, const murk_trace_leg *leg)
             chord[m] = (float)path_along(r, m, leg, c->from_m, c->to_m);
         }
     }
+    /* Add the segment to the density paths. */
     for (size_t m = 0; m < r->media; ++m) {
         f->path_m[m] += path_along(r, m, leg, 0, leg->length_m);
     }
 }
 
+/* Adds the contribution of a stored record. */
 static void record(murk_recorder *r, murk_photon_history *f,
                    const murk_event *event, double share)
 {
@@ -193,12 +202,15 @@ static void record(murk_recorder *r, murk_photon_history *f,
         path[m] = (float)f->path_m[m];
         chord[m] = 0;
     }
+    /* A record in a medium includes its own scattering, since the power leaves
+     * it. */
     if (is_volume && r->index_of[made->medium] >= 0) {
         ++f->buffer.count[(f->buffer.n - 1) * r->media +
                           (size_t)r->index_of[made->medium]];
     }
 }
 
+/* Adds a scattering to the history. */
 static void turn(murk_recorder *r, murk_photon_history *f,
                  const murk_event *event)
 {
@@ -206,11 +218,13 @@ static void turn(murk_recorder *r, murk_photon_history *f,
     if (m < 0) {
         return;
     }
+    /* Count it. */
     ++f->count[m];
     ++f->turns;
     if (!r->desc->keeps_cosines) {
         return;
     }
+    /* Store the cosine. */
     murk_recorded *buffer = &f->buffer;
     if (f->is_short_of_memory || !make_turn_room(buffer, 1)) {
         f->is_short_of_memory = true;
@@ -241,15 +255,15 @@ void murk_recorder_event(void *context, uint64_t batch, const murk_event *event)
     }
 }
 
-/* ---- waves ---- */
+/* ---- waves of photons ---- */
 
-/* Moves a record buffer's contributions up to and with photon `last` behind the
- * others.
- */
+/* Moves the contributions of a buffer, up to and including photon `last`, to
+ * the end of `all`. */
 static bool move(murk_recorder *r, murk_photon_history *f, uint64_t last)
 {
     murk_recorded *buffer = &f->buffer, *all = &r->all;
     const size_t media = r->media;
+    /* Contributions and cosines up to the last photon. */
     size_t n = 0, turns = 0;
     while (n < buffer->n && buffer->contribution[n].photon <= last) {
         const murk_contribution *c = &buffer->contribution[n++];
@@ -261,10 +275,12 @@ static bool move(murk_recorder *r, murk_photon_history *f, uint64_t last)
         !make_turn_room(all, turns)) {
         return false;
     }
+    /* Cosines are numbered from the start of all cosines. */
     for (size_t i = 0; i < n; ++i) {
         all->contribution[all->n + i] = buffer->contribution[i];
         all->contribution[all->n + i].first += (uint32_t)all->turns;
     }
+    /* Paths and counts. */
     if (n > 0 && media > 0) {
         const size_t to = all->n * media, many = n * media;
         memcpy(all->path_m + to, buffer->path_m, many * sizeof *all->path_m);
@@ -277,12 +293,13 @@ static bool move(murk_recorder *r, murk_photon_history *f, uint64_t last)
     }
     all->n += n;
     all->turns += turns;
+    /* The buffer is empty now. */
     buffer->n = buffer->turns = f->needed = 0;
     return true;
 }
 
-/* The set of record buffers's records since then, which are those of the same
- * events in the same order, are told the numbers of their contributions. */
+/* Gives the new records the numbers of their contributions. Records and
+ * contributions come from the same events in the same order. */
 static void number_records(murk_recorder *r, size_t first, size_t surface,
                            size_t volume)
 {
@@ -325,8 +342,10 @@ murk_status murk_recorder_gather(murk_recorder *r, uint64_t last,
     return MURK_OK;
 }
 
-/* ---- birth and death ---- */
+/* ---- creation ---- */
 
+/* Creates the media by themselves and the index from media to recorded media.
+ */
 static murk_status make_alone(murk_recorder *r, murk_error *err)
 {
     for (int i = 0; i < MURK_MEDIA_MAX; ++i) {
@@ -360,6 +379,7 @@ murk_status murk_recorder_create(murk_recorder **out,
                                  const murk_followed_desc *desc,
                                  murk_record_buffers *buffers, murk_error *err)
 {
+    /* Allocate. */
     murk_status status = MURK_OK;
     murk_recorder *r = calloc(1, sizeof *r);
     if (r) {
@@ -373,6 +393,7 @@ murk_status murk_recorder_create(murk_recorder **out,
         status =
             murk_fail(err, MURK_NO_MEMORY, "fit", "no memory to follow light");
         goto done;
+        /* Media by themselves, and the receivers. */
     }
     status = make_alone(r, err);
     if (!status) {

@@ -1,15 +1,16 @@
-/* From a tracer's legs and events to contributions. Private to this room.
+/* Converts the segments and events of the photon tracer into contributions.
+ * Internal to this room.
  *
- * Each batch of a wave has its own record buffer, written by one thread; record
- * buffers are emptied in batch order (as lightmap/record_buffers.h does, which
- * decides what is a record and keeps it). */
+ * Each batch of a wave has a buffer of its own, which one thread writes.
+ * Buffers are emptied in the order of batches, as in lightmap/record_buffers.h,
+ * which also decides what is a record and stores it. */
 #ifndef MURK_CALIBRATE_RECORDER_H
 #define MURK_CALIBRATE_RECORDER_H
 
 #include "calibrate/chords.h"
 #include "lightmap/record_buffers.h"
 
-/* Contributions, and what goes with them; as murk_followed names them. */
+/* Contributions with the arrays of murk_followed. */
 typedef struct murk_recorded {
     murk_contribution *contribution;
     float *path_m, *chord_m;
@@ -20,57 +21,59 @@ typedef struct murk_recorded {
     size_t turns, turn_room;
 } murk_recorded;
 
-/* What a batch's present photon has behind it. */
+/* The history of the photon that a batch traces at present. */
 typedef struct murk_photon_history {
     murk_recorded buffer;
     bool is_short_of_memory;
-    size_t first;      /* its first turn in the record buffer */
-    size_t needed;     /* turns of the record buffer that contributions need */
-    uint32_t turns;    /* its scatterings */
+    size_t first;      /* index of the first cosine of the photon in the buffer
+                        */
+    size_t needed;     /* cosines of the buffer that contributions need */
+    uint32_t turns;    /* scatterings of the photon */
     double *path_m;    /* [media] */
     uint32_t *count;   /* [media] */
-    murk_chord *chord; /* [receivers] room */
+    murk_chord *chord; /* [receivers]; workspace */
 } murk_photon_history;
 
 typedef struct murk_recorder {
     const murk_followed_desc *desc;
-    const murk_media *world; /* whose media they are */
+    const murk_media *world; /* media of the world */
     size_t media;
-    murk_media **alone;           /* [media] each by itself */
-    int index_of[MURK_MEDIA_MAX]; /* in desc->medium; -1: not kept */
+    murk_media **alone;           /* [media]; each medium by itself */
+    int index_of[MURK_MEDIA_MAX]; /* index in desc->medium; -1: not recorded */
     murk_chords *chords;
-    murk_record_buffers *buffers; /* NULL: nothing is stored or counted */
+    murk_record_buffers *buffers; /* NULL: no records are stored or counted */
     murk_photon_history follower[MURK_WAVE_BATCHES];
-    murk_recorded all; /* gathered */
+    murk_recorded all; /* contributions of all waves */
 } murk_recorder;
 
-/* Borrows desc and set of record buffers. *out is the caller's:
- * murk_recorder_destroy(). */
+/* Borrows desc and the record buffers. The caller owns *out
+ * (murk_recorder_destroy()). */
 murk_status murk_recorder_create(murk_recorder **out,
                                  const murk_followed_desc *desc,
                                  murk_record_buffers *buffers, murk_error *err);
 void murk_recorder_destroy(murk_recorder *recorder); /* NULL is fine */
 
-/* The tracer's callbacks; context is the recorder. */
+/* The sinks of the photon tracer; context is the recorder. */
 void murk_recorder_event(void *context, uint64_t batch,
                          const murk_event *event);
 void murk_recorder_leg(void *context, uint64_t batch,
                        const murk_trace_leg *leg);
 
-/* Moves the wave's contributions, up to and with photon `last`, to `all`, and
- * the set of record buffers's records likewise, which get their contributions'
- * numbers. */
+/* Moves the contributions of the wave, up to and including photon `last`, to
+ * `all`, and the records of the record buffers likewise; the records receive
+ * the numbers of their contributions. */
 murk_status murk_recorder_gather(murk_recorder *recorder, uint64_t last,
                                  murk_error *err);
 
-/* Growing arrays have room for up to 1.5 times what is in them. The old ones
- * are not held beside: arrays of such size move by their pages. */
+/* Memory of a growing array relative to the content. The old array does not
+ * exist beside the new one: the system moves arrays of this size by remapping
+ * pages. */
 #define MURK_WHILE_GROWING 1.5
 
-/* Bytes that n contributions and so many turns take. */
+/* Memory of n contributions and a number of cosines, in bytes. */
 double murk_recorded_bytes(size_t media, double n, double turns);
 
-/* Gives back what the arrays have beyond what is in them. */
+/* Releases unused capacity. */
 void murk_recorded_fit(murk_recorded *recorded, size_t media);
 
 #endif

@@ -1,3 +1,6 @@
+/* Computes the likelihood ratio of each recorded path between two sets of
+ * optics, with derivatives, in parallel over contributions, and the effective
+ * sample size. */
 #include "calibrate/reweigh.h"
 
 #include "base/interrupt.h"
@@ -9,21 +12,22 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Contributions that one thread takes at a time. */
+/* Contributions that a thread processes at a time: some 0.5 MB of histories. */
 #define BATCH 8192
 
-/* Below, the series of the mean's slope is right to rounding; beyond, its
- * closed form loses less than another ten. */
+/* Below this |x|, the series of the slope of the mean is accurate to rounding;
+ * above, the closed form loses at most a further factor of ten. */
 #define SERIES_BELOW 0.1
 
-/* A density of 0 counts as this, whose logarithm is finite. */
+/* Limit of densities, so that logarithms are finite. */
 #define MIN_DENSITY 1e-300
 
 typedef struct job {
     const murk_followed *followed;
     const murk_changes *changes;
     murk_reweighed *out;
-    double *turned; /* [threads][keys]: of a worker's present photon */
+    double *turned; /* [threads][keys]; sums for the present photon of a worker
+                     */
 } job;
 
 /* ---- the mean of exp(-x t) over t from 0 to 1, and its slope by x ---- */
@@ -33,10 +37,10 @@ static double mean_along(double x)
     return x == 0 ? 1 : -expm1(-x) / x;
 }
 
-/* mean: mean_along(x). */
+/* The derivative; mean is mean_along(x). */
 static double mean_slope(double x, double mean)
 {
-    /* (-1)^n n / (n + 1)! of x^(n - 1) */
+    /* Series coefficients (-1)^n n / (n + 1)! of x^(n - 1). */
     static const double term[] = {
         -1. / 2,    2. / 6,      -3. / 24,     4. / 120,      -5. / 720,
         6. / 5040., -7. / 40320, 8. / 362880., -9. / 3628800, 10. / 39916800};
@@ -50,13 +54,13 @@ static double mean_slope(double x, double mean)
     return sum;
 }
 
-/* ---- turns ---- */
+/* ---- scattering angles ---- */
 
-/* What the turns of a photon come to so far. */
+/* The log ratio of phase functions over the scatterings of a photon so far. */
 typedef struct turns {
     uint32_t photon, done;
     double log_ratio;
-    double *slope; /* [keys] of it */
+    double *slope; /* [keys]; derivatives of log_ratio */
 } turns;
 
 static double log_density(const murk_phase *phase, double mu)
@@ -64,6 +68,7 @@ static double log_density(const murk_phase *phase, double mu)
     return log(fmax(murk_phase_density(phase, mu), MIN_DENSITY));
 }
 
+/* Adds one scattering. */
 static void take_turn(const job *j, turns *t, size_t i, size_t band)
 {
     const murk_followed *f = j->followed;
@@ -85,11 +90,12 @@ static void take_turn(const job *j, turns *t, size_t i, size_t band)
     }
 }
 
-/* Up to this contribution of the same photon. */
+/* Adds the scatterings up to this contribution of the same photon. */
 static void follow_turns(const job *j, turns *t, const murk_contribution *of)
 {
     if (!j->changes->any_turns || j->followed->turns == 0) {
-        return; /* without cosines phases differ by what does not matter */
+        return; /* without cosines, phase functions do not differ by more than
+                 * the tolerance */
     }
     if (t->photon != of->photon) {
         t->photon = of->photon;
@@ -104,13 +110,14 @@ static void follow_turns(const job *j, turns *t, const murk_contribution *of)
 
 /* ---- one contribution ---- */
 
-/* How the scatterings of the media go by: those whose sigma_s has become 0 are
- * counted apart, as their slope is not a logarithm's. */
+/* The log ratio of a contribution. Scatterings whose coefficient has become 0
+ * are counted separately, because the derivative of the ratio does not follow
+ * from a logarithm there. */
 typedef struct weight {
-    double log_ratio; /* of the others, of paths and turns */
-    uint32_t zeros;   /* scatterings that cannot happen any more */
-    size_t zero;      /* the medium of one */
-    double x;         /* depth added across the chord */
+    double log_ratio; /* of all other scatterings, of paths and of angles */
+    uint32_t zeros;   /* scatterings that are no longer possible */
+    size_t zero;      /* the medium of one of them */
+    double x;         /* optical depth added across the chord */
 } weight;
 
 static weight weigh(const job *j, const turns *t, size_t i, size_t band)
@@ -132,7 +139,7 @@ static weight weigh(const job *j, const turns *t, size_t i, size_t band)
     return w;
 }
 
-/* By a key: of log_ratio and x. */
+/* The derivatives of log_ratio and x with respect to a key. */
 static void weigh_slope(const job *j, size_t k, size_t i, size_t band,
                         double *log_slope, double *x_slope)
 {
@@ -154,6 +161,7 @@ static void weigh_slope(const job *j, size_t k, size_t i, size_t band,
 static void reweigh_one(const job *j, turns *t, size_t i)
 {
     const murk_changes *c = j->changes;
+    /* The ratio: path, chord and power. */
     const murk_contribution *of = &j->followed->contribution[i];
     const size_t band = of->band, n = j->followed->n;
     const size_t channel = of->light * (size_t)c->bands + band;
@@ -161,10 +169,13 @@ static void reweigh_one(const job *j, turns *t, size_t i)
     const weight w = weigh(j, t, i, band);
     const double power = c->power[channel];
     const double before = exp(w.log_ratio), mean = mean_along(w.x);
-    const double path = before * mean; /* but for scatterings that are 0 */
+    const double path = before * mean; /* without the scatterings that are no
+                                        * longer possible */
     const double bend = c->keys ? before * mean_slope(w.x, mean) : 0;
     const bool is_cut = !(path * power <= MURK_RATIO_MAX);
     j->out->ratio[i] = is_cut ? MURK_RATIO_MAX : w.zeros > 0 ? 0 : path * power;
+    /* Derivatives: 0 if more than one scattering is impossible; with one, the
+     * derivative of that factor alone. */
     for (size_t k = 0; k < c->keys; ++k) {
         double *slope = &j->out->slope[k * n + i];
         *slope = 0;
@@ -189,7 +200,7 @@ static void reweigh_batch(void *context, unsigned worker, uint64_t batch)
     const job *j = context;
     const size_t n = j->followed->n, from = (size_t)batch * BATCH;
     const size_t to = n - from < BATCH ? n : from + BATCH;
-    turns t = {.photon = UINT32_MAX, /* none is: there are fewer */
+    turns t = {.photon = UINT32_MAX, /* no photon has this number */
                .slope = j->turned + worker * j->changes->keys};
     memset(t.slope, 0, j->changes->keys * sizeof *t.slope);
     for (size_t i = from; i < to; ++i) {
@@ -199,7 +210,8 @@ static void reweigh_batch(void *context, unsigned worker, uint64_t batch)
 
 /* ---- all ---- */
 
-/* Sums over a receiver's contributions, or a map's, by what each was worth. */
+/* Sums over the contributions of a receiver or a map, weighted by their traced
+ * values. */
 typedef struct worth {
     double sum, ratio, squares;
 } worth;
@@ -209,13 +221,14 @@ static double share_of(const worth *w)
     return w->sum > 0 ? w->ratio * w->ratio / (w->sum * w->squares) : 1;
 }
 
-/* Stretches of contributions that are summed apart. */
+/* Ranges of contributions that are summed separately, so that the result does
+ * not depend on threads. */
 #define STRETCHES 64
 
 typedef struct share_job {
     const murk_followed *followed;
     const double *ratio;
-    worth *sums; /* [STRETCHES][kinds] receivers, then the maps */
+    worth *sums; /* [STRETCHES][kinds]; receivers, then the two maps */
     size_t kinds;
 } share_job;
 
@@ -238,6 +251,7 @@ static void add_stretch(void *context, uint64_t stretch)
     }
 }
 
+/* Computes the smallest effective share of any receiver or map. */
 static bool find_effective_share(murk_reweighed *out, const murk_followed *f,
                                  unsigned threads)
 {
@@ -257,7 +271,7 @@ static bool find_effective_share(murk_reweighed *out, const murk_followed *f,
             all.ratio += more->ratio;
             all.squares += more->squares;
         }
-        /* a share that is no number is none: all ratios 0 */
+        /* A share that is not a number counts as 0: all ratios are 0. */
         const double share = share_of(&all);
         out->effective_share =
             share > 0 ? fmin(out->effective_share, share) : 0;
@@ -266,7 +280,7 @@ static bool find_effective_share(murk_reweighed *out, const murk_followed *f,
     return true;
 }
 
-/* Room for n ratios and n * keys slopes. */
+/* Allocates n ratios and n * keys slopes, unless they fit. */
 static bool set_room(murk_reweighed *r, size_t n, size_t keys)
 {
     if (!r->ratio || r->n != n || r->room < keys * n) {
@@ -294,6 +308,7 @@ murk_status murk_reweigh_again(murk_reweighed *out,
     if (status) {
         return status;
     }
+    /* Allocate; then re-weight in parallel. */
     double *turned = malloc((threads * keys + 1) * sizeof *turned);
     if (!turned || !set_room(out, n, keys)) {
         status = murk_fail(err, MURK_NO_MEMORY, "fit",
@@ -304,6 +319,7 @@ murk_status murk_reweigh_again(murk_reweighed *out,
     }
     job j = {followed, changes, out, turned};
     murk_pool_run_workers(threads, (n + BATCH - 1) / BATCH, reweigh_batch, &j);
+    /* The effective share; errors. */
     const bool has_room = find_effective_share(out, followed, threads);
     if (murk_interrupted()) {
         status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");

@@ -1,3 +1,6 @@
+/* One search: trace light, minimise over the re-weighted rows by bounded least
+ * squares (Ceres), correct for photon noise in the slopes, and repeat with new
+ * light while the effective sample size is too low or world keys have moved. */
 #include "calibrate/search_steps.h"
 
 #include "base/interrupt.h"
@@ -9,11 +12,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A world key that has moved by less of its standard error, or of itself, needs
- * no other slope. */
+/* A world key that moved by less than WORLD_STILL standard errors, or by less
+ * than WORLD_CLOSE of its value, does not need new slopes. */
 #define WORLD_STILL .2
 #define WORLD_CLOSE 1e-3
 
+/* Default limit on traces for each start: each costs a full run. */
 #define TRACES_MAX 12
 
 static murk_status no_memory(murk_error *err)
@@ -21,6 +25,7 @@ static murk_status no_memory(murk_error *err)
     return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the search");
 }
 
+/* Lists the fitted rows: those that need light first. */
 static void list_rows(murk_fit_search *s)
 {
     const murk_measurements *measured = s->desc->measured;
@@ -95,7 +100,8 @@ void murk_fit_search_coordinates(const murk_fit_search *s, const double *value,
     }
 }
 
-/* Covariance of the fitted rows of light: by photons, and as measured. */
+/* Whitens the fitted rows that need light by their covariance: photons plus
+ * measurement errors. */
 static murk_status whiten(murk_fit_search *s, murk_error *err)
 {
     murk_whitening_destroy(s->whitening);
@@ -110,7 +116,7 @@ static murk_status whiten(murk_fit_search *s, murk_error *err)
     if (!status && !covariance) {
         status = no_memory(err);
     }
-    /* both lists rise */
+    /* Copy the covariance of the fitted rows; both lists rise. */
     for (size_t i = 0, a = 0; i < s->n_lit && !status; ++i, ++a) {
         for (; lit[a] != s->fitted[i]; ++a) {
         }
@@ -122,6 +128,7 @@ static murk_status whiten(murk_fit_search *s, murk_error *err)
         const double error = s->error[s->fitted[i]];
         covariance[i * s->n_lit + i] += error * error;
     }
+    /* Factorise. */
     if (!status) {
         status =
             murk_whitening_create(&s->whitening, covariance, s->n_lit, err);
@@ -150,6 +157,7 @@ murk_status murk_fit_search_look(murk_fit_search *s, const double *x,
 void murk_fit_search_residuals(const murk_fit_search *s, double *residual,
                                double *jacobian)
 {
+    /* Residuals and slopes; rows without photons are divided by their error. */
     for (size_t i = 0; i < s->n_fitted; ++i) {
         const size_t row = s->fitted[i];
         const double scale = i < s->n_lit ? 1 : 1 / s->error[row];
@@ -159,6 +167,7 @@ void murk_fit_search_residuals(const murk_fit_search *s, double *residual,
             jacobian[i * s->n + k] = -scale * s->slope[row * s->n + k] * by_x;
         }
     }
+    /* Whiten the rows that need light. */
     if (s->whitening) {
         murk_whitening_apply(s->whitening, residual, 1);
         if (jacobian) {
@@ -167,6 +176,7 @@ void murk_fit_search_residuals(const murk_fit_search *s, double *residual,
     }
 }
 
+/* The residuals for the solver, with the offset against slope noise. */
 static bool evaluate(void *context, const double *x, double *residual,
                      double *jacobian)
 {
@@ -182,10 +192,13 @@ static bool evaluate(void *context, const double *x, double *residual,
     return true;
 }
 
+/* Called after each step of the solver: reports progress, and ends the solver
+ * if the light is no longer valid. */
 static bool watch(void *context, const murk_least_squares_step *step)
 {
     murk_fit_search *s = context;
     ++s->iterations;
+    /* Report. */
     if (s->desc->watch && step->is_successful) {
         double *value = malloc((s->n + 1) * sizeof *value);
         if (value) {
@@ -198,6 +211,7 @@ static bool watch(void *context, const murk_least_squares_step *step)
     if (s->is_scouting) {
         return !murk_interrupted();
     }
+    /* Stop when the effective share falls below the limit. */
     s->is_undersampled = step->is_successful && s->share < MURK_MIN_SHARE;
     return !s->is_undersampled && !murk_interrupted();
 }
@@ -216,7 +230,8 @@ murk_least_squares murk_fit_problem(murk_fit_search *s, const double *lower,
                                 .loss_width = s->desc->loss_width};
 }
 
-/* Whether light has to be traced at x for the slopes of world keys alone. */
+/* True if world keys have moved so far that their slopes must be computed
+ * again. */
 static bool world_moved(const murk_fit_search *s, const double *from,
                         const double *x, const double *jacobian)
 {
@@ -245,8 +260,8 @@ static double sum_of_squares(const double *a, size_t n)
     return sum;
 }
 
-/* Offsets the rows against the noise that slopes share with values, where the
- * search looks now. */
+/* Computes the offset of the rows against the correlated noise of values and
+ * slopes, at the last prediction. */
 static murk_status offset_rows(murk_fit_search *s, const double *jacobian,
                                murk_error *err)
 {
@@ -260,24 +275,28 @@ static murk_status offset_rows(murk_fit_search *s, const double *jacobian,
     return status;
 }
 
-/* Looks at x, in light that is traced there unless the light at hand is good
- * enough (is_lit): residuals, slopes, cost, and the offset of the rows. */
+/* Traces light at x, unless the light at hand is valid there (is_lit), and
+ * computes residuals, slopes, cost and offset. */
 static murk_status trace_at(murk_fit_search *s, const murk_fit_workspace *d,
                             bool is_lit, double *x, double *cost,
                             murk_error *err)
 {
     murk_status status = MURK_OK;
+    /* Trace. */
     if (!is_lit) {
         murk_fit_search_values(s, x, s->value);
         ++s->traces;
         status = murk_model_trace(s->model, s->value, err);
     }
+    /* The first trace determines the factors of readings. */
     if (!status && !is_lit && s->traces == 1) {
         status = murk_fit_first_gains(s, x, err);
     }
+    /* Predict. */
     if (!status) {
         status = murk_fit_search_look(s, x, err);
     }
+    /* Cost and offset. */
     if (!status) {
         murk_fit_search_residuals(s, d->residual, d->jacobian);
         *cost = murk_fit_cost(s, d->residual);
@@ -292,7 +311,7 @@ static murk_status trace_at(murk_fit_search *s, const murk_fit_workspace *d,
     return status;
 }
 
-/* Handles the end of a search. True if light must be traced again at x. */
+/* Records how least squares ended. True if light must be traced again at x. */
 static bool ended(murk_fit_search *s, const murk_fit_workspace *d, double *x,
                   const murk_least_squares_found *found,
                   murk_calibration_start *to)
@@ -315,17 +334,17 @@ static bool has_world_key(const murk_fit_search *s)
     return false;
 }
 
-/* Follows the light at hand from x: least squares on the re-weighted rows, also
- * where few of the photons still count, with the weights of rows where the
- * search looked last. That costs no trace and is only asked where it leads: x
- * becomes the end, and *is_lit whether the light describes it well enough for
- * the search to go on there. Slopes by world keys are those of the traced
- * place, so with such keys light is traced anyhow. */
+/* Follows the light at hand from x: least squares on the re-weighted rows for
+ * any effective share, with the whitening of the last prediction. No light is
+ * traced. x becomes the end, and *is_lit tells whether the light describes that
+ * point well enough for the search to continue there. Slopes of world keys hold
+ * at the traced values only, so with such keys light is traced in any case. */
 static murk_status scout(murk_fit_search *s, const murk_fit_workspace *d,
                          double *x, bool *is_lit, murk_error *err)
 {
     double *from = d->before;
     memcpy(from, x, s->n * sizeof *x);
+    /* Minimise. */
     memset(s->offset, 0, s->n_fitted * sizeof *s->offset);
     murk_error told = {0};
     murk_status status = murk_fit_first_gains(s, x, &told);
@@ -340,20 +359,23 @@ static murk_status scout(murk_fit_search *s, const murk_fit_workspace *d,
             status = MURK_RUN_FAILED;
         }
     }
+    /* Evaluate the end. */
     if (!status && !murk_interrupted()) {
         status = predict(s, x, false, &told);
     }
+    /* Interrupt and lack of memory are errors. */
     if (murk_interrupted()) {
         return murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
     }
     if (status == MURK_NO_MEMORY) {
         return murk_fail(err, status, told.where, "%s", told.text);
     }
-    if (status) { /* the light at hand leads nowhere: trace at the start */
+    if (status) { /* the light at hand leads nowhere: start at the original
+                   * point */
         memcpy(x, from, s->n * sizeof *x);
     }
     *is_lit = !status && s->share >= MURK_MIN_SHARE && !has_world_key(s);
-    if (!status && !*is_lit) { /* is a trace worth while there? */
+    if (!status && !*is_lit) { /* decide whether a trace there is worthwhile */
         murk_fit_search_residuals(s, d->residual, NULL);
         s->is_dropped =
             !(murk_fit_cost(s, d->residual) < s->cost_to_beat + (double)s->n);
@@ -361,6 +383,7 @@ static murk_status scout(murk_fit_search *s, const murk_fit_workspace *d,
     return MURK_OK;
 }
 
+/* The loop of a search. */
 static murk_status search(murk_fit_search *s, const murk_fit_workspace *d,
                           double *x, murk_calibration_start *to,
                           murk_error *err)
@@ -369,6 +392,7 @@ static murk_status search(murk_fit_search *s, const murk_fit_workspace *d,
     const size_t bytes = s->n * sizeof *x;
     double best = INFINITY;
     bool is_lit = false;
+    /* Follow the light of earlier starts. */
     if (s->shares_light && s->has_light) {
         const murk_status status = scout(s, d, x, &is_lit, err);
         if (status || s->is_dropped) {
@@ -378,6 +402,8 @@ static murk_status search(murk_fit_search *s, const murk_fit_workspace *d,
         }
     }
     for (;;) {
+        /* Trace and evaluate; a failure after a step means that the step was
+         * too long. */
         double cost;
         murk_error told = {0};
         murk_status status = trace_at(s, d, is_lit, x, &cost, &told);
@@ -388,13 +414,16 @@ static murk_status search(murk_fit_search *s, const murk_fit_workspace *d,
         if (status && !is_nowhere) {
             return murk_fail(err, status, told.where, "%s", told.text);
         }
+        /* Go back half the step after a failure or a large increase of the
+         * cost. */
         if (is_nowhere ||
             (cost > 2 * best + (double)s->n_fitted && s->traces < max)) {
-            for (size_t k = 0; k < s->n; ++k) { /* leapt too far */
+            for (size_t k = 0; k < s->n; ++k) { /* the step was too long */
                 x[k] = .5 * (x[k] + d->before[k]);
             }
             continue;
         }
+        /* Minimise over the re-weighted rows. */
         best = cost;
         memcpy(d->traced, x, bytes);
         memcpy(d->before, x, bytes);
@@ -408,6 +437,7 @@ static murk_status search(murk_fit_search *s, const murk_fit_workspace *d,
             return status ? status
                           : murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
         }
+        /* Correct for photon noise in the slopes. */
         if (!s->is_undersampled && s->n_lit &&
             found.end == MURK_LEAST_SQUARES_CONVERGED) {
             status = murk_fit_settle(s, d, x, err);
@@ -416,6 +446,7 @@ static murk_status search(murk_fit_search *s, const murk_fit_workspace *d,
             }
             settled_away = s->is_undersampled;
         }
+        /* End, or trace again. */
         const bool goes_on = s->is_undersampled || ended(s, d, x, &found, to);
         if (!goes_on) {
             return murk_fit_search_look(s, x, err);
@@ -426,11 +457,12 @@ static murk_status search(murk_fit_search *s, const murk_fit_workspace *d,
                      "light was traced %zu times and still had to be traced "
                      "anew: start nearer, or free fewer keys",
                      s->traces);
-            if (!s->is_undersampled) { /* what light of no world has shown */
+            if (!s->is_undersampled) { /* without light of that world */
                 memcpy(x, d->traced, bytes);
             }
             return murk_fit_search_look(s, x, err);
         }
+        /* Extrapolate to the point of the next trace. */
         if (s->is_undersampled && !settled_away) {
             memcpy(x, d->traced, bytes);
             status = murk_fit_leap(s, x, d->residual, d->jacobian, err);
@@ -441,6 +473,7 @@ static murk_status search(murk_fit_search *s, const murk_fit_workspace *d,
     }
 }
 
+/* Allocates the workspace and runs the search. */
 murk_status murk_fit_search_run(murk_fit_search *s, double *x,
                                 murk_calibration_start *to, murk_error *err)
 {
@@ -449,6 +482,7 @@ murk_status murk_fit_search_run(murk_fit_search *s, double *x,
     if (!room) {
         return no_memory(err);
     }
+    /* Bounds in search coordinates. */
     const murk_fit_workspace d = {.residual = room,
                                   .jacobian = room + rows,
                                   .traced = room + rows + rows * n,
@@ -461,6 +495,7 @@ murk_status murk_fit_search_run(murk_fit_search *s, double *x,
     }
     s->traces = 0;
     s->is_dropped = false;
+    /* Search, and record the end. */
     const murk_status status = search(s, &d, x, to, err);
     to->traces = s->traces;
     s->has_light = !status;

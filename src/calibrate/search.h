@@ -1,5 +1,5 @@
-/* One search from one start, in coordinates that suit it: logarithms of keys
- * that are positive. Inside this room only. */
+/* The search for the best parameters from one start, in search coordinates:
+ * logarithms of positive keys, values of others. Internal to this room. */
 #ifndef MURK_CALIBRATE_SEARCH_H
 #define MURK_CALIBRATE_SEARCH_H
 
@@ -9,28 +9,30 @@
 typedef struct murk_fit_search {
     const murk_calibration_desc *desc;
     murk_model *model;
-    size_t n, rows;            /* keys, rows of the data */
-    size_t *fitted, n_fitted;  /* rows that are not held out: those of light
-                                  first */
-    size_t n_lit;              /* of them */
+    size_t n, rows;            /* number of keys, and of rows of the data */
+    size_t *fitted, n_fitted;  /* rows that are not held out; those that need
+                                * light first */
+    size_t n_lit;              /* number of fitted rows that need light */
     double *measured, *error;  /* [rows] */
-    murk_whitening *whitening; /* of the first n_lit; NULL: none */
-    double *value;             /* [n] as predicted last */
-    double *predicted, *slope; /* [rows], [rows][n] likewise */
-    double *offset;            /* [n_fitted] of whitened residuals: see
-                                  slope_noise.h */
+    murk_whitening *whitening; /* of the first n_lit rows; NULL: none */
+    double *value;             /* [n]; at the last prediction */
+    double *predicted, *slope; /* [rows], [rows][n]; at the last prediction */
+    double *offset;            /* [n_fitted]; offset of the whitened residuals,
+                                * see slope_noise.h */
     double share;
     size_t evaluations;
     int iterations;
     size_t traces;        /* of this start */
-    size_t start;         /* its number */
-    bool is_undersampled; /* the last search ended for want of light */
-    bool has_light; /* the last search ended well, so its light can be used */
-    bool shares_light;   /* the next search begins on that light */
-    bool is_scouting;    /* least squares go on however little light is left */
-    double cost_to_beat; /* of the best start so far */
-    bool is_dropped; /* the last search was not followed: see shares_light */
-    murk_error err;  /* why the last prediction failed */
+    size_t start;         /* number of the start */
+    bool is_undersampled; /* the last search ended because the effective share
+                           * was too low */
+    bool has_light; /* the last search succeeded, so the light can be used again
+                     */
+    bool shares_light;   /* the next search begins with that light */
+    bool is_scouting;    /* least squares continue for any effective share */
+    double cost_to_beat; /* cost of the best start so far */
+    bool is_dropped;     /* the last search was abandoned: see shares_light */
+    murk_error err;      /* why the last prediction failed */
 } murk_fit_search;
 
 /* Release also after a failure. */
@@ -39,27 +41,29 @@ murk_status murk_fit_search_create(murk_fit_search *out,
                                    murk_model *model, murk_error *err);
 void murk_fit_search_release(murk_fit_search *search);
 
-/* From coordinates x[n] to values, and back. */
+/* Converts coordinates x[n] to values, and back. */
 void murk_fit_search_values(const murk_fit_search *search, const double *x,
                             double *value);
 void murk_fit_search_coordinates(const murk_fit_search *search,
                                  const double *value, double *x);
 
-/* Rows and slopes at x, and what whitens rows there: once light is traced. */
+/* Predicts rows and slopes at x, and computes the whitening there; only after a
+ * trace. */
 murk_status murk_fit_search_look(murk_fit_search *search, const double *x,
                                  murk_error *err);
 
-/* Whitened residuals [n_fitted] of the last prediction, measured less
- * predicted, without the offset; and their slopes by coordinates [n_fitted][n],
- * or NULL. */
+/* Whitened residuals [n_fitted] of the last prediction, measured minus
+ * predicted, without the offset, and their derivatives [n_fitted][n] with
+ * respect to the coordinates, or NULL. */
 void murk_fit_search_residuals(const murk_fit_search *search, double *residual,
                                double *jacobian);
 
-/* Searches from x[n], which it moves: to->converged, why and chi2 say how it
- * ended. Leaves the search looking at x. With shares_light and has_light, the
- * search follows the light at hand. Light is traced only where that leads to a
- * place that it no longer describes and that promises less than cost_to_beat;
- * a place that promises nothing is dropped: is_dropped, and to->why says so. */
+/* Searches from x[n] and moves x to the end: to->converged, why and chi2
+ * describe the end. Afterwards the last prediction is that at x. With
+ * shares_light and has_light, the search first follows the light at hand
+ * without tracing. Light is traced only if that leads to a point that the light
+ * no longer describes and whose cost is below cost_to_beat; otherwise the
+ * search is abandoned: is_dropped, with the reason in to->why. */
 murk_status murk_fit_search_run(murk_fit_search *search, double *x,
                                 murk_calibration_start *to, murk_error *err);
 

@@ -1,3 +1,5 @@
+/* Extrapolation of a search by the linearised model within a trust region, and
+ * Newton steps on the bias-corrected equations (calibrate/slope_noise.h). */
 #include "calibrate/search_steps.h"
 
 #include "calibrate/slope_noise.h"
@@ -5,11 +7,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* How far one leap beyond what traced light can tell may go. */
+/* Trust region of one extrapolation beyond the valid range of the light: a
+ * factor for keys in logarithms, a share of the width of the bounds for others.
+ * */
 #define LEAP_FACTOR 3.0
 #define LEAP_SHARE  .5 /* of the width of bounds */
 
-/* A step shorter than this, in standard errors, settles it. */
+/* The correction has converged if a step is shorter than this many standard
+ * errors; SETTLE_MAX limits the steps. */
 #define SETTLED    .02
 #define SETTLE_MAX 8
 
@@ -28,6 +33,7 @@ double murk_fit_cost(const murk_fit_search *s, const double *residual)
     return sum;
 }
 
+/* The linearised model. */
 typedef struct linear {
     size_t n, rows;
     const double *from, *residual, *offset, *jacobian;
@@ -49,13 +55,14 @@ static bool evaluate_linear(void *context, const double *x, double *residual,
     return true;
 }
 
+/* The trust region about `from`, within bounds. */
 static void reach_of(const murk_fit_search *s, const double *from,
                      double *lower, double *upper)
 {
     for (size_t k = 0; k < s->n; ++k) {
         const murk_free_key *key = &s->desc->keys->key[k];
         const double low = murk_free_lowest(key), high = murk_free_highest(key);
-        const double reach = /* infinite where a bound is */
+        const double reach = /* infinite if a bound is */
             key->is_log ? log(LEAP_FACTOR) : LEAP_SHARE * (high - low);
         lower[k] = fmax(low, from[k] - reach);
         upper[k] = fmin(high, from[k] + reach);
@@ -69,9 +76,11 @@ murk_status murk_fit_leap(murk_fit_search *s, double *x, const double *residual,
     if (!room) {
         return no_memory(err);
     }
+    /* The trust region about x. */
     double *lower = room, *upper = room + s->n, *from = room + 2 * s->n;
     memcpy(from, x, s->n * sizeof *from);
     reach_of(s, from, lower, upper);
+    /* Minimise the linearised model. */
     linear l = {s->n, s->n_fitted, from, residual, s->offset, jacobian};
     murk_least_squares problem = murk_fit_problem(s, lower, upper);
     problem.residuals = evaluate_linear;
@@ -84,7 +93,7 @@ murk_status murk_fit_leap(murk_fit_search *s, double *x, const double *residual,
     return status;
 }
 
-/* The square root of how much less than its square a residual counts for. */
+/* The square root of the weight that the robust loss gives a residual. */
 static double root_weight(const murk_fit_search *s, double residual)
 {
     double slope;
@@ -93,7 +102,7 @@ static double root_weight(const murk_fit_search *s, double residual)
     return sqrt(slope);
 }
 
-/* One step from x towards where the equation without photons' bias holds. */
+/* One step from x towards the solution of the bias-corrected equations. */
 static murk_status settle_step(murk_fit_search *s, const murk_fit_workspace *d,
                                double *x, double *room, double *length,
                                murk_error *err)
@@ -102,11 +111,13 @@ static murk_status settle_step(murk_fit_search *s, const murk_fit_workspace *d,
     double *residual = room, *jacobian = room + rows,
            *step = room + rows * (n + 1);
     murk_slope_noise noise = {0};
+    /* Predict and find the noise. */
     murk_status status = murk_fit_search_look(s, x, err);
     if (!status) {
         status = murk_slope_noise_find(&noise, s, err);
     }
     if (!status) {
+        /* Weights of the robust loss: Jacobian first, then residuals. */
         murk_fit_search_residuals(s, residual, jacobian);
         for (size_t i = 0; i < rows * (n + 1); ++i) {
             const size_t row = i < rows ? i : (i - rows) / n;
@@ -118,6 +129,7 @@ static murk_status settle_step(murk_fit_search *s, const murk_fit_workspace *d,
         status = murk_slope_noise_step(step, length, &noise, residual, jacobian,
                                        rows, n, err);
     }
+    /* Apply the step within bounds. */
     for (size_t k = 0; k < n && !status; ++k) {
         x[k] = fmin(fmax(x[k] + step[k], d->lower[k]), d->upper[k]);
     }
@@ -137,7 +149,7 @@ murk_status murk_fit_settle(murk_fit_search *s, const murk_fit_workspace *d,
         memcpy(before, x, n * sizeof *x);
         status = settle_step(s, d, x, room, &length, err);
         if (!status && s->share < MURK_MIN_SHARE) {
-            s->is_undersampled = true; /* of light there */
+            s->is_undersampled = true; /* light is not valid there */
             memcpy(x, before, n * sizeof *x);
             break;
         }

@@ -1,6 +1,6 @@
-/* What a search does beside least squares: leaps to where to trace next, and
- * settling where photons' noise in slopes does not pull. Inside this room only.
- */
+/* Steps of a search besides least squares: extrapolation to the point of the
+ * next trace, and correction for photon noise in the slopes. Internal to this
+ * room. */
 #ifndef MURK_CALIBRATE_SEARCH_STEPS_H
 #define MURK_CALIBRATE_SEARCH_STEPS_H
 
@@ -8,16 +8,16 @@
 
 #include <math.h>
 
-/* Room and bounds of one search. */
+/* Workspace and bounds of one search. */
 typedef struct murk_fit_workspace {
-    double *residual, *jacobian; /* where light was traced */
-    double *traced, *before;     /* [n] there, and the time before */
+    double *residual, *jacobian; /* at the point of the last trace */
+    double *traced, *before;     /* [n]; that point, and the one before */
     double *lower, *upper;
 } murk_fit_workspace;
 
-/* A positive key goes no further than this factor from its start: it is then as
- * good as nothing, or as all there can be, and says so as a value at a bound
- * does. Logarithms have no end, numbers have. */
+/* A positive key may change by at most this factor from the start. At that
+ * limit the key is practically zero or infinite, and is reported as being at a
+ * bound; logarithms have no limit of their own. */
 #define MURK_FREE_REACH 1e9
 
 /* Bounds in search coordinates. */
@@ -33,22 +33,23 @@ static inline double murk_free_highest(const murk_free_key *key)
                        : key->upper;
 }
 
-/* Least squares over the re-weighted rows, between bounds. */
+/* The least squares problem of the re-weighted rows, within bounds. */
 murk_least_squares murk_fit_problem(murk_fit_search *search,
                                     const double *lower, const double *upper);
 
-/* What a search lowers, of whitened residuals [n_fitted]: the sum of squares,
- * or less for outliers. */
+/* The minimised quantity of whitened residuals [n_fitted]: the sum of squares,
+ * or less for outliers with a robust loss. */
 double murk_fit_cost(const murk_fit_search *search, const double *residual);
 
-/* The model as linear about x, where residual and jacobian are: moves x to
- * where to trace next. */
+/* Minimises the model linearised about x, with the given residual and Jacobian,
+ * and moves x to the point of the next trace. */
 murk_status murk_fit_leap(murk_fit_search *search, double *x,
                           const double *residual, const double *jacobian,
                           murk_error *err);
 
-/* From where least squares end to where they would without photons' noise in
- * slopes. search->is_starved where there is too little light for that. */
+/* From the end of least squares, moves x to the solution without the bias from
+ * photon noise in the slopes. Sets search->is_undersampled if the light is not
+ * valid there. */
 murk_status murk_fit_settle(murk_fit_search *search,
                             const murk_fit_workspace *workspace, double *x,
                             murk_error *err);

@@ -1,3 +1,7 @@
+/* Finds the sightlines of sensors with a sight through clear media
+ * (sensing/sight.h), so that surfaces alone decide, and stores the density
+ * paths along them (calibrate/sightlines.h). Sensors with different acceptance
+ * angles see media with different extinctions. */
 #include "calibrate/seen.h"
 
 #include "base/interrupt.h"
@@ -14,8 +18,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Of the free memory. A group's lists are held twice while they are put in
- * order. */
+/* Share of the free memory for sightlines. The lists of a group exist twice
+ * while they are sorted. */
 #define MEMORY_SHARE 0.45
 
 typedef struct incumbent {
@@ -25,8 +29,8 @@ typedef struct incumbent {
     murk_photon_map *empty;
     murk_sight *sight;          /* through clear media */
     murk_media *clear, **alone; /* [media] */
-    murk_media **other; /* [acceptances + 1] those not kept, NULL last; NULL:
-                           all are kept */
+    murk_media **other; /* [acceptances + 1]; media that are not re-weighted,
+                         * NULL last; NULL: none */
     double *extinction; /* [acceptances][bands][media] */
     murk_sightlines_through *through; /* [acceptances] */
     murk_sightlines *pose;            /* [poses] */
@@ -53,8 +57,9 @@ bool murk_seen_keeps(const murk_followed *followed, size_t medium)
     return false;
 }
 
-/* ---- lines ---- */
+/* ---- sightlines ---- */
 
+/* Finds the sightlines of one pose. */
 static void look_from(void *context, unsigned worker, uint64_t number)
 {
     incumbent *f = context;
@@ -65,6 +70,7 @@ static void look_from(void *context, unsigned worker, uint64_t number)
     }
 }
 
+/* Sorts the sightlines of one group. */
 static void join(void *context, uint64_t group)
 {
     incumbent *f = context;
@@ -81,9 +87,9 @@ static void join(void *context, uint64_t group)
     }
 }
 
-/* ---- all ---- */
+/* ---- preparation ---- */
 
-/* Which of the different acceptances a pose has, in the order of poses. */
+/* Finds the distinct acceptance angles, and that of each pose. */
 static murk_status sort_acceptances(incumbent *f, murk_error *err)
 {
     const murk_seen_desc *desc = f->desc;
@@ -109,6 +115,7 @@ static murk_status sort_acceptances(incumbent *f, murk_error *err)
     return status;
 }
 
+/* The extinction of a medium for an acceptance angle. */
 static double extinction_of(const incumbent *f, size_t medium, int band,
                             double acceptance_rad)
 {
@@ -118,7 +125,7 @@ static double extinction_of(const incumbent *f, size_t medium, int band,
         &f->desc->stage->phases->medium[medium][band], acceptance_rad);
 }
 
-/* The media that were not kept, as a sensor of that acceptance sees them. */
+/* The media that are not re-weighted, for sensors of one acceptance angle. */
 static murk_status make_other(incumbent *f, size_t a, murk_spectrum *extinction,
                               murk_error *err)
 {
@@ -135,6 +142,8 @@ static murk_status make_other(incumbent *f, size_t a, murk_spectrum *extinction,
                               err);
 }
 
+/* Creates the media: without extinction, each re-weighted one by itself, and
+ * the others. */
 static murk_status make_media(incumbent *f, murk_error *err)
 {
     const murk_followed *followed = f->desc->followed;
@@ -142,6 +151,7 @@ static murk_status make_media(incumbent *f, murk_error *err)
     murk_seen *seen = f->seen;
     const size_t bands = (size_t)f->scene->bands;
     const bool has_other = followed->media < f->scene->n_media;
+    /* Allocate. */
     murk_spectrum *extinction =
         calloc(f->scene->n_media + 1, sizeof *extinction);
     f->alone = calloc(followed->media + 1, sizeof *f->alone);
@@ -155,9 +165,11 @@ static murk_status make_media(incumbent *f, murk_error *err)
         status = murk_fail(err, MURK_NO_MEMORY, "media",
                            "no memory for what sensors see through");
     }
+    /* Media without extinction: surfaces alone decide. */
     if (!status) {
         status = murk_media_rescale(&f->clear, stage->media, extinction, err);
     }
+    /* Each re-weighted medium; the others together. */
     for (size_t m = 0; m < followed->media && !status; ++m) {
         status = murk_media_single(&f->alone[m], stage->media,
                                    followed->medium[m], err);
@@ -165,6 +177,7 @@ static murk_status make_media(incumbent *f, murk_error *err)
     for (size_t a = 0; has_other && a < seen->acceptances && !status; ++a) {
         status = make_other(f, a, extinction, err);
     }
+    /* Extinctions of the re-weighted media as traced. */
     for (size_t k = 0; !status && k < seen->acceptances * bands; ++k) {
         for (size_t m = 0; m < followed->media; ++m) {
             f->extinction[k * followed->media + m] =
@@ -176,8 +189,8 @@ static murk_status make_media(incumbent *f, murk_error *err)
     return status;
 }
 
-/* Sight that sees a record by surfaces and boundaries alone. Records' emitted
- * numbers are those of their contributions. */
+/* Creates a sight that sees a record by surfaces and boundaries alone.
+ * `emitted` of a record is the number of its contribution. */
 static murk_status make_sight(incumbent *f, murk_error *err)
 {
     const murk_stage *stage = f->desc->stage;
@@ -188,9 +201,11 @@ static murk_status make_sight(incumbent *f, murk_error *err)
         return murk_fail(err, MURK_NO_MEMORY, f->scene->sensors.where,
                          "no memory for the sensors' types");
     }
+    /* Acceptance is part of the extinctions here. */
     for (size_t k = 0; k < f->scene->sensors.types; ++k) {
         types[k].acceptance_rad = 0;
     }
+    /* Describe the sight; the mode of detection is applied later. */
     const murk_sight_desc desc = {
         .surfaces = stage->surfaces,
         .media = f->clear,
@@ -216,6 +231,7 @@ static murk_status make_sight(incumbent *f, murk_error *err)
     return status;
 }
 
+/* Fills the weight and the kind of each record. */
 static void weigh(const incumbent *f)
 {
     const murk_sight_desc *sight = murk_sight_described(f->sight);
@@ -240,6 +256,7 @@ static void weigh(const incumbent *f)
     }
 }
 
+/* Describes the media for each acceptance angle. */
 static void look_through(incumbent *f)
 {
     const murk_seen *seen = f->seen;
@@ -274,6 +291,7 @@ static murk_status check_poses(const murk_seen_desc *desc, murk_error *err)
     return MURK_OK;
 }
 
+/* Allocates. */
 static murk_status set_aside(incumbent *f, murk_error *err)
 {
     const murk_seen_desc *desc = f->desc;
@@ -299,6 +317,7 @@ static murk_status set_aside(incumbent *f, murk_error *err)
                      "no memory to look at %zu records", desc->followed->n);
 }
 
+/* Errors of the parallel steps. */
 static murk_status outcome(const incumbent *f, murk_error *err)
 {
     if (murk_interrupted()) {
@@ -343,6 +362,7 @@ murk_status murk_seen_create(murk_seen **out, const murk_seen_desc *desc,
                    .scene = desc->stage->scene,
                    .room.max_bytes =
                        MEMORY_SHARE * murk_machine_memory_bytes()};
+    /* Prepare poses, acceptances, media and sight. */
     murk_status status = check_poses(desc, err);
     if (!status) {
         status = set_aside(&f, err);
@@ -359,6 +379,7 @@ murk_status murk_seen_create(murk_seen **out, const murk_seen_desc *desc,
     if (!status) {
         status = make_sight(&f, err);
     }
+    /* Find the sightlines of each pose, then sort them by group. */
     if (!status) {
         weigh(&f);
         look_through(&f);

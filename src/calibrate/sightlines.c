@@ -1,3 +1,6 @@
+/* Computes the density paths of sightlines in chunks (sensing/depths.h), drops
+ * those with negligible transmittance, and merges the sightlines of several
+ * sensors by a counting sort. */
 #include "calibrate/sightlines.h"
 
 #include "sensing/depths.h"
@@ -5,12 +8,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Sightlines that let less through of the light as traced are left out: a
- * coverage misses less than this by each, and less than its root where the
- * media have thinned to half. Looks leave out 8000 times as much. */
+/* Sightlines with a smaller transmittance at the traced optics are dropped.
+ * Each changes a coverage by less than this, and by less than the square root
+ * of this if the extinction is halved. Coverage rows drop sightlines of 8000
+ * times as much (half a clarity). */
 #define MIN_THROUGH 0x1p-30
 
-#define CHUNK 512 /* sightlines measured together */
+#define CHUNK 512 /* sightlines computed together: fits the cache */
 
 static size_t bytes_each(const murk_sightlines_through *t)
 {
@@ -31,27 +35,29 @@ static bool make_room(murk_sightlines *lines, const murk_sightlines_through *t,
            (lines->acceptance || !has_acceptances);
 }
 
-/* Gives back what is not used; where that fails, more is kept than needed. */
+/* Releases unused capacity; if that fails, the larger array stays. */
 static void *shrunk(void *array, size_t bytes)
 {
     void *less = array ? realloc(array, bytes + 1) : NULL;
     return less ? less : array;
 }
 
-/* Keeps those of n <= CHUNK that let enough through; depth[n * media] is
- * scratch. */
+/* Appends those of n <= CHUNK sightlines whose transmittance suffices; depth[n
+ * * media] is a workspace. */
 static void keep(murk_sightlines *lines, const murk_sightlines_through *t,
                  const murk_pose *pose, const uint32_t *photon, size_t n,
                  double *depth)
 {
     const size_t media = t->media;
     double sheets[CHUNK], other[CHUNK] = {0};
+    /* Transmittance of other media, density paths of the re-weighted ones. */
     if (t->other) {
         murk_sight_depths(other, sheets, t->sight, pose, photon, n, &t->other,
                           1);
     }
     murk_sight_depths(depth, sheets, t->sight, pose, photon, n, t->alone,
                       media);
+    /* Store the sightlines that are not negligible. */
     for (size_t i = 0; i < n; ++i) {
         const murk_photon *p = murk_sight_photon(t->sight, photon[i]);
         const double *extinction = t->extinction + murk_photon_band(p) * media;
@@ -78,6 +84,7 @@ bool murk_sightlines_find(murk_sightlines *out,
                           const murk_sightlines_through *t, unsigned worker,
                           const murk_pose *pose, murk_sightlines_room *room)
 {
+    /* The row of records that the pose sees; reserve memory. */
     murk_sparse_row row;
     murk_sight_row(t->sight, worker, pose, &row);
     const int64_t max = (int64_t)(row.seen * bytes_each(t));
@@ -90,11 +97,13 @@ bool murk_sightlines_find(murk_sightlines *out,
         free(depth);
         return false;
     }
+    /* Compute in chunks. */
     for (size_t i = 0; i < row.seen; i += CHUNK) {
         const size_t left = row.seen - i;
         keep(out, t, pose, row.photon + i, left < CHUNK ? left : CHUNK, depth);
     }
     free(depth);
+    /* Release what was dropped. */
     out->contribution =
         shrunk(out->contribution, out->n * sizeof *out->contribution);
     out->path_m = shrunk(out->path_m, out->n * t->media * sizeof *out->path_m);
@@ -103,7 +112,8 @@ bool murk_sightlines_find(murk_sightlines *out,
     return true;
 }
 
-/* place[c]: where the next line to contribution c goes. */
+/* Copies sightlines to their sorted places; place[c] is the next free place of
+ * contribution c. */
 static void put(murk_sightlines *to, const murk_sightlines *from,
                 uint32_t *place, size_t media)
 {
@@ -126,6 +136,7 @@ bool murk_sightlines_join(murk_sightlines *out, murk_sightlines *part,
                           size_t parts, const murk_sightlines_through *t,
                           size_t contributions)
 {
+    /* Count all sightlines; do acceptance angles differ? */
     size_t n = 0;
     bool has_acceptances = false;
     for (size_t j = 0; j < parts; ++j) {
@@ -140,6 +151,7 @@ bool murk_sightlines_join(murk_sightlines *out, murk_sightlines *part,
     }
     out->n = n;
     out->acceptance_all = parts ? part[0].acceptance_all : 0;
+    /* Counting sort by contribution: count, sum, place. */
     for (size_t j = 0; j < parts; ++j) {
         for (size_t i = 0; i < part[j].n; ++i) {
             ++place[part[j].contribution[i]];
@@ -152,6 +164,7 @@ bool murk_sightlines_join(murk_sightlines *out, murk_sightlines *part,
         place[c] = before;
         before += here;
     }
+    /* Copy. */
     for (size_t j = 0; j < parts; ++j) {
         put(out, &part[j], place, t->media);
         murk_sightlines_release(&part[j]);

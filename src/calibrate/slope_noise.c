@@ -1,3 +1,6 @@
+/* Estimates the covariance of values and slopes from runs of photons, and
+ * solves the corrected equations in the eigenvectors of J^T J and of the noise
+ * relative to it. */
 #include "calibrate/slope_noise.h"
 
 #include "fit/ceres_bridge.h"
@@ -6,12 +9,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Directions that the rows tell less of than this share of the best are none.
- */
+/* Directions with a singular value below this share of the largest carry no
+ * information. */
 #define NOTHING 1e-12
 
-/* Where more of what a direction seems to tell is noise, a step along it would
- * be, too. */
+/* No step is taken along a direction if more than this share of the apparent
+ * information is noise. */
 #define NOISE_MAX .5
 
 static murk_status no_memory(murk_error *err)
@@ -26,8 +29,7 @@ void murk_slope_noise_release(murk_slope_noise *noise)
     *noise = (murk_slope_noise){0};
 }
 
-/* How a run's fitted rows of light, [n_lit][1 + n], are off from its share of
- * the whole, whitened. */
+/* Fills off[n_lit][1 + n] with the whitened deviation of a run. */
 static void off_of_run(double *off, const murk_fit_search *s,
                        const double *part, const double *total, size_t run,
                        size_t runs, const size_t *place, size_t lits)
@@ -39,6 +41,7 @@ static void off_of_run(double *off, const murk_fit_search *s,
             off[i * width + k] = part[run * lits * width + at + k] -
                                  total[at + k] / (double)runs;
         }
+        /* Slopes with respect to logarithms. */
         for (size_t k = 0; k < s->n; ++k) {
             off[i * width + 1 + k] *=
                 s->desc->keys->key[k].is_log ? s->value[k] : 1;
@@ -59,7 +62,7 @@ void murk_slope_noise_add(murk_slope_noise *out, const double *off,
     for (size_t i = 0; i < n_lit; ++i) {
         const double *row = off + i * width;
         for (size_t k = 0; k < n; ++k) {
-            /* a residual's slope is the other way round */
+            /* The slope of a residual is the negative slope of the row. */
             out->bias[k] += jacobian[i * n + k] * row[0] * square;
             out->bias[k] += row[0] * row[1 + k];
             for (size_t j = 0; j < n; ++j) {
@@ -69,11 +72,13 @@ void murk_slope_noise_add(murk_slope_noise *out, const double *off,
     }
 }
 
+/* Sums over all runs. */
 static murk_status sum_runs(murk_slope_noise *out, const murk_fit_search *s,
                             const double *part, size_t runs,
                             const size_t *place, size_t lits, murk_error *err)
 {
     const size_t n = s->n, width = n + 1;
+    /* Allocate. */
     double *total = calloc(lits * width + 1, sizeof *total);
     double *off = calloc(s->n_lit * width + 1, sizeof *off);
     double *residual = calloc(s->n_fitted * width + 1, sizeof *residual);
@@ -83,11 +88,13 @@ static murk_status sum_runs(murk_slope_noise *out, const murk_fit_search *s,
         free(residual);
         return no_memory(err);
     }
+    /* Jacobian of the residuals, and total of the runs. */
     const double *jacobian = residual + s->n_fitted;
     murk_fit_search_residuals(s, residual, residual + s->n_fitted);
     for (size_t i = 0; i < runs * lits * width; ++i) {
         total[i % (lits * width)] += part[i];
     }
+    /* Add each run, then scale. */
     for (size_t run = 0; run < runs; ++run) {
         off_of_run(off, s, part, total, run, runs, place, lits);
         murk_slope_noise_add(out, off, jacobian, s->n_lit, n);
@@ -121,6 +128,7 @@ murk_status murk_slope_noise_find(murk_slope_noise *out,
     }
     size_t runs;
     double *part;
+    /* The fitted rows among the lit ones. */
     murk_status status = murk_model_parts(s->model, &runs, &part, err);
     size_t *place = calloc(s->n_lit, sizeof *place);
     if (!status && !place) {
@@ -129,7 +137,8 @@ murk_status murk_slope_noise_find(murk_slope_noise *out,
     if (!status) {
         size_t lits;
         const size_t *lit = murk_model_lit(s->model, &lits);
-        for (size_t i = 0, a = 0; i < s->n_lit; ++i, ++a) { /* both rise */
+        for (size_t i = 0, a = 0; i < s->n_lit; ++i, ++a) { /* both lists rise
+                                                             */
             for (; lit[a] != s->fitted[i]; ++a) {
             }
             place[i] = a;
@@ -141,8 +150,8 @@ murk_status murk_slope_noise_find(murk_slope_noise *out,
     return status;
 }
 
-/* J = U diag(s) V^T: singular[n], direction[n][n]; and how many tell anything.
- */
+/* Singular value decomposition J = U diag(s) V^T: singular[n], direction[n][n];
+ * *rank is the number of directions with information. */
 static murk_status split(double *singular, double *direction, size_t *rank,
                          const double *jacobian, size_t rows, size_t n,
                          murk_error *err)
@@ -167,6 +176,7 @@ murk_status murk_slope_noise_offset(double *offset,
     }
     double *singular = room, *step = room + n, *direction = room + 2 * n;
     size_t rank;
+    /* step = (J^T J)^-1 b, direction by direction. */
     const murk_status status =
         split(singular, direction, &rank, jacobian, rows, n, err);
     for (size_t r = 0; r < rank && !status; ++r) { /* step = (J^T J)^-1 b */
@@ -179,6 +189,7 @@ murk_status murk_slope_noise_offset(double *offset,
             step[k] += v[k] * along / (singular[r] * singular[r]);
         }
     }
+    /* offset = J step. */
     for (size_t i = 0; i < rows && !status; ++i) {
         offset[i] = 0;
         for (size_t k = 0; k < n; ++k) {
@@ -189,7 +200,7 @@ murk_status murk_slope_noise_offset(double *offset,
     return status;
 }
 
-/* N where J^T J is 1: T^T N T, T = V diag(1 / s). */
+/* The noise in units of the information: T^T N T with T = V diag(1 / s). */
 static void in_own_scale(double *out, const double *noise,
                          const double *singular, const double *direction,
                          size_t rank, size_t n)
@@ -216,8 +227,8 @@ static bool are_finite(const double *a, size_t n)
     return true;
 }
 
-/* What both uses need: J^T J = V diag(s^2) V^T, and N in its scale, Q
- * diag(part) Q^T. */
+/* The decomposition that both uses need: J^T J = V diag(s^2) V^T, and the noise
+ * in units of it, Q diag(part) Q^T. */
 typedef struct axes {
     size_t rank;
     double *singular, *direction; /* [rank], [rank][n] */
@@ -237,6 +248,7 @@ static murk_status find_axes(axes *out, const murk_slope_noise *noise,
     out->part = out->room + n;
     out->direction = out->room + 2 * n;
     out->axis = out->direction + n * n;
+    /* Information, then noise relative to it. */
     double *scaled = out->axis + n * n;
     murk_status status = split(out->singular, out->direction, &out->rank,
                                jacobian, rows, n, err);
@@ -266,6 +278,7 @@ murk_status murk_slope_noise_step(double *step, double *length,
         free(a.room);
         return status ? status : no_memory(err);
     }
+    /* The score: gradient plus bias. */
     for (size_t k = 0; k < n; ++k) {
         score[k] = noise->bias[k];
         for (size_t i = 0; i < rows; ++i) {
@@ -274,6 +287,7 @@ murk_status murk_slope_noise_step(double *step, double *length,
         step[k] = 0;
     }
     *length = 0;
+    /* Step along each direction that is not dominated by noise. */
     for (size_t q = 0; q < a.rank; ++q) {
         double along = 0;
         for (size_t r = 0; r < a.rank; ++r) {
@@ -310,6 +324,7 @@ murk_status murk_slope_noise_information(double *rows_out, double *max,
     const murk_status status = find_axes(&a, noise, jacobian, rows, n, err);
     *max = !status && a.rank ? a.part[0] : 0;
     memset(rows_out, 0, n * n * sizeof *rows_out);
+    /* The square root of the information that remains in each direction. */
     for (size_t q = 0; q < a.rank && !status; ++q) {
         const double left =
             fmax(0, 1 - a.part[q]) / sqrt(1 + noise->share * a.part[q]);

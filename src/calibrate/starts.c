@@ -1,3 +1,4 @@
+/* Chooses start values, runs the searches and compares their ends. */
 #include "calibrate/starts.h"
 
 #include "base/rng.h"
@@ -6,12 +7,13 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Further starts lie within this factor of the scene's values, or in this share
- * of the width of bounds. */
+/* Further starts lie within this factor of the values of the scene, or within
+ * this share of the width of the bounds. */
 #define START_FACTOR 4.0
 #define START_SHARE  .9
 
-/* Start i of a key: the scene's own value first, then some around it. */
+/* Start value i of a key: the value of the scene first, random ones around it
+ * later. */
 static double start_of(const murk_free_key *key, uint32_t seed, size_t i,
                        size_t k)
 {
@@ -32,13 +34,14 @@ static double start_of(const murk_free_key *key, uint32_t seed, size_t i,
     return fmin(fmax(v, key->lower), key->upper);
 }
 
-/* Two costs that differ by less are of one minimum: light and the end of a
- * search are no better known. A tenth of what moves a fit by one standard
- * error. */
+/* Costs that differ by less belong to the same minimum: light and the end of a
+ * search are not known more precisely. It is a tenth of the change of cost at
+ * one standard error. */
 #define SAME_MINIMUM .1
 
-/* A start that has converged is as good as another that is lower by what errors
- * of n parameters alone come to; of one minimum the earlier start is kept. */
+/* True if start a is better than b. A start that converged wins unless the
+ * other is lower by more than the errors of n parameters explain; within one
+ * minimum the earlier start is kept. */
 static bool is_better(const murk_calibration_start *a,
                       const murk_calibration_start *b, size_t n)
 {
@@ -49,7 +52,8 @@ static bool is_better(const murk_calibration_start *a,
     return a->cost < b->cost + (a->converged ? lead : -lead);
 }
 
-/* Not every value of such a key leaves a scene that can be. */
+/* Adds advice to a message: not every value of an unbounded world key gives a
+ * valid scene. */
 static void advise_bounds(murk_error *told, const murk_free_keys *keys,
                           murk_status status)
 {
@@ -71,12 +75,14 @@ murk_status murk_fit_start(murk_calibration *out, murk_fit_search *s, size_t i,
 {
     const murk_calibration_desc *desc = s->desc;
     murk_calibration_start *start = &out->start[i];
+    /* Start values and the cost to beat. */
     for (size_t k = 0; k < out->n; ++k) {
         start->from[k] = start_of(&desc->keys->key[k], desc->seed, i, k);
     }
     s->start = i;
     s->cost_to_beat = i > 0 ? out->start[out->best].cost : INFINITY;
     murk_fit_search_coordinates(s, start->from, x);
+    /* Search; only the first start may fail the fit. */
     murk_error told = {0};
     const murk_status status = murk_fit_search_run(s, x, start, &told);
     if (status) {
@@ -91,6 +97,7 @@ murk_status murk_fit_start(murk_calibration *out, murk_fit_search *s, size_t i,
     if (s->is_dropped) { /* chi2 stays NaN: nothing was found */
         return MURK_OK;
     }
+    /* Compare with the best. */
     murk_fit_search_values(s, x, start->to);
     if (i == 0 || is_better(start, &out->start[out->best], out->n)) {
         out->best = i;

@@ -1,8 +1,12 @@
-/* The searches of a fit, from one start each: the scene's own values first,
- * then others around them. Inside this room only. */
+/* The searches of a fit: the first starts at the values of the scene, further
+ * ones at random values around them. Internal to this room. */
 #ifndef MURK_CALIBRATE_STARTS_H
 #define MURK_CALIBRATE_STARTS_H
 
+/* Runs search i: fills out->start[i], and out->best if it is the best so far.
+ * Afterwards the last prediction of the search is that at x[n], the end. A
+ * failure of a further start is recorded in out->start[i].why and is no failure
+ * of the fit. */
 #include "calibrate/search.h"
 
 /* Search i: fills out->start[i], and out->best where it is the best so far.

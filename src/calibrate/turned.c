@@ -1,3 +1,6 @@
+/* Compares two scenes: prints the resolved scenes without optics and light
+ * sources, prints the shapes of the light sources, and compares the texts; then
+ * compares optics and powers by value. */
 #include "calibrate/turned.h"
 
 #include "preset/words.h"
@@ -17,8 +20,9 @@ static murk_status no_memory(murk_error *err)
 
 /* ---- the world ---- */
 
-/* What light does not depend on, what is compared as optics, and lights with
- * what places them, which are compared as they shine. */
+/* True for keys that the light depends on, except optics, which are compared by
+ * value, and light sources with the site, which are compared by their shapes.
+ */
 static bool is_of_world(const char *key)
 {
     const murk_key *row = murk_keys_find(&murk_scene_keys, key);
@@ -26,6 +30,7 @@ static bool is_of_world(const char *key)
            strcmp(key, "site") != 0;
 }
 
+/* Removes the keys of a medium that determine optics. */
 static void drop_optics(murk_yaml *medium)
 {
     const murk_yaml *albedo = murk_yaml_get(medium, "albedo");
@@ -39,13 +44,14 @@ static void drop_optics(murk_yaml *medium)
     }
 }
 
-/* All of the world but optics and lights, as text; NULL when out of memory. */
+/* Prints the world without optics and light sources; NULL when out of memory.
+ */
 static char *print_world(const murk_scene_desc *scene)
 {
     murk_yaml *root = NULL;
     if (murk_yaml_parse(&root, scene->resolved, strlen(scene->resolved),
                         scene->path, NULL)) {
-        return NULL; /* it was printed by ourselves */
+        return NULL; /* cannot fail: murk printed this text */
     }
     murk_yaml *media = murk_yaml_get(root, "media");
     for (size_t i = 0; media && media->kind == MURK_YAML_MAP && i < media->n;
@@ -79,6 +85,7 @@ static murk_status print_lights(char **out, const murk_scene_desc *scene,
     return MURK_OK;
 }
 
+/* True if the worlds or the shapes of the light sources differ. */
 static murk_status compare_worlds(bool *differs, const murk_scene_desc *a,
                                   const murk_scene_desc *b, murk_error *err)
 {
@@ -106,6 +113,7 @@ static murk_status compare_worlds(bool *differs, const murk_scene_desc *a,
 
 /* ---- optics ---- */
 
+/* Compares the optics of each medium in each band. */
 static void compare_media(murk_turned *turned, const murk_optics *a,
                           const murk_optics *b)
 {
@@ -135,7 +143,7 @@ murk_status murk_turned_add(murk_turned *turned, const murk_optics *a,
     }
     turned->world = turned->world || differs;
     if (differs) {
-        return MURK_OK; /* media and lights need not be the same ones */
+        return MURK_OK; /* media and light sources need not correspond */
     }
     compare_media(turned, a, b);
     for (size_t c = 0; c < a->channels; ++c) {

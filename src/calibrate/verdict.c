@@ -1,10 +1,11 @@
 /* The verdict of a fit.
  *
- * Whitened residuals of a right model with right errors have unit variance, so
- * their sum of squares is chi-squared with as many degrees of freedom as there
- * are fitted rows less free parameters. Its upper tail says how often chance
- * alone gives as much. A parameter at its bound, or along a direction that the
- * data do not determine (fit/certainty.h), has no standard error. */
+ * The whitened residuals of a correct model with correct errors have unit
+ * variance, so the sum of their squares follows chi-squared with as many
+ * degrees of freedom as there are fitted rows minus free parameters. The upper
+ * tail is the probability of a value at least as large. A parameter at a bound,
+ * or along a direction that the data do not determine (fit/certainty.h), has no
+ * standard error. */
 #include "calibrate/verdict.h"
 
 #include "base/stats.h"
@@ -14,8 +15,8 @@
 #include <stdio.h>
 #include <string.h>
 
-/* One-sided chances that make half of 5 %: outside of these a fit is called
- * remarkable. */
+/* One-sided probabilities that add up to 5 %: beyond them the verdict mentions
+ * the scatter. */
 #define REMARKABLE .025
 
 bool murk_calibration_determines(const murk_calibration *c, size_t k)
@@ -30,7 +31,7 @@ const char *murk_calibration_status(const murk_calibration *c, size_t k)
                                                : "not determined by these data";
 }
 
-/* Appends to the verdict, and cuts what does not fit. */
+/* Appends to the verdict; cuts text that does not fit. */
 __attribute__((format(printf, 2, 3))) static void say(murk_calibration *c,
                                                       const char *format, ...)
 {
@@ -42,7 +43,8 @@ __attribute__((format(printf, 2, 3))) static void say(murk_calibration *c,
     va_end(list);
 }
 
-/* Names the parameters without a standard error; one name is shown of many. */
+/* Names the parameters without a standard error: a single one by name, several
+ * by number. */
 static void say_what_is_unknown(murk_calibration *c, const murk_free_keys *keys)
 {
     size_t unknown = 0, first = 0, bound = 0;
@@ -70,7 +72,7 @@ void murk_calibration_judge(murk_calibration *c, const murk_free_keys *keys)
     c->p_value = murk_chi2_upper(c->chi2, n);
     c->is_accepted = !(c->p_value < MURK_FIT_REFUSED);
     c->verdict[0] = '\0';
-    /* the model, by chi-squared */
+    /* The model, by chi-squared. */
     if (isnan(c->p_value)) {
         say(c, "There are no more readings than values, so nothing can tell "
                "whether the model fits.");
@@ -93,7 +95,7 @@ void murk_calibration_judge(murk_calibration *c, const murk_free_keys *keys)
                   "say",
             c->chi2, n, sqrt(2 * n), c->p_value);
     }
-    /* the search, and single values */
+    /* The search, and single parameters. */
     if (!c->converged) {
         say(c, " The search did not converge.");
     }

@@ -1,15 +1,19 @@
+/* Difference quotients over two steps, with their variance over batches of
+ * photons, and Richardson's estimate of the bias (the error of a central
+ * difference is proportional to the square of the step). */
 #include "calibrate/world_slopes.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* The wide step, of a positive key's value, of the width of its bounds, or of
- * what else a length in metres may be worth. */
+/* The wide step: a share of the value of a positive key, of the width of the
+ * bounds, or of the value of an unbounded key, which is then at least STEP_MIN
+ * (a length in metres, for example). */
 #define STEP_SHARE .1
 #define STEP_MIN   .1
 
-/* Differences over one step. */
+/* Slopes over one step with their variance. */
 typedef struct difference {
     double *slope, *variance; /* [lit] */
 } difference;
@@ -26,6 +30,7 @@ void murk_world_span(const murk_free_key *key, double value, double share,
     *high = fmin(value + step, key->upper);
 }
 
+/* Traces light at the values and evaluates the lit rows. */
 static murk_status rows_at(murk_lit_rows *out, const murk_lit_desc *desc,
                            const murk_measurements *measured,
                            const double *value, murk_error *err)
@@ -39,6 +44,8 @@ static murk_status rows_at(murk_lit_rows *out, const murk_lit_desc *desc,
     return status;
 }
 
+/* Difference quotients and their variance over batches; both lights use the
+ * same random numbers. */
 static void differ(difference *out, const murk_lit_desc *desc,
                    const murk_lit_rows *low, const murk_lit_rows *high,
                    double span)
@@ -58,6 +65,7 @@ static void differ(difference *out, const murk_lit_desc *desc,
     }
 }
 
+/* The difference quotients over one step. */
 static murk_status difference_over(difference *out, const murk_lit_desc *desc,
                                    const murk_measurements *measured,
                                    size_t key, const double *value,
@@ -70,6 +78,7 @@ static murk_status difference_over(difference *out, const murk_lit_desc *desc,
         moved ? MURK_OK
               : murk_fail(err, MURK_NO_MEMORY, "", "no memory for slopes");
     murk_world_span(&desc->keys->key[key], value[key], share, &end[0], &end[1]);
+    /* Evaluate at both values. */
     for (int i = 0; i < 2 && !status; ++i) {
         memcpy(moved, value, n * sizeof *moved);
         moved[key] = end[i];
@@ -105,8 +114,8 @@ murk_status murk_world_slopes(double *slope, double *slope_error,
         status = difference_over(&narrow, desc, measured, key, value, .5, err);
     }
     for (size_t i = 0; i < lit && !status; ++i) {
-        /* bias goes by the square of the step: 3/4 of the wide one's is what
-         * they differ by */
+        /* The bias is proportional to the square of the step, so the difference
+         * is 3/4 of the bias of the wide step. */
         const double apart = wide.slope[i] - narrow.slope[i];
         const double seen =
             fmax(0, apart * apart - wide.variance[i] - narrow.variance[i]);

@@ -1,25 +1,27 @@
-/* How rows of light turn with a key that re-weighting does not know: by
- * differences of light traced at two of its values, under one seed.
+/* Slopes of lit rows with respect to keys that re-weighting cannot vary:
+ * differences of light that is traced at two values of the key with the same
+ * seed.
  *
- * A wide step is biased, a narrow one is noisy. Two are tried, one half the
- * other: what they differ by beyond their noise tells the curvature, and per
- * row the one of less expected error is taken. */
+ * A wide step has a bias, a narrow step has more noise. Both a step and half of
+ * it are used: their difference beyond the noise estimates the curvature, and
+ * each row takes the slope with the smaller expected error. */
 #ifndef MURK_CALIBRATE_WORLD_SLOPES_H
 #define MURK_CALIBRATE_WORLD_SLOPES_H
 
 #include "calibrate/lit.h"
 
-#define MURK_WORLD_SLOPE_TRACES 4 /* of light, each key and condition */
+/* traces of light for each key and condition: two steps of two values */
+#define MURK_WORLD_SLOPE_TRACES 4
 
-/* Of key k at value[keys->n]: slope[lit] and its standard error, photons and
- * step together. */
+/* Computes slope[lit] of key k at value[keys->n], and the standard error by
+ * photons and step together. */
 murk_status murk_world_slopes(double *slope, double *slope_error,
                               const murk_lit_desc *desc,
                               const murk_measurements *measured, size_t key,
                               const double *value, murk_error *err);
 
-/* The two values around it that differences are over: share 1 of the wide step,
- * 1/2 of the narrow one. */
+/* The two values around `value` of a difference: share 1 is the wide step, 1/2
+ * the narrow one. */
 void murk_world_span(const murk_free_key *key, double value, double share,
                      double *low, double *high);
 
