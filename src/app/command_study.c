@@ -229,7 +229,7 @@ static void print_study(const study_session *s)
         traced += s->sweep->group[g].was_traced;
     }
     for (size_t i = 0; i < s->study->rows; ++i) {
-        kept += s->sweep->row[i].is_kept;
+        kept += s->sweep->row[i].is_reused;
     }
     /* The rows, the plans for all rows, and counts. */
     murk_print_study_rows(s->sweep, s->options->out);

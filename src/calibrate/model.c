@@ -90,14 +90,14 @@ static murk_status choose_media(murk_model *m, size_t c, const double *value,
     /* A medium is recorded if a key changes extinction, albedo or phase
      * function. */
     for (size_t i = 0; i < n_media && !status; ++i) {
-        bool is_kept = false;
+        bool is_recorded = false;
         for (size_t k = 0; k < m->n; ++k) {
             const murk_optics_sides *side = &around.side[k];
-            is_kept =
-                is_kept || (side->low && (differs(side->low, side->high, i) ||
-                                          m->desc.keys->key[k].turns_phase));
+            is_recorded = is_recorded ||
+                          (side->low && (differs(side->low, side->high, i) ||
+                                         m->desc.keys->key[k].turns_phase));
         }
-        if (is_kept) {
+        if (is_recorded) {
             w->medium[w->desc.media++] = i;
         }
     }

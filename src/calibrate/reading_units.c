@@ -229,9 +229,10 @@ double murk_reading_in_unit(murk_reading_unit unit, double model,
     case MURK_UNIT_TRANSMISSION_PERCENT_PER_M:
     case MURK_UNIT_OBSCURATION_PERCENT_PER_M: {
         const double kept = 100 * exp(-per_m);
-        const bool is_kept = unit == MURK_UNIT_TRANSMISSION_PERCENT_PER_M;
-        *slope = (is_kept ? -kept : kept) * d_per_m;
-        return is_kept ? kept : 100 - kept;
+        const bool is_transmission =
+            unit == MURK_UNIT_TRANSMISSION_PERCENT_PER_M;
+        *slope = (is_transmission ? -kept : kept) * d_per_m;
+        return is_transmission ? kept : 100 - kept;
     }
     case MURK_UNIT_DB_PER_KM:
         *slope = 1000 * DECIBEL * d_per_m;

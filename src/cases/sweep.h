@@ -22,7 +22,7 @@ typedef struct murk_sweep_row {
     size_t group;
     bool is_done;   /* found is filled; also if the row failed */
     bool has_plans; /* found holds the coverage of the plans for all rows */
-    bool is_kept;   /* taken over from an earlier run */
+    bool is_reused; /* taken over from an earlier run */
 } murk_sweep_row;
 
 typedef struct murk_sweep_group {
@@ -42,7 +42,7 @@ enum { MURK_SWEEP_MEAN, MURK_SWEEP_WORST, MURK_SWEEP_PLANS };
 #define MURK_SWEEP_CHOOSERS_MAX 64
 
 typedef struct murk_sweep_plan {
-    bool is_wanted, is_kept;
+    bool is_wanted, is_reused;
     /* Sensors, in_sample and upper_bound; or failed, if there is no plan; or
      * neither, if no row has anything to see. */
     murk_study_row found;

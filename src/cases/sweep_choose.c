@@ -271,7 +271,7 @@ murk_status murk_sweep_choose(murk_isolated *isolated, void *context,
     }
     for (int p = 0; p < MURK_SWEEP_PLANS && !status; ++p) {
         murk_study_row plan = {0};
-        if (!sweep->plan[p].is_wanted || sweep->plan[p].is_kept) {
+        if (!sweep->plan[p].is_wanted || sweep->plan[p].is_reused) {
             continue;
         }
         if (ch.scenarios) {

@@ -30,7 +30,7 @@ static bool is_wanted(const murk_sweep_plan *plan)
 
 static bool is_to_be_made(const murk_sweep_plan *plan)
 {
-    return plan->is_wanted && !plan->is_kept;
+    return plan->is_wanted && !plan->is_reused;
 }
 
 /* ---- who has a say ---- */
@@ -147,7 +147,7 @@ static murk_status make_plans(murk_sweep *sweep, murk_error *err)
     murk_error why = {0};
     for (int p = 0; p < MURK_SWEEP_PLANS; ++p) {
         murk_sweep_plan *plan = &sweep->plan[p];
-        plan->is_kept =
+        plan->is_reused =
             plan->is_wanted && murk_sweep_load(sweep, plan->key, &plan->found);
     }
     if (sweep->choosers == 0 || !any(sweep, is_to_be_made)) {

@@ -121,9 +121,9 @@ static void load_row(murk_sweep *sweep, size_t i)
 {
     murk_sweep_row *row = &sweep->row[i];
     if (!row->is_done && murk_sweep_load(sweep, row->key, &row->found)) {
-        row->is_done = row->is_kept =
+        row->is_done = row->is_reused =
             murk_sweep_has_fluence(sweep, i, &row->found);
-        if (!row->is_kept) {
+        if (!row->is_reused) {
             murk_study_row_release(&row->found);
         }
     }

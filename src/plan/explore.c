@@ -117,8 +117,8 @@ static murk_status go_to(exploring *e, uint32_t place, double *length_m,
 {
     murk_explore *out = e->out;
     size_t stops = 0;
-    murk_vec3 *way = NULL;
-    murk_status status = murk_explored_path(&e->explored, &way, &stops,
+    murk_vec3 *path = NULL;
+    murk_status status = murk_explored_path(&e->explored, &path, &stops,
                                             length_m, e->here, place, err);
     if (status) {
         return status;

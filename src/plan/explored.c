@@ -27,9 +27,9 @@ murk_status murk_explored_init(murk_explored *out, const murk_sight_desc *sight,
     murk_outlook_init(&out->outlook, sight, bands);
     out->place = calloc(places + 1, sizeof *out->place);
     out->is_seen = calloc(places + 1, sizeof *out->is_seen);
-    out->is_kept = calloc(places + 1, sizeof *out->is_kept);
+    out->is_always_used = calloc(places + 1, sizeof *out->is_always_used);
     out->joined = calloc(places + 1, sizeof *out->joined);
-    if (!out->place || !out->is_seen || !out->is_kept || !out->joined) {
+    if (!out->place || !out->is_seen || !out->is_always_used || !out->joined) {
         murk_explored_release(out);
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for %zu places",
                          places);
@@ -48,7 +48,7 @@ void murk_explored_release(murk_explored *explored)
 {
     free(explored->place);
     free(explored->is_seen);
-    free(explored->is_kept);
+    free(explored->is_always_used);
     free(explored->joined);
     *explored = (murk_explored){0};
 }
@@ -91,7 +91,7 @@ size_t murk_explored_see(murk_explored *e, const murk_pose *pose,
 {
     const murk_outlook_view view = murk_outlook_from(&e->outlook, pose);
     mark_seen(e, place);
-    e->is_kept[place] = 1;
+    e->is_always_used[place] = 1;
     for (uint32_t k = 0; k < e->places; ++k) {
         if (!murk_outlook_sees(&view, e->place[k])) {
             continue;
@@ -99,7 +99,7 @@ size_t murk_explored_see(murk_explored *e, const murk_pose *pose,
         /* A place that was seen earlier and belongs to another set connects
          * both sets, so paths need it. */
         if (e->is_seen[k] && find_root(e, k) != find_root(e, place)) {
-            e->is_kept[k] = 1;
+            e->is_always_used[k] = 1;
         }
         mark_seen(e, k);
         join(e, k, place);
@@ -133,7 +133,8 @@ static size_t list_places(const murk_explored *e, uint32_t from, uint32_t to,
     const uint32_t root = root_of(e, from);
     size_t free_ones = 0;
     for (uint32_t k = 0; k < e->places; ++k) {
-        free_ones += e->is_seen[k] && !e->is_kept[k] && root_of(e, k) == root;
+        free_ones +=
+            e->is_seen[k] && !e->is_always_used[k] && root_of(e, k) == root;
     }
     /* Thin the places that need not be used. */
     const size_t each =
@@ -147,7 +148,7 @@ static size_t list_places(const murk_explored *e, uint32_t from, uint32_t to,
         if (!is_end && (!e->is_seen[k] || root_of(e, k) != root)) {
             continue;
         }
-        const bool is_free = !e->is_kept[k];
+        const bool is_free = !e->is_always_used[k];
         met += is_free;
         if (is_end || !is_free || met % each == 0) {
             list[n++] = k;
@@ -156,9 +157,9 @@ static size_t list_places(const murk_explored *e, uint32_t from, uint32_t to,
     return n;
 }
 
-murk_status murk_explored_path(murk_explored *e, murk_vec3 **way, size_t *stops,
-                               double *length_m, uint32_t from, uint32_t to,
-                               murk_error *err)
+murk_status murk_explored_path(murk_explored *e, murk_vec3 **path,
+                               size_t *stops, double *length_m, uint32_t from,
+                               uint32_t to, murk_error *err)
 {
     /* List the places and find the ends in the list. */
     uint32_t *list = malloc((e->places + 1) * sizeof *list);

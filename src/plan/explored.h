@@ -12,13 +12,13 @@
 
 typedef struct murk_explored {
     murk_outlook outlook;
-    size_t places, sites; /* sites are the usable ones, numbered first */
-    murk_vec3 *place;     /* [places] */
-    uint8_t *is_seen;     /* [places] */
-    uint8_t *is_kept;     /* [places]; always used for paths: a station, or a
-                           * place that connected two sets of places */
-    uint32_t *joined;     /* [places]; disjoint sets: the parent of a place, or
-                           * the place itself */
+    size_t places, sites;    /* sites are the usable ones, numbered first */
+    murk_vec3 *place;        /* [places] */
+    uint8_t *is_seen;        /* [places] */
+    uint8_t *is_always_used; /* [places]; always used for paths: a station, or a
+                              * place that connected two sets of places */
+    uint32_t *joined; /* [places]; disjoint sets: the parent of a place, or
+                       * the place itself */
     size_t sites_seen;
 } murk_explored;
 
@@ -45,7 +45,7 @@ size_t murk_explored_opens(murk_explored *explored, const murk_pose *pose,
 /* The shortest path between two connected places. *way[*stops] belongs to the
  * caller: free(). The path is the shortest over all seen places if there are at
  * most 2000 of them; otherwise it leads over a subset. */
-murk_status murk_explored_path(murk_explored *explored, murk_vec3 **way,
+murk_status murk_explored_path(murk_explored *explored, murk_vec3 **path,
                                size_t *stops, double *length_m, uint32_t from,
                                uint32_t to, murk_error *err);
 

@@ -28,7 +28,7 @@ static murk_candidate_grid grid_of(const murk_stage *stage)
                                      .clearance_m = settings->clearance_m};
     }
     murk_candidate_grid grid =
-        murk_candidate_grid_fill(&stage->world.domain.box, LAID_POINTS);
+        murk_candidate_grid_fill(&stage->world.domain.box, GRID_POINTS);
     grid.clearance_m = settings->clearance_m;
     return grid;
 }
@@ -98,7 +98,7 @@ static murk_status find_mount(murk_candidate_mount *mount,
     mount->offset_m = settings->offset_m;
     face(settings, &search, mount);
     const murk_status status = murk_surfaces_mount_sites(
-        foot, &mount->sites, stage->surfaces, &lay, settings->where, err);
+        foot, &mount->sites, stage->surfaces, &search, settings->where, err);
     if (!status && mount->sites == 0) {
         return murk_fail(err, MURK_BAD_VALUE, settings->where,
                          "nothing to mount on: in the domain no surface of "
@@ -159,8 +159,8 @@ static murk_status describe_candidates(asked_candidates *a,
     a->desc.mount = a->mount;
     for (size_t i = 0; i < settings->mounts && !status; ++i) {
         ++a->desc.mounts;
-        status = lay_mount(&a->mount[i], &a->site[i], &settings->mount[i],
-                           stage, err);
+        status = find_mount(&a->mount[i], &a->site[i], &settings->mount[i],
+                            stage, err);
         a->mount[i].site = a->site[i];
     }
     /* Zones. */

@@ -300,7 +300,7 @@ static void list_run(murk_results_fields *f, const void *of)
         traced += sweep->group[g].was_traced;
     }
     for (size_t i = 0; sweep && i < sweep->desc.study->rows; ++i) {
-        kept += sweep->row[i].is_kept;
+        kept += sweep->row[i].is_reused;
     }
     MURK_COUNT(f, "lights_traced", "", "by this run", traced);
     MURK_COUNT(f, "rows_kept", "", "from earlier runs", kept);
