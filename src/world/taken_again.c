@@ -1,10 +1,15 @@
-/* Transmittance of the domain's media for light from outside, by rays without
- * chance: see world/taken_again.h. */
+/* The share of light from outside that the media of the domain take before a
+ * surface or water: transmittances along rays on a fixed pattern of squares and
+ * directions, averaged by the light that each ray stands for. The pattern has
+ * no random numbers, so the same scene gives the same share for any seed. */
 #include "world/taken_again.h"
 
 #include "path/pieces.h"
 
-#define BEAM_SQUARES 16 /* along either side of the floor */
+/* Squares along either side of the floor, for a beam and for the sky; and the
+ * directions over the sky, in rings of equal light and spokes around them. A
+ * choice: the answer is shown to three digits. */
+#define BEAM_SQUARES 16
 #define DOME_SQUARES 6
 #define DOME_RINGS   4
 #define DOME_SPOKES  8
