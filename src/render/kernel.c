@@ -1,3 +1,8 @@
+/* The kernel of each photon record: tests points of the disc or ball around
+ * the record, in a pattern that is turned at random, and integrates the kernel
+ * over the points that lie on the same surface or in the medium and are
+ * visible from the record. The radius is halved until enough of the kernel is
+ * visible. */
 #include "render/kernel.h"
 
 #include "base/rng.h"
@@ -8,6 +13,7 @@
  * between three walls leaves a quarter of a disc and an eighth of a ball. */
 #define MIN_SHARE 0.1
 
+/* Halvings of the radius, down to a thousandth. */
 #define HALVINGS 10
 
 /* The least cosine between two normals of one surface, which may be curved. */
@@ -17,11 +23,13 @@
  * pass curved parts and small steps. */
 #define EYE 0.25
 
+/* The golden ratio: turns by it are spread evenly for any number of points. */
 #define GOLDEN 0.6180339887498949
 
-/* The step in shells from one test point of a ball to the next: coprime to the
- * number of points, so that each point has a shell of its own. */
-#define BOUNDARIES 29
+/* The step in spherical layers from one test point of a ball to the next:
+ * coprime to the number of points, so that each point has a layer of its own.
+ */
+#define LAYER_STEP 29
 
 static double index_at(const murk_scenery *scenery, murk_vec3 place)
 {
@@ -46,8 +54,8 @@ murk_probing murk_probing_of(const murk_scenery *scenery, uint32_t seed)
         p.disc[i][0] = off * cos(angle);
         p.disc[i][1] = off * sin(angle);
         const double mu = 1 - 2 * (i + 0.5) / MURK_PROBES;
-        const int boundary = i * BOUNDARIES % MURK_PROBES;
-        const double r = cbrt((boundary + 0.5) / MURK_PROBES);
+        const int layer = i * LAYER_STEP % MURK_PROBES;
+        const double r = cbrt((layer + 0.5) / MURK_PROBES);
         p.ball[i][0] = r * sqrt(1 - mu * mu) * cos(angle);
         p.ball[i][1] = r * sqrt(1 - mu * mu) * sin(angle);
         p.ball[i][2] = r * mu;
@@ -84,6 +92,7 @@ static double share_on_surface(const murk_probing *probing, murk_vec3 from,
     const murk_vec3 down = murk_scale(-1, up);
     murk_vec3 t, b, above[MURK_PROBES];
     murk_frame(up, &t, &b);
+    /* Test points at the height of the eye, turned about the normal. */
     const double c = r * cos(2 * MURK_PI * turn),
                  s = r * sin(2 * MURK_PI * turn);
     for (int i = 0; i < MURK_PROBES; ++i) {
@@ -91,6 +100,7 @@ static double share_on_surface(const murk_probing *probing, murk_vec3 from,
         above[i] = murk_along(murk_along(eye, c * at[0] - s * at[1], t),
                               s * at[0] + c * at[1], b);
     }
+    /* Points that a surface hides from the eye do not count. */
     bool hidden[MURK_PROBES] = {false};
     if (kernel->is_cut) {
         if (murk_surfaces_blocked(world->surfaces, from, eye, false)) {
@@ -99,6 +109,8 @@ static double share_on_surface(const murk_probing *probing, murk_vec3 from,
         murk_surfaces_blocked_many(world->surfaces, above, MURK_PROBES, eye,
                                    false, hidden);
     }
+    /* Drop each point onto the surface below it, and add up the kernel there.
+     */
     double sum = 0, whole = 0;
     for (int i = 0; i < MURK_PROBES; ++i) {
         const double *at = probing->disc[i];
@@ -149,6 +161,7 @@ static murk_kernel on_surface(const murk_probing *probing,
     murk_kernel kernel = {
         .radius_m = radius_m,
         .index = index_at(scenery, murk_along(from, scenery->margin_m, up))};
+    /* A disc that nothing cuts needs no test points. */
     double share = 1;
     kernel.is_cut =
         !is_within(&world->domain.box, from, reach_of(up, radius_m)) ||
@@ -161,6 +174,7 @@ static murk_kernel on_surface(const murk_probing *probing,
         kernel.radius_m /= 2;
         share = 1;
     }
+    /* The integral of 1 - d^2 / r^2 over a disc is pi r^2 / 2. */
     kernel.mass = share * MURK_PI / 2 * kernel.radius_m * kernel.radius_m;
     return kernel;
 }
@@ -193,6 +207,7 @@ static double mean_scattering(const murk_probing *probing, int band,
     const murk_scenery *scenery = probing->scenery;
     const murk_transport_world *world = scenery->world;
     const double r = kernel->radius_m;
+    /* Test points in the ball, in the turned frame. */
     murk_vec3 place[MURK_PROBES];
     for (int i = 0; i < MURK_PROBES; ++i) {
         const double *at = probing->ball[i];
@@ -205,6 +220,7 @@ static double mean_scattering(const murk_probing *probing, int band,
         murk_surfaces_blocked_many(world->surfaces, place, MURK_PROBES, from,
                                    false, hidden);
     }
+    /* Add up the scattering coefficient at the visible points. */
     double sum = 0, whole = 0, there = 0;
     for (int i = 0; i < MURK_PROBES; ++i) {
         const double *at = probing->ball[i];
@@ -236,6 +252,7 @@ static murk_kernel in_medium(const murk_probing *probing,
     kernel.is_cut =
         scenery->any_surfaces &&
         murk_surfaces_near(scenery->world->surfaces, from, radius_m);
+    /* Halve the radius until enough of the ball is visible and scatters. */
     double mean = 0, share = 0;
     for (int i = 0; i < HALVINGS; ++i) {
         mean = mean_scattering(probing, murk_photon_band(photon), from, &kernel,
@@ -248,6 +265,7 @@ static murk_kernel in_medium(const murk_probing *probing,
     if (!(share >= MIN_SHARE)) {
         mean = scattering_at(scenery, murk_photon_band(photon), from);
     }
+    /* The integral of 1 - d^2 / r^2 over a ball is 8 pi r^3 / 15. */
     const double r = kernel.radius_m;
     kernel.mass = mean * 8 * MURK_PI / 15 * r * r * r;
     return kernel;

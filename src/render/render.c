@@ -104,7 +104,7 @@ static void trace_center(const run *r, size_t x, size_t y, size_t at)
     const murk_vec3 sight =
         murk_camera_sight(c, (double)x + 0.5, (double)y + 0.5);
     const double reach =
-        murk_scenery_look(&r->scenery, c->from, sight).distance_m;
+        murk_scenery_find_end(&r->scenery, c->from, sight).distance_m;
     const murk_vec3 there = murk_along(c->from, reach, sight);
     p->distance_m[at] = (float)reach;
     p->position[0][at] = (float)there.x;

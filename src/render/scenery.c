@@ -72,8 +72,8 @@ double murk_scenery_through(const murk_scenery *scenery, int band,
     return n < PIECES_MAX ? through : 0;
 }
 
-murk_scenery_end murk_scenery_look(const murk_scenery *scenery, murk_vec3 from,
-                                   murk_vec3 direction)
+murk_scenery_end murk_scenery_find_end(const murk_scenery *scenery,
+                                       murk_vec3 from, murk_vec3 direction)
 {
     const murk_path_sides *sides = &scenery->tiling.space.sides;
     murk_scenery_end end = {0};
@@ -113,8 +113,9 @@ double murk_scenery_depth(const murk_scenery *scenery, int band, murk_vec3 from,
 
 /* ---- preparing ---- */
 
-/* Drawn half by power, half evenly: none is starved by a bright one that does
- * not reach where the picture is taken. */
+/* Lists the lights of a band with their chances: half by power and half equal,
+ * so that a light near the camera has shadow rays even beside a bright one that
+ * does not reach the picture. */
 static murk_status add_lights(murk_scenery *scenery, int band, murk_error *err)
 {
     const murk_sources *lights = scenery->world->lights;
@@ -128,6 +129,7 @@ static murk_status add_lights(murk_scenery *scenery, int band, murk_error *err)
         return murk_fail(err, MURK_NO_MEMORY, "render",
                          "no memory for %zu lights", n);
     }
+    /* The lights that have power in the band. */
     size_t n_lit = 0;
     double all = 0;
     for (size_t i = 0; i < n; ++i) {
@@ -138,6 +140,7 @@ static murk_status add_lights(murk_scenery *scenery, int band, murk_error *err)
             all += power;
         }
     }
+    /* Cumulative chances of them. */
     double sum = 0;
     for (size_t i = 0; i < n_lit; ++i) {
         const double power =
@@ -157,6 +160,7 @@ murk_status murk_scenery_prepare(murk_scenery *scenery,
     const murk_box *box = &world->domain.box;
     const murk_box bounded = murk_media_bounds(world->media);
     const double margin_m = OFF_BY * murk_box_largest_coordinate(box);
+    /* Free heights end clear of surfaces and bounded regions. */
     *scenery = (murk_scenery){
         .world = world,
         .tiling = {.space = murk_path_space_of(world->surfaces, world->media,
@@ -177,6 +181,7 @@ murk_status murk_scenery_prepare(murk_scenery *scenery,
         .any_media = murk_media_any(world->media),
         .bends = murk_media_bends(world->media),
         .margin_m = margin_m};
+    /* The lights of each band. */
     murk_status status = MURK_OK;
     for (int band = 0; band < world->bands && !status; ++band) {
         status = add_lights(scenery, band, err);

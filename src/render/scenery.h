@@ -43,8 +43,8 @@ typedef struct murk_scenery_end {
     murk_vec3 normal;   /* of a surface: unit, faces who looks */
 } murk_scenery_end;
 
-murk_scenery_end murk_scenery_look(const murk_scenery *scenery, murk_vec3 from,
-                                   murk_vec3 direction);
+murk_scenery_end murk_scenery_find_end(const murk_scenery *scenery,
+                                       murk_vec3 from, murk_vec3 direction);
 
 /* Optical depth over that length. */
 double murk_scenery_depth(const murk_scenery *scenery, int band, murk_vec3 from,

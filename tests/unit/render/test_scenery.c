@@ -115,14 +115,14 @@ static void test_walls_stand_in_every_period(bool is_turned)
     CHECK_NEAR(murk_scenery_through(&scenery, 0, high, way, 3, true),
                exp(-3 * SOOT), 1e-6);
     /* looking finds its copy within the domain */
-    const murk_scenery_end end = murk_scenery_look(&scenery, low, way);
+    const murk_scenery_end end = murk_scenery_find_end(&scenery, low, way);
     const murk_vec3 there = turned(is_turned, 1, 2.5, 1.375);
     CHECK(end.is_surface);
     CHECK_NEAR(end.distance_m, 1.5 * sqrt(17) / 4, 1e-5);
     CHECK_NEAR(murk_length(murk_sub(end.position, there)), 0, 1e-5);
     CHECK(murk_dot(end.normal, way) < -0.9);
     /* from the high place the way leads out through the top, 4 m up */
-    const murk_scenery_end top = murk_scenery_look(&scenery, high, way);
+    const murk_scenery_end top = murk_scenery_find_end(&scenery, high, way);
     CHECK(!top.is_surface);
     CHECK_NEAR(top.distance_m, 4 * sqrt(17), 1e-4);
     murk_scenery_release(&scenery);
