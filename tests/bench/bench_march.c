@@ -247,7 +247,7 @@ static void compare_answers(const contest *c)
     double ours = 0, bare = 0, world = 0, linear = 0;
     for (size_t i = 0; i < RAYS; ++i) {
         const double reach = 2 * (double)c->rays[i].length;
-        const double bound = 8 * FLT_EPSILON * reach * reach * facts->max;
+        const double bound = 8 * FLT_EPSILON * reach * reach * facts->maximum;
         if (!(fabs(c->ours[i] - c->bare[i]) <= bound)) {
             fprintf(stderr, "bench_march: ray %zu: %.9g, bare loop %.9g\n", i,
                     c->ours[i], c->bare[i]);
