@@ -1,3 +1,7 @@
+/* The peer of the occlusion bench: the sightlines are stored as packets of 16
+ * rays beforehand, and rtcOccluded16 casts one packet after the other on the
+ * thread pool. Nothing of murk's own code stands between the rays and Embree.
+ */
 #include "peer_occlusion.h"
 
 #include "base/pool.h"

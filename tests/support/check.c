@@ -1,3 +1,5 @@
+/* The counters behind the check macros, the exit codes of a test program, and
+ * the distance of a value from its expectation in standard errors. */
 #include "check.h"
 
 #include <stdlib.h>

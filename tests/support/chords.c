@@ -1,3 +1,6 @@
+/* Fluence rates by track length, computed from the events of the tracer: the
+ * length of each flight inside a ball or box is added up by photon, and
+ * divided by the volume at the end. */
 #include "chords.h"
 
 chord_place chord_ball(murk_vec3 center, double radius_m)

@@ -1,3 +1,6 @@
+/* Reads a day of SURFRAD minutes, computes the position of the sun for each,
+ * and finds by ternary search the one Linke turbidity at which the clear-sky
+ * model fits global and direct irradiance best. */
 #include "clear_day.h"
 
 #include "base/calendar.h"

@@ -1,3 +1,6 @@
+/* Traces sunlight into a half space of water, with planes at a series of
+ * depths, and interpolates the logarithm of downward irradiance between the
+ * planes to find the depths of two given shares. */
 #include "daylight.h"
 
 #include <math.h>

@@ -1,3 +1,6 @@
+/* Draws rays through a box, samples one free flight along each, and converts
+ * the distance into a number that is uniform if the flights follow the optical
+ * depth. */
 #include "flights.h"
 
 #include <math.h>

@@ -1,3 +1,5 @@
+/* Reads a scene from text and traces the light that a fit re-weights. Failures
+ * end the program, because a test has no use for half a scene. */
 #include "followed_text.h"
 
 #include "optics_text.h"

@@ -1,3 +1,6 @@
+/* Writes the scene of a canonical problem, traces it, and converts the tallies
+ * at the two depths into the three quantities that Mobley et al. (1993)
+ * tabulate. */
 #include "mobley_sea.h"
 
 #include <math.h>

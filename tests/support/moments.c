@@ -1,3 +1,6 @@
+/* Legendre moments of phase functions: reads them from a CSV file, sums the
+ * series (Clenshaw), writes the sum as a table that a scene can name, and
+ * computes moments of a given density by Gauss-Legendre quadrature. */
 #include "moments.h"
 
 #include <math.h>

@@ -1,3 +1,6 @@
+/* Reads the nights of a sky quality meter, computes moonlight at the zenith
+ * for each reading, and finds by ternary search the one level of the dark sky
+ * that fits all nights best. */
 #include "night_field.h"
 
 #include "base/calendar.h"

@@ -1,3 +1,5 @@
+/* Builds the optics that re-weighting needs from a scene that is given as
+ * text. Failures end the program. */
 #include "optics_text.h"
 
 #include "stage_text.h"

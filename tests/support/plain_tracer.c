@@ -1,3 +1,6 @@
+/* A photon tracer of some hundred lines by delta tracking, with a random
+ * generator of its own (xorshift64*). It shares no code with murk, so that
+ * agreement with it is evidence. */
 #include "plain_tracer.h"
 
 #include <math.h>

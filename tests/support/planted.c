@@ -1,3 +1,6 @@
+/* Fits with a known answer: light of many photons at the planted values gives
+ * exact readings, each seed adds noise to them, and the fit is compared with
+ * the planted values and with plain least squares. */
 #include "planted.h"
 
 #include "base/rng.h"

@@ -1,3 +1,5 @@
+/* Estimates the reflectance of a rough sea surface from single encounters with
+ * murk's facets, and evaluates the published fits that it is compared with. */
 #include "sea_surface.h"
 
 #include <math.h>

@@ -1,3 +1,5 @@
+/* Writes the text of a scene to a temporary file, reads it with overrides as a
+ * command would, and builds the stage from it. */
 #include "stage_text.h"
 
 #include "base/file.h"

@@ -1,3 +1,5 @@
+/* Integrates a density over the sphere of directions by Gauss-Legendre
+ * quadrature, and bins sampled cosines for Pearson's chi-squared statistic. */
 #include "turns.h"
 
 #include <math.h>

@@ -1,3 +1,6 @@
+/* Traces a reference case in blocks of photons until every standard error is
+ * small enough, and hands one row for each quantity to the report. Batch sums
+ * are added up in batch order, so the result does not depend on threads. */
 #include "validation_rows.h"
 
 #include <assert.h>

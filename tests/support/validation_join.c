@@ -1,3 +1,6 @@
+/* Reads the rows that an earlier run wrote as CSV and adds them to a
+ * validation run. All rows must have one seed, because the table states one.
+ */
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,3 +1,6 @@
+/* The verdicts of a validation run: distances in standard errors, the limit
+ * that shares the false-alarm budget among all checks, and the table in
+ * Markdown or CSV. */
 #include <inttypes.h>
 #include <math.h>
 #include <string.h>

@@ -1,3 +1,5 @@
+/* The growing list of rows of a validation run, and the standard error that
+ * each row is traced to in the quick and in the nightly form. */
 #include "validation_rows.h"
 
 #include <math.h>

@@ -1,3 +1,6 @@
+/* Builds the parts of a small world from a description (surfaces, closed
+ * meshes, media, light sources, ledger) and releases them. A failure ends the
+ * program. */
 #include "worlds.h"
 
 #include <stdlib.h>

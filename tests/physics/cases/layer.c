@@ -1,3 +1,6 @@
+/* Builds the world of a single homogeneous layer and the tallies that the
+ * reference cases of layers score to. All lengths are optical depths, because
+ * the extinction coefficient is 1/m. */
 #include "cases/layer.h"
 
 #include <math.h>

@@ -1,3 +1,7 @@
+/* The reference solution of a point source in an infinite medium: rows of the
+ * table, a natural cubic spline of log f through them, means of the spline
+ * over spherical shells, and for isotropic scattering the exact integral over
+ * the spectrum. */
 #include "cases/point_table.h"
 
 #include <math.h>

@@ -1,3 +1,5 @@
+/* Reads the reference tables and ends the program with one line if a table, a
+ * column or a row is missing: a case without its reference must not pass. */
 #include "cases/reference.h"
 
 #include <math.h>

@@ -1,4 +1,5 @@
-/* Julian dates. */
+/* Julian dates of civil times with time zones, against the examples of Meeus
+ * (1998) and of NREL's solar position algorithm. */
 #include "base/calendar.h"
 #include "library/library.h"
 

@@ -1,4 +1,6 @@
-/* The sky's distribution. */
+/* The angular distribution of sky radiance (CIE standard general sky) against
+ * published ratios of radiances, and the irradiance on a horizontal plane,
+ * integrated by the midpoint rule, against closed forms. */
 #include "source/dome.h"
 #include "library/library.h"
 

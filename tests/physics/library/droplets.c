@@ -1,4 +1,5 @@
-/* Presets of droplets against an independent Lorenz-Mie computation. */
+/* Presets of fog, haze and cloud droplets against an independent Lorenz-Mie
+ * computation: extinction, albedo and mean cosine by wavelength. */
 #include "library/library.h"
 #include "medium/phase_table.h"
 #include "scene/presets.h"

@@ -1,4 +1,5 @@
-/* Light of the night: moon, twilight, dark sky. */
+/* Light of the night against published levels and field readings: moonlight by
+ * phase, twilight by the sun's depression, the dark sky. */
 #include "library/library.h"
 #include "night_field.h"
 #include "source/moonlight.h"

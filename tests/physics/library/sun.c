@@ -1,4 +1,5 @@
-/* Sun, moon, clear sky, spectra, lux and photons. */
+/* Positions of sun and moon, clear-sky irradiance, the solar spectrum, lux and
+ * photon counts, against published values and a measured day. */
 #include "base/photometry.h"
 #include "base/vector.h"
 #include "clear_day.h"

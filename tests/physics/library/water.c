@@ -1,4 +1,6 @@
-/* Water by itself, and daylight in Jerlov's types. */
+/* Absorption and scattering of pure water and of its contents against
+ * published tables, and the attenuation of daylight in Jerlov's water types.
+ */
 #include "library/library.h"
 
 #include <math.h>

@@ -1,4 +1,5 @@
-/* What check foretells of pictures. Nothing here is random. */
+/* The memory that `murk check` predicts for pictures equals the sizes of the
+ * buffers that rendering allocates. Nothing here is random. */
 #include "app/check_cameras.h"
 #include "base/log.h"
 #include "check.h"

@@ -1,4 +1,6 @@
-/* Fresnel's reflectance at angles known by hand. Deterministic. */
+/* Fresnel reflectance at normal incidence, at Brewster's angle, at grazing
+ * incidence and at total reflection, for which the values are known in closed
+ * form. Nothing here is random. */
 #include "base/vector.h"
 #include "check.h"
 #include "medium/fresnel.h"

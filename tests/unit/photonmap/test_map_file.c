@@ -1,4 +1,6 @@
-/* light.murk gives back what was put in. */
+/* light.murk returns the sections that were written, also if the system reads
+ * in small parts; equal sections make equal files, and an unwritable path is
+ * named. */
 #include "check.h"
 
 #include "photonmap/map_file.h"

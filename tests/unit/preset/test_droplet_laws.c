@@ -1,4 +1,5 @@
-/* The laws of droplets: amounts, interpolation over wavelength, refusals. */
+/* The laws of water droplets: number and mass concentrations, interpolation
+ * over wavelength, and the inputs that are refused. */
 #include "check.h"
 #include "preset/check_words.h"
 #include "preset/droplets.h"

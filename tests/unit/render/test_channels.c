@@ -1,4 +1,5 @@
-/* Which channel a user means. Nothing here is random. */
+/* The names of picture channels that a user may type, and the channel that
+ * each name selects. Nothing here is random. */
 #include "check.h"
 #include "render/channels.h"
 

@@ -1,4 +1,5 @@
-/* Sunlight without clouds against published values. Deterministic. */
+/* Clear-sky irradiance against values that pvlib-python publishes. Nothing
+ * here is random. */
 #include "check.h"
 #include "source/clear_sky.h"
 
