@@ -276,21 +276,22 @@ murk_estimate murk_conditions_estimate(const murk_conditions *all,
                                        murk_scene_objective objective,
                                        bool are_independent, size_t *worst)
 {
-    double weight[MURK_SCENE_CONDITIONS_MAX];
-    murk_conditions_weights(all, weight);
+    murk_mean mean = {0};
     double min = 0;
     *worst = all->n;
     /* Find the condition with the least coverage or the largest regret. */
     for (size_t c = 0; c < all->n; ++c) {
         const murk_condition *one = &all->condition[c];
+        const double weight = one->settings->weight;
         const double less =
             objective == MURK_SCENE_OBJECTIVE_REGRET
                 ? -murk_condition_regret(all->scene, one, of[c].value)
                 : of[c].value;
-        if (weight[c] > 0 && (*worst == all->n || less < min)) {
+        if (weight > 0 && (*worst == all->n || less < min)) {
             *worst = c;
             min = less;
         }
+        murk_mean_add(&mean, of[c], weight);
     }
     /* The condition of the largest regret is fixed once the plan is measured
      * in sample. */
@@ -298,6 +299,6 @@ murk_estimate murk_conditions_estimate(const murk_conditions *all,
         *worst = all->regret_at;
     }
     return objective == MURK_SCENE_OBJECTIVE_MEAN
-               ? murk_scenario_mean(of, weight, all->n, are_independent)
+               ? murk_mean_of(&mean, are_independent)
                : of[*worst];
 }

@@ -6,125 +6,57 @@
 #include <math.h>
 #include <stdlib.h>
 
-murk_estimate murk_scenario_mean(const murk_estimate *of, const double *weight,
-                                 size_t n, bool are_independent)
+void murk_mean_add(murk_mean *mean, murk_estimate of, double weight)
 {
-    double all = 0, sum = 0, error = 0, squares = 0;
-    for (size_t c = 0; c < n; ++c) {
-        if (weight[c] > 0 && isfinite(of[c].value)) {
-            const double mine = weight[c] * of[c].standard_error;
-            all += weight[c];
-            sum += weight[c] * of[c].value;
-            error += mine;
-            squares += mine * mine;
-        }
+    if (weight > 0 && isfinite(of.value)) {
+        const double error = weight * of.standard_error;
+        mean->weight += weight;
+        mean->sum += weight * of.value;
+        mean->errors += error;
+        mean->squares += error * error;
     }
-    return all > 0 ? (murk_estimate){sum / all,
-                                     (are_independent ? sqrt(squares) : error) /
-                                         all}
-                   : (murk_estimate){NAN, NAN};
 }
 
-static double mean_of(const murk_coverage_result *of, const double *weight,
-                      size_t n,
-                      double (*read)(const murk_coverage_result *of, size_t i),
-                      size_t i)
+murk_estimate murk_mean_of(const murk_mean *mean, bool are_independent)
 {
-    double all = 0, sum = 0;
-    for (size_t c = 0; c < n; ++c) {
-        if (weight[c] > 0) {
-            all += weight[c];
-            sum += weight[c] * read(&of[c], i);
-        }
-    }
-    return sum / all;
+    const double error = are_independent ? sqrt(mean->squares) : mean->errors;
+    return mean->weight > 0
+               ? (murk_estimate){mean->sum / mean->weight, error / mean->weight}
+               : (murk_estimate){NAN, NAN};
 }
 
-static double read_covers(const murk_coverage_result *of, size_t i)
-{
-    return of->covers[i];
-}
+/* The sums of a coverage result that are estimates. */
+typedef struct estimates {
+    murk_mean total, surface, volume, map[2];
+    murk_mean *region; /* [regions] */
+} estimates;
 
-static double read_only(const murk_coverage_result *of, size_t i)
+/* Adds the coverage of one scenario: estimates to `to`, the values by sensor
+ * and the counts of photons to `sum`. */
+static void add(murk_coverage_result *sum, estimates *to,
+                const murk_coverage_result *of, double weight, size_t sensors,
+                size_t regions)
 {
-    return of->only_it_covers[i];
-}
-
-static double read_seen(const murk_coverage_result *of, size_t i)
-{
-    return of->seen_by_at_least[i];
-}
-
-static double read_sum_of_views(const murk_coverage_result *of, size_t i)
-{
-    (void)i;
-    return of->sum_of_views;
-}
-
-typedef murk_estimate (*reader)(const murk_coverage_result *of, size_t i);
-
-static murk_estimate read_total(const murk_coverage_result *of, size_t i)
-{
-    (void)i;
-    return of->total;
-}
-
-static murk_estimate read_surface(const murk_coverage_result *of, size_t i)
-{
-    (void)i;
-    return of->surface;
-}
-
-static murk_estimate read_volume(const murk_coverage_result *of, size_t i)
-{
-    (void)i;
-    return of->volume;
-}
-
-static murk_estimate read_map_surface(const murk_coverage_result *of, size_t i)
-{
-    (void)i;
-    return (murk_estimate){of->map[0].weight, of->map[0].standard_error};
-}
-
-static murk_estimate read_map_volume(const murk_coverage_result *of, size_t i)
-{
-    (void)i;
-    return (murk_estimate){of->map[1].weight, of->map[1].standard_error};
-}
-
-static murk_estimate read_region(const murk_coverage_result *of, size_t i)
-{
-    return of->region[i].coverage;
-}
-
-static murk_status fill(murk_coverage_result *out,
-                        const murk_coverage_result *of, const double *weight,
-                        size_t n, size_t sensors, size_t regions)
-{
-    /* Allocate the arrays by sensor and by region. */
-    out->covers = calloc(sensors + 1, sizeof *out->covers);
-    out->only_it_covers = calloc(sensors + 1, sizeof *out->only_it_covers);
-    out->seen_by_at_least = calloc(sensors + 1, sizeof *out->seen_by_at_least);
-    out->region = regions ? calloc(regions, sizeof *out->region) : NULL;
-    if (!out->covers || !out->only_it_covers || !out->seen_by_at_least ||
-        (regions && !out->region)) {
-        return MURK_NO_MEMORY;
-    }
-    /* Means by sensor; counts of photons are added. */
-    out->sum_of_views = mean_of(of, weight, n, read_sum_of_views, 0);
-    for (size_t i = 0; i < sensors; ++i) {
-        out->covers[i] = mean_of(of, weight, n, read_covers, i);
-        out->only_it_covers[i] = mean_of(of, weight, n, read_only, i);
-        out->seen_by_at_least[i] = mean_of(of, weight, n, read_seen, i);
+    murk_mean_add(&to->total, of->total, weight);
+    murk_mean_add(&to->surface, of->surface, weight);
+    murk_mean_add(&to->volume, of->volume, weight);
+    for (size_t p = 0; p < 2; ++p) {
+        const murk_map_share *map = &of->map[p];
+        murk_mean_add(&to->map[p],
+                      (murk_estimate){map->weight, map->standard_error},
+                      weight);
+        sum->map[p].photons += map->photons;
     }
     for (size_t i = 0; i < regions; ++i) {
-        for (size_t c = 0; c < n; ++c) {
-            out->region[i].photons +=
-                weight[c] > 0 ? of[c].region[i].photons : 0;
-        }
+        murk_mean_add(&to->region[i], of->region[i].coverage, weight);
+        sum->region[i].photons += of->region[i].photons;
     }
-    return MURK_OK;
+    sum->sum_of_views += weight * of->sum_of_views;
+    for (size_t i = 0; i < sensors; ++i) {
+        sum->covers[i] += weight * of->covers[i];
+        sum->only_it_covers[i] += weight * of->only_it_covers[i];
+        sum->seen_by_at_least[i] += weight * of->seen_by_at_least[i];
+    }
 }
 
 murk_status murk_scenario_mean_coverage(murk_coverage_result *out,
@@ -133,40 +65,41 @@ murk_status murk_scenario_mean_coverage(murk_coverage_result *out,
                                         size_t sensors, size_t regions,
                                         bool are_independent, murk_error *err)
 {
+    estimates sums = {.region = calloc(regions + 1, sizeof *sums.region)};
     murk_coverage_result mean = {0};
-    murk_estimate *each = calloc(n + 1, sizeof *each);
-    if (!each || fill(&mean, of, weight, n, sensors, regions)) {
-        free(each);
+    double all = 0;
+    if (!murk_coverage_result_create(&mean, sensors, regions) || !sums.region) {
+        free(sums.region);
         murk_coverage_result_release(&mean);
         return murk_fail(err, MURK_NO_MEMORY, "",
                          "no memory for the coverage of %zu sensors", sensors);
     }
-    /* Each estimate of a coverage result has a function that reads it from one
-     * scenario and a place that receives the mean. */
-    enum { PLAIN = 5 };
-    const reader readers[PLAIN] = {read_total, read_surface, read_volume,
-                                   read_map_surface, read_map_volume};
-    murk_estimate map[2];
-    murk_estimate *const to[PLAIN] = {&mean.total, &mean.surface, &mean.volume,
-                                      &map[0], &map[1]};
-    for (size_t k = 0; k < PLAIN + regions; ++k) {
-        const reader read = k < PLAIN ? readers[k] : read_region;
-        for (size_t c = 0; c < n; ++c) {
-            each[c] = weight[c] > 0 ? read(&of[c], k < PLAIN ? 0 : k - PLAIN)
-                                    : (murk_estimate){NAN, NAN};
+    for (size_t c = 0; c < n; ++c) {
+        if (weight[c] > 0) {
+            all += weight[c];
+            add(&mean, &sums, &of[c], weight[c], sensors, regions);
         }
-        *(k < PLAIN ? to[k] : &mean.region[k - PLAIN].coverage) =
-            murk_scenario_mean(each, weight, n, are_independent);
     }
-    /* The two maps, surface and volume. */
+    /* Divide by the weight of the scenarios. */
+    mean.total = murk_mean_of(&sums.total, are_independent);
+    mean.surface = murk_mean_of(&sums.surface, are_independent);
+    mean.volume = murk_mean_of(&sums.volume, are_independent);
     for (size_t p = 0; p < 2; ++p) {
-        mean.map[p].weight = map[p].value;
-        mean.map[p].standard_error = map[p].standard_error;
-        for (size_t c = 0; c < n; ++c) {
-            mean.map[p].photons += weight[c] > 0 ? of[c].map[p].photons : 0;
-        }
+        const murk_estimate map = murk_mean_of(&sums.map[p], are_independent);
+        mean.map[p].weight = map.value;
+        mean.map[p].standard_error = map.standard_error;
     }
-    free(each);
+    for (size_t i = 0; i < regions; ++i) {
+        mean.region[i].coverage =
+            murk_mean_of(&sums.region[i], are_independent);
+    }
+    mean.sum_of_views /= all;
+    for (size_t i = 0; i < sensors; ++i) {
+        mean.covers[i] /= all;
+        mean.only_it_covers[i] /= all;
+        mean.seen_by_at_least[i] /= all;
+    }
+    free(sums.region);
     *out = mean;
     return MURK_OK;
 }

@@ -4,11 +4,18 @@
 
 #include "sensing/sight.h"
 
-/* The mean of the estimates of[n] by weight[n], over the finite ones; NaN if
- * there is none. The standard error is that of independent estimates, or else
- * the mean of the errors, which is an upper bound for dependent estimates. */
-murk_estimate murk_scenario_mean(const murk_estimate *of, const double *weight,
-                                 size_t n, bool are_independent);
+/* A weighted mean that is being summed up; it begins as zeros. */
+typedef struct murk_mean {
+    double weight, sum, errors, squares;
+} murk_mean;
+
+/* Adds an estimate, unless its weight is 0 or its value NaN. */
+void murk_mean_add(murk_mean *mean, murk_estimate of, double weight);
+
+/* The mean; NaN if there is none. The standard error is that of independent
+ * estimates, or else the mean of the errors, which is an upper bound for
+ * dependent estimates. */
+murk_estimate murk_mean_of(const murk_mean *mean, bool are_independent);
 
 /* The mean of whole coverage results of[n], each with as many sensors and
  * regions of interest. Release *out with murk_coverage_result_release(). Fails

@@ -3,46 +3,30 @@
 #include "plan/dark.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 /* An undefined share. */
 static const murk_estimate NOTHING = {NAN, NAN};
-
-/* n undefined shares; NULL when out of memory. */
-static double *none_of(size_t n)
-{
-    double *out = malloc(n * sizeof *out + 1);
-    for (size_t i = 0; out && i < n; ++i) {
-        out[i] = NAN;
-    }
-    return out;
-}
 
 murk_status murk_dark_coverage(murk_coverage_result *out,
                                const murk_stage *stage, size_t n,
                                murk_error *err)
 {
-    /* The totals and the values of each sensor. */
     const size_t regions = stage->scene->placement.n_interests;
-    murk_coverage_result made = {.total = NOTHING,
-                                 .surface = NOTHING,
-                                 .volume = NOTHING,
-                                 .map = {{0, NAN, NAN}, {0, NAN, NAN}},
-                                 .sum_of_views = NAN,
-                                 .covers = none_of(n),
-                                 .only_it_covers = none_of(n),
-                                 .seen_by_at_least = none_of(n)};
-    made.region = regions ? calloc(regions, sizeof *made.region) : NULL;
-    if (!made.covers || !made.only_it_covers || !made.seen_by_at_least ||
-        (regions && !made.region)) {
-        murk_coverage_result_release(&made);
+    if (!murk_coverage_result_create(out, n, regions)) {
+        murk_coverage_result_release(out);
         return murk_fail(err, MURK_NO_MEMORY, stage->scene->path,
                          "no memory for %zu sensors", n);
     }
-    /* The regions of interest. */
-    for (size_t i = 0; i < regions; ++i) {
-        made.region[i].coverage = NOTHING;
+    /* The totals, the values of each sensor, and the regions of interest. */
+    out->total = out->surface = out->volume = NOTHING;
+    out->map[0] = out->map[1] = (murk_map_share){0, NAN, NAN};
+    out->sum_of_views = NAN;
+    for (size_t i = 0; i < n; ++i) {
+        out->covers[i] = out->only_it_covers[i] = NAN;
+        out->seen_by_at_least[i] = NAN;
     }
-    *out = made;
+    for (size_t i = 0; i < regions; ++i) {
+        out->region[i].coverage = NOTHING;
+    }
     return MURK_OK;
 }

@@ -384,6 +384,18 @@ static murk_status check(const murk_sight_desc *desc, const murk_pose *pose,
     return MURK_OK;
 }
 
+bool murk_coverage_result_create(murk_coverage_result *out, size_t n,
+                                 size_t regions)
+{
+    *out = (murk_coverage_result){
+        .covers = calloc(n + 1, sizeof *out->covers),
+        .only_it_covers = calloc(n + 1, sizeof *out->only_it_covers),
+        .seen_by_at_least = calloc(n + 1, sizeof *out->seen_by_at_least),
+        .region = regions ? calloc(regions, sizeof *out->region) : NULL};
+    return out->covers && out->only_it_covers && out->seen_by_at_least &&
+           (out->region || !regions);
+}
+
 static murk_status allocate(measure *m, murk_coverage_result *out,
                             murk_error *err)
 {
@@ -395,18 +407,12 @@ static murk_status allocate(measure *m, murk_coverage_result *out,
     m->single_value = calloc(n + 1, sizeof *m->single_value);
     m->only = calloc(n + 1, sizeof *m->only);
     m->seen_by = calloc(n + 1, sizeof *m->seen_by);
-    out->covers = calloc(n + 1, sizeof *out->covers);
-    out->only_it_covers = calloc(n + 1, sizeof *out->only_it_covers);
-    out->seen_by_at_least = calloc(n + 1, sizeof *out->seen_by_at_least);
-    const murk_interest *interest = murk_sight_described(m->sight)->interest;
-    const size_t regions = interest ? interest->n : 0;
-    out->region = regions ? calloc(regions, sizeof *out->region) : NULL;
     const murk_sight_desc *desc = murk_sight_described(m->sight);
-    if (murk_combined_rows_init(&m->combined, m->photons, desc->combining,
+    if (murk_coverage_result_create(out, n,
+                                    desc->interest ? desc->interest->n : 0) &&
+        murk_combined_rows_init(&m->combined, m->photons, desc->combining,
                                 desc->redundancy > 1 ? desc->redundancy : 1) &&
-        m->block && m->single_value && m->only && m->seen_by && out->covers &&
-        out->only_it_covers && out->seen_by_at_least &&
-        (out->region || !regions)) {
+        m->block && m->single_value && m->only && m->seen_by) {
         return MURK_OK;
     }
     return murk_fail(err, MURK_NO_MEMORY, "",
@@ -465,6 +471,18 @@ done:
     free(m.single_value);
     free(m.only);
     free(m.seen_by);
+    return status;
+}
+
+murk_status murk_coverage_total_measure(murk_estimate *out, murk_sight *sight,
+                                        const murk_pose *pose, size_t n,
+                                        murk_error *err)
+{
+    murk_coverage_result coverage = {0};
+    const murk_status status =
+        murk_coverage_result_measure(&coverage, sight, pose, n, err);
+    *out = coverage.total;
+    murk_coverage_result_release(&coverage);
     return status;
 }
 

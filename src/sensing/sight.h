@@ -202,4 +202,14 @@ murk_status murk_coverage_result_measure(murk_coverage_result *out,
                                          murk_error *err);
 void murk_coverage_result_release(murk_coverage_result *coverage);
 
+/* The total alone. */
+murk_status murk_coverage_total_measure(murk_estimate *out, murk_sight *sight,
+                                        const murk_pose *pose, size_t n,
+                                        murk_error *err);
+
+/* A result of zeros for n sensors. False when out of memory; release it also
+ * then. */
+bool murk_coverage_result_create(murk_coverage_result *out, size_t n,
+                                 size_t regions);
+
 #endif
