@@ -7,6 +7,7 @@
 #include "scene/print.h"
 #include "scene/yaml.h"
 
+#include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -131,96 +132,58 @@ void murk_study_row_release(murk_study_row *row)
 
 /* ---- text ---- */
 
-/* Everything below is false once memory is out. */
-static bool add(murk_yaml *to, const char *key, murk_yaml *child)
+/* Prints an item of a list: texts, then numbers, null for NaN. */
+static void print_item(FILE *out, const char *const *text, size_t texts,
+                       const double *number, size_t numbers)
 {
-    char *name = key ? strdup(key) : NULL;
-    if (!child || (key && !name)) {
-        free(name);
-        murk_yaml_destroy(child);
-        return false;
+    char shown[MURK_NUMBER_SIZE];
+    fputs("\n  [", out);
+    for (size_t i = 0; i < texts; ++i) {
+        fputs(i ? ", " : "", out);
+        murk_print_text(out, text[i]);
     }
-    return murk_yaml_append(to, name, child);
-}
-
-static bool add_text(murk_yaml *to, const char *key, const char *text,
-                     bool is_quoted)
-{
-    murk_yaml *node = murk_yaml_make(MURK_YAML_SCALAR, "");
-    if (node) {
-        node->is_quoted = is_quoted;
-        if (!murk_yaml_set_text(node, text)) {
-            murk_yaml_destroy(node);
-            node = NULL;
-        }
+    for (size_t i = 0; i < numbers; ++i) {
+        murk_number_print(shown, number[i]);
+        fprintf(out, ", %s", isfinite(number[i]) ? shown : "null");
     }
-    return add(to, key, node);
+    fputs("],", out);
 }
 
-static bool add_number(murk_yaml *to, const char *key, double value)
-{
-    char text[MURK_NUMBER_SIZE] = "null";
-    if (isfinite(value)) {
-        murk_number_print(text, value);
-    }
-    return add_text(to, key, text, false);
-}
-
-static bool add_value(murk_yaml *list, const murk_study_value *v)
-{
-    murk_yaml *item = murk_yaml_make(MURK_YAML_LIST, "");
-    const bool is_whole = item && add_text(item, NULL, v->name, true) &&
-                          add_text(item, NULL, v->unit, true) &&
-                          add_number(item, NULL, v->of.value) &&
-                          add_number(item, NULL, v->of.standard_error);
-    return add(list, NULL, item) && is_whole;
-}
-
-static bool add_sensor(murk_yaml *list, const murk_study_sensor *s)
-{
-    murk_yaml *item = murk_yaml_make(MURK_YAML_LIST, "");
-    const bool is_whole = item && add_text(item, NULL, s->type, true) &&
-                          add_number(item, NULL, s->position.x) &&
-                          add_number(item, NULL, s->position.y) &&
-                          add_number(item, NULL, s->position.z) &&
-                          add_number(item, NULL, s->heading_deg) &&
-                          add_number(item, NULL, s->tilt_deg);
-    return add(list, NULL, item) && is_whole;
-}
-
-char *murk_study_row_print(const murk_study_row *row)
+char *murk_study_row_print(const murk_study_row *row, size_t number)
 {
     char *text = NULL;
-    murk_yaml *root = murk_yaml_make(MURK_YAML_MAP, ""),
-              *values = murk_yaml_make(MURK_YAML_LIST, ""),
-              *sensors = murk_yaml_make(MURK_YAML_LIST, "");
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    if (!out) {
+        return NULL;
+    }
     /* The keys of the row itself. */
-    bool is_whole = root && values && sensors &&
-                    add_text(root, "failed", row->failed, true) &&
-                    add_text(root, "note", row->note, true) &&
-                    add_number(root, "emitted", (double)row->emitted) &&
-                    add_text(root, "fluence", row->fluence, true);
-    /* The lists of values and sensors; root owns a list once it is added. */
-    for (size_t i = 0; is_whole && i < row->values; ++i) {
-        is_whole = add_value(values, &row->value[i]);
+    fprintf(out, "%zu\nemitted: %" PRIu64 "\nfailed: ", number, row->emitted);
+    murk_print_text(out, row->failed);
+    fputs("\nnote: ", out);
+    murk_print_text(out, row->note);
+    fputs("\nfluence: ", out);
+    murk_print_text(out, row->fluence);
+    /* The lists of values and sensors. */
+    fputs("\nvalues: [", out);
+    for (size_t i = 0; i < row->values; ++i) {
+        const murk_study_value *v = &row->value[i];
+        const double numbers[] = {v->of.value, v->of.standard_error};
+        print_item(out, (const char *[]){v->name, v->unit}, 2, numbers, 2);
     }
-    for (size_t i = 0; is_whole && i < row->sensors; ++i) {
-        is_whole = add_sensor(sensors, &row->sensor[i]);
+    fputs("]\nsensors: [", out);
+    for (size_t i = 0; i < row->sensors; ++i) {
+        const murk_study_sensor *s = &row->sensor[i];
+        const double numbers[] = {s->position.x, s->position.y, s->position.z,
+                                  s->heading_deg, s->tilt_deg};
+        print_item(out, (const char *[]){s->type}, 1, numbers, 5);
     }
-    if (is_whole) {
-        is_whole = add(root, "values", values);
-        values = NULL;
+    fputs("]\n", out);
+    const bool has_failed = ferror(out) != 0;
+    if (fclose(out) != 0 || has_failed) {
+        free(text);
+        return NULL;
     }
-    if (is_whole) {
-        is_whole = add(root, "sensors", sensors);
-        sensors = NULL;
-    }
-    if (is_whole) {
-        text = murk_print_file(root, NULL);
-    }
-    murk_yaml_destroy(root);
-    murk_yaml_destroy(values);
-    murk_yaml_destroy(sensors);
     return text;
 }
 

@@ -65,9 +65,10 @@ const murk_study_value *murk_study_row_get(const murk_study_row *row,
                                            const char *name);
 void murk_study_row_release(murk_study_row *row);
 
-/* Prints a row as text for free(), NULL when out of memory, and reads it back
- * with equal numbers. Release *out, also after a failure. */
-char *murk_study_row_print(const murk_study_row *row);
+/* Prints a line with the number and then the row as text for free(), NULL when
+ * out of memory, and reads the text behind that line back with equal numbers.
+ * Release *out, also after a failure. */
+char *murk_study_row_print(const murk_study_row *row, size_t number);
 murk_status murk_study_row_read(murk_study_row *out, const char *text,
                                 size_t size, const char *source,
                                 murk_error *err);

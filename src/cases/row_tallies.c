@@ -359,39 +359,33 @@ murk_status murk_row_tallies_write_fluence(
     return status;
 }
 
-char *murk_row_tallies_sign(const murk_scene_desc *scene,
-                            const murk_outputs *outputs)
+/* Prints vectors with all digits. */
+static void print_vectors(FILE *out, const murk_vec3 *v, size_t n)
 {
-    char *text = NULL;
-    size_t size = 0;
-    FILE *out = open_memstream(&text, &size);
-    if (!out) {
-        return NULL;
+    for (size_t i = 0; i < n; ++i) {
+        fprintf(out, "%a %a %a ", v[i].x, v[i].y, v[i].z);
     }
-    /* The outputs, the tallies and the regions of interest, with all digits. */
+}
+
+void murk_row_tallies_sign(FILE *out, const murk_scene_desc *scene,
+                           const murk_outputs *outputs)
+{
     for (size_t i = 0; i < outputs->study->outputs; ++i) {
         fprintf(out, "%s\n", outputs->study->output[i]);
     }
     for (size_t i = 0; i < scene->n_tallies; ++i) {
         const murk_scene_tally *t = &scene->tallies[i];
-        fprintf(
-            out, "%s %d %a %a %a %a %a %a %a %a %a %a %a %a %a %a %a %a %d\n",
-            t->name, (int)t->type, t->point.x, t->point.y, t->point.z,
-            t->normal.x, t->normal.y, t->normal.z, t->box.min.x, t->box.min.y,
-            t->box.min.z, t->box.max.x, t->box.max.y, t->box.max.z, t->center.x,
-            t->center.y, t->center.z, t->radius_m, t->hemispheres);
+        const murk_vec3 v[] = {t->point, t->normal, t->box.min, t->box.max,
+                               t->center};
+        fprintf(out, "%s %d ", t->name, (int)t->type);
+        print_vectors(out, v, 5);
+        fprintf(out, "%a %d\n", t->radius_m, t->hemispheres);
     }
     for (size_t i = 0; i < scene->placement.n_interests; ++i) {
         const murk_scene_interest *r = &scene->placement.interest[i];
-        fprintf(out, "%s %d %a %a %a %a %a %a %a %a %a %a\n", r->name,
-                (int)r->shape, r->box.min.x, r->box.min.y, r->box.min.z,
-                r->box.max.x, r->box.max.y, r->box.max.z, r->center.x,
-                r->center.y, r->center.z, r->radius_m);
+        const murk_vec3 v[] = {r->box.min, r->box.max, r->center};
+        fprintf(out, "%s %d ", r->name, (int)r->shape);
+        print_vectors(out, v, 3);
+        fprintf(out, "%a\n", r->radius_m);
     }
-    const bool failed = ferror(out) != 0;
-    if (fclose(out) != 0 || failed) {
-        free(text);
-        text = NULL;
-    }
-    return text;
 }

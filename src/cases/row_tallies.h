@@ -11,6 +11,8 @@
 #include "lightmap/lightmap.h"
 #include "plan/free_share.h"
 
+#include <stdio.h>
+
 typedef struct murk_row_tally {
     char name[MURK_ROW_NAME_SIZE]; /* name of the value, as "density_pool" */
     murk_part part;                /* of a density: the box or sphere */
@@ -49,9 +51,9 @@ murk_status murk_row_tallies_write_fluence(
     const murk_scene_desc *scene, const murk_tallies *tallies,
     const murk_tally *emitted, const double *packet_w, murk_error *err);
 
-/* Text for free() that two scenes share exactly if their rows have the same
- * tallies; NULL when out of memory. */
-char *murk_row_tallies_sign(const murk_scene_desc *scene,
-                            const murk_outputs *outputs);
+/* Prints a text that is equal for two scenes exactly if their rows have the
+ * same tallies. */
+void murk_row_tallies_sign(FILE *out, const murk_scene_desc *scene,
+                           const murk_outputs *outputs);
 
 #endif

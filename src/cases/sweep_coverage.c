@@ -31,18 +31,6 @@ bool murk_sweep_has_seen(const murk_stage *stage, const murk_traced *traced)
                0;
 }
 
-/* Of a sight onto given light, or targets. */
-static murk_status measure_by(murk_sight *sight, const murk_pose *sensor,
-                              size_t n, murk_estimate *out, murk_error *err)
-{
-    murk_coverage_result coverage = {0};
-    const murk_status status =
-        murk_coverage_result_measure(&coverage, sight, sensor, n, err);
-    *out = coverage.total;
-    murk_coverage_result_release(&coverage);
-    return status;
-}
-
 /* In light of another stream; a list of targets has no other. */
 static murk_status measure_anew(murk_sweep_light *l, size_t k, uint32_t stream,
                                 const murk_pose *sensor, size_t n,
@@ -62,7 +50,7 @@ static murk_status measure_anew(murk_sweep_light *l, size_t k, uint32_t stream,
     if (!status && murk_sweep_has_seen(stage, traced)) {
         status = murk_plan_sight(&sight, stage, traced, threads, err);
         if (!status) {
-            status = measure_by(sight, sensor, n, out, err);
+            status = murk_coverage_total_measure(out, sight, sensor, n, err);
         }
     } else if (!status) {
         *out = NONE;
@@ -100,7 +88,7 @@ static murk_status measure_fixed(const murk_sweep_light *l, size_t k,
         murk_placement_read(&sensor, &n, l->sweep->desc.study->plan, 1,
                             stage->scene, &stage->world.domain, err);
     if (!status) {
-        status = measure_by(sight, sensor, n, &value, err);
+        status = murk_coverage_total_measure(&value, sight, sensor, n, err);
     }
     free(sensor);
     return status ? status
@@ -130,7 +118,8 @@ static murk_status measure_best(murk_sweep_light *l, size_t k,
         status = measure_anew(l, k, MURK_HELD_OUT_STREAM, plan.sensor, n,
                               &value, err);
     } else if (!status) {
-        status = measure_by(sight, plan.sensor, n, &value, err);
+        status =
+            murk_coverage_total_measure(&value, sight, plan.sensor, n, err);
     }
     murk_plan_result_release(&plan);
     return status ? status

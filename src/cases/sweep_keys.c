@@ -1,6 +1,8 @@
 /* Keys of the rows of a study: hashes of everything that the light, the
- * placement or the whole row depends on. Rows of equal world keys share a
- * trace; a stored row is valid as long as its key is the same. */
+ * placement or the whole row depends on. Rows of equal world keys are a group:
+ * they differ at most by the power of their lights, so that their light is
+ * traced once (lightmap/scaled_light.h). A stored row is valid as long as its
+ * key is the same. */
 #include "cases/sweep_keys.h"
 
 #include "base/file.h"
@@ -18,44 +20,42 @@ static murk_status no_memory(murk_error *err)
     return murk_fail(err, MURK_NO_MEMORY, "", "no memory for a row");
 }
 
-static bool sign_world(FILE *out, const murk_scene_desc *scene,
-                       const murk_outputs *outputs, murk_file_sums *sums)
+/* What the keys of a row are made from. */
+typedef struct signing {
+    const murk_scene_desc *scene;
+    const murk_outputs *outputs;
+    const char *version;
+    murk_file_sums *sums;
+} signing;
+
+typedef murk_status (*printer)(FILE *to, const signing *s, murk_error *err);
+
+/* The shapes of the lights, the keys of the world, files and tallies. */
+static murk_status print_world(FILE *to, const signing *s, murk_error *err)
 {
-    char *row_tallies = murk_row_tallies_sign(scene, outputs);
-    fputs(scene->world_key, out);
-    fputs(row_tallies ? row_tallies : "", out);
-    const bool is_whole = murk_file_sums_scene(out, sums, scene) && row_tallies;
-    free(row_tallies);
-    return is_whole;
+    const murk_status status = murk_source_shapes_print(to, s->scene, err);
+    fputs(s->scene->world_key, to);
+    murk_row_tallies_sign(to, s->scene, s->outputs);
+    return status || murk_file_sums_scene(to, s->sums, s->scene)
+               ? status
+               : no_memory(err);
 }
 
-static bool sign_row(FILE *out, const murk_scene_desc *scene,
-                     const murk_outputs *outputs, const char *version,
-                     murk_file_sums *sums)
+/* Version, outputs and the whole scene. */
+static murk_status print_row(FILE *to, const signing *s, murk_error *err)
 {
-    const murk_study_file *study = outputs->study;
-    fprintf(out, "%s\n%d %d\n%zu %zu %zu\n", version, study->has_units,
+    const murk_study_file *study = s->outputs->study;
+    fprintf(to, "%s\n%d %d\n%zu %zu %zu\n", s->version, study->has_units,
             (int)study->units, study->fluence_size[0], study->fluence_size[1],
             study->fluence_size[2]);
     for (int k = 0; k < MURK_OUTPUTS; ++k) {
-        fputc(outputs->wants[k] ? '1' : '0', out);
+        fputc(s->outputs->wants[k] ? '1' : '0', to);
     }
-    fputs(scene->whole_key, out);
-    return murk_file_sums_put(out, sums, study->plan) &&
-           murk_file_sums_scene(out, sums, scene);
-}
-
-/* The text of a stream, as its hash. */
-static bool finish(FILE *out, char **text, const size_t *size, char hash[65])
-{
-    const bool failed = ferror(out) != 0;
-    const bool is_whole = fclose(out) == 0 && !failed;
-    if (is_whole) {
-        murk_sha256_hex(*text, *size, hash);
-    }
-    free(*text);
-    *text = NULL;
-    return is_whole;
+    fputs(s->scene->whole_key, to);
+    return murk_file_sums_put(to, s->sums, study->plan) &&
+                   murk_file_sums_scene(to, s->sums, s->scene)
+               ? MURK_OK
+               : no_memory(err);
 }
 
 static bool is_of_placement(const char *key)
@@ -64,20 +64,39 @@ static bool is_of_placement(const char *key)
 }
 
 /* Sensors and placement, as the scene has them resolved. */
-static murk_status sign_placement(char hash[65], const murk_scene_desc *scene,
-                                  murk_error *err)
+static murk_status print_placement(FILE *to, const signing *s, murk_error *err)
 {
+    const char *resolved = s->scene->resolved;
     murk_yaml *root = NULL;
-    murk_status status = murk_yaml_parse(
-        &root, scene->resolved, strlen(scene->resolved), scene->path, err);
+    const murk_status status =
+        murk_yaml_parse(&root, resolved, strlen(resolved), s->scene->path, err);
     char *text = status ? NULL : murk_print_file(root, is_of_placement);
-    if (text) {
-        murk_sha256_hex(text, strlen(text), hash);
-    } else if (!status) {
+    fputs(text ? text : "", to);
+    murk_yaml_destroy(root);
+    const bool is_whole = text != NULL;
+    free(text);
+    return status || is_whole ? status : no_memory(err);
+}
+
+/* The hash of what a function prints. */
+static murk_status hash(char out[65], printer print, const signing *s,
+                        murk_error *err)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *to = open_memstream(&text, &size);
+    if (!to) {
+        return no_memory(err);
+    }
+    murk_status status = print(to, s, err);
+    const bool has_failed = ferror(to) != 0;
+    if ((fclose(to) != 0 || has_failed) && !status) {
         status = no_memory(err);
     }
+    if (!status) {
+        murk_sha256_hex(text, size, out);
+    }
     free(text);
-    murk_yaml_destroy(root);
     return status;
 }
 
@@ -86,32 +105,87 @@ murk_status murk_sweep_keys_of(murk_sweep_keys *out, murk_file_sums *sums,
                                const murk_outputs *outputs, const char *version,
                                murk_error *err)
 {
-    char *text = NULL;
-    size_t size = 0;
+    const signing s = {scene, outputs, version, sums};
     murk_sha256_hex(scene->light_key, strlen(scene->light_key), out->light);
-    /* The key of the world: shapes of the lights, keys of the world, files and
-     * tallies. */
-    /* The key of the row: version, outputs and the whole scene. */
-    FILE *to = open_memstream(&text, &size);
-    if (!to) {
+    murk_status status = hash(out->world, print_world, &s, err);
+    if (!status) {
+        status = hash(out->own, print_row, &s, err);
+    }
+    return !status && murk_outputs_plan_for_all(outputs)
+               ? hash(out->placement, print_placement, &s, err)
+               : status;
+}
+
+/* ---- groups ---- */
+
+static murk_status group_rows(murk_sweep *sweep, const murk_sweep_keys *keys,
+                              murk_error *err)
+{
+    const size_t rows = sweep->desc.study->rows;
+    sweep->group = calloc(rows + 1, sizeof *sweep->group);
+    if (!sweep->group) {
         return no_memory(err);
     }
-    murk_status status = murk_source_shapes_print(to, scene, err);
-    bool is_whole = sign_world(to, scene, outputs, sums);
-    is_whole &= finish(to, &text, &size, out->world);
-    if (status || !is_whole) {
-        return status ? status : no_memory(err);
+    for (size_t i = 0; i < rows; ++i) {
+        size_t g = 0;
+        if (sweep->row[i].is_done) { /* it cannot be read */
+            sweep->row[i].group = SIZE_MAX;
+            continue;
+        }
+        while (g < sweep->groups &&
+               strcmp(keys[sweep->group[g].row[0]].world, keys[i].world) != 0) {
+            ++g;
+        }
+        murk_sweep_group *group = &sweep->group[g];
+        size_t *grown = realloc(group->row, (group->n + 1) * sizeof *grown);
+        if (!grown) {
+            return no_memory(err);
+        }
+        group->row = grown;
+        group->row[group->n++] = i;
+        sweep->groups += g == sweep->groups;
+        sweep->row[i].group = g;
     }
-    to = open_memstream(&text, &size);
-    if (!to) {
-        return no_memory(err);
+    return MURK_OK;
+}
+
+/* A row is known by itself, and by the different lights in its group: how many
+ * photons its light got hangs on them. */
+static murk_status sign_rows(murk_sweep *sweep, const murk_sweep_keys *keys,
+                             murk_error *err)
+{
+    for (size_t g = 0; g < sweep->groups; ++g) {
+        murk_sweep_group *group = &sweep->group[g];
+        char *lights = malloc(group->n * 64 + 1);
+        if (!lights) {
+            return no_memory(err);
+        }
+        /* Collect the different lights of the group. */
+        for (size_t k = 0; k < group->n; ++k) {
+            const char *own = keys[group->row[k]].light;
+            bool is_new = true;
+            for (size_t j = 0; j < group->lights && is_new; ++j) {
+                is_new = memcmp(lights + 64 * j, own, 64) != 0;
+            }
+            if (is_new) {
+                memcpy(lights + 64 * group->lights++, own, 64);
+            }
+        }
+        /* The key of a row holds its own key and all lights of the group. */
+        for (size_t k = 0; k < group->n; ++k) {
+            char text[130], all[65];
+            murk_sha256_hex(lights, 64 * group->lights, all);
+            snprintf(text, sizeof text, "%s\n%s", keys[group->row[k]].own, all);
+            murk_sha256_hex(text, strlen(text), sweep->row[group->row[k]].key);
+        }
+        free(lights);
     }
-    is_whole = sign_row(to, scene, outputs, version, sums);
-    is_whole &= finish(to, &text, &size, out->own);
-    if (!is_whole) {
-        return no_memory(err);
-    }
-    return murk_outputs_plan_for_all(outputs)
-               ? sign_placement(out->placement, scene, err)
-               : MURK_OK;
+    return MURK_OK;
+}
+
+murk_status murk_sweep_group_rows(murk_sweep *sweep,
+                                  const murk_sweep_keys *keys, murk_error *err)
+{
+    const murk_status status = group_rows(sweep, keys, err);
+    return status ? status : sign_rows(sweep, keys, err);
 }

@@ -3,7 +3,7 @@
 #ifndef MURK_CASES_SWEEP_KEYS_H
 #define MURK_CASES_SWEEP_KEYS_H
 
-#include "cases/outputs.h"
+#include "cases/sweep.h"
 #include "world/file_sums.h"
 
 typedef struct murk_sweep_keys {
@@ -25,5 +25,11 @@ murk_status murk_sweep_keys_of(murk_sweep_keys *out, murk_file_sums *sums,
                                const murk_scene_desc *scene,
                                const murk_outputs *outputs, const char *version,
                                murk_error *err);
+
+/* Puts rows of equal world keys together: fills the groups of the sweep, and
+ * group and key of each row, from keys[rows]. Rows that are done already are
+ * those whose scene could not be read; they belong to no group. */
+murk_status murk_sweep_group_rows(murk_sweep *sweep,
+                                  const murk_sweep_keys *keys, murk_error *err);
 
 #endif

@@ -1,365 +1,297 @@
-/* Runs a study: reads the scenes of all rows, puts rows of one light together
- * in groups, takes finished rows over from an earlier run, and runs each group
- * in a process of its own. One row that fails leaves the other rows alone. */
+/* Runs a study. Each group of rows is measured in a subprocess of its own, so
+ * one row that fails leaves the other rows alone. Then one plan for all rows is
+ * made, for the mean of their coverages or for the worst row: picks the rows
+ * that take part, has the plans chosen in one subprocess
+ * (cases/sweep_choose.h), and has each group measure them in its rows. */
 #include "cases/sweep_run.h"
 
 #include "base/file.h"
-#include "base/interrupt.h"
 #include "base/progress.h"
-#include "cases/sweep_coverage.h"
-#include "cases/sweep_groups.h"
-#include "cases/sweep_keys.h"
-#include "cases/sweep_plans.h"
+#include "cases/scenario_mean.h"
+#include "cases/sweep_choose.h"
 #include "cases/sweep_store.h"
 #include "cases/sweep_work.h"
-#include "plan/placement_in.h"
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
-static murk_status no_memory(const murk_sweep_desc *desc, murk_error *err)
+/* ---- rows ---- */
+
+/* A murk_sweep_put. */
+static murk_status put_row(murk_sweep *sweep, murk_sweep_message *message,
+                           murk_error *err)
 {
-    return murk_fail(err, MURK_NO_MEMORY, desc->study->path,
-                     "no memory for %zu rows", desc->study->rows);
-}
-
-/* ---- rows and groups ---- */
-
-/* While rows are read. */
-typedef struct reading {
-    murk_sweep *sweep;
-    murk_file_sums sums;
-    murk_sweep_keys *keys; /* [rows] */
-    bool has_outputs;
-    murk_error first; /* the first row's failure */
-} reading;
-
-static void tell_failure(murk_sweep_row *row, const murk_error *why)
-{
-    murk_study_row_fail(&row->found, why);
-    row->is_done = true;
-}
-
-/* A file that is no placement is none in any row; a sensor that a row does not
- * know, or that lies outside its domain, fails that row. */
-static murk_status check_plan(const murk_sweep_desc *desc,
-                              const murk_scene_desc *scene, murk_error *err)
-{
-    const murk_domain everywhere = {
-        .box = {murk_vec(-INFINITY, -INFINITY, -INFINITY),
-                murk_vec(INFINITY, INFINITY, INFINITY)}};
-    murk_pose *sensor = NULL;
-    murk_error why = {0};
-    size_t n = 0;
-    if (!desc->study->plan) {
-        return MURK_OK;
-    }
-    const murk_status status = murk_placement_read(
-        &sensor, &n, desc->study->plan, 1, scene, &everywhere, &why);
-    free(sensor);
-    return status && status != MURK_BAD_VALUE
-               ? murk_fail(err, why.status, why.where, "%s", why.text)
-               : MURK_OK;
-}
-
-/* What is wrong with the outputs is wrong with the study; else the row alone
- * fails. */
-static murk_status read_first(reading *r, const murk_scene_desc *scene,
-                              murk_error *err)
-{
-    murk_sweep *sweep = r->sweep;
-    memcpy(sweep->scene_sha256, scene->sha256, sizeof scene->sha256);
-    sweep->seed = scene->seed;
-    sweep->sees_in_the_dark = murk_sweep_needs_no_light(scene);
-    r->has_outputs = true;
-    murk_status status = check_plan(&sweep->desc, scene, err);
-    if (!status) {
-        status =
-            murk_outputs_choose(&sweep->outputs, sweep->desc.study, scene, err);
-    }
-    sweep->plan[MURK_SWEEP_MEAN].is_wanted =
-        sweep->outputs.wants[MURK_OUTPUT_ONE_MEAN];
-    sweep->plan[MURK_SWEEP_WORST].is_wanted =
-        sweep->outputs.wants[MURK_OUTPUT_ONE_WORST];
-    return status;
-}
-
-static murk_status read_row(reading *r, size_t i, murk_error *err)
-{
-    murk_sweep *sweep = r->sweep;
-    const murk_sweep_desc *desc = &sweep->desc;
-    murk_scene_desc *scene = NULL;
-    murk_error why = {0};
-    murk_status status = MURK_OK;
-    /* The scene of the row; a failure fails this row alone. */
-    if (murk_study_row_scene(&scene, desc->study, i, desc->overrides,
-                             desc->n_overrides, &why)) {
-        goto done;
-    }
-    /* The first scene that can be read decides which outputs there are. */
-    if (!r->has_outputs) {
-        status = read_first(r, scene, err);
-    }
-    if (!status) {
-        murk_sweep_keys_of(&r->keys[i], &r->sums, scene, &sweep->outputs,
-                           desc->version, &why);
-    }
-done:
-    if (!status && why.status) {
-        tell_failure(&sweep->row[i], &why);
-        r->first = r->first.status ? r->first : why;
-    }
-    murk_scene_desc_destroy(scene);
-    return status;
-}
-
-/* ---- what is kept ---- */
-
-static void load_row(murk_sweep *sweep, size_t i)
-{
-    murk_sweep_row *row = &sweep->row[i];
-    if (!row->is_done && murk_sweep_load(sweep, row->key, &row->found)) {
-        row->is_done = row->is_reused =
-            murk_sweep_has_fluence(sweep, i, &row->found);
-        if (!row->is_reused) {
-            murk_study_row_release(&row->found);
-        }
-    }
-}
-
-/* ---- all ---- */
-
-/* --set of a key that an axis sets would be lost. */
-static murk_status check_overrides(const murk_sweep_desc *desc, murk_error *err)
-{
-    for (size_t i = 0; i < desc->n_overrides; ++i) {
-        const char *text = desc->overrides[i].text;
-        const size_t n = strcspn(text, "=");
-        for (size_t a = 0; a < desc->study->axes; ++a) {
-            const murk_study_axis *axis = &desc->study->axis[a];
-            if (axis->kind == MURK_STUDY_AXIS_KEY && strlen(axis->path) == n &&
-                strncmp(axis->path, text, n) == 0) {
-                return murk_fail(err, MURK_BAD_VALUE, axis->where,
-                                 "is set on the command line, too: must be one "
-                                 "of them");
-            }
-        }
-    }
-    return MURK_OK;
-}
-
-/* One plan for all rows is of one list of candidates. */
-static murk_status check_placement(const reading *r, murk_error *err)
-{
-    const murk_sweep *sweep = r->sweep;
-    const murk_study_file *study = sweep->desc.study;
-    size_t first = study->rows;
-    if (!murk_outputs_plan_for_all(&sweep->outputs)) {
-        return MURK_OK;
-    }
-    for (size_t i = 0; i < study->rows; ++i) {
-        if (sweep->row[i].is_done) { /* it has failed */
-            continue;
-        }
-        first = first == study->rows ? i : first;
-        if (strcmp(r->keys[i].placement, r->keys[first].placement) != 0) {
-            return murk_fail(err, MURK_BAD_VALUE, study->outputs_where,
-                             "one plan for all rows needs sensors and "
-                             "placement to be the same in all, and those of "
-                             "row %zu differ from those of row %zu",
-                             i + 1, first + 1);
-        }
-    }
-    return MURK_OK;
-}
-
-static murk_status read_rows(reading *r, murk_error *err)
-{
-    murk_sweep *sweep = r->sweep;
-    const size_t rows = sweep->desc.study->rows;
-    murk_status status = MURK_OK;
-    murk_progress_begin_group("read", rows, "rows");
-    for (size_t i = 0; i < rows && !status; ++i) {
-        murk_progress_add_to_group(i > 0);
-        status = murk_interrupted()
-                     ? murk_fail(err, MURK_INTERRUPTED, "", "interrupted")
-                     : read_row(r, i, err);
-    }
-    murk_progress_end();
-    if (!status && murk_sweep_done(sweep) == rows) {
-        status = murk_fail(err, r->first.status, r->first.where, "%s",
-                           r->first.text);
-    }
-    if (!status) {
-        status = check_placement(r, err);
-    }
-    if (!status) {
-        status = murk_sweep_group_rows(sweep, r->keys, err);
-    }
-    return status;
-}
-
-murk_status murk_sweep_create(murk_sweep **out, const murk_sweep_desc *desc,
-                              murk_error *err)
-{
-    /* Allocate the rows and their keys. */
-    const size_t rows = desc->study->rows;
-    murk_sweep *sweep = calloc(1, sizeof *sweep);
-    reading r = {.sweep = sweep, .keys = calloc(rows, sizeof *r.keys)};
-    if (sweep) {
-        sweep->desc = *desc;
-        sweep->row = calloc(rows, sizeof *sweep->row);
-    }
-    murk_status status =
-        sweep && sweep->row && r.keys ? MURK_OK : no_memory(desc, err);
-    /* Check the study and read the scenes of all rows. */
-    if (!status) {
-        status = check_overrides(desc, err);
-    }
-    if (!status) {
-        status = read_rows(&r, err);
-    }
-    if (!status) {
-        status = murk_sweep_check_folder(sweep, err);
-    }
-    /* Take over finished rows of an earlier run. */
-    for (size_t i = 0; !status && desc->folder && i < rows; ++i) {
-        load_row(sweep, i);
-        if (!sweep->row[i].is_done) {
-            status = murk_sweep_check_fluence(sweep, i, err);
-        }
-    }
-    murk_file_sums_release(&r.sums);
-    free(r.keys);
-    if (status) {
-        murk_sweep_destroy(sweep);
-        return status;
-    }
-    *out = sweep;
-    return MURK_OK;
-}
-
-void murk_sweep_destroy(murk_sweep *sweep)
-{
-    if (!sweep) {
-        return;
-    }
-    for (size_t i = 0; sweep->row && i < sweep->desc.study->rows; ++i) {
-        murk_study_row_release(&sweep->row[i].found);
-    }
-    for (size_t g = 0; g < sweep->groups; ++g) {
-        free(sweep->group[g].row);
-    }
-    for (int p = 0; p < MURK_SWEEP_PLANS; ++p) {
-        murk_study_row_release(&sweep->plan[p].found);
-    }
-    free(sweep->group);
-    free(sweep->row);
-    free(sweep);
-}
-
-/* Only what has not failed is kept: that is tried again. */
-static murk_status take_row(void *context, const char *bytes, size_t size,
-                            murk_error *err)
-{
-    murk_sweep *sweep = context;
-    murk_study_row found;
-    const char *text = NULL;
-    size_t i = 0;
-    murk_status status = murk_sweep_receive(&found, &i, sweep->desc.study->rows,
-                                            bytes, size, &text, err);
-    if (status) {
-        murk_study_row_release(&found);
-        return status;
-    }
-    /* Keep the row, unless it failed: a failed row is tried again. */
-    murk_sweep_row *row = &sweep->row[i];
+    murk_sweep_row *row = &sweep->row[message->number];
+    const murk_status status = murk_sweep_keep(sweep, row->key, message, err);
     murk_study_row_release(&row->found);
-    row->found = found;
+    row->found = message->row;
+    message->row = (murk_study_row){0};
     row->is_done = true;
-    if (!found.failed[0]) {
-        status = murk_sweep_keep(sweep, row->key, text,
-                                 size - (size_t)(text - bytes), err);
-        sweep->cannot_keep = status != MURK_OK;
-    }
     /* Report progress. */
     if (!status) {
         murk_progress_add_to_group(1);
     }
     if (!status && sweep->desc.row_done) {
-        sweep->desc.row_done(sweep->desc.context, i);
+        sweep->desc.row_done(sweep->desc.context, message->number);
     }
     return status;
 }
 
-/* What its process did not bring to an end. */
-static void fail_rest(murk_sweep *sweep, const murk_sweep_group *group,
-                      const murk_error *why)
+/* The key of the coverages of the plans in one row: it depends on the row and
+ * on the plans. */
+static void sign_values(const murk_sweep *sweep, size_t i, char key[65])
 {
+    char text[3 * 65 + 1] = "";
+    snprintf(text, sizeof text, "%s", sweep->row[i].key);
+    for (int p = 0; p < MURK_SWEEP_PLANS; ++p) {
+        if (murk_sweep_plan_stands(&sweep->plan[p])) {
+            const size_t n = strlen(text);
+            snprintf(text + n, sizeof text - n, "\n%s", sweep->plan[p].key);
+        }
+    }
+    murk_sha256_hex(text, strlen(text), key);
+}
+
+/* Adds the coverages of the plans to row i: NaN for a plan that `from` has
+ * none of. */
+static murk_status add_values(murk_sweep *sweep, size_t i,
+                              const murk_study_row *from, murk_error *err)
+{
+    murk_sweep_row *row = &sweep->row[i];
+    murk_status status = MURK_OK;
+    for (int p = 0; p < MURK_SWEEP_PLANS && !status; ++p) {
+        const char *name = murk_sweep_plan_name(p);
+        const murk_study_value *value = murk_study_row_get(from, name);
+        if (sweep->plan[p].is_wanted) {
+            status = murk_study_row_add(
+                &row->found, name, "",
+                value ? value->of : (murk_estimate){NAN, NAN}, err);
+        }
+    }
+    if (from->failed[0]) {
+        char text[MURK_ROW_TEXT_SIZE];
+        snprintf(text, sizeof text, "the plans for all rows: %.900s",
+                 from->failed);
+        murk_study_row_add_note(&row->found, text);
+    }
+    row->has_plans = true;
+    return status;
+}
+
+/* A murk_sweep_put. */
+static murk_status put_values(murk_sweep *sweep, murk_sweep_message *message,
+                              murk_error *err)
+{
+    char key[65];
+    murk_progress_add_to_group(1);
+    murk_status status = add_values(sweep, message->number, &message->row, err);
+    if (!status) {
+        sign_values(sweep, message->number, key);
+        status = murk_sweep_keep(sweep, key, message, err);
+    }
+    return status;
+}
+
+/* Runs the subprocess of a group, unless nothing is left for it to do. Rows
+ * that it does not reach have failed. */
+static murk_status run_group(murk_sweep *sweep, murk_sweep_group *group,
+                             bool measures_plans, murk_error *err)
+{
+    murk_sweep_job job = {sweep, group, measures_plans};
+    const murk_sweep_put put = measures_plans ? put_values : put_row;
+    murk_error why = {0};
+    size_t left = 0;
     for (size_t k = 0; k < group->n; ++k) {
-        murk_sweep_row *row = &sweep->row[group->row[k]];
-        if (!row->is_done) {
-            tell_failure(row, why);
-            murk_progress_add_to_group(1);
-            if (sweep->desc.row_done) {
-                sweep->desc.row_done(sweep->desc.context, group->row[k]);
+        left += murk_sweep_job_wants(&job, k);
+    }
+    if (left == 0) {
+        return MURK_OK;
+    }
+    group->was_traced = group->was_traced || !measures_plans;
+    murk_status status = murk_sweep_process(
+        sweep, murk_sweep_work, &job, sweep->desc.study->rows, put, &why, err);
+    for (size_t k = 0; k < group->n && !status; ++k) {
+        if (murk_sweep_job_wants(&job, k)) {
+            murk_sweep_message none = {.number = group->row[k]};
+            murk_study_row_fail(&none.row, &why);
+            status = put(sweep, &none, err);
+        }
+    }
+    return status;
+}
+
+static murk_status run_groups(murk_sweep *sweep, bool measures_plans,
+                              murk_error *err)
+{
+    murk_status status = MURK_OK;
+    for (size_t g = 0; g < sweep->groups && !status; ++g) {
+        status = run_group(sweep, &sweep->group[g], measures_plans, err);
+    }
+    return status;
+}
+
+/* ---- plans for all rows ---- */
+
+/* True if the row takes part in the choice of a plan for all rows. */
+static bool has_say(const murk_sweep *sweep, const murk_sweep_row *row)
+{
+    return row->is_done && !row->found.failed[0] &&
+           (row->found.emitted > 0 || sweep->sees_in_the_dark);
+}
+
+static void find_choosers(murk_sweep *sweep)
+{
+    const size_t rows = sweep->desc.study->rows;
+    size_t all = 0, seen = 0;
+    for (size_t i = 0; i < rows; ++i) {
+        all += has_say(sweep, &sweep->row[i]);
+    }
+    const size_t n =
+        all < MURK_SWEEP_CHOOSERS_MAX ? all : MURK_SWEEP_CHOOSERS_MAX;
+    sweep->choosers = 0;
+    for (size_t i = 0; i < rows && sweep->choosers < n; ++i) {
+        if (has_say(sweep, &sweep->row[i])) {
+            /* the middle of each of n equal parts */
+            const size_t next = (2 * sweep->choosers + 1) * all / (2 * n);
+            if (seen++ == next) {
+                sweep->chooser[sweep->choosers++] = i;
             }
         }
     }
 }
 
-static bool is_done(const murk_sweep *sweep, const murk_sweep_group *group)
+/* The keys of the plans, by the rows that take part. */
+static void sign_plans(murk_sweep *sweep)
 {
-    size_t done = 0;
-    for (size_t k = 0; k < group->n; ++k) {
-        done += sweep->row[group->row[k]].is_done;
+    char rows[MURK_SWEEP_CHOOSERS_MAX * 65 + 1] = "", sum[65], own[128];
+    for (size_t i = 0; i < sweep->choosers; ++i) {
+        snprintf(rows + 65 * i, 66, "%s\n", sweep->row[sweep->chooser[i]].key);
     }
-    return done == group->n;
+    murk_sha256_hex(rows, strlen(rows), sum);
+    for (int p = 0; p < MURK_SWEEP_PLANS; ++p) {
+        snprintf(own, sizeof own, "%s\n%s", murk_sweep_plan_name(p), sum);
+        murk_sha256_hex(own, strlen(own), sweep->plan[p].key);
+    }
 }
 
-static murk_status run_groups(murk_sweep *sweep, murk_error *err)
+/* A murk_sweep_put. */
+static murk_status put_plan(murk_sweep *sweep, murk_sweep_message *message,
+                            murk_error *err)
 {
-    for (size_t g = 0; g < sweep->groups; ++g) {
-        murk_sweep_group *group = &sweep->group[g];
-        murk_sweep_job job = {.sweep = sweep, .group = group};
-        murk_error why = {0};
-        if (is_done(sweep, group)) {
-            continue;
-        }
-        group->was_traced = true;
-        const murk_status status =
-            murk_isolated_run(murk_sweep_work, &job, take_row, sweep, &why);
-        if (status == MURK_INTERRUPTED || murk_interrupted()) {
-            return murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
-        }
-        if (status && sweep->cannot_keep) {
-            return murk_fail(err, why.status, why.where, "%s", why.text);
-        }
-        if (status) {
-            fail_rest(sweep, group, &why);
+    murk_sweep_plan *plan = &sweep->plan[message->number];
+    const murk_status status = murk_sweep_keep(sweep, plan->key, message, err);
+    murk_study_row_release(&plan->found);
+    plan->found = message->row;
+    message->row = (murk_study_row){0};
+    return status;
+}
+
+/* Takes over the plans that an earlier run stored and has the others chosen. */
+static murk_status make_plans(murk_sweep *sweep, murk_error *err)
+{
+    murk_error why = {0};
+    bool is_any_missing = false;
+    for (int p = 0; p < MURK_SWEEP_PLANS; ++p) {
+        murk_sweep_plan *plan = &sweep->plan[p];
+        plan->is_reused =
+            plan->is_wanted && murk_sweep_load(sweep, plan->key, &plan->found);
+        is_any_missing |= plan->is_wanted && !plan->is_reused;
+    }
+    if (sweep->choosers == 0 || !is_any_missing) {
+        return MURK_OK;
+    }
+    const murk_status status = murk_sweep_process(
+        sweep, murk_sweep_choose, sweep, MURK_SWEEP_PLANS, put_plan, &why, err);
+    /* A plan that the subprocess did not reach has failed. */
+    for (int p = 0; p < MURK_SWEEP_PLANS && why.status; ++p) {
+        murk_sweep_plan *plan = &sweep->plan[p];
+        if (plan->is_wanted && !plan->is_reused && plan->found.sensors == 0) {
+            murk_study_row_fail(&plan->found, &why);
         }
     }
-    return MURK_OK;
+    return status;
+}
+
+/* Takes over the coverages of the plans that an earlier run stored; if no plan
+ * was made, rows have none. */
+static murk_status load_values(murk_sweep *sweep, murk_error *err)
+{
+    const bool is_any_made = murk_sweep_plan_stands(&sweep->plan[0]) ||
+                             murk_sweep_plan_stands(&sweep->plan[1]);
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < sweep->desc.study->rows && !status; ++i) {
+        const murk_sweep_row *row = &sweep->row[i];
+        murk_study_row found = {0};
+        char key[65];
+        sign_values(sweep, i, key);
+        if (row->is_done && !row->found.failed[0] &&
+            (!is_any_made || murk_sweep_load(sweep, key, &found))) {
+            status = add_values(sweep, i, &found, err);
+        }
+        murk_study_row_release(&found);
+    }
+    return status;
+}
+
+/* The mean and the worst coverage of a plan over the rows. */
+static void sum_up(murk_sweep *sweep, int p)
+{
+    murk_sweep_plan *plan = &sweep->plan[p];
+    const size_t rows = sweep->desc.study->rows;
+    murk_mean mean = {0};
+    plan->worst = (murk_estimate){NAN, NAN};
+    plan->worst_row = rows;
+    for (size_t i = 0; i < rows; ++i) {
+        const murk_study_value *v =
+            murk_study_row_get(&sweep->row[i].found, murk_sweep_plan_name(p));
+        if (v && isfinite(v->of.value)) {
+            murk_mean_add(&mean, v->of, 1);
+            if (plan->worst_row == rows || v->of.value < plan->worst.value) {
+                plan->worst = v->of;
+                plan->worst_row = i;
+            }
+        }
+    }
+    plan->mean = murk_mean_of(&mean, false);
+}
+
+static murk_status plan_for_all(murk_sweep *sweep, murk_error *err)
+{
+    if (!murk_outputs_plan_for_all(&sweep->outputs)) {
+        return MURK_OK;
+    }
+    find_choosers(sweep);
+    sign_plans(sweep);
+    murk_status status = make_plans(sweep, err);
+    if (!status) {
+        status = load_values(sweep, err);
+    }
+    if (!status) {
+        status = run_groups(sweep, true, err);
+    }
+    for (int p = 0; p < MURK_SWEEP_PLANS; ++p) {
+        sum_up(sweep, p);
+    }
+    return status;
 }
 
 murk_status murk_sweep_run(murk_sweep *sweep, murk_error *err)
 {
-    const size_t rows = sweep->desc.study->rows, kept = murk_sweep_done(sweep);
+    const size_t rows = sweep->desc.study->rows, done = murk_sweep_done(sweep);
     murk_status status = murk_sweep_open(sweep, err);
     if (status) {
         return status;
     }
     murk_progress_begin_group("study", rows, "rows");
-    murk_progress_add_to_group(kept);
-    murk_progress_part(0, rows, kept);
-    status = run_groups(sweep, err);
+    murk_progress_add_to_group(done);
+    murk_progress_part(0, rows, done);
+    status = run_groups(sweep, false, err);
     murk_progress_part(0, 0, 0);
     murk_progress_end();
     if (!status) {
         murk_progress_begin_group("plans for all", rows, "rows");
-        status = murk_sweep_plan_all(sweep, err);
+        status = plan_for_all(sweep, err);
         murk_progress_part(0, 0, 0);
         murk_progress_end();
     }

@@ -1,9 +1,10 @@
 /* The rows of a study that are done, stored in FOLDER/rows in one file for
- * each key, the grids of the fluence rate beside them, and rows as messages
- * between processes. */
+ * each key, the grids of the fluence rate beside them, and the subprocesses
+ * that send rows as messages. */
 #include "cases/sweep_store.h"
 
 #include "base/file.h"
+#include "base/interrupt.h"
 #include "base/staging.h"
 #include "medium/grid_write.h"
 
@@ -19,10 +20,16 @@
 /* 64 GB: more than any grid that fits in the memory of a workstation. */
 #define FLUENCE_BYTES_MAX (UINT64_C(64) << 30)
 
-static murk_status too_long(const murk_sweep *sweep, murk_error *err)
+/* The path of a file in the folder of the study. */
+static murk_status path_of(char out[MURK_SWEEP_PATH_SIZE],
+                           const murk_sweep *sweep, const char *name,
+                           murk_error *err)
 {
-    return murk_fail(err, MURK_BAD_VALUE, sweep->desc.folder,
-                     "too long a path");
+    return snprintf(out, MURK_SWEEP_PATH_SIZE, "%s/%s", sweep->desc.folder,
+                    name) < MURK_SWEEP_PATH_SIZE
+               ? MURK_OK
+               : murk_fail(err, MURK_BAD_VALUE, sweep->desc.folder,
+                           "too long a path");
 }
 
 murk_status murk_sweep_check_folder(const murk_sweep *sweep, murk_error *err)
@@ -36,60 +43,64 @@ murk_status murk_sweep_check_folder(const murk_sweep *sweep, murk_error *err)
 
 murk_status murk_sweep_open(const murk_sweep *sweep, murk_error *err)
 {
-    char path[4096];
+    char path[MURK_SWEEP_PATH_SIZE];
     if (!sweep->desc.folder) {
         return MURK_OK;
     }
-    if (snprintf(path, sizeof path, "%s/rows", sweep->desc.folder) >=
-        (int)sizeof path) {
-        return too_long(sweep, err);
+    murk_status status = path_of(path, sweep, "rows", err);
+    if (!status) {
+        status = murk_folder_make(path, err);
     }
-    const murk_status status = murk_folder_make(path, err);
     if (!status) {
         murk_staging_clean(path, true);
     }
     return status;
 }
 
-/* ---- files ---- */
+/* ---- rows ---- */
 
-/* False where the path is too long. */
-static bool path_of(const murk_sweep *sweep, const char *key, char *out,
-                    size_t size)
+static murk_status row_path(char out[MURK_SWEEP_PATH_SIZE],
+                            const murk_sweep *sweep, const char *key,
+                            murk_error *err)
 {
-    return snprintf(out, size, "%s/rows/%.32s.yaml", sweep->desc.folder, key) <
-           (int)size;
+    char name[64];
+    snprintf(name, sizeof name, "rows/%.32s.yaml", key);
+    return path_of(out, sweep, name, err);
 }
 
-/* A file that cannot be read, or is not a row's, is no row kept. */
 bool murk_sweep_load(const murk_sweep *sweep, const char *key,
                      murk_study_row *out)
 {
-    char path[4096];
+    char path[MURK_SWEEP_PATH_SIZE];
     char *text = NULL;
     size_t size = 0;
     bool is_read = false;
     *out = (murk_study_row){0};
-    if (sweep->desc.folder && path_of(sweep, key, path, sizeof path) &&
+    if (sweep->desc.folder && !row_path(path, sweep, key, NULL) &&
         access(path, F_OK) == 0 &&
         !murk_file_read_own(&text, &size, path, ROW_BYTES_MAX, NULL)) {
-        is_read = murk_study_row_read(out, text, size, path, NULL) == MURK_OK;
-        if (!is_read) {
-            murk_study_row_release(out);
-        }
+        is_read = !murk_study_row_read(out, text, size, path, NULL);
+    }
+    if (!is_read) {
+        murk_study_row_release(out);
     }
     free(text);
     return is_read;
 }
 
-murk_status murk_sweep_keep(const murk_sweep *sweep, const char *key,
-                            const char *text, size_t size, murk_error *err)
+murk_status murk_sweep_keep(murk_sweep *sweep, const char *key,
+                            const murk_sweep_message *message, murk_error *err)
 {
-    char path[4096];
-    return !sweep->desc.folder ? MURK_OK
-           : path_of(sweep, key, path, sizeof path)
-               ? murk_file_write(path, text, size, err)
-               : too_long(sweep, err);
+    char path[MURK_SWEEP_PATH_SIZE];
+    if (!sweep->desc.folder || message->row.failed[0]) {
+        return MURK_OK;
+    }
+    murk_status status = row_path(path, sweep, key, err);
+    if (!status) {
+        status = murk_file_write(path, message->text, message->size, err);
+    }
+    sweep->cannot_keep = status != MURK_OK;
+    return status;
 }
 
 /* ---- fluence ---- */
@@ -97,6 +108,15 @@ murk_status murk_sweep_keep(const murk_sweep *sweep, const char *key,
 void murk_sweep_fluence_name(char out[MURK_SWEEP_NAME_SIZE], size_t row)
 {
     snprintf(out, MURK_SWEEP_NAME_SIZE, "fluence_%04zu.vdb", row + 1);
+}
+
+murk_status murk_sweep_fluence_path(char out[MURK_SWEEP_PATH_SIZE],
+                                    const murk_sweep *sweep, size_t row,
+                                    murk_error *err)
+{
+    char name[MURK_SWEEP_NAME_SIZE];
+    murk_sweep_fluence_name(name, row);
+    return path_of(out, sweep, name, err);
 }
 
 murk_status murk_sweep_sum(char out[MURK_ROW_SUM_SIZE], const char *path,
@@ -112,34 +132,28 @@ murk_status murk_sweep_sum(char out[MURK_ROW_SUM_SIZE], const char *path,
     return status;
 }
 
-bool murk_sweep_has_fluence(const murk_sweep *sweep, size_t i,
-                            const murk_study_row *row)
+bool murk_sweep_has_fluence(const murk_sweep *sweep, size_t row,
+                            const murk_study_row *found)
 {
-    char name[MURK_SWEEP_NAME_SIZE], path[4096], sum[MURK_ROW_SUM_SIZE];
-    if (!sweep->outputs.wants[MURK_OUTPUT_FLUENCE]) {
-        return true;
-    }
-    murk_sweep_fluence_name(name, i);
-    return snprintf(path, sizeof path, "%s/%s", sweep->desc.folder, name) <
-               (int)sizeof path &&
-           access(path, R_OK) == 0 && !murk_sweep_sum(sum, path, NULL) &&
-           strcmp(sum, row->fluence) == 0;
+    char path[MURK_SWEEP_PATH_SIZE], sum[MURK_ROW_SUM_SIZE];
+    return !sweep->outputs.wants[MURK_OUTPUT_FLUENCE] ||
+           (!murk_sweep_fluence_path(path, sweep, row, NULL) &&
+            access(path, R_OK) == 0 && !murk_sweep_sum(sum, path, NULL) &&
+            strcmp(sum, found->fluence) == 0);
 }
 
-murk_status murk_sweep_check_fluence(const murk_sweep *sweep, size_t i,
+murk_status murk_sweep_check_fluence(const murk_sweep *sweep, size_t row,
                                      murk_error *err)
 {
-    char name[MURK_SWEEP_NAME_SIZE], path[4096];
+    char path[MURK_SWEEP_PATH_SIZE];
     if (!sweep->outputs.wants[MURK_OUTPUT_FLUENCE]) {
         return MURK_OK;
     }
-    murk_sweep_fluence_name(name, i);
-    return snprintf(path, sizeof path, "%s/%s", sweep->desc.folder, name) <
-                   (int)sizeof path
-               ? murk_file_check_owner(path, MURK_GRID_MARK,
-                                       sizeof MURK_GRID_MARK - 1,
-                                       sweep->desc.force, err)
-               : too_long(sweep, err);
+    const murk_status status = murk_sweep_fluence_path(path, sweep, row, err);
+    return status ? status
+                  : murk_file_check_owner(path, MURK_GRID_MARK,
+                                          sizeof MURK_GRID_MARK - 1,
+                                          sweep->desc.force, err);
 }
 
 /* ---- messages ---- */
@@ -147,35 +161,54 @@ murk_status murk_sweep_check_fluence(const murk_sweep *sweep, size_t i,
 murk_status murk_sweep_send(murk_isolated *isolated, size_t number,
                             const murk_study_row *row, murk_error *err)
 {
-    char *text = murk_study_row_print(row), *message = NULL;
-    const size_t size = text ? strlen(text) + 32 : 0;
-    murk_status status = MURK_OK;
-    if (text) {
-        message = malloc(size);
-    }
-    if (!message) {
-        status = murk_fail(err, MURK_NO_MEMORY, "", "no memory for a row");
-    } else {
-        const int n = snprintf(message, size, "%zu\n%s", number, text);
-        status = murk_isolated_send(isolated, message, (size_t)n, err);
-    }
+    char *message = murk_study_row_print(row, number);
+    const murk_status status =
+        message ? murk_isolated_send(isolated, message, strlen(message), err)
+                : murk_fail(err, MURK_NO_MEMORY, "", "no memory for a row");
     free(message);
-    free(text);
     return status;
 }
 
-murk_status murk_sweep_receive(murk_study_row *out, size_t *number, size_t max,
-                               const char *bytes, size_t size,
-                               const char **text, murk_error *err)
+/* The context of receive(). */
+typedef struct receiving {
+    murk_sweep *sweep;
+    size_t numbers;
+    murk_sweep_put put;
+} receiving;
+
+/* A murk_isolated_receive: reads a message and hands it on. */
+static murk_status receive(void *context, const char *bytes, size_t size,
+                           murk_error *err)
 {
+    const receiving *r = context;
     char *end = NULL;
-    const unsigned long i = strtoul(bytes, &end, 10);
-    *out = (murk_study_row){0};
-    if (*end != '\n' || i >= max) {
+    murk_sweep_message message = {.number = strtoul(bytes, &end, 10)};
+    if (*end != '\n' || message.number >= r->numbers) {
         return murk_fail(err, MURK_RUN_FAILED, "", "not a row's message");
     }
-    *number = i;
-    *text = end + 1;
-    return murk_study_row_read(out, *text, size - (size_t)(*text - bytes),
-                               "a row's process", err);
+    message.text = end + 1;
+    message.size = size - (size_t)(message.text - bytes);
+    murk_status status = murk_study_row_read(
+        &message.row, message.text, message.size, "a row's process", err);
+    if (!status) {
+        status = r->put(r->sweep, &message, err);
+    }
+    murk_study_row_release(&message.row);
+    return status;
+}
+
+murk_status murk_sweep_process(murk_sweep *sweep, murk_isolated_work work,
+                               void *context, size_t numbers,
+                               murk_sweep_put put, murk_error *why,
+                               murk_error *err)
+{
+    receiving r = {sweep, numbers, put};
+    const murk_status status =
+        murk_isolated_run(work, context, receive, &r, why);
+    if (status == MURK_INTERRUPTED || murk_interrupted()) {
+        return murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
+    }
+    return status && sweep->cannot_keep
+               ? murk_fail(err, why->status, why->where, "%s", why->text)
+               : MURK_OK;
 }

@@ -1,11 +1,22 @@
 /* The stored rows of a study: FOLDER/rows has one small file for each row,
- * named by the key of the row; and rows as messages between processes. Inside
- * this room only. */
+ * named by the key of the row; and the subprocesses that send rows. Inside this
+ * room only. */
 #ifndef MURK_CASES_SWEEP_STORE_H
 #define MURK_CASES_SWEEP_STORE_H
 
 #include "base/isolated.h"
 #include "cases/sweep.h"
+
+/* A row as a subprocess sends it. */
+typedef struct murk_sweep_message {
+    size_t number; /* of the row in the study, or of a plan for all rows */
+    murk_study_row row;
+    const char *text; /* [size] the row as text, to be stored */
+    size_t size;
+} murk_sweep_message;
+
+/* Bytes of the path of a file in the folder: as long as Linux allows. */
+#define MURK_SWEEP_PATH_SIZE 4096
 
 /* Fails if an output needs a folder and the study has none. */
 murk_status murk_sweep_check_folder(const murk_sweep *sweep, murk_error *err);
@@ -16,31 +27,45 @@ murk_status murk_sweep_open(const murk_sweep *sweep, murk_error *err);
  * empty then. */
 bool murk_sweep_load(const murk_sweep *sweep, const char *key,
                      murk_study_row *out);
-/* Stores the text of a row under a key. */
-murk_status murk_sweep_keep(const murk_sweep *sweep, const char *key,
-                            const char *text, size_t size, murk_error *err);
+/* Stores a row under a key, unless the row failed: a failed row is tried again.
+ * Sets sweep->cannot_keep if this fails. */
+murk_status murk_sweep_keep(murk_sweep *sweep, const char *key,
+                            const murk_sweep_message *message, murk_error *err);
 
-/* The name of the file, within the folder, that a row writes the grid of its
- * fluence rate to; and whether that file is the one that this row wrote. */
+/* The file that a row writes the grid of its fluence rate to, by name within
+ * the folder and by path; and whether that file is the one that this row wrote.
+ */
 #define MURK_SWEEP_NAME_SIZE 32
 void murk_sweep_fluence_name(char out[MURK_SWEEP_NAME_SIZE], size_t row);
-bool murk_sweep_has_fluence(const murk_sweep *sweep, size_t i,
-                            const murk_study_row *row);
+murk_status murk_sweep_fluence_path(char out[MURK_SWEEP_PATH_SIZE],
+                                    const murk_sweep *sweep, size_t row,
+                                    murk_error *err);
+bool murk_sweep_has_fluence(const murk_sweep *sweep, size_t row,
+                            const murk_study_row *found);
 /* Fails if the row may not write that file: files that murk did not write are
  * only replaced by force. */
-murk_status murk_sweep_check_fluence(const murk_sweep *sweep, size_t i,
+murk_status murk_sweep_check_fluence(const murk_sweep *sweep, size_t row,
                                      murk_error *err);
 /* The checksum of a file, for the member fluence of murk_study_row. */
 murk_status murk_sweep_sum(char out[MURK_ROW_SUM_SIZE], const char *path,
                            murk_error *err);
 
-/* Sends a message: a number, a line end, the text of a row. */
+/* Sends a row from a subprocess. */
 murk_status murk_sweep_send(murk_isolated *isolated, size_t number,
                             const murk_study_row *row, murk_error *err);
-/* Reads such a message: *number is below max, and *text points into bytes.
- * Release *out also after a failure. */
-murk_status murk_sweep_receive(murk_study_row *out, size_t *number, size_t max,
-                               const char *bytes, size_t size,
-                               const char **text, murk_error *err);
+
+/* Takes over a row that was sent; it may move the contents of message->row. */
+typedef murk_status (*murk_sweep_put)(murk_sweep *sweep,
+                                      murk_sweep_message *message,
+                                      murk_error *err);
+
+/* Runs work(context) in a subprocess and put() for each row that it sends,
+ * whose number must be below `numbers`. If the subprocess ends early, *why has
+ * the reason. Fails if the study must end: it was interrupted, or a row cannot
+ * be stored. */
+murk_status murk_sweep_process(murk_sweep *sweep, murk_isolated_work work,
+                               void *context, size_t numbers,
+                               murk_sweep_put put, murk_error *why,
+                               murk_error *err);
 
 #endif

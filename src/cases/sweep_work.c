@@ -70,14 +70,13 @@ static murk_status write_fluence(const group_work *w, size_t k,
                                  murk_error *err)
 {
     const murk_sweep_light *l = &w->light;
-    char name[MURK_SWEEP_NAME_SIZE], path[4096];
-    murk_sweep_fluence_name(name, l->group->row[k]);
-    if (snprintf(path, sizeof path, "%s/%s", l->sweep->desc.folder, name) >=
-        (int)sizeof path) {
-        return murk_fail(err, MURK_BAD_VALUE, l->sweep->desc.folder,
-                         "too long a path");
+    char path[MURK_SWEEP_PATH_SIZE];
+    murk_status status =
+        murk_sweep_fluence_path(path, l->sweep, l->group->row[k], err);
+    if (status) {
+        return status;
     }
-    murk_status status = murk_row_tallies_write_fluence(
+    status = murk_row_tallies_write_fluence(
         path, &l->row_tallies, l->scene[k],
         traced ? l->traced[0]->tallies : NULL,
         traced ? l->traced[0]->ledger->emitted : NULL,
@@ -213,6 +212,12 @@ static murk_status do_row(group_work *w, size_t k, murk_error *err)
 
 /* ---- the group ---- */
 
+bool murk_sweep_job_wants(const murk_sweep_job *job, size_t k)
+{
+    const murk_sweep_row *row = &job->sweep->row[job->group->row[k]];
+    return job->measures_plans ? murk_sweep_lacks_values(row) : !row->is_done;
+}
+
 static murk_status import_wanted(group_work *w, murk_error *err)
 {
     const murk_sweep *sweep = w->job->sweep;
@@ -222,9 +227,7 @@ static murk_status import_wanted(group_work *w, murk_error *err)
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for rows");
     }
     for (size_t k = 0; k < group->n; ++k) {
-        const murk_sweep_row *row = &sweep->row[group->row[k]];
-        is_wanted[k] = w->job->measures_plans ? murk_sweep_lacks_values(row)
-                                              : !row->is_done;
+        is_wanted[k] = murk_sweep_job_wants(w->job, k);
     }
     murk_status status =
         murk_sweep_light_import(&w->light, sweep, group, is_wanted, err);

@@ -12,6 +12,9 @@ typedef struct murk_sweep_job {
                             that are done; false: runs the rows that are not */
 } murk_sweep_job;
 
+/* True if row k of the group is left for the job to do. */
+bool murk_sweep_job_wants(const murk_sweep_job *job, size_t k);
+
 /* A murk_isolated_work: context is the job. Sends each row
  * (murk_sweep_send()). */
 murk_status murk_sweep_work(murk_isolated *isolated, void *context,

@@ -26,7 +26,7 @@ static bool is_plain(const char *text)
                         "0123456789_./-") == strlen(text);
 }
 
-static void print_text(FILE *out, const char *text)
+void murk_print_text(FILE *out, const char *text)
 {
     if (is_plain(text)) {
         fputs(text, out);
@@ -49,7 +49,7 @@ static void print_flow(FILE *out, const murk_yaml *node)
 {
     if (node->kind == MURK_YAML_SCALAR) {
         if (node->is_quoted) {
-            print_text(out, node->text);
+            murk_print_text(out, node->text);
         } else {
             fputs(node->text, out);
         }
@@ -60,7 +60,7 @@ static void print_flow(FILE *out, const murk_yaml *node)
     for (size_t i = 0; i < node->n; ++i) {
         fputs(i ? ", " : "", out);
         if (is_map) {
-            print_text(out, node->key[i]);
+            murk_print_text(out, node->key[i]);
             fputs(": ", out);
         }
         print_flow(out, node->child[i]);
@@ -85,7 +85,7 @@ static void print_lines(FILE *out, const murk_yaml *node)
     for (size_t i = 0; i < node->n; ++i) {
         if (node->kind == MURK_YAML_MAP) {
             fputs("\n  ", out);
-            print_text(out, node->key[i]);
+            murk_print_text(out, node->key[i]);
             fputs(": ", out);
         } else {
             fputs("\n  - ", out);
@@ -128,7 +128,7 @@ char *murk_print_file(const murk_yaml *map, bool (*is_wanted)(const char *key))
         if (is_wanted && !is_wanted(map->key[i])) {
             continue;
         }
-        print_text(out, map->key[i]);
+        murk_print_text(out, map->key[i]);
         fputc(':', out);
         if (holds_containers(map->child[i])) {
             print_lines(out, map->child[i]);

@@ -4,6 +4,11 @@
 
 #include "scene/yaml.h"
 
+#include <stdio.h>
+
+/* Prints a text as a scalar, in quotes if it could be read as anything else. */
+void murk_print_text(FILE *out, const char *text);
+
 /* Prints in one line: {a: 1, b: [2, 3]}. NULL when out of memory; the caller
  * frees the text with free(). */
 char *murk_print_flow(const murk_yaml *node);

@@ -271,6 +271,16 @@ static void test_densities_are_of_free_space(void)
     stage_text_destroy(stage);
 }
 
+static char *sign_of(const murk_scene_desc *scene, const murk_outputs *outputs)
+{
+    char *sign = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&sign, &size);
+    murk_row_tallies_sign(out, scene, outputs);
+    fclose(out);
+    return sign;
+}
+
 /* Whatever changes what is measured changes the sign. */
 static void test_signs(void)
 {
@@ -293,11 +303,11 @@ static void test_signs(void)
     const murk_study_file study = study_of(5), fewer = study_of(4);
     const murk_outputs outputs = outputs_of(&study), less = outputs_of(&fewer);
     murk_scene_desc *scene = scene_text_create(text, NULL);
-    char *sign = scene ? murk_row_tallies_sign(scene, &outputs) : NULL;
+    char *sign = scene ? sign_of(scene, &outputs) : NULL;
     for (size_t i = 0; sign && i < sizeof change / sizeof *change; ++i) {
         const char *const overrides[] = {change[i], NULL};
         murk_scene_desc *turned = scene_text_create(text, overrides);
-        char *other = turned ? murk_row_tallies_sign(turned, &outputs) : NULL;
+        char *other = turned ? sign_of(turned, &outputs) : NULL;
         if (other && (strcmp(sign, other) == 0) != (i == 0)) {
             printf("sign of %s\n", change[i]);
         }
@@ -305,7 +315,7 @@ static void test_signs(void)
         free(other);
         murk_scene_desc_destroy(turned);
     }
-    char *other = scene ? murk_row_tallies_sign(scene, &less) : NULL;
+    char *other = scene ? sign_of(scene, &less) : NULL;
     CHECK(sign && other && strcmp(sign, other) != 0);
     free(other);
     free(sign);
