@@ -8,17 +8,15 @@
 void murk_results_list_candidates(murk_results_fields *f, const void *of)
 {
     const murk_candidates *c = of;
-    MURK_COUNT(f, "asked", "", "places", c->asked);
-    MURK_COUNT(f, "usable", "", "places in free space", c->usable);
-    MURK_COUNT(f, "doubtful", "",
+    MURK_COUNT(f, "asked", "places", c->asked);
+    MURK_COUNT(f, "usable", "places in free space", c->usable);
+    MURK_COUNT(f, "doubtful",
                "places whose reach is decided by less than rounding",
                c->doubtful);
-    MURK_COUNT(f, "unreached", "", "places not reached from a light",
-               c->unreached);
-    MURK_COUNT(f, "too_close", "", "places too close to a surface",
-               c->too_close);
-    MURK_COUNT(f, "forbidden", "", "places in forbidden zones", c->forbidden);
-    MURK_COUNT(f, "duplicates", "", "places listed before", c->duplicates);
+    MURK_COUNT(f, "unreached", "places not reached from a light", c->unreached);
+    MURK_COUNT(f, "too_close", "places too close to a surface", c->too_close);
+    MURK_COUNT(f, "forbidden", "places in forbidden zones", c->forbidden);
+    MURK_COUNT(f, "duplicates", "places listed before", c->duplicates);
 }
 
 void murk_print_candidates(const murk_candidates *c)

@@ -16,10 +16,10 @@
 void murk_results_list_photons(murk_results_fields *f, const void *of)
 {
     const murk_traced *traced = of;
-    MURK_COUNT(f, "emitted", "", "emitted photons", traced->emitted);
-    MURK_COUNT(f, "surface", "", "stored in the surface map",
+    MURK_COUNT(f, "emitted", "emitted photons", traced->emitted);
+    MURK_COUNT(f, "surface", "stored in the surface map",
                murk_photon_map_count(traced->surface));
-    MURK_COUNT(f, "volume", "", "stored in the volume map",
+    MURK_COUNT(f, "volume", "stored in the volume map",
                murk_photon_map_count(traced->volume));
 }
 
@@ -36,7 +36,7 @@ static bool is_all_round(const murk_scene_desc *scene, const murk_pose *sensor)
 
 void murk_results_list_type(murk_results_fields *f, murk_posed p)
 {
-    MURK_TEXT(f, "type", "", "name of the sensor type",
+    MURK_TEXT(f, "type", "name of the sensor type",
               p.scene->sensors.type[p.pose->type].name);
 }
 
@@ -85,7 +85,7 @@ void murk_results_list_sensor(murk_results_fields *f, const void *of, size_t i)
     const murk_sensor_results *s = of;
     const murk_posed p = posed_of(s, i);
     if (murk_results_is_csv(f)) {
-        MURK_COUNT(f, "sensor", "", "number, from 1", i + 1);
+        MURK_COUNT(f, "sensor", "number, from 1", i + 1);
     }
     murk_results_list_type(f, p);
     murk_results_list_position(f, p);
@@ -133,8 +133,8 @@ static void list_thin_map(murk_results_fields *f, const void *of)
     const murk_sensor_results *s = of;
     const int thin = s ? murk_thin_map(s->scene, s->coverage) : 0;
     const murk_map_share *map = s ? &s->coverage->map[thin] : NULL;
-    MURK_TEXT(f, "map", "", "surface or volume", map_name[thin]);
-    MURK_COUNT(f, "photons", "", "stored in the map", map->photons);
+    MURK_TEXT(f, "map", "surface or volume", map_name[thin]);
+    MURK_COUNT(f, "photons", "stored in the map", map->photons);
     MURK_NUMBER(f, "weight", "1", "the map's share of the coverage",
                 map->weight);
     MURK_NUMBER(f, "standard_error", "1",

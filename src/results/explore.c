@@ -63,12 +63,12 @@ void murk_results_list_step(murk_results_fields *f, const void *of, size_t i)
         e ? (murk_posed){e->scene, &e->plan->poses->pose[step->candidate]}
           : (murk_posed){NULL, NULL};
     if (murk_results_is_csv(f)) {
-        MURK_COUNT(f, "step", "", "number, from 1", i + 1);
+        MURK_COUNT(f, "step", "number, from 1", i + 1);
         murk_results_list_position(f, p);
         murk_results_list_type(f, p);
         murk_results_list_heading(f, p);
     }
-    MURK_COUNT(f, "sensor", "", "number among the plan's, from 1",
+    MURK_COUNT(f, "sensor", "number among the plan's, from 1",
                sensor_of(e->plan, step));
     if (!murk_results_is_csv(f)) {
         murk_results_list_type(f, p);
@@ -81,10 +81,9 @@ void murk_results_list_step(murk_results_fields *f, const void *of, size_t i)
                  coverage_of(e->plan, step->value), DIGITS);
     MURK_ROUNDED(f, "path_m", "m", "length of the path so far", step->path_m,
                  DIGITS);
-    MURK_COUNT(f, "places_seen", "", "candidates known so far",
-               step->places_seen);
-    MURK_COUNT(f, "queries", "", "queries of the maps so far", step->queries);
-    MURK_COUNT(f, "shadow_rays", "", "sightlines followed so far",
+    MURK_COUNT(f, "places_seen", "candidates known so far", step->places_seen);
+    MURK_COUNT(f, "queries", "queries of the maps so far", step->queries);
+    MURK_COUNT(f, "shadow_rays", "sightlines followed so far",
                step->shadow_rays);
 }
 
@@ -96,11 +95,11 @@ static void list_explore(murk_results_fields *f, const void *of)
                 explore->stops ? murk_scene_user(e->scene, explore->stop[0])
                                : murk_vec(NAN, NAN, NAN));
     MURK_NUMBER(f, "path_m", "m", "length of the path", path_of(explore));
-    MURK_COUNT(f, "places", "", "candidates", explore->places);
-    MURK_COUNT(f, "places_seen", "", "candidates that became known",
+    MURK_COUNT(f, "places", "candidates", explore->places);
+    MURK_COUNT(f, "places_seen", "candidates that became known",
                seen_of(explore));
-    MURK_COUNT(f, "ways_tried", "", "segments that were tried", explore->ways);
-    MURK_TEXT(f, "ended_by", "",
+    MURK_COUNT(f, "ways_tried", "segments that were tried", explore->ways);
+    MURK_TEXT(f, "ended_by",
               "count, target, rules, nothing_to_gain or stations",
               END_NAMES[explore->end]);
     MURK_LIST(f, "steps", "the stations, in order", murk_results_list_step, e,

@@ -87,7 +87,7 @@ void murk_results_list_candidate(murk_results_fields *f, const void *of,
     const candidate_list *list = of;
     const murk_posed p = list ? (murk_posed){list->scene, &list->poses->pose[j]}
                               : (murk_posed){NULL, NULL};
-    MURK_COUNT(f, "column", "", "number, from 1", j + 1);
+    MURK_COUNT(f, "column", "number, from 1", j + 1);
     murk_results_list_position(f, p);
     murk_results_list_type(f, p);
     murk_results_list_heading(f, p);

@@ -7,7 +7,7 @@
  *     static void list_map(murk_results_fields *f, const void *of)
  *     {
  *         const murk_traced *traced = of;
- *         MURK_COUNT(f, "emitted", "", "emitted photons", traced->emitted);
+ *         MURK_COUNT(f, "emitted", "emitted photons", traced->emitted);
  *     }
  *
  * The same rows become keys of a JSON object, columns of a CSV file and the
@@ -31,16 +31,17 @@ typedef void (*murk_results_list)(murk_results_fields *f, const void *of);
 typedef void (*murk_results_item)(murk_results_fields *f, const void *of,
                                   size_t i);
 
-/* One row. The value is as murk_results_put_...() below take it. unit: "" for a
- * text, a flag or a count, "1" for a share. */
+/* One row: name, unit, help, value. unit: "1" for a share, "" for none. The
+ * value is as murk_results_put_...() below take it. */
 #define MURK_NUMBER(f, ...)  MURK_RESULT(f, number, __VA_ARGS__)
-#define MURK_COUNT(f, ...)   MURK_RESULT(f, count, __VA_ARGS__)
-#define MURK_FLAG(f, ...)    MURK_RESULT(f, flag, __VA_ARGS__)
-#define MURK_TEXT(f, ...)    MURK_RESULT(f, text, __VA_ARGS__)
 #define MURK_VECTOR(f, ...)  MURK_RESULT(f, vector, __VA_ARGS__)
 #define MURK_NUMBERS(f, ...) MURK_RESULT(f, numbers, __VA_ARGS__)
 #define MURK_JSON(f, ...)    MURK_RESULT(f, json, __VA_ARGS__)
 #define MURK_ROUNDED(f, ...) MURK_RESULT(f, rounded, __VA_ARGS__)
+/* One row that never has a unit: name, help, value. */
+#define MURK_COUNT(f, name, ...) MURK_RESULT(f, count, name, "", __VA_ARGS__)
+#define MURK_FLAG(f, name, ...)  MURK_RESULT(f, flag, name, "", __VA_ARGS__)
+#define MURK_TEXT(f, name, ...)  MURK_RESULT(f, text, name, "", __VA_ARGS__)
 #define MURK_NULL(f, name, unit, help) \
     MURK_RESULT(f, number, name, unit, help, (double)NAN)
 

@@ -28,7 +28,7 @@ static void list_parameter(murk_results_fields *fields, const void *of,
     const murk_fit_facts *f = of;
     const murk_calibration *c = f ? f->found : NULL;
     const murk_free_key *key = f ? &f->keys->key[k] : NULL;
-    MURK_TEXT(fields, "key", "", "path of the scene's key", key->name);
+    MURK_TEXT(fields, "key", "path of the scene's key", key->name);
     MURK_NUMBER(fields, "value", "", "found", c->value[k]);
     if (!MURK_LISTED_IF(fields, !f->only_predicts)) {
         return;
@@ -36,9 +36,9 @@ static void list_parameter(murk_results_fields *fields, const void *of,
     MURK_NUMBER(fields, "standard_error", "", "of value", c->standard_error[k]);
     MURK_NUMBER(fields, "lower", "", "95 % confidence limit", c->lower[k]);
     MURK_NUMBER(fields, "upper", "", "95 % confidence limit", c->upper[k]);
-    MURK_FLAG(fields, "at_bound", "", "true if value lies at a bound",
+    MURK_FLAG(fields, "at_bound", "true if value lies at a bound",
               c->at_bound[k]);
-    MURK_TEXT(fields, "status", "",
+    MURK_TEXT(fields, "status",
               "determined, at its bound, or not determined by these data; "
               "only the first has an error",
               murk_calibration_status(c, k));
@@ -47,8 +47,7 @@ static void list_parameter(murk_results_fields *fields, const void *of,
     MURK_NUMBER(fields, "bound_lower", "", "least value allowed", key->lower);
     MURK_NUMBER(fields, "bound_upper", "", "greatest value allowed",
                 key->upper);
-    MURK_TEXT(fields, "kind", "", "medium, light, world or gain",
-              kinds[key->kind]);
+    MURK_TEXT(fields, "kind", "medium, light, world or gain", kinds[key->kind]);
     MURK_NUMBER(fields, "slope_error", "1",
                 "largest error of slopes from light that was traced again",
                 murk_model_slope_error(c->model, k));
@@ -82,7 +81,7 @@ static void list_direction(murk_results_fields *fields, const void *of,
     const murk_certainty *c = f ? &f->found->certainty : NULL;
     MURK_NUMBER(fields, "standard_error", "", "along the direction",
                 c->direction_error[i]);
-    MURK_FLAG(fields, "determined", "", "true if the data tell of it",
+    MURK_FLAG(fields, "determined", "true if the data tell of it",
               i < c->determined);
     MURK_JSON(fields, "direction", "",
               "by key; of positive keys, of the logarithm",
@@ -92,7 +91,7 @@ static void list_direction(murk_results_fields *fields, const void *of,
 static void list_identifiability(murk_results_fields *fields, const void *of)
 {
     const murk_fit_facts *f = of;
-    MURK_COUNT(fields, "determined", "", "directions that are known",
+    MURK_COUNT(fields, "determined", "directions that are known",
                f->found->certainty.determined);
     MURK_LIST(fields, "directions", "from the best known on", list_direction, f,
               f->found->certainty.directions);
@@ -106,10 +105,9 @@ static void list_start(murk_results_fields *fields, const void *of, size_t i)
     MURK_JSON(fields, "to", "", "by key",
               by_key(f, isnan(start->chi2) ? NULL : start->to));
     MURK_NUMBER(fields, "chi2", "", "at the end", start->chi2);
-    MURK_FLAG(fields, "converged", "", "true if the search did",
-              start->converged);
-    MURK_TEXT(fields, "why", "", "the search ended", start->why);
-    MURK_COUNT(fields, "traces", "",
+    MURK_FLAG(fields, "converged", "true if the search did", start->converged);
+    MURK_TEXT(fields, "why", "the search ended", start->why);
+    MURK_COUNT(fields, "traces",
                "lights traced; 0: on the light of the start before",
                start->traces);
 }
@@ -142,12 +140,11 @@ static void list_next(murk_results_fields *fields, const void *of)
 {
     const murk_fit_facts *f = of;
     const murk_next *next = f ? f->next : NULL;
-    MURK_TEXT(fields, "kind", "",
-              "coverage, fluence, irradiance or transmittance",
+    MURK_TEXT(fields, "kind", "coverage, fluence, irradiance or transmittance",
               murk_reading_kinds[next->kind]);
-    MURK_TEXT(fields, "unit", "", "of the reading",
+    MURK_TEXT(fields, "unit", "of the reading",
               murk_reading_unit_name(next->unit));
-    MURK_TEXT(fields, "condition", "", "of the reading",
+    MURK_TEXT(fields, "condition", "of the reading",
               condition_of(f->scene, next->condition));
     if (MURK_LISTED_IF(fields, next->kind == MURK_READ_IRRADIANCE)) {
         MURK_VECTOR(fields, "direction", "", "the irradiated face looks to",
@@ -160,8 +157,8 @@ static void list_next(murk_results_fields *fields, const void *of)
     }
     MURK_NUMBER(fields, "relative_error", "1", "of a reading",
                 next->relative_error);
-    MURK_COUNT(fields, "candidates", "", "places looked at", next->candidates);
-    MURK_COUNT(fields, "judged", "", "places that were compared", next->judged);
+    MURK_COUNT(fields, "candidates", "places looked at", next->candidates);
+    MURK_COUNT(fields, "judged", "places that were compared", next->judged);
     MURK_LIST(fields, "places", "the best, in order", list_next_place, f,
               next->n);
     MURK_JSON(fields, "standard_errors_with_all", "",
@@ -172,16 +169,16 @@ static void list_next(murk_results_fields *fields, const void *of)
 static void list_data(murk_results_fields *fields, const void *of)
 {
     const murk_fit_facts *f = of;
-    MURK_TEXT(fields, "file", "", "of --data", f->measured->path);
-    MURK_TEXT(fields, "sha256", "", "of the file", f->measured->sha256);
-    MURK_COUNT(fields, "rows", "", "of the file", f->measured->rows);
-    MURK_COUNT(fields, "photons", "", "of each light", f->found->photons);
+    MURK_TEXT(fields, "file", "of --data", f->measured->path);
+    MURK_TEXT(fields, "sha256", "of the file", f->measured->sha256);
+    MURK_COUNT(fields, "rows", "of the file", f->measured->rows);
+    MURK_COUNT(fields, "photons", "of each light", f->found->photons);
 }
 
 static void list_held_out(murk_results_fields *fields, const void *of)
 {
     const murk_calibration *c = of;
-    MURK_COUNT(fields, "rows", "", "that were not fitted", c->held_out);
+    MURK_COUNT(fields, "rows", "that were not fitted", c->held_out);
     MURK_NUMBER(fields, "rms", "", "residual in the rows' unit",
                 c->held_out_rms);
     MURK_NUMBER(fields, "rms_in_standard_errors", "1", "residual",
@@ -192,7 +189,7 @@ static void list_held_out(murk_results_fields *fields, const void *of)
 static void list_verdict(murk_results_fields *fields, const murk_calibration *c)
 {
     if (MURK_LISTED_IF(fields, !isnan(c->p_value))) {
-        MURK_FLAG(fields, "accepted", "",
+        MURK_FLAG(fields, "accepted",
                   "false: chi-squared refuses the model (p_value below "
                   "1e-4), so the values are not to be used; null: no more "
                   "readings than values",
@@ -200,7 +197,7 @@ static void list_verdict(murk_results_fields *fields, const murk_calibration *c)
     } else {
         MURK_NULL(fields, "accepted", "", "");
     }
-    MURK_TEXT(fields, "verdict", "",
+    MURK_TEXT(fields, "verdict",
               "whether the model fits, and which parameters the data do not "
               "determine, in words",
               c->verdict);
@@ -222,11 +219,10 @@ static void list_search(murk_results_fields *fields, const murk_calibration *c)
                 c->chi2);
     MURK_NUMBER(fields, "degrees_of_freedom", "", "of chi2",
                 (double)c->degrees_of_freedom);
-    MURK_FLAG(fields, "converged", "", "true if the search did", c->converged);
-    MURK_TEXT(fields, "why", "", "the search ended", c->why);
-    MURK_COUNT(fields, "iterations", "", "of the search",
-               (uint64_t)c->iterations);
-    MURK_COUNT(fields, "evaluations", "", "of the model", c->evaluations);
+    MURK_FLAG(fields, "converged", "true if the search did", c->converged);
+    MURK_TEXT(fields, "why", "the search ended", c->why);
+    MURK_COUNT(fields, "iterations", "of the search", (uint64_t)c->iterations);
+    MURK_COUNT(fields, "evaluations", "of the model", c->evaluations);
 }
 
 void murk_results_list_fit(murk_results_fields *fields, const void *of)
@@ -244,7 +240,7 @@ void murk_results_list_fit(murk_results_fields *fields, const void *of)
     if (fits) {
         list_search(fields, c);
     }
-    MURK_COUNT(fields, "traces", "", "lights traced", c->traces);
+    MURK_COUNT(fields, "traces", "lights traced", c->traces);
     MURK_NUMBER(fields, "effective_share", "1",
                 "effective sample of the re-weighted light over its photons",
                 c->effective_share);
@@ -288,20 +284,19 @@ void murk_results_list_fit_row(murk_results_fields *fields, const void *of,
     const murk_reading *r =
         f ? &f->measured->reading[f->measured->row[i].first] : NULL;
     const murk_calibrated_row *c = f ? &f->found->row[i] : NULL;
-    MURK_COUNT(fields, "line", "", "of the data", r->line);
-    MURK_TEXT(fields, "kind", "",
-              "coverage, fluence, irradiance or transmittance",
+    MURK_COUNT(fields, "line", "of the data", r->line);
+    MURK_TEXT(fields, "kind", "coverage, fluence, irradiance or transmittance",
               murk_reading_kinds[r->kind]);
-    MURK_TEXT(fields, "condition", "", "of the reading",
+    MURK_TEXT(fields, "condition", "of the reading",
               condition_of(f->scene, r->condition));
-    MURK_TEXT(fields, "group", "", "of readings", f->measured->group[i]);
+    MURK_TEXT(fields, "group", "of readings", f->measured->group[i]);
     MURK_NUMBER(fields, "x_m", "m", "place", position_of(f, r).x);
     MURK_NUMBER(fields, "y_m", "m", "place", position_of(f, r).y);
     MURK_NUMBER(fields, "z_m", "m", "place", position_of(f, r).z);
     MURK_NUMBER(fields, "band_nm", "nm", "of the reading",
                 r->band < 0 ? NAN : f->scene->band_nm[r->band]);
-    MURK_TEXT(fields, "unit", "", "of value", murk_reading_unit_name(r->unit));
-    MURK_TEXT(fields, "use", "", "fit or hold_out",
+    MURK_TEXT(fields, "unit", "of value", murk_reading_unit_name(r->unit));
+    MURK_TEXT(fields, "use", "fit or hold_out",
               r->is_held_out ? "hold_out" : "fit");
     MURK_NUMBER(fields, "value", "", "reading", r->value);
     MURK_NUMBER(fields, "standard_error", "", "of value", r->standard_error);

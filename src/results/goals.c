@@ -14,14 +14,13 @@ static murk_estimate held_out_of(const murk_sensor_results *s, size_t i)
 static void list_region(murk_results_fields *f, const void *of, size_t i)
 {
     const murk_sensor_results *s = of;
-    MURK_TEXT(f, "name", "", "of the region",
-              s->scene->placement.interest[i].name);
+    MURK_TEXT(f, "name", "of the region", s->scene->placement.interest[i].name);
     MURK_NUMBER(f, "weight", "1", "of what lies in the region",
                 s->scene->placement.interest[i].weight);
     MURK_COUNT(f,
                s && s->scene->placement.targets.given ? "targets"
                                                       : "stored_photons",
-               "", "in the region; named targets if targets are given",
+               "in the region; named targets if targets are given",
                s->coverage->region[i].photons);
     MURK_NUMBER(f, "coverage", "1", "of the region, in sample",
                 s->coverage->region[i].coverage.value);
@@ -74,11 +73,11 @@ void murk_print_regions(const murk_sensor_results *sensors)
 static void list_targets(murk_results_fields *f, const void *of)
 {
     const murk_target_results *t = of;
-    MURK_FLAG(f, "listed", "", "true if a file lists the points",
+    MURK_FLAG(f, "listed", "true if a file lists the points",
               t->scene->placement.targets.points != NULL);
-    MURK_COUNT(f, "points", "", "all targets", t->facts->points);
-    MURK_COUNT(f, "surface", "", "on surfaces", t->facts->surface);
-    MURK_COUNT(f, "volume", "", "in the volume", t->facts->volume);
+    MURK_COUNT(f, "points", "all targets", t->facts->points);
+    MURK_COUNT(f, "surface", "on surfaces", t->facts->surface);
+    MURK_COUNT(f, "volume", "in the volume", t->facts->volume);
     MURK_ESTIMATE(f, "area_m2", "m2", "surfaces that targets stand for",
                   t->facts->area_m2);
     MURK_ESTIMATE(f, "volume_m3", "m3", "free space that targets stand for",

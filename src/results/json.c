@@ -51,17 +51,16 @@ static void list_packages(murk_results_fields *f, const void *of)
 {
     (void)of;
     for (size_t i = 0; i < murk_packages_count; ++i) {
-        MURK_TEXT(f, murk_packages[i].name, "", "version",
+        MURK_TEXT(f, murk_packages[i].name, "version",
                   murk_packages[i].version);
     }
 }
 
 static void list_program(murk_results_fields *f, const void *of)
 {
-    MURK_TEXT(f, "version", "", "version of murk", MURK_VERSION);
-    MURK_TEXT(f, "commit", "", "that murk was built from",
-              murk_version_commit());
-    MURK_TEXT(f, "compiler", "", "with version", murk_version_compiler());
+    MURK_TEXT(f, "version", "version of murk", MURK_VERSION);
+    MURK_TEXT(f, "commit", "that murk was built from", murk_version_commit());
+    MURK_TEXT(f, "compiler", "with version", murk_version_compiler());
     MURK_OBJECT(f, "packages", "that murk was built with", list_packages, of);
 }
 
@@ -76,10 +75,9 @@ void murk_results_list_every(murk_results_fields *f, const void *of)
 {
     const murk_scene_desc *scene = of;
     murk_results_list_murk(f, NULL);
-    MURK_TEXT(f, "scene", "", "the scene file as named", scene->path);
-    MURK_TEXT(f, "scene_sha256", "", "of the scene file's bytes",
-              scene->sha256);
-    MURK_COUNT(f, "seed", "", "of all random numbers", scene->seed);
+    MURK_TEXT(f, "scene", "the scene file as named", scene->path);
+    MURK_TEXT(f, "scene_sha256", "of the scene file's bytes", scene->sha256);
+    MURK_COUNT(f, "seed", "of all random numbers", scene->seed);
 }
 
 void murk_results_list_head(murk_results_fields *f,

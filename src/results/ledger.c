@@ -94,7 +94,7 @@ static void list_lost(murk_results_fields *f, const void *of)
         [MURK_LOSS_NUMERICAL] = "could not be followed"};
     const murk_ledger *ledger = of;
     for (int i = 0; i < MURK_LOSSES; ++i) {
-        MURK_COUNT(f, cause[i], "", help[i],
+        MURK_COUNT(f, cause[i], help[i],
                    (uint64_t)murk_tally_read(&ledger->lost_photons[i]));
     }
 }
@@ -130,9 +130,9 @@ void murk_results_list_ledger(murk_results_fields *f, const void *of)
               absorbed_json(l, false));
     MURK_JSON(f, "absorbed_by_medium_w", "W", "by name, each total and bands",
               absorbed_json(l, true));
-    MURK_COUNT(f, "photons_emitted", "", "emitted photons",
+    MURK_COUNT(f, "photons_emitted", "emitted photons",
                (uint64_t)murk_tally_read(&ledger->photons));
-    MURK_COUNT(f, "collisions", "", "real collisions in media",
+    MURK_COUNT(f, "collisions", "real collisions in media",
                (uint64_t)murk_tally_read(&ledger->collisions));
     MURK_OBJECT(f, "lost",
                 "photons dropped, by cause; more than 1 % refuse the "

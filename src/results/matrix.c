@@ -25,13 +25,13 @@ static double as_given(const murk_matrix_plan *p, uint64_t value)
 static void list_matrix(murk_results_fields *f, const void *of)
 {
     const murk_matrix_plan *p = of;
-    MURK_TEXT(f, "file", "", "as named", p->file);
-    MURK_TEXT(f, "sha256", "", "of the file", p->matrix->sha256);
-    MURK_TEXT(f, "format", "", "dense CSV, sparse CSV or OR-Library text",
+    MURK_TEXT(f, "file", "as named", p->file);
+    MURK_TEXT(f, "sha256", "of the file", p->matrix->sha256);
+    MURK_TEXT(f, "format", "dense CSV, sparse CSV or OR-Library text",
               format_name(p->matrix->format));
-    MURK_COUNT(f, "rows", "", "of the matrix", p->matrix->rows);
-    MURK_COUNT(f, "columns", "", "of the matrix", p->matrix->columns);
-    MURK_COUNT(f, "entries", "", "other than 0",
+    MURK_COUNT(f, "rows", "of the matrix", p->matrix->rows);
+    MURK_COUNT(f, "columns", "of the matrix", p->matrix->columns);
+    MURK_COUNT(f, "entries", "other than 0",
                murk_sparse_matrix_entries(p->matrix));
     MURK_NUMBER(f, "weight", "", "of all rows", as_given(p, p->place.whole));
     MURK_NUMBER(f, "covered", "", "weight that the columns cover",
@@ -59,10 +59,10 @@ static void list_photons(murk_results_fields *f, const void *of)
 static void list_candidates(murk_results_fields *f, const void *of)
 {
     const murk_matrix_plan *p = of;
-    MURK_COUNT(f, "asked", "", "columns", p->matrix->columns);
-    MURK_COUNT(f, "usable", "", "columns", p->matrix->columns);
+    MURK_COUNT(f, "asked", "columns", p->matrix->columns);
+    MURK_COUNT(f, "usable", "columns", p->matrix->columns);
     MURK_NULL(f, "doubtful", "", "null");
-    MURK_COUNT(f, "after_presolve", "", "columns that no other dominates",
+    MURK_COUNT(f, "after_presolve", "columns that no other dominates",
                p->place.after_presolve);
 }
 
@@ -73,8 +73,8 @@ static void list_column(murk_results_fields *f, const void *of, size_t k)
     const murk_matrix_plan *p = of;
     const size_t column = p ? p->place.sensor[k] : 0;
     list_nulls(f, none, sizeof none / sizeof *none);
-    MURK_COUNT(f, "column", "", "of the matrix, from 1", column + 1);
-    MURK_TEXT(f, "name", "", "of the column",
+    MURK_COUNT(f, "column", "of the matrix, from 1", column + 1);
+    MURK_TEXT(f, "name", "of the column",
               p->matrix->name ? p->matrix->name[column] : NULL);
     MURK_NUMBER(f, "cost", "", "of the column",
                 p->matrix->cost ? p->matrix->cost[column] : NAN);
@@ -114,7 +114,7 @@ static void list_target(murk_results_fields *f, const void *of)
 {
     const murk_matrix_plan *p = of;
     MURK_NUMBER(f, "asked", "1", "the target", p->target);
-    MURK_COUNT(f, "fewest_possible", "", "no fewer columns reach the target",
+    MURK_COUNT(f, "fewest_possible", "no fewer columns reach the target",
                p->place.fewest);
     MURK_NULL(f, "confirmed", "", "null");
     MURK_NULL(f, "confirmed_standard_error", "", "null");
@@ -127,18 +127,17 @@ static void list_placement(murk_results_fields *f, const void *of)
                                          "sightlines_blocked_by_interfaces",
                                          "sightlines_totally_reflected"};
     const murk_matrix_plan *p = of;
-    MURK_TEXT(f, "method", "", "a word of placement.method",
+    MURK_TEXT(f, "method", "a word of placement.method",
               murk_place_method_name(p->desc.method));
-    MURK_TEXT(f, "detection", "", "a word of placement.detection",
+    MURK_TEXT(f, "detection", "a word of placement.detection",
               murk_detection_name(p->detection));
     MURK_NULL(f, "threshold", "", "null");
-    MURK_COUNT(f, "redundancy", "", "columns that count for a row",
-               p->redundancy);
+    MURK_COUNT(f, "redundancy", "columns that count for a row", p->redundancy);
     list_nulls(f, before, 2);
-    MURK_TEXT(f, "knowledge", "", "known", "known");
-    MURK_COUNT(f, "restarts", "", "starts asked for", p->desc.restarts);
-    MURK_COUNT(f, "starts", "", "starts made", p->place.restarts);
-    MURK_COUNT(f, "evaluations", "", "of plans", p->place.evaluations);
+    MURK_TEXT(f, "knowledge", "known", "known");
+    MURK_COUNT(f, "restarts", "starts asked for", p->desc.restarts);
+    MURK_COUNT(f, "starts", "starts made", p->place.restarts);
+    MURK_COUNT(f, "evaluations", "of plans", p->place.evaluations);
     list_nulls(f, behind, sizeof behind / sizeof *behind);
     murk_results_list_cut(f, p ? &p->place : NULL);
 }
@@ -153,7 +152,7 @@ void murk_results_list_matrix_plan(murk_results_fields *f, const void *of)
         murk_results_list_murk(f, NULL);
     }
     list_nulls(f, scene, 2);
-    MURK_COUNT(f, "seed", "", "of all random numbers", p->desc.seed);
+    MURK_COUNT(f, "seed", "of all random numbers", p->desc.seed);
     MURK_OBJECT(f, "matrix", "with --matrix", list_matrix, p);
     MURK_OBJECT(f, "photons", "nulls", list_photons, p);
     MURK_OBJECT(f, "candidates", "the columns", list_candidates, p);

@@ -117,8 +117,8 @@ void murk_results_list_use(murk_results_fields *f, const void *of, size_t i)
     const murk_condition_plans *over = of;
     const size_t n = over ? over->conditions->n : 1, c = i % n;
     const murk_condition_plan *plan = over ? &over->plan[i / n] : NULL;
-    MURK_TEXT(f, "made_for", "", "condition, or a plan's name", plan->made_for);
-    MURK_TEXT(f, "used_in", "", "condition",
+    MURK_TEXT(f, "made_for", "condition, or a plan's name", plan->made_for);
+    MURK_TEXT(f, "used_in", "condition",
               over->conditions->condition[c].settings->name);
     MURK_ROUNDED(f, "in_sample", "1", "coverage there",
                  plan->in_sample[c].value, DIGITS);
@@ -172,9 +172,9 @@ void murk_results_list_over_photons(murk_results_fields *f, const void *of)
         surface += murk_photon_map_count(traced->surface);
         volume += murk_photon_map_count(traced->volume);
     }
-    MURK_COUNT(f, "emitted", "", "in all conditions", emitted);
-    MURK_COUNT(f, "surface", "", "in all conditions", surface);
-    MURK_COUNT(f, "volume", "", "in all conditions", volume);
+    MURK_COUNT(f, "emitted", "in all conditions", emitted);
+    MURK_COUNT(f, "surface", "in all conditions", surface);
+    MURK_COUNT(f, "volume", "in all conditions", volume);
 }
 
 static const murk_estimate NONE = {NAN, NAN};
@@ -186,7 +186,7 @@ static void list_condition(murk_results_fields *f, const void *of, size_t c)
     const murk_condition *condition =
         over ? &over->conditions->condition[c] : NULL;
     const bool is_dark = over && c >= over->conditions->n;
-    MURK_TEXT(f, "name", "", "of the condition", condition->settings->name);
+    MURK_TEXT(f, "name", "of the condition", condition->settings->name);
     MURK_NUMBER(f, "weight", "1", "in the mean", condition->settings->weight);
     MURK_OBJECT(f, "photons", "photons of the condition's light",
                 murk_results_list_photons, condition->traced);
@@ -261,7 +261,7 @@ static void list_made(murk_results_fields *f, const void *of, size_t i)
 {
     const murk_condition_plans *over = of;
     const murk_condition_plan *plan = over ? &over->plan[i] : NULL;
-    MURK_TEXT(f, "made_for", "", "condition, or a plan's name", plan->made_for);
+    MURK_TEXT(f, "made_for", "condition, or a plan's name", plan->made_for);
     MURK_JSON(f, "positions_m", "m", "of the sensors",
               positions_of(over, plan));
     MURK_JSON(f, "coverage", "1", "in each condition",
@@ -285,7 +285,7 @@ static double lit(const murk_condition_plans *over, double value)
 static void list_largest(murk_results_fields *f,
                          const murk_condition_plans *over)
 {
-    MURK_TEXT(f, "measure", "", "absolute or relative",
+    MURK_TEXT(f, "measure", "absolute or relative",
               over->conditions->scene->placement.relative_regret ? "relative"
                                                                  : "absolute");
     MURK_NUMBER(f, "largest", "1",
@@ -308,7 +308,7 @@ static void list_largest(murk_results_fields *f,
 static void list_regret(murk_results_fields *f, const void *of)
 {
     const murk_condition_plans *over = of;
-    MURK_FLAG(f, "held_out", "", "true if measured on second maps",
+    MURK_FLAG(f, "held_out", "true if measured on second maps",
               over->has_held_out);
     if (MURK_LISTED_IF(f, over->conditions->scene->placement.over ==
                               MURK_SCENE_OBJECTIVE_REGRET)) {
@@ -331,11 +331,11 @@ static const char *worst_of(const murk_condition_plans *over)
 void murk_results_list_over(murk_results_fields *f, const void *of)
 {
     const murk_condition_plans *over = of;
-    MURK_TEXT(f, "over", "", "over conditions: mean, worst or regret",
+    MURK_TEXT(f, "over", "over conditions: mean, worst or regret",
               murk_scene_word("placement.over",
                               (int)over->conditions->scene->placement.over));
-    MURK_TEXT(f, "worst_condition", "",
-              "covered least, or with the largest regret", worst_of(over));
+    MURK_TEXT(f, "worst_condition", "covered least, or with the largest regret",
+              worst_of(over));
     MURK_LIST(f, "conditions", "the conditions, dark ones last", list_condition,
               over, over->conditions->n + over->conditions->dark);
     MURK_OBJECT(f, "regret", "coverage of each plan in each condition",

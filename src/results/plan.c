@@ -29,17 +29,16 @@ static void list_bound(murk_results_fields *f, const void *of)
                 place->upper || !place->whole
                     ? murk_share(place->upper - place->value, place->upper)
                     : 0);
-    MURK_FLAG(f, "proven_optimal", "",
-              "true if no plan is better on this sample",
+    MURK_FLAG(f, "proven_optimal", "true if no plan is better on this sample",
               place->proven_optimal);
-    MURK_TEXT(f, "guarantee", "", "of the method, before it is run",
+    MURK_TEXT(f, "guarantee", "of the method, before it is run",
               place->guarantee);
 }
 
 static void list_point(murk_results_fields *f, const void *of, size_t i)
 {
     const murk_place_result *place = of;
-    MURK_COUNT(f, "count", "", "sensors", place->curve[i].count);
+    MURK_COUNT(f, "count", "sensors", place->curve[i].count);
     MURK_NUMBER(f, "coverage", "1", "of the plan of so many",
                 murk_share(place->curve[i].value, place->whole));
     MURK_NUMBER(f, "upper", "1", "bound on such plans",
@@ -58,8 +57,8 @@ void murk_results_list_bound(murk_results_fields *f, const void *of)
 void murk_results_list_cut(murk_results_fields *f, const void *of)
 {
     const murk_place_result *place = of;
-    MURK_COUNT(f, "nodes", "", "of branch and bound", place->nodes);
-    MURK_TEXT(f, "cut_by", "",
+    MURK_COUNT(f, "nodes", "of branch and bound", place->nodes);
+    MURK_TEXT(f, "cut_by",
               "null, or the limit that ended the search: nodes (of branch "
               "and bound, over all counts together) or work",
               place->is_cut        ? "nodes"
@@ -81,9 +80,9 @@ static void list_candidates(murk_results_fields *f, const void *of)
 {
     const murk_plan_result *plan = of;
     murk_results_list_candidates(f, plan ? plan->candidates : NULL);
-    MURK_COUNT(f, "poses", "", "candidates with heading and tilt",
+    MURK_COUNT(f, "poses", "candidates with heading and tilt",
                plan->poses->count);
-    MURK_COUNT(f, "after_presolve", "", "candidates that no other dominates",
+    MURK_COUNT(f, "after_presolve", "candidates that no other dominates",
                plan->place.after_presolve);
 }
 
@@ -124,14 +123,14 @@ static void list_coverage(murk_results_fields *f, const void *of)
 static void list_strict(murk_results_fields *f, const murk_plan_results *r)
 {
     const murk_plan_result *plan = r ? r->plan : NULL;
-    MURK_COUNT(f, "at_least", "", "sensors that see each photon",
+    MURK_COUNT(f, "at_least", "sensors that see each photon",
                murk_plan_at_least(r->session->scene));
     MURK_ESTIMATE(f, "reached", "1", "share so seen, in sample",
                   plan->is_dark ? (murk_estimate){NAN, NAN}
                                 : plan->in_sample.at_least);
     MURK_NUMBER(f, "ceiling", "1", "share so seen by all candidates",
                 ceiling_of(&plan->place));
-    MURK_FLAG(f, "proven_fewest", "", "true if fewest_possible is met",
+    MURK_FLAG(f, "proven_fewest", "true if fewest_possible is met",
               !plan->is_dark && plan->place.count <= plan->place.fewest);
 }
 
@@ -155,11 +154,11 @@ static void list_placement(murk_results_fields *f, const void *of)
     const murk_plan_result *plan = r ? r->plan : NULL;
     const murk_scene_placement *asked =
         r ? &r->session->scene->placement : NULL;
-    MURK_TEXT(f, "method", "", "a word of placement.method",
+    MURK_TEXT(f, "method", "a word of placement.method",
               asked->knowledge == MURK_SCENE_EXPLORE
                   ? "greedy"
                   : murk_place_method_name(asked->method));
-    MURK_TEXT(f, "detection", "", "a word of placement.detection",
+    MURK_TEXT(f, "detection", "a word of placement.detection",
               murk_detection_name(asked->detection));
     MURK_NUMBER(
         f, "threshold", "1", "of detection: threshold",
@@ -170,23 +169,23 @@ static void list_placement(murk_results_fields *f, const void *of)
                 plan->power_radius_m > 0 ? plan->power_radius_m : NAN);
     MURK_NUMBER(f, "power_neighbours", "", "of detection: power",
                 plan->power_neighbours ? (double)plan->power_neighbours : NAN);
-    MURK_COUNT(f, "redundancy", "", "sensors that count for a photon",
+    MURK_COUNT(f, "redundancy", "sensors that count for a photon",
                asked->redundancy);
-    MURK_TEXT(f, "visibility", "", "ray or normal",
+    MURK_TEXT(f, "visibility", "ray or normal",
               asked->by_normal ? "normal" : "ray");
-    MURK_TEXT(f, "through", "", "a word of placement.through",
+    MURK_TEXT(f, "through", "a word of placement.through",
               murk_scene_word("placement.through", (int)asked->through));
-    MURK_TEXT(f, "knowledge", "", "a word of placement.knowledge",
+    MURK_TEXT(f, "knowledge", "a word of placement.knowledge",
               murk_scene_word("placement.knowledge", (int)asked->knowledge));
-    MURK_COUNT(f, "restarts", "", "starts asked for", asked->restarts);
-    MURK_COUNT(f, "starts", "", "starts made", plan->place.restarts);
-    MURK_COUNT(f, "evaluations", "", "of plans", plan->place.evaluations);
-    MURK_COUNT(f, "queries", "", "of the maps", plan->queries);
-    MURK_COUNT(f, "shadow_rays", "", "sightlines followed", plan->shadow_rays);
-    MURK_COUNT(f, "sightlines_blocked_by_interfaces", "",
+    MURK_COUNT(f, "restarts", "starts asked for", asked->restarts);
+    MURK_COUNT(f, "starts", "starts made", plan->place.restarts);
+    MURK_COUNT(f, "evaluations", "of plans", plan->place.evaluations);
+    MURK_COUNT(f, "queries", "of the maps", plan->queries);
+    MURK_COUNT(f, "shadow_rays", "sightlines followed", plan->shadow_rays);
+    MURK_COUNT(f, "sightlines_blocked_by_interfaces",
                "sightlines that end at an interface",
                plan->blocked_by_interfaces);
-    MURK_COUNT(f, "sightlines_totally_reflected", "",
+    MURK_COUNT(f, "sightlines_totally_reflected",
                "sightlines that no refracted way joins",
                plan->totally_reflected);
     murk_results_list_cut(f, plan ? &plan->place : NULL);

@@ -45,7 +45,7 @@ static void list_gap(murk_results_fields *f, const void *of)
     MURK_NUMBER(f, "lower", "1", "confidence limit", gap->lower);
     MURK_NUMBER(f, "upper", "1", "confidence limit", gap->upper);
     MURK_NUMBER(f, "confidence", "1", "of the limits", CONFIDENCE);
-    MURK_COUNT(f, "runs", "", "that tell of the gap", gap->runs);
+    MURK_COUNT(f, "runs", "that tell of the gap", gap->runs);
 }
 
 void murk_results_list_repeat(murk_results_fields *f, const void *of)
@@ -53,9 +53,9 @@ void murk_results_list_repeat(murk_results_fields *f, const void *of)
     const murk_repeat_results *r = of;
     const murk_repeat *repeat = r ? r->repeat : NULL;
     const murk_repeat_summary *s = r ? &r->summary : NULL;
-    MURK_COUNT(f, "asked", "", "runs asked for", repeat->asked);
-    MURK_COUNT(f, "runs", "", "runs that were finished", repeat->runs);
-    MURK_COUNT(f, "first_seed", "", "of the runs", repeat->run[0].seed);
+    MURK_COUNT(f, "asked", "runs asked for", repeat->asked);
+    MURK_COUNT(f, "runs", "runs that were finished", repeat->runs);
+    MURK_COUNT(f, "first_seed", "of the runs", repeat->run[0].seed);
     MURK_OBJECT(f, "sensors", "how many", list_spread, &s->sensors);
     MURK_OBJECT(f, "in_sample", "coverage in sample", list_spread,
                 &s->in_sample);
@@ -77,14 +77,14 @@ void murk_results_list_run(murk_results_fields *f, const void *of, size_t i)
 {
     const murk_repeat *repeat = of;
     const murk_repeat_run *run = repeat ? &repeat->run[i] : NULL;
-    MURK_COUNT(f, "seed", "", "of the run", run->seed);
-    MURK_COUNT(f, "sensors", "", "of the run's plan", run->sensors);
+    MURK_COUNT(f, "seed", "of the run", run->seed);
+    MURK_COUNT(f, "sensors", "of the run's plan", run->sensors);
     MURK_NUMBER(f, "in_sample", "1", "coverage of the run's plan",
                 run->in_sample);
     MURK_ESTIMATE(f, "held_out", "1",
                   "coverage of the run's plan on a second map", run->held_out);
     MURK_NUMBER(f, "upper", "1", "the run's bound", run->upper);
-    MURK_FLAG(f, "proven_optimal", "", "true if the bound is met",
+    MURK_FLAG(f, "proven_optimal", "true if the bound is met",
               run->proven_optimal);
     MURK_ESTIMATE(f, "plan", "1",
                   "coverage of the first run's plan on this map", run->plan);

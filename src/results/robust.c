@@ -17,7 +17,7 @@ static double asked_deg(const murk_scene_desc *scene)
 static void list_without(murk_results_fields *f, const void *of, size_t i)
 {
     const murk_robust *r = of;
-    MURK_COUNT(f, "sensor", "", "number, from 1", i + 1);
+    MURK_COUNT(f, "sensor", "number, from 1", i + 1);
     MURK_NUMBER(f, "in_sample", "1", "coverage without the sensor",
                 r->without[i]);
     MURK_NUMBER(f, "held_out", "1", "the same on a second map",
@@ -46,8 +46,8 @@ static void list_jitter(murk_results_fields *f, const void *of)
                 r->scene->placement.jitter_m);
     MURK_NUMBER(f, "jitter_deg", "degrees", "largest turn",
                 asked_deg(r->scene));
-    MURK_COUNT(f, "draws", "", "displaced plans", j->draws);
-    MURK_TEXT(f, "measured", "", "held_out or in_sample",
+    MURK_COUNT(f, "draws", "displaced plans", j->draws);
+    MURK_TEXT(f, "measured", "held_out or in_sample",
               j->on_held_out ? "held_out" : "in_sample");
     MURK_NUMBER(f, "as_planned", "1", "coverage without displacement",
                 j->as_planned);
@@ -58,15 +58,15 @@ static void list_jitter(murk_results_fields *f, const void *of)
                 "lower 95 % confidence limit of quantile_5", j->quantile_lower);
     MURK_NUMBER(f, "quantile_5_upper", "1",
                 "upper 95 % confidence limit of quantile_5", j->quantile_upper);
-    MURK_COUNT(f, "unmoved", "", "displacements that found no free place",
+    MURK_COUNT(f, "unmoved", "displacements that found no free place",
                j->unmoved);
 }
 
 static void list_link(murk_results_fields *f, const void *of, size_t i)
 {
     const murk_links *links = of;
-    MURK_COUNT(f, "from", "", "sensor, from 1", links->link[i].from + 1);
-    MURK_COUNT(f, "to", "", "sensor, from 1", links->link[i].to + 1);
+    MURK_COUNT(f, "from", "sensor, from 1", links->link[i].from + 1);
+    MURK_COUNT(f, "to", "sensor, from 1", links->link[i].to + 1);
     MURK_NUMBER(f, "length_m", "m", "distance", links->link[i].length_m);
 }
 

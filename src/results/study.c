@@ -135,7 +135,7 @@ static void list_axis(murk_results_fields *f, const void *of, size_t a)
 {
     const murk_study_axis *axis =
         of ? &((const murk_study_file *)of)->axis[a] : NULL;
-    MURK_TEXT(f, "key", "", "of the scene", axis->name);
+    MURK_TEXT(f, "key", "of the scene", axis->name);
     MURK_JSON(
         f, "values", "", "as given",
         cJSON_CreateStringArray((const char *const *)axis->text, (int)axis->n));
@@ -158,7 +158,7 @@ static void list_sensor(murk_results_fields *f, const void *of, size_t i)
 {
     const murk_study_row *row = of;
     const murk_study_sensor *sensor = row ? &row->sensor[i] : NULL;
-    MURK_TEXT(f, "type", "", "name of the sensor type", sensor->type);
+    MURK_TEXT(f, "type", "name of the sensor type", sensor->type);
     MURK_VECTOR(f, "position_m", "m", "position", sensor->position);
     MURK_NUMBER(f, "heading_deg", "degrees", "clockwise from north",
                 sensor->heading_deg);
@@ -200,18 +200,17 @@ static void list_row(murk_results_fields *f, const void *of, size_t k)
     const done_rows *done = of;
     const size_t i = done ? done->row[k] : 0;
     const murk_sweep_row *row = done ? &done->sweep->row[i] : NULL;
-    MURK_COUNT(f, "row", "", "number, from 1", i + 1);
+    MURK_COUNT(f, "row", "number, from 1", i + 1);
     MURK_JSON(f, "axes", "", "value of each axis, by key",
               axes_json(done->sweep->desc.study, i));
     MURK_JSON(f, "values", "", "by name, each value, standard_error, unit",
               values_json(&row->found));
     list_sensors(f, row ? &row->found : NULL);
-    MURK_COUNT(f, "photons_emitted", "", "emitted photons", row->found.emitted);
+    MURK_COUNT(f, "photons_emitted", "emitted photons", row->found.emitted);
     MURK_NUMBER(f, "light", "", "number of the light that rows share",
                 row->group == SIZE_MAX ? NAN : (double)(row->group + 1));
-    MURK_TEXT(f, "note", "", "null, or notes on the row",
-              or_null(row->found.note));
-    MURK_TEXT(f, "failed", "", "null, or the reason of the failure",
+    MURK_TEXT(f, "note", "null, or notes on the row", or_null(row->found.note));
+    MURK_TEXT(f, "failed", "null, or the reason of the failure",
               or_null(row->found.failed));
 }
 
@@ -229,10 +228,10 @@ static void list_light(murk_results_fields *f, const void *of, size_t g)
 {
     const murk_sweep *sweep = of;
     const murk_sweep_group *group = sweep ? &sweep->group[g] : NULL;
-    MURK_COUNT(f, "light", "", "number, from 1", g + 1);
+    MURK_COUNT(f, "light", "number, from 1", g + 1);
     MURK_JSON(f, "rows", "", "that share the traced light",
               numbers_json(group->row, group->n));
-    MURK_COUNT(f, "scaled_lights", "", "light sources whose powers rows scale",
+    MURK_COUNT(f, "scaled_lights", "light sources whose powers rows scale",
                group->lights);
 }
 
@@ -273,7 +272,7 @@ static void list_plan(murk_results_fields *f, const void *of)
                 value_of(&plan->found, "upper_bound"));
     MURK_JSON(f, "chosen_for_rows", "", "numbers, from 1",
               numbers_json(sweep->chooser, sweep->choosers));
-    MURK_TEXT(f, "failed", "", "null, or the reason of the failure",
+    MURK_TEXT(f, "failed", "null, or the reason of the failure",
               or_null(plan->found.failed));
 }
 
@@ -302,8 +301,8 @@ static void list_run(murk_results_fields *f, const void *of)
     for (size_t i = 0; sweep && i < sweep->desc.study->rows; ++i) {
         kept += sweep->row[i].is_reused;
     }
-    MURK_COUNT(f, "lights_traced", "", "by this run", traced);
-    MURK_COUNT(f, "rows_kept", "", "from earlier runs", kept);
+    MURK_COUNT(f, "lights_traced", "by this run", traced);
+    MURK_COUNT(f, "rows_kept", "from earlier runs", kept);
 }
 
 typedef struct study_results {
@@ -319,19 +318,18 @@ void murk_results_list_study(murk_results_fields *f, const void *of)
     if (!murk_results_describes(f)) {
         murk_results_list_murk(f, NULL);
     }
-    MURK_TEXT(f, "study", "", "the study file as named", study->path);
-    MURK_TEXT(f, "study_sha256", "", "of the study file", study->sha256);
-    MURK_TEXT(f, "scene", "", "the base scene", study->base);
-    MURK_TEXT(f, "scene_sha256", "", "of the base scene", sweep->scene_sha256);
-    MURK_COUNT(f, "seed", "", "of all random numbers", sweep->seed);
-    MURK_TEXT(f, "mode", "", "grid or paired",
+    MURK_TEXT(f, "study", "the study file as named", study->path);
+    MURK_TEXT(f, "study_sha256", "of the study file", study->sha256);
+    MURK_TEXT(f, "scene", "the base scene", study->base);
+    MURK_TEXT(f, "scene_sha256", "of the base scene", sweep->scene_sha256);
+    MURK_COUNT(f, "seed", "of all random numbers", sweep->seed);
+    MURK_TEXT(f, "mode", "grid or paired",
               study->is_paired ? "paired" : "grid");
     MURK_LIST(f, "axes", "the keys that vary", list_axis, study, study->axes);
-    MURK_COUNT(f, "rows_asked", "", "of the study", study->rows);
-    MURK_COUNT(f, "rows_done", "", "failed ones included",
-               murk_sweep_done(sweep));
-    MURK_COUNT(f, "rows_failed", "", "of those done", murk_sweep_failed(sweep));
-    MURK_FLAG(f, "interrupted", "", "true if the run was", r->is_interrupted);
+    MURK_COUNT(f, "rows_asked", "of the study", study->rows);
+    MURK_COUNT(f, "rows_done", "failed ones included", murk_sweep_done(sweep));
+    MURK_COUNT(f, "rows_failed", "of those done", murk_sweep_failed(sweep));
+    MURK_FLAG(f, "interrupted", "true if the run was", r->is_interrupted);
     MURK_LIST(f, "rows", "those done", list_row, &r->done, r->done.n);
     MURK_OBJECT(f, "plans", "one plan for all rows, as asked for", list_plans,
                 sweep);

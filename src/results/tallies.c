@@ -85,20 +85,20 @@ void murk_results_list_tally(murk_results_fields *f, const void *of, size_t i)
     const tally_value *v = of;
     const murk_tally_desc *d = v ? v->of->desc : NULL;
     (void)i; /* each value is of its own */
-    MURK_TEXT(f, "tally", "", "name", d->name);
+    MURK_TEXT(f, "tally", "name", d->name);
     MURK_ROUNDED(f, "band_nm", "nm", "band", v->of->scene->band_nm[v->band], 9);
-    MURK_COUNT(f, "bin_i", "", "along the first axis, from 0",
+    MURK_COUNT(f, "bin_i", "along the first axis, from 0",
                v->bin % bins_of(d, 0));
-    MURK_COUNT(f, "bin_j", "", "along the second axis, from 0",
+    MURK_COUNT(f, "bin_j", "along the second axis, from 0",
                v->bin / bins_of(d, 0) % bins_of(d, 1));
-    MURK_COUNT(f, "bin_k", "", "of angle, from 0",
+    MURK_COUNT(f, "bin_k", "of angle, from 0",
                v->bin / bins_of(d, 0) / bins_of(d, 1));
-    MURK_TEXT(f, "direction", "", "forward, backward, up or down",
+    MURK_TEXT(f, "direction", "forward, backward, up or down",
               direction_of(d, v->direction));
     MURK_ROUNDED(f, "value", "", "in the unit", v->value.value, 12);
     MURK_ROUNDED(f, "standard_error", "", "of value", v->value.standard_error,
                  6);
-    MURK_TEXT(f, "unit", "", "of value", unit_of(d, &v->of->units));
+    MURK_TEXT(f, "unit", "of value", unit_of(d, &v->of->units));
 }
 
 static void write_rows(const tally *t, FILE *file)
