@@ -181,7 +181,8 @@ static murk_status write_files(study_session *s, bool is_interrupted,
         status = note_fluence(s, err);
     }
     /* The JSON comes last and names the other files. */
-    cJSON *root = murk_study_json(s->sweep, is_interrupted);
+    const murk_study_results study = {s->sweep, is_interrupted};
+    cJSON *root = murk_results_json(murk_results_list_study, &study);
     murk_json_identify(root, s->identity, &s->results, "study.json");
     char *text = murk_json_end(root, &run);
     if (!text) {

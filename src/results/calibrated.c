@@ -164,22 +164,15 @@ static void write_value(FILE *file, const murk_fit_facts *f, size_t k,
     }
 }
 
-static murk_status write_calibrated(const char *path, const void *context,
+static murk_status write_calibrated(FILE *file, const void *context,
                                     murk_error *err)
 {
     const murk_fit_facts *f = context;
-    murk_file *out = NULL;
     places p;
     if (!find_places(&p, f)) {
         release(&p);
-        return murk_fail(err, MURK_NO_MEMORY, path, "no memory for it");
+        return murk_fail(err, MURK_NO_MEMORY, "--data", "no memory for it");
     }
-    const murk_status status = murk_file_create(&out, path, err);
-    if (status) {
-        release(&p);
-        return status;
-    }
-    FILE *file = murk_file_stream(out);
     bool has_keys = false;
     fprintf(file, "# values found by murk fit; for --set @FILE\n");
     fprintf(file, MURK_CALIBRATED_VERDICT "%s\n", f->found->verdict);
@@ -188,15 +181,13 @@ static murk_status write_calibrated(const char *path, const void *context,
         has_keys = has_keys || f->keys->key[k].kind != MURK_FREE_GAIN;
     }
     fputs(has_keys ? "" : "{}\n", file); /* which is no empty file */
-    const murk_status ended = murk_file_commit(&out, err);
-    murk_file_discard(out);
     release(&p);
-    return ended;
+    return MURK_OK;
 }
 
 murk_status murk_add_calibrated(murk_results *results,
                                 const murk_fit_facts *facts, murk_error *err)
 {
-    return murk_results_add(results, "calibrated.yaml", write_calibrated, facts,
-                            err);
+    return murk_results_add_stream(results, "calibrated.yaml", write_calibrated,
+                                   facts, err);
 }

@@ -1,15 +1,21 @@
-/* How an exploration went: rows of JSON and CSV, and lines of the summary. */
+/* How an exploration went: rows of JSON and CSV, lines of the summary, and
+ * path.ply: the stops of the path, and a thin three-sided tube about each
+ * segment, because some viewers leave the edges of a PLY file out. */
 #include "results/explore.h"
 
 #include "results/coverage.h"
-#include "results/path_ply.h"
+#include "results/mesh_file.h"
 #include "results/plan.h"
 #include "results/summary.h"
 
-#include <stdlib.h>
-#include <string.h>
+#include <math.h>
 
 #define DIGITS 9 /* of shares and lengths in explore.csv */
+
+#define LINE_SIZE                                                    \
+    0.001       /* half the thickness of a tube, of the world's size \
+                 */
+#define SIDES 3 /* of a tube */
 
 static const char *const END_NAMES[] = {[MURK_EXPLORE_COUNT] = "count",
                                         [MURK_EXPLORE_TARGET] = "target",
@@ -116,22 +122,142 @@ void murk_results_list_explore(murk_results_fields *f,
     }
 }
 
+/* ---- path.ply ---- */
+
+typedef enum vertex_kind { STATION, PASSED, CORNER } vertex_kind;
+
+typedef struct path {
+    const murk_scene_desc *scene;
+    const murk_explore *explore;
+    size_t segments; /* between stops */
+    double line_m;
+} path;
+
+static const murk_mesh_column columns[] = {
+    MURK_MESH_COLOR,
+    {"kind", MURK_MESH_UINT8, .components = 1},
+    {"step", MURK_MESH_UINT16, .components = 1}};
+
+/* The values of a vertex, in the order of the columns. */
+typedef struct record {
+    uint8_t color[3], kind;
+    uint16_t step;
+} record;
+
+/* The step whose segments a stop lies on, from 0. */
+static size_t step_of(const murk_explore *explore, size_t stop)
+{
+    size_t k = 0;
+    while (k + 1 < explore->steps && explore->step[k].stops <= stop) {
+        ++k;
+    }
+    return k;
+}
+
+static void put_vertex(const murk_ply *ply, const path *p, murk_vec3 at,
+                       vertex_kind kind, size_t stop)
+{
+    static const double first[3] = {60, 175, 90}, last[3] = {150, 60, 200};
+    const double share = p->segments ? (double)stop / (double)p->segments : 0;
+    record r = {.kind = (uint8_t)kind,
+                .step = (uint16_t)(step_of(p->explore, stop) + 1)};
+    for (int c = 0; c < 3; ++c) {
+        r.color[c] = (uint8_t)(first[c] + share * (last[c] - first[c]));
+    }
+    murk_ply_put_vertex(ply, at, &r);
+}
+
+static void put_stops(const murk_ply *ply, const path *p)
+{
+    const murk_explore *explore = p->explore;
+    for (size_t k = 0; k < explore->stops; ++k) {
+        const bool is_station =
+            explore->step[step_of(explore, k)].stops == k + 1;
+        put_vertex(ply, p, explore->stop[k], is_station ? STATION : PASSED, k);
+    }
+}
+
+/* Of each segment: about its beginning, then about its end. */
+static void put_corners(const murk_ply *ply, const path *p)
+{
+    for (size_t i = 0; i < p->segments; ++i) {
+        const murk_vec3 *end = &p->explore->stop[i];
+        murk_vec3 side[2];
+        murk_frame(murk_unit(murk_sub(end[1], end[0])), &side[0], &side[1]);
+        for (size_t e = 0; e < 2; ++e) {
+            for (int s = 0; s < SIDES; ++s) {
+                const double angle = 2 * MURK_PI * s / SIDES;
+                murk_vec3 at =
+                    murk_along(end[e], p->line_m * cos(angle), side[0]);
+                at = murk_along(at, p->line_m * sin(angle), side[1]);
+                put_vertex(ply, p, at, CORNER, i + e);
+            }
+        }
+    }
+}
+
+/* Wound so that normals point out. */
+static void put_faces(const murk_ply *ply, const path *p)
+{
+    for (size_t i = 0; i < p->segments; ++i) {
+        const size_t near = p->explore->stops + 2 * SIDES * i;
+        const size_t far = near + SIDES;
+        for (size_t s = 0; s < SIDES; ++s) {
+            const size_t next = (s + 1) % SIDES;
+            murk_ply_put_face(ply, near + s, near + next, far + next, NULL);
+            murk_ply_put_face(ply, near + s, far + next, far + s, NULL);
+        }
+    }
+}
+
+static murk_status write_path(FILE *to, const void *context, murk_error *err)
+{
+    const path *p = context;
+    murk_ply ply =
+        murk_ply_begin(to, p->scene,
+                       "comment murk path: stops, corners of the line between "
+                       "them\n"
+                       "comment kind: 0 station, 1 passed on the way, 2 "
+                       "corner\n");
+    murk_ply_vertices(&ply, p->explore->stops + 2 * SIDES * p->segments,
+                      columns, sizeof columns / sizeof *columns);
+    murk_ply_faces(&ply, 2 * SIDES * p->segments, NULL, 0);
+    fprintf(to,
+            "element edge %zu\nproperty int vertex1\nproperty int vertex2\n",
+            p->segments);
+    murk_ply_end_header(&ply);
+    put_stops(&ply, p);
+    put_corners(&ply, p);
+    put_faces(&ply, p);
+    for (size_t i = 0; i < p->segments; ++i) {
+        const uint32_t edge[2] = {(uint32_t)i, (uint32_t)(i + 1)};
+        (void)fwrite(edge, sizeof edge, 1, to); /* commit asks ferror */
+    }
+    (void)err;
+    return MURK_OK;
+}
+
 murk_status murk_add_explore(murk_results *results, const murk_stage *stage,
                              const murk_plan_result *plan, murk_error *err)
 {
-    if (plan->explore.steps == 0) { /* over conditions no stage is one */
+    const murk_explore *explore = &plan->explore;
+    if (explore->steps == 0) { /* over conditions no stage is one */
         return MURK_OK;
     }
     const explored e = {plan, stage->scene};
     const murk_box *box = &stage->world.domain.box;
-    const double size_m = murk_length(murk_sub(box->max, box->min));
+    const path p = {stage->scene, explore,
+                    explore->stops > 0 ? explore->stops - 1 : 0,
+                    LINE_SIZE * murk_length(murk_sub(box->max, box->min))};
     const murk_status status =
         murk_results_add_csv(results, "explore.csv", murk_results_list_step, &e,
-                             plan->explore.steps, err);
+                             explore->steps, err);
     return status ? status
-                  : murk_add_path_ply(results, stage->scene, &plan->explore,
-                                      size_m, err);
+                  : murk_results_add_stream(results, "path.ply", write_path, &p,
+                                            err);
 }
+
+/* ---- the summary ---- */
 
 void murk_print_explore(const murk_plan_result *plan, const char *folder)
 {

@@ -15,7 +15,7 @@ void murk_results_list_step(murk_results_fields *f, const void *of, size_t i);
 
 /* Adds explore.csv, a row a step, and path.ply. The latter's vertices are the
  * stops of the path, in order, then six corners of a thin three-sided line
- * about each leg, which the faces join (some viewers leave edges out), each
+ * about each segment, which the faces join (some viewers leave edges out), each
  * with
  *
  *     x y z           float, m

@@ -215,7 +215,7 @@ static void put_header(FILE *to, const files *f)
           to);
 }
 
-static void write_vti(FILE *to, const void *context)
+static murk_status write_vti(FILE *to, const void *context, murk_error *err)
 {
     const files *f = context;
     const uint64_t bytes = murk_field_voxels(f->box) * sizeof(float);
@@ -225,6 +225,8 @@ static void write_vti(FILE *to, const void *context)
         (void)fwrite(f->field[i].value, 1, bytes, to);
     }
     fputs("\n  </AppendedData>\n</VTKFile>\n", to);
+    (void)err;
+    return MURK_OK;
 }
 
 murk_status murk_field_add_vti(murk_results *results, const char *name,

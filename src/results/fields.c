@@ -167,8 +167,10 @@ void murk_results_items(murk_results_fields *f, const char *name,
         cJSON *object = array ? cJSON_CreateObject() : NULL;
         murk_results_fields in = inner(f, object, name, "[].");
         item(&in, of, i);
-        if (array) {
+        if (object && object->child) {
             cJSON_AddItemToArray(array, object);
+        } else {
+            cJSON_Delete(object);
         }
     }
 }
@@ -203,13 +205,15 @@ typedef struct csv {
     size_t n;
 } csv;
 
-static void write_csv(FILE *to, const void *context)
+static murk_status write_csv(FILE *to, const void *context, murk_error *err)
 {
     const csv *c = context;
     murk_results_csv_heading(to, c->item);
     for (size_t i = 0; i < c->n; ++i) {
         murk_results_csv_line(to, c->item, c->of, i);
     }
+    (void)err;
+    return MURK_OK;
 }
 
 murk_status murk_results_add_csv(murk_results *results, const char *name,

@@ -69,7 +69,7 @@ typedef void (*murk_results_item)(murk_results_fields *f, const void *of,
     murk_results_object(f, name, help, list,      \
                         murk_results_describes(f) ? NULL : (of_them))
 
-/* A list of n objects. CSV has none. */
+/* A list of n objects; one that gets no rows is left out. CSV has none. */
 #define MURK_LIST(f, name, help, item, of_them, n)                   \
     murk_results_items(f, name, help, item,                          \
                        murk_results_describes(f) ? NULL : (of_them), \

@@ -7,22 +7,22 @@
 #include "base/interrupt.h"
 #include "base/progress.h"
 #include "render/colour.h"
+#include "results/mesh_file.h"
 #include "results/vtk.h"
-#include "scene/places.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define RECORD_MAX (MURK_PLACE_BYTES_MAX + RECORD) /* bytes of a vertex */
-
-#define SHOWN_EVERY 65536 /* photons between two looks at the bar */
-#define RECORD      40    /* bytes of a vertex behind its place */
+#define SHOWN_EVERY                                          \
+    65536 /* photons between two updates of the progress bar \
+           */
 
 typedef struct photons {
     const murk_session *session;
     const murk_photon *surface, *volume;
     size_t on, in; /* of them */
+    bool is_vtp;   /* the file that is written: .vtp or .ply */
     uint8_t band_color[MURK_BANDS_MAX][3];
 } photons;
 
@@ -74,104 +74,52 @@ static const uint8_t *color_of(const photons *p, const murk_photon *photon)
 
 /* ---- values ---- */
 
-static void put_vector(murk_vec3 v, void *item)
+static const murk_mesh_column columns[] = {
+    {"normal", MURK_MESH_FLOAT, 3, {"nx", "ny", "nz"}},
+    {"direction", MURK_MESH_FLOAT, 3, {"dx", "dy", "dz"}},
+    {"power_w", MURK_MESH_FLOAT, .components = 1},
+    {"emitted", MURK_MESH_UINT32, .components = 1},
+    {"band", MURK_MESH_UINT8, .components = 1},
+    {"light", MURK_MESH_UINT8, .components = 1},
+    {"material", MURK_MESH_UINT8, .components = 1},
+    {"kind", MURK_MESH_UINT8, .components = 1},
+    {"event", MURK_MESH_UINT8, .components = 1},
+    MURK_MESH_COLOR};
+#define COLUMNS (sizeof columns / sizeof *columns)
+
+/* The values of one photon, in the order of the columns. */
+typedef struct record {
+    float normal[3], direction[3], power_w;
+    uint32_t emitted;
+    uint8_t band, light, material, kind, event, color[3];
+} record;
+_Static_assert(sizeof(record) == 40, "records have no padding");
+
+static murk_vec3 position_of(const void *context, size_t i)
 {
-    const float xyz[3] = {(float)v.x, (float)v.y, (float)v.z};
-    memcpy(item, xyz, sizeof xyz);
+    return murk_photon_place(photon_at(context, i));
 }
 
-static void put_place(const void *context, size_t i, void *item)
+static void put_record(const void *context, size_t i, void *out)
 {
-    murk_place_put(((const photons *)context)->session->scene,
-                   murk_photon_place(photon_at(context, i)), item);
+    const murk_photon *photon = photon_at(context, i);
+    const murk_vec3 n = murk_photon_normal(photon);
+    const murk_vec3 d = murk_photon_direction(photon);
+    const uint8_t *color = color_of(context, photon);
+    const record r = {.normal = {(float)n.x, (float)n.y, (float)n.z},
+                      .direction = {(float)d.x, (float)d.y, (float)d.z},
+                      .power_w = (float)murk_photon_power_w(photon),
+                      .emitted = murk_photon_emitted(photon),
+                      .band = murk_photon_band(photon),
+                      .light = murk_photon_light(photon),
+                      .material = murk_photon_material(photon),
+                      .kind = murk_photon_is_volume(photon) ? 1 : 0,
+                      .event = (uint8_t)murk_photon_class(photon),
+                      .color = {color[0], color[1], color[2]}};
+    memcpy(out, &r, sizeof r);
 }
-
-static void put_normal(const void *context, size_t i, void *item)
-{
-    put_vector(murk_photon_normal(photon_at(context, i)), item);
-}
-
-static void put_direction(const void *context, size_t i, void *item)
-{
-    put_vector(murk_photon_direction(photon_at(context, i)), item);
-}
-
-static void put_power(const void *context, size_t i, void *item)
-{
-    const float power_w = (float)murk_photon_power_w(photon_at(context, i));
-    memcpy(item, &power_w, sizeof power_w);
-}
-
-static void put_emitted(const void *context, size_t i, void *item)
-{
-    const uint32_t emitted = murk_photon_emitted(photon_at(context, i));
-    memcpy(item, &emitted, sizeof emitted);
-}
-
-static void put_band(const void *context, size_t i, void *item)
-{
-    *(uint8_t *)item = murk_photon_band(photon_at(context, i));
-}
-
-static void put_light(const void *context, size_t i, void *item)
-{
-    *(uint8_t *)item = murk_photon_light(photon_at(context, i));
-}
-
-static void put_material(const void *context, size_t i, void *item)
-{
-    *(uint8_t *)item = murk_photon_material(photon_at(context, i));
-}
-
-static void put_kind(const void *context, size_t i, void *item)
-{
-    *(uint8_t *)item =
-        (uint8_t)(murk_photon_is_volume(photon_at(context, i)) ? 1 : 0);
-}
-
-static void put_event(const void *context, size_t i, void *item)
-{
-    *(uint8_t *)item = (uint8_t)murk_photon_class(photon_at(context, i));
-}
-
-static void put_color(const void *context, size_t i, void *item)
-{
-    memcpy(item, color_of(context, photon_at(context, i)), 3);
-}
-
-static const murk_vtk_array arrays[] = {
-    {"color", "UInt8", 3, 3, put_color},
-    {"normal", "Float32", 3, 12, put_normal},
-    {"direction", "Float32", 3, 12, put_direction},
-    {"power_w", "Float32", 1, 4, put_power},
-    {"emitted", "UInt32", 1, 4, put_emitted},
-    {"band", "UInt8", 1, 1, put_band},
-    {"light", "UInt8", 1, 1, put_light},
-    {"material", "UInt8", 1, 1, put_material},
-    {"kind", "UInt8", 1, 1, put_kind},
-    {"event", "UInt8", 1, 1, put_event}};
 
 /* ---- what numbers mean ---- */
-
-/* "0: fog, 1: smoke" of a list whose names begin `stride` bytes apart; the
- * caller frees it. */
-static char *listed(const char *first, size_t n, size_t stride)
-{
-    char *text = NULL;
-    size_t size = 0;
-    FILE *out = open_memstream(&text, &size);
-    if (!out) {
-        return NULL;
-    }
-    for (size_t i = 0; i < n; ++i) {
-        fprintf(out, "%s%zu: %s", i > 0 ? ", " : "", i, first + i * stride);
-    }
-    if (fclose(out) != 0) {
-        free(text);
-        return NULL;
-    }
-    return text;
-}
 
 typedef struct meanings {
     char bands[32 * MURK_BANDS_MAX];
@@ -187,10 +135,11 @@ static bool meanings_of(meanings *m, const murk_scene_desc *scene)
                                  "%s%d: %.9g nm", b ? ", " : "", b,
                                  scene->band_nm[b]);
     }
-    m->materials = listed(scene->n_materials ? scene->materials[0].name : "",
-                          scene->n_materials, sizeof *scene->materials);
-    m->media = listed(scene->n_media ? scene->media[0].name : "",
-                      scene->n_media, sizeof *scene->media);
+    m->materials =
+        murk_numbered_names(scene->n_materials ? scene->materials[0].name : "",
+                            scene->n_materials, sizeof *scene->materials);
+    m->media = murk_numbered_names(scene->n_media ? scene->media[0].name : "",
+                                   scene->n_media, sizeof *scene->media);
     const char *const note[16] = {
         "bands",
         m->bands,
@@ -209,112 +158,67 @@ static bool meanings_of(meanings *m, const murk_scene_desc *scene)
     return m->materials && m->media;
 }
 
-static void meanings_release(meanings *m)
-{
-    free(m->materials);
-    free(m->media);
-}
-
 /* ---- files ---- */
 
-static void put_header(FILE *to, const photons *p, const meanings *m)
+static murk_status put_ply(FILE *to, const photons *p, const meanings *m,
+                           murk_error *err)
 {
-    fputs("ply\nformat binary_little_endian 1.0\n"
-          "comment murk photons: those of the surface map, then of the volume "
-          "map\n",
-          to);
+    const size_t n = p->on + p->in;
+    murk_ply ply =
+        murk_ply_begin(to, p->session->scene,
+                       "comment murk photons: those of the surface map, then "
+                       "of the volume map\n");
     murk_ply_put_facts(to, p->session->scene);
-    for (const char *const *note = m->note; note[0]; note += 2) {
-        murk_ply_put_comment(to, note[0], note[1]);
-    }
-    fprintf(to, "element vertex %zu\n%s", p->on + p->in,
-            murk_place_ply(p->session->scene));
-    fputs("property float nx\nproperty float ny\nproperty float nz\n"
-          "property float dx\nproperty float dy\nproperty float dz\n"
-          "property float power_w\nproperty uint emitted\n"
-          "property uchar band\nproperty uchar light\n"
-          "property uchar material\nproperty uchar kind\n"
-          "property uchar event\n"
-          "property uchar red\nproperty uchar green\nproperty uchar blue\n"
-          "end_header\n",
-          to);
-}
+    murk_ply_put_notes(to, m->note);
+    murk_ply_vertices(&ply, n, columns, COLUMNS);
+    murk_ply_end_header(&ply);
 
-static void put_vertex(FILE *to, const photons *p, size_t i)
-{
-    unsigned char bytes[RECORD_MAX];
-    const size_t place = murk_place_bytes(p->session->scene);
-    unsigned char *rest = bytes + place;
-    put_place(p, i, bytes);
-    put_normal(p, i, rest);
-    put_direction(p, i, rest + 12);
-    put_power(p, i, rest + 24);
-    put_emitted(p, i, rest + 28);
-    put_band(p, i, rest + 32);
-    put_light(p, i, rest + 33);
-    put_material(p, i, rest + 34);
-    put_kind(p, i, rest + 35);
-    put_event(p, i, rest + 36);
-    put_color(p, i, rest + 37);
-    (void)fwrite(bytes, 1, place + RECORD, to); /* commit asks ferror */
-}
-
-static murk_status write_ply(const char *path, const void *context,
-                             murk_error *err)
-{
-    const photons *p = context;
-    meanings m;
-    murk_file *file = NULL;
-    murk_status status =
-        meanings_of(&m, p->session->scene)
-            ? murk_file_create(&file, path, err)
-            : murk_fail(err, MURK_NO_MEMORY, path, "no memory to write it");
-    if (!status) {
-        put_header(murk_file_stream(file), p, &m);
-        murk_progress_begin("photons.ply", p->on + p->in, "photons");
-    }
-    for (size_t i = 0; !status && i < p->on + p->in; ++i) {
-        put_vertex(murk_file_stream(file), p, i);
+    murk_status status = MURK_OK;
+    murk_progress_begin("photons.ply", n, "photons");
+    for (size_t i = 0; !status && i < n; ++i) {
+        record r;
+        put_record(p, i, &r);
+        murk_ply_put_vertex(&ply, position_of(p, i), &r);
         if ((i + 1) % SHOWN_EVERY == 0) {
             murk_progress_add(SHOWN_EVERY);
-            status = murk_interrupted()
-                         ? murk_fail(err, MURK_INTERRUPTED, path, "interrupted")
-                         : MURK_OK;
+            status = murk_interrupted() ? murk_fail(err, MURK_INTERRUPTED,
+                                                    "--export", "interrupted")
+                                        : MURK_OK;
         }
     }
-    if (file) {
-        murk_progress_end();
-    }
-    meanings_release(&m);
-    if (status) {
-        murk_file_discard(file);
-        return status;
-    }
-    return murk_file_commit(&file, err);
+    murk_progress_end();
+    return status;
 }
 
-static murk_status write_vtp(const char *path, const void *context,
-                             murk_error *err)
+static murk_status put_vtp(FILE *to, const photons *p, const meanings *m,
+                           murk_error *err)
+{
+    /* the color first: what ParaView shows unasked */
+    static const uint8_t order[] = {9, 0, 1, 2, 3, 4, 5, 6, 7, 8};
+    const murk_vtp vtp = {.scene = p->session->scene,
+                          .notes = m->note,
+                          .points = p->on + p->in,
+                          .column = columns,
+                          .order = order,
+                          .arrays = sizeof order,
+                          .position = position_of,
+                          .record = put_record,
+                          .context = p,
+                          .step = "photons.vtp"};
+    return murk_vtp_write(to, &vtp, err);
+}
+
+static murk_status write_photons(FILE *to, const void *context, murk_error *err)
 {
     const photons *p = context;
     meanings m;
-    murk_status status = MURK_OK;
-    if (!meanings_of(&m, p->session->scene)) {
-        status = murk_fail(err, MURK_NO_MEMORY, path, "no memory to write it");
-    } else {
-        const murk_vtp vtp = {
-            .scene = p->session->scene,
-            .notes = m.note,
-            .points = p->on + p->in,
-            .place = {"place", murk_place_vtk(p->session->scene), 3,
-                      murk_place_bytes(p->session->scene), put_place},
-            .array = arrays,
-            .arrays = sizeof arrays / sizeof *arrays,
-            .context = p,
-            .step = "photons.vtp"};
-        status = murk_vtp_write(&vtp, path, err);
-    }
-    meanings_release(&m);
+    const murk_status status = !meanings_of(&m, p->session->scene)
+                                   ? murk_fail(err, MURK_NO_MEMORY, "--export",
+                                               "no memory to write it")
+                               : p->is_vtp ? put_vtp(to, p, &m, err)
+                                           : put_ply(to, p, &m, err);
+    free(m.materials);
+    free(m.media);
     return status;
 }
 
@@ -327,8 +231,9 @@ void murk_photons_add(murk_session *session, murk_error *late)
                  .on = murk_photon_map_count(traced->surface),
                  .in = murk_photon_map_count(traced->volume)};
     color_bands(&p);
-    (void)murk_results_add(&session->results, "photons.ply", write_ply, &p,
-                           late);
-    (void)murk_results_add(&session->results, "photons.vtp", write_vtp, &p,
-                           late);
+    (void)murk_results_add_stream(&session->results, "photons.ply",
+                                  write_photons, &p, late);
+    p.is_vtp = true;
+    (void)murk_results_add_stream(&session->results, "photons.vtp",
+                                  write_photons, &p, late);
 }

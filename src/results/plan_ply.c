@@ -6,18 +6,13 @@
 
 #include "placement/sparse_matrix.h"
 #include "results/mark.h"
-#include "scene/places.h"
+#include "results/mesh_file.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-#define RECORD_MAX (MURK_PLACE_BYTES_MAX + 14) /* bytes of a vertex */
-
 #define MARK_SIZE    0.005 /* half an octahedron's width, of the world's size */
-#define SENSORS_HELD 16    /* looks in memory at a time */
-
-_Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
-               "numbers are written as they lie in memory");
+#define SENSORS_HELD 16    /* seen in memory at a time */
 
 typedef enum vertex_kind {
     SENSOR,
@@ -26,7 +21,7 @@ typedef enum vertex_kind {
     CORNER
 } vertex_kind;
 
-typedef struct seen {
+typedef struct sighting {
     uint16_t sensors, clarity;
     uint32_t which; /* bit k: sensor k, of the first 32 */
 } sighting;
@@ -43,46 +38,61 @@ typedef struct parts {
 /* ---- who sees what ---- */
 
 /* Looks of sensors first, first + 1, .. */
-static void take_up(sighting *to, const murk_sparse_matrix *looks, size_t first)
+static void take_up(sighting *to, const murk_sparse_matrix *seen, size_t first)
 {
-    for (size_t j = 0; j < looks->columns; ++j) {
+    for (size_t j = 0; j < seen->columns; ++j) {
         const size_t sensor = first + j;
         const uint32_t bit =
             sensor < MURK_PLAN_PLY_SENSORS ? UINT32_C(1) << sensor : 0;
-        for (size_t k = looks->begin[j]; k < looks->begin[j + 1]; ++k) {
-            sighting *s = &to[looks->row[k]];
+        for (size_t k = seen->begin[j]; k < seen->begin[j + 1]; ++k) {
+            sighting *s = &to[seen->row[k]];
             s->sensors = (uint16_t)(s->sensors + (s->sensors < UINT16_MAX));
             s->which |= bit;
-            if (looks->clarity[k] > s->clarity) {
-                s->clarity = looks->clarity[k];
+            if (seen->clarity[k] > s->clarity) {
+                s->clarity = seen->clarity[k];
             }
         }
     }
 }
 
-static murk_status look_all(parts *p, murk_error *err)
+static murk_status see_all(parts *p, murk_error *err)
 {
     murk_status status = MURK_OK;
     for (size_t first = 0; first < p->sensors && !status;
          first += SENSORS_HELD) {
         const size_t left = p->sensors - first;
-        murk_sparse_matrix *looks = NULL;
+        murk_sparse_matrix *seen = NULL;
         murk_sight_problem problem;
         murk_sight_problem_init(&problem, p->sight, p->sensor + first,
                                 left < SENSORS_HELD ? left : SENSORS_HELD);
         status =
-            murk_sparse_matrix_collect(&looks, &problem.problem, SIZE_MAX, err);
+            murk_sparse_matrix_collect(&seen, &problem.problem, SIZE_MAX, err);
         if (!status) {
-            take_up(p->seen, looks, first);
+            take_up(p->seen, seen, first);
         }
-        murk_sparse_matrix_destroy(looks);
+        murk_sparse_matrix_destroy(seen);
     }
     return status;
 }
 
 /* ---- writing ---- */
 
-static void put_vertex(FILE *to, const parts *p, murk_vec3 at, vertex_kind kind,
+static const murk_mesh_column columns[] = {
+    MURK_MESH_COLOR,
+    {"kind", MURK_MESH_UINT8, .components = 1},
+    {"seen_by", MURK_MESH_UINT16, .components = 1},
+    {"quality", MURK_MESH_FLOAT, .components = 1},
+    {"sensors", MURK_MESH_UINT32, .components = 1}};
+
+/* The values of a vertex, in the order of the columns. */
+typedef struct __attribute__((packed)) record {
+    uint8_t color[3], kind;
+    uint16_t seen_by;
+    float quality;
+    uint32_t sensors;
+} record;
+
+static void put_vertex(const murk_ply *ply, murk_vec3 at, vertex_kind kind,
                        sighting s)
 {
     static const uint8_t yellow[3] = {255, 200, 0}, red[3] = {205, 45, 45},
@@ -91,31 +101,20 @@ static void put_vertex(FILE *to, const parts *p, murk_vec3 at, vertex_kind kind,
                            : s.sensors == 0                 ? red
                            : s.sensors == 1                 ? blue
                                                             : green;
-    const uint8_t number = (uint8_t)kind;
-    const float quality = (float)s.clarity / MURK_CLEAR;
-    uint8_t bytes[RECORD_MAX];
-    const size_t place = murk_place_bytes(p->scene);
-    uint8_t *rest = bytes + place;
-    murk_place_put(p->scene, at, bytes);
-    memcpy(rest, color, 3);
-    memcpy(rest + 3, &number, 1);
-    memcpy(rest + 4, &s.sensors, 2);
-    memcpy(rest + 6, &quality, 4);
-    memcpy(rest + 10, &s.which, 4);
-    (void)fwrite(bytes, 1, place + 14, to); /* commit asks ferror */
+    const record r = {{color[0], color[1], color[2]},
+                      (uint8_t)kind,
+                      s.sensors,
+                      (float)s.clarity / MURK_CLEAR,
+                      s.which};
+    murk_ply_put_vertex(ply, at, &r);
 }
 
-static void put_sensor(FILE *to, const parts *p, murk_vec3 at, vertex_kind kind)
-{
-    put_vertex(to, p, at, kind, (sighting){0, MURK_CLEAR, 0});
-}
-
-static void put_map(FILE *to, const parts *p, const murk_photon_map *map,
+static void put_map(const murk_ply *ply, const murk_photon_map *map,
                     vertex_kind kind, const sighting *seen)
 {
     const murk_photon *photon = murk_photon_map_photons(map);
     for (size_t i = 0; i < murk_photon_map_count(map); ++i) {
-        put_vertex(to, p, murk_photon_place(&photon[i]), kind, seen[i]);
+        put_vertex(ply, murk_photon_place(&photon[i]), kind, seen[i]);
     }
 }
 
@@ -129,64 +128,60 @@ static murk_mark mark_of(const parts *p, size_t sensor)
     return mark;
 }
 
-static void put_corners(FILE *to, const parts *p)
+static void put_vertices(const murk_ply *ply, const parts *p)
 {
+    static const sighting by_all = {0, MURK_CLEAR, 0};
+    const murk_sight_desc *maps = murk_sight_described(p->sight);
+    for (size_t k = 0; k < p->sensors; ++k) {
+        put_vertex(ply, p->sensor[k].position, SENSOR, by_all);
+    }
     for (size_t k = 0; k < p->sensors; ++k) {
         const murk_mark mark = mark_of(p, k);
         for (size_t c = 0; c < mark.corners; ++c) {
-            put_sensor(to, p, mark.corner[c], CORNER);
+            put_vertex(ply, mark.corner[c], CORNER, by_all);
         }
     }
+    put_map(ply, maps->surface_map, SURFACE_PHOTON, p->seen);
+    put_map(ply, maps->volume_map, VOLUME_PHOTON,
+            p->seen + murk_photon_map_count(maps->surface_map));
 }
 
-static void put_faces(FILE *to, const parts *p)
+static void put_faces(const murk_ply *ply, const parts *p)
 {
     size_t first = p->sensors;
     for (size_t k = 0; k < p->sensors; ++k) {
         const murk_mark mark = mark_of(p, k);
         for (size_t f = 0; f < mark.faces; ++f) {
-            uint8_t bytes[13] = {3};
-            for (int c = 0; c < 3; ++c) {
-                const uint32_t vertex = (uint32_t)(first + mark.face[f][c]);
-                memcpy(bytes + 1 + 4 * c, &vertex, 4);
-            }
-            (void)fwrite(bytes, 1, sizeof bytes, to);
+            const uint8_t *corner = mark.face[f];
+            murk_ply_put_face(ply, first + corner[0], first + corner[1],
+                              first + corner[2], NULL);
         }
         first += mark.corners;
     }
 }
 
-static void write_ply(FILE *to, const void *context)
+static murk_status write_ply(FILE *to, const void *context, murk_error *err)
 {
     const parts *p = context;
-    const murk_sight_desc *maps = murk_sight_described(p->sight);
     size_t corners = 0, faces = 0;
     for (size_t k = 0; k < p->sensors; ++k) {
         const murk_mark mark = mark_of(p, k);
         corners += mark.corners;
         faces += mark.faces;
     }
-    fprintf(
-        to,
-        "ply\nformat binary_little_endian 1.0\n"
+    murk_ply ply = murk_ply_begin(
+        to, p->scene,
         "comment murk plan: sensors, corners of their marks, stored photons\n"
         "comment kind: 0 sensor, 1 surface photon, 2 volume photon, 3 "
-        "corner of a mark\n"
-        "element vertex %zu\n%s"
-        "property uchar red\nproperty uchar green\nproperty uchar blue\n"
-        "property uchar kind\nproperty ushort seen_by\n"
-        "property float quality\nproperty uint sensors\n"
-        "element face %zu\nproperty list uchar int vertex_indices\n"
-        "end_header\n",
-        p->sensors + corners + p->photons, murk_place_ply(p->scene), faces);
-    for (size_t k = 0; k < p->sensors; ++k) {
-        put_sensor(to, p, p->sensor[k].position, SENSOR);
-    }
-    put_corners(to, p);
-    put_map(to, p, maps->surface_map, SURFACE_PHOTON, p->seen);
-    put_map(to, p, maps->volume_map, VOLUME_PHOTON,
-            p->seen + murk_photon_map_count(maps->surface_map));
-    put_faces(to, p);
+        "corner of a mark\n");
+    murk_ply_vertices(&ply, p->sensors + corners + p->photons, columns,
+                      sizeof columns / sizeof *columns);
+    murk_ply_faces(&ply, faces, NULL, 0);
+    murk_ply_end_header(&ply);
+    put_vertices(&ply, p);
+    put_faces(&ply, p);
+    (void)err;
+    return MURK_OK;
 }
 
 murk_status murk_add_plan_ply(murk_results *results, const char *name,
@@ -202,7 +197,7 @@ murk_status murk_add_plan_ply(murk_results *results, const char *name,
                .mark_m = MARK_SIZE * size_m};
     p.seen = calloc(p.photons + 1, sizeof *p.seen);
     murk_status status =
-        p.seen ? look_all(&p, err)
+        p.seen ? see_all(&p, err)
                : murk_fail(err, MURK_NO_MEMORY, name, "no memory to write it");
     if (!status) {
         status = murk_results_add_stream(results, name, write_ply, &p, err);

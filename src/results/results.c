@@ -222,12 +222,15 @@ static murk_status write_stream(const char *path, const void *context,
 {
     const stream *s = context;
     murk_file *file = NULL;
-    const murk_status status = murk_file_create(&file, path, err);
-    if (status) {
-        return status;
+    murk_status status = murk_file_create(&file, path, err);
+    if (!status) {
+        status = s->write(murk_file_stream(file), s->context, err);
     }
-    s->write(murk_file_stream(file), s->context);
-    return murk_file_commit(&file, err);
+    if (!status) {
+        status = murk_file_commit(&file, err);
+    }
+    murk_file_discard(file);
+    return status;
 }
 
 murk_status murk_results_add_stream(murk_results *results, const char *name,

@@ -61,7 +61,8 @@ murk_status murk_results_add(murk_results *results, const char *name,
                              murk_results_writer write, const void *context,
                              murk_error *err);
 /* The same of what write() puts into the stream, whose failures are noticed. */
-typedef void (*murk_results_stream)(FILE *to, const void *context);
+typedef murk_status (*murk_results_stream)(FILE *to, const void *context,
+                                           murk_error *err);
 murk_status murk_results_add_stream(murk_results *results, const char *name,
                                     murk_results_stream write,
                                     const void *context, murk_error *err);

@@ -8,125 +8,106 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Names of values, in the order in which rows first have them. */
-typedef struct columns {
-    size_t n, room;
-    const char **name;
-} columns;
+/* ---- table.csv ---- */
 
-static bool has(const columns *c, const char *name)
+static bool has(const char *const *name, size_t n, const char *wanted)
 {
-    for (size_t i = 0; i < c->n; ++i) {
-        if (strcmp(c->name[i], name) == 0) {
+    for (size_t i = 0; i < n; ++i) {
+        if (strcmp(name[i], wanted) == 0) {
             return true;
         }
     }
     return false;
 }
 
-static bool collect(columns *c, const murk_study_row *row)
+/* Names of values, in the order in which rows first have them; the caller's.
+ * NULL when out of memory. */
+static const char **names_of(const murk_sweep *sweep, size_t *n)
 {
-    for (size_t i = 0; i < row->values; ++i) {
-        if (has(c, row->value[i].name)) {
-            continue;
-        }
-        if (c->n == c->room) {
-            const size_t room = c->room ? 2 * c->room : 16;
-            const char **grown = realloc(c->name, room * sizeof *grown);
-            if (!grown) {
-                return false;
+    const size_t rows = sweep->desc.study->rows;
+    size_t all = 0;
+    for (size_t i = 0; i < rows; ++i) {
+        all += sweep->row[i].found.values;
+    }
+    const char **name = malloc((all + 1) * sizeof *name);
+    *n = 0;
+    for (size_t i = 0; name && i < rows; ++i) {
+        const murk_study_row *row = &sweep->row[i].found;
+        for (size_t k = 0; k < row->values; ++k) {
+            if (!has(name, *n, row->value[k].name)) {
+                name[(*n)++] = row->value[k].name;
             }
-            c->name = grown;
-            c->room = room;
         }
-        c->name[c->n++] = row->value[i].name;
     }
-    return true;
+    return name;
 }
 
-/* ---- table.csv ---- */
-
-static void write_header(FILE *file, const murk_study_file *study,
-                         const columns *c)
-{
-    for (size_t a = 0; a < study->axes; ++a) {
-        murk_results_csv_cell(file, study->axis[a].name);
-        fputc(',', file);
-    }
-    for (size_t i = 0; i < c->n; ++i) {
-        murk_results_csv_cell(file, c->name[i]);
-        fputc(',', file);
-        murk_results_csv_cell(file, c->name[i]);
-        fputs("_standard_error,", file);
-    }
-    fputs("failed\n", file);
-}
-
-/* A cell of a value; nothing if there is none. */
-static void write_number(FILE *file, const char *before, double value)
+/* A cell of a value; an empty one if there is none. */
+static void write_number(FILE *file, double value)
 {
     char text[32] = "";
     if (isfinite(value)) {
         murk_number_text(text, value);
     }
-    fprintf(file, "%s%s", before, text);
+    fprintf(file, "%s,", text);
 }
 
 static void write_row(FILE *file, const murk_sweep *sweep, size_t row,
-                      const columns *c)
+                      const char *const *name, size_t n)
 {
     const murk_study_file *study = sweep->desc.study;
     const murk_study_row *found = &sweep->row[row].found;
     size_t index[MURK_STUDY_AXES_MAX];
     murk_study_row_indices(study, row, index);
     for (size_t a = 0; a < study->axes; ++a) {
-        fputs(a ? "," : "", file);
         murk_results_csv_cell(file, study->axis[a].text[index[a]]);
+        fputc(',', file);
     }
-    for (size_t i = 0; i < c->n; ++i) {
-        const murk_study_value *v = murk_study_row_get(found, c->name[i]);
-        write_number(file, i + study->axes > 0 ? "," : "",
-                     v ? v->of.value : NAN);
-        write_number(file, ",", v ? v->of.standard_error : NAN);
+    for (size_t i = 0; i < n; ++i) {
+        const murk_study_value *v = murk_study_row_get(found, name[i]);
+        write_number(file, v ? v->of.value : NAN);
+        write_number(file, v ? v->of.standard_error : NAN);
     }
-    fputs(study->axes + c->n > 0 ? "," : "", file);
     murk_results_csv_cell(file, found->failed);
     fputc('\n', file);
 }
 
-static murk_status write_table(const char *path, const void *context,
-                               murk_error *err)
+static murk_status write_table(FILE *file, const void *context, murk_error *err)
 {
     const murk_sweep *sweep = context;
-    const size_t rows = sweep->desc.study->rows;
-    columns c = {0};
-    murk_file *file = NULL;
-    murk_status status = murk_file_create(&file, path, err);
-    bool is_whole = true;
-    for (size_t i = 0; !status && is_whole && i < rows; ++i) {
-        is_whole = collect(&c, &sweep->row[i].found);
+    const murk_study_file *study = sweep->desc.study;
+    size_t n;
+    const char **name = names_of(sweep, &n);
+    if (!name) {
+        return murk_fail(err, MURK_NO_MEMORY, "table.csv",
+                         "no memory to write it");
     }
-    if (!status && !is_whole) {
-        status = murk_fail(err, MURK_NO_MEMORY, path, "no memory to write it");
+    /* the heading: axes, values with their errors, `failed` */
+    for (size_t a = 0; a < study->axes; ++a) {
+        murk_results_csv_cell(file, study->axis[a].name);
+        fputc(',', file);
     }
-    if (!status) {
-        write_header(murk_file_stream(file), sweep->desc.study, &c);
-        for (size_t i = 0; i < rows; ++i) {
-            if (sweep->row[i].is_done) {
-                write_row(murk_file_stream(file), sweep, i, &c);
-            }
+    for (size_t i = 0; i < n; ++i) {
+        murk_results_csv_cell(file, name[i]);
+        fputc(',', file);
+        murk_results_csv_cell(file, name[i]);
+        fputs("_standard_error,", file);
+    }
+    fputs("failed\n", file);
+    for (size_t i = 0; i < study->rows; ++i) {
+        if (sweep->row[i].is_done) {
+            write_row(file, sweep, i, name, n);
         }
-        status = murk_file_commit(&file, err);
     }
-    murk_file_discard(file);
-    free(c.name);
-    return status;
+    free(name);
+    return MURK_OK;
 }
 
 murk_status murk_add_table(murk_results *results, const murk_sweep *sweep,
                            murk_error *err)
 {
-    return murk_results_add(results, "table.csv", write_table, sweep, err);
+    return murk_results_add_stream(results, "table.csv", write_table, sweep,
+                                   err);
 }
 
 /* ---- study.json ---- */
@@ -189,20 +170,17 @@ static cJSON *axes_json(const murk_study_file *study, size_t i)
     return axes;
 }
 
-/* The rows of a study that are done, by number. */
-typedef struct done_rows {
-    const murk_sweep *sweep;
-    size_t n, *row; /* [n] */
-} done_rows;
-
-static void list_row(murk_results_fields *f, const void *of, size_t k)
+/* Only rows that are done are listed. */
+static void list_row(murk_results_fields *f, const void *of, size_t i)
 {
-    const done_rows *done = of;
-    const size_t i = done ? done->row[k] : 0;
-    const murk_sweep_row *row = done ? &done->sweep->row[i] : NULL;
+    const murk_sweep *sweep = of;
+    const murk_sweep_row *row = sweep ? &sweep->row[i] : NULL;
+    if (!MURK_LISTED_IF(f, row->is_done)) {
+        return;
+    }
     MURK_COUNT(f, "row", "number, from 1", i + 1);
     MURK_JSON(f, "axes", "", "value of each axis, by key",
-              axes_json(done->sweep->desc.study, i));
+              axes_json(sweep->desc.study, i));
     MURK_JSON(f, "values", "", "by name, each value, standard_error, unit",
               values_json(&row->found));
     list_sensors(f, row ? &row->found : NULL);
@@ -305,15 +283,10 @@ static void list_run(murk_results_fields *f, const void *of)
     MURK_COUNT(f, "rows_kept", "from earlier runs", kept);
 }
 
-typedef struct study_results {
-    done_rows done;
-    bool is_interrupted;
-} study_results;
-
 void murk_results_list_study(murk_results_fields *f, const void *of)
 {
-    const study_results *r = of;
-    const murk_sweep *sweep = r ? r->done.sweep : NULL;
+    const murk_study_results *r = of;
+    const murk_sweep *sweep = r ? r->sweep : NULL;
     const murk_study_file *study = sweep ? sweep->desc.study : NULL;
     if (!murk_results_describes(f)) {
         murk_results_list_murk(f, NULL);
@@ -330,25 +303,10 @@ void murk_results_list_study(murk_results_fields *f, const void *of)
     MURK_COUNT(f, "rows_done", "failed ones included", murk_sweep_done(sweep));
     MURK_COUNT(f, "rows_failed", "of those done", murk_sweep_failed(sweep));
     MURK_FLAG(f, "interrupted", "true if the run was", r->is_interrupted);
-    MURK_LIST(f, "rows", "those done", list_row, &r->done, r->done.n);
+    MURK_LIST(f, "rows", "those done", list_row, sweep, study->rows);
     MURK_OBJECT(f, "plans", "one plan for all rows, as asked for", list_plans,
                 sweep);
     MURK_LIST(f, "lights", "groups of rows that share a light", list_light,
               sweep, sweep->groups);
     MURK_OBJECT(f, "run", "beside the keys of every JSON", list_run, sweep);
-}
-
-cJSON *murk_study_json(const murk_sweep *sweep, bool is_interrupted)
-{
-    const size_t rows = sweep->desc.study->rows;
-    study_results r = {{sweep, 0, calloc(rows + 1, sizeof *r.done.row)},
-                       is_interrupted};
-    for (size_t i = 0; r.done.row && i < rows; ++i) {
-        if (sweep->row[i].is_done) {
-            r.done.row[r.done.n++] = i;
-        }
-    }
-    cJSON *root = murk_results_json(murk_results_list_study, &r);
-    free(r.done.row);
-    return root;
 }

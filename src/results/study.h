@@ -11,10 +11,11 @@
 murk_status murk_add_table(murk_results *results, const murk_sweep *sweep,
                            murk_error *err);
 
-/* Rows of study.json; of: known to murk_study_json() alone. */
+/* Rows of study.json; of: */
+typedef struct murk_study_results {
+    const murk_sweep *sweep;
+    bool is_interrupted;
+} murk_study_results;
 void murk_results_list_study(murk_results_fields *f, const void *of);
-
-/* study.json, with what of `run` is known. */
-cJSON *murk_study_json(const murk_sweep *sweep, bool is_interrupted);
 
 #endif

@@ -5,16 +5,12 @@
 
 #include "base/number.h"
 #include "results/lit_pieces.h"
+#include "results/mesh_file.h"
 #include "results/vtk.h"
-#include "scene/places.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-#define ARRAYS_MAX (COLUMNS + 1) /* and the end of the list */
-
-#define RECORD_MAX (MURK_PLACE_BYTES_MAX + 3) /* bytes of a vertex */
 
 /* Where no size is asked for: so many stored photons to a piece in the mean,
  * and so many pieces. */
@@ -28,7 +24,8 @@
 typedef struct surfaces {
     const murk_session *session;
     const murk_lit_pieces *lit;
-    uint32_t *piece; /* [n] that are written */
+    uint32_t *piece;   /* [n] that are written */
+    uint8_t *material; /* [n] */
     size_t n;
     double bright_w_per_m2;
     char *materials; /* names by number */
@@ -97,81 +94,56 @@ static void color_of(const surfaces *s, uint32_t piece, uint8_t rgb[3])
 
 /* ---- values ---- */
 
-static void put_corner(const void *context, size_t i, void *item)
-{
-    const surfaces *s = context;
-    const murk_piece piece = murk_piece_of(s->lit->pieces, s->piece[i / 3]);
-    const murk_vec3 at = piece.corner[i % 3];
-    murk_place_put(s->session->scene, at, item);
-}
-
-static void put_color(const void *context, size_t i, void *item)
-{
-    const surfaces *s = context;
-    color_of(s, s->piece[i], item);
-}
-
-static void put_irradiance(const void *context, size_t i, void *item)
-{
-    const surfaces *s = context;
-    memcpy(item, &s->lit->irradiance[s->piece[i]], 4);
-}
-
-static void put_error(const void *context, size_t i, void *item)
-{
-    const surfaces *s = context;
-    memcpy(item, &s->lit->error[s->piece[i]], 4);
-}
-
-static void put_photons(const void *context, size_t i, void *item)
-{
-    const surfaces *s = context;
-    memcpy(item, &s->lit->photons[s->piece[i]], 4);
-}
-
-static void put_material(const void *context, size_t i, void *item)
-{
-    const surfaces *s = context;
-    *(uint8_t *)item = murk_piece_of(s->lit->pieces, s->piece[i]).material;
-}
-
-static void put_coverage(const void *context, size_t i, void *item)
-{
-    const surfaces *s = context;
-    memcpy(item, &s->lit->coverage[s->piece[i]], 4);
-}
-
-static void put_clarity(const void *context, size_t i, void *item)
-{
-    const surfaces *s = context;
-    memcpy(item, &s->lit->clarity[s->piece[i]], 4);
-}
-
-static void put_sensors(const void *context, size_t i, void *item)
-{
-    const surfaces *s = context;
-    memcpy(item, &s->lit->sensors[s->piece[i]], 2);
-}
-
-/* What faces have beside their colour; the last three with sensors only. */
-typedef struct column {
-    murk_vtk_array array;
-    const char *ply;
-} column;
-static const column columns[] = {
-    {{"irradiance", "Float32", 1, 4, put_irradiance}, "float"},
-    {{"irradiance_error", "Float32", 1, 4, put_error}, "float"},
-    {{"photons", "UInt32", 1, 4, put_photons}, "uint"},
-    {{"material", "UInt8", 1, 1, put_material}, "uchar"},
-    {{"coverage", "Float32", 1, 4, put_coverage}, "float"},
-    {{"clarity", "Float32", 1, 4, put_clarity}, "float"},
-    {{"sensors", "UInt16", 1, 2, put_sensors}, "ushort"}};
+/* Of a face; the last three with sensors only. */
+static const murk_mesh_column columns[] = {
+    MURK_MESH_COLOR,
+    {"irradiance", MURK_MESH_FLOAT, .components = 1},
+    {"irradiance_error", MURK_MESH_FLOAT, .components = 1},
+    {"photons", MURK_MESH_UINT32, .components = 1},
+    {"material", MURK_MESH_UINT8, .components = 1},
+    {"coverage", MURK_MESH_FLOAT, .components = 1},
+    {"clarity", MURK_MESH_FLOAT, .components = 1},
+    {"sensors", MURK_MESH_UINT16, .components = 1}};
 #define COLUMNS         (sizeof columns / sizeof *columns)
-#define WITHOUT_SENSORS 4
+#define WITHOUT_SENSORS 5
+
+/* The values of a face, in the order of the columns. */
+typedef struct __attribute__((packed)) record {
+    uint8_t color[3];
+    float irradiance, error;
+    uint32_t photons;
+    uint8_t material;
+    float coverage, clarity;
+    uint16_t sensors;
+} record;
 
 static size_t columns_of(const surfaces *s)
 {
     return s->lit->is_seen ? COLUMNS : WITHOUT_SENSORS;
+}
+
+static murk_vec3 corner_of(const void *context, size_t i)
+{
+    const surfaces *s = context;
+    return murk_piece_of(s->lit->pieces, s->piece[i / 3]).corner[i % 3];
+}
+
+static void put_record(const void *context, size_t i, void *out)
+{
+    const surfaces *s = context;
+    const murk_lit_pieces *lit = s->lit;
+    const uint32_t piece = s->piece[i];
+    record r = {.irradiance = lit->irradiance[piece],
+                .error = lit->error[piece],
+                .photons = lit->photons[piece],
+                .material = s->material[i]};
+    color_of(s, piece, r.color);
+    if (lit->is_seen) {
+        r.coverage = lit->coverage[piece];
+        r.clarity = lit->clarity[piece];
+        r.sensors = lit->sensors[piece];
+    }
+    memcpy(out, &r, sizeof r);
 }
 
 static const char *const meanings[] = {
@@ -205,95 +177,53 @@ static void meanings_of(const surfaces *s, const char *note[16])
 
 /* ---- files ---- */
 
-static void put_header(FILE *to, const surfaces *s)
+static murk_status write_ply(FILE *to, const void *context, murk_error *err)
 {
+    const surfaces *s = context;
     const char *note[16];
-    fputs("ply\nformat binary_little_endian 1.0\n"
-          "comment murk surfaces, in pieces\n",
-          to);
+    record r;
+    murk_ply ply = murk_ply_begin(to, s->session->scene,
+                                  "comment murk surfaces, in pieces\n");
     murk_ply_put_facts(to, s->session->scene);
     meanings_of(s, note);
-    for (const char *const *k = note; k[0]; k += 2) {
-        murk_ply_put_comment(to, k[0], k[1]);
-    }
-    fprintf(to,
-            "element vertex %zu\n%s"
-            "property uchar red\nproperty uchar green\nproperty uchar blue\n"
-            "element face %zu\n"
-            "property list uchar int vertex_indices\n"
-            "property uchar red\nproperty uchar green\nproperty uchar blue\n",
-            3 * s->n, murk_place_ply(s->session->scene), s->n);
-    for (size_t k = 0; k < columns_of(s); ++k) {
-        fprintf(to, "property %s %s\n", columns[k].ply, columns[k].array.name);
-    }
-    fputs("end_header\n", to);
-}
+    murk_ply_put_notes(to, note);
+    murk_ply_vertices(&ply, 3 * s->n, columns, 1); /* the color of the face */
+    murk_ply_faces(&ply, s->n, columns, columns_of(s));
+    murk_ply_end_header(&ply);
 
-static void put_vertices(FILE *to, const surfaces *s)
-{
     for (size_t i = 0; i < s->n; ++i) {
-        unsigned char bytes[RECORD_MAX];
-        const size_t place = murk_place_bytes(s->session->scene);
-        put_color(s, i, bytes + place);
+        put_record(s, i, &r);
         for (size_t c = 0; c < 3; ++c) {
-            put_corner(s, 3 * i + c, bytes);
-            (void)fwrite(bytes, 1, place + 3, to); /* commit asks ferror */
+            murk_ply_put_vertex(&ply, corner_of(s, 3 * i + c), r.color);
         }
     }
-}
-
-static void put_faces(FILE *to, const surfaces *s)
-{
     for (size_t i = 0; i < s->n; ++i) {
-        unsigned char bytes[64] = {3};
-        size_t used = 1;
-        for (size_t c = 0; c < 3; ++c, used += 4) {
-            const uint32_t vertex = (uint32_t)(3 * i + c);
-            memcpy(bytes + used, &vertex, 4);
-        }
-        put_color(s, i, bytes + used);
-        used += 3;
-        for (size_t k = 0; k < columns_of(s); ++k) {
-            columns[k].array.put(s, i, bytes + used);
-            used += columns[k].array.item_bytes;
-        }
-        (void)fwrite(bytes, 1, used, to);
+        put_record(s, i, &r);
+        murk_ply_put_face(&ply, 3 * i, 3 * i + 1, 3 * i + 2, &r);
     }
+    (void)err;
+    return MURK_OK;
 }
 
-static void write_ply(FILE *to, const void *context)
+static murk_status write_vtp(FILE *to, const void *context, murk_error *err)
 {
-    const surfaces *s = context;
-    put_header(to, s);
-    put_vertices(to, s);
-    put_faces(to, s);
-}
-
-static murk_status write_vtp(const char *path, const void *context,
-                             murk_error *err)
-{
+    static const uint8_t order[] = {4, 3, 2, 1, 0};
+    static const uint8_t with_sensors[] = {4, 3, 2, 1, 7, 6, 5, 0};
     const surfaces *s = context;
     const char *note[16];
-    murk_vtk_array array[ARRAYS_MAX];
-    const size_t n = columns_of(s);
-    size_t used = 0;
-    for (size_t k = n; k > 0; --k) { /* coverage before irradiance */
-        array[used++] = columns[(k + WITHOUT_SENSORS - 1) % n].array;
-    }
-    array[used++] = (murk_vtk_array){"color", "UInt8", 3, 3, put_color};
     meanings_of(s, note);
     const murk_vtp vtp = {.scene = s->session->scene,
                           .notes = note,
                           .points = 3 * s->n,
                           .has_triangles = true,
-                          .place = {"place", murk_place_vtk(s->session->scene),
-                                    3, murk_place_bytes(s->session->scene),
-                                    put_corner},
-                          .array = array,
-                          .arrays = used,
+                          .column = columns,
+                          .order = s->lit->is_seen ? with_sensors : order,
+                          .arrays = columns_of(s),
+                          .position = corner_of,
+                          .record = put_record,
                           .context = s,
                           .step = "surfaces.vtp"};
-    return murk_vtp_write(&vtp, path, err);
+    return murk_vtp_write(to, &vtp, err);
 }
 
 /* ---- all ---- */
@@ -306,7 +236,8 @@ static void choose(surfaces *s)
     for (size_t i = 0; i < pieces->n; ++i) {
         const murk_piece piece = murk_piece_of(pieces, i);
         if (murk_piece_is_within(&piece, &s->session->stage->world.domain)) {
-            s->piece[s->n++] = (uint32_t)i;
+            s->piece[s->n] = (uint32_t)i;
+            s->material[s->n++] = piece.material;
             area_m2 += piece.area_m2;
             w += (double)s->lit->irradiance[i] * piece.area_m2;
         }
@@ -314,29 +245,18 @@ static void choose(surfaces *s)
     s->bright_w_per_m2 = w > 0 ? BRIGHT * w / area_m2 : 1;
 }
 
-static char *names_of(const murk_scene_desc *scene)
-{
-    size_t room = 1;
-    for (size_t i = 0; i < scene->n_materials; ++i) {
-        room += strlen(scene->materials[i].name) + 16;
-    }
-    char *text = calloc(room, 1);
-    size_t used = 0;
-    for (size_t i = 0; text && i < scene->n_materials; ++i) {
-        used += (size_t)snprintf(text + used, room - used, "%s%zu: %s",
-                                 i ? ", " : "", i, scene->materials[i].name);
-    }
-    return text;
-}
-
 static void add_files(murk_session *session, const murk_lit_pieces *lit,
                       murk_error *late)
 {
+    const murk_scene_desc *scene = session->scene;
     surfaces s = {.session = session,
                   .lit = lit,
                   .piece = malloc(lit->pieces->n * sizeof *s.piece + 1),
-                  .materials = names_of(session->scene)};
-    if (!s.piece || !s.materials) {
+                  .material = malloc(lit->pieces->n + 1),
+                  .materials = murk_numbered_names(
+                      scene->n_materials ? scene->materials[0].name : "",
+                      scene->n_materials, sizeof *scene->materials)};
+    if (!s.piece || !s.material || !s.materials) {
         (void)murk_fail(late, MURK_NO_MEMORY, "--export",
                         "surfaces: no memory for %zu pieces", lit->pieces->n);
     } else {
@@ -344,10 +264,11 @@ static void add_files(murk_session *session, const murk_lit_pieces *lit,
         snprintf(s.lost, sizeof s.lost, "%llu", (unsigned long long)lit->lost);
         (void)murk_results_add_stream(&session->results, "surfaces.ply",
                                       write_ply, &s, late);
-        (void)murk_results_add(&session->results, "surfaces.vtp", write_vtp, &s,
-                               late);
+        (void)murk_results_add_stream(&session->results, "surfaces.vtp",
+                                      write_vtp, &s, late);
     }
     free(s.piece);
+    free(s.material);
     free(s.materials);
 }
 

@@ -114,7 +114,7 @@ static void write_rows(const tally *t, FILE *file)
     }
 }
 
-static void write_csv(FILE *to, const void *context)
+static murk_status write_csv(FILE *to, const void *context, murk_error *err)
 {
     const murk_session *session = context;
     murk_results_csv_heading(to, murk_results_list_tally);
@@ -124,6 +124,8 @@ static void write_csv(FILE *to, const void *context)
             write_rows(&t, to);
         }
     }
+    (void)err;
+    return MURK_OK;
 }
 
 /* ---- grids ---- */

@@ -2,12 +2,11 @@
  * bytes are one line of a PLY header and plain numbers in VTK's XML.
  *
  * Deterministic: never cries wolf. */
-#include "base/file.h"
 #include "check.h"
+#include "results/mesh_file.h"
 #include "results/vtk.h"
 
 #include <stdlib.h>
-#include <unistd.h>
 
 #define HOSTILE "a\nend_header\n\"<&>]]>\x7f\xc3\xa9"
 
@@ -57,41 +56,42 @@ static void test_texts_are_numbers(void)
     free(text);
 }
 
-static void put_place(const void *context, size_t i, void *item)
+static murk_vec3 position_of(const void *context, size_t i)
 {
-    const float xyz[3] = {(float)i, *(const float *)context, -1};
-    memcpy(item, xyz, sizeof xyz);
+    return murk_vec((double)i, *(const double *)context, -1);
 }
 
-static void put_number(const void *context, size_t i, void *item)
+static void put_record(const void *context, size_t i, void *record)
 {
     (void)context;
-    *(uint8_t *)item = (uint8_t)(7 + i);
+    *(uint8_t *)record = (uint8_t)(7 + i);
 }
+
+static const murk_mesh_column number = {"number", MURK_MESH_UINT8,
+                                        .components = 1};
+static const uint8_t first_alone[] = {0};
 
 /* Offsets name where each array begins, with its length before it. */
 static void check_mesh(bool has_triangles, size_t points)
 {
-    const float y = 2.5F;
+    const double y = 2.5;
     const murk_scene_desc scene = hostile_scene();
-    const murk_vtk_array number = {"number", "UInt8", 1, 1, put_number};
     const murk_vtp vtp = {.scene = &scene,
                           .points = points,
                           .has_triangles = has_triangles,
-                          .place = {"place", "Float32", 3, 12, put_place},
-                          .array = &number,
+                          .column = &number,
+                          .order = first_alone,
                           .arrays = 1,
+                          .position = position_of,
+                          .record = put_record,
                           .context = &y,
                           .step = "test"};
-    char path[] = "/tmp/murk-test-vtk-XXXXXX";
-    const int fd = mkstemp(path);
     murk_error err = {0};
     char *text = NULL;
     size_t size = 0;
-    CHECK(fd >= 0 && close(fd) == 0);
-    CHECK(!murk_vtp_write(&vtp, path, &err));
-    CHECK(!murk_file_read(&text, &size, path, 100000, &err));
-    unlink(path);
+    FILE *to = open_memstream(&text, &size);
+    CHECK(to != NULL && !murk_vtp_write(to, &vtp, &err));
+    CHECK(!fclose(to));
     const char *raw = strstr(text, "\n_") + 2;
     const size_t items = has_triangles ? points / 3 : points;
     const size_t cells = has_triangles ? points / 3 : points > 0;
@@ -114,14 +114,37 @@ static void check_mesh(bool has_triangles, size_t points)
     free(text);
 }
 
-static void test_what_cannot_be_written(void)
+/* The same columns in a PLY file: places in floats, then the record. */
+static void test_ply(void)
 {
     const murk_scene_desc scene = hostile_scene();
-    const murk_vtk_array number = {"number", "UInt8", 1, 1, put_number};
-    const murk_vtp vtp = {.scene = &scene, .array = &number, .arrays = 1};
-    murk_error err = {0};
-    CHECK(murk_vtp_write(&vtp, "/no/such/folder/a.vtp", &err) ==
-          MURK_RUN_FAILED);
+    char *text = NULL;
+    size_t size = 0;
+    FILE *to = open_memstream(&text, &size);
+    CHECK(to != NULL);
+    murk_ply ply = murk_ply_begin(to, &scene, "comment two points\n");
+    murk_ply_vertices(&ply, 2, &number, 1);
+    murk_ply_faces(&ply, 1, &number, 1);
+    murk_ply_end_header(&ply);
+    for (uint8_t i = 0; i < 2; ++i) {
+        murk_ply_put_vertex(&ply, murk_vec(i, 2, -1), &i);
+    }
+    murk_ply_put_face(&ply, 0, 1, 1, &(uint8_t){9});
+    CHECK(!fclose(to));
+    static const char header[] =
+        "ply\nformat binary_little_endian 1.0\ncomment two points\n"
+        "element vertex 2\nproperty float x\nproperty float y\n"
+        "property float z\nproperty uchar number\n"
+        "element face 1\nproperty list uchar int vertex_indices\n"
+        "property uchar number\nend_header\n";
+    const char *raw = text + sizeof header - 1;
+    float xyz[3];
+    CHECK(size == sizeof header - 1 + 2 * 13 + 14);
+    CHECK(strncmp(text, header, sizeof header - 1) == 0);
+    memcpy(xyz, raw + 13, sizeof xyz);
+    CHECK(xyz[0] == 1 && xyz[1] == 2 && xyz[2] == -1 && raw[25] == 1);
+    CHECK(raw[26] == 3 && raw[31] == 1 && raw[39] == 9);
+    free(text);
 }
 
 int main(void)
@@ -132,6 +155,6 @@ int main(void)
     check_mesh(true, 12);
     check_mesh(false, 0);
     check_mesh(false, 5);
-    test_what_cannot_be_written();
+    test_ply();
     return check_done();
 }

@@ -1,0 +1,238 @@
+/* Writes points and triangles: PLY files vertex by vertex, and VTK's XML poly
+ * data (.vtp) array by array, as raw bytes in appended mode.
+ *
+ * Source of the VTK format: Schroeder, Martin, Lorensen, The Visualization
+ * Toolkit, 4th ed., Kitware, 2006, and the notes on its file formats. */
+#include "results/mesh_file.h"
+
+#include "base/interrupt.h"
+#include "base/progress.h"
+#include "results/vtk.h"
+#include "scene/places.h"
+
+#include <string.h>
+
+#define SHOWN_EVERY 65536 /* items between two updates of the progress bar */
+#define RECORD_MAX  64    /* bytes: no list of columns takes as many */
+
+_Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
+               "numbers are written as they lie in memory");
+
+static const struct {
+    const char *ply, *vtk;
+    size_t bytes;
+} types[] = {[MURK_MESH_FLOAT] = {"float", "Float32", 4},
+             [MURK_MESH_UINT8] = {"uchar", "UInt8", 1},
+             [MURK_MESH_UINT16] = {"ushort", "UInt16", 2},
+             [MURK_MESH_UINT32] = {"uint", "UInt32", 4}};
+
+static size_t bytes_of(const murk_mesh_column *column)
+{
+    return types[column->type].bytes * column->components;
+}
+
+/* ---- PLY ---- */
+
+murk_ply murk_ply_begin(FILE *to, const murk_scene_desc *scene,
+                        const char *comments)
+{
+    fprintf(to, "ply\nformat binary_little_endian 1.0\n%s", comments);
+    return (murk_ply){.to = to, .scene = scene};
+}
+
+/* Announces columns. Returns the bytes of a record. */
+static size_t put_properties(FILE *to, const murk_mesh_column *column, size_t n)
+{
+    size_t bytes = 0;
+    for (size_t k = 0; k < n; ++k, ++column) {
+        for (size_t i = 0; i < column->components; ++i) {
+            fprintf(to, "property %s %s\n", types[column->type].ply,
+                    column->component[i] ? column->component[i] : column->name);
+        }
+        bytes += bytes_of(column);
+    }
+    return bytes;
+}
+
+void murk_ply_vertices(murk_ply *ply, size_t n, const murk_mesh_column *column,
+                       size_t columns)
+{
+    fprintf(ply->to, "element vertex %zu\n%s", n, murk_place_ply(ply->scene));
+    ply->vertex_bytes = put_properties(ply->to, column, columns);
+}
+
+void murk_ply_faces(murk_ply *ply, size_t n, const murk_mesh_column *column,
+                    size_t columns)
+{
+    fprintf(ply->to,
+            "element face %zu\nproperty list uchar int vertex_indices\n", n);
+    ply->face_bytes = put_properties(ply->to, column, columns);
+}
+
+void murk_ply_end_header(const murk_ply *ply)
+{
+    fputs("end_header\n", ply->to);
+}
+
+void murk_ply_put_vertex(const murk_ply *ply, murk_vec3 position,
+                         const void *record)
+{
+    unsigned char place[MURK_PLACE_BYTES_MAX];
+    murk_place_put(ply->scene, position, place);
+    /* a failure is noticed when the file is committed, by ferror() */
+    (void)fwrite(place, murk_place_bytes(ply->scene), 1, ply->to);
+    (void)fwrite(record, ply->vertex_bytes, 1, ply->to);
+}
+
+void murk_ply_put_face(const murk_ply *ply, size_t a, size_t b, size_t c,
+                       const void *record)
+{
+    const uint32_t corner[3] = {(uint32_t)a, (uint32_t)b, (uint32_t)c};
+    fputc(3, ply->to);
+    (void)fwrite(corner, sizeof corner, 1, ply->to);
+    if (record) {
+        (void)fwrite(record, ply->face_bytes, 1, ply->to);
+    }
+}
+
+/* ---- .vtp ---- */
+
+/* The arrays of a file, in order. */
+enum { PLACES, CONNECTIVITY, OFFSETS, FIRST_COLUMN };
+
+typedef struct array {
+    const char *type, *name;
+    size_t components, item_bytes, items;
+    size_t begin; /* of a column in the record */
+} array;
+
+/* Polygons; points without triangles are one cell. */
+static size_t cells_of(const murk_vtp *v)
+{
+    return v->has_triangles ? v->points / 3 : v->points > 0;
+}
+
+/* Items of columns. */
+static size_t items_of(const murk_vtp *v)
+{
+    return v->has_triangles ? v->points / 3 : v->points;
+}
+
+static array array_of(const murk_vtp *v, size_t number)
+{
+    if (number == PLACES) {
+        return (array){murk_place_vtk(v->scene),   "place",   3,
+                       murk_place_bytes(v->scene), v->points, 0};
+    }
+    if (number == CONNECTIVITY) {
+        return (array){"Int64", "connectivity", 1, 8, v->points, 0};
+    }
+    if (number == OFFSETS) {
+        return (array){"Int64", "offsets", 1, 8, cells_of(v), 0};
+    }
+    const murk_mesh_column *column =
+        &v->column[v->order[number - FIRST_COLUMN]];
+    size_t begin = 0;
+    for (const murk_mesh_column *before = v->column; before < column;
+         ++before) {
+        begin += bytes_of(before);
+    }
+    return (array){types[column->type].vtk, column->name, column->components,
+                   bytes_of(column),        items_of(v),  begin};
+}
+
+/* Announces an array, whose bytes begin at *offset. */
+static void announce(FILE *to, const murk_vtp *v, size_t number,
+                     uint64_t *offset)
+{
+    const array a = array_of(v, number);
+    fprintf(to,
+            "        <DataArray type=\"%s\" Name=\"%s\" "
+            "NumberOfComponents=\"%zu\" format=\"appended\" "
+            "offset=\"%llu\"/>\n",
+            a.type, a.name, a.components, (unsigned long long)*offset);
+    *offset += sizeof(uint64_t) + a.items * a.item_bytes;
+}
+
+static void put_header(FILE *to, const murk_vtp *v)
+{
+    const char *cells = v->has_triangles ? "Polys" : "Verts";
+    const char *data = v->has_triangles ? "CellData" : "PointData";
+    uint64_t offset = 0;
+    /* field data: where the file is from, and what its numbers mean */
+    murk_vtk_begin(to, "PolyData");
+    fputs("  <PolyData>\n    <FieldData>\n", to);
+    murk_vtk_put_facts(to, v->scene);
+    murk_vtk_put_notes(to, v->notes);
+    /* points, cells and columns, whose bytes follow the header */
+    fprintf(to,
+            "    </FieldData>\n"
+            "    <Piece NumberOfPoints=\"%zu\" NumberOf%s=\"%zu\">\n"
+            "      <Points>\n",
+            v->points, cells, cells_of(v));
+    announce(to, v, PLACES, &offset);
+    fprintf(to, "      </Points>\n      <%s>\n", cells);
+    announce(to, v, CONNECTIVITY, &offset);
+    announce(to, v, OFFSETS, &offset);
+    fprintf(to, "      </%s>\n      <%s Scalars=\"%s\">\n", cells, data,
+            v->column[v->order[0]].name);
+    for (size_t k = 0; k < v->arrays; ++k) {
+        announce(to, v, FIRST_COLUMN + k, &offset);
+    }
+    fprintf(to,
+            "      </%s>\n    </Piece>\n  </PolyData>\n"
+            "  <AppendedData encoding=\"raw\">\n_",
+            data);
+}
+
+static void put_item(FILE *to, const murk_vtp *v, size_t number, const array *a,
+                     size_t i)
+{
+    unsigned char bytes[RECORD_MAX];
+    if (number == PLACES) {
+        murk_place_put(v->scene, v->position(v->context, i), bytes);
+    } else if (number < FIRST_COLUMN) {
+        /* points are numbered in order; an offset is the end of a cell */
+        const size_t end = v->has_triangles ? 3 * (i + 1) : v->points;
+        const int64_t value = (int64_t)(number == CONNECTIVITY ? i : end);
+        memcpy(bytes, &value, sizeof value);
+    } else {
+        v->record(v->context, i, bytes);
+    }
+    (void)fwrite(bytes + a->begin, a->item_bytes, 1, to);
+}
+
+/* False when interrupted. */
+static bool put_array(FILE *to, const murk_vtp *v, size_t number)
+{
+    const array a = array_of(v, number);
+    const uint64_t bytes = a.items * a.item_bytes;
+    (void)fwrite(&bytes, sizeof bytes, 1, to);
+    for (size_t i = 0; i < a.items; ++i) {
+        put_item(to, v, number, &a, i);
+        if ((i + 1) % SHOWN_EVERY == 0) {
+            murk_progress_add(SHOWN_EVERY);
+            if (murk_interrupted()) {
+                return false;
+            }
+        }
+    }
+    murk_progress_add(a.items % SHOWN_EVERY);
+    return true;
+}
+
+murk_status murk_vtp_write(FILE *to, const murk_vtp *v, murk_error *err)
+{
+    bool goes_on = true;
+    put_header(to, v);
+    murk_progress_begin(v->step,
+                        2 * v->points + cells_of(v) + v->arrays * items_of(v),
+                        "values");
+    for (size_t k = 0; goes_on && k < FIRST_COLUMN + v->arrays; ++k) {
+        goes_on = put_array(to, v, k);
+    }
+    murk_progress_end();
+    fputs("\n  </AppendedData>\n</VTKFile>\n", to);
+    return goes_on ? MURK_OK
+                   : murk_fail(err, MURK_INTERRUPTED, v->step, "interrupted");
+}
