@@ -10,6 +10,7 @@
 #include "results/photons.h"
 #include "results/plan_ply.h"
 #include "results/surfaces.h"
+#include "results/tallies.h"
 #include "results/voxel_fields.h"
 
 #include <stdlib.h>
@@ -187,7 +188,7 @@ void murk_exports_add_scene(murk_session *session, murk_sight *sight,
     const unsigned exports = session->settings.exports;
     murk_progress_begin_group("export", 0, "");
     if (exports & MURK_EXPORT_FIELDS) {
-        murk_fields_add_tallies(session, late);
+        murk_add_tally_fields(session, late);
         murk_fields_add(session, sight, sensor, n, late);
     }
     if (exports & MURK_EXPORT_PHOTONS) {

@@ -31,27 +31,53 @@ murk_affine murk_field_to_world(const murk_field_box *b)
         .shift = murk_vec(a.x + e.x / 2, a.y + e.y / 2, a.z + e.z / 2)};
 }
 
-void murk_field_name_of(murk_field_name name, const char *quantity,
-                        double band_nm)
+float *murk_voxel_fields_add(murk_voxel_fields *fields,
+                             const murk_voxel_field *like, int band)
 {
-    snprintf(name, sizeof(murk_field_name), "%s_%.9gnm", quantity, band_nm);
+    assert(fields->n < MURK_VOXEL_FIELDS_MAX);
+    murk_voxel_field *field = &fields->field[fields->n];
+    *field = *like;
+    field->band = band;
+    field->value =
+        malloc(murk_field_voxels(&fields->box) * sizeof *field->value + 1);
+    if (band >= 0) {
+        snprintf(field->name, sizeof field->name, "%.24s_%.9gnm", like->name,
+                 fields->scene->band_nm[band]);
+    }
+    fields->n += field->value != NULL;
+    return field->value;
 }
 
-/* ---- metadata ---- */
-
-static void put_note(murk_field_notes *out, size_t *n, const char *key,
-                     const char *text)
+void murk_voxel_fields_release(murk_voxel_fields *fields)
 {
-    assert(*n + 2 < MURK_FIELD_NOTES);
+    for (size_t i = 0; i < fields->n; ++i) {
+        free(fields->field[i].value);
+    }
+    fields->n = 0;
+}
+
+/* ---- .vdb ---- */
+
+/* Metadata of a grid: key, text, key, text, ..., NULL, for grid_write.h. */
+#define NOTES 24
+typedef struct notes {
+    const char *note[NOTES];
+    murk_facts facts;
+    char band_nm[32];
+} notes;
+
+static void put_note(notes *out, size_t *n, const char *key, const char *text)
+{
+    assert(*n + 2 < NOTES);
     out->note[(*n)++] = key;
     out->note[(*n)++] = text;
 }
 
-void murk_field_notes_of(murk_field_notes *out, const murk_scene_desc *scene,
-                         const murk_voxel_field *field)
+static void make_notes(notes *out, const murk_scene_desc *scene,
+                       const murk_voxel_field *field)
 {
     size_t n = 0;
-    *out = (murk_field_notes){0};
+    *out = (notes){.band_nm = "all"};
     murk_facts_of(&out->facts, scene);
     if (field->band >= 0) {
         snprintf(out->band_nm, sizeof out->band_nm, "%.9g",
@@ -62,21 +88,16 @@ void murk_field_notes_of(murk_field_notes *out, const murk_scene_desc *scene,
     if (field->meaning) {
         put_note(out, &n, "meaning", field->meaning);
     }
-    put_note(out, &n, "band_nm", field->band >= 0 ? out->band_nm : "all");
+    put_note(out, &n, "band_nm", out->band_nm);
     for (const char *const *fact = out->facts.fact; fact[0]; fact += 2) {
         put_note(out, &n, fact[0], fact[1]);
     }
 }
 
-/* ---- .vdb ---- */
-
-typedef struct files {
-    const murk_scene_desc *scene;
-    const murk_field_box *box;
-    const murk_voxel_field *field;
-    size_t n;
-    murk_field_look look;
-} files;
+typedef struct vdb {
+    const murk_voxel_fields *fields;
+    murk_field_density density;
+} vdb;
 
 static double longest_edge_m(const murk_box *box)
 {
@@ -84,52 +105,51 @@ static double longest_edge_m(const murk_box *box)
     return fmax(fmax(e.x, e.y), e.z);
 }
 
-static double factor_of(const files *f)
+/* The factor of `density` on the first field. */
+static double factor_of(const vdb *v)
 {
+    const murk_field_box *box = &v->fields->box;
     double sum = 0;
     size_t lit = 0;
-    for (size_t i = 0; i < murk_field_voxels(f->box); ++i) {
-        const float value = f->field[0].value[i];
+    for (size_t i = 0; i < murk_field_voxels(box); ++i) {
+        const float value = v->fields->field[0].value[i];
         if (value > 0) {
             sum += (double)value;
             ++lit;
         }
     }
     const double mean = lit > 0 ? sum / (double)lit : 0;
-    return f->look == MURK_FIELD_AS_IT_IS || !(mean > 0)
+    return v->density == MURK_DENSITY_EQUAL || !(mean > 0)
                ? 1
-               : DEPTH_SHOWN / (mean * longest_edge_m(&f->box->box));
+               : DEPTH_SHOWN / (mean * longest_edge_m(&box->box));
 }
 
-/* The first field as viewers show it. */
-static float *density_of(const files *f, double factor)
+static murk_status write_vdb(const char *path, const void *context,
+                             murk_error *err)
 {
-    const size_t voxels = murk_field_voxels(f->box);
+    const vdb *v = context;
+    const murk_voxel_fields *f = v->fields;
+    const size_t voxels = murk_field_voxels(&f->box);
+    const double factor = v->density ? factor_of(v) : 0;
+    murk_grid_field grid[MURK_VOXEL_FIELDS_MAX + 1];
+    notes *note = malloc(f->n * sizeof *note);
     float *density = malloc(voxels * sizeof *density + 1);
-    for (size_t i = 0; density && i < voxels; ++i) {
-        const double value = (double)f->field[0].value[i];
-        density[i] = (float)(value > 0 ? factor * value : 0);
-    }
-    return density;
-}
-
-static murk_status write_grids(const char *path, const files *f,
-                               murk_grid_field *grid, murk_field_notes *notes,
-                               murk_error *err)
-{
-    char factor_text[32];
-    const double factor = factor_of(f);
-    murk_affine to_world = murk_field_to_world(f->box);
-    to_world.shift = murk_scene_user(f->scene, to_world.shift);
-    float *density = density_of(f, factor);
-    if (!density) {
+    if (!note || !density) {
+        free(note);
+        free(density);
         return murk_fail(err, MURK_NO_MEMORY, path, "no memory to write it");
     }
     for (size_t i = 0; i < f->n; ++i) {
-        murk_field_notes_of(&notes[i], f->scene, &f->field[i]);
+        make_notes(&note[i], f->scene, &f->field[i]);
         grid[i] = (murk_grid_field){f->field[i].name, f->field[i].value,
-                                    notes[i].note};
+                                    note[i].note};
     }
+    /* the first field as viewers show it */
+    for (size_t i = 0; i < voxels; ++i) {
+        const double value = (double)f->field[0].value[i];
+        density[i] = (float)(value > 0 ? factor * value : 0);
+    }
+    char factor_text[32];
     snprintf(factor_text, sizeof factor_text, "%.9g", factor);
     const char *const shown[] = {"unit",     "1/m",
                                  "quantity", "density for viewers",
@@ -137,40 +157,28 @@ static murk_status write_grids(const char *path, const files *f,
                                  "factor",   factor_text,
                                  NULL};
     grid[f->n] = (murk_grid_field){"density", density, shown};
-    const murk_status status =
-        murk_grid_write(path, grid, f->n + 1, f->box->size, &to_world, err);
-    free(density);
-    return status;
-}
 
-static murk_status write_vdb(const char *path, const void *context,
-                             murk_error *err)
-{
-    const files *f = context;
-    murk_grid_field *grid = malloc((f->n + 1) * sizeof *grid);
-    murk_field_notes *notes = malloc((f->n + 1) * sizeof *notes);
+    murk_affine to_world = murk_field_to_world(&f->box);
+    to_world.shift = murk_scene_user(f->scene, to_world.shift);
     const murk_status status =
-        grid && notes
-            ? write_grids(path, f, grid, notes, err)
-            : murk_fail(err, MURK_NO_MEMORY, path, "no memory to write it");
-    free(notes);
-    free(grid);
+        murk_grid_write(path, grid, f->n + (v->density != MURK_DENSITY_NONE),
+                        f->box.size, &to_world, err);
+    free(density);
+    free(note);
     return status;
 }
 
 murk_status murk_field_add_vdb(murk_results *results, const char *name,
-                               const murk_scene_desc *scene,
-                               const murk_field_box *box,
-                               const murk_voxel_field *field, size_t n,
-                               murk_field_look look, murk_error *err)
+                               const murk_voxel_fields *fields,
+                               murk_field_density density, murk_error *err)
 {
-    const files f = {scene, box, field, n, look};
-    return murk_results_add(results, name, write_vdb, &f, err);
+    const vdb v = {fields, density};
+    return murk_results_add(results, name, write_vdb, &v, err);
 }
 
 /* ---- .vti: VTK's image data, as XML before raw bytes ---- */
 
-static void put_facts(FILE *to, const files *f)
+static void put_facts(FILE *to, const murk_voxel_fields *f)
 {
     fputs("    <FieldData>\n", to);
     murk_vtk_put_facts(to, f->scene);
@@ -186,12 +194,12 @@ static void put_facts(FILE *to, const files *f)
     fputs("    </FieldData>\n", to);
 }
 
-static void put_header(FILE *to, const files *f)
+static void put_header(FILE *to, const murk_voxel_fields *f)
 {
-    const size_t *n = f->box->size;
-    const uint64_t bytes = murk_field_voxels(f->box) * sizeof(float);
-    const murk_vec3 at = murk_scene_user(f->scene, f->box->box.min);
-    const murk_affine m = murk_field_to_world(f->box);
+    const size_t *n = f->box.size;
+    const uint64_t bytes = murk_field_voxels(&f->box) * sizeof(float);
+    const murk_vec3 at = murk_scene_user(f->scene, f->box.box.min);
+    const murk_affine m = murk_field_to_world(&f->box);
     murk_vtk_begin(to, "ImageData");
     fprintf(to,
             "  <ImageData WholeExtent=\"0 %zu 0 %zu 0 %zu\" "
@@ -217,8 +225,8 @@ static void put_header(FILE *to, const files *f)
 
 static murk_status write_vti(FILE *to, const void *context, murk_error *err)
 {
-    const files *f = context;
-    const uint64_t bytes = murk_field_voxels(f->box) * sizeof(float);
+    const murk_voxel_fields *f = context;
+    const uint64_t bytes = murk_field_voxels(&f->box) * sizeof(float);
     put_header(to, f);
     for (size_t i = 0; i < f->n; ++i) {
         (void)fwrite(&bytes, sizeof bytes, 1, to); /* commit asks ferror */
@@ -230,11 +238,7 @@ static murk_status write_vti(FILE *to, const void *context, murk_error *err)
 }
 
 murk_status murk_field_add_vti(murk_results *results, const char *name,
-                               const murk_scene_desc *scene,
-                               const murk_field_box *box,
-                               const murk_voxel_field *field, size_t n,
-                               murk_error *err)
+                               const murk_voxel_fields *fields, murk_error *err)
 {
-    const files f = {scene, box, field, n, MURK_FIELD_AS_IT_IS};
-    return murk_results_add_stream(results, name, write_vti, &f, err);
+    return murk_results_add_stream(results, name, write_vti, fields, err);
 }

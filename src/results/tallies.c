@@ -5,7 +5,6 @@
 #include "results/tallies.h"
 
 #include "base/log.h"
-#include "medium/grid_write.h"
 #include "results/field_files.h"
 #include "results/summary.h"
 #include "transport/tallies.h"
@@ -26,27 +25,41 @@ typedef struct tally {
     const murk_tally_desc *desc;
     size_t number;
     murk_units units;
-    bool is_error; /* of a grid's two files: that of the errors */
     double packet[MURK_SOURCES_MAX * MURK_BANDS_MAX]; /* in those units */
 } tally;
 
-static tally tally_of(const murk_session *session, size_t i)
+static tally tally_in(murk_quantity quantity, const murk_session *session,
+                      size_t i)
 {
-    const murk_scene_desc *scene = session->scene;
     tally t = {.traced = session->traced,
-               .scene = scene,
+               .scene = session->scene,
                .desc = murk_tallies_desc(session->traced->tallies, i),
                .number = i,
-               .units = murk_units_of(scene->units)};
-    murk_units_packets(t.packet, scene->units, session->stage,
+               .units = murk_units_of(quantity)};
+    murk_units_packets(t.packet, quantity, session->stage,
                        session->traced->packet_w);
     return t;
+}
+
+static tally tally_of(const murk_session *session, size_t i)
+{
+    return tally_in(session->scene->units, session, i);
 }
 
 static murk_estimate read_cell(const tally *t, int band, size_t cell)
 {
     return murk_tallies_read(t->traced->tallies, t->number, band, cell,
                              t->traced->ledger->emitted, t->packet);
+}
+
+/* The sum of all bands. */
+static murk_estimate read_sum(const tally *t, size_t cell)
+{
+    murk_estimate value[MURK_BANDS_MAX];
+    for (int band = 0; band < t->scene->bands; ++band) {
+        value[band] = read_cell(t, band, cell);
+    }
+    return murk_units_sum(value, t->scene->bands);
 }
 
 static const char *direction_of(const murk_tally_desc *desc, size_t direction)
@@ -130,68 +143,62 @@ static murk_status write_csv(FILE *to, const void *context, murk_error *err)
 
 /* ---- grids ---- */
 
-typedef char field_name[48];
-
-static void name_fields(const murk_scene_desc *scene, field_name *names)
+static murk_field_box box_of(const murk_tally_desc *d)
 {
-    for (int band = 0; band < scene->bands; ++band) {
-        snprintf(names[band], sizeof names[band], "fluence_%.9gnm",
-                 scene->band_nm[band]);
-    }
+    return (murk_field_box){.box = d->box,
+                            .size = {d->size[0], d->size[1], d->size[2]}};
 }
 
-static murk_affine cells_to_world(const murk_tally_desc *d)
+/* Adds the values of one band, or their sum (-1), as a field. False when out of
+ * memory. */
+static bool add_field(murk_voxel_fields *fields, const tally *t, int band,
+                      bool is_error, const murk_voxel_field *like)
 {
-    const murk_field_box box = {.box = d->box,
-                                .size = {d->size[0], d->size[1], d->size[2]}};
-    return murk_field_to_world(&box);
+    float *value = murk_voxel_fields_add(fields, like, band);
+    for (size_t c = 0; value && c < murk_tally_cells(t->desc); ++c) {
+        const murk_estimate e =
+            band < 0 ? read_sum(t, c) : read_cell(t, band, c);
+        value[c] = (float)(is_error ? e.standard_error : e.value);
+    }
+    return value != NULL;
 }
 
-static murk_status write_grid(const char *path, const void *context,
-                              murk_error *err)
+/* Adds a field of one band (or -1), and one of the errors. */
+static bool add_pair(murk_voxel_fields *fields, const tally *t, int band,
+                     const murk_voxel_field like[2])
 {
-    const tally *t = context;
-    const size_t cells = murk_tally_cells(t->desc);
-    const int bands = t->scene->bands;
-    const char *quantity =
-        t->is_error ? "standard error of the fluence rate" : "fluence rate";
-    murk_grid_field fields[MURK_BANDS_MAX];
-    murk_field_notes notes[MURK_BANDS_MAX];
-    field_name names[MURK_BANDS_MAX];
-    float *value = malloc((size_t)bands * cells * sizeof *value);
-    if (!value) {
-        return murk_fail(err, MURK_NO_MEMORY, path, "no memory to write it");
-    }
-    name_fields(t->scene, names);
-    for (int band = 0; band < bands; ++band) {
-        float *const field = value + (size_t)band * cells;
-        for (size_t c = 0; c < cells; ++c) {
-            const murk_estimate e = read_cell(t, band, c);
-            field[c] = (float)(t->is_error ? e.standard_error : e.value);
-        }
-        const murk_voxel_field facts = {
-            .unit = t->units.irradiance, .quantity = quantity, .band = band};
-        murk_field_notes_of(&notes[band], t->scene, &facts);
-        fields[band] = (murk_grid_field){names[band], field, notes[band].note};
-    }
-    murk_affine to_world = cells_to_world(t->desc);
-    to_world.shift = murk_scene_user(t->scene, to_world.shift);
-    const murk_status status = murk_grid_write(path, fields, (size_t)bands,
-                                               t->desc->size, &to_world, err);
-    free(value);
-    return status;
+    return add_field(fields, t, band, false, &like[0]) &&
+           add_field(fields, t, band, true, &like[1]);
 }
 
-static murk_status add_grid(murk_results *results, tally *t, murk_error *err)
+static murk_status no_memory(const tally *t, murk_error *err)
 {
+    return murk_fail(err, MURK_NO_MEMORY, t->desc->name,
+                     "no memory for the fields of %zu cells",
+                     murk_tally_cells(t->desc));
+}
+
+static murk_status add_grid(murk_results *results, const tally *t,
+                            bool is_error, murk_error *err)
+{
+    const murk_voxel_field like = {
+        .name = "fluence",
+        .unit = t->units.irradiance,
+        .quantity =
+            is_error ? "standard error of the fluence rate" : "fluence rate"};
     char name[FILE_SIZE];
-    murk_status status = MURK_OK;
-    for (int i = 0; i < 2 && !status; ++i) {
-        t->is_error = i;
-        snprintf(name, sizeof name, "%s%s.vdb", t->desc->name,
-                 t->is_error ? "_error" : "");
-        status = murk_results_add(results, name, write_grid, t, err);
+    murk_voxel_fields fields = {.scene = t->scene, .box = box_of(t->desc)};
+    bool has_room = true;
+    for (int band = 0; has_room && band < t->scene->bands; ++band) {
+        has_room = add_field(&fields, t, band, is_error, &like);
     }
+    snprintf(name, sizeof name, "%s%s.vdb", t->desc->name,
+             is_error ? "_error" : "");
+    const murk_status status =
+        has_room
+            ? murk_field_add_vdb(results, name, &fields, MURK_DENSITY_NONE, err)
+            : no_memory(t, err);
+    murk_voxel_fields_release(&fields);
     return status;
 }
 
@@ -210,10 +217,74 @@ murk_status murk_add_tallies(murk_session *session, murk_error *err)
     for (size_t i = 0; i < murk_tallies_count(tallies) && !status; ++i) {
         tally t = tally_of(session, i);
         if (t.desc->type == MURK_TALLY_GRID) {
-            status = add_grid(&session->results, &t, err);
+            status = add_grid(&session->results, &t, false, err);
+            status =
+                status ? status : add_grid(&session->results, &t, true, err);
         }
     }
     return status;
+}
+
+/* ---- photon density beside the fluence rate of grids ---- */
+
+static void add_density(murk_session *session, size_t i, murk_error *late)
+{
+    static const murk_voxel_field density[2] = {
+        {.name = "photon_density",
+         .unit = "1/s/m2",
+         .quantity = "photon density",
+         .meaning = "scalar irradiance, photons that cross a small sphere per "
+                    "second and m2 of its cross-section, mean over the voxel"},
+        {.name = "photon_density_error",
+         .unit = "1/s/m2",
+         .quantity = "standard error of the photon density"}};
+    const tally photons = tally_in(MURK_PHOTONS, session, i);
+    const tally own = tally_of(session, i);
+    const char *unit = own.units.irradiance;
+    const murk_voxel_field fluence[2] = {
+        {.name = "fluence", .unit = unit, .quantity = "fluence rate"},
+        {.name = "fluence_error",
+         .unit = unit,
+         .quantity = "standard error of the fluence rate"}};
+    const int bands = session->scene->bands;
+    char name[FILE_SIZE];
+    murk_voxel_fields fields = {.scene = session->scene,
+                                .box = box_of(own.desc)};
+    bool has_room = bands == 1 || add_pair(&fields, &photons, -1, density);
+    for (int band = 0; has_room && band < bands; ++band) {
+        has_room = add_pair(&fields, &photons, band, density);
+    }
+    if (has_room) {
+        snprintf(name, sizeof name, "%s_photons.vdb", own.desc->name);
+        (void)murk_field_add_vdb(&session->results, name, &fields,
+                                 MURK_DENSITY_SCALED, late);
+    }
+    for (int band = 0; has_room && band < bands; ++band) {
+        has_room = add_pair(&fields, &own, band, fluence);
+    }
+    if (has_room) {
+        snprintf(name, sizeof name, "%s.vti", own.desc->name);
+        (void)murk_field_add_vti(&session->results, name, &fields, late);
+    } else {
+        (void)no_memory(&own, late);
+    }
+    murk_voxel_fields_release(&fields);
+}
+
+void murk_add_tally_fields(murk_session *session, murk_error *late)
+{
+    const murk_tallies *tallies = session->traced->tallies;
+    size_t grids = 0;
+    for (size_t i = 0; tallies && i < murk_tallies_count(tallies); ++i) {
+        if (murk_tallies_desc(tallies, i)->type == MURK_TALLY_GRID) {
+            add_density(session, i, late);
+            ++grids;
+        }
+    }
+    if (grids == 0) {
+        murk_note("--export", "fields: no fluence rate and photon density, "
+                              "which a tally of type grid measures");
+    }
 }
 
 /* ---- lines ---- */
@@ -245,17 +316,6 @@ static void print_values(const tally *t)
         for (size_t c = 0; c < cells; ++c) {
             print_value(t, band, c, read_cell(t, band, c));
         }
-    }
-}
-
-static void print_sums(const tally *t)
-{
-    for (size_t c = 0; c < murk_tally_cells(t->desc); ++c) {
-        murk_estimate value[MURK_BANDS_MAX];
-        for (int band = 0; band < t->scene->bands; ++band) {
-            value[band] = read_cell(t, band, c);
-        }
-        print_value(t, -1, c, murk_units_sum(value, t->scene->bands));
     }
 }
 
@@ -300,15 +360,15 @@ void murk_print_tallies(const murk_session *session)
     const murk_tallies *tallies = session->traced->tallies;
     for (size_t i = 0; tallies && i < murk_tallies_count(tallies); ++i) {
         const tally t = tally_of(session, i);
-        if (murk_tally_cells(t.desc) * (size_t)t.scene->bands <=
-            PRINTED_VALUES_MAX) {
+        const size_t cells = murk_tally_cells(t.desc);
+        const bool has_sums = t.scene->bands > 1 && cells <= PRINTED_VALUES_MAX;
+        if (cells * (size_t)t.scene->bands <= PRINTED_VALUES_MAX) {
             print_values(&t);
         } else {
             print_errors(&t);
         }
-        if (t.scene->bands > 1 &&
-            murk_tally_cells(t.desc) <= PRINTED_VALUES_MAX) {
-            print_sums(&t);
+        for (size_t c = 0; has_sums && c < cells; ++c) {
+            print_value(&t, -1, c, read_sum(&t, c));
         }
     }
 }
@@ -344,7 +404,8 @@ void murk_print_asked_tallies(const murk_session *session)
                        d->bins[0], d->bins[1], "xyz"[axes[0]], "xyz"[axes[1]],
                        d -> angle_bins, units.power);
         } else if (d->type == MURK_TALLY_GRID) {
-            const murk_affine a = cells_to_world(d);
+            const murk_field_box box = box_of(d);
+            const murk_affine a = murk_field_to_world(&box);
             murk_print("grid, %zu x %zu x %zu cells of %.4g x %.4g x %.4g m, "
                        "%s\n",
                        d->size[0], d->size[1], d->size[2], a.matrix[0][0],

@@ -9,6 +9,10 @@
  * where the scene has no tallies or the light came from a file. */
 murk_status murk_add_tallies(murk_session *session, murk_error *err);
 
+/* Adds the files of --export fields: NAME_photons.vdb and NAME.vti of each grid
+ * (results/voxel_fields.h). Files that cannot be had are told in *late. */
+void murk_add_tally_fields(murk_session *session, murk_error *late);
+
 /* Summary lines: the values of small tallies, and of large ones how well they
  * are known. */
 void murk_print_tallies(const murk_session *session);

@@ -12,13 +12,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define FIELDS_MAX (FIELDS_OF_A_BAND * MURK_BANDS_MAX) /* of all bands */
-
-#define VOXELS_USUAL     100000
-#define VALUES_USUAL     400000 /* voxels times bands */
-#define EDGE_MAX_M       1e9
-#define NO_DEPTH         (-1.0F)
-#define FIELDS_OF_A_BAND 5
+#define VOXELS_USUAL 100000
+#define VALUES_USUAL 400000 /* voxels times bands */
+#define EDGE_MAX_M   1e9
+#define NO_DEPTH     (-1.0F)
 
 /* ---- the box ---- */
 
@@ -81,36 +78,25 @@ murk_status murk_fields_box(murk_field_box *out, const murk_session *session,
 
 typedef struct domain_fields {
     const murk_stage *stage;
-    murk_field_box box;
+    murk_voxel_fields list;
     murk_affine to_world;
     size_t voxels;
     int band; /* that is worked on */
-    murk_voxel_field *field;
-    size_t n;
 } domain_fields;
 
 static murk_vec3 middle_of(const domain_fields *f, size_t voxel)
 {
-    const size_t *n = f->box.size;
+    const size_t *n = f->list.box.size;
     return murk_affine_point(&f->to_world,
                              murk_vec((double)(voxel % n[0]),
                                       (double)(voxel / n[0] % n[1]),
                                       (double)(voxel / n[0] / n[1])));
 }
 
-/* One field more, of f->band; NULL when out of memory. */
+/* One more field, of f->band; NULL when out of memory. */
 static float *new_field(domain_fields *f, const murk_voxel_field *like)
 {
-    float *value = malloc(f->voxels * sizeof *value + 1);
-    if (value) {
-        murk_voxel_field *field = &f->field[f->n++];
-        *field = *like;
-        field->band = f->band;
-        field->value = value;
-        murk_field_name_of(field->name, like->name,
-                           f->stage->scene->band_nm[f->band]);
-    }
-    return value;
+    return murk_voxel_fields_add(&f->list, like, f->band);
 }
 
 static murk_status no_memory(const domain_fields *f, murk_error *err)
@@ -222,21 +208,26 @@ static murk_status make_seen(domain_fields *f, const murk_sight *sight,
     return status;
 }
 
-/* The fields whose names begin so, beside one another. */
-static size_t pick(murk_voxel_field *out, const domain_fields *f,
-                   const char *const *begins)
+/* Adds a .vdb of the fields whose names begin so, beside one another. */
+static void add_vdb(murk_session *session, const domain_fields *f,
+                    const char *name, const char *const *begins,
+                    murk_field_density density, murk_error *late)
 {
-    size_t n = 0;
+    murk_voxel_fields picked = {f->list.scene, f->list.box, .n = 0};
     for (; *begins; ++begins) {
-        for (size_t i = 0; i < f->n; ++i) {
+        for (size_t i = 0; i < f->list.n; ++i) {
+            const murk_voxel_field *field = &f->list.field[i];
             const size_t length = strlen(*begins);
-            if (strncmp(f->field[i].name, *begins, length) == 0 &&
-                f->field[i].name[length] == '_') {
-                out[n++] = f->field[i];
+            if (strncmp(field->name, *begins, length) == 0 &&
+                field->name[length] == '_') {
+                picked.field[picked.n++] = *field;
             }
         }
     }
-    return n;
+    if (picked.n > 0) {
+        (void)murk_field_add_vdb(&session->results, name, &picked, density,
+                                 late);
+    }
 }
 
 static void add_files(murk_session *session, const domain_fields *f,
@@ -246,36 +237,23 @@ static void add_files(murk_session *session, const domain_fields *f,
     static const char *const coverage[] = {"coverage", "sensors", "clarity",
                                            NULL};
     static const char *const depth[] = {"optical_depth", NULL};
-    const struct {
-        const char *name, *const *begins;
-        murk_field_look look;
-    } file[] = {{"extinction.vdb", extinction, MURK_FIELD_AS_IT_IS},
-                {"coverage.vdb", coverage, MURK_FIELD_SCALED},
-                {"optical_depth.vdb", depth, MURK_FIELD_SCALED}};
-    murk_voxel_field picked[FIELDS_MAX];
-    for (size_t i = 0; i < sizeof file / sizeof *file; ++i) {
-        const size_t n = pick(picked, f, file[i].begins);
-        if (n > 0) {
-            (void)murk_field_add_vdb(&session->results, file[i].name,
-                                     session->scene, &f->box, picked, n,
-                                     file[i].look, late);
-        }
-    }
-    if (f->n > 0) {
-        (void)murk_field_add_vti(&session->results, "fields.vti",
-                                 session->scene, &f->box, f->field, f->n, late);
+    add_vdb(session, f, "extinction.vdb", extinction, MURK_DENSITY_EQUAL, late);
+    add_vdb(session, f, "coverage.vdb", coverage, MURK_DENSITY_SCALED, late);
+    add_vdb(session, f, "optical_depth.vdb", depth, MURK_DENSITY_SCALED, late);
+    if (f->list.n > 0) {
+        (void)murk_field_add_vti(&session->results, "fields.vti", &f->list,
+                                 late);
     }
 }
 
 void murk_fields_add(murk_session *session, const murk_sight *sight,
                      const murk_pose *sensor, size_t n, murk_error *late)
 {
-    murk_voxel_field field[FIELDS_MAX];
-    domain_fields f = {.stage = session->stage, .field = field};
+    domain_fields f = {.stage = session->stage, .list.scene = session->scene};
     murk_error told = {0};
-    murk_status status = murk_fields_box(&f.box, session, &told);
-    f.to_world = murk_field_to_world(&f.box);
-    f.voxels = murk_field_voxels(&f.box);
+    murk_status status = murk_fields_box(&f.list.box, session, &told);
+    f.to_world = murk_field_to_world(&f.list.box);
+    f.voxels = murk_field_voxels(&f.list.box);
     for (f.band = 0; !status && f.band < session->scene->bands; ++f.band) {
         if (sight) {
             status = make_seen(&f, sight, sensor, n, &told);
@@ -289,7 +267,5 @@ void murk_fields_add(murk_session *session, const murk_sight *sight,
     } else {
         add_files(session, &f, late);
     }
-    for (size_t i = 0; i < f.n; ++i) {
-        free((void *)(uintptr_t)field[i].value);
-    }
+    murk_voxel_fields_release(&f.list);
 }

@@ -5,11 +5,12 @@
  *                    there are no media
  * coverage.vdb       coverage_Bnm, sensors_Bnm, and clarity_Bnm where views
  *                    add up (sensing/places_seen.h), of a plan's sensors
- * optical_depth.vdb  optical_depth_Bnm, likewise; -1 where there is no
- * sightline fields.vti         all of them, for ParaView NAME_photons.vdb
- * photon_density_Bnm [1/s/m2] and photon_density_error_Bnm of the grid tally
- * NAME, and of several bands their sum NAME.vti           these and the tally's
- * own, for ParaView
+ * optical_depth.vdb  optical_depth_Bnm, likewise; -1: no sightline
+ * fields.vti         all of them, for ParaView
+ * NAME_photons.vdb   photon_density_Bnm [1/s/m2] and photon_density_error_Bnm
+ *                    of the grid tally NAME, and of several bands their sum
+ *                    (results/tallies.h)
+ * NAME.vti           these and the tally's own, for ParaView
  *
  * B: each of the scene's bands, as 532 in coverage_532nm. */
 #ifndef MURK_RESULTS_VOXEL_FIELDS_H
@@ -32,8 +33,5 @@ murk_status murk_fields_box(murk_field_box *out, const murk_session *session,
  * that cannot be had, and an interrupt, are told in *late. */
 void murk_fields_add(murk_session *session, const murk_sight *sight,
                      const murk_pose *sensor, size_t n, murk_error *late);
-
-/* Adds those of grid tallies; none is worth a note. */
-void murk_fields_add_tallies(murk_session *session, murk_error *late);
 
 #endif
