@@ -4,7 +4,7 @@
 #define MURK_APP_CHECK_CAMERAS_H
 
 #include "lightmap/lightmap.h"
-#include "results/results.h"
+#include "results/json.h"
 
 /* "cameras": [{name, pixels, samples, memory_bytes}]: of one picture by maps,
  * the maps and their copies included. */

@@ -4,7 +4,7 @@
 #define MURK_APP_CHECK_SENSORS_H
 
 #include "plan/poses.h"
-#include "results/results.h"
+#include "results/json.h"
 
 /* "sensors": [{name, ..}]. poses NULL: none, null. */
 void murk_json_sensor_types(cJSON *root, const murk_scene_desc *scene,

@@ -260,7 +260,9 @@ static murk_status write_files(const fit *f, murk_session *session,
     murk_status status = murk_results_add_text(
         &session->results, MURK_SCENE_NAME, session->scene->resolved, err);
     if (!status) {
-        status = murk_add_fit_csv(&session->results, &facts, err);
+        status = murk_results_add_csv(&session->results, "fit.csv",
+                                      murk_results_list_fit_row, &facts,
+                                      facts.measured->rows, err);
     }
     if (!status && !only_predicts) {
         status = murk_add_calibrated(&session->results, &facts, err);

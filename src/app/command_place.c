@@ -46,10 +46,14 @@ static murk_status add_files(murk_session *session,
     murk_status status = over ? murk_over_add_files(session, plan, over, err)
                               : write_light(session, err);
     if (!status) {
-        status = murk_add_sensors_csv(&session->results, &sensors, err);
+        status = murk_results_add_csv(&session->results, "sensors.csv",
+                                      murk_results_list_place, &sensors,
+                                      sensors.n, err);
     }
     if (!status) {
-        status = murk_add_coverage_csv(&session->results, &sensors, err);
+        status = murk_results_add_csv(&session->results, "coverage.csv",
+                                      murk_results_list_sensor, &sensors,
+                                      sensors.n, err);
     }
     if (!status) {
         status = murk_add_explore(&session->results, session->stage, plan, err);
@@ -85,9 +89,11 @@ static murk_status finish(murk_session *session,
                           const murk_plan_results *results, murk_error *err)
 {
     const murk_status status =
-        results->repeat ? murk_add_repeat_csv(&session->results,
-                                              results->repeat->repeat, err)
-                        : MURK_OK;
+        results->repeat
+            ? murk_results_add_csv(
+                  &session->results, "repeat.csv", murk_results_list_run,
+                  results->repeat->repeat, results->repeat->repeat->runs, err)
+            : MURK_OK;
     return status
                ? status
                : murk_session_finish(

@@ -9,7 +9,7 @@
 #include "base/machine.h"
 #include "render/gather.h"
 #include "render/render.h"
-#include "results/run_files.h"
+#include "results/json.h"
 #include "results/summary.h"
 
 #include <math.h>

@@ -31,8 +31,9 @@ static murk_status write_coverage(murk_session *session,
         status = murk_add_tallies(session, err);
     }
     if (!status) {
-        status =
-            murk_add_coverage_csv(&session->results, &results->sensors, err);
+        status = murk_results_add_csv(
+            &session->results, "coverage.csv", murk_results_list_sensor,
+            &results->sensors, results->sensors.n, err);
     }
     if (!status) {
         status = murk_session_finish(

@@ -2,8 +2,8 @@
  * prints a summary. */
 #include "app/identity.h"
 #include "app/log_once.h"
+#include "results/json.h"
 #include "results/results.h"
-#include "results/run_files.h"
 #include "results/study.h"
 #include "results/study_print.h"
 #include "results/summary.h"

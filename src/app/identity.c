@@ -5,7 +5,7 @@
 
 #include "app/option_table.h"
 #include "base/file.h"
-#include "results/run_files.h"
+#include "results/json.h"
 #include "results/version.h"
 #include "world/file_sums.h"
 

@@ -2,7 +2,6 @@
 #include "results/coverage.h"
 
 #include "plan/few_photons.h"
-#include "results/goals.h"
 #include "results/summary.h"
 
 #include <math.h>
@@ -157,26 +156,6 @@ void murk_results_list_shares(murk_results_fields *f, const void *of)
     MURK_NUMBERS(f, "seen_by_at_least", "1",
                  "share that at least 1, 2, ... sensors see",
                  s->coverage->seen_by_at_least, s->n);
-    murk_results_list_regions(f, s);
-}
-
-/* ---- CSV ---- */
-
-murk_status murk_add_sensors_csv(murk_results *results,
-                                 const murk_sensor_results *sensors,
-                                 murk_error *err)
-{
-    return murk_results_add_csv(results, "sensors.csv", murk_results_list_place,
-                                sensors, sensors->n, err);
-}
-
-murk_status murk_add_coverage_csv(murk_results *results,
-                                  const murk_sensor_results *sensors,
-                                  murk_error *err)
-{
-    return murk_results_add_csv(results, "coverage.csv",
-                                murk_results_list_sensor, sensors, sensors->n,
-                                err);
 }
 
 /* ---- the summary ---- */

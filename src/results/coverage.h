@@ -25,7 +25,7 @@ void murk_results_list_sensor(murk_results_fields *f, const void *of, size_t i);
 /* Columns of sensors.csv, which sense reads; of: the same. */
 void murk_results_list_place(murk_results_fields *f, const void *of, size_t i);
 
-/* Rows from "weights_used" to "regions_of_interest"; of: the same. */
+/* Rows from "weights_used" to "seen_by_at_least"; of: the same. */
 void murk_results_list_shares(murk_results_fields *f, const void *of);
 
 /* Rows of one pose; scene and pose are NULL in a description. */
@@ -36,13 +36,6 @@ typedef struct murk_posed {
 void murk_results_list_type(murk_results_fields *f, murk_posed p);
 void murk_results_list_position(murk_results_fields *f, murk_posed p);
 void murk_results_list_heading(murk_results_fields *f, murk_posed p);
-
-murk_status murk_add_sensors_csv(murk_results *results,
-                                 const murk_sensor_results *sensors,
-                                 murk_error *err);
-murk_status murk_add_coverage_csv(murk_results *results,
-                                  const murk_sensor_results *sensors,
-                                  murk_error *err);
 
 void murk_print_sensors(const murk_sensor_results *sensors, const char *folder);
 

@@ -5,7 +5,6 @@
 
 #include "results/coverage.h"
 #include "results/mesh_file.h"
-#include "results/plan.h"
 #include "results/summary.h"
 
 #include <math.h>
@@ -164,7 +163,7 @@ static void put_vertex(const murk_ply *ply, const path *p, murk_vec3 at,
     for (int c = 0; c < 3; ++c) {
         r.color[c] = (uint8_t)(first[c] + share * (last[c] - first[c]));
     }
-    murk_ply_put_vertex(ply, at, &r);
+    murk_mesh_put_vertex(ply, at, &r);
 }
 
 static void put_stops(const murk_ply *ply, const path *p)
@@ -204,8 +203,8 @@ static void put_faces(const murk_ply *ply, const path *p)
         const size_t far = near + SIDES;
         for (size_t s = 0; s < SIDES; ++s) {
             const size_t next = (s + 1) % SIDES;
-            murk_ply_put_face(ply, near + s, near + next, far + next, NULL);
-            murk_ply_put_face(ply, near + s, far + next, far + s, NULL);
+            murk_mesh_put_face(ply, near + s, near + next, far + next, NULL);
+            murk_mesh_put_face(ply, near + s, far + next, far + s, NULL);
         }
     }
 }
@@ -214,18 +213,18 @@ static murk_status write_path(FILE *to, const void *context, murk_error *err)
 {
     const path *p = context;
     murk_ply ply =
-        murk_ply_begin(to, p->scene,
-                       "comment murk path: stops, corners of the line between "
-                       "them\n"
-                       "comment kind: 0 station, 1 passed on the way, 2 "
-                       "corner\n");
-    murk_ply_vertices(&ply, p->explore->stops + 2 * SIDES * p->segments,
-                      columns, sizeof columns / sizeof *columns);
-    murk_ply_faces(&ply, 2 * SIDES * p->segments, NULL, 0);
+        murk_mesh_begin(to, p->scene,
+                        "comment murk path: stops, corners of the line between "
+                        "them\n"
+                        "comment kind: 0 station, 1 passed on the way, 2 "
+                        "corner\n");
+    murk_mesh_vertices(&ply, p->explore->stops + 2 * SIDES * p->segments,
+                       columns, sizeof columns / sizeof *columns);
+    murk_mesh_faces(&ply, 2 * SIDES * p->segments, NULL, 0);
     fprintf(to,
             "element edge %zu\nproperty int vertex1\nproperty int vertex2\n",
             p->segments);
-    murk_ply_end_header(&ply);
+    murk_mesh_end_header(&ply);
     put_stops(&ply, p);
     put_corners(&ply, p);
     put_faces(&ply, p);

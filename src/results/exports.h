@@ -8,16 +8,6 @@
 #include "results/fields.h"
 #include "results/session.h"
 
-/* What --export writes. */
-typedef enum murk_export {
-    MURK_EXPORT_MATRIX = 1,
-    MURK_EXPORT_OR_LIBRARY = 2,
-    MURK_EXPORT_LP = 4,
-    MURK_EXPORT_FIELDS = 8,
-    MURK_EXPORT_PHOTONS = 16,
-    MURK_EXPORT_SURFACES = 32
-} murk_export;
-
 /* Of the problem, by murk place alone; the others are of a scene. */
 #define MURK_EXPORTS_OF_PROBLEM \
     (MURK_EXPORT_MATRIX | MURK_EXPORT_OR_LIBRARY | MURK_EXPORT_LP)

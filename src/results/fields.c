@@ -236,6 +236,11 @@ void murk_results_describe_csv(FILE *to, murk_results_item item)
     item(&f, NULL, 0);
 }
 
+double murk_share(uint64_t part, uint64_t whole)
+{
+    return whole ? (double)part / (double)whole : NAN;
+}
+
 void murk_number_text(char out[32], double value)
 {
     /* 17 digits read back to any double; most take fewer */

@@ -21,6 +21,8 @@
 #include "base/stats.h"
 #include "results/results.h"
 
+#include <cjson/cJSON.h>
+
 #include <math.h>
 #include <stdio.h>
 
@@ -131,6 +133,9 @@ murk_status murk_results_add_csv(murk_results *results, const char *name,
  * keys of inner objects as "outer.inner", of lists as "list[].inner". */
 void murk_results_describe(FILE *to, murk_results_list list);
 void murk_results_describe_csv(FILE *to, murk_results_item item);
+
+/* part / whole; NaN if whole is 0. */
+double murk_share(uint64_t part, uint64_t whole);
 
 /* The shortest decimal that reads back to the same number. */
 void murk_number_text(char out[32], double value);

@@ -310,13 +310,6 @@ void murk_results_list_fit_row(murk_results_fields *fields, const void *of,
     MURK_NUMBER(fields, "z2_m", "m", "end of a line", end_of(f, r).z);
 }
 
-murk_status murk_add_fit_csv(murk_results *results, const murk_fit_facts *facts,
-                             murk_error *err)
-{
-    return murk_results_add_csv(results, "fit.csv", murk_results_list_fit_row,
-                                facts, facts->measured->rows, err);
-}
-
 /* ---- the terminal ---- */
 
 /* A value without a standard error is shown to two digits: more would look like

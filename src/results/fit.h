@@ -23,10 +23,6 @@ void murk_results_list_fit(murk_results_fields *fields, const void *of);
 void murk_results_list_fit_row(murk_results_fields *fields, const void *of,
                                size_t i);
 
-/* A row of the data each: what was measured, predicted, and what is left. */
-murk_status murk_add_fit_csv(murk_results *results, const murk_fit_facts *facts,
-                             murk_error *err);
-
 /* The values, as --set @FILE takes them. */
 murk_status murk_add_calibrated(murk_results *results,
                                 const murk_fit_facts *facts, murk_error *err);

@@ -1,11 +1,13 @@
 /* Builds the JSON that commands print and write: the program's own version, the
- * values that many of them share, and `run` with its checksum. */
+ * values that many of them share, the files of the run, so that later runs and
+ * readers know which files of the folder belong to which run
+ * (results/ownership.h), and `run` with its checksum. */
 #include "results/json.h"
 
-#include "base/file.h"
 #include "base/machine.h"
 #include "base/utf8.h"
 #include "results/fields.h"
+#include "results/ownership.h"
 #include "results/version.h"
 
 #include <math.h>
@@ -98,6 +100,81 @@ cJSON *murk_json_begin(const murk_scene_desc *scene)
     return murk_results_json(murk_results_list_every, scene);
 }
 
+/* ---- the files of the run ---- */
+
+/* True if this run writes a file of that name. */
+static bool is_written(const murk_results *results, const char *name)
+{
+    for (size_t i = 0; i < results->n; ++i) {
+        if (strcmp(murk_path_name(results->file[i].path), name) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Lists the files of earlier runs that would otherwise be listed by no JSON any
+ * more, and so be taken for the user's: those that the JSONs that this run
+ * replaces list, that lie in the folder as they were written, and that this run
+ * does not write again. */
+static void add_earlier(cJSON *root, murk_results *results, const char *name)
+{
+    cJSON *earlier = cJSON_CreateObject();
+    murk_owned_read(&results->owned, results->folder);
+    for (size_t i = 0; i < results->owned.n; ++i) {
+        const murk_owned_file *file = &results->owned.file[i];
+        const char *by = file->json < 0 ? name : murk_main_jsons[file->json];
+        const bool is_replaced =
+            strcmp(by, name) == 0 || is_written(results, by);
+        if (is_replaced && !is_written(results, file->name) &&
+            !cJSON_GetObjectItemCaseSensitive(earlier, file->name) &&
+            murk_owned_is_there(results->folder, file)) {
+            cJSON_AddStringToObject(earlier, file->name, file->sum);
+        }
+    }
+    if (cJSON_GetArraySize(earlier) == 0) {
+        cJSON_Delete(earlier);
+        return;
+    }
+    cJSON *run = cJSON_GetObjectItem(root, "run");
+    run = run ? run : cJSON_AddObjectToObject(root, "run");
+    cJSON_AddItemToObject(run, "earlier", earlier);
+}
+
+void murk_json_identify(cJSON *root, const char *identity,
+                        murk_results *results, const char *name)
+{
+    cJSON *run = cJSON_DetachItemFromObject(root, "run"); /* stays the last */
+    cJSON_AddStringToObject(root, "identity", identity);
+    if (results && !cJSON_GetObjectItem(root, "files")) {
+        cJSON *files = cJSON_AddObjectToObject(root, "files");
+        for (size_t i = 0; i < results->n; ++i) {
+            const char *file = murk_path_name(results->file[i].path);
+            if (!murk_owned_is_json(file)) {
+                cJSON_AddStringToObject(files, file, results->file[i].sum);
+            }
+        }
+    }
+    if (run) {
+        cJSON_AddItemToObject(root, "run", run);
+    }
+    if (results && results->folder && name) {
+        add_earlier(root, results, name);
+    }
+}
+
+void murk_json_file(cJSON *root, const char *path)
+{
+    cJSON *files = cJSON_GetObjectItem(root, "files");
+    files = files ? files : cJSON_AddObjectToObject(root, "files");
+    char sum[65];
+    if (path && !murk_file_sha256(path, sum, NULL)) {
+        cJSON_AddStringToObject(files, murk_path_name(path), sum);
+    }
+}
+
+/* ---- the end ---- */
+
 /* cJSON indents with tabs, which YAML readers refuse; inside texts a tab is
  * written \t, so every tab byte here is indentation or follows a colon. */
 static char *tabs_to_spaces(const char *text)
@@ -137,13 +214,6 @@ static void add_command(cJSON *object, const char *command)
     } else {
         cJSON_AddNullToObject(object, "folder");
     }
-}
-
-/* A text in JSON holds no line end, so the line is the map's own. */
-void murk_json_sum(char out[65], const char *text)
-{
-    const char *run = strstr(text, "\n  \"run\": {");
-    murk_sha256_hex(text, run ? (size_t)(run - text) : strlen(text), out);
 }
 
 /* Fills in run.checksum, for which 64 zeros stand. */

@@ -3,7 +3,7 @@
 #ifndef MURK_RESULTS_JSON_H
 #define MURK_RESULTS_JSON_H
 
-#include "scene/scene.h"
+#include "results/results.h"
 
 #include <cjson/cJSON.h>
 
@@ -19,14 +19,22 @@ typedef struct murk_run_facts {
     double load_s, trace_s, map_s, sense_s, place_s, total_s;
 } murk_run_facts;
 
-/* SHA-256 of a printed JSON up to its line of `run`: run.checksum. */
-void murk_json_sum(char out[65], const char *text);
-
 /* Adds "run", which alone may differ between two runs (to what is there under
  * that name), and returns the text:
  * indented, ending with a newline; the caller frees it with cJSON_free().
  * Deletes root. */
 char *murk_json_end(cJSON *root, const murk_run_facts *run);
+
+/* Adds "identity", and "files" (where it is not there) with what was added so
+ * far but for JSONs, whose `run` differs from run to run. Under run.earlier
+ * come files of earlier runs that lie in the folder and that no other JSON
+ * there will list once `name` (the main JSON's) has been replaced. */
+void murk_json_identify(cJSON *root, const char *identity,
+                        murk_results *results, const char *name);
+
+/* Adds a file that lies under `path` to "files", by its name without folder;
+ * the empty "files" where path is NULL. */
+void murk_json_file(cJSON *root, const char *path);
 
 void murk_json_number(cJSON *object, const char *key, double value);
 void murk_json_vector(cJSON *object, const char *key, murk_vec3 v);

@@ -33,8 +33,8 @@ static size_t bytes_of(const murk_mesh_column *column)
 
 /* ---- PLY ---- */
 
-murk_ply murk_ply_begin(FILE *to, const murk_scene_desc *scene,
-                        const char *comments)
+murk_ply murk_mesh_begin(FILE *to, const murk_scene_desc *scene,
+                         const char *comments)
 {
     fprintf(to, "ply\nformat binary_little_endian 1.0\n%s", comments);
     return (murk_ply){.to = to, .scene = scene};
@@ -54,28 +54,28 @@ static size_t put_properties(FILE *to, const murk_mesh_column *column, size_t n)
     return bytes;
 }
 
-void murk_ply_vertices(murk_ply *ply, size_t n, const murk_mesh_column *column,
-                       size_t columns)
+void murk_mesh_vertices(murk_ply *ply, size_t n, const murk_mesh_column *column,
+                        size_t columns)
 {
     fprintf(ply->to, "element vertex %zu\n%s", n, murk_place_ply(ply->scene));
     ply->vertex_bytes = put_properties(ply->to, column, columns);
 }
 
-void murk_ply_faces(murk_ply *ply, size_t n, const murk_mesh_column *column,
-                    size_t columns)
+void murk_mesh_faces(murk_ply *ply, size_t n, const murk_mesh_column *column,
+                     size_t columns)
 {
     fprintf(ply->to,
             "element face %zu\nproperty list uchar int vertex_indices\n", n);
     ply->face_bytes = put_properties(ply->to, column, columns);
 }
 
-void murk_ply_end_header(const murk_ply *ply)
+void murk_mesh_end_header(const murk_ply *ply)
 {
     fputs("end_header\n", ply->to);
 }
 
-void murk_ply_put_vertex(const murk_ply *ply, murk_vec3 position,
-                         const void *record)
+void murk_mesh_put_vertex(const murk_ply *ply, murk_vec3 position,
+                          const void *record)
 {
     unsigned char place[MURK_PLACE_BYTES_MAX];
     murk_place_put(ply->scene, position, place);
@@ -84,8 +84,8 @@ void murk_ply_put_vertex(const murk_ply *ply, murk_vec3 position,
     (void)fwrite(record, ply->vertex_bytes, 1, ply->to);
 }
 
-void murk_ply_put_face(const murk_ply *ply, size_t a, size_t b, size_t c,
-                       const void *record)
+void murk_mesh_put_face(const murk_ply *ply, size_t a, size_t b, size_t c,
+                        const void *record)
 {
     const uint32_t corner[3] = {(uint32_t)a, (uint32_t)b, (uint32_t)c};
     fputc(3, ply->to);

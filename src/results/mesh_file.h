@@ -43,22 +43,22 @@ typedef struct murk_ply {
 } murk_ply;
 
 /* Begins the header. comments: whole lines, or "". */
-murk_ply murk_ply_begin(FILE *to, const murk_scene_desc *scene,
-                        const char *comments);
+murk_ply murk_mesh_begin(FILE *to, const murk_scene_desc *scene,
+                         const char *comments);
 
 /* Announces n vertices, or n faces of three vertices each. */
-void murk_ply_vertices(murk_ply *ply, size_t n, const murk_mesh_column *column,
-                       size_t columns);
-void murk_ply_faces(murk_ply *ply, size_t n, const murk_mesh_column *column,
-                    size_t columns);
-void murk_ply_end_header(const murk_ply *ply);
+void murk_mesh_vertices(murk_ply *ply, size_t n, const murk_mesh_column *column,
+                        size_t columns);
+void murk_mesh_faces(murk_ply *ply, size_t n, const murk_mesh_column *column,
+                     size_t columns);
+void murk_mesh_end_header(const murk_ply *ply);
 
 /* position: relative to the local origin. record of a face: NULL if it has no
  * columns. */
-void murk_ply_put_vertex(const murk_ply *ply, murk_vec3 position,
-                         const void *record);
-void murk_ply_put_face(const murk_ply *ply, size_t a, size_t b, size_t c,
-                       const void *record);
+void murk_mesh_put_vertex(const murk_ply *ply, murk_vec3 position,
+                          const void *record);
+void murk_mesh_put_face(const murk_ply *ply, size_t a, size_t b, size_t c,
+                        const void *record);
 
 /* ---- .vtp ---- */
 

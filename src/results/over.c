@@ -2,8 +2,8 @@
 #include "results/over.h"
 
 #include "results/coverage.h"
+#include "results/json.h"
 #include "results/plan_ply.h"
-#include "results/run_files.h"
 #include "results/summary.h"
 
 #include <math.h>

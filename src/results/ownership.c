@@ -4,7 +4,6 @@
 
 #include "base/file.h"
 #include "base/staging.h"
-#include "results/results.h"
 
 #include <cjson/cJSON.h>
 #include <stdio.h>
@@ -36,6 +35,13 @@ static cJSON *read_json(const char *path, char **text)
         root = NULL;
     }
     return root;
+}
+
+/* A text in JSON holds no line end, so the line is the map's own. */
+void murk_json_sum(char out[65], const char *text)
+{
+    const char *run = strstr(text, "\n  \"run\": {");
+    murk_sha256_hex(text, run ? (size_t)(run - text) : strlen(text), out);
 }
 
 /* Whether it is as murk wrote it, as far as it says. */
@@ -143,7 +149,7 @@ static bool is_listed(const murk_owned *owned, const char *name,
     return false;
 }
 
-static bool ends_in_json(const char *name)
+bool murk_owned_is_json(const char *name)
 {
     const size_t length = strlen(name);
     return length > 5 && strcmp(name + length - 5, ".json") == 0;
@@ -154,11 +160,11 @@ bool murk_owned_has(murk_owned *owned, const char *folder, const char *name)
     murk_owned_read(owned, folder);
     char sum[65];
     char *path = murk_path_join(folder, name);
-    const bool has =
-        path && (owned->is_older && !owned->is_newer ? true
-                 : ends_in_json(name)                ? is_own_json(path)
-                                      : !murk_file_sha256(path, sum, NULL) &&
-                                            is_listed(owned, name, sum));
+    const bool has = path && (owned->is_older && !owned->is_newer ? true
+                              : murk_owned_is_json(name)
+                                  ? is_own_json(path)
+                                  : !murk_file_sha256(path, sum, NULL) &&
+                                        is_listed(owned, name, sum));
     free(path);
     return has;
 }

@@ -42,6 +42,12 @@ void murk_owned_read(murk_owned *owned, const char *folder);
 /* True if the file is in the folder and has the checksum it is listed with. */
 bool murk_owned_is_there(const char *folder, const murk_owned_file *file);
 
+/* True if the name ends in ".json". */
+bool murk_owned_is_json(const char *name);
+
+/* SHA-256 of a printed JSON up to its line of `run`: run.checksum. */
+void murk_json_sum(char out[65], const char *text);
+
 /* How the file at `path` stands to the runs whose main JSONs lie beside it. */
 typedef enum murk_belonging {
     MURK_UNLISTED, /* none lists a file of this name */

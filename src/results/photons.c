@@ -165,20 +165,20 @@ static murk_status put_ply(FILE *to, const photons *p, const meanings *m,
 {
     const size_t n = p->on + p->in;
     murk_ply ply =
-        murk_ply_begin(to, p->session->scene,
-                       "comment murk photons: those of the surface map, then "
-                       "of the volume map\n");
+        murk_mesh_begin(to, p->session->scene,
+                        "comment murk photons: those of the surface map, then "
+                        "of the volume map\n");
     murk_ply_put_facts(to, p->session->scene);
     murk_ply_put_notes(to, m->note);
-    murk_ply_vertices(&ply, n, columns, COLUMNS);
-    murk_ply_end_header(&ply);
+    murk_mesh_vertices(&ply, n, columns, COLUMNS);
+    murk_mesh_end_header(&ply);
 
     murk_status status = MURK_OK;
     murk_progress_begin("photons.ply", n, "photons");
     for (size_t i = 0; !status && i < n; ++i) {
         record r;
         put_record(p, i, &r);
-        murk_ply_put_vertex(&ply, position_of(p, i), &r);
+        murk_mesh_put_vertex(&ply, position_of(p, i), &r);
         if ((i + 1) % SHOWN_EVERY == 0) {
             murk_progress_add(SHOWN_EVERY);
             status = murk_interrupted() ? murk_fail(err, MURK_INTERRUPTED,

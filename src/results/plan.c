@@ -12,11 +12,6 @@
 
 #include <math.h>
 
-double murk_share(uint64_t part, uint64_t whole)
-{
-    return whole ? (double)part / (double)whole : NAN;
-}
-
 /* ---- rows of every plan ---- */
 
 static void list_bound(murk_results_fields *f, const void *of)
@@ -215,6 +210,7 @@ void murk_results_list_plan(murk_results_fields *f, const void *of)
     murk_results_list_sensors(f, &sensors);
     MURK_OBJECT(f, "coverage", "coverage of the plan", list_coverage, r);
     murk_results_list_shares(f, &sensors);
+    murk_results_list_regions(f, &sensors);
     murk_results_list_robust(f, &robust);
     murk_results_list_bound(f, place);
     if (MURK_LISTED_IF(f, scene->sensors.target > 0)) {

@@ -7,9 +7,6 @@
 #include "results/repeat.h"
 #include "results/session.h"
 
-/* part / whole; NaN where there is nothing. */
-double murk_share(uint64_t part, uint64_t whole);
-
 /* Rows that a plan over a matrix has, too. "bound" and "curve", "nodes" and
  * "cut_by" of "placement"; of: a murk_place_result. */
 void murk_results_list_bound(murk_results_fields *f, const void *of);

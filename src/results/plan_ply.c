@@ -106,7 +106,7 @@ static void put_vertex(const murk_ply *ply, murk_vec3 at, vertex_kind kind,
                       s.sensors,
                       (float)s.clarity / MURK_CLEAR,
                       s.which};
-    murk_ply_put_vertex(ply, at, &r);
+    murk_mesh_put_vertex(ply, at, &r);
 }
 
 static void put_map(const murk_ply *ply, const murk_photon_map *map,
@@ -153,8 +153,8 @@ static void put_faces(const murk_ply *ply, const parts *p)
         const murk_mark mark = mark_of(p, k);
         for (size_t f = 0; f < mark.faces; ++f) {
             const uint8_t *corner = mark.face[f];
-            murk_ply_put_face(ply, first + corner[0], first + corner[1],
-                              first + corner[2], NULL);
+            murk_mesh_put_face(ply, first + corner[0], first + corner[1],
+                               first + corner[2], NULL);
         }
         first += mark.corners;
     }
@@ -169,15 +169,15 @@ static murk_status write_ply(FILE *to, const void *context, murk_error *err)
         corners += mark.corners;
         faces += mark.faces;
     }
-    murk_ply ply = murk_ply_begin(
+    murk_ply ply = murk_mesh_begin(
         to, p->scene,
         "comment murk plan: sensors, corners of their marks, stored photons\n"
         "comment kind: 0 sensor, 1 surface photon, 2 volume photon, 3 "
         "corner of a mark\n");
-    murk_ply_vertices(&ply, p->sensors + corners + p->photons, columns,
-                      sizeof columns / sizeof *columns);
-    murk_ply_faces(&ply, faces, NULL, 0);
-    murk_ply_end_header(&ply);
+    murk_mesh_vertices(&ply, p->sensors + corners + p->photons, columns,
+                       sizeof columns / sizeof *columns);
+    murk_mesh_faces(&ply, faces, NULL, 0);
+    murk_mesh_end_header(&ply);
     put_vertices(&ply, p);
     put_faces(&ply, p);
     (void)err;

@@ -90,13 +90,6 @@ void murk_results_list_run(murk_results_fields *f, const void *of, size_t i)
                   "coverage of the first run's plan on this map", run->plan);
 }
 
-murk_status murk_add_repeat_csv(murk_results *results,
-                                const murk_repeat *repeat, murk_error *err)
-{
-    return murk_results_add_csv(results, "repeat.csv", murk_results_list_run,
-                                repeat, repeat->runs, err);
-}
-
 /* ---- the summary ---- */
 
 static void print_spread(const char *name, murk_spread s)

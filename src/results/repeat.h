@@ -15,10 +15,6 @@ void murk_results_list_repeat(murk_results_fields *f, const void *of);
 /* Columns of repeat.csv; of: a murk_repeat. */
 void murk_results_list_run(murk_results_fields *f, const void *of, size_t i);
 
-/* repeat.csv: a line for each finished run, in order of seeds. */
-murk_status murk_add_repeat_csv(murk_results *results,
-                                const murk_repeat *repeat, murk_error *err);
-
 void murk_print_repeat(const murk_repeat_results *results);
 
 #endif

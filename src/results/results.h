@@ -14,7 +14,6 @@
 #include "base/file.h"
 #include "base/staging.h"
 #include "plan/plan.h"
-#include "results/json.h"
 #include "results/ownership.h"
 
 #define MURK_MAP_FILE_NAME "light.murk"

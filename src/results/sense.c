@@ -40,6 +40,7 @@ void murk_results_list_sense(murk_results_fields *f, const void *of)
     MURK_OBJECT(f, "coverage", "coverage of the sensors", list_coverage,
                 sensors->coverage);
     murk_results_list_shares(f, sensors);
+    murk_results_list_regions(f, sensors);
     murk_results_list_robust(f, &robust);
 }
 

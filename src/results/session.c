@@ -3,9 +3,8 @@
  * run's files would be refused. */
 #include "results/session.h"
 
-#include "results/exports.h"
+#include "results/json.h"
 #include "results/ledger.h"
-#include "results/run_files.h"
 #include "results/summary.h"
 
 #include "base/progress.h"

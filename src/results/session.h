@@ -4,13 +4,24 @@
 #define MURK_RESULTS_SESSION_H
 
 #include "plan/plan.h"
+#include "results/json.h"
 #include "results/results.h"
+
+/* What --export writes. */
+typedef enum murk_export {
+    MURK_EXPORT_MATRIX = 1,
+    MURK_EXPORT_OR_LIBRARY = 2,
+    MURK_EXPORT_LP = 4,
+    MURK_EXPORT_FIELDS = 8,
+    MURK_EXPORT_PHOTONS = 16,
+    MURK_EXPORT_SURFACES = 32
+} murk_export;
 
 typedef struct murk_session_settings {
     const char *folder; /* of the results; NULL: nothing is written */
     bool force;         /* replaces files that are not murk's */
     unsigned threads;
-    unsigned exports; /* murk_export bits, results/exports.h */
+    unsigned exports; /* murk_export bits */
     const char
         *voxel; /* edge of exported voxels and pieces as typed, or NULL */
     const char *light; /* the file that the light is read from, or NULL */

@@ -3,6 +3,7 @@
 #include "results/study.h"
 
 #include "results/coverage.h"
+#include "results/json.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -11,7 +11,7 @@
 #ifndef MURK_RESULTS_SUMMARY_H
 #define MURK_RESULTS_SUMMARY_H
 
-#include "results/results.h"
+#include "results/json.h"
 
 #include <stddef.h>
 

@@ -182,24 +182,24 @@ static murk_status write_ply(FILE *to, const void *context, murk_error *err)
     const surfaces *s = context;
     const char *note[16];
     record r;
-    murk_ply ply = murk_ply_begin(to, s->session->scene,
-                                  "comment murk surfaces, in pieces\n");
+    murk_ply ply = murk_mesh_begin(to, s->session->scene,
+                                   "comment murk surfaces, in pieces\n");
     murk_ply_put_facts(to, s->session->scene);
     meanings_of(s, note);
     murk_ply_put_notes(to, note);
-    murk_ply_vertices(&ply, 3 * s->n, columns, 1); /* the color of the face */
-    murk_ply_faces(&ply, s->n, columns, columns_of(s));
-    murk_ply_end_header(&ply);
+    murk_mesh_vertices(&ply, 3 * s->n, columns, 1); /* the color of the face */
+    murk_mesh_faces(&ply, s->n, columns, columns_of(s));
+    murk_mesh_end_header(&ply);
 
     for (size_t i = 0; i < s->n; ++i) {
         put_record(s, i, &r);
         for (size_t c = 0; c < 3; ++c) {
-            murk_ply_put_vertex(&ply, corner_of(s, 3 * i + c), r.color);
+            murk_mesh_put_vertex(&ply, corner_of(s, 3 * i + c), r.color);
         }
     }
     for (size_t i = 0; i < s->n; ++i) {
         put_record(s, i, &r);
-        murk_ply_put_face(&ply, 3 * i, 3 * i + 1, 3 * i + 2, &r);
+        murk_mesh_put_face(&ply, 3 * i, 3 * i + 1, 3 * i + 2, &r);
     }
     (void)err;
     return MURK_OK;

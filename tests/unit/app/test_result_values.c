@@ -5,8 +5,8 @@
 #include "report/results_in.h"
 #include "results/catalogue.h"
 #include "results/coverage.h"
+#include "results/json.h"
 #include "results/ledger.h"
-#include "results/results.h"
 #include "stage_text.h"
 
 #include <stdlib.h>

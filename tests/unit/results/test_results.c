@@ -1,8 +1,8 @@
 /* A run that ends between two renames: whose the files are is still known. */
 #define _DEFAULT_SOURCE /* mkdtemp */
 #include "check.h"
+#include "results/json.h"
 #include "results/results.h"
-#include "results/run_files.h"
 
 #include <dirent.h>
 #include <stdio.h>

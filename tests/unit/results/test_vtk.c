@@ -122,14 +122,14 @@ static void test_ply(void)
     size_t size = 0;
     FILE *to = open_memstream(&text, &size);
     CHECK(to != NULL);
-    murk_ply ply = murk_ply_begin(to, &scene, "comment two points\n");
-    murk_ply_vertices(&ply, 2, &number, 1);
-    murk_ply_faces(&ply, 1, &number, 1);
-    murk_ply_end_header(&ply);
+    murk_ply ply = murk_mesh_begin(to, &scene, "comment two points\n");
+    murk_mesh_vertices(&ply, 2, &number, 1);
+    murk_mesh_faces(&ply, 1, &number, 1);
+    murk_mesh_end_header(&ply);
     for (uint8_t i = 0; i < 2; ++i) {
-        murk_ply_put_vertex(&ply, murk_vec(i, 2, -1), &i);
+        murk_mesh_put_vertex(&ply, murk_vec(i, 2, -1), &i);
     }
-    murk_ply_put_face(&ply, 0, 1, 1, &(uint8_t){9});
+    murk_mesh_put_face(&ply, 0, 1, 1, &(uint8_t){9});
     CHECK(!fclose(to));
     static const char header[] =
         "ply\nformat binary_little_endian 1.0\ncomment two points\n"
