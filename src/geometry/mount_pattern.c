@@ -102,8 +102,8 @@ static void add_pattern(murk_mount_builder *l, const murk_triangle *t,
 {
     /* The axis closest to the normal, and the two axes of the lattice. */
     const double n[3] = {fabs(normal.x), fabs(normal.y), fabs(normal.z)};
-    const int look = n[0] >= n[1] && n[0] >= n[2] ? 0 : n[1] >= n[2] ? 1 : 2;
-    const int along = (look + 1) % 3, across = (look + 2) % 3;
+    const int facing = n[0] >= n[1] && n[0] >= n[2] ? 0 : n[1] >= n[2] ? 1 : 2;
+    const int along = (facing + 1) % 3, across = (facing + 2) % 3;
     const double step = l->search->spacing_m, slack = l->slack_m;
     /* The rows that the polygon spans. */
     double low = INFINITY, high = -INFINITY;
@@ -123,13 +123,13 @@ static void add_pattern(murk_mount_builder *l, const murk_triangle *t,
         for (double k = ceil((met[0] - slack - l->first[along]) / step);
              k <= stop && !l->status; ++k) {
             murk_component_set(&place, along, l->first[along] + k * step);
-            murk_component_set(&place, look, murk_component(t->a, look));
+            murk_component_set(&place, facing, murk_component(t->a, facing));
             /* Move the lattice point along the axis into the plane of the
              * triangle. */
             const double off = murk_dot(murk_sub(place, t->a), normal);
-            murk_component_set(&place, look,
-                               murk_component(t->a, look) -
-                                   off / murk_component(normal, look));
+            murk_component_set(&place, facing,
+                               murk_component(t->a, facing) -
+                                   off / murk_component(normal, facing));
             murk_mount_builder_offer(l, place, normal);
         }
     }
