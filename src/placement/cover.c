@@ -76,63 +76,6 @@ void murk_cover_copy(murk_cover *to, const murk_layout *layout,
     }
 }
 
-static void add_to_full(uint64_t *full, const murk_row *row)
-{
-    if (row->kind == MURK_ROW_BITS) {
-        for (size_t k = 0; k < row->words; ++k) {
-            full[murk_row_word(row, k)] |= row->bits[k];
-        }
-        return;
-    }
-    assert(row->kind == MURK_ROW_CLEAR_LIST);
-    for (size_t k = 0; k < row->seen; ++k) {
-        full[row->slot[k] / 64] |= UINT64_C(1) << (row->slot[k] % 64);
-    }
-}
-
-static void add_to_best(uint16_t *best, const murk_layout *layout,
-                        const murk_row *row)
-{
-    /* The maximum of the cover and the row, by the format of the row. */
-    switch (row->kind) {
-    case MURK_ROW_BITS:
-        for (size_t k = 0; k < row->words; ++k) {
-            uint16_t *at = best + 64 * murk_row_word(row, k);
-            for (uint64_t left = row->bits[k]; left; left &= left - 1) {
-                at[__builtin_ctzll(left)] = MURK_CLEAR;
-            }
-        }
-        break;
-    case MURK_ROW_PACKED: {
-        const uint16_t *p = row->clarity;
-        for (size_t k = 0; k < row->words; ++k) {
-            uint16_t *word = best + 64 * murk_row_word(row, k);
-            for (uint64_t left = row->bits[k]; left; left &= left - 1, ++p) {
-                uint16_t *at = &word[__builtin_ctzll(left)];
-                *at = *p > *at ? *p : *at;
-            }
-        }
-        break;
-    }
-    case MURK_ROW_DENSE:
-        for (size_t i = 0; i < layout->slots; ++i) {
-            best[i] = row->clarity[i] > best[i] ? row->clarity[i] : best[i];
-        }
-        break;
-    case MURK_ROW_LIST:
-        for (size_t k = 0; k < row->seen; ++k) {
-            uint16_t *at = &best[row->slot[k]];
-            *at = row->clarity[k] > *at ? row->clarity[k] : *at;
-        }
-        break;
-    case MURK_ROW_CLEAR_LIST:
-        for (size_t k = 0; k < row->seen; ++k) {
-            best[row->slot[k]] = MURK_CLEAR;
-        }
-        break;
-    }
-}
-
 /* Inserts bits into the layers of a word, from the highest layer down: a layer
  * passes on the bits that it already has. */
 static void insert_bits(const murk_cover *cover, const murk_layout *layout,
@@ -161,27 +104,6 @@ static void insert_clarity(const murk_cover *cover, const murk_layout *layout,
     }
 }
 
-static void add_to_layers(murk_cover *cover, const murk_layout *layout,
-                          const murk_row *row)
-{
-    if (row->kind == MURK_ROW_BITS && cover->full) {
-        for (size_t k = 0; k < row->words; ++k) {
-            insert_bits(cover, layout, murk_row_word(row, k), row->bits[k]);
-        }
-        return;
-    }
-    size_t slot;
-    uint16_t clarity;
-    for (murk_row_walk walk = murk_row_begin(layout, row);
-         murk_row_next(&walk, &slot, &clarity);) {
-        if (cover->full) {
-            insert_bits(cover, layout, slot / 64, UINT64_C(1) << (slot % 64));
-        } else {
-            insert_clarity(cover, layout, slot, clarity);
-        }
-    }
-}
-
 static void add_dose(const murk_cover *cover, const murk_layout *layout,
                      size_t slot, uint32_t dose)
 {
@@ -189,22 +111,35 @@ static void add_dose(const murk_cover *cover, const murk_layout *layout,
     cover->best[slot] = murk_dose_worth(layout->doses, cover->dose[slot]);
 }
 
+/* A row of bits is added word by word, and a dense row to a single layer slot
+ * by slot without branches; other rows entry by entry. */
 void murk_cover_add(murk_cover *cover, const murk_layout *layout,
                     const murk_row *row)
 {
-    if (cover->dose) {
-        size_t slot;
-        uint16_t clarity;
-        for (murk_row_walk walk = murk_row_begin(layout, row);
-             murk_row_next(&walk, &slot, &clarity);) {
-            add_dose(cover, layout, slot, layout->doses->of[clarity]);
+    if (row->kind == MURK_ROW_BITS && cover->full) {
+        for (size_t k = 0; k < row->words; ++k) {
+            insert_bits(cover, layout, murk_row_word(row, k), row->bits[k]);
         }
-    } else if (cover->layers > 1) {
-        add_to_layers(cover, layout, row);
-    } else if (cover->full) {
-        add_to_full(cover->full, row);
-    } else {
-        add_to_best(cover->best, layout, row);
+        return;
+    }
+    if (row->kind == MURK_ROW_DENSE && cover->layers == 1 && !cover->dose) {
+        uint16_t *best = cover->best;
+        for (size_t i = 0; i < layout->slots; ++i) {
+            best[i] = row->clarity[i] > best[i] ? row->clarity[i] : best[i];
+        }
+        return;
+    }
+    size_t slot;
+    uint16_t clarity;
+    for (murk_row_walk walk = murk_row_begin(layout, row);
+         murk_row_next(&walk, &slot, &clarity);) {
+        if (cover->dose) {
+            add_dose(cover, layout, slot, layout->doses->of[clarity]);
+        } else if (cover->full) {
+            insert_bits(cover, layout, slot / 64, UINT64_C(1) << (slot % 64));
+        } else {
+            insert_clarity(cover, layout, slot, clarity);
+        }
     }
 }
 

@@ -4,8 +4,6 @@
  * segment of mixed weights takes the weighted sum. */
 #include "placement/gain.h"
 
-#include "placement/kernel_loops.h"
-
 #include <assert.h>
 
 static bool has_bit(const uint64_t *bits, size_t i)
@@ -35,130 +33,95 @@ static row_segment segment_of(const murk_row *row, const murk_layout *layout,
                          s->first_word};
 }
 
-/* Weight of the photons in the row and not in the cover, for words of mixed
- * weights. */
-static uint64_t weighted_new(const row_segment *p, const uint64_t *full,
-                             const uint32_t *weight)
-{
-    uint64_t sum = 0;
-    for (size_t k = 0; k < p->words; ++k) {
-        const size_t at = p->at ? p->at[k] : k;
-        for (uint64_t left = p->bits[k] & ~full[at]; left; left &= left - 1) {
-            sum += weight[64 * at + (size_t)__builtin_ctzll(left)];
-        }
-    }
-    return sum;
-}
-
+/* BITS and PACKED. */
 static uint64_t gain_of_bits(const murk_layout *layout, const murk_row *row,
-                             const murk_cover *cover)
+                             const murk_cover *cover, bool is_independent)
 {
-    const murk_kernels *kernels = layout->kernels;
-    uint64_t sum = 0;
-    for (size_t s = 0; s < layout->segments; ++s) {
-        const murk_weight_run *segment = &layout->segment[s];
-        const row_segment p = segment_of(row, layout, s);
-        const uint32_t *weight = layout->weight + 64 * p.from;
-        /* A 0/1 cover needs bit counts, a cover of clarities sums of what is
-         * missing to MURK_CLEAR. */
-        if (!segment->is_mixed && segment->weight == 0) {
-            continue;
-        }
-        if (cover->full) {
-            const uint64_t *full = cover->full + p.from;
-            sum += MURK_CLEAR *
-                   (segment->is_mixed
-                        ? weighted_new(&p, full, weight)
-                        : segment->weight *
-                              kernels->count_new(p.bits, p.at, full, p.words));
-        } else {
-            const uint16_t *best = cover->best + 64 * p.from;
-            sum += segment->is_mixed
-                       ? kernels->weighted_missing(p.bits, p.at, best, weight,
-                                                   p.words)
-                       : segment->weight *
-                             kernels->sum_missing(p.bits, p.at, best, p.words);
-        }
-    }
-    return sum;
-}
-
-static uint64_t gain_of_dense(const murk_layout *layout,
-                              const uint16_t *clarity, const uint16_t *best)
-{
-    const murk_kernels *kernels = layout->kernels;
-    uint64_t sum = 0;
-    for (size_t s = 0; s < layout->segments; ++s) {
-        const murk_weight_run *at = &layout->segment[s];
-        const size_t first = 64 * at->first_word;
-        if (!at->is_mixed && at->weight == 0) {
-            continue;
-        }
-        sum +=
-            at->is_mixed
-                ? kernels->weighted_above(clarity + first, best + first,
-                                          layout->weight + first,
-                                          64 * at->words)
-                : at->weight * kernels->sum_above(clarity + first, best + first,
-                                                  64 * at->words);
-    }
-    return sum;
-}
-
-static uint64_t gain_of_packed(const murk_layout *layout, const murk_row *row,
-                               const uint16_t *lowest)
-{
-    const murk_kernels *kernels = layout->kernels;
     const uint16_t *clarity = row->clarity;
     uint64_t sum = 0;
     for (size_t s = 0; s < layout->segments; ++s) {
         const murk_weight_run *segment = &layout->segment[s];
         const row_segment p = segment_of(row, layout, s);
-        const uint16_t *best = lowest + 64 * p.from;
+        const uint32_t *weight =
+            segment->is_mixed ? layout->weight + 64 * p.from : NULL;
+        const uint64_t factor = weight ? 1 : segment->weight;
+        if (factor == 0 && !clarity) {
+            continue;
+        }
+        if (cover->full) {
+            sum += MURK_CLEAR * factor *
+                   layout->kernels->count_new(
+                       p.bits, p.at, cover->full + p.from, weight, p.words);
+            continue;
+        }
         size_t used = 0;
-        sum +=
-            segment->is_mixed
-                ? kernels->weighted_packed(p.bits, p.at, clarity, best,
-                                           layout->weight + 64 * p.from,
-                                           p.words, &used)
-                : segment->weight * kernels->sum_packed(p.bits, p.at, clarity,
-                                                        best, p.words, &used);
-        clarity += used;
+        sum += factor * layout->kernels->packed(
+                            p.bits, p.at, clarity, cover->best + 64 * p.from,
+                            weight, p.words, is_independent, &used);
+        clarity = clarity ? clarity + used : NULL;
     }
     return sum;
 }
 
+static uint64_t gain_of_dense(const murk_layout *layout,
+                              const uint16_t *clarity, const uint16_t *best,
+                              bool is_independent)
+{
+    uint64_t sum = 0;
+    for (size_t s = 0; s < layout->segments; ++s) {
+        const murk_weight_run *at = &layout->segment[s];
+        const size_t first = 64 * at->first_word;
+        const uint32_t *weight = at->is_mixed ? layout->weight + first : NULL;
+        const uint64_t factor = weight ? 1 : at->weight;
+        if (factor > 0) {
+            sum += factor *
+                   layout->kernels->dense(clarity + first, best + first, weight,
+                                          64 * at->words, is_independent);
+        }
+    }
+    return sum;
+}
+
+/* LIST and CLEAR_LIST. */
 static uint64_t gain_of_list(const murk_layout *layout, const murk_row *row,
-                             const uint16_t *best)
+                             const murk_cover *cover, bool is_independent)
 {
     uint64_t sum = 0;
     for (size_t k = 0; k < row->seen; ++k) {
         const uint32_t i = row->slot[k];
-        const uint16_t p = row->clarity[k];
-        sum += p > best[i] ? (uint64_t)(p - best[i]) * layout->weight[i] : 0;
+        const uint16_t best = !cover->full              ? cover->best[i]
+                              : has_bit(cover->full, i) ? MURK_CLEAR
+                                                        : 0;
+        sum += murk_gain_term(row->clarity ? row->clarity[k] : MURK_CLEAR, best,
+                              is_independent) *
+               layout->weight[i];
     }
     return sum;
 }
 
-static uint64_t gain_of_clear_list(const murk_layout *layout,
-                                   const murk_row *row, const murk_cover *cover)
+/* The gain over a cover of bits or clarities. With is_independent, clarities
+ * are taken for probabilities; an entry of MURK_CLEAR is certain anyway. */
+static uint64_t gain_over(const murk_layout *layout, const murk_row *row,
+                          const murk_cover *cover, bool is_independent)
 {
-    uint64_t sum = 0;
-    for (size_t k = 0; k < row->seen; ++k) {
-        const uint32_t i = row->slot[k];
-        const uint64_t missing =
-            cover->full ? (has_bit(cover->full, i) ? 0 : MURK_CLEAR)
-                        : MURK_CLEAR - (uint64_t)cover->best[i];
-        sum += missing * layout->weight[i];
+    is_independent = is_independent && row->clarity;
+    switch (row->kind) {
+    case MURK_ROW_BITS:
+    case MURK_ROW_PACKED:
+        return gain_of_bits(layout, row, cover, is_independent);
+    case MURK_ROW_DENSE:
+        return gain_of_dense(layout, row->clarity, cover->best, is_independent);
+    case MURK_ROW_LIST:
+    case MURK_ROW_CLEAR_LIST:
+        break;
     }
-    return sum;
+    return gain_of_list(layout, row, cover, is_independent);
 }
 
 /* For detection probabilities: the worth of the sum of the doses, less the
  * worth before. */
-static uint64_t gain_of_independent(const murk_layout *layout,
-                                    const murk_row *row,
-                                    const murk_cover *cover)
+static uint64_t gain_of_doses(const murk_layout *layout, const murk_row *row,
+                              const murk_cover *cover)
 {
     const murk_doses *doses = layout->doses;
     uint64_t sum = 0;
@@ -176,72 +139,8 @@ static uint64_t gain_of_independent(const murk_layout *layout,
 uint64_t murk_row_gain(const murk_layout *layout, const murk_row *row,
                        const murk_cover *cover)
 {
-    if (cover->dose) {
-        return gain_of_independent(layout, row, cover);
-    }
-    switch (row->kind) {
-    case MURK_ROW_BITS:
-        return gain_of_bits(layout, row, cover);
-    case MURK_ROW_PACKED:
-        return gain_of_packed(layout, row, cover->best);
-    case MURK_ROW_DENSE:
-        return gain_of_dense(layout, row->clarity, cover->best);
-    case MURK_ROW_LIST:
-        return gain_of_list(layout, row, cover->best);
-    case MURK_ROW_CLEAR_LIST:
-        break;
-    }
-    return gain_of_clear_list(layout, row, cover);
-}
-
-static uint64_t independent_dense(const murk_layout *layout,
-                                  const uint16_t *row, const uint16_t *best)
-{
-    uint64_t sum = 0;
-    for (size_t s = 0; s < layout->segments; ++s) {
-        const murk_weight_run *at = &layout->segment[s];
-        const size_t first = 64 * at->first_word, n = 64 * at->words;
-        if (!at->is_mixed) {
-            sum += at->weight * layout->kernels->sum_independent(
-                                    row + first, best + first, n);
-            continue;
-        }
-        for (size_t i = first; i < first + n; ++i) {
-            sum +=
-                murk_loop_independent_gain(row[i], best[i]) * layout->weight[i];
-        }
-    }
-    return sum;
-}
-
-static uint64_t independent_packed(const murk_layout *layout,
-                                   const murk_row *row, const uint16_t *lowest)
-{
-    const uint16_t *clarity = row->clarity;
-    uint64_t sum = 0;
-    for (size_t s = 0; s < layout->segments; ++s) {
-        const row_segment p = segment_of(row, layout, s);
-        const uint16_t *best = lowest + 64 * p.from;
-        const uint32_t *weight = layout->weight + 64 * p.from;
-        if (!layout->segment[s].is_mixed) {
-            size_t used = 0;
-            sum += layout->segment[s].weight *
-                   layout->kernels->sum_independent_packed(
-                       p.bits, p.at, clarity, best, p.words, &used);
-            clarity += used;
-            continue;
-        }
-        /* Mixed weights: entry by entry. */
-        for (size_t k = 0; k < p.words; ++k) {
-            const size_t first = 64 * murk_word_at(p.at, k);
-            for (uint64_t left = p.bits[k]; left; left &= left - 1) {
-                const size_t i = first + (size_t)__builtin_ctzll(left);
-                sum +=
-                    murk_loop_independent_gain(*clarity++, best[i]) * weight[i];
-            }
-        }
-    }
-    return sum;
+    return cover->dose ? gain_of_doses(layout, row, cover)
+                       : gain_over(layout, row, cover, false);
 }
 
 /* Let the cover have the dose Y with worth `best`, and let h = 65535 (1 -
@@ -254,25 +153,7 @@ uint64_t murk_row_gain_bound(const murk_layout *layout, const murk_row *row,
                              const murk_cover *cover)
 {
     assert(cover->dose);
-    uint64_t sum = 0;
-    switch (row->kind) {
-    case MURK_ROW_BITS:
-        return gain_of_bits(layout, row, cover);
-    case MURK_ROW_PACKED:
-        return independent_packed(layout, row, cover->best);
-    case MURK_ROW_DENSE:
-        return independent_dense(layout, row->clarity, cover->best);
-    case MURK_ROW_LIST:
-        for (size_t k = 0; k < row->seen; ++k) {
-            const uint32_t i = row->slot[k];
-            sum += murk_loop_independent_gain(row->clarity[k], cover->best[i]) *
-                   layout->weight[i];
-        }
-        return sum;
-    case MURK_ROW_CLEAR_LIST:
-        break;
-    }
-    return gain_of_clear_list(layout, row, cover);
+    return gain_over(layout, row, cover, true);
 }
 
 uint64_t murk_row_weight(const murk_layout *layout, const murk_row *row)
@@ -290,92 +171,29 @@ uint64_t murk_row_weight(const murk_layout *layout, const murk_row *row)
 void murk_row_count_above(const murk_layout *layout, const murk_row *row,
                           const uint16_t *best, uint16_t *count)
 {
-    switch (row->kind) {
-    /* A set bit stands for MURK_CLEAR. */
-    case MURK_ROW_BITS:
-        for (size_t k = 0; k < row->words; ++k) {
-            const size_t first = 64 * murk_row_word(row, k);
-            for (uint64_t left = row->bits[k]; left; left &= left - 1) {
-                const size_t i = first + (size_t)__builtin_ctzll(left);
-                count[i] = (uint16_t)(count[i] + (best[i] < MURK_CLEAR));
-            }
-        }
-        break;
-    case MURK_ROW_PACKED: {
-        const uint16_t *p = row->clarity;
-        for (size_t k = 0; k < row->words; ++k) {
-            const size_t first = 64 * murk_row_word(row, k);
-            for (uint64_t left = row->bits[k]; left; left &= left - 1, ++p) {
-                const size_t i = first + (size_t)__builtin_ctzll(left);
-                count[i] = (uint16_t)(count[i] + (*p > best[i]));
-            }
-        }
-        break;
-    }
-    case MURK_ROW_DENSE:
-        for (size_t i = 0; i < layout->slots; ++i) {
-            count[i] = (uint16_t)(count[i] + (row->clarity[i] > best[i]));
-        }
-        break;
-    case MURK_ROW_LIST:
-    case MURK_ROW_CLEAR_LIST:
-        for (size_t k = 0; k < row->seen; ++k) {
-            const uint32_t i = row->slot[k];
-            const uint16_t p = row->clarity ? row->clarity[k] : MURK_CLEAR;
-            count[i] = (uint16_t)(count[i] + (p > best[i]));
-        }
-        break;
+    size_t i;
+    uint16_t p;
+    for (murk_row_walk walk = murk_row_begin(layout, row);
+         murk_row_next(&walk, &i, &p);) {
+        count[i] = (uint16_t)(count[i] + (p > best[i]));
     }
 }
 
 bool murk_row_is_covered(const murk_layout *layout, const murk_row *row,
                          const murk_cover *cover)
 {
-    switch (row->kind) {
-    /* Each format returns at the first entry that exceeds the cover. */
-    case MURK_ROW_BITS:
+    if (row->kind == MURK_ROW_BITS && cover->full) {
         for (size_t k = 0; k < row->words; ++k) {
-            const size_t at = murk_row_word(row, k);
-            if (cover->full) {
-                if (row->bits[k] & ~cover->full[at]) {
-                    return false;
-                }
-                continue;
-            }
-            for (uint64_t left = row->bits[k]; left; left &= left - 1) {
-                if (cover->best[64 * at + (size_t)__builtin_ctzll(left)] <
-                    MURK_CLEAR) {
-                    return false;
-                }
-            }
-        }
-        return true;
-    case MURK_ROW_PACKED: {
-        const uint16_t *p = row->clarity;
-        for (size_t k = 0; k < row->words; ++k) {
-            const uint16_t *lowest = cover->best + 64 * murk_row_word(row, k);
-            for (uint64_t left = row->bits[k]; left; left &= left - 1, ++p) {
-                if (*p > lowest[__builtin_ctzll(left)]) {
-                    return false;
-                }
-            }
-        }
-        return true;
-    }
-    case MURK_ROW_DENSE:
-        for (size_t i = 0; i < layout->slots; ++i) {
-            if (row->clarity[i] > cover->best[i]) {
+            if (row->bits[k] & ~cover->full[murk_row_word(row, k)]) {
                 return false;
             }
         }
         return true;
-    case MURK_ROW_LIST:
-    case MURK_ROW_CLEAR_LIST:
-        break;
     }
-    for (size_t k = 0; k < row->seen; ++k) {
-        const uint32_t i = row->slot[k];
-        const uint16_t p = row->clarity ? row->clarity[k] : MURK_CLEAR;
+    size_t i;
+    uint16_t p;
+    for (murk_row_walk walk = murk_row_begin(layout, row);
+         murk_row_next(&walk, &i, &p);) {
         if (cover->full ? !has_bit(cover->full, i) : p > cover->best[i]) {
             return false;
         }

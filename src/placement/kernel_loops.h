@@ -1,19 +1,45 @@
-/* The portable inner loops, slot by slot. They are compiled twice: for any
- * processor, and for processors with instructions that count and find bits. */
+/* The portable inner loops, slot by slot. Each file of kernels compiles them
+ * anew: before this header it may define MURK_TARGET, an attribute that allows
+ * instructions which count and find bits. */
 #ifndef MURK_PLACEMENT_KERNEL_LOOPS_H
 #define MURK_PLACEMENT_KERNEL_LOOPS_H
 
-#include "placement/problem.h"
+#include "placement/kernels.h"
+
+#ifndef MURK_TARGET
+#define MURK_TARGET
+#endif
+
+/* A loop is compiled once for each combination of options that a caller passes
+ * as constants, without tests inside. */
+#define MURK_LOOP MURK_TARGET static inline __attribute__((always_inline))
 
 static inline size_t murk_word_at(const uint32_t *at, size_t k)
 {
     return at ? at[k] : k;
 }
 
-static inline uint64_t murk_loop_count_new(const uint64_t *row,
-                                           const uint32_t *at,
-                                           const uint64_t *full, size_t words)
+MURK_LOOP uint64_t murk_weighted_bits(const uint64_t *row, const uint32_t *at,
+                                      const uint64_t *full,
+                                      const uint32_t *weight, size_t words)
 {
+    uint64_t sum = 0;
+    for (size_t k = 0; k < words; ++k) {
+        const size_t word = murk_word_at(at, k);
+        for (uint64_t left = row[k] & ~full[word]; left; left &= left - 1) {
+            sum += weight[64 * word + (size_t)__builtin_ctzll(left)];
+        }
+    }
+    return sum;
+}
+
+MURK_TARGET static inline uint64_t
+murk_loop_count_new(const uint64_t *row, const uint32_t *at,
+                    const uint64_t *full, const uint32_t *weight, size_t words)
+{
+    if (weight) {
+        return murk_weighted_bits(row, at, full, weight, words);
+    }
     uint64_t sum = 0;
     for (size_t k = 0; k < words; ++k) {
         sum +=
@@ -22,176 +48,71 @@ static inline uint64_t murk_loop_count_new(const uint64_t *row,
     return sum;
 }
 
-static inline uint64_t murk_loop_sum_missing(const uint64_t *row,
-                                             const uint32_t *at,
-                                             const uint16_t *best, size_t words)
-{
-    uint64_t sum = 0;
-    for (size_t k = 0; k < words; ++k) {
-        const uint16_t *b = best + 64 * murk_word_at(at, k);
-        for (uint64_t left = row[k]; left; left &= left - 1) {
-            sum += MURK_CLEAR - (uint64_t)b[__builtin_ctzll(left)];
-        }
-    }
-    return sum;
-}
-
-static inline uint64_t murk_loop_weighted_missing(const uint64_t *row,
-                                                  const uint32_t *at,
-                                                  const uint16_t *best,
-                                                  const uint32_t *weight,
-                                                  size_t words)
-{
-    uint64_t sum = 0;
-    for (size_t k = 0; k < words; ++k) {
-        const size_t first = 64 * murk_word_at(at, k);
-        for (uint64_t left = row[k]; left; left &= left - 1) {
-            const size_t i = first + (size_t)__builtin_ctzll(left);
-            sum += (MURK_CLEAR - (uint64_t)best[i]) * weight[i];
-        }
-    }
-    return sum;
-}
-
-static inline uint64_t murk_loop_sum_above(const uint16_t *row,
-                                           const uint16_t *best, size_t n)
+MURK_LOOP uint64_t murk_dense_sum(const uint16_t *row, const uint16_t *best,
+                                  const uint32_t *weight, size_t n,
+                                  bool is_independent)
 {
     uint64_t sum = 0;
     for (size_t i = 0; i < n; ++i) {
-        sum += row[i] > best[i] ? (uint64_t)(row[i] - best[i]) : 0;
+        sum += murk_gain_term(row[i], best[i], is_independent) *
+               (weight ? weight[i] : 1);
     }
     return sum;
 }
 
-static inline uint64_t murk_loop_weighted_above(const uint16_t *row,
-                                                const uint16_t *best,
-                                                const uint32_t *weight,
-                                                size_t n)
+MURK_TARGET static inline uint64_t
+murk_loop_dense(const uint16_t *row, const uint16_t *best,
+                const uint32_t *weight, size_t n, bool is_independent)
 {
-    uint64_t sum = 0;
-    for (size_t i = 0; i < n; ++i) {
-        sum += row[i] > best[i] ? (uint64_t)(row[i] - best[i]) * weight[i] : 0;
+    if (is_independent) {
+        return weight ? murk_dense_sum(row, best, weight, n, true)
+                      : murk_dense_sum(row, best, NULL, n, true);
     }
-    return sum;
+    return weight ? murk_dense_sum(row, best, weight, n, false)
+                  : murk_dense_sum(row, best, NULL, n, false);
 }
 
-static inline uint64_t murk_loop_sum_packed(const uint64_t *row,
-                                            const uint32_t *at,
-                                            const uint16_t *clarity,
-                                            const uint16_t *best, size_t words,
-                                            size_t *used)
-{
-    uint64_t sum = 0;
-    const uint16_t *p = clarity;
-    for (size_t k = 0; k < words; ++k) {
-        const uint16_t *lowest = best + 64 * murk_word_at(at, k);
-        for (uint64_t left = row[k]; left; left &= left - 1, ++p) {
-            const uint16_t b = lowest[__builtin_ctzll(left)];
-            sum += *p > b ? (uint64_t)(*p - b) : 0;
-        }
-    }
-    *used = (size_t)(p - clarity);
-    return sum;
-}
-
-static inline uint64_t
-murk_loop_weighted_packed(const uint64_t *row, const uint32_t *at,
-                          const uint16_t *clarity, const uint16_t *best,
-                          const uint32_t *weight, size_t words, size_t *used)
+MURK_LOOP uint64_t murk_packed_sum(const uint64_t *row, const uint32_t *at,
+                                   const uint16_t *clarity,
+                                   const uint16_t *best, const uint32_t *weight,
+                                   size_t words, bool is_independent,
+                                   size_t *used)
 {
     uint64_t sum = 0;
     const uint16_t *p = clarity;
     for (size_t k = 0; k < words; ++k) {
         const size_t first = 64 * murk_word_at(at, k);
-        for (uint64_t left = row[k]; left; left &= left - 1, ++p) {
+        for (uint64_t left = row[k]; left; left &= left - 1) {
             const size_t i = first + (size_t)__builtin_ctzll(left);
-            sum += *p > best[i] ? (uint64_t)(*p - best[i]) * weight[i] : 0;
+            sum += murk_gain_term(clarity ? *p++ : MURK_CLEAR, best[i],
+                                  is_independent) *
+                   (weight ? weight[i] : 1);
         }
     }
     *used = (size_t)(p - clarity);
     return sum;
 }
 
-static inline uint64_t murk_loop_independent_gain(uint16_t row, uint16_t best)
+MURK_TARGET static inline uint64_t
+murk_loop_packed(const uint64_t *row, const uint32_t *at,
+                 const uint16_t *clarity, const uint16_t *best,
+                 const uint32_t *weight, size_t words, bool is_independent,
+                 size_t *used)
 {
-    return (uint64_t)row * (uint64_t)(MURK_CLEAR - best) >> 16;
-}
-
-static inline uint64_t murk_loop_sum_independent(const uint16_t *row,
-                                                 const uint16_t *best, size_t n)
-{
-    uint64_t sum = 0;
-    for (size_t i = 0; i < n; ++i) {
-        sum += murk_loop_independent_gain(row[i], best[i]);
+    if (!clarity) {
+        return weight ? murk_packed_sum(row, at, NULL, best, weight, words,
+                                        false, used)
+                      : murk_packed_sum(row, at, NULL, best, NULL, words, false,
+                                        used);
     }
-    return sum;
-}
-
-static inline uint64_t
-murk_loop_sum_independent_packed(const uint64_t *row, const uint32_t *at,
-                                 const uint16_t *clarity, const uint16_t *best,
-                                 size_t words, size_t *used)
-{
-    uint64_t sum = 0;
-    const uint16_t *p = clarity;
-    for (size_t k = 0; k < words; ++k) {
-        const uint16_t *lowest = best + 64 * murk_word_at(at, k);
-        for (uint64_t left = row[k]; left; left &= left - 1, ++p) {
-            sum +=
-                murk_loop_independent_gain(*p, lowest[__builtin_ctzll(left)]);
-        }
+    if (is_independent) {
+        return murk_packed_sum(row, at, clarity, best, weight, words, true,
+                               used);
     }
-    *used = (size_t)(p - clarity);
-    return sum;
+    return weight ? murk_packed_sum(row, at, clarity, best, weight, words,
+                                    false, used)
+                  : murk_packed_sum(row, at, clarity, best, NULL, words, false,
+                                    used);
 }
-
-/* Defines the loops as functions NAME_SUFFIX, compiled for `TARGET`, an
- * attribute that may be empty. */
-#define MURK_COMPILE_LOOPS(SUFFIX, TARGET)                                     \
-    TARGET static uint64_t count_new_##SUFFIX(                                 \
-        const uint64_t *row, const uint32_t *at, const uint64_t *full,         \
-        size_t words)                                                          \
-    {                                                                          \
-        return murk_loop_count_new(row, at, full, words);                      \
-    }                                                                          \
-    TARGET static uint64_t sum_missing_##SUFFIX(                               \
-        const uint64_t *row, const uint32_t *at, const uint16_t *best,         \
-        size_t words)                                                          \
-    {                                                                          \
-        return murk_loop_sum_missing(row, at, best, words);                    \
-    }                                                                          \
-    TARGET static uint64_t weighted_missing_##SUFFIX(                          \
-        const uint64_t *row, const uint32_t *at, const uint16_t *best,         \
-        const uint32_t *weight, size_t words)                                  \
-    {                                                                          \
-        return murk_loop_weighted_missing(row, at, best, weight, words);       \
-    }                                                                          \
-    TARGET static uint64_t weighted_above_##SUFFIX(                            \
-        const uint16_t *row, const uint16_t *best, const uint32_t *weight,     \
-        size_t n)                                                              \
-    {                                                                          \
-        return murk_loop_weighted_above(row, best, weight, n);                 \
-    }                                                                          \
-    TARGET static uint64_t sum_packed_##SUFFIX(                                \
-        const uint64_t *row, const uint32_t *at, const uint16_t *clarity,      \
-        const uint16_t *best, size_t words, size_t *used)                      \
-    {                                                                          \
-        return murk_loop_sum_packed(row, at, clarity, best, words, used);      \
-    }                                                                          \
-    TARGET static uint64_t weighted_packed_##SUFFIX(                           \
-        const uint64_t *row, const uint32_t *at, const uint16_t *clarity,      \
-        const uint16_t *best, const uint32_t *weight, size_t words,            \
-        size_t *used)                                                          \
-    {                                                                          \
-        return murk_loop_weighted_packed(row, at, clarity, best, weight,       \
-                                         words, used);                         \
-    }                                                                          \
-    TARGET static uint64_t sum_independent_packed_##SUFFIX(                    \
-        const uint64_t *row, const uint32_t *at, const uint16_t *clarity,      \
-        const uint16_t *best, size_t words, size_t *used)                      \
-    {                                                                          \
-        return murk_loop_sum_independent_packed(row, at, clarity, best, words, \
-                                                used);                         \
-    }
 
 #endif

@@ -71,39 +71,33 @@ static void arrays_release(arrays *a)
 static void check_bits(const murk_kernels *f, const arrays *a,
                        const uint32_t *at, size_t words)
 {
-    const murk_kernels *p = murk_kernels_plain();
-    CHECK(p->count_new(a->row, at, a->full, words) ==
-          f->count_new(a->row, at, a->full, words));
-    CHECK(p->sum_missing(a->row, at, a->best, words) ==
-          f->sum_missing(a->row, at, a->best, words));
-    CHECK(p->weighted_missing(a->row, at, a->best, a->weight, words) ==
-          f->weighted_missing(a->row, at, a->best, a->weight, words));
-    size_t used[2] = {0};
-    CHECK(p->sum_packed(a->row, at, a->packed, a->best, words, &used[0]) ==
-          f->sum_packed(a->row, at, a->packed, a->best, words, &used[1]));
-    CHECK(used[0] == used[1]);
-    CHECK(p->weighted_packed(a->row, at, a->packed, a->best, a->weight, words,
-                             &used[0]) ==
-          f->weighted_packed(a->row, at, a->packed, a->best, a->weight, words,
-                             &used[1]));
-    CHECK(used[0] == used[1]);
-    CHECK(p->sum_independent_packed(a->row, at, a->packed, a->best, words,
-                                    &used[0]) ==
-          f->sum_independent_packed(a->row, at, a->packed, a->best, words,
-                                    &used[1]));
-    CHECK(used[0] == used[1]);
+    const murk_kernels *p = murk_kernels_number(0);
+    for (int has_weights = 0; has_weights < 2; ++has_weights) {
+        const uint32_t *weight = has_weights ? a->weight : NULL;
+        CHECK(p->count_new(a->row, at, a->full, weight, words) ==
+              f->count_new(a->row, at, a->full, weight, words));
+        for (int form = 0; form < 3; ++form) {
+            const uint16_t *clarity = form > 0 ? a->packed : NULL;
+            size_t used[2] = {0};
+            CHECK(p->packed(a->row, at, clarity, a->best, weight, words,
+                            form > 1, &used[0]) ==
+                  f->packed(a->row, at, clarity, a->best, weight, words,
+                            form > 1, &used[1]));
+            CHECK(used[0] == used[1]);
+        }
+    }
 }
 
 static void check_same(const murk_kernels *f, size_t words, bool is_extreme)
 {
-    const murk_kernels *p = murk_kernels_plain();
+    const murk_kernels *p = murk_kernels_number(0);
     arrays a = arrays_create(words, is_extreme);
     const size_t n = 64 * words;
-    CHECK(p->sum_above(a.dense, a.best, n) == f->sum_above(a.dense, a.best, n));
-    CHECK(p->weighted_above(a.dense, a.best, a.weight, n) ==
-          f->weighted_above(a.dense, a.best, a.weight, n));
-    CHECK(p->sum_independent(a.dense, a.best, n) ==
-          f->sum_independent(a.dense, a.best, n));
+    for (int form = 0; form < 4; ++form) {
+        const uint32_t *weight = form % 2 ? a.weight : NULL;
+        CHECK(p->dense(a.dense, a.best, weight, n, form > 1) ==
+              f->dense(a.dense, a.best, weight, n, form > 1));
+    }
     check_bits(f, &a, NULL, words);
     uint32_t *at = malloc((words / 2 + 1) * sizeof *at);
     for (size_t k = 0; k < words / 2; ++k) {
@@ -117,38 +111,39 @@ static void check_same(const murk_kernels *f, size_t words, bool is_extreme)
 /* The plain loops against sums known beforehand. */
 static void test_plain_sums(void)
 {
-    const murk_kernels *p = murk_kernels_plain();
+    const murk_kernels *p = murk_kernels_number(0);
     arrays a = arrays_create(2, true);
     const uint64_t all = (uint64_t)128 * MURK_CLEAR;
     size_t used = 0;
     a.full[0] = 7;
-    CHECK(p->count_new(a.row, NULL, a.full, 2) == 125);
-    CHECK(p->sum_missing(a.row, NULL, a.best, 2) == all);
-    CHECK(p->sum_above(a.dense, a.best, 128) == all);
-    CHECK(p->weighted_above(a.dense, a.best, a.weight, 128) ==
-          all * UINT32_MAX);
-    CHECK(p->sum_independent(a.dense, a.best, 128) == all - 128);
+    CHECK(p->count_new(a.row, NULL, a.full, NULL, 2) == 125);
+    CHECK(p->count_new(a.row, NULL, a.full, a.weight, 2) ==
+          (uint64_t)125 * UINT32_MAX);
+    CHECK(p->packed(a.row, NULL, NULL, a.best, NULL, 2, false, &used) == all);
+    CHECK(p->dense(a.dense, a.best, NULL, 128, false) == all);
+    CHECK(p->dense(a.dense, a.best, a.weight, 128, false) == all * UINT32_MAX);
+    CHECK(p->dense(a.dense, a.best, NULL, 128, true) == all - 128);
     a.best[3] = MURK_CLEAR - 1;
     a.row[1] = 1;
-    CHECK(p->sum_missing(a.row, NULL, a.best, 2) ==
+    CHECK(p->packed(a.row, NULL, NULL, a.best, NULL, 2, false, &used) ==
           (uint64_t)64 * MURK_CLEAR + 1);
-    CHECK(p->sum_packed(a.row, NULL, a.packed, a.best, 2, &used) ==
+    CHECK(p->packed(a.row, NULL, a.packed, a.best, NULL, 2, false, &used) ==
           (uint64_t)64 * MURK_CLEAR + 1);
     CHECK(used == 65);
     /* the one photon of the second word is the cover's first */
     const uint32_t first = 0;
     a.best[0] = MURK_CLEAR - 5;
-    CHECK(p->sum_missing(a.row + 1, &first, a.best, 1) == 5);
-    CHECK(p->weighted_missing(a.row + 1, &first, a.best, a.weight, 1) ==
-          (uint64_t)5 * UINT32_MAX);
-    CHECK(p->count_new(a.row + 1, &first, a.full, 1) == 0);
+    CHECK(p->packed(a.row + 1, &first, NULL, a.best, NULL, 1, false, &used) ==
+          5);
+    CHECK(p->packed(a.row + 1, &first, NULL, a.best, a.weight, 1, false,
+                    &used) == (uint64_t)5 * UINT32_MAX);
+    CHECK(p->count_new(a.row + 1, &first, a.full, NULL, 1) == 0);
     arrays_release(&a);
 }
 
 int main(void)
 {
     test_plain_sums();
-    CHECK(murk_kernels_number(0) == murk_kernels_plain());
     for (size_t set = 1; murk_kernels_number(set); ++set) {
         const murk_kernels *f = murk_kernels_number(set);
         for (size_t words = 0; words < 20; ++words) {
