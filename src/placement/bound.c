@@ -7,7 +7,6 @@
 #include "base/interrupt.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* A step starts at the multipliers of the lowest bound and goes down the mean
@@ -41,26 +40,25 @@ murk_status murk_bound_init(murk_bound *out, const murk_evaluator *evaluator,
 {
     const size_t slots = evaluator->layout->slots + 1;
     const size_t n = evaluator->candidates + 1;
-    *out = (murk_bound){.evaluator = evaluator,
-                        .multiplier = calloc(slots, sizeof *out->multiplier),
-                        .lowest = calloc(slots, sizeof *out->lowest),
-                        .mean = calloc(slots, sizeof *out->mean),
-                        .subgradient = calloc(slots, sizeof *out->subgradient),
-                        .gain = calloc(n, sizeof *out->gain),
-                        .live = calloc(n, sizeof *out->live),
-                        .top = calloc(n, sizeof *out->top)};
-    /* Constraints need a relaxation and the partial plan of the fixed sensors.
-     */
+    *out = (murk_bound){.evaluator = evaluator};
+    murk_arena *arena = &out->arena;
+    out->multiplier = murk_arena_array(arena, slots, sizeof *out->multiplier);
+    out->lowest = murk_arena_array(arena, slots, sizeof *out->lowest);
+    out->mean = murk_arena_array(arena, slots, sizeof *out->mean);
+    out->subgradient = murk_arena_array(arena, slots, sizeof *out->subgradient);
+    out->gain = murk_arena_array(arena, n, sizeof *out->gain);
+    out->live = murk_arena_array(arena, n, sizeof *out->live);
+    out->top = murk_arena_array(arena, n, sizeof *out->top);
     murk_status status =
         murk_multipliers_init(&out->multipliers, evaluator, err);
-    if (!status &&
-        (!out->multiplier || !out->lowest || !out->mean || !out->subgradient ||
-         !out->gain || !out->live || !out->top ||
-         !murk_cover_init(&out->cover, evaluator->layout, false))) {
+    if (!status && (arena->is_short ||
+                    !murk_cover_init(&out->cover, evaluator->layout, false))) {
         status = murk_fail(err, MURK_NO_MEMORY, "",
                            "no memory to bound plans for %zu photons",
                            evaluator->layout->photons);
     }
+    /* Constraints need a relaxation and the partial plan of the fixed sensors.
+     */
     if (!status && evaluator->set) {
         status = murk_relaxation_init(&out->relaxed, evaluator->set, err);
     }
@@ -75,17 +73,11 @@ murk_status murk_bound_init(murk_bound *out, const murk_evaluator *evaluator,
 
 void murk_bound_release(murk_bound *bound)
 {
-    free(bound->multiplier);
-    free(bound->lowest);
-    free(bound->mean);
-    free(bound->subgradient);
-    free(bound->gain);
-    free(bound->live);
-    free(bound->top);
     murk_multipliers_release(&bound->multipliers);
     murk_cover_release(&bound->cover);
     murk_relaxation_release(&bound->relaxed);
     murk_partial_plan_release(&bound->fixed);
+    murk_arena_release(&bound->arena);
     *bound = (murk_bound){0};
 }
 

@@ -54,6 +54,7 @@ typedef struct murk_bound {
     const murk_partial_plan
         *partial; /* that the n candidates extend; NULL: no constraints */
     murk_partial_plan fixed; /* with constraints: the fixed sensors */
+    murk_arena arena;
 } murk_bound;
 
 murk_status murk_bound_init(murk_bound *out, const murk_evaluator *evaluator,

@@ -7,7 +7,6 @@
 
 #include "base/pool.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 /* weight * clarity * dose: at most 47, 16 and 25 bits together. */
@@ -24,19 +23,17 @@ murk_status murk_multipliers_init(murk_multipliers *out,
                                   murk_error *err)
 {
     const size_t slots = evaluator->layout->slots + 1;
-    *out = (murk_multipliers){.evaluator = evaluator,
-                              .floor = calloc(slots, sizeof *out->floor),
-                              .count = calloc(slots, sizeof *out->count)};
-    bool has_memory =
-        murk_cover_init_single(&out->rounded, evaluator->layout, false) &&
-        out->floor && out->count;
+    *out = (murk_multipliers){.evaluator = evaluator};
+    murk_arena *arena = &out->arena;
+    out->floor = murk_arena_array(arena, slots, sizeof *out->floor);
+    out->count = murk_arena_array(arena, slots, sizeof *out->count);
     if (evaluator->layout->doses) {
-        out->factor = calloc(slots, sizeof *out->factor);
-        out->max = calloc(slots, sizeof *out->max);
-        out->drawn = calloc(slots, sizeof *out->drawn);
-        has_memory = has_memory && out->factor && out->max && out->drawn;
+        out->factor = murk_arena_array(arena, slots, sizeof *out->factor);
+        out->max = murk_arena_array(arena, slots, sizeof *out->max);
+        out->drawn = murk_arena_array(arena, slots, sizeof *out->drawn);
     }
-    if (!has_memory) {
+    if (arena->is_short ||
+        !murk_cover_init_single(&out->rounded, evaluator->layout, false)) {
         murk_multipliers_release(out);
         return murk_fail(err, MURK_NO_MEMORY, "",
                          "no memory to bound plans for %zu photons",
@@ -48,11 +45,7 @@ murk_status murk_multipliers_init(murk_multipliers *out,
 void murk_multipliers_release(murk_multipliers *t)
 {
     murk_cover_release(&t->rounded);
-    free(t->floor);
-    free(t->count);
-    free(t->factor);
-    free(t->max);
-    free(t->drawn);
+    murk_arena_release(&t->arena);
     *t = (murk_multipliers){0};
 }
 

@@ -25,6 +25,7 @@
 #ifndef MURK_PLACEMENT_MULTIPLIERS_H
 #define MURK_PLACEMENT_MULTIPLIERS_H
 
+#include "base/arena.h"
 #include "placement/evaluator.h"
 
 typedef struct murk_multipliers {
@@ -38,6 +39,7 @@ typedef struct murk_multipliers {
     uint64_t *factor; /* [slots] weight * (1 - t) */
     uint32_t *max;    /* [slots] 1 + y - Y0, rounded up */
     float *drawn;     /* [slots] scratch: sum of the doses that count */
+    murk_arena arena;
 } murk_multipliers;
 
 murk_status murk_multipliers_init(murk_multipliers *out,

@@ -45,23 +45,23 @@ murk_status murk_relaxation_init(murk_relaxation *out,
                                  murk_error *err)
 {
     const size_t n = set->candidates + 1;
-    *out = (murk_relaxation){
-        .set = set,
-        .order = calloc(n, sizeof *out->order),
-        .picked = calloc(n, sizeof *out->picked),
-        .priced = calloc(n, sizeof *out->priced),
-        .value = calloc(n, sizeof *out->value),
-        .cost = calloc(n, sizeof *out->cost),
-        .class_count = calloc(set->classes, sizeof *out->class_count),
-        .is_used = calloc(set->sites + 1, sizeof *out->is_used)};
+    *out = (murk_relaxation){.set = set};
+    murk_arena *arena = &out->arena;
+    out->order = murk_arena_array(arena, n, sizeof *out->order);
+    out->picked = murk_arena_array(arena, n, sizeof *out->picked);
+    out->priced = murk_arena_array(arena, n, sizeof *out->priced);
+    out->value = murk_arena_array(arena, n, sizeof *out->value);
+    out->cost = murk_arena_array(arena, n, sizeof *out->cost);
+    out->class_count =
+        murk_arena_array(arena, set->classes, sizeof *out->class_count);
+    out->is_used =
+        murk_arena_array(arena, set->sites + 1, sizeof *out->is_used);
     /* Multipliers exist only for maximum counts under a budget. */
-    const bool has_multipliers = set->has_budget && set->has_caps;
-    if (has_multipliers) {
-        out->multiplier = calloc(set->classes, sizeof *out->multiplier);
+    if (set->has_budget && set->has_caps) {
+        out->multiplier =
+            murk_arena_array(arena, set->classes, sizeof *out->multiplier);
     }
-    if (!out->order || (has_multipliers && !out->multiplier) || !out->picked ||
-        !out->priced || !out->value || !out->cost || !out->class_count ||
-        !out->is_used) {
+    if (arena->is_short) {
         murk_relaxation_release(out);
         return murk_fail(err, MURK_NO_MEMORY, "",
                          "no memory to bound plans under rules");
@@ -71,14 +71,7 @@ murk_status murk_relaxation_init(murk_relaxation *out,
 
 void murk_relaxation_release(murk_relaxation *relaxed)
 {
-    free(relaxed->order);
-    free(relaxed->picked);
-    free(relaxed->priced);
-    free(relaxed->value);
-    free(relaxed->cost);
-    free(relaxed->class_count);
-    free(relaxed->is_used);
-    free(relaxed->multiplier);
+    murk_arena_release(&relaxed->arena);
     *relaxed = (murk_relaxation){0};
 }
 

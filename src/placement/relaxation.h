@@ -13,6 +13,7 @@
 #ifndef MURK_PLACEMENT_RELAXATION_H
 #define MURK_PLACEMENT_RELAXATION_H
 
+#include "base/arena.h"
 #include "placement/evaluator.h"
 #include "placement/partial_plan.h"
 
@@ -46,6 +47,7 @@ typedef struct murk_relaxation {
     uint64_t cap_charges; /* sum of the charges for all places that maximum
                              counts leave */
     double carry;         /* sum of fractions of candidates not yet chosen */
+    murk_arena arena;
 } murk_relaxation;
 
 murk_status murk_relaxation_init(murk_relaxation *out,
