@@ -76,6 +76,16 @@ static inline uint64_t murk_constraint_set_cost(const murk_constraint_set *set,
                                   : 0;
 }
 
+static inline bool murk_has_budget(const murk_constraint_set *set)
+{
+    return set && set->has_budget; /* NULL: no constraints */
+}
+
+static inline size_t murk_fixed_count(const murk_constraint_set *set)
+{
+    return set ? set->constraints->fixed_count : 0;
+}
+
 /* True if no plan may have both of two distinct candidates. */
 bool murk_constraint_set_conflict(const murk_constraint_set *set, uint32_t a,
                                   uint32_t b);

@@ -39,17 +39,11 @@
 #include "placement/settings.h"
 
 /* Known environment: uses the rows of the matrix, and weights and threads of
- * the problem. */
-murk_status murk_place_known(murk_place_result *result,
-                             const murk_problem *problem,
-                             const murk_matrix *matrix,
-                             const murk_place_desc *desc, murk_error *err);
-
-/* Unknown environment: asks the problem for a row at each evaluation, so memory
- * is O(photons). Each decision, and so the plan, is the same as in the known
- * environment: presolve, which needs the matrix, changes no plan. */
-murk_status murk_place_unknown(murk_place_result *result,
-                               const murk_problem *problem,
-                               const murk_place_desc *desc, murk_error *err);
+ * the problem. Unknown environment (matrix NULL): asks the problem for a row at
+ * each evaluation, so memory is O(photons). Each decision, and so the plan, is
+ * the same in both: presolve, which needs the matrix, changes no plan. */
+murk_status murk_place(murk_place_result *result, const murk_problem *problem,
+                       const murk_matrix *matrix, const murk_place_desc *desc,
+                       murk_error *err);
 
 #endif

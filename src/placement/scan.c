@@ -8,7 +8,6 @@
 #include "base/interrupt.h"
 #include "placement/settings.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 #define NOT_EVALUATED UINT64_MAX
@@ -26,43 +25,37 @@ murk_status murk_gain_scan_init(murk_gain_scan *out,
                                 unsigned worker, unsigned threads,
                                 murk_error *err)
 {
-    /* Fast upper bounds exist for detection probabilities; costs matter only
-     * with a budget. */
     const size_t n = evaluator->candidates + 1;
-    const bool has_budget = evaluator->set && evaluator->set->has_budget;
-    *out = (murk_gain_scan){
-        .evaluator = evaluator,
-        .has_many_layers =
-            evaluator->layout->layers > 1 || evaluator->layout->doses,
-        .worker = worker,
-        .rows_max = UINT64_MAX,
-        .threads = threads,
-        .gain = malloc(n * sizeof *out->gain),
-        .tie = malloc(n * sizeof *out->tie),
-        .shuffle = malloc(n * sizeof *out->shuffle),
-        .ranking = malloc(n * sizeof *out->ranking),
-        .chunk_gain = calloc(MURK_SCAN_CHUNK, sizeof *out->chunk_gain),
-        .chunk = malloc(MURK_SCAN_CHUNK * sizeof *out->chunk),
-        .is_partial = calloc(n, sizeof *out->is_partial)};
-    if (has_budget) {
-        out->priced = malloc(n * sizeof *out->priced);
+    *out = (murk_gain_scan){.evaluator = evaluator,
+                            .has_many_layers = evaluator->layout->layers > 1 ||
+                                               evaluator->layout->doses,
+                            .worker = worker,
+                            .rows_max = UINT64_MAX,
+                            .threads = threads};
+    murk_arena *arena = &out->arena;
+    out->gain = murk_arena_array(arena, n, sizeof *out->gain);
+    out->tie = murk_arena_array(arena, n, sizeof *out->tie);
+    out->shuffle = murk_arena_array(arena, n, sizeof *out->shuffle);
+    out->ranking = murk_arena_array(arena, n, sizeof *out->ranking);
+    out->is_partial = murk_arena_array(arena, n, sizeof *out->is_partial);
+    out->chunk = murk_arena_array(arena, MURK_SCAN_CHUNK, sizeof *out->chunk);
+    out->chunk_gain =
+        murk_arena_array(arena, MURK_SCAN_CHUNK, sizeof *out->chunk_gain);
+    /* Costs matter only with a budget; fast upper bounds exist for detection
+     * probabilities. */
+    if (murk_has_budget(evaluator->set)) {
+        out->priced = murk_arena_array(arena, n, sizeof *out->priced);
     }
-    const bool is_quicker = evaluator->matrix && evaluator->slack;
-    if (is_quicker) {
-        out->max = malloc(n * sizeof *out->max);
-    }
-    if (!out->gain || !out->tie || (has_budget && !out->priced) ||
-        !out->shuffle || !out->ranking || !out->chunk_gain || !out->chunk ||
-        !out->is_partial || (is_quicker && !out->max) ||
-        !murk_cover_init(&out->cover, evaluator->layout,
-                         evaluator->is_binary)) {
-        murk_gain_scan_release(out);
-        return murk_fail(err, MURK_NO_MEMORY, "",
-                         "no memory to search %zu candidates for %zu photons",
-                         evaluator->candidates, evaluator->layout->photons);
+    if (evaluator->matrix && evaluator->slack) {
+        out->max = murk_arena_array(arena, n, sizeof *out->max);
     }
     murk_status status = MURK_OK;
-    if (evaluator->set) {
+    if (arena->is_short || !murk_cover_init(&out->cover, evaluator->layout,
+                                            evaluator->is_binary)) {
+        status = murk_fail(err, MURK_NO_MEMORY, "",
+                           "no memory to search %zu candidates for %zu photons",
+                           evaluator->candidates, evaluator->layout->photons);
+    } else if (evaluator->set) {
         status = murk_partial_plan_init(&out->partial, evaluator->set, err);
     }
     if (status) {
@@ -75,15 +68,7 @@ void murk_gain_scan_release(murk_gain_scan *search)
 {
     murk_cover_release(&search->cover);
     murk_partial_plan_release(&search->partial);
-    free(search->priced);
-    free(search->gain);
-    free(search->tie);
-    free(search->shuffle);
-    free(search->ranking);
-    free(search->chunk_gain);
-    free(search->chunk);
-    free(search->is_partial);
-    free(search->max);
+    murk_arena_release(&search->arena);
     *search = (murk_gain_scan){0};
 }
 
@@ -210,19 +195,7 @@ static void evaluate_dominated(murk_gain_scan *s, uint64_t best)
     murk_gain_scan_evaluate(s, gathered, best);
 }
 
-static bool contains(const uint32_t *plan, size_t n, size_t but,
-                     uint32_t candidate)
-{
-    for (size_t k = 0; k < n; ++k) {
-        if (k != but && plan[k] == candidate) {
-            return true;
-        }
-    }
-    return false;
-}
-
 uint64_t murk_gain_scan_find_best(murk_gain_scan *s, const murk_ranked *ranking,
-                                  const uint32_t *plan, size_t n, size_t but,
                                   uint64_t value)
 {
     const murk_evaluator *o = s->evaluator;
@@ -237,7 +210,7 @@ uint64_t murk_gain_scan_find_best(murk_gain_scan *s, const murk_ranked *ranking,
     s->ties = 0;
     if (best == 0) { /* every candidate that can be added has gain 0 */
         for (uint32_t j = 0; j < o->candidates; ++j) {
-            if (!contains(plan, n, but, j) && murk_gain_scan_can_add(s, j)) {
+            if (!s->is_partial[j] && murk_gain_scan_can_add(s, j)) {
                 s->tie[s->ties++] = j;
             }
         }

@@ -8,6 +8,7 @@
 #ifndef MURK_PLACEMENT_SCAN_H
 #define MURK_PLACEMENT_SCAN_H
 
+#include "base/arena.h"
 #include "placement/relaxation.h"
 
 /* Candidates evaluated between two comparisons with the best gain so far. A
@@ -45,11 +46,12 @@ typedef struct murk_gain_scan {
     size_t greedy_bound_count;
     /* With constraints only. */
     murk_partial_plan partial;
-    bool is_move;             /* the added candidate must complete the plan */
-    murk_priced *priced;      /* [candidates] */
-    const uint32_t *fallback; /* [fallback_size] a plan for random starts that
-                                 the constraints stop early */
+    bool is_move;        /* the added candidate must complete the plan */
+    murk_priced *priced; /* [candidates] */
+    uint32_t *fallback;  /* [fallback_size] borrowed: a plan for random starts
+                            that the constraints stop early */
     size_t fallback_size;
+    murk_arena arena;
 } murk_gain_scan;
 
 /* The number of rows that fit the limit on work (MURK_SEARCH_WORK); unlimited
@@ -93,12 +95,11 @@ static inline uint64_t murk_gain_scan_slack(const murk_gain_scan *s,
  */
 uint64_t murk_gain_scan_evaluate(murk_gain_scan *s, size_t n, uint64_t best);
 
-/* Fills s->tie with all candidates of the largest gain over the partial plan
- * (plan[n] without the entry `but`, worth `value`) and returns that gain.
+/* Fills s->tie with all candidates of the largest gain over the partial plan,
+ * which is worth `value`, and returns that gain.
  * `ranking` orders the evaluator's candidates by upper bounds on their gains.
  */
 uint64_t murk_gain_scan_find_best(murk_gain_scan *s, const murk_ranked *ranking,
-                                  const uint32_t *plan, size_t n, size_t but,
                                   uint64_t value);
 
 /* After a scan over a growing partial plan: lowers the bounds of s->ranking to

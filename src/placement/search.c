@@ -27,9 +27,8 @@ static void lower_greedy_bounds(murk_gain_scan *s, uint64_t value)
     }
 }
 
-/* With constraints: begins a plan of n sensors, or of n at most, with the fixed
- * sensors. Returns the number of sensors given. */
-static size_t begin(murk_gain_scan *s, uint32_t *plan, size_t given, size_t n)
+size_t murk_search_begin(murk_gain_scan *s, uint32_t *plan, size_t given,
+                         size_t n)
 {
     const murk_constraint_set *set = s->evaluator->set;
     if (!set) {
@@ -45,20 +44,11 @@ static size_t begin(murk_gain_scan *s, uint32_t *plan, size_t given, size_t n)
     return given > fixed ? given : fixed;
 }
 
-static size_t fixed_count(const murk_gain_scan *s)
-{
-    return s->evaluator->set ? s->evaluator->set->constraints->fixed_count : 0;
-}
-
-static bool has_budget(const murk_gain_scan *s)
-{
-    return s->evaluator->set && s->evaluator->set->has_budget;
-}
-
 /* True if a plan under a budget is complete and the last gain is 0. */
 static bool is_enough(const murk_gain_scan *s, uint64_t gain)
 {
-    return gain == 0 && has_budget(s) && s->partial.missing == 0;
+    return gain == 0 && murk_has_budget(s->evaluator->set) &&
+           s->partial.missing == 0;
 }
 
 uint64_t murk_search_greedy(murk_gain_scan *s, uint32_t *plan, size_t given,
@@ -67,7 +57,7 @@ uint64_t murk_search_greedy(murk_gain_scan *s, uint32_t *plan, size_t given,
     const murk_evaluator *o = s->evaluator;
     memcpy(s->ranking, o->ranked, o->candidates * sizeof *s->ranking);
     /* The given sensors form the partial plan. */
-    given = begin(s, plan, given, n);
+    given = murk_search_begin(s, plan, given, n);
     uint64_t value = murk_gain_scan_set_all_but(s, plan, given, given);
     if (value_after && given > 0) {
         value_after[given - 1] = value;
@@ -75,8 +65,7 @@ uint64_t murk_search_greedy(murk_gain_scan *s, uint32_t *plan, size_t given,
     s->size = given;
     for (size_t k = given; k < n && value < enough && !murk_interrupted();
          ++k) {
-        const uint64_t gain =
-            murk_gain_scan_find_best(s, s->ranking, plan, k, k, value);
+        const uint64_t gain = murk_gain_scan_find_best(s, s->ranking, value);
         if (s->ties == 0 || is_enough(s, gain)) {
             break;
         }
@@ -157,7 +146,7 @@ uint64_t murk_search_budget_greedy(murk_gain_scan *s, uint32_t *plan,
                                    size_t given)
 {
     const murk_evaluator *o = s->evaluator;
-    size_t n = begin(s, plan, given, o->set->max_sensors);
+    size_t n = murk_search_begin(s, plan, given, o->set->max_sensors);
     uint64_t value = murk_gain_scan_set_all_but(s, plan, n, n);
     for (uint32_t j = 0; j < o->candidates; ++j) {
         s->priced[j] = (murk_priced){murk_evaluator_gain_bound(o, j),
@@ -176,16 +165,15 @@ uint64_t murk_search_budget_greedy(murk_gain_scan *s, uint32_t *plan,
     return value;
 }
 
-/* Prepares a random permutation of 0..m-1, drawn entry by entry (Fisher-Yates).
- */
-static void draw_begin(uint32_t *shuffle, size_t m)
+static void fill_with_numbers(uint32_t *order, size_t n)
 {
-    for (uint32_t j = 0; j < m; ++j) {
-        shuffle[j] = j;
+    for (uint32_t k = 0; k < n; ++k) {
+        order[k] = k;
     }
 }
 
-/* Draws entry k of the permutation, after all entries before it; k < m. */
+/* Draws entry k of a random permutation of 0..m-1 (Fisher-Yates), after all
+ * entries before it; k < m. */
 static uint32_t draw_next(uint32_t *shuffle, size_t m, uint32_t k,
                           uint32_t seed, uint64_t restart)
 {
@@ -201,9 +189,7 @@ static uint32_t draw_next(uint32_t *shuffle, size_t m, uint32_t k,
 static void draw_order(uint32_t *order, size_t n, uint32_t seed,
                        uint64_t restart, uint32_t sweep)
 {
-    for (uint32_t k = 0; k < n; ++k) {
-        order[k] = k;
-    }
+    fill_with_numbers(order, n);
     for (uint32_t k = 0; k + 1 < n; ++k) {
         uint32_t word[4];
         murk_random_words(seed, MURK_SPOQ_ORDER, restart, sweep, k, word);
@@ -214,49 +200,33 @@ static void draw_order(uint32_t *order, size_t n, uint32_t seed,
     }
 }
 
-static void draw_start(murk_gain_scan *s, uint32_t *plan, size_t n,
-                       uint32_t seed, uint64_t restart)
-{
-    const size_t m = s->evaluator->candidates;
-    draw_begin(s->shuffle, m);
-    for (uint32_t k = 0; k < n; ++k) {
-        plan[k] = draw_next(s->shuffle, m, k, seed, restart);
-    }
-}
-
-/* Takes candidates in random order, each if the constraints allow it. If that
- * does not complete a plan, returns the fallback plan. */
-static size_t draw_feasible_start(murk_gain_scan *s, uint32_t *plan, size_t n,
-                                  uint32_t seed, uint64_t restart)
-{
-    const size_t m = s->evaluator->candidates;
-    const size_t fixed = begin(s, plan, 0, n);
-    for (size_t k = 0; k < fixed; ++k) {
-        murk_partial_plan_add(&s->partial, plan[k]);
-    }
-    draw_begin(s->shuffle, m);
-    for (uint32_t k = 0; k < m && s->partial.size < s->partial.wanted; ++k) {
-        const uint32_t candidate = draw_next(s->shuffle, m, k, seed, restart);
-        if (murk_gain_scan_can_add(s, candidate)) {
-            plan[s->partial.size] = candidate;
-            murk_partial_plan_add(&s->partial, candidate);
-        }
-    }
-    if (murk_partial_plan_is_complete(&s->partial)) {
-        return s->partial.size;
-    }
-    memcpy(plan, s->fallback, s->fallback_size * sizeof *plan);
-    return s->fallback_size;
-}
-
+/* Takes candidates in random order, with constraints each if they allow it. If
+ * that does not complete a plan, returns the fallback plan. */
 size_t murk_search_draw(murk_gain_scan *s, uint32_t *plan, size_t n,
                         uint32_t seed, uint64_t restart)
 {
-    if (s->evaluator->set) {
-        return draw_feasible_start(s, plan, n, seed, restart);
+    const size_t m = s->evaluator->candidates;
+    const bool is_constrained = s->evaluator->set;
+    size_t size = murk_search_begin(s, plan, 0, n);
+    for (size_t k = 0; k < size; ++k) {
+        murk_partial_plan_add(&s->partial, plan[k]);
     }
-    draw_start(s, plan, n, seed, restart);
-    return n;
+    const size_t wanted = is_constrained ? s->partial.wanted : n;
+    fill_with_numbers(s->shuffle, m);
+    for (uint32_t k = 0; k < m && size < wanted; ++k) {
+        const uint32_t candidate = draw_next(s->shuffle, m, k, seed, restart);
+        if (!is_constrained) {
+            plan[size++] = candidate;
+        } else if (murk_gain_scan_can_add(s, candidate)) {
+            plan[size++] = candidate;
+            murk_partial_plan_add(&s->partial, candidate);
+        }
+    }
+    if (!is_constrained || murk_partial_plan_is_complete(&s->partial)) {
+        return size;
+    }
+    memcpy(plan, s->fallback, s->fallback_size * sizeof *plan);
+    return s->fallback_size;
 }
 
 /* True if the search must end: by the limit on work or by an interrupt. */
@@ -270,7 +240,7 @@ uint64_t murk_search_spoq(murk_gain_scan *s, uint32_t *plan, size_t n,
                           uint32_t seed, uint64_t restart)
 {
     n = murk_search_draw(s, plan, n, seed, restart);
-    const size_t fixed = fixed_count(s);
+    const size_t fixed = murk_fixed_count(s->evaluator->set);
     uint64_t value = murk_gain_scan_set_all_but(s, plan, n, n);
     uint64_t before;
     uint32_t sweep = 0, step = 0;
@@ -284,14 +254,14 @@ uint64_t murk_search_spoq(murk_gain_scan *s, uint32_t *plan, size_t n,
             s->is_move = true;
             const uint64_t others =
                 murk_gain_scan_set_all_but(s, plan, n, mover);
-            value = others + murk_gain_scan_find_best(s, s->evaluator->ranked,
-                                                      plan, n, mover, others);
+            value = others +
+                    murk_gain_scan_find_best(s, s->evaluator->ranked, others);
             uint32_t word[4];
             murk_random_words(seed, MURK_SPOQ_TIE, restart, step++, 0, word);
             plan[mover] = s->tie[murk_random_below(word[0], (uint32_t)s->ties)];
         }
         /* With a budget, spend the rest of it. */
-        if (has_budget(s)) {
+        if (murk_has_budget(s->evaluator->set)) {
             value = murk_search_budget_greedy(s, plan, n);
             n = s->size;
         }
@@ -300,16 +270,12 @@ uint64_t murk_search_spoq(murk_gain_scan *s, uint32_t *plan, size_t n,
     return value;
 }
 
-uint64_t murk_search_value(murk_gain_scan *s, const uint32_t *plan, size_t n)
-{
-    return murk_gain_scan_set_all_but(s, plan, n, n);
-}
-
 /* Relocates single sensors until no move increases the value. Returns the
  * value. */
 static uint64_t relocate_sensors(murk_gain_scan *s, uint32_t *plan, size_t n)
 {
-    const size_t fixed = fixed_count(s), movers = n - fixed;
+    const size_t fixed = murk_fixed_count(s->evaluator->set),
+                 movers = n - fixed;
     if (movers == 0) {
         return murk_gain_scan_set_all_but(s, plan, n, n);
     }
@@ -321,8 +287,8 @@ static uint64_t relocate_sensors(murk_gain_scan *s, uint32_t *plan, size_t n)
          at = (at + 1) % movers) {
         const size_t k = fixed + at;
         const uint64_t others = murk_gain_scan_set_all_but(s, plan, n, k);
-        const uint64_t best = murk_gain_scan_find_best(s, s->evaluator->ranked,
-                                                       plan, n, k, others);
+        const uint64_t best =
+            murk_gain_scan_find_best(s, s->evaluator->ranked, others);
         value = others + best;
         if (best > 0 && s->gain[plan[k]] != best) {
             plan[k] = s->tie[0];
@@ -335,10 +301,10 @@ static uint64_t relocate_sensors(murk_gain_scan *s, uint32_t *plan, size_t n)
 
 uint64_t murk_search_relocate(murk_gain_scan *s, uint32_t *plan, size_t n)
 {
-    begin(s, plan, n, n);
+    murk_search_begin(s, plan, n, n);
     uint64_t value = relocate_sensors(s, plan, n);
     s->size = n;
-    while (has_budget(s) && !murk_interrupted()) {
+    while (murk_has_budget(s->evaluator->set) && !murk_interrupted()) {
         const uint64_t before = value;
         value = murk_search_budget_greedy(s, plan, s->size);
         if (value == before) {

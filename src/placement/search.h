@@ -13,6 +13,11 @@
  * may stop before n, and with a budget a plan has as many sensors as the budget
  * pays, n at most. */
 
+/* With constraints: begins a plan of n sensors, or of n at most, with the fixed
+ * sensors. Returns the number of sensors given. */
+size_t murk_search_begin(murk_gain_scan *s, uint32_t *plan, size_t given,
+                         size_t n);
+
 /* Extends plan[given] to n sensors, or until the value reaches `enough`. Each
  * step adds the candidate with the largest gain, the lowest index on ties.
  * value_after[k] receives the value of the first k + 1 sensors, for k >= given;
@@ -39,8 +44,5 @@ uint64_t murk_search_relocate(murk_gain_scan *s, uint32_t *plan, size_t n);
  * largest gain per cost, until no candidate has a gain. */
 uint64_t murk_search_budget_greedy(murk_gain_scan *s, uint32_t *plan,
                                    size_t given);
-
-/* The value of plan[n]. */
-uint64_t murk_search_value(murk_gain_scan *s, const uint32_t *plan, size_t n);
 
 #endif

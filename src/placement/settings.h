@@ -40,6 +40,12 @@ typedef struct murk_place_desc {
 murk_place_desc murk_place_defaults(
     void); /* best, 1 sensor, 200 starts, 1e6 nodes, seed 1, with a curve */
 
+/* True if the method ends with branch and bound, in a known environment. */
+static inline bool murk_place_has_proof(murk_place_method method)
+{
+    return method == MURK_PLACE_BEST || method == MURK_PLACE_EXACT;
+}
+
 typedef struct murk_curve_point {
     size_t count;
     uint64_t value; /* of the best plan found */

@@ -9,7 +9,6 @@
 #include "base/progress.h"
 #include "placement/settings.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 /* One start takes at most an eighth of the work of all starts, so that at least
@@ -20,6 +19,12 @@
  * of the others; with more, more starts beyond the stop are in vain (a choice).
  */
 #define STARTS_PER_WORKER 4
+
+/* A start that was made. */
+typedef struct murk_start {
+    size_t size; /* sensors of the plan */
+    uint64_t value, evaluations, queries, rows;
+} murk_start;
 
 static void run_start(void *context, unsigned worker, uint64_t batch)
 {
@@ -32,11 +37,8 @@ static void run_start(void *context, unsigned worker, uint64_t batch)
     if (!murk_interrupted()) {
         value = murk_search_relocate(s, plan, s->size);
     }
-    t->size[batch] = s->size;
-    t->value[batch] = value;
-    t->evaluations[batch] = s->evaluations;
-    t->rows[batch] = s->rows;
-    t->queries[batch] = s->queries;
+    t->start[batch] =
+        (murk_start){s->size, value, s->evaluations, s->queries, s->rows};
 }
 
 murk_status murk_starts_init(murk_starts *t, const murk_evaluator *evaluator,
@@ -49,31 +51,21 @@ murk_status murk_starts_init(murk_starts *t, const murk_evaluator *evaluator,
                          murk_evaluator_threads(evaluator, MURK_SCAN_CHUNK) > 1;
     const unsigned workers = is_wide ? 1 : threads;
     const size_t wave = workers > 1 ? workers * STARTS_PER_WORKER : 1;
-    *t = (murk_starts){.seed = seed,
-                       .count = count,
-                       .search = calloc(workers, sizeof *t->search),
-                       .wave_max = wave,
-                       .plan = calloc(wave * count, sizeof *t->plan),
-                       .size = calloc(wave, sizeof *t->size),
-                       .value = calloc(wave, sizeof *t->value),
-                       .evaluations = calloc(wave, sizeof *t->evaluations),
-                       .queries = calloc(wave, sizeof *t->queries),
-                       .rows = calloc(wave, sizeof *t->rows)};
-    if (!t->search || !t->plan || !t->size || !t->value || !t->evaluations ||
-        !t->queries || !t->rows) {
+    *t = (murk_starts){.seed = seed, .count = count, .wave_max = wave};
+    t->search = murk_arena_array(&t->arena, workers, sizeof *t->search);
+    t->plan = murk_arena_array(&t->arena, wave * count, sizeof *t->plan);
+    t->start = murk_arena_array(&t->arena, wave, sizeof *t->start);
+    if (t->arena.is_short) {
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for %zu sensors",
                          count);
     }
     murk_status status = MURK_OK;
-    /* a single start must not take all the work */
-    const uint64_t rows_max =
-        murk_gain_scan_rows_max(evaluator) / STARTS_OF_ALL_WORK;
     for (; t->workers < workers && !status; ++t->workers) {
-        status = murk_gain_scan_init(&t->search[t->workers], evaluator,
-                                     t->workers, is_wide ? threads : 1, err);
-    }
-    for (unsigned k = 0; k < t->workers && !status; ++k) {
-        t->search[k].rows_max = rows_max;
+        murk_gain_scan *s = &t->search[t->workers];
+        status = murk_gain_scan_init(s, evaluator, t->workers,
+                                     is_wide ? threads : 1, err);
+        /* a single start must not take all the work */
+        s->rows_max = murk_gain_scan_rows_max(evaluator) / STARTS_OF_ALL_WORK;
     }
     return status;
 }
@@ -83,29 +75,19 @@ void murk_starts_release(murk_starts *t)
     for (unsigned k = 0; k < t->workers; ++k) {
         murk_gain_scan_release(&t->search[k]);
     }
-    free(t->search);
-    free(t->plan);
-    free(t->size);
-    free(t->value);
-    free(t->evaluations);
-    free(t->queries);
-    free(t->rows);
+    murk_arena_release(&t->arena);
 }
 
-void murk_starts_set_fallback(murk_starts *t, const uint32_t *plan, size_t size)
-{
-    for (unsigned k = 0; k < t->workers; ++k) {
-        t->search[k].fallback = plan;
-        t->search[k].fallback_size = size;
-    }
-}
-
-uint64_t murk_starts_try(murk_starts *t, uint32_t *plan, size_t *size, size_t n,
-                         uint64_t value, uint64_t upper, size_t max,
-                         size_t *made)
+uint64_t murk_starts_try(murk_starts *t, const murk_gain_scan *search,
+                         uint32_t *plan, size_t *size, size_t n, uint64_t value,
+                         uint64_t upper, size_t max, size_t *made)
 {
     size_t without_gain = 0, done = 0;
     t->n = n;
+    for (unsigned k = 0; k < t->workers; ++k) {
+        t->search[k].fallback = search->fallback;
+        t->search[k].fallback_size = search->fallback_size;
+    }
     const uint64_t rows_max = murk_gain_scan_rows_max(t->search[0].evaluator);
     while (done < max && without_gain < MURK_STARTS_WITHOUT_GAIN &&
            value < upper && t->all_rows <= rows_max && !murk_interrupted()) {
@@ -125,12 +107,13 @@ uint64_t murk_starts_try(murk_starts *t, uint32_t *plan, size_t *size, size_t n,
              ++k) {
             ++done;
             ++without_gain;
-            t->all_evaluations += t->evaluations[k];
-            t->all_queries += t->queries[k];
-            t->all_rows += t->rows[k];
-            if (t->value[k] > value) {
-                value = t->value[k];
-                *size = t->size[k];
+            const murk_start *start = &t->start[k];
+            t->all_evaluations += start->evaluations;
+            t->all_queries += start->queries;
+            t->all_rows += start->rows;
+            if (start->value > value) {
+                value = start->value;
+                *size = start->size;
                 memcpy(plan, t->plan + k * t->count, *size * sizeof *plan);
                 without_gain = 0;
             }

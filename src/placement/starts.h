@@ -11,15 +11,15 @@ typedef struct murk_starts {
     size_t wave_max; /* starts made between two tests of the stop rule */
     size_t count;    /* maximum number of sensors of a plan */
     uint32_t *plan;  /* [wave_max][count] */
-    size_t *size;    /* [wave_max] sensors of each plan */
-    uint64_t *value, *evaluations, *queries, *rows; /* [wave_max] */
-    size_t n; /* sensors wanted by the present call */
+    struct murk_start *start; /* [wave_max] */
+    size_t n;                 /* sensors wanted by the present call */
     uint32_t seed;
     uint64_t first; /* number of the first start of the wave */
     uint64_t all_evaluations, all_queries; /* of all starts accepted so far */
     uint64_t
         all_rows; /* rows of all starts; beyond the limit no start is made, */
     bool is_cut;  /* and this is set */
+    murk_arena arena;
 } murk_starts;
 
 /* For plans of at most `count` sensors. Call murk_starts_release() also after a
@@ -28,18 +28,14 @@ murk_status murk_starts_init(murk_starts *out, const murk_evaluator *evaluator,
                              size_t count, uint32_t seed, murk_error *err);
 void murk_starts_release(murk_starts *starts);
 
-/* With constraints: a feasible plan for random starts that end early; borrowed.
- */
-void murk_starts_set_fallback(murk_starts *starts, const uint32_t *plan,
-                              size_t size);
-
 /* Makes the starts 0..max-1 in order for plans of n sensors, and keeps a plan
  * that is strictly better than plan[*size] with value `value`. Stops after
  * MURK_STARTS_WITHOUT_GAIN starts in a row without gain, or when the value
- * reaches `upper`. Returns the best value; *made grows by the number of starts.
- */
-uint64_t murk_starts_try(murk_starts *starts, uint32_t *plan, size_t *size,
-                         size_t n, uint64_t value, uint64_t upper, size_t max,
-                         size_t *made);
+ * reaches `upper`. `search` has the fallback plan for random starts that
+ * constraints stop early. Returns the best value; *made grows by the number of
+ * starts. */
+uint64_t murk_starts_try(murk_starts *starts, const murk_gain_scan *search,
+                         uint32_t *plan, size_t *size, size_t n, uint64_t value,
+                         uint64_t upper, size_t max, size_t *made);
 
 #endif

@@ -1,163 +1,363 @@
-/* The frame of a placement for the worst scenario: checks the settings, ranks
- * the candidates, finds the plan of each count (placement/worst_count.h), and
- * makes the result. */
+/* Placement for the worst block. For each count greedy climbs towards a level
+ * in every block, and bisection finds the highest level that greedy reaches
+ * (SATURATE). Relocation, greedy on each block, random starts and branch and
+ * bound follow, by method. */
 #include "placement/worst.h"
 
 #include "base/interrupt.h"
 #include "base/progress.h"
-#include "placement/settings.h"
-#include "placement/worst_count.h"
+#include "placement/exact.h"
+#include "placement/run.h"
+#include "placement/worst_bound.h"
+#include "placement/worst_search.h"
 
 #include <assert.h>
-#include <stdlib.h>
 #include <string.h>
 
-static murk_status begin(murk_worst_run *w, const murk_problem *problem,
-                         const murk_matrix *matrix, const murk_blocks *blocks,
-                         murk_place_result *result, murk_error *err)
+/* Bisection steps between the incumbent and the bound, and the finest step:
+ * 2^-16 of full coverage, the resolution of a clarity. */
+#define LEVELS_MAX   16
+#define LEVEL_FINEST (MURK_SHARE_ONE >> 16)
+
+/* Steps of lambda, and evaluations of the bound at each (choices); a count
+ * below the wanted one gets fewer. */
+#define STEPS       60
+#define STEPS_CURVE 15
+#define ROUNDS      8
+#define ROUNDS_LAST 100
+
+typedef struct worst {
+    murk_place_run run; /* values are the smallest shares */
+    size_t blocks;
+    murk_block_layouts layouts;
+    murk_worst_search search;
+    murk_worst_bound bound;
+    uint64_t upper; /* of the present count */
+} worst;
+
+/* The smallest worth of the blocks with all candidates chosen. */
+static uint64_t ceiling_of(const worst *w)
 {
-    const murk_place_desc *desc = w->desc;
-    murk_status status = murk_evaluator_init(
-        &w->evaluator, problem, matrix, w->set,
-        w->set ? w->set->max_sensors : desc->count, desc->keep_dominated, err);
-    if (!status) {
-        status =
-            murk_block_layouts_init(&w->layouts, &w->evaluator, blocks, err);
+    uint64_t min = UINT64_MAX;
+    for (size_t c = 0; c < w->blocks; ++c) {
+        const uint64_t share =
+            murk_block_worth(&w->layouts, c, w->layouts.ceiling[c]);
+        min = share < min ? share : min;
     }
-    if (!status) {
-        status = murk_worst_search_init(&w->search, &w->layouts, err);
+    return min;
+}
+
+/* ---- plans ---- */
+
+static bool is_plan(worst *w, const uint32_t *plan, size_t size, size_t n)
+{
+    const murk_constraint_set *set = w->run.set;
+    if (!set) {
+        return size == n;
     }
-    if (!status) {
-        status = murk_worst_bound_init(&w->bound, &w->layouts, err);
+    murk_partial_plan *s = &w->run.search.partial;
+    murk_partial_plan_clear(s, set->has_budget ? set->max_sensors : n);
+    for (size_t k = 0; k < size; ++k) {
+        murk_partial_plan_add(s, plan[k]);
     }
+    return murk_partial_plan_is_complete(s);
+}
+
+/* Stores the plan in trial if it is complete and better than the incumbent; if
+ * the method relocates, also the relocated plan. True if one was stored. */
+static bool keep_trial(worst *w, size_t n, uint64_t value, bool relocates)
+{
+    uint32_t *trial = w->run.trial;
+    const size_t *size = &w->run.search.size;
+    if (!is_plan(w, trial, *size, n)) {
+        return false;
+    }
+    bool is_better = murk_place_run_keep(&w->run, trial, *size, value);
+    if (relocates) {
+        value = murk_worst_relocate(&w->search, trial, *size);
+        is_better |= is_plan(w, trial, *size, n) &&
+                     murk_place_run_keep(&w->run, trial, *size, value);
+    }
+    return is_better;
+}
+
+/* The same for a plan whose value is not known yet, with relocation. */
+static bool try_trial(worst *w, size_t n)
+{
+    const uint64_t value =
+        murk_worst_value(&w->search, w->run.trial, w->run.search.size);
+    return keep_trial(w, n, value, true);
+}
+
+/* Greedy for one objective. */
+static void greedy_and_keep(worst *w, const murk_block_objective *by, size_t n)
+{
+    const uint64_t value =
+        murk_worst_greedy(&w->search, by, w->run.trial, 0, n);
+    keep_trial(w, n, value, w->run.desc->method == MURK_PLACE_BEST);
+}
+
+/* Greedy towards one level in every block; MURK_NO_LEVEL: for the mean. */
+static void greedy_to_level(worst *w, size_t n, uint64_t level)
+{
+    murk_block_objective by = {.level = level};
+    for (size_t c = 0; c < w->blocks; ++c) {
+        by.factor[c] = 1;
+    }
+    greedy_and_keep(w, &by, n);
+}
+
+/* Bisection for the highest level that greedy reaches in every block. */
+static void saturate(worst *w, size_t n)
+{
+    greedy_to_level(w, n, MURK_NO_LEVEL);
+    uint64_t low = w->run.value, high = w->upper;
+    for (int k = 0; k < LEVELS_MAX && high > low && high - low > LEVEL_FINEST &&
+                    !murk_interrupted();
+         ++k) {
+        const uint64_t level = low + (high - low) / 2;
+        greedy_to_level(w, n, level);
+        if (w->run.value >= level) {
+            low = w->run.value;
+        } else {
+            high = level;
+        }
+    }
+}
+
+static void greedy_per_block(worst *w, size_t n)
+{
+    for (size_t c = 0; c < w->blocks && !murk_interrupted(); ++c) {
+        murk_block_objective by = {.level = MURK_NO_LEVEL};
+        by.factor[c] = 1;
+        greedy_and_keep(w, &by, n);
+    }
+}
+
+/* With a budget: greedy by gain per cost, over the mean of the blocks. */
+static void greedy_with_budget(worst *w, size_t n)
+{
+    if (murk_has_budget(w->run.set)) {
+        murk_search_budget_greedy(&w->run.search, w->run.trial, 0);
+        try_trial(w, n);
+    }
+}
+
+/* A random start, relocated. True if it improves the incumbent. */
+static bool try_start(worst *w, size_t n, uint64_t restart)
+{
+    murk_gain_scan *scan = &w->run.search;
+    scan->size =
+        murk_search_draw(scan, w->run.trial, n, w->run.desc->seed, restart);
+    ++w->run.result.restarts;
+    return try_trial(w, n);
+}
+
+static void try_starts(worst *w, size_t n, size_t max)
+{
+    size_t without_gain = 0;
+    for (size_t k = 0; k < max && without_gain < MURK_STARTS_WITHOUT_GAIN &&
+                       w->run.value < w->upper && !murk_interrupted();
+         ++k) {
+        without_gain = try_start(w, n, k) ? 0 : without_gain + 1;
+        murk_progress_add(1);
+    }
+}
+
+/* ---- branch and bound ---- */
+
+/* Callback of branch and bound: stores a plan of larger smallest worth, and
+ * raises the cutoff. */
+static uint64_t check_plan(void *context, const uint32_t *plan, size_t size,
+                           uint64_t known)
+{
+    worst *w = context;
+    const uint64_t value = murk_worst_value(&w->search, plan, size);
+    return murk_place_run_keep(&w->run, plan, size, value)
+               ? murk_worst_bound_value(&w->bound, value)
+               : known;
+}
+
+static murk_status branch_and_bound(worst *w, size_t n, murk_error *err)
+{
+    murk_place_run *run = &w->run;
+    if (!murk_place_has_proof(run->desc->method) || run->value >= w->upper) {
+        return MURK_OK;
+    }
+    const murk_exact_callback by = {check_plan, w};
+    murk_exact exact;
+    const murk_status status = murk_exact_search(
+        &exact, &w->bound.bound, run->plan, run->size, n,
+        murk_worst_bound_value(&w->bound, run->value),
+        w->bound.evaluator.ceiling, run->desc->nodes, &by, err);
     if (status) {
         return status;
     }
-    /* A curve starts at the smallest feasible count. */
-    const bool is_curve =
-        (desc->with_curve || desc->target) && !(w->set && w->set->has_budget);
-    w->last = w->set ? w->set->max_sensors : desc->count;
-    w->first = !is_curve ? w->last : w->set ? w->set->min_sensors : 1;
-    w->plan = calloc(w->last, sizeof *w->plan);
-    w->trial = calloc(w->last, sizeof *w->trial);
-    w->fallback = calloc(w->last, sizeof *w->fallback);
-    result->sensor = calloc(w->last, sizeof *result->sensor);
-    result->curve = is_curve ? calloc(w->last, sizeof *result->curve) : NULL;
-    return w->plan && w->trial && w->fallback && result->sensor &&
-                   (result->curve || !is_curve)
-               ? MURK_OK
-               : murk_fail(err, MURK_NO_MEMORY, "", "no memory for %zu sensors",
-                           w->last);
-}
-
-static void release(murk_worst_run *w)
-{
-    murk_worst_bound_release(&w->bound);
-    murk_worst_search_release(&w->search);
-    murk_block_layouts_release(&w->layouts);
-    murk_evaluator_release(&w->evaluator);
-    free(w->plan);
-    free(w->trial);
-    free(w->fallback);
-}
-
-static murk_status find_all(murk_worst_run *w, murk_error *err)
-{
-    murk_place_result *result = w->result;
-    const uint64_t target = w->desc->target;
-    uint32_t *from = calloc(w->last, sizeof *from);
-    murk_status status = from ? MURK_OK
-                              : murk_fail(err, MURK_NO_MEMORY, "",
-                                          "no memory for %zu sensors", w->last);
-    for (size_t k = w->first; !status && !murk_interrupted(); ++k) {
-        /* With a target, any count may become the plan; branch and bound is for
-         * the plan only. */
-        const bool is_asked = target || k == w->last;
-        status =
-            murk_worst_count(w, k, is_asked, k > w->first ? from : NULL, err);
-        const bool is_open =
-            target == 0 || (w->value < target && w->upper >= target);
-        if (!status && is_asked && is_open && !murk_interrupted()) {
-            status = murk_worst_branch_and_bound(w, k, err);
-        }
-        if (status) {
-            break;
-        }
-        if (result->curve) {
-            result->curve[k - w->first] =
-                (murk_curve_point){w->size, w->value, w->upper};
-            result->curve_points = k - w->first + 1;
-        }
-        if (target && result->fewest == 0 && w->upper >= target) {
-            result->fewest = k;
-        }
-        memcpy(from, w->plan, w->size * sizeof *from);
-        if (k == w->last || (target && w->value >= target)) {
-            break;
-        }
+    run->result.nodes += exact.nodes;
+    run->result.is_cut = exact.is_cut;
+    const uint64_t upper = murk_worst_bound_share(&w->bound, exact.upper);
+    w->upper = upper < w->upper ? upper : w->upper;
+    if (run->set) { /* the incumbent may have to be completed */
+        run->value = murk_worst_greedy(&w->search, &MURK_MINIMUM_FIRST,
+                                       run->plan, run->size, n);
+        run->size = run->search.size;
     }
-    free(from);
+    w->upper = w->upper > run->value ? w->upper : run->value;
+    return MURK_OK;
+}
+
+/* ---- one count ---- */
+
+/* Makes the first plans: by the method, or any plan; and the plan of one sensor
+ * fewer with one more. */
+static void make_first_plans(worst *w, size_t n, const uint32_t *from)
+{
+    murk_place_run *run = &w->run;
+    const murk_place_method method = run->desc->method;
+    if (method == MURK_PLACE_SPOQ) {
+        try_start(w, n, 0);
+    } else if (run->desc->target) {
+        greedy_to_level(w, n, run->desc->target);
+    } else {
+        saturate(w, n);
+        greedy_with_budget(w, n);
+    }
+    if (run->size == 0) { /* constraints stopped greedy early */
+        run->search.size = run->search.fallback_size;
+        memcpy(run->trial, run->search.fallback,
+               run->search.size * sizeof *run->trial);
+        try_trial(w, n);
+    }
+    if (from && method == MURK_PLACE_BEST) {
+        memcpy(run->trial, from, (n - 1) * sizeof *from);
+        const uint64_t value = murk_worst_greedy(
+            &w->search, &MURK_MINIMUM_FIRST, run->trial, n - 1, n);
+        keep_trial(w, n, value, true);
+    }
+}
+
+/* With a target: decides whether n sensors may reach it, by a bound that is
+ * lowered no further than that takes. */
+static murk_status test_target(worst *w, size_t n, bool *may_reach,
+                               murk_error *err)
+{
+    const uint64_t below = w->run.desc->target - 1;
+    *may_reach = true;
+    if (!w->run.desc->target || w->run.value > below) {
+        return MURK_OK;
+    }
+    uint64_t upper = w->upper;
+    const murk_status status =
+        murk_worst_bound_tighten(&w->bound, n, below, w->run.plan, w->run.size,
+                                 STEPS_CURVE, ROUNDS, &upper, err);
+    *may_reach = upper > below;
+    w->upper = upper < w->upper ? upper : w->upper;
     return status;
 }
 
-/* A plan of fewer sensors covers no more, if every plan can be completed. */
-static void join_bounds(murk_curve_point *curve, size_t n,
-                        const murk_constraint_set *set)
+/* Finds the best plan of n sensors by the method, and a bound. A count below
+ * the wanted one (is_plan_asked false) gets less work. */
+static murk_status search_count(worst *w, size_t n, bool is_plan_asked,
+                                const uint32_t *from, murk_error *err)
 {
-    for (size_t k = n - 1; k > 0 && !(set && set->has_conflicts); --k) {
-        if (curve[k].upper < curve[k - 1].upper) {
-            curve[k - 1].upper = curve[k].upper;
-        }
+    murk_place_run *run = &w->run;
+    const murk_place_desc *desc = run->desc;
+    bool may_reach = true;
+    murk_status status = murk_place_run_find_fallback(run, n, err);
+    run->size = 0;
+    run->value = 0;
+    w->upper = ceiling_of(w);
+    if (!status && !murk_interrupted()) {
+        make_first_plans(w, n, from);
+        status = test_target(w, n, &may_reach, err);
     }
+    if (status || !may_reach || murk_interrupted()) {
+        return status;
+    }
+    const bool is_best = desc->method == MURK_PLACE_BEST;
+    if (desc->target && is_best) {
+        saturate(w, n);
+    }
+    status = murk_worst_bound_tighten(
+        &w->bound, n, run->value, run->plan, run->size,
+        is_plan_asked ? STEPS : STEPS_CURVE, ROUNDS, &w->upper, err);
+    if (status || murk_interrupted()) {
+        return status;
+    }
+    if (is_best && run->value < w->upper) {
+        greedy_per_block(w, n);
+        saturate(w, n); /* again, as the bound is known now */
+        try_starts(w, n, is_plan_asked ? desc->restarts : desc->restarts / 10);
+    }
+    return murk_worst_bound_tighten(&w->bound, n, run->value, NULL, 0, 0,
+                                    is_plan_asked ? ROUNDS_LAST : ROUNDS,
+                                    &w->upper, err);
 }
 
-static murk_status check_target(const murk_worst_run *w, murk_error *err)
+static murk_status find_count(void *context, size_t n, const uint32_t *from,
+                              murk_curve_point *point, murk_error *err)
 {
-    const uint64_t target = w->desc->target;
-    const double share = (double)target / (double)MURK_SHARE_ONE;
-    if (w->value >= target) {
+    worst *w = context;
+    const murk_place_run *run = &w->run;
+    const uint64_t target = run->desc->target;
+    /* With a target, any count may become the plan; branch and bound is for the
+     * plan only. */
+    const bool is_asked = target || n == run->last;
+    murk_status status = search_count(w, n, is_asked, from, err);
+    const bool is_open =
+        target == 0 || (run->value < target && w->upper >= target);
+    if (!status && is_asked && is_open && !murk_interrupted()) {
+        status = branch_and_bound(w, n, err);
+    }
+    *point = (murk_curve_point){run->size, run->value, w->upper};
+    return status;
+}
+
+/* ---- frame ---- */
+
+static murk_status check_ceiling(const worst *w, murk_error *err)
+{
+    const uint64_t target = w->run.desc->target;
+    return target > ceiling_of(w)
+               ? murk_fail(err, MURK_BAD_VALUE, "",
+                           "target %.6g cannot be reached in the worst "
+                           "condition: all %zu usable candidates together see "
+                           "%.6g of it",
+                           (double)target / (double)MURK_SHARE_ONE,
+                           w->run.evaluator.candidates,
+                           (double)ceiling_of(w) / (double)MURK_SHARE_ONE)
+               : MURK_OK;
+}
+
+static murk_status check_target(const murk_place_run *run, murk_error *err)
+{
+    const double target = (double)run->desc->target / (double)MURK_SHARE_ONE;
+    if (run->result.value >= run->desc->target) {
         return MURK_OK;
     }
-    const double best = (double)w->value / (double)MURK_SHARE_ONE;
-    const double upper = (double)w->upper / (double)MURK_SHARE_ONE;
-    return w->upper < target
+    const double best = (double)run->result.value / (double)MURK_SHARE_ONE;
+    const double upper = (double)run->result.upper / (double)MURK_SHARE_ONE;
+    return run->result.upper < run->desc->target
                ? murk_fail(err, MURK_BAD_VALUE, "",
                            "target %.6g cannot be reached in the worst "
                            "condition: %zu sensors see at most %.6g of it",
-                           share, w->last, upper)
+                           target, run->last, upper)
                : murk_fail(err, MURK_RUN_FAILED, "",
                            "no plan found that reaches the target %.6g in the "
                            "worst condition with at most %zu sensors: the "
                            "best found sees %.6g",
-                           share, w->last, best);
+                           target, run->last, best);
 }
 
-static int by_number(const void *a, const void *b)
+static murk_status begin(worst *w, const murk_blocks *blocks, murk_error *err)
 {
-    const size_t x = *(const size_t *)a, y = *(const size_t *)b;
-    return (x > y) - (x < y);
-}
-
-static void fill(murk_place_result *result, const murk_worst_run *w)
-{
-    result->count = w->size;
-    for (size_t k = 0; k < w->size; ++k) {
-        result->sensor[k] = w->plan[k];
-        result->cost +=
-            w->set ? murk_constraint_set_cost(w->set, w->plan[k]) : 0;
+    murk_status status =
+        murk_block_layouts_init(&w->layouts, &w->run.evaluator, blocks, err);
+    if (!status) {
+        status = murk_worst_search_init(&w->search, &w->layouts, &w->run.search,
+                                        &w->run.arena, err);
     }
-    qsort(result->sensor, result->count, sizeof *result->sensor, by_number);
-    if (result->curve) {
-        join_bounds(result->curve, result->curve_points, w->set);
-    }
-    result->value = w->value;
-    result->upper = w->upper;
-    result->proven_optimal = w->value == w->upper;
-    result->guarantee = "none";
-    result->ceiling = murk_worst_ceiling(w);
-    result->whole = MURK_SHARE_ONE;
-    result->after_presolve = w->evaluator.undominated;
-    result->evaluations = w->search.evaluations;
+    return status ? status : murk_worst_bound_init(&w->bound, &w->layouts, err);
 }
 
 murk_status murk_place_worst(murk_place_result *out,
@@ -168,56 +368,29 @@ murk_status murk_place_worst(murk_place_result *out,
 {
     assert(out && problem && matrix && blocks && desc && blocks->n >= 1);
     assert(blocks->n <= MURK_BLOCKS_MAX);
-    murk_constraint_set rulebook = {0};
-    murk_place_result result = {0};
-    murk_worst_run w = {.desc = desc,
-                        .set = desc->constraints ? &rulebook : NULL,
-                        .blocks = blocks->n,
-                        .result = &result};
-    /* Check settings and constraints, rank the candidates. */
-    murk_status status = murk_place_check(problem, true, desc, err);
-    if (!status && desc->constraints) {
-        const bool is_max = desc->target || desc->constraints->budget > 0;
-        status = murk_constraint_set_init(
-            &rulebook, desc->constraints, problem->candidates,
-            desc->count > 0 ? desc->count : problem->candidates, is_max, err);
+    worst w = {.blocks = blocks->n};
+    murk_status status =
+        murk_place_run_begin(&w.run, problem, matrix, desc, err);
+    if (!status) {
+        status = begin(&w, blocks, err);
     }
     if (!status) {
-        status = begin(&w, problem, matrix, blocks, &result, err);
-    }
-    if (!status && desc->target > murk_worst_ceiling(&w)) {
-        status = murk_fail(
-            err, MURK_BAD_VALUE, "",
-            "target %.6g cannot be reached in the worst condition: all %zu "
-            "usable candidates together see %.6g of it",
-            (double)desc->target / (double)MURK_SHARE_ONE,
-            w.evaluator.candidates,
-            (double)murk_worst_ceiling(&w) / (double)MURK_SHARE_ONE);
-    }
-    if (status) {
-        goto done;
+        status = check_ceiling(&w, err);
     }
     /* Find the plans, and make the result. */
-    const bool starts =
-        desc->method == MURK_PLACE_BEST || desc->method == MURK_PLACE_SPOQ;
-    murk_progress_begin("place", starts ? desc->restarts : 0,
-                        starts ? "starts at most" : "");
-    status = find_all(&w, err);
-    murk_progress_end();
-    if (!status && murk_interrupted()) {
-        status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
-    }
-    if (!status && desc->target) {
-        status = check_target(&w, err);
+    if (!status) {
+        status = murk_place_run_counts(&w.run, find_count, &w, err);
     }
     if (!status) {
-        fill(&result, &w);
-        *out = result;
-        result = (murk_place_result){0};
+        status = check_target(&w.run, err);
     }
-done:
-    release(&w);
-    murk_constraint_set_release(&rulebook);
-    murk_place_release(&result);
-    return status;
+    if (!status) {
+        murk_place_run_join_bounds(&w.run);
+        w.run.result.ceiling = ceiling_of(&w);
+        w.run.result.whole = MURK_SHARE_ONE;
+        w.run.result.evaluations = w.search.evaluations;
+    }
+    murk_worst_bound_release(&w.bound);
+    murk_block_layouts_release(&w.layouts);
+    return murk_place_run_end(out, &w.run, status);
 }

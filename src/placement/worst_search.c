@@ -9,11 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Candidates evaluated between two comparisons with the best so far. A
- * constant, so the set of evaluated candidates does not depend on the number of
- * threads. */
-#define CHUNK 128
-
 typedef struct murk_candidate_bound {
     murk_objective_value value_bound; /* upper bound on the objective */
     uint32_t candidate;
@@ -21,43 +16,22 @@ typedef struct murk_candidate_bound {
 
 murk_status murk_worst_search_init(murk_worst_search *out,
                                    const murk_block_layouts *layouts,
+                                   murk_gain_scan *scan, murk_arena *arena,
                                    murk_error *err)
 {
-    const murk_evaluator *o = layouts->evaluator;
-    const size_t n = o->candidates + 1, blocks = layouts->blocks->n;
+    const size_t n = scan->evaluator->candidates + 1;
+    const size_t blocks = layouts->blocks->n;
     *out = (murk_worst_search){
-        .layouts = layouts,
-        .evaluator = o,
-        .max = malloc(n * blocks * sizeof *out->max),
-        .gain = malloc(CHUNK * blocks * sizeof *out->gain),
-        .chunk = malloc(CHUNK * sizeof *out->chunk),
-        .candidate_bound = malloc(n * sizeof *out->candidate_bound)};
-    /* Constraints need a partial plan; random starts a scan of their own. */
-    murk_status status = MURK_OK;
-    if (!out->max || !out->gain || !out->chunk || !out->candidate_bound ||
-        !murk_cover_init(&out->cover, o->layout, o->is_binary)) {
-        status = murk_fail(err, MURK_NO_MEMORY, "",
-                           "no memory to search %zu candidates", o->candidates);
-    }
-    if (!status && o->set) {
-        status = murk_partial_plan_init(&out->partial, o->set, err);
-    }
-    if (!status) {
-        status = murk_gain_scan_init(&out->draw, o, 0, 1, err);
-    }
-    return status;
-}
-
-void murk_worst_search_release(murk_worst_search *s)
-{
-    murk_gain_scan_release(&s->draw);
-    murk_partial_plan_release(&s->partial);
-    murk_cover_release(&s->cover);
-    free(s->max);
-    free(s->gain);
-    free(s->chunk);
-    free(s->candidate_bound);
-    *s = (murk_worst_search){0};
+        .layouts = layouts, .evaluator = scan->evaluator, .scan = scan};
+    out->max = murk_arena_array(arena, n * blocks, sizeof *out->max);
+    out->gain =
+        murk_arena_array(arena, MURK_SCAN_CHUNK * blocks, sizeof *out->gain);
+    out->candidate_bound =
+        murk_arena_array(arena, n, sizeof *out->candidate_bound);
+    return arena->is_short
+               ? murk_fail(err, MURK_NO_MEMORY, "",
+                           "no memory to search %zu candidates", n - 1)
+               : MURK_OK;
 }
 
 /* ---- objective values ---- */
@@ -88,7 +62,7 @@ objective_with(const murk_worst_search *s,
     return out;
 }
 
-static const murk_block_objective MINIMUM_FIRST = {.is_min = true};
+const murk_block_objective MURK_MINIMUM_FIRST = {.is_min = true};
 
 /* ---- the partial plan ---- */
 
@@ -96,23 +70,18 @@ static void add_to_plan(murk_worst_search *s, uint32_t candidate)
 {
     const murk_row row = murk_evaluator_row(s->evaluator, 0, candidate);
     for (size_t c = 0; c < s->layouts->blocks->n; ++c) {
-        s->value[c] += murk_row_gain(&s->layouts->layout[c], &row, &s->cover);
+        s->value[c] +=
+            murk_row_gain(&s->layouts->layout[c], &row, &s->scan->cover);
     }
-    murk_cover_add(&s->cover, s->evaluator->layout, &row);
-    if (s->evaluator->set) {
-        murk_partial_plan_add(&s->partial, candidate);
-    }
+    murk_gain_scan_add(s->scan, candidate);
 }
 
 /* Makes the partial plan equal to plan[n] without the entry `but` (n: all). */
 static void set_all_but(murk_worst_search *s, const uint32_t *plan, size_t n,
                         size_t but)
 {
-    murk_cover_clear(&s->cover, s->evaluator->layout);
+    murk_gain_scan_set_all_but(s->scan, plan, 0, 0);
     memset(s->value, 0, sizeof s->value);
-    if (s->evaluator->set) {
-        murk_partial_plan_clear(&s->partial, s->partial.wanted);
-    }
     for (size_t k = 0; k < n; ++k) {
         if (k != but) {
             add_to_plan(s, plan[k]);
@@ -120,32 +89,12 @@ static void set_all_but(murk_worst_search *s, const uint32_t *plan, size_t n,
     }
 }
 
-static bool contains(const uint32_t *plan, size_t n, size_t but,
-                     uint32_t candidate)
-{
-    for (size_t k = 0; k < n; ++k) {
-        if (k != but && plan[k] == candidate) {
-            return true;
-        }
-    }
-    return false;
-}
-
 /* ---- the best candidate ---- */
 
-typedef struct step {
-    const murk_block_objective *objective;
-    const uint32_t *plan; /* the partial plan is plan[n] without entry `but` */
-    size_t n, but;
-    bool is_move; /* the added candidate must complete the plan */
-} step;
-
-static bool can_add(const murk_worst_search *s, const step *q,
-                    uint32_t candidate)
+static bool can_add(const murk_worst_search *s, uint32_t candidate)
 {
-    return !contains(q->plan, q->n, q->but, candidate) &&
-           (!s->evaluator->set ||
-            murk_partial_plan_can_add(&s->partial, candidate, q->is_move));
+    return !s->scan->is_partial[candidate] &&
+           murk_gain_scan_can_add(s->scan, candidate);
 }
 
 static int by_bound(const void *a, const void *b)
@@ -161,7 +110,8 @@ static int by_bound(const void *a, const void *b)
 /* Finds the candidate that makes the objective value largest, if that exceeds
  * *value_bound, which is raised; the lowest index on ties. False if no
  * candidate does. A dominated candidate is never better than the dominator. */
-static bool find_best(murk_worst_search *s, const step *q,
+static bool find_best(murk_worst_search *s,
+                      const murk_block_objective *objective,
                       murk_objective_value *value_bound, uint32_t *best)
 {
     const murk_evaluator *o = s->evaluator;
@@ -171,8 +121,8 @@ static bool find_best(murk_worst_search *s, const step *q,
     for (size_t k = 0; k < o->undominated; ++k) {
         const uint32_t j = o->ranked[k].candidate;
         const murk_objective_value max =
-            objective_with(s, q->objective, s->max + j * blocks);
-        if (is_greater(max, *value_bound) && can_add(s, q, j)) {
+            objective_with(s, objective, s->max + j * blocks);
+        if (is_greater(max, *value_bound) && can_add(s, j)) {
             s->candidate_bound[n++] = (murk_candidate_bound){max, j};
         }
     }
@@ -181,20 +131,21 @@ static bool find_best(murk_worst_search *s, const step *q,
     for (size_t k = 0; k < n && !murk_interrupted();) {
         size_t gathered = 0;
         /* Gather candidates that may be the best, and evaluate them. */
-        for (; k < n && gathered < CHUNK &&
+        for (; k < n && gathered < MURK_SCAN_CHUNK &&
                !is_greater(*value_bound, s->candidate_bound[k].value_bound);
              ++k) {
-            s->chunk[gathered++] = s->candidate_bound[k].candidate;
+            s->scan->chunk[gathered++] = s->candidate_bound[k].candidate;
         }
         if (gathered == 0) {
             break;
         }
-        murk_block_gains(s->layouts, &s->cover, s->chunk, gathered, s->gain);
+        murk_block_gains(s->layouts, &s->scan->cover, s->scan->chunk, gathered,
+                         s->gain);
         s->evaluations += gathered;
         for (size_t i = 0; i < gathered; ++i) {
-            const uint32_t j = s->chunk[i];
+            const uint32_t j = s->scan->chunk[i];
             const murk_objective_value now =
-                objective_with(s, q->objective, s->gain + i * blocks);
+                objective_with(s, objective, s->gain + i * blocks);
             if (is_greater(now, *value_bound) ||
                 (is_found && !is_greater(*value_bound, now) && j < *best)) {
                 *value_bound = now;
@@ -207,11 +158,10 @@ static bool find_best(murk_worst_search *s, const step *q,
 }
 
 /* The lowest candidate that can be added, if there is one. */
-static bool find_any(const murk_worst_search *s, const step *q,
-                     uint32_t *candidate)
+static bool find_any(const murk_worst_search *s, uint32_t *candidate)
 {
     for (uint32_t j = 0; j < s->evaluator->candidates; ++j) {
-        if (can_add(s, q, j)) {
+        if (can_add(s, j)) {
             *candidate = j;
             return true;
         }
@@ -224,30 +174,7 @@ static bool find_any(const murk_worst_search *s, const step *q,
 uint64_t murk_worst_value(murk_worst_search *s, const uint32_t *plan, size_t n)
 {
     set_all_but(s, plan, n, n);
-    return objective_with(s, &MINIMUM_FIRST, NULL).first;
-}
-
-static bool has_budget(const murk_worst_search *s)
-{
-    return s->evaluator->set && s->evaluator->set->has_budget;
-}
-
-/* With constraints: begins a plan of n sensors, or of n at most, with the fixed
- * sensors. Returns the number of sensors given. */
-static size_t begin(murk_worst_search *s, uint32_t *plan, size_t given,
-                    size_t n)
-{
-    const murk_constraint_set *set = s->evaluator->set;
-    if (!set) {
-        return given;
-    }
-    murk_partial_plan_clear(&s->partial,
-                            set->has_budget ? set->max_sensors : n);
-    const size_t fixed = set->constraints->fixed_count;
-    for (size_t k = given; k < fixed; ++k) {
-        plan[k] = (uint32_t)set->constraints->fixed[k];
-    }
-    return given > fixed ? given : fixed;
+    return objective_with(s, &MURK_MINIMUM_FIRST, NULL).first;
 }
 
 /* Resets the upper bounds on gains to the values of the candidates alone, which
@@ -262,52 +189,47 @@ uint64_t murk_worst_greedy(murk_worst_search *s,
                            const murk_block_objective *objective,
                            uint32_t *plan, size_t given, size_t n)
 {
-    given = begin(s, plan, given, n);
+    const bool has_budget = murk_has_budget(s->evaluator->set);
+    given = murk_search_begin(s->scan, plan, given, n);
     set_all_but(s, plan, given, given);
     reset_gain_bounds(s);
-    s->size = given;
+    s->scan->size = given;
     for (size_t k = given; k < n && !murk_interrupted(); ++k) {
-        step q = {.objective = objective, .plan = plan, .n = k, .but = k};
         murk_objective_value value_bound = objective_with(s, objective, NULL);
         /* The best candidate; if none increases the objective, by the smallest
          * share; else any. */
-        bool is_found = find_best(s, &q, &value_bound, &plan[k]);
+        bool is_found = find_best(s, objective, &value_bound, &plan[k]);
         if (!is_found) {
-            q.objective = &MINIMUM_FIRST;
-            value_bound = objective_with(s, &MINIMUM_FIRST, NULL);
-            is_found = find_best(s, &q, &value_bound, &plan[k]);
+            value_bound = objective_with(s, &MURK_MINIMUM_FIRST, NULL);
+            is_found =
+                find_best(s, &MURK_MINIMUM_FIRST, &value_bound, &plan[k]);
         }
-        const bool is_enough = has_budget(s) && s->partial.missing == 0;
-        if (!is_found && (is_enough || !find_any(s, &q, &plan[k]))) {
+        const bool is_enough = has_budget && s->scan->partial.missing == 0;
+        if (!is_found && (is_enough || !find_any(s, &plan[k]))) {
             break;
         }
         add_to_plan(s, plan[k]);
-        s->size = k + 1;
+        s->scan->size = k + 1;
     }
-    return objective_with(s, &MINIMUM_FIRST, NULL).first;
+    return objective_with(s, &MURK_MINIMUM_FIRST, NULL).first;
 }
 
 /* Relocates single sensors until no sensor moves. */
 static void relocate_sensors(murk_worst_search *s, uint32_t *plan, size_t n)
 {
-    const murk_constraint_set *set = s->evaluator->set;
-    const size_t fixed = set ? set->constraints->fixed_count : 0;
+    const size_t fixed = murk_fixed_count(s->evaluator->set);
     const size_t movers = n - fixed;
     size_t still = 0; /* sensors in a row that did not move */
+    s->scan->is_move = true;
     reset_gain_bounds(s);
     for (size_t at = 0; still < movers && !murk_interrupted();
          at = (at + 1) % movers) {
         const size_t k = fixed + at;
-        const step q = {.objective = &MINIMUM_FIRST,
-                        .plan = plan,
-                        .n = n,
-                        .but = k,
-                        .is_move = true};
         set_all_but(s, plan, n, k);
-        murk_block_gains(s->layouts, &s->cover, &plan[k], 1, s->gain);
+        murk_block_gains(s->layouts, &s->scan->cover, &plan[k], 1, s->gain);
         murk_objective_value value_bound =
-            objective_with(s, &MINIMUM_FIRST, s->gain);
-        if (find_best(s, &q, &value_bound, &plan[k])) {
+            objective_with(s, &MURK_MINIMUM_FIRST, s->gain);
+        if (find_best(s, &MURK_MINIMUM_FIRST, &value_bound, &plan[k])) {
             still = 0;
         }
         ++still; /* a sensor that has just moved is at the best candidate */
@@ -316,25 +238,17 @@ static void relocate_sensors(murk_worst_search *s, uint32_t *plan, size_t n)
 
 uint64_t murk_worst_relocate(murk_worst_search *s, uint32_t *plan, size_t n)
 {
-    begin(s, plan, n, n);
+    murk_search_begin(s->scan, plan, n, n);
     relocate_sensors(s, plan, n);
-    s->size = n;
-    while (has_budget(s) && !murk_interrupted()) {
-        const size_t before = s->size;
-        murk_worst_greedy(s, &MINIMUM_FIRST, plan, before,
+    s->scan->size = n;
+    while (murk_has_budget(s->evaluator->set) && !murk_interrupted()) {
+        const size_t before = s->scan->size;
+        murk_worst_greedy(s, &MURK_MINIMUM_FIRST, plan, before,
                           s->evaluator->set->max_sensors);
-        if (s->size == before) {
+        if (s->scan->size == before) {
             break;
         }
-        relocate_sensors(s, plan, s->size);
+        relocate_sensors(s, plan, s->scan->size);
     }
-    return murk_worst_value(s, plan, s->size);
-}
-
-void murk_worst_draw(murk_worst_search *s, uint32_t *plan, size_t n,
-                     uint32_t seed, uint64_t restart)
-{
-    s->draw.fallback = s->fallback;
-    s->draw.fallback_size = s->fallback_size;
-    s->size = murk_search_draw(&s->draw, plan, n, seed, restart);
+    return murk_worst_value(s, plan, s->scan->size);
 }

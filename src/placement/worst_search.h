@@ -30,28 +30,24 @@ typedef struct murk_block_objective {
     uint64_t factor[MURK_BLOCKS_MAX];
 } murk_block_objective;
 
+extern const murk_block_objective MURK_MINIMUM_FIRST; /* is_min alone */
+
 typedef struct murk_worst_search {
     const murk_block_layouts *layouts;
     const murk_evaluator *evaluator;
-    murk_cover cover;                /* of the partial plan */
+    murk_gain_scan *scan; /* borrowed: the partial plan and the cover of it */
     uint64_t value[MURK_BLOCKS_MAX]; /* of the partial plan, by block */
-    murk_partial_plan partial;       /* with constraints */
     uint64_t *max;  /* [candidates][blocks] upper bounds on gains */
-    uint64_t *gain; /* [chunk][blocks] */
-    uint32_t *chunk;
+    uint64_t *gain; /* [MURK_SCAN_CHUNK][blocks] */
     struct murk_candidate_bound *candidate_bound; /* [candidates] scratch */
-    murk_gain_scan draw;                          /* random starts */
-    size_t size;                                  /* sensors of the last plan */
     uint64_t evaluations;
-    const uint32_t *fallback; /* with conflicts: a feasible plan for starts that
-                                 end early */
-    size_t fallback_size;
 } murk_worst_search;
 
+/* The arena owns the arrays. */
 murk_status murk_worst_search_init(murk_worst_search *out,
                                    const murk_block_layouts *layouts,
+                                   murk_gain_scan *scan, murk_arena *arena,
                                    murk_error *err);
-void murk_worst_search_release(murk_worst_search *search);
 
 /* The smallest share of the plan; sets search->value, the values by block. */
 uint64_t murk_worst_value(murk_worst_search *search, const uint32_t *plan,
@@ -59,7 +55,7 @@ uint64_t murk_worst_value(murk_worst_search *search, const uint32_t *plan,
 
 /* Extends plan[given] to n sensors. Each step adds the candidate that increases
  * the objective most; if no candidate increases it, the smallest share decides.
- * Constraints as in placement/search.h: search->size is the number of sensors.
+ * Constraints as in placement/search.h: scan->size is the number of sensors.
  * Returns the smallest share. */
 uint64_t murk_worst_greedy(murk_worst_search *search,
                            const murk_block_objective *objective,
@@ -70,9 +66,5 @@ uint64_t murk_worst_greedy(murk_worst_search *search,
  * Returns the smallest share. */
 uint64_t murk_worst_relocate(murk_worst_search *search, uint32_t *plan,
                              size_t n);
-
-/* A random plan of n sensors, or of as many as the constraints allow. */
-void murk_worst_draw(murk_worst_search *search, uint32_t *plan, size_t n,
-                     uint32_t seed, uint64_t restart);
 
 #endif

@@ -12,15 +12,6 @@ typedef struct everywhere {
                           * computed anew */
 } everywhere;
 
-/* Places sensors with all candidates, with or without a matrix. */
-static murk_status place_all(murk_place_result *out, const everywhere *all,
-                             const murk_place_desc *desc, murk_error *err)
-{
-    return all->matrix
-               ? murk_place_known(out, all->problem, all->matrix, desc, err)
-               : murk_place_unknown(out, all->problem, desc, err);
-}
-
 /* True if a sensor type has a minimum count. */
 static bool has_min(const murk_constraints *constraints)
 {
@@ -40,7 +31,8 @@ static murk_status bound_all(murk_place_result *out, size_t *fewest,
                              const everywhere *all, const murk_place_desc *desc,
                              murk_error *err)
 {
-    const murk_status status = place_all(out, all, desc, err);
+    const murk_status status =
+        murk_place(out, all->problem, all->matrix, desc, err);
     *fewest = out->curve ? out->curve[0].count : 0;
     if (status || !has_min(desc->constraints) || !out->curve) {
         return status;
@@ -51,7 +43,8 @@ static murk_status bound_all(murk_place_result *out, size_t *fewest,
     murk_place_result intermediate = {0};
     constraints.min = NULL;
     freer.constraints = &constraints;
-    const murk_status later = place_all(&intermediate, all, &freer, err);
+    const murk_status later =
+        murk_place(&intermediate, all->problem, all->matrix, &freer, err);
     /* The curve of that run, with the tighter bound at the last number. */
     if (!later) {
         free(out->curve);

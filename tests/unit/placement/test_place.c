@@ -17,8 +17,7 @@ static murk_place_result place_known(const made_up *m,
     murk_place_result result = {0};
     CHECK(murk_matrix_create(&matrix, &m->problem, MATRIX_MAX, &err) ==
           MURK_OK);
-    CHECK(murk_place_known(&result, &m->problem, matrix, desc, &err) ==
-          MURK_OK);
+    CHECK(murk_place(&result, &m->problem, matrix, desc, &err) == MURK_OK);
     CHECK_TEXT(err.text, "");
     murk_matrix_destroy(matrix);
     return result;
@@ -29,7 +28,7 @@ static murk_place_result place_unknown(const made_up *m,
 {
     murk_error err = {0};
     murk_place_result result = {0};
-    CHECK(murk_place_unknown(&result, &m->problem, desc, &err) == MURK_OK);
+    CHECK(murk_place(&result, &m->problem, NULL, desc, &err) == MURK_OK);
     CHECK_TEXT(err.text, "");
     return result;
 }
@@ -217,7 +216,7 @@ static void test_exact(uint32_t seed)
     desc.method = MURK_PLACE_EXACT;
     murk_place_result r = {0};
     murk_error err = {0};
-    CHECK(murk_place_unknown(&r, &m->problem, &desc, &err) == MURK_BAD_VALUE);
+    CHECK(murk_place(&r, &m->problem, NULL, &desc, &err) == MURK_BAD_VALUE);
     CHECK_MENTIONS(err.text, "knowledge must be known");
     made_up_destroy(m);
 }
@@ -254,7 +253,7 @@ static void test_target(uint32_t seed)
         desc.target = UINT64_MAX;
         murk_error err = {0};
         murk_place_result none = {0};
-        CHECK(murk_place_unknown(&none, &m->problem, &desc, &err) ==
+        CHECK(murk_place(&none, &m->problem, NULL, &desc, &err) ==
               MURK_BAD_VALUE);
         CHECK_MENTIONS(err.text, "all 13 usable candidates together see");
         made_up_destroy(m);
@@ -449,16 +448,16 @@ static void test_too_many_sensors_are_refused(void)
     murk_place_result r = {0};
     murk_error err = {0};
     desc.count = 7;
-    CHECK(murk_place_unknown(&r, &m->problem, &desc, &err) == MURK_BAD_VALUE);
+    CHECK(murk_place(&r, &m->problem, NULL, &desc, &err) == MURK_BAD_VALUE);
     CHECK_TEXT(err.text, "7 sensors asked for, but only 3 usable candidates");
     CHECK(r.sensor == NULL);
     err = (murk_error){0};
     desc.count = 0;
-    CHECK(murk_place_unknown(&r, &m->problem, &desc, &err) == MURK_BAD_VALUE);
+    CHECK(murk_place(&r, &m->problem, NULL, &desc, &err) == MURK_BAD_VALUE);
     m->problem.candidates = 0;
     err = (murk_error){0};
     desc.count = 1;
-    CHECK(murk_place_unknown(&r, &m->problem, &desc, &err) == MURK_BAD_VALUE);
+    CHECK(murk_place(&r, &m->problem, NULL, &desc, &err) == MURK_BAD_VALUE);
     CHECK_TEXT(err.text, "1 sensors asked for, but only 0 usable candidates");
     made_up_destroy(m);
 }

@@ -1,0 +1,196 @@
+/* The frame of every placement. Each objective (placement/place.c, worst.c,
+ * at_least.c) gives a function that finds the plan of one count; the counts
+ * build on each other, because each search may start at the plan of one sensor
+ * fewer. */
+#include "placement/run.h"
+
+#include "base/interrupt.h"
+#include "base/progress.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+murk_status murk_place_run_begin(murk_place_run *run,
+                                 const murk_problem *problem,
+                                 const murk_matrix *matrix,
+                                 const murk_place_desc *desc, murk_error *err)
+{
+    *run = (murk_place_run){.desc = desc,
+                            .set = desc->constraints ? &run->own_set : NULL};
+    /* Check settings and constraints, rank the candidates. */
+    murk_status status = murk_place_check(problem, matrix != NULL, desc, err);
+    if (!status && run->set) {
+        const bool is_max = desc->target || desc->constraints->budget > 0;
+        status = murk_constraint_set_init(
+            &run->own_set, desc->constraints, problem->candidates,
+            desc->count > 0 ? desc->count : problem->candidates, is_max, err);
+    }
+    const size_t n = run->set ? run->set->max_sensors : desc->count;
+    if (!status) {
+        status = murk_evaluator_init(&run->evaluator, problem, matrix, run->set,
+                                     n, desc->keep_dominated, err);
+    }
+    if (!status) {
+        run->evaluator.search_work = desc->search_work;
+        status = murk_gain_scan_init(&run->search, &run->evaluator, 0,
+                                     problem->threads, err);
+    }
+    if (status) {
+        return status;
+    }
+    /* A curve starts at the smallest feasible count. */
+    const bool is_curve =
+        (desc->with_curve || desc->target) && !murk_has_budget(run->set);
+    run->last = n;
+    run->first = !is_curve ? n : run->set ? run->set->min_sensors : 1;
+    run->plan = murk_arena_array(&run->arena, n, sizeof *run->plan);
+    run->trial = murk_arena_array(&run->arena, n, sizeof *run->trial);
+    run->search.fallback =
+        murk_arena_array(&run->arena, n, sizeof *run->search.fallback);
+    murk_place_result *result = &run->result;
+    result->guarantee = "none";
+    result->sensor = calloc(n, sizeof *result->sensor);
+    result->curve = is_curve ? calloc(n, sizeof *result->curve) : NULL;
+    return run->arena.is_short || !result->sensor ||
+                   (is_curve && !result->curve)
+               ? murk_fail(err, MURK_NO_MEMORY, "", "no memory for %zu sensors",
+                           n)
+               : MURK_OK;
+}
+
+bool murk_place_run_keep(murk_place_run *run, const uint32_t *plan, size_t size,
+                         uint64_t value)
+{
+    if (run->size > 0 && value <= run->value) {
+        return false;
+    }
+    memcpy(run->plan, plan, size * sizeof *plan);
+    run->size = size;
+    run->value = value;
+    return true;
+}
+
+murk_status murk_place_run_find_fallback(murk_place_run *run, size_t n,
+                                         murk_error *err)
+{
+    const murk_constraint_set *set = run->set;
+    if (!set || !set->has_conflicts) {
+        return MURK_OK;
+    }
+    /* Complete a plan of the fixed sensors with any candidates. */
+    murk_partial_plan *partial = &run->search.partial;
+    bool is_sure;
+    murk_partial_plan_clear(partial, n);
+    for (size_t k = 0; k < set->constraints->fixed_count; ++k) {
+        murk_partial_plan_add(partial, (uint32_t)set->constraints->fixed[k]);
+    }
+    if (!murk_partial_plan_complete(partial, &is_sure)) {
+        return murk_interrupted()
+                   ? MURK_OK
+                   : murk_fail(err, MURK_RUN_FAILED, "",
+                               is_sure ? "no plan: no %zu of %zu usable "
+                                         "candidates keep all rules"
+                                       : "no plan found: of %zu sensors at "
+                                         "%zu usable candidates that keeps "
+                                         "all rules",
+                               n, run->evaluator.candidates);
+    }
+    memcpy(run->search.fallback, partial->member,
+           partial->size * sizeof *partial->member);
+    run->search.fallback_size = partial->size;
+    return MURK_OK;
+}
+
+static murk_status find_all(murk_place_run *run, murk_find_count find,
+                            void *context, murk_error *err)
+{
+    murk_place_result *result = &run->result;
+    const uint64_t target = run->desc->target;
+    uint32_t *last_plan =
+        murk_arena_array(&run->arena, run->last, sizeof *last_plan);
+    if (!last_plan) {
+        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for %zu sensors",
+                         run->last);
+    }
+    murk_curve_point point = {0};
+    for (size_t k = run->first; k <= run->last && !murk_interrupted(); ++k) {
+        const murk_status status =
+            find(context, k, k > run->first ? last_plan : NULL, &point, err);
+        if (status) {
+            return status;
+        }
+        if (result->curve) {
+            result->curve[k - run->first] = point;
+            result->curve_points = k - run->first + 1;
+        }
+        if (target && result->fewest == 0 && point.upper >= target) {
+            result->fewest = k;
+        }
+        memcpy(last_plan, run->plan, run->size * sizeof *last_plan);
+        if (target && point.value >= target) {
+            break;
+        }
+    }
+    result->count = run->size;
+    result->value = point.value;
+    result->upper = point.upper;
+    return MURK_OK;
+}
+
+murk_status murk_place_run_counts(murk_place_run *run, murk_find_count find,
+                                  void *context, murk_error *err)
+{
+    const murk_place_desc *desc = run->desc;
+    const bool starts =
+        desc->method == MURK_PLACE_BEST || desc->method == MURK_PLACE_SPOQ;
+    murk_progress_begin("place", starts ? desc->restarts : 0,
+                        starts ? "starts at most" : "");
+    const murk_status status = find_all(run, find, context, err);
+    murk_progress_end();
+    return !status && murk_interrupted()
+               ? murk_fail(err, MURK_INTERRUPTED, "", "interrupted")
+               : status;
+}
+
+void murk_place_run_join_bounds(murk_place_run *run)
+{
+    murk_curve_point *curve = run->result.curve;
+    if (!curve || (run->set && run->set->has_conflicts)) {
+        return;
+    }
+    for (size_t k = run->result.curve_points - 1; k > 0; --k) {
+        if (curve[k - 1].upper > curve[k].upper) {
+            curve[k - 1].upper = curve[k].upper;
+        }
+    }
+}
+
+static int by_number(const void *a, const void *b)
+{
+    const size_t x = *(const size_t *)a, y = *(const size_t *)b;
+    return (x > y) - (x < y);
+}
+
+murk_status murk_place_run_end(murk_place_result *out, murk_place_run *run,
+                               murk_status status)
+{
+    murk_place_result *result = &run->result;
+    for (size_t k = 0; !status && k < result->count; ++k) {
+        result->sensor[k] = run->plan[k];
+        result->cost +=
+            run->set ? murk_constraint_set_cost(run->set, run->plan[k]) : 0;
+    }
+    if (!status) {
+        qsort(result->sensor, result->count, sizeof *result->sensor, by_number);
+        result->proven_optimal = result->value == result->upper;
+        result->after_presolve = run->evaluator.undominated;
+        *out = *result;
+        *result = (murk_place_result){0};
+    }
+    murk_place_release(result);
+    murk_gain_scan_release(&run->search);
+    murk_evaluator_release(&run->evaluator);
+    murk_constraint_set_release(&run->own_set);
+    murk_arena_release(&run->arena);
+    return status;
+}

@@ -1,0 +1,63 @@
+/* The frame of a placement, whatever the objective: the checked settings, the
+ * ranked candidates, the search for a plan of one count after the other, and
+ * the result. */
+#ifndef MURK_PLACEMENT_RUN_H
+#define MURK_PLACEMENT_RUN_H
+
+#include "placement/search.h"
+#include "placement/settings.h"
+
+typedef struct murk_place_run {
+    const murk_place_desc *desc;
+    const murk_constraint_set *set; /* NULL: no constraint but a count */
+    murk_constraint_set own_set;
+    murk_evaluator evaluator;
+    murk_gain_scan search; /* uses all threads */
+    size_t first, last;    /* smallest and largest count tried */
+    uint32_t *plan;        /* [last] the best plan of the present count */
+    size_t size;           /* sensors of the plan; 0: none was found yet */
+    uint64_t value;        /* of the plan, by the objective */
+    uint32_t *trial;       /* [last] scratch */
+    murk_place_result result;
+    murk_arena arena; /* for arrays that live as long as the run */
+} murk_place_run;
+
+/* Checks settings and constraints, and ranks the candidates. Borrows all but
+ * err. murk_place_run_end() must follow, also after a failure. */
+murk_status murk_place_run_begin(murk_place_run *run,
+                                 const murk_problem *problem,
+                                 const murk_matrix *matrix,
+                                 const murk_place_desc *desc, murk_error *err);
+
+/* Stores plan[size] if it is the first plan of the count or worth more than the
+ * stored one. True if it was stored. */
+bool murk_place_run_keep(murk_place_run *run, const uint32_t *plan, size_t size,
+                         uint64_t value);
+
+/* With conflicts a search may end early: finds any feasible plan of n, for
+ * run->search.fallback. */
+murk_status murk_place_run_find_fallback(murk_place_run *run, size_t n,
+                                         murk_error *err);
+
+/* Finds the best plan of n, run->plan, and stores value and bound in *point.
+ * `from` is the plan of one sensor fewer, *point the point of that plan; NULL:
+ * none. */
+typedef murk_status (*murk_find_count)(void *context, size_t n,
+                                       const uint32_t *from,
+                                       murk_curve_point *point,
+                                       murk_error *err);
+
+/* Tries the counts from first to last, with a target until a plan reaches it.
+ */
+murk_status murk_place_run_counts(murk_place_run *run, murk_find_count find,
+                                  void *context, murk_error *err);
+
+/* The points of the curve bound each other: a plan of fewer sensors is worth no
+ * more, if every plan can be completed. */
+void murk_place_run_join_bounds(murk_place_run *run);
+
+/* Completes the result if status is 0, and releases the run. */
+murk_status murk_place_run_end(murk_place_result *out, murk_place_run *run,
+                               murk_status status);
+
+#endif
