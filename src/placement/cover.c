@@ -129,6 +129,7 @@ void murk_cover_add(murk_cover *cover, const murk_layout *layout,
         }
         return;
     }
+    /* Entry by entry. */
     size_t slot;
     uint16_t clarity;
     for (murk_row_walk walk = murk_row_begin(layout, row);

@@ -4,6 +4,8 @@
  * segment of mixed weights takes the weighted sum. */
 #include "placement/gain.h"
 
+#include "placement/kernel_loops.h"
+
 #include <assert.h>
 
 static bool has_bit(const uint64_t *bits, size_t i)
@@ -45,6 +47,8 @@ static uint64_t gain_of_bits(const murk_layout *layout, const murk_row *row,
         const uint32_t *weight =
             segment->is_mixed ? layout->weight + 64 * p.from : NULL;
         const uint64_t factor = weight ? 1 : segment->weight;
+        /* A segment without weight is left out; the clarities of packed rows
+         * must be counted. */
         if (factor == 0 && !clarity) {
             continue;
         }
@@ -101,8 +105,8 @@ static uint64_t gain_of_list(const murk_layout *layout, const murk_row *row,
 
 /* The gain over a cover of bits or clarities. With is_independent, clarities
  * are taken for probabilities; an entry of MURK_CLEAR is certain anyway. */
-static uint64_t gain_over(const murk_layout *layout, const murk_row *row,
-                          const murk_cover *cover, bool is_independent)
+static uint64_t gain_by_kind(const murk_layout *layout, const murk_row *row,
+                             const murk_cover *cover, bool is_independent)
 {
     is_independent = is_independent && row->clarity;
     switch (row->kind) {
@@ -140,7 +144,7 @@ uint64_t murk_row_gain(const murk_layout *layout, const murk_row *row,
                        const murk_cover *cover)
 {
     return cover->dose ? gain_of_doses(layout, row, cover)
-                       : gain_over(layout, row, cover, false);
+                       : gain_by_kind(layout, row, cover, false);
 }
 
 /* Let the cover have the dose Y with worth `best`, and let h = 65535 (1 -
@@ -153,7 +157,7 @@ uint64_t murk_row_gain_bound(const murk_layout *layout, const murk_row *row,
                              const murk_cover *cover)
 {
     assert(cover->dose);
-    return gain_over(layout, row, cover, true);
+    return gain_by_kind(layout, row, cover, true);
 }
 
 uint64_t murk_row_weight(const murk_layout *layout, const murk_row *row)

@@ -262,6 +262,7 @@ murk_status murk_incumbent_init(murk_incumbent *p, murk_place_run *run,
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for %zu sensors",
                          n);
     }
+    /* No bound is known yet. */
     memset(p->greedy_bound, 0xff, n * sizeof *p->greedy_bound);
     p->search->rows_max = murk_gain_scan_rows_max(&run->evaluator);
     p->search->greedy_bound = p->greedy_bound;

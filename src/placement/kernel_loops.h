@@ -4,7 +4,7 @@
 #ifndef MURK_PLACEMENT_KERNEL_LOOPS_H
 #define MURK_PLACEMENT_KERNEL_LOOPS_H
 
-#include "placement/kernels.h"
+#include "placement/problem.h"
 
 #ifndef MURK_TARGET
 #define MURK_TARGET
@@ -13,6 +13,16 @@
 /* A loop is compiled once for each combination of options that a caller passes
  * as constants, without tests inside. */
 #define MURK_LOOP MURK_TARGET static inline __attribute__((always_inline))
+
+/* max(0, clarity - best); or, with is_independent, clarity * (MURK_CLEAR -
+ * best) / 65536, rounded down: the gain of independent detection. */
+static inline uint64_t murk_gain_term(uint16_t clarity, uint16_t best,
+                                      bool is_independent)
+{
+    return is_independent
+               ? (uint64_t)clarity * (uint64_t)(MURK_CLEAR - best) >> 16
+               : (uint64_t)(clarity - (clarity < best ? clarity : best));
+}
 
 static inline size_t murk_word_at(const uint32_t *at, size_t k)
 {

@@ -16,7 +16,8 @@ typedef struct murk_kernels {
     uint64_t (*count_new)(const uint64_t *row, const uint32_t *at,
                           const uint64_t *full, const uint32_t *weight,
                           size_t words);
-    /* Sum of murk_gain_term() over all slots; n is a multiple of 64. */
+    /* Sum of murk_gain_term() (placement/kernel_loops.h) over all slots; n is a
+     * multiple of 64. */
     uint64_t (*dense)(const uint16_t *row, const uint16_t *best,
                       const uint32_t *weight, size_t n, bool is_independent);
     /* Sum of murk_gain_term() over the set bits of the row. The clarities of
@@ -27,16 +28,6 @@ typedef struct murk_kernels {
                        const uint32_t *weight, size_t words,
                        bool is_independent, size_t *used);
 } murk_kernels;
-
-/* max(0, clarity - best); or, with is_independent, clarity * (MURK_CLEAR -
- * best) / 65536, rounded down: the gain of independent detection. */
-static inline uint64_t murk_gain_term(uint16_t clarity, uint16_t best,
-                                      bool is_independent)
-{
-    return is_independent
-               ? (uint64_t)clarity * (uint64_t)(MURK_CLEAR - best) >> 16
-               : (uint64_t)(clarity - (clarity < best ? clarity : best));
-}
 
 /* Version k of those that this processor can run, the portable one first; NULL
  * beyond the last. */

@@ -112,6 +112,7 @@ static murk_status find_all(murk_place_run *run, murk_find_count find,
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for %zu sensors",
                          run->last);
     }
+    /* Each count builds on the plan of the count before. */
     murk_curve_point point = {0};
     for (size_t k = run->first; k <= run->last && !murk_interrupted(); ++k) {
         const murk_status status =

@@ -211,6 +211,7 @@ size_t murk_search_draw(murk_gain_scan *s, uint32_t *plan, size_t n,
     for (size_t k = 0; k < size; ++k) {
         murk_partial_plan_add(&s->partial, plan[k]);
     }
+    /* Draw until the plan has the wanted size. */
     const size_t wanted = is_constrained ? s->partial.wanted : n;
     fill_with_numbers(s->shuffle, m);
     for (uint32_t k = 0; k < m && size < wanted; ++k) {
