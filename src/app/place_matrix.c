@@ -290,7 +290,7 @@ static murk_status choose(murk_matrix_plan *p, murk_error *err)
     p->session.run.sense_s = murk_clock_s() - begun_s;
     begun_s = murk_clock_s();
     if (!status) {
-        status = murk_place(&p->place, &problem, matrix, &p->desc, err);
+        status = murk_place_sensors(&p->place, &problem, matrix, &p->desc, err);
     }
     murk_matrix_destroy(matrix);
     p->session.run.place_s = murk_clock_s() - begun_s;

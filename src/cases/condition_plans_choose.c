@@ -53,13 +53,13 @@ static murk_status place_alone(choosing *ch, murk_place_result *out, size_t c,
     murk_sight_problem_init(&seen, ch->plans->conditions->condition[c].sight,
                             ch->plan->poses->pose, ch->plan->poses->count);
     if (ch->scene->placement.knowledge == MURK_SCENE_UNKNOWN) {
-        return murk_place(out, &seen.problem, NULL, desc, err);
+        return murk_place_sensors(out, &seen.problem, NULL, desc, err);
     }
     murk_matrix *matrix = NULL;
     murk_status status = murk_matrix_create(&matrix, &seen.problem,
                                             murk_plan_matrix_bytes(), err);
     if (!status) {
-        status = murk_place(out, &seen.problem, matrix, desc, err);
+        status = murk_place_sensors(out, &seen.problem, matrix, desc, err);
     }
     murk_matrix_destroy(matrix);
     return status;

@@ -219,7 +219,7 @@ murk_status murk_scenarios_place(murk_place_result *out,
                                  const murk_place_desc *desc, murk_error *err)
 {
     if (objective == MURK_SCENE_OBJECTIVE_MEAN) {
-        return murk_place(out, &j->problem, j->matrix, desc, err);
+        return murk_place_sensors(out, &j->problem, j->matrix, desc, err);
     }
     murk_blocks blocks = j->blocks;
     blocks.measure = objective == MURK_SCENE_OBJECTIVE_WORST ? MURK_BLOCK_SHARE
@@ -252,7 +252,7 @@ murk_status murk_scenarios_place_one(murk_place_result *out,
     murk_status status = murk_matrix_reweigh(&matrix, j->matrix, weight, err);
     if (!status) {
         problem.weight = weight;
-        status = murk_place(out, &problem, matrix, desc, err);
+        status = murk_place_sensors(out, &problem, matrix, desc, err);
     }
     murk_matrix_destroy(matrix);
     free(weight);

@@ -110,9 +110,10 @@ static murk_status find_count(void *context, size_t n, const uint32_t *from,
     return status;
 }
 
-murk_status murk_place(murk_place_result *out, const murk_problem *problem,
-                       const murk_matrix *matrix, const murk_place_desc *desc,
-                       murk_error *err)
+murk_status murk_place_sensors(murk_place_result *out,
+                               const murk_problem *problem,
+                               const murk_matrix *matrix,
+                               const murk_place_desc *desc, murk_error *err)
 {
     assert(out && problem && desc);
     assert(!matrix || matrix->candidates == problem->candidates);

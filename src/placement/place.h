@@ -42,8 +42,9 @@
  * the problem. Unknown environment (matrix NULL): asks the problem for a row at
  * each evaluation, so memory is O(photons). Each decision, and so the plan, is
  * the same in both: presolve, which needs the matrix, changes no plan. */
-murk_status murk_place(murk_place_result *result, const murk_problem *problem,
-                       const murk_matrix *matrix, const murk_place_desc *desc,
-                       murk_error *err);
+murk_status murk_place_sensors(murk_place_result *result,
+                               const murk_problem *problem,
+                               const murk_matrix *matrix,
+                               const murk_place_desc *desc, murk_error *err);
 
 #endif

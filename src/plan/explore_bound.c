@@ -32,7 +32,7 @@ static murk_status bound_all(murk_place_result *out, size_t *fewest,
                              murk_error *err)
 {
     const murk_status status =
-        murk_place(out, all->problem, all->matrix, desc, err);
+        murk_place_sensors(out, all->problem, all->matrix, desc, err);
     *fewest = out->curve ? out->curve[0].count : 0;
     if (status || !has_min(desc->constraints) || !out->curve) {
         return status;
@@ -43,8 +43,8 @@ static murk_status bound_all(murk_place_result *out, size_t *fewest,
     murk_place_result intermediate = {0};
     constraints.min = NULL;
     freer.constraints = &constraints;
-    const murk_status later =
-        murk_place(&intermediate, all->problem, all->matrix, &freer, err);
+    const murk_status later = murk_place_sensors(&intermediate, all->problem,
+                                                 all->matrix, &freer, err);
     /* The curve of that run, with the tighter bound at the last number. */
     if (!later) {
         free(out->curve);

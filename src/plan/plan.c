@@ -237,7 +237,8 @@ static murk_status choose(murk_plan_result *plan, const murk_stage *stage,
     /* Unknown environment: rows are computed at each evaluation. */
     if (stage->scene->placement.knowledge == MURK_SCENE_UNKNOWN) {
         forecast_unknown(plan, sight, &seen.problem, &desc);
-        status = murk_place(&plan->place, &seen.problem, NULL, &desc, err);
+        status =
+            murk_place_sensors(&plan->place, &seen.problem, NULL, &desc, err);
         plan->place_s = murk_clock_s() - begun_s;
         note_spent(plan, sight);
         return status;
@@ -260,7 +261,7 @@ static murk_status choose(murk_plan_result *plan, const murk_stage *stage,
                                                .weight = problem->weight});
         status = murk_place_at_least(&plan->place, problem, matrix, &desc, err);
     } else if (!status) {
-        status = murk_place(&plan->place, problem, matrix, &desc, err);
+        status = murk_place_sensors(&plan->place, problem, matrix, &desc, err);
     }
     murk_matrix_destroy(matrix);
     plan->place_s = murk_clock_s() - begun_s;

@@ -208,7 +208,7 @@ static int run(const bench_case *what, unsigned threads)
     const double matrix_s = murk_clock_s() - begun_s;
     begun_s = murk_clock_s();
     if (!status) {
-        status = murk_place(&r, &h->problem, matrix, &desc, &err);
+        status = murk_place_sensors(&r, &h->problem, matrix, &desc, &err);
     }
     const double place_s = murk_clock_s() - begun_s;
     if (status) {

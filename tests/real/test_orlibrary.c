@@ -93,7 +93,7 @@ int main(void)
         murk_place_desc desc = murk_place_defaults();
         murk_place_result r = {0};
         desc.count = n;
-        CHECK(murk_place(&r, &problem, matrix, &desc, &err) == MURK_OK);
+        CHECK(murk_place_sensors(&r, &problem, matrix, &desc, &err) == MURK_OK);
         printf("%zu columns: %g rows, at most %g, %zu starts\n", n,
                (double)r.value / MURK_CLEAR, (double)r.upper / MURK_CLEAR,
                r.restarts);

@@ -20,11 +20,12 @@ static murk_status place_any(murk_place_result *out, const made_up *m,
                              murk_error *err)
 {
     if (!known) {
-        return murk_place(out, &m->problem, NULL, desc, err);
+        return murk_place_sensors(out, &m->problem, NULL, desc, err);
     }
     murk_matrix *matrix = NULL;
     CHECK(murk_matrix_create(&matrix, &m->problem, MATRIX_MAX, err) == MURK_OK);
-    const murk_status status = murk_place(out, &m->problem, matrix, desc, err);
+    const murk_status status =
+        murk_place_sensors(out, &m->problem, matrix, desc, err);
     murk_matrix_destroy(matrix);
     return status;
 }

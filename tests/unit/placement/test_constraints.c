@@ -89,7 +89,7 @@ static void check_refusal(const murk_constraints *constraints, size_t count,
     desc.constraints = constraints;
     murk_place_result plan = {0};
     murk_error err = {0};
-    CHECK(murk_place(&plan, &m->problem, NULL, &desc, &err) != MURK_OK);
+    CHECK(murk_place_sensors(&plan, &m->problem, NULL, &desc, &err) != MURK_OK);
     CHECK_TEXT(err.text, text);
     CHECK(plan.sensor == NULL);
     made_up_destroy(m);

@@ -108,10 +108,10 @@ static void test_interrupt_ends_all(void)
           MURK_OK);
     check_bounds_stop(m, matrix);
     m->problem.get_row = row_then_interrupt;
-    CHECK(murk_place(&result, &m->problem, NULL, &desc, &err) ==
+    CHECK(murk_place_sensors(&result, &m->problem, NULL, &desc, &err) ==
           MURK_INTERRUPTED);
     CHECK(result.sensor == NULL && result.curve == NULL);
-    CHECK(murk_place(&result, &m->problem, matrix, &desc, NULL) ==
+    CHECK(murk_place_sensors(&result, &m->problem, matrix, &desc, NULL) ==
           MURK_INTERRUPTED);
     CHECK(result.sensor == NULL);
     CHECK(murk_matrix_create(&late, &m->problem, MATRIX_MAX, NULL) ==

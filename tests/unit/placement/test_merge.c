@@ -27,7 +27,7 @@ static murk_place_result place(const made_up *m, const murk_matrix *matrix,
 {
     murk_error err = {0};
     murk_place_result r = {0};
-    CHECK(murk_place(&r, &m->problem, matrix, desc, &err) == MURK_OK);
+    CHECK(murk_place_sensors(&r, &m->problem, matrix, desc, &err) == MURK_OK);
     CHECK_TEXT(err.text, "");
     return r;
 }

@@ -410,7 +410,8 @@ static void test_kernels_and_threads_change_nothing(uint32_t seed)
             desc.nodes = 200;
             murk_place_result r = {0};
             murk_error err = {0};
-            CHECK(murk_place(&r, &m->problem, matrix, &desc, &err) == MURK_OK);
+            CHECK(murk_place_sensors(&r, &m->problem, matrix, &desc, &err) ==
+                  MURK_OK);
             if (set == 0) {
                 first = r;
             } else {

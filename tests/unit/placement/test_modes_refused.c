@@ -13,7 +13,8 @@ static void check_refusal(murk_combining combining, unsigned redundancy,
     const murk_place_desc desc = murk_place_defaults();
     murk_place_result plan = {0};
     murk_error err = {0};
-    CHECK(murk_place(&plan, &m->problem, NULL, &desc, &err) == MURK_BAD_VALUE);
+    CHECK(murk_place_sensors(&plan, &m->problem, NULL, &desc, &err) ==
+          MURK_BAD_VALUE);
     CHECK_TEXT(err.text, text);
     made_up_destroy(m);
 }
@@ -39,11 +40,12 @@ static void test_heavy_weights_are_refused(void)
     const murk_place_desc desc = murk_place_defaults();
     murk_place_result plan = {0};
     murk_error err = {0};
-    CHECK(murk_place(&plan, &m->problem, NULL, &desc, &err) == MURK_BAD_VALUE);
+    CHECK(murk_place_sensors(&plan, &m->problem, NULL, &desc, &err) ==
+          MURK_BAD_VALUE);
     CHECK_TEXT(err.text, "weights add up to 40000000000000, must be "
                          "35184372088831 at most with redundancy 4");
     m->problem.redundancy = 3;
-    CHECK(murk_place(&plan, &m->problem, NULL, &desc, NULL) == MURK_OK);
+    CHECK(murk_place_sensors(&plan, &m->problem, NULL, &desc, NULL) == MURK_OK);
     murk_place_release(&plan);
     made_up_destroy(m);
 }

@@ -17,7 +17,8 @@ static murk_place_result place_known(const made_up *m,
     murk_place_result result = {0};
     CHECK(murk_matrix_create(&matrix, &m->problem, MATRIX_MAX, &err) ==
           MURK_OK);
-    CHECK(murk_place(&result, &m->problem, matrix, desc, &err) == MURK_OK);
+    CHECK(murk_place_sensors(&result, &m->problem, matrix, desc, &err) ==
+          MURK_OK);
     CHECK_TEXT(err.text, "");
     murk_matrix_destroy(matrix);
     return result;
@@ -28,7 +29,8 @@ static murk_place_result place_unknown(const made_up *m,
 {
     murk_error err = {0};
     murk_place_result result = {0};
-    CHECK(murk_place(&result, &m->problem, NULL, desc, &err) == MURK_OK);
+    CHECK(murk_place_sensors(&result, &m->problem, NULL, desc, &err) ==
+          MURK_OK);
     CHECK_TEXT(err.text, "");
     return result;
 }
@@ -216,7 +218,8 @@ static void test_exact(uint32_t seed)
     desc.method = MURK_PLACE_EXACT;
     murk_place_result r = {0};
     murk_error err = {0};
-    CHECK(murk_place(&r, &m->problem, NULL, &desc, &err) == MURK_BAD_VALUE);
+    CHECK(murk_place_sensors(&r, &m->problem, NULL, &desc, &err) ==
+          MURK_BAD_VALUE);
     CHECK_MENTIONS(err.text, "knowledge must be known");
     made_up_destroy(m);
 }
@@ -253,7 +256,7 @@ static void test_target(uint32_t seed)
         desc.target = UINT64_MAX;
         murk_error err = {0};
         murk_place_result none = {0};
-        CHECK(murk_place(&none, &m->problem, NULL, &desc, &err) ==
+        CHECK(murk_place_sensors(&none, &m->problem, NULL, &desc, &err) ==
               MURK_BAD_VALUE);
         CHECK_MENTIONS(err.text, "all 13 usable candidates together see");
         made_up_destroy(m);
@@ -448,16 +451,19 @@ static void test_too_many_sensors_are_refused(void)
     murk_place_result r = {0};
     murk_error err = {0};
     desc.count = 7;
-    CHECK(murk_place(&r, &m->problem, NULL, &desc, &err) == MURK_BAD_VALUE);
+    CHECK(murk_place_sensors(&r, &m->problem, NULL, &desc, &err) ==
+          MURK_BAD_VALUE);
     CHECK_TEXT(err.text, "7 sensors asked for, but only 3 usable candidates");
     CHECK(r.sensor == NULL);
     err = (murk_error){0};
     desc.count = 0;
-    CHECK(murk_place(&r, &m->problem, NULL, &desc, &err) == MURK_BAD_VALUE);
+    CHECK(murk_place_sensors(&r, &m->problem, NULL, &desc, &err) ==
+          MURK_BAD_VALUE);
     m->problem.candidates = 0;
     err = (murk_error){0};
     desc.count = 1;
-    CHECK(murk_place(&r, &m->problem, NULL, &desc, &err) == MURK_BAD_VALUE);
+    CHECK(murk_place_sensors(&r, &m->problem, NULL, &desc, &err) ==
+          MURK_BAD_VALUE);
     CHECK_TEXT(err.text, "1 sensors asked for, but only 0 usable candidates");
     made_up_destroy(m);
 }

@@ -32,7 +32,7 @@ static murk_place_result place(const murk_problem *problem,
     desc.restarts = 3;
     murk_place_result out = {0};
     murk_error err = {0};
-    CHECK(murk_place(&out, problem, matrix, &desc, &err) == MURK_OK);
+    CHECK(murk_place_sensors(&out, problem, matrix, &desc, &err) == MURK_OK);
     CHECK_TEXT(err.text, "");
     return out;
 }

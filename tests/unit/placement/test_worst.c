@@ -403,7 +403,8 @@ static void test_one_block_is_plain(uint32_t seed)
     murk_place_desc desc = murk_place_defaults();
     desc.count = 3;
     murk_place_result plain = {0}, worst = {0};
-    CHECK(murk_place(&plain, &m->problem, matrix, &desc, &err) == MURK_OK);
+    CHECK(murk_place_sensors(&plain, &m->problem, matrix, &desc, &err) ==
+          MURK_OK);
     CHECK(murk_place_worst(&worst, &m->problem, matrix, &one, &desc, &err) ==
           MURK_OK);
     CHECK(plain.proven_optimal && worst.proven_optimal);

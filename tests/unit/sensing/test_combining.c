@@ -252,7 +252,8 @@ static void test_a_plans_value_is_its_coverage(void)
         desc.count = 3;
         murk_place_result plan = {0};
         murk_error err = {0};
-        CHECK(murk_place(&plan, &seen.problem, NULL, &desc, &err) == MURK_OK);
+        CHECK(murk_place_sensors(&plan, &seen.problem, NULL, &desc, &err) ==
+              MURK_OK);
         murk_pose chosen[3], others[2];
         for (size_t i = 0; i < 3; ++i) {
             chosen[i] = pose[plan.sensor[i]];
