@@ -9,8 +9,8 @@
 #include "base/machine.h"
 #include "plan/few_photons.h"
 #include "results/candidates.h"
+#include "results/condition_results.h"
 #include "results/goals.h"
-#include "results/over.h"
 #include "results/summary.h"
 #include "results/tallies.h"
 #include "scene/places.h"
@@ -188,7 +188,7 @@ static void print_findings(const findings *f)
         murk_print("candidates  none: the scene has no sensors\n");
     }
     murk_print_asked_goals(f->session->scene);
-    murk_over_print_asked(f->session->scene);
+    murk_print_asked_conditions(f->session->scene);
     murk_print_asked_tallies(f->session);
     murk_print_cameras(f->session->scene, &f->forecast);
     murk_print("forecast    %.3g photons emitted; stored: %.3g surface, %.3g "

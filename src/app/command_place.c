@@ -5,11 +5,11 @@
 #include "app/session.h"
 #include "cases/condition_plans_make.h"
 #include "results/candidates.h"
+#include "results/condition_results.h"
 #include "results/coverage.h"
 #include "results/explore.h"
 #include "results/exports.h"
 #include "results/goals.h"
-#include "results/over.h"
 #include "results/plan.h"
 #include "results/repeat.h"
 #include "results/robust.h"
@@ -28,7 +28,9 @@ static murk_status write_light(murk_session *session, murk_error *err)
 {
     murk_status status = murk_session_add_light(session, err);
     if (!status) {
-        status = murk_session_add_ledger(session, err);
+        status = murk_session_add_ledger(
+            session, "ledger.json",
+            &(murk_ledger_results){session->traced, session->stage}, err);
     }
     if (!status) {
         status = murk_add_tallies(session, err);
@@ -43,8 +45,9 @@ static murk_status add_files(murk_session *session,
 {
     const murk_sensor_results sensors =
         murk_plan_sensor_results(session->scene, plan);
-    murk_status status = over ? murk_over_add_files(session, plan, over, err)
-                              : write_light(session, err);
+    murk_status status =
+        over ? murk_add_condition_files(session, plan, over, err)
+             : write_light(session, err);
     if (!status) {
         status = murk_results_add_csv(&session->results, "sensors.csv",
                                       murk_results_list_place, &sensors,

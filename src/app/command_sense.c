@@ -25,7 +25,9 @@ static murk_status write_coverage(murk_session *session,
 {
     murk_status status = murk_session_add_light(session, err);
     if (!status) {
-        status = murk_session_add_ledger(session, err);
+        status = murk_session_add_ledger(
+            session, "ledger.json",
+            &(murk_ledger_results){session->traced, session->stage}, err);
     }
     if (!status) {
         status = murk_add_tallies(session, err);
@@ -63,10 +65,8 @@ static murk_status add_points(murk_session *session, murk_sight *sight,
     if (!session->results.folder) {
         return MURK_OK;
     }
-    const murk_box *box = &session->stage->world.domain.box;
-    return murk_add_plan_ply(&session->results, "coverage.ply", session->scene,
-                             sight, sensor, n,
-                             murk_length(murk_sub(box->max, box->min)), err);
+    return murk_add_plan_ply(&session->results, "coverage.ply", session->stage,
+                             sight, sensor, n, err);
 }
 
 static murk_status measure(measured *of, murk_session *session,

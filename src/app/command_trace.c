@@ -31,8 +31,12 @@ murk_status murk_command_trace(const murk_options *options, murk_error *err)
         murk_exports_add_scene(&session, NULL, NULL, 0, &late);
     }
     if (!status) {
-        status = murk_session_finish(&session, "ledger.json",
-                                     murk_session_ledger(&session), err);
+        status = murk_session_finish(
+            &session, "ledger.json",
+            murk_results_json(
+                murk_results_list_ledger,
+                &(murk_ledger_results){session.traced, session.stage}),
+            err);
     }
     if (!status && murk_session_speaks(&session)) {
         murk_print_light(&session);

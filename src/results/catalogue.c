@@ -1,12 +1,12 @@
 /* Lists every result file with the table of its fields. */
 #include "results/catalogue.h"
 
+#include "results/condition_results.h"
 #include "results/explore.h"
 #include "results/exports.h"
 #include "results/fit.h"
 #include "results/ledger.h"
 #include "results/matrix.h"
-#include "results/over.h"
 #include "results/plan.h"
 #include "results/sense.h"
 #include "results/study.h"

@@ -220,12 +220,9 @@ murk_status murk_exports_add_plan(murk_session *session,
         murk_plan_sight(&sight, session->stage, session->traced,
                         session->settings.threads, err);
     if (!status) {
-        const double size_m =
-            murk_length(murk_sub(session->stage->world.domain.box.max,
-                                 session->stage->world.domain.box.min));
-        status = murk_add_plan_ply(&session->results, "plan.ply",
-                                   session->scene, sight, plan->sensor,
-                                   plan->place.count, size_m, err);
+        status =
+            murk_add_plan_ply(&session->results, "plan.ply", session->stage,
+                              sight, plan->sensor, plan->place.count, err);
     }
     if (!status && exports & MURK_EXPORTS_OF_PROBLEM) {
         murk_progress_begin_group("export", 0, "");

@@ -107,6 +107,7 @@ void murk_results_list_ledger(murk_results_fields *f, const void *of)
     const double *packet = l ? l->traced->packet_w : NULL;
     const murk_quantity units = l ? l->stage->scene->units : MURK_RADIOMETRIC;
     char emitted[40] = "emitted_lm";
+    murk_results_list_head(f, l ? l->stage->scene : NULL);
     MURK_JSON(f, "emitted_w", "W", total,
               column_json(l, ledger->emitted, packet));
     if (units != MURK_RADIOMETRIC) {

@@ -5,7 +5,7 @@
 #include "lightmap/lightmap.h"
 #include "results/fields.h"
 
-/* Rows of ledger.json but for the head; of: */
+/* Rows of ledger.json, yet without `run`; of: */
 typedef struct murk_ledger_results {
     const murk_traced *traced;
     const murk_stage *stage;

@@ -2,10 +2,10 @@
 #include "results/plan.h"
 
 #include "results/candidates.h"
+#include "results/condition_results.h"
 #include "results/coverage.h"
 #include "results/explore.h"
 #include "results/goals.h"
-#include "results/over.h"
 #include "results/robust.h"
 #include "results/summary.h"
 #include "results/tallies.h"
@@ -200,7 +200,8 @@ void murk_results_list_plan(murk_results_fields *f, const void *of)
                                         place};
     murk_results_list_head(f, scene);
     if (r && r->over) {
-        MURK_OBJECT(f, "photons", "", murk_results_list_over_photons, r->over);
+        MURK_OBJECT(f, "photons", "", murk_results_list_condition_photons,
+                    r->over);
     } else {
         MURK_OBJECT(f, "photons", "photons of the light",
                     murk_results_list_photons, r->session->traced);
@@ -223,7 +224,7 @@ void murk_results_list_plan(murk_results_fields *f, const void *of)
     murk_results_list_explore(f, scene, plan);
     MURK_OBJECT(f, "placement", "how the plan was found", list_placement, r);
     if (MURK_LISTED_IF(f, r->over)) {
-        murk_results_list_over(f, r ? r->over : NULL);
+        murk_results_list_conditions(f, r ? r->over : NULL);
     }
     if (MURK_LISTED_IF(f, r->repeat)) {
         MURK_OBJECT(f, "repeat", "with --repeat", murk_results_list_repeat,
@@ -320,7 +321,7 @@ static void print_plan_bound(const murk_session *session,
                              const murk_condition_plans *over)
 {
     if (session->scene->placement.over == MURK_SCENE_OBJECTIVE_REGRET) {
-        murk_over_print_bound(over, murk_sample_of(session->scene));
+        murk_print_regret_bound(over, murk_sample_of(session->scene));
     } else {
         const size_t at_least = murk_plan_at_least(session->scene);
         char sample[80];
@@ -344,7 +345,7 @@ void murk_print_plan(const murk_plan_results *results)
     murk_print_targets(&plan->targets);
     murk_print_candidates(plan->candidates);
     if (over) {
-        murk_over_print(over);
+        murk_print_conditions(over);
     }
     const murk_sensor_results sensors =
         murk_plan_sensor_results(session->scene, plan);

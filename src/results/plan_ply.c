@@ -185,16 +185,17 @@ static murk_status write_ply(FILE *to, const void *context, murk_error *err)
 }
 
 murk_status murk_add_plan_ply(murk_results *results, const char *name,
-                              const murk_scene_desc *scene, murk_sight *sight,
-                              const murk_pose *sensor, size_t n, double size_m,
+                              const murk_stage *stage, murk_sight *sight,
+                              const murk_pose *sensor, size_t n,
                               murk_error *err)
 {
-    parts p = {.scene = scene,
+    const murk_box *box = &stage->world.domain.box;
+    parts p = {.scene = stage->scene,
                .sight = sight,
                .sensor = sensor,
                .sensors = n,
                .photons = murk_sight_photons(sight),
-               .mark_m = MARK_SIZE * size_m};
+               .mark_m = MARK_SIZE * murk_length(murk_sub(box->max, box->min))};
     p.seen = calloc(p.photons + 1, sizeof *p.seen);
     murk_status status =
         p.seen ? see_all(&p, err)

@@ -4,6 +4,7 @@
 
 #include "results/results.h"
 #include "sensing/sight.h"
+#include "world/stage.h"
 
 #define MURK_PLAN_PLY_SENSORS 32 /* that have a bit */
 
@@ -21,11 +22,11 @@
  *     sensors         uint: of a photon, who sees it: bit k is sensor k, from
  *                     0, of the first 32
  *
- * Binary, little endian. size_m: of the world; octahedra are one part
- * in a hundred of it wide, views two parts long. */
+ * Binary, little endian. Octahedra are one part in a hundred of the world wide,
+ * views two parts long. */
 murk_status murk_add_plan_ply(murk_results *results, const char *name,
-                              const murk_scene_desc *scene, murk_sight *sight,
-                              const murk_pose *sensor, size_t n, double size_m,
+                              const murk_stage *stage, murk_sight *sight,
+                              const murk_pose *sensor, size_t n,
                               murk_error *err);
 
 #endif

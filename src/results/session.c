@@ -4,7 +4,6 @@
 #include "results/session.h"
 
 #include "results/json.h"
-#include "results/ledger.h"
 #include "results/summary.h"
 
 #include "base/progress.h"
@@ -125,27 +124,16 @@ murk_status murk_session_add_light(murk_session *session, murk_error *err)
                                           session->scene->resolved, err);
 }
 
-static void list_ledger(murk_results_fields *f, const void *of)
-{
-    const murk_session *session = of;
-    const murk_ledger_results ledger = {session->traced, session->stage};
-    murk_results_list_head(f, session->scene);
-    murk_results_list_ledger(f, &ledger);
-}
-
-cJSON *murk_session_ledger(const murk_session *session)
-{
-    return murk_results_json(list_ledger, session);
-}
-
-murk_status murk_session_add_ledger(murk_session *session, murk_error *err)
+murk_status murk_session_add_ledger(murk_session *session, const char *name,
+                                    const murk_ledger_results *ledger,
+                                    murk_error *err)
 {
     session->run.total_s = murk_clock_s() - session->begun_s;
-    cJSON *root = murk_session_ledger(session);
+    cJSON *root = murk_results_json(murk_results_list_ledger, ledger);
     murk_json_identify(root, session->identity, NULL, NULL);
     char *text = murk_json_end(root, &session->run);
     const murk_status status =
-        murk_results_add_text(&session->results, "ledger.json", text, err);
+        murk_results_add_text(&session->results, name, text, err);
     cJSON_free(text);
     return status;
 }

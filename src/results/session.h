@@ -5,6 +5,7 @@
 
 #include "plan/plan.h"
 #include "results/json.h"
+#include "results/ledger.h"
 #include "results/results.h"
 
 /* What --export writes. */
@@ -51,9 +52,10 @@ murk_status murk_session_expect_light(murk_session *session, murk_error *err);
 /* Adds light.murk and scene.resolved.yaml, the scene as resolved. */
 murk_status murk_session_add_light(murk_session *session, murk_error *err);
 
-/* The ledger as JSON, yet without `run`; and added as ledger.json. */
-cJSON *murk_session_ledger(const murk_session *session);
-murk_status murk_session_add_ledger(murk_session *session, murk_error *err);
+/* Adds a ledger with the session's `run`, but not as the main JSON. */
+murk_status murk_session_add_ledger(murk_session *session, const char *name,
+                                    const murk_ledger_results *ledger,
+                                    murk_error *err);
 
 /* Ends the JSON with `run`, adds it under `name` as the main one, shows all
  * files, and prints it with --format json. Deletes root. */

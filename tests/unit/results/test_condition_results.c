@@ -1,6 +1,6 @@
 /* What the terminal says of a plan over conditions. Nothing here is random. */
 #include "check.h"
-#include "results/over.h"
+#include "results/condition_results.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -19,7 +19,7 @@ static const char *bound_of(double regret, double lower)
                                        .regret_upper = 0.5};
     const int file = mkstemp(name), terminal = dup(STDOUT_FILENO);
     CHECK(file >= 0 && dup2(file, STDOUT_FILENO) >= 0);
-    murk_over_print_bound(&over, "sample");
+    murk_print_regret_bound(&over, "sample");
     fflush(stdout);
     dup2(terminal, STDOUT_FILENO);
     close(terminal);
