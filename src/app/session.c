@@ -152,7 +152,8 @@ murk_status murk_session_light(murk_session *session, murk_error *err)
     murk_status status;
     /* Read the light from a file, or trace it. */
     if (session->settings.light) {
-        if (murk_owned_look(session->settings.light) == MURK_OF_ANOTHER_RUN) {
+        if (murk_owned_belonging(session->settings.light) ==
+            MURK_OF_ANOTHER_RUN) {
             murk_warn(session->settings.light,
                       "is of another run than the results beside it, or of "
                       "one that was killed while it wrote them");

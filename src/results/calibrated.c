@@ -58,6 +58,7 @@ static murk_scene_desc *scene_with(const murk_fit_facts *f, const places *p)
 {
     const murk_free_keys *keys = f->keys;
     const murk_free_desc *desc = &keys->desc;
+    /* The overrides of the run come first. */
     const size_t room = sizeof keys->key->path + 40;
     murk_override *overrides =
         calloc(desc->n_overrides + keys->n + 1, sizeof *overrides);
@@ -67,6 +68,7 @@ static murk_scene_desc *scene_with(const murk_fit_facts *f, const places *p)
     for (size_t i = 0; overrides && i < n; ++i) {
         overrides[i] = desc->overrides[i];
     }
+    /* The values that were found override the keys of the scene. */
     for (size_t k = 0; overrides && text && k < keys->n; ++k) {
         if (is_shared(&keys->key[k]) && p->is_in_scene[k]) {
             char number[32];
@@ -96,12 +98,14 @@ static bool find_places(places *out, const murk_fit_facts *f)
     if (!out->is_in_scene || !out->is_own) {
         return false;
     }
+    /* Keys that the scene as it stands has. */
     murk_yaml *base = tree_of(f->scene);
     for (size_t k = 0; k < n; ++k) {
         out->is_in_scene[k] =
             find(&value, base, keys->key[k].path, keys->bands);
     }
     murk_yaml_destroy(base);
+    /* Conditions that do not follow the values of the scene. */
     murk_scene_desc *scene = scene_with(f, out);
     for (size_t c = 0; c < conditions; ++c) {
         if (keys->condition[c] == SIZE_MAX) {

@@ -13,7 +13,7 @@
 
 #define MARKED_SIZE (MURK_SCENE_NAME_SIZE + MARK_LENGTH)
 
-#define FILE_NAME_MAX (MURK_SCENE_NAME_SIZE + 16)
+#define FILE_NAME_MAX (MURK_SCENE_NAME_SIZE + 16) /* "ledger-NAME.json" */
 
 /* Of tables on the terminal: the column of names, and the mark of this plan. */
 #define NAME_MIN    16
@@ -87,6 +87,7 @@ static murk_status add_condition(murk_session *session,
 {
     murk_results *results = &session->results;
     char name[FILE_NAME_MAX];
+    /* Light, ledger and scene of the condition, and who sees what in it. */
     const murk_ledger_results ledger = {condition->traced, condition->stage};
     murk_status status = murk_results_add_light(
         results, name_file(name, "light", condition, ".murk"),
@@ -195,7 +196,7 @@ static void list_condition(murk_results_fields *f, const void *of, size_t c)
                 is_dark ? NAN : r->coverage[c].volume.value);
 }
 
-typedef enum value { COVERAGE, ERROR, REGRET, BEST_KNOWN, BEST_AT_MOST } value;
+typedef enum value { COVERAGE, ERROR, REGRET, BEST_KNOWN, BEST_UPPER } value;
 
 /* A value of one lit condition; the last two are of all plans. */
 static double value_in(const murk_condition_plans *r,
@@ -212,7 +213,7 @@ static double value_in(const murk_condition_plans *r,
         return murk_condition_plans_regret(r, plan, c);
     case BEST_KNOWN:
         return counts ? condition->best_known : NAN;
-    case BEST_AT_MOST:
+    case BEST_UPPER:
         return counts ? condition->best_upper : NAN;
     }
     return NAN;
@@ -278,7 +279,7 @@ static void list_largest(murk_results_fields *f, const murk_condition_plans *r)
               "coverage of the best plan found for each condition alone",
               all_of(r, NULL, BEST_KNOWN));
     MURK_JSON(f, "best_at_most", "1", "upper bound on best_known",
-              all_of(r, NULL, BEST_AT_MOST));
+              all_of(r, NULL, BEST_UPPER));
 }
 
 /* Rows are plans, columns the conditions in their order, but for dark ones. */
@@ -347,6 +348,7 @@ static void print_conditions(const murk_condition_plans *r)
 {
     const murk_condition_plan *chosen = &r->plan[r->chosen];
     const int width = name_width(r);
+    /* The first table: the light of each condition. */
     murk_print("conditions  %-*s %8s %9s %9s %9s\n", width, "", "weight",
                "emitted", "surface", "volume");
     const size_t lit = r->conditions->n;
@@ -359,6 +361,7 @@ static void print_conditions(const murk_condition_plans *r)
                    murk_photon_map_count(traced->surface),
                    murk_photon_map_count(traced->volume));
     }
+    /* The second table: coverage of the plan in each condition. */
     murk_print("covered     %-*s %9s  %s\n", width, "", "in sample",
                r->has_held_out ? "held out" : "");
     for (size_t c = 0; c < all_conditions(r); ++c) {
@@ -384,10 +387,12 @@ static void print_regret_columns(const murk_condition_plans *r, int width,
 {
     const size_t n = r->conditions->n;
     murk_print("            %-*s", width, "");
+    /* The heading: names of conditions. */
     for (size_t c = first; c < end && c < n; ++c) {
         murk_print(" %16.16s", r->conditions->condition[c].settings->name);
     }
     murk_print("%s\n", end > n ? "    mean    worst" : "");
+    /* A line for each plan: coverage and regret in each condition. */
     for (size_t p = 0; p < r->plans; ++p) {
         const murk_condition_plan *plan = &r->plan[p];
         char name[MARKED_SIZE];

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define HEADING_SIZE 256
+#define HEADING_SIZE 256 /* names of types have up to 64 bytes */
 
 /* ---- rows ---- */
 
@@ -239,6 +239,7 @@ void murk_print_sensors(const murk_sensor_results *sensors, const char *folder)
     char heading[HEADING_SIZE];
     print_heading(heading, &c);
     murk_print("%s\n", heading);
+    /* A line for each sensor. */
     for (size_t i = 0; i < shown; ++i) {
         const murk_vec3 p = murk_scene_user(scene, sensor[i].position);
         char way[20] = "all round";

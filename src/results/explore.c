@@ -67,6 +67,7 @@ void murk_results_list_step(murk_results_fields *f, const void *of, size_t i)
     const murk_posed p =
         e ? (murk_posed){e->scene, &e->plan->poses->pose[step->candidate]}
           : (murk_posed){NULL, NULL};
+    /* CSV and JSON have these columns in different order. */
     if (murk_results_is_csv(f)) {
         MURK_COUNT(f, "step", "number, from 1", i + 1);
         murk_results_list_position(f, p);
@@ -156,6 +157,7 @@ static size_t step_of(const murk_explore *explore, size_t stop)
 static void put_vertex(const murk_ply *ply, const path *p, murk_vec3 at,
                        vertex_kind kind, size_t stop)
 {
+    /* Green at the start, violet at the end. */
     static const double first[3] = {60, 175, 90}, last[3] = {150, 60, 200};
     const double share = p->segments ? (double)stop / (double)p->segments : 0;
     record r = {.kind = (uint8_t)kind,

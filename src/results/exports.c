@@ -102,6 +102,7 @@ static murk_status add_matrix(murk_session *session,
                               murk_error *late, murk_error *err)
 {
     const murk_scene_sensors *settings = &session->scene->sensors;
+    /* Compute the coverage of all candidates. */
     murk_sparse_matrix *matrix = NULL;
     murk_sight_problem seen;
     murk_sight_problem_init(&seen, sight, plan->poses->pose,
@@ -115,6 +116,7 @@ static murk_status add_matrix(murk_session *session,
                    ? MURK_OK
                    : status;
     }
+    /* Write the matrix and the problem that the plan has solved. */
     murk_lp_goal goal = {.count = (size_t)settings->count,
                          .constraints = murk_poses_constraints(plan->poses),
                          .redundancy = seen.problem.redundancy};
@@ -146,6 +148,8 @@ static murk_status check_names(const murk_session *session, murk_error *err)
     for (size_t i = 0; i < scene->n_tallies; ++i) {
         const murk_scene_tally *tally = &scene->tallies[i];
         bool is_taken = false;
+        /* NAME.vti may be one of the fields, NAME.vdb another tally's density.
+         */
         for (size_t k = 0; k < sizeof taken / sizeof *taken; ++k) {
             is_taken |= strcmp(tally->name, taken[k]) == 0;
         }
@@ -208,6 +212,7 @@ murk_status murk_exports_add_plan(murk_session *session,
     if (!session->results.folder) {
         return MURK_OK;
     }
+    /* In the dark no sensor sees anything. */
     if (plan->is_dark) {
         if (exports & MURK_EXPORTS_OF_PROBLEM) {
             murk_note("--export", "it is dark: there is no coverage to write");
@@ -215,6 +220,7 @@ murk_status murk_exports_add_plan(murk_session *session,
         murk_exports_add_scene(session, NULL, NULL, 0, late);
         return MURK_OK;
     }
+    /* The sightlines of the plan, computed again. */
     murk_sight *sight = NULL;
     murk_status status =
         murk_plan_sight(&sight, session->stage, session->traced,

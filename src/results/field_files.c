@@ -200,6 +200,7 @@ static void put_header(FILE *to, const murk_voxel_fields *f)
     const uint64_t bytes = murk_field_voxels(&f->box) * sizeof(float);
     const murk_vec3 at = murk_scene_user(f->scene, f->box.box.min);
     const murk_affine m = murk_field_to_world(&f->box);
+    /* The box and the facts of the fields, then an array for each field. */
     murk_vtk_begin(to, "ImageData");
     fprintf(to,
             "  <ImageData WholeExtent=\"0 %zu 0 %zu 0 %zu\" "

@@ -32,6 +32,8 @@ typedef struct murk_voxel_field {
     float *value;        /* [voxels], x fastest; finite */
 } murk_voxel_field;
 
+/* Of a plan four of each band, and extinction; of a tally two values and two
+ * errors of each band, and two sums. */
 #define MURK_VOXEL_FIELDS_MAX (5 * MURK_BANDS_MAX)
 
 /* Fields on one box. */

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define PATH_SIZE 160
+#define PATH_SIZE 160 /* "outer.inner." of four names */
 
 /* The purpose of one walk over a table. */
 typedef enum walk { JSON, CSV_HEADING, CSV_LINE, DESCRIBE, DESCRIBE_CSV } walk;

@@ -33,6 +33,8 @@ static void list_parameter(murk_results_fields *fields, const void *of,
     if (!MURK_LISTED_IF(fields, !f->only_predicts)) {
         return;
     }
+    /* A prediction keeps the parameters, so nothing is known of their errors.
+     */
     MURK_NUMBER(fields, "standard_error", "", "of value", c->standard_error[k]);
     MURK_NUMBER(fields, "lower", "", "95 % confidence limit", c->lower[k]);
     MURK_NUMBER(fields, "upper", "", "95 % confidence limit", c->upper[k]);
@@ -146,6 +148,7 @@ static void list_next(murk_results_fields *fields, const void *of)
               murk_reading_unit_name(next->unit));
     MURK_TEXT(fields, "condition", "of the reading",
               condition_of(f->scene, next->condition));
+    /* Rows that depend on the kind of reading. */
     if (MURK_LISTED_IF(fields, next->kind == MURK_READ_IRRADIANCE)) {
         MURK_VECTOR(fields, "direction", "", "the irradiated face looks to",
                     next->direction);
@@ -229,6 +232,7 @@ void murk_results_list_fit(murk_results_fields *fields, const void *of)
 {
     const murk_fit_facts *f = of;
     const murk_calibration *c = f ? f->found : NULL;
+    /* predict.json has no rows about the search. */
     const bool fits = MURK_LISTED_IF(fields, !f->only_predicts);
     murk_results_list_head(fields, f ? f->scene : NULL);
     if (fits) {
@@ -290,6 +294,7 @@ void murk_results_list_fit_row(murk_results_fields *fields, const void *of,
     MURK_TEXT(fields, "condition", "of the reading",
               condition_of(f->scene, r->condition));
     MURK_TEXT(fields, "group", "of readings", f->measured->group[i]);
+    /* The place; lines have a second one in the last columns. */
     MURK_NUMBER(fields, "x_m", "m", "place", position_of(f, r).x);
     MURK_NUMBER(fields, "y_m", "m", "place", position_of(f, r).y);
     MURK_NUMBER(fields, "z_m", "m", "place", position_of(f, r).z);
@@ -366,6 +371,7 @@ static void print_identifiability(const murk_fit_facts *f)
         }
         murk_print("\n");
     }
+    /* Pairs of parameters that are hard to tell apart. */
     for (size_t i = 0; i < c->n; ++i) {
         for (size_t j = i + 1; j < c->n; ++j) {
             const double r = c->correlation[i * c->n + j];
@@ -416,6 +422,7 @@ void murk_print_fit(const murk_fit_facts *f)
     }
     murk_print("data        %s: %zu rows, %zu of them held out\n",
                f->measured->path, f->measured->rows, c->held_out);
+    /* The light of the search. */
     if (c->photons) {
         murk_print(
             "light       %llu photons, traced %zu times; effective share of "
@@ -428,6 +435,7 @@ void murk_print_fit(const murk_fit_facts *f)
             "their noise: --emit more\n",
             100 * c->slope_noise);
     }
+    /* Parameters, and how the search ended. */
     if (!f->only_predicts) {
         for (size_t k = 0; k < f->keys->n; ++k) {
             print_parameter(f, k);

@@ -136,6 +136,7 @@ void murk_print_asked_goals(const murk_scene_desc *scene)
         murk_print("%-12swhat lies elsewhere counts %.6g times\n", "",
                    settings->elsewhere);
     }
+    /* Targets in place of photons. */
     if (!t->given) {
         return;
     }

@@ -235,6 +235,7 @@ char *murk_json_end(cJSON *root, const murk_run_facts *run)
     if (!object) {
         object = cJSON_AddObjectToObject(root, "run");
     }
+    /* Facts of the run: command, time, memory, date. */
     if (run->command) {
         add_command(object, run->command);
     }
@@ -258,6 +259,7 @@ char *murk_json_end(cJSON *root, const murk_run_facts *run)
     snprintf(zeros, sizeof zeros, "%064d", 0);
     cJSON_AddStringToObject(object, "checksum", zeros);
 
+    /* Print, and put the checksum in the place of the zeros. */
     char *printed = cJSON_Print(root);
     cJSON_Delete(root);
     char *text = printed ? tabs_to_spaces(printed) : NULL;

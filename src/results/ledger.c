@@ -120,6 +120,7 @@ void murk_results_list_ledger(murk_results_fields *f, const void *of)
                   "scene's units, if these are not watts",
                   emitted_json(l));
     }
+    /* The power, by the fate of the photons. */
     MURK_JSON(f, "absorbed_surfaces_w", "W", total,
               column_json(l, ledger->absorbed_surfaces, packet));
     MURK_JSON(f, "absorbed_media_w", "W", total,

@@ -110,6 +110,7 @@ static void light_piece(const lighting *l, size_t i)
     const size_t n = l->begin[i + 1] - l->begin[i];
     const double area_m2 = murk_piece_of(pieces, i).area_m2;
     double sum = 0, squares = 0;
+    /* Power that arrived with each record. */
     for (size_t k = 0; k < n; ++k) {
         const uint32_t record = l->order[l->begin[i] + k];
         const murk_photon *photon = &l->photon[record];
@@ -120,6 +121,7 @@ static void light_piece(const lighting *l, size_t i)
                       murk_photon_power_w(photon) /
                           material->diffuse.band[murk_photon_band(photon)]};
     }
+    /* Add the records of one emitted photon, then all of them. */
     qsort(l->room, n, sizeof *l->room, by_emitted);
     for (size_t k = 0; k < n;) {
         double w = 0;
@@ -166,6 +168,7 @@ static murk_status light_all(murk_lit_pieces *out, const murk_traced *traced,
 {
     const size_t pieces = out->pieces->n;
     const size_t n = murk_photon_map_count(traced->surface);
+    /* Sort the photons by piece, then treat piece by piece. */
     size_t *begin = calloc(pieces + 1, sizeof *begin);
     uint32_t *order = malloc(n * sizeof *order + 1);
     const size_t maximum =
@@ -176,17 +179,17 @@ static murk_status light_all(murk_lit_pieces *out, const murk_traced *traced,
                   .order = order,
                   .begin = begin,
                   .room = malloc(maximum * sizeof *l.room + 1)};
-    const bool has_room = begin && order && l.room;
-    for (size_t i = 0; has_room && i < pieces; ++i) {
+    const bool has_memory = begin && order && l.room;
+    for (size_t i = 0; has_memory && i < pieces; ++i) {
         light_piece(&l, i);
     }
-    if (has_room) {
+    if (has_memory) {
         out->lost = n - begin[pieces];
     }
     free(begin);
     free(order);
     free(l.room);
-    return has_room ? MURK_OK : no_memory(out->pieces, err);
+    return has_memory ? MURK_OK : no_memory(out->pieces, err);
 }
 
 /* ---- coverage ---- */
@@ -223,23 +226,24 @@ static murk_status cover_all(murk_lit_pieces *out, murk_sight *sight,
     uint64_t *whole = calloc(pieces + 1, sizeof *whole);
     uint64_t *seen = calloc(pieces + 1, sizeof *seen);
     murk_combined_rows combined = {0};
-    const bool has_room =
+    const bool has_memory =
         murk_combined_rows_init(&combined, murk_sight_photons(sight),
                                 desc->combining,
                                 desc->redundancy > 1 ? desc->redundancy : 1) &&
         whole && seen;
-    for (size_t k = 0; has_room && k < sensors && !murk_interrupted(); ++k) {
+    /* Combine the rows of the coverage matrix, sensor by sensor. */
+    for (size_t k = 0; has_memory && k < sensors && !murk_interrupted(); ++k) {
         murk_sparse_row row;
         murk_sight_row(sight, 0, &sensor[k], &row);
         murk_combined_rows_add(&combined, (uint32_t)k, &row);
     }
-    if (has_room) {
+    if (has_memory) {
         weigh(out, sight, &combined, piece, whole, seen);
     }
     murk_combined_rows_release(&combined);
     free(whole);
     free(seen);
-    return !has_room ? no_memory(out->pieces, err)
+    return !has_memory ? no_memory(out->pieces, err)
            : murk_interrupted()
                ? murk_fail(err, MURK_INTERRUPTED, "", "interrupted")
                : MURK_OK;
@@ -293,12 +297,14 @@ static murk_status see_middles(murk_lit_pieces *out, const murk_domain *domain,
                  .piece = malloc(pieces->n * sizeof *m.piece + 1)};
     murk_place_seen *seen = malloc(2 * pieces->n * sizeof *seen + 1);
     murk_status status = m.piece && seen ? MURK_OK : no_memory(pieces, err);
+    /* The middles of pieces within the domain. */
     for (size_t i = 0; !status && i < pieces->n; ++i) {
         const murk_piece piece = murk_piece_of(pieces, i);
         if (murk_piece_is_within(&piece, domain)) {
             m.piece[m.n++] = (uint32_t)i;
         }
     }
+    /* Both sides of each, band by band. */
     for (m.band = 0; !status && m.band < bands; ++m.band) {
         const murk_places places = {.n = 2 * m.n,
                                     .record = middle_of,

@@ -74,6 +74,7 @@ void murk_mark_make(murk_mark *out, const murk_sensor_type *type,
         make_octahedron(out, pose->position, size_m);
         break;
     case MURK_VIEW_CONE: {
+        /* The rim is a circle about the axis. */
         const double half = fmin(type->cone_rad / 2, WIDEST_RAD);
         for (int k = 0; k < MURK_MARK_SIDES; ++k) {
             const double turn = 2 * MURK_PI * k / MURK_MARK_SIDES;

@@ -8,7 +8,8 @@
 
 #include <stddef.h>
 
-#define MURK_MARK_SIDES       16 /* of a cone */
+#define MURK_MARK_SIDES 16 /* of a cone */
+/* Of a cone: the rim and the point; sides and the cap of the rim. */
 #define MURK_MARK_CORNERS_MAX (MURK_MARK_SIDES + 1)
 #define MURK_MARK_FACES_MAX   (2 * MURK_MARK_SIDES - 2)
 

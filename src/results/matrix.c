@@ -153,6 +153,7 @@ void murk_results_list_matrix_plan(murk_results_fields *f, const void *of)
     }
     list_nulls(f, scene, 2);
     MURK_COUNT(f, "seed", "of all random numbers", p->desc.seed);
+    /* Rows of the matrix, then those of a plan of places. */
     MURK_OBJECT(f, "matrix", "with --matrix", list_matrix, p);
     MURK_OBJECT(f, "photons", "nulls", list_photons, p);
     MURK_OBJECT(f, "candidates", "the columns", list_candidates, p);
@@ -182,6 +183,7 @@ void murk_matrix_plan_print(const murk_matrix_plan *p)
                "%%)\n",
                p->file, format_name(m->format), m->rows, m->columns, entries,
                100.0 * (double)entries / (double)m->rows / (double)m->columns);
+    /* The table of the chosen columns. */
     murk_print("columns     %8s  %8s %10s%s\n", "", "covers", "only it",
                m->name ? "  name" : "");
     for (size_t k = 0; k < place->count && k < MURK_PRINTED_ROWS; ++k) {
@@ -192,6 +194,7 @@ void murk_matrix_plan_print(const murk_matrix_plan *p)
                    m->name ? m->name[place->sensor[k]] : "");
     }
     murk_print_more(place->count, p->session.results.folder, "plan.json");
+    /* Coverage in weights as the file gives them. */
     murk_print("coverage    %.4f: %.10g of %.10g; all columns: %.10g\n",
                murk_share(place->value, place->whole),
                as_given(p, place->value), as_given(p, place->whole),

@@ -26,6 +26,7 @@ typedef struct murk_mesh_column {
     const char *component[3]; /* names in PLY; NULL: the column's name */
 } murk_mesh_column;
 
+/* The color of a point or triangle, 0..255. */
 #define MURK_MESH_COLOR              \
     {                                \
         "color", MURK_MESH_UINT8, 3, \

@@ -179,7 +179,7 @@ bool murk_owned_is_there(const char *folder, const murk_owned_file *file)
     return is_there;
 }
 
-murk_belonging murk_owned_look(const char *path)
+murk_belonging murk_owned_belonging(const char *path)
 {
     murk_owned owned = {0};
     murk_belonging found = MURK_UNLISTED;

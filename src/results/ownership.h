@@ -54,7 +54,7 @@ typedef enum murk_belonging {
     MURK_LISTED,   /* one lists it as it is */
     MURK_OF_ANOTHER_RUN
 } murk_belonging;
-murk_belonging murk_owned_look(const char *path);
+murk_belonging murk_owned_belonging(const char *path);
 
 void murk_owned_release(murk_owned *owned);
 

@@ -63,6 +63,7 @@ static void color_bands(photons *p)
 
 static const uint8_t *color_of(const photons *p, const murk_photon *photon)
 {
+    /* warm and cold colors, darker with each event */
     static const uint8_t by_event[2][4][3] = {
         {{255, 170, 60}, {255, 235, 120}, {205, 110, 60}, {205, 110, 60}},
         {{90, 200, 255}, {150, 240, 215}, {70, 110, 210}, {70, 110, 210}}};
@@ -129,6 +130,7 @@ typedef struct meanings {
 
 static bool meanings_of(meanings *m, const murk_scene_desc *scene)
 {
+    /* Bands, materials and media are numbers in the records. */
     size_t used = 0;
     for (int b = 0; b < scene->bands; ++b) {
         used += (size_t)snprintf(m->bands + used, sizeof m->bands - used,
@@ -164,6 +166,7 @@ static murk_status put_ply(FILE *to, const photons *p, const meanings *m,
                            murk_error *err)
 {
     const size_t n = p->on + p->in;
+    /* The header: origin, meaning of numbers, properties. */
     murk_ply ply =
         murk_mesh_begin(to, p->session->scene,
                         "comment murk photons: those of the surface map, then "

@@ -7,7 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#define OCTANTS       8
+#define OCTANTS       8 /* of a sphere */
 #define LEAVES_BEFORE 2 /* steps of murk_surfaces_leave() */
 #define CORNER        6 /* times as far */
 
@@ -103,6 +103,7 @@ murk_status murk_pieces_create(murk_pieces *out, const murk_surfaces *surfaces,
                          .wholes = facts.triangles + OCTANTS * facts.spheres,
                          .step_m = LEAVES_BEFORE *
                                    murk_surfaces_leave_step_m(surfaces)};
+    /* Cut by the longest edge of each whole. */
     double *longest_m = calloc(out->wholes + 1, sizeof *longest_m);
     out->cut = malloc(out->wholes * sizeof *out->cut + 1);
     out->first = malloc((out->wholes + 1) * sizeof *out->first);
@@ -191,6 +192,7 @@ static murk_vec3 mixed(const murk_vec3 c[3], double u, double v)
 static void cut_out(const murk_vec3 whole[3], uint32_t k, spot at,
                     murk_vec3 c[3])
 {
+    /* corners in steps of 1 / k along the two sides of the whole */
     static const double plain[3][2] = {{0, 0}, {1, 0}, {0, 1}};
     static const double turned[3][2] = {{1, 1}, {0, 1}, {1, 0}};
     for (int i = 0; i < 3; ++i) {
@@ -241,6 +243,7 @@ murk_piece murk_piece_of(const murk_pieces *p, size_t i)
     const bool is_ball = whole >= p->triangles;
     murk_vec3 c[3];
     murk_piece out;
+    /* The corners of the piece in its whole. */
     corners_of(p, whole, c);
     cut_out(c, p->cut[whole],
             spot_of(p->cut[whole], (uint32_t)(i - p->first[whole])),

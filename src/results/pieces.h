@@ -10,6 +10,7 @@
 
 #include "geometry/surfaces.h"
 
+/* 40 bytes each in memory (results/lit_pieces.h), and more in the files. */
 #define MURK_PIECES_MAX 10000000
 
 typedef struct murk_pieces {

@@ -155,6 +155,7 @@ static void list_placement(murk_results_fields *f, const void *of)
                   : murk_place_method_name(asked->method));
     MURK_TEXT(f, "detection", "a word of placement.detection",
               murk_detection_name(asked->detection));
+    /* Settings of the detection and of the sightlines. */
     MURK_NUMBER(
         f, "threshold", "1", "of detection: threshold",
         murk_detection_is(asked->detection, MURK_DETECTION_HAS_THRESHOLD)
@@ -172,6 +173,7 @@ static void list_placement(murk_results_fields *f, const void *of)
               murk_scene_word("placement.through", (int)asked->through));
     MURK_TEXT(f, "knowledge", "a word of placement.knowledge",
               murk_scene_word("placement.knowledge", (int)asked->knowledge));
+    /* Work of the search. */
     MURK_COUNT(f, "restarts", "starts asked for", asked->restarts);
     MURK_COUNT(f, "starts", "starts made", plan->place.restarts);
     MURK_COUNT(f, "evaluations", "of plans", plan->place.evaluations);
@@ -198,10 +200,11 @@ void murk_results_list_plan(murk_results_fields *f, const void *of)
     const murk_place_result *place = plan ? &plan->place : NULL;
     const murk_budget_results budget = {scene ? scene->sensors.budget : 0,
                                         place};
+    /* What was to be seen, from where, and what is seen. */
     murk_results_list_head(f, scene);
-    if (r && r->over) {
+    if (r && r->conditions) {
         MURK_OBJECT(f, "photons", "", murk_results_list_condition_photons,
-                    r->over);
+                    r->conditions);
     } else {
         MURK_OBJECT(f, "photons", "photons of the light",
                     murk_results_list_photons, r->session->traced);
@@ -214,6 +217,7 @@ void murk_results_list_plan(murk_results_fields *f, const void *of)
     murk_results_list_regions(f, &sensors);
     murk_results_list_robust(f, &robust);
     murk_results_list_bound(f, place);
+    /* Rows that only some plans have. */
     if (MURK_LISTED_IF(f, scene->sensors.target > 0)) {
         MURK_OBJECT(f, "target", "with a target", list_target, r);
     }
@@ -223,8 +227,8 @@ void murk_results_list_plan(murk_results_fields *f, const void *of)
     }
     murk_results_list_explore(f, scene, plan);
     MURK_OBJECT(f, "placement", "how the plan was found", list_placement, r);
-    if (MURK_LISTED_IF(f, r->over)) {
-        murk_results_list_conditions(f, r ? r->over : NULL);
+    if (MURK_LISTED_IF(f, r->conditions)) {
+        murk_results_list_conditions(f, r ? r->conditions : NULL);
     }
     if (MURK_LISTED_IF(f, r->repeat)) {
         MURK_OBJECT(f, "repeat", "with --repeat", murk_results_list_repeat,
@@ -256,6 +260,7 @@ void murk_print_bound(const murk_place_result *place, bool has_budget,
                    what, murk_share(place->upper, place->whole), sample,
                    place->guarantee);
     }
+    /* Limits that ended the search. */
     if (place->is_cut) {
         murk_print("            branch and bound ended by placement.nodes "
                    "after %llu: the bound is the one reached so far\n",
@@ -286,6 +291,7 @@ static void print_coverage(const murk_session *session,
         murk_print("\n");
         murk_print_weights(session->scene, &plan->in_sample);
     }
+    /* Coverage on maps that did not choose the plan. */
     if (plan->has_held_out) {
         murk_print("held out    ");
         murk_print_estimate(plan->held_out);
@@ -295,6 +301,7 @@ static void print_coverage(const murk_session *session,
         }
         murk_print("\n");
     }
+    /* The target, and the fewest sensors that can reach it. */
     if (session->scene->sensors.target > 0 && !plan->is_dark) {
         const size_t at_least = murk_plan_at_least(session->scene);
         murk_print("target      %.4f ", session->scene->sensors.target);
@@ -318,10 +325,10 @@ static void print_coverage(const murk_session *session,
 
 static void print_plan_bound(const murk_session *session,
                              const murk_plan_result *plan,
-                             const murk_condition_plans *over)
+                             const murk_condition_plans *conditions)
 {
     if (session->scene->placement.over == MURK_SCENE_OBJECTIVE_REGRET) {
-        murk_print_regret_bound(over, murk_sample_of(session->scene));
+        murk_print_regret_bound(conditions, murk_sample_of(session->scene));
     } else {
         const size_t at_least = murk_plan_at_least(session->scene);
         char sample[80];
@@ -336,16 +343,17 @@ void murk_print_plan(const murk_plan_results *results)
 {
     const murk_session *session = results->session;
     const murk_plan_result *plan = results->plan;
-    const murk_condition_plans *over = results->over;
+    const murk_condition_plans *conditions = results->conditions;
     const murk_place_result *place = &plan->place;
-    if (!over) {
+    if (!conditions) {
         murk_print_light(session);
         murk_print_tallies(session);
     }
+    /* Goals, candidates, sensors and coverage. */
     murk_print_targets(&plan->targets);
     murk_print_candidates(plan->candidates);
-    if (over) {
-        murk_print_conditions(over);
+    if (conditions) {
+        murk_print_conditions(conditions);
     }
     const murk_sensor_results sensors =
         murk_plan_sensor_results(session->scene, plan);
@@ -358,8 +366,9 @@ void murk_print_plan(const murk_plan_results *results)
                    (double)place->cost * MURK_COST_UNIT,
                    session->scene->sensors.budget);
     }
+    /* How good the plan is, and how it was found. */
     if (!plan->is_dark) {
-        print_plan_bound(session, plan, over);
+        print_plan_bound(session, plan, conditions);
         murk_print_explore(plan, session->results.folder);
     }
     if (results->repeat) {

@@ -26,8 +26,8 @@ void murk_print_bound(const murk_place_result *place, bool has_budget,
 typedef struct murk_plan_results {
     const murk_session *session;
     const murk_plan_result *plan;
-    const murk_condition_plans *over;  /* NULL: the scene as it stands */
-    const murk_repeat_results *repeat; /* NULL: not repeated */
+    const murk_condition_plans *conditions; /* NULL: the scene as it stands */
+    const murk_repeat_results *repeat;      /* NULL: not repeated */
 } murk_plan_results;
 
 /* The plan's sensors with their coverage in sample. */

@@ -95,6 +95,7 @@ typedef struct __attribute__((packed)) record {
 static void put_vertex(const murk_ply *ply, murk_vec3 at, vertex_kind kind,
                        sighting s)
 {
+    /* told apart by hue; sensors stand out */
     static const uint8_t yellow[3] = {255, 200, 0}, red[3] = {205, 45, 45},
                          blue[3] = {60, 120, 200}, green[3] = {60, 175, 90};
     const uint8_t *color = kind == SENSOR || kind == CORNER ? yellow

@@ -108,6 +108,7 @@ void murk_print_repeat(const murk_repeat_results *results)
                "first's\n",
                repeat->runs, repeat->asked, (unsigned long)repeat->run[0].seed,
                (unsigned long)repeat->run[repeat->runs - 1].seed);
+    /* The table: spread over the runs. */
     murk_print("            %-12s %8s %8s %8s\n", "", "median", "least",
                "most");
     print_spread("in sample", s.in_sample);
@@ -121,6 +122,7 @@ void murk_print_repeat(const murk_repeat_results *results)
         murk_print("            %zu of %zu meet the target, held out\n", s.met,
                    repeat->runs);
     }
+    /* The plan of the first run, judged by the other runs. */
     if (isfinite(s.plan.standard_error)) {
         murk_print(
             "            the plan covers %.4f +- %.4f, by maps that did not "

@@ -152,6 +152,7 @@ static murk_status stage_name(murk_results *results, const char *name,
                               murk_error *err)
 {
     murk_status status = MURK_OK;
+    /* The first file makes the folder for staged files. */
     if (!results->staging.folder) {
         status = murk_staging_begin(&results->staging, results->folder, err);
     }

@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-#define DEG_PER_RAD (180 / MURK_PI)
+#define DEG_PER_RAD (180 / MURK_PI) /* degrees in a radian */
 
 static double asked_deg(const murk_scene_desc *scene)
 {

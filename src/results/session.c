@@ -11,7 +11,7 @@
 
 #include <stdio.h>
 
-#define FILE_SIZE (MURK_SCENE_NAME_SIZE + 16)
+#define FILE_SIZE (MURK_SCENE_NAME_SIZE + 16) /* NAME_photons.vdb */
 
 void murk_session_end(murk_session *session)
 {

@@ -292,6 +292,7 @@ void murk_results_list_study(murk_results_fields *f, const void *of)
     if (!murk_results_describes(f)) {
         murk_results_list_murk(f, NULL);
     }
+    /* The study and the base scene, then the rows. */
     MURK_TEXT(f, "study", "the study file as named", study->path);
     MURK_TEXT(f, "study_sha256", "of the study file", study->sha256);
     MURK_TEXT(f, "scene", "the base scene", study->base);

@@ -11,10 +11,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define CELL_SIZE   40
-#define TABLE_WIDTH 80
-#define NUMBER      5 /* columns of a row's number */
-#define ROWS_MAX    24
+#define CELL_SIZE   40 /* a value with its error, or a name */
+#define TABLE_WIDTH 80 /* of a terminal */
+#define NUMBER      5  /* columns of a row's number */
+#define ROWS_MAX    24 /* about a screen */
 
 typedef char cell[CELL_SIZE];
 

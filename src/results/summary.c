@@ -11,8 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define COLUMNS 80
-#define LABEL   12
+#define COLUMNS 80 /* of a terminal */
+#define LABEL   12 /* columns before the text of a line */
 
 /* What has been printed of a line that has not ended. */
 static struct {
@@ -68,7 +68,7 @@ static void show(const char *line)
     free(shown);
 }
 
-static bool make_room(size_t more)
+static bool make_space(size_t more)
 {
     if (open_line.size + more < open_line.room) {
         return true;
@@ -89,7 +89,7 @@ static void add_text(const char *format, char end, va_list args)
     va_list again;
     va_copy(again, args);
     const int n = vsnprintf(NULL, 0, format, args);
-    if (n > 0 && make_room((size_t)n + 1)) {
+    if (n > 0 && make_space((size_t)n + 1)) {
         char *line = open_line.text, *from = line + open_line.size, *stop;
         vsnprintf(from, (size_t)n + 1, format, again);
         while ((stop = strchr(from, end))) {

@@ -207,6 +207,7 @@ static murk_status write_ply(FILE *to, const void *context, murk_error *err)
 
 static murk_status write_vtp(FILE *to, const void *context, murk_error *err)
 {
+    /* as the files of earlier versions have them */
     static const uint8_t order[] = {4, 3, 2, 1, 0};
     static const uint8_t with_sensors[] = {4, 3, 2, 1, 7, 6, 5, 0};
     const surfaces *s = context;
@@ -260,6 +261,7 @@ static void add_files(murk_session *session, const murk_lit_pieces *lit,
         (void)murk_fail(late, MURK_NO_MEMORY, "--export",
                         "surfaces: no memory for %zu pieces", lit->pieces->n);
     } else {
+        /* Both files have the same pieces. */
         choose(&s);
         snprintf(s.lost, sizeof s.lost, "%llu", (unsigned long long)lit->lost);
         (void)murk_results_add_stream(&session->results, "surfaces.ply",
@@ -280,6 +282,7 @@ void murk_surfaces_add(murk_session *session, murk_sight *sight,
     murk_lit_pieces lit = {0};
     murk_error told = {0};
     double edge_m = 0;
+    /* Cut the surfaces, then find out what arrives and who sees it. */
     murk_status status = edge_asked(&edge_m, session, &told);
     if (!status) {
         status =

@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define FILE_SIZE (MURK_TALLY_NAME_SIZE + 16)
+#define FILE_SIZE (MURK_TALLY_NAME_SIZE + 16) /* NAME_photons.vdb */
 
 #define PRINTED_VALUES_MAX 4 /* of one tally */
 
@@ -188,14 +188,14 @@ static murk_status add_grid(murk_results *results, const tally *t,
             is_error ? "standard error of the fluence rate" : "fluence rate"};
     char name[FILE_SIZE];
     murk_voxel_fields fields = {.scene = t->scene, .box = box_of(t->desc)};
-    bool has_room = true;
-    for (int band = 0; has_room && band < t->scene->bands; ++band) {
-        has_room = add_field(&fields, t, band, is_error, &like);
+    bool has_memory = true;
+    for (int band = 0; has_memory && band < t->scene->bands; ++band) {
+        has_memory = add_field(&fields, t, band, is_error, &like);
     }
     snprintf(name, sizeof name, "%s%s.vdb", t->desc->name,
              is_error ? "_error" : "");
     const murk_status status =
-        has_room
+        has_memory
             ? murk_field_add_vdb(results, name, &fields, MURK_DENSITY_NONE, err)
             : no_memory(t, err);
     murk_voxel_fields_release(&fields);
@@ -247,22 +247,23 @@ static void add_density(murk_session *session, size_t i, murk_error *late)
          .unit = unit,
          .quantity = "standard error of the fluence rate"}};
     const int bands = session->scene->bands;
+    /* NAME_photons.vdb has the density alone, NAME.vti the fluence too. */
     char name[FILE_SIZE];
     murk_voxel_fields fields = {.scene = session->scene,
                                 .box = box_of(own.desc)};
-    bool has_room = bands == 1 || add_pair(&fields, &photons, -1, density);
-    for (int band = 0; has_room && band < bands; ++band) {
-        has_room = add_pair(&fields, &photons, band, density);
+    bool has_memory = bands == 1 || add_pair(&fields, &photons, -1, density);
+    for (int band = 0; has_memory && band < bands; ++band) {
+        has_memory = add_pair(&fields, &photons, band, density);
     }
-    if (has_room) {
+    if (has_memory) {
         snprintf(name, sizeof name, "%s_photons.vdb", own.desc->name);
         (void)murk_field_add_vdb(&session->results, name, &fields,
                                  MURK_DENSITY_SCALED, late);
     }
-    for (int band = 0; has_room && band < bands; ++band) {
-        has_room = add_pair(&fields, &own, band, fluence);
+    for (int band = 0; has_memory && band < bands; ++band) {
+        has_memory = add_pair(&fields, &own, band, fluence);
     }
-    if (has_room) {
+    if (has_memory) {
         snprintf(name, sizeof name, "%s.vti", own.desc->name);
         (void)murk_field_add_vti(&session->results, name, &fields, late);
     } else {
@@ -329,6 +330,7 @@ static void print_errors(const tally *t)
 {
     const size_t cells = murk_tally_cells(t->desc);
     const size_t values = cells * (size_t)t->scene->bands;
+    /* Relative errors of values above 0, of which the median is shown. */
     double *share = malloc(values * sizeof *share);
     size_t lit = 0;
     for (int band = 0; share && band < t->scene->bands; ++band) {
@@ -396,6 +398,7 @@ void murk_print_asked_tallies(const murk_session *session)
     for (size_t i = 0; i < session->scene->n_tallies; ++i) {
         const murk_tally_desc *d = &session->stage->tally[i];
         murk_print("tally       %s: ", d->name);
+        /* The shape decides about bins and unit. */
         if (d->type == MURK_TALLY_PLANE) {
             int axes[2];
             murk_tally_axes(d, axes);

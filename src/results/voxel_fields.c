@@ -12,10 +12,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define VOXELS_USUAL 100000
-#define VALUES_USUAL 400000 /* voxels times bands */
-#define EDGE_MAX_M   1e9
-#define NO_DEPTH     (-1.0F)
+#define VOXELS_USUAL 100000  /* some 46 along each edge */
+#define VALUES_USUAL 400000  /* voxels times bands */
+#define EDGE_MAX_M   1e9     /* beyond any scene */
+#define NO_DEPTH     (-1.0F) /* no sightline: 0 is a depth */
 
 /* ---- the box ---- */
 
@@ -52,6 +52,7 @@ murk_status murk_fields_box(murk_field_box *out, const murk_session *session,
     const double bands = session->scene->bands;
     double edge_m = 0;
     *out = (murk_field_box){.box = session->stage->world.domain.box};
+    /* Without --voxel a usual number of voxels. */
     if (!text) {
         edge_for(out, fmin(VOXELS_USUAL, VALUES_USUAL / bands));
         return MURK_OK;
@@ -165,6 +166,7 @@ static murk_status new_seen_fields(domain_fields *f, seen_fields *out,
         .quantity = "optical depth",
         .meaning = "of the media, the least of all straight open sightlines "
                    "from sensors within range and view; -1: none"};
+    /* Clarity differs from coverage only where sensors add up. */
     *out = (seen_fields){.coverage = new_field(f, &coverage),
                          .sensors = new_field(f, &sensors),
                          .clarity = adds_up ? new_field(f, &clarity) : NULL,
@@ -196,6 +198,7 @@ static murk_status make_seen(domain_fields *f, const murk_sight *sight,
                                     .step = "fields"};
         status = murk_places_see(seen, &places, sight, sensor, n, err);
     }
+    /* Turn the results of voxels into fields. */
     for (size_t i = 0; !status && i < f->voxels; ++i) {
         fields.coverage[i] = seen[i].worth;
         fields.sensors[i] = (float)seen[i].sensors;

@@ -106,14 +106,14 @@ static void test_a_killed_run(void)
     be_killed("two");
     CHECK(holds("a.csv", "two") && holds("b.csv", "one"));
     CHECK(hidden() == 1);
-    CHECK(murk_owned_look(path_of("a.csv")) == MURK_OF_ANOTHER_RUN);
-    CHECK(murk_owned_look(path_of("b.csv")) == MURK_LISTED);
-    CHECK(murk_owned_look(path_of("c.csv")) == MURK_UNLISTED);
+    CHECK(murk_owned_belonging(path_of("a.csv")) == MURK_OF_ANOTHER_RUN);
+    CHECK(murk_owned_belonging(path_of("b.csv")) == MURK_LISTED);
+    CHECK(murk_owned_belonging(path_of("c.csv")) == MURK_UNLISTED);
     be_killed("three"); /* and once more */
     CHECK(holds("a.csv", "three") && holds("b.csv", "one"));
     CHECK(!write_all("four", false));
     CHECK(holds("a.csv", "four") && holds("b.csv", "four"));
-    CHECK(murk_owned_look(path_of("a.csv")) == MURK_LISTED);
+    CHECK(murk_owned_belonging(path_of("a.csv")) == MURK_LISTED);
     CHECK(hidden() == 0);
 }
 
