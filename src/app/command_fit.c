@@ -3,7 +3,6 @@
 #include "app/session.h"
 #include "calibrate/covered.h"
 #include "results/fit.h"
-#include "results/fit_refused.h"
 #include "results/summary.h"
 #include "scene/yaml.h"
 

@@ -3,7 +3,7 @@
 #include "app/option_values.h"
 
 #include "base/file.h"
-#include "results/fit_refused.h"
+#include "results/fit.h"
 #include "scene/yaml.h"
 
 #include <errno.h>

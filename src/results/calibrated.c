@@ -7,11 +7,14 @@
 #include "calibrate/key_place.h"
 #include "calibrate/verdict.h"
 #include "results/coverage.h"
-#include "results/fit_refused.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* A line of the file begins with this, and the verdict follows: by it the
+ * values of a refused fit are recognised, as other keys would be set. */
+#define VERDICT "# Does it fit? "
 
 /* Numbers of a scene as resolved are right to more digits than that. */
 #define SAME 1e-9
@@ -179,7 +182,7 @@ static murk_status write_calibrated(FILE *file, const void *context,
     }
     bool has_keys = false;
     fprintf(file, "# values found by murk fit; for --set @FILE\n");
-    fprintf(file, MURK_CALIBRATED_VERDICT "%s\n", f->found->verdict);
+    fprintf(file, VERDICT "%s\n", f->found->verdict);
     for (size_t k = 0; k < f->keys->n; ++k) {
         write_value(file, f, k, &p);
         has_keys = has_keys || f->keys->key[k].kind != MURK_FREE_GAIN;
@@ -194,4 +197,23 @@ murk_status murk_add_calibrated(murk_results *results,
 {
     return murk_results_add_stream(results, "calibrated.yaml", write_calibrated,
                                    facts, err);
+}
+
+bool murk_fit_refused_values(const char *text)
+{
+    static const char refusal[] = VERDICT MURK_VERDICT_REFUSED;
+    const size_t length = sizeof refusal - 1;
+    const char *line = text;
+    while (line && strncmp(line, refusal, length) != 0) {
+        line = strchr(line, '\n');
+        line = line ? line + 1 : NULL;
+    }
+    return line != NULL;
+}
+
+void murk_fit_warn_refused(const char *file)
+{
+    murk_message("warning: ", file,
+                 "of a fit whose model the data refuse, so its values are not "
+                 "to be used");
 }

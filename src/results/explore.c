@@ -27,16 +27,12 @@ static const char *const END_NAMES[] = {[MURK_EXPLORE_COUNT] = "count",
 static size_t sensor_of(const murk_plan_result *plan,
                         const murk_explore_step *step)
 {
-    size_t low = 0, high = plan->place.count;
-    while (high - low > 1) {
-        const size_t middle = low + (high - low) / 2;
-        if (plan->place.sensor[middle] <= step->candidate) {
-            low = middle;
-        } else {
-            high = middle;
-        }
+    size_t k = 0;
+    while (k + 1 < plan->place.count &&
+           plan->place.sensor[k + 1] <= step->candidate) {
+        ++k;
     }
-    return low + 1;
+    return k + 1;
 }
 
 static double coverage_of(const murk_plan_result *plan, uint64_t value)
@@ -44,14 +40,11 @@ static double coverage_of(const murk_plan_result *plan, uint64_t value)
     return murk_share(value, plan->place.whole);
 }
 
-static double path_of(const murk_explore *explore)
+/* The state at the end; zeros if there are no steps. */
+static murk_explore_step end_of(const murk_explore *explore)
 {
-    return explore->steps ? explore->step[explore->steps - 1].path_m : 0;
-}
-
-static size_t seen_of(const murk_explore *explore)
-{
-    return explore->steps ? explore->step[explore->steps - 1].places_seen : 0;
+    return explore->steps ? explore->step[explore->steps - 1]
+                          : (murk_explore_step){0};
 }
 
 typedef struct explored {
@@ -100,10 +93,10 @@ static void list_explore(murk_results_fields *f, const void *of)
     MURK_VECTOR(f, "start_m", "m", "the first station",
                 explore->stops ? murk_scene_user(e->scene, explore->stop[0])
                                : murk_vec(NAN, NAN, NAN));
-    MURK_NUMBER(f, "path_m", "m", "length of the path", path_of(explore));
+    MURK_NUMBER(f, "path_m", "m", "length of the path", end_of(explore).path_m);
     MURK_COUNT(f, "places", "candidates", explore->places);
     MURK_COUNT(f, "places_seen", "candidates that became known",
-               seen_of(explore));
+               end_of(explore).places_seen);
     MURK_COUNT(f, "ways_tried", "segments that were tried", explore->ways);
     MURK_TEXT(f, "ended_by",
               "count, target, rules, nothing_to_gain or stations",
@@ -267,8 +260,8 @@ void murk_print_explore(const murk_plan_result *plan, const char *folder)
         return;
     }
     murk_print("explore     %.4g m gone; %zu of %zu places seen; ended by %s\n",
-               path_of(explore), seen_of(explore), explore->places,
-               END_NAMES[explore->end]);
+               end_of(explore).path_m, end_of(explore).places_seen,
+               explore->places, END_NAMES[explore->end]);
     murk_print(
         "            step  sensor     gain  coverage    path m   places    "
         "queries\n");

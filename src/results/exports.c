@@ -21,44 +21,38 @@
 
 #define COST_DIGITS 10 /* of candidates.csv */
 
-typedef struct lp_parts {
+/* A file of the problem, and what it is written from. */
+typedef struct problem_file {
+    murk_export format;
+    const char *name;
     const murk_sparse_matrix *matrix;
     const murk_lp_goal *goal;
-} lp_parts;
+} problem_file;
 
-static murk_status write_csv(const char *path, const void *context,
-                             murk_error *err)
+static murk_status write_problem(const char *path, const void *context,
+                                 murk_error *err)
 {
-    return murk_sparse_matrix_write_csv(context, path, err);
-}
-
-static murk_status write_or_library(const char *path, const void *context,
-                                    murk_error *err)
-{
-    return murk_sparse_matrix_write_or_library(context, path, err);
-}
-
-static murk_status write_lp(const char *path, const void *context,
-                            murk_error *err)
-{
-    const lp_parts *parts = context;
-    return murk_sparse_matrix_write_lp(parts->matrix, parts->goal, path, err);
+    const problem_file *f = context;
+    return f->format == MURK_EXPORT_MATRIX
+               ? murk_sparse_matrix_write_csv(f->matrix, path, err)
+           : f->format == MURK_EXPORT_OR_LIBRARY
+               ? murk_sparse_matrix_write_or_library(f->matrix, path, err)
+               : murk_sparse_matrix_write_lp(f->matrix, f->goal, path, err);
 }
 
 void murk_exports_add(murk_results *results, unsigned exports,
                       const murk_sparse_matrix *matrix,
                       const murk_lp_goal *goal, murk_error *late)
 {
-    const lp_parts parts = {matrix, goal};
-    if (exports & MURK_EXPORT_MATRIX) {
-        (void)murk_results_add(results, "matrix.csv", write_csv, matrix, late);
-    }
-    if (exports & MURK_EXPORT_OR_LIBRARY) {
-        (void)murk_results_add(results, "matrix.txt", write_or_library, matrix,
-                               late);
-    }
-    if (exports & MURK_EXPORT_LP) {
-        (void)murk_results_add(results, "problem.lp", write_lp, &parts, late);
+    const problem_file files[] = {
+        {MURK_EXPORT_MATRIX, "matrix.csv", matrix, goal},
+        {MURK_EXPORT_OR_LIBRARY, "matrix.txt", matrix, goal},
+        {MURK_EXPORT_LP, "problem.lp", matrix, goal}};
+    for (size_t i = 0; i < sizeof files / sizeof *files; ++i) {
+        if (exports & files[i].format) {
+            (void)murk_results_add(results, files[i].name, write_problem,
+                                   &files[i], late);
+        }
     }
 }
 

@@ -27,6 +27,13 @@ void murk_results_list_fit_row(murk_results_fields *fields, const void *of,
 murk_status murk_add_calibrated(murk_results *results,
                                 const murk_fit_facts *facts, murk_error *err);
 
+/* True if the text of a file for --set @FILE is that of a refused fit. */
+bool murk_fit_refused_values(const char *text);
+
+/* Warns that the file holds values of a refused fit; like the refusal itself,
+ * this is no matter of --quiet. */
+void murk_fit_warn_refused(const char *file);
+
 void murk_print_fit(const murk_fit_facts *facts);
 
 #endif

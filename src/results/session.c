@@ -208,12 +208,7 @@ void murk_print_files(const murk_session *session)
     }
     murk_print("files       %s:", r->folder);
     for (size_t i = r->n; i > 0; --i) {
-        const char *path = r->file[i - 1].path;
-        const char *name = path;
-        for (const char *c = path; *c; ++c) {
-            name = *c == '/' ? c + 1 : name;
-        }
-        murk_print(" %s", name);
+        murk_print(" %s", murk_path_name(r->file[i - 1].path));
     }
     murk_print("\n");
 }

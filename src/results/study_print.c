@@ -7,8 +7,8 @@
 #include <ctype.h>
 #include <math.h>
 #include <stdbool.h>
+#include <stdint.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #define CELL_SIZE   40 /* a value with its error, or a name */
@@ -20,12 +20,11 @@ typedef char cell[CELL_SIZE];
 
 typedef struct table {
     const murk_sweep *sweep;
-    size_t rows, columns;
-    const char **value; /* [columns] names of values; NULL: an axis */
-    cell *title;        /* [columns] */
-    cell *cells;        /* [rows * columns] */
-    size_t *width;      /* [columns] */
+    const murk_study_row *one; /* a row whose values are the columns, or NULL */
+    size_t rows, axes, columns; /* shown rows; columns: axes, then values */
 } table;
+
+#define HEADING SIZE_MAX /* in place of a row's number */
 
 /* "density_475nm" is of a band. */
 static bool is_of_band(const char *name)
@@ -36,11 +35,15 @@ static bool is_of_band(const char *name)
            isdigit((unsigned char)last[1]);
 }
 
-/* "media.fog.visibility_m" is told by its last part. */
-static const char *last_part(const char *path)
+/* Value k of those that are of no band; NULL: there are no more. */
+static const murk_study_value *value_at(const murk_study_row *one, size_t k)
 {
-    const char *dot = strrchr(path, '.');
-    return dot ? dot + 1 : path;
+    for (size_t i = 0; one && i < one->values; ++i) {
+        if (!is_of_band(one->value[i].name) && k-- == 0) {
+            return &one->value[i];
+        }
+    }
+    return NULL;
 }
 
 static void show_value(cell out, const murk_study_value *v)
@@ -55,91 +58,57 @@ static void show_value(cell out, const murk_study_value *v)
     }
 }
 
-/* The first row that has values says which there are. */
-static const murk_study_row *first_done(const murk_sweep *sweep)
-{
-    for (size_t i = 0; i < sweep->desc.study->rows; ++i) {
-        if (sweep->row[i].found.values > 0) {
-            return &sweep->row[i].found;
-        }
-    }
-    return NULL;
-}
-
-static void name_columns(table *t)
+/* The text of one cell. The last part of "media.fog.visibility_m" is the
+ * heading of that axis. */
+static void show_cell(cell out, const table *t, size_t row, size_t column)
 {
     const murk_study_file *study = t->sweep->desc.study;
-    const murk_study_row *one = first_done(t->sweep);
-    for (size_t a = 0; a < study->axes; ++a) {
-        snprintf(t->title[t->columns++], CELL_SIZE, "%s",
-                 last_part(study->axis[a].name));
-    }
-    for (size_t i = 0; one && i < one->values; ++i) {
-        const murk_study_value *v = &one->value[i];
-        if (!is_of_band(v->name)) {
-            t->value[t->columns] = v->name;
-            snprintf(t->title[t->columns++], CELL_SIZE, "%.24s%s%.12s", v->name,
+    if (column >= t->axes) {
+        const murk_study_value *v = value_at(t->one, column - t->axes);
+        if (row != HEADING) {
+            show_value(out,
+                       murk_study_row_get(&t->sweep->row[row].found, v->name));
+        } else {
+            snprintf(out, CELL_SIZE, "%.24s%s%.12s", v->name,
                      v->unit[0] ? " " : "", v->unit);
         }
-    }
-}
-
-static void fill(table *t)
-{
-    const murk_study_file *study = t->sweep->desc.study;
-    for (size_t i = 0; i < t->rows; ++i) {
+    } else if (row != HEADING) {
         size_t index[MURK_STUDY_AXES_MAX];
-        murk_study_row_indices(study, i, index);
-        for (size_t c = 0; c < t->columns; ++c) {
-            char *out = t->cells[i * t->columns + c];
-            if (c < study->axes) {
-                snprintf(out, CELL_SIZE, "%s", study->axis[c].text[index[c]]);
-            } else {
-                show_value(out, murk_study_row_get(&t->sweep->row[i].found,
-                                                   t->value[c]));
-            }
-        }
-    }
-    for (size_t c = 0; c < t->columns; ++c) {
-        t->width[c] = strlen(t->title[c]);
-        for (size_t i = 0; i < t->rows; ++i) {
-            const size_t n = strlen(t->cells[i * t->columns + c]);
-            t->width[c] = n > t->width[c] ? n : t->width[c];
-        }
+        murk_study_row_indices(study, row, index);
+        snprintf(out, CELL_SIZE, "%s", study->axis[column].text[index[column]]);
+    } else {
+        const char *name = study->axis[column].name;
+        const char *dot = strrchr(name, '.');
+        snprintf(out, CELL_SIZE, "%s", dot ? dot + 1 : name);
     }
 }
 
-static void print_line(const table *t, cell *cells, const char *number,
-                       size_t shown)
+static size_t width_of(const table *t, size_t column)
+{
+    cell text;
+    show_cell(text, t, HEADING, column);
+    size_t width = strlen(text);
+    for (size_t i = 0; i < t->rows; ++i) {
+        show_cell(text, t, i, column);
+        width = strlen(text) > width ? strlen(text) : width;
+    }
+    return width;
+}
+
+static void print_line(const table *t, size_t row, const char *number,
+                       size_t columns)
 {
     murk_print("%-*s", NUMBER, number);
-    for (size_t c = 0; c < shown; ++c) {
-        murk_print("  %-*s", c + 1 < shown ? (int)t->width[c] : 0, cells[c]);
+    for (size_t c = 0; c < columns; ++c) {
+        cell text;
+        show_cell(text, t, row, c);
+        murk_print("  %-*s", c + 1 < columns ? (int)width_of(t, c) : 0, text);
     }
     murk_print("\n");
 }
 
-static void print_table(const table *t, const char *folder)
+static void print_rest(size_t rows, size_t columns, const char *folder)
 {
-    const size_t axes = t->sweep->desc.study->axes;
-    const size_t all = t->sweep->desc.study->rows;
-    size_t shown = 0, width = NUMBER;
-    while (shown < t->columns &&
-           (shown < axes || width + 2 + t->width[shown] <= TABLE_WIDTH)) {
-        width += 2 + t->width[shown++];
-    }
-    print_line(t, t->title, "row", shown);
-    for (size_t i = 0; i < t->rows; ++i) {
-        const char *failed = t->sweep->row[i].found.failed;
-        char number[24];
-        snprintf(number, sizeof number, "%zu", i + 1);
-        print_line(t, t->cells + i * t->columns, number,
-                   failed[0] ? axes : shown);
-        if (failed[0]) {
-            murk_print("            failed: %s\n", failed);
-        }
-    }
-    const size_t rows = all - t->rows, columns = t->columns - shown;
     char more[96] = ""; /* two numbers of up to 20 digits and their words */
     if (rows > 0 && columns > 0) {
         snprintf(more, sizeof more, "%zu more rows, %zu more columns", rows,
@@ -158,20 +127,33 @@ static void print_table(const table *t, const char *folder)
 void murk_print_study_rows(const murk_sweep *sweep, const char *folder)
 {
     const size_t all = sweep->desc.study->rows;
-    const murk_study_row *one = first_done(sweep);
-    const size_t max = sweep->desc.study->axes + (one ? one->values : 0) + 1;
-    table t = {.sweep = sweep, .rows = all < ROWS_MAX ? all : ROWS_MAX};
-    t.value = calloc(max, sizeof *t.value);
-    t.title = calloc(max, sizeof *t.title);
-    t.width = calloc(max, sizeof *t.width);
-    t.cells = calloc(t.rows * max, sizeof *t.cells);
-    if (t.value && t.title && t.width && t.cells) {
-        name_columns(&t);
-        fill(&t);
-        print_table(&t, folder);
+    table t = {.sweep = sweep,
+               .rows = all < ROWS_MAX ? all : ROWS_MAX,
+               .axes = sweep->desc.study->axes};
+    /* The first row that has values decides about the columns. */
+    for (size_t i = 0; i < all && !t.one; ++i) {
+        t.one = sweep->row[i].found.values ? &sweep->row[i].found : NULL;
     }
-    free(t.value);
-    free(t.title);
-    free(t.width);
-    free(t.cells);
+    for (t.columns = t.axes; value_at(t.one, t.columns - t.axes);) {
+        ++t.columns;
+    }
+    /* All axes are shown, and as many values as there is room for. */
+    size_t shown = 0;
+    for (size_t width = NUMBER; shown < t.columns; ++shown) {
+        width += 2 + width_of(&t, shown);
+        if (shown >= t.axes && width > TABLE_WIDTH) {
+            break;
+        }
+    }
+    print_line(&t, HEADING, "row", shown);
+    for (size_t i = 0; i < t.rows; ++i) {
+        const char *failed = sweep->row[i].found.failed;
+        char number[24];
+        snprintf(number, sizeof number, "%zu", i + 1);
+        print_line(&t, i, number, failed[0] ? t.axes : shown);
+        if (failed[0]) {
+            murk_print("            failed: %s\n", failed);
+        }
+    }
+    print_rest(all - t.rows, t.columns - shown, folder);
 }

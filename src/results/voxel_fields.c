@@ -138,73 +138,60 @@ static murk_photon record_of(const void *context, size_t voxel)
         .is_volume = true});
 }
 
-typedef struct seen_fields {
-    float *coverage, *sensors, *clarity, *depth;
-} seen_fields;
+/* The fields of a plan's sensors, in their order. */
+enum { COVERAGE, SENSORS, CLARITY, DEPTH, SEEN_FIELDS };
 
-static murk_status new_seen_fields(domain_fields *f, seen_fields *out,
-                                   bool adds_up, murk_error *err)
-{
-    static const murk_voxel_field coverage = {
-        .name = "coverage",
-        .unit = "1",
-        .quantity = "coverage",
-        .meaning = "what a plan counts of a photon stored here: the clarity of "
-                   "the clearest sensor, or of several as detection and "
-                   "redundancy say"};
-    static const murk_voxel_field sensors = {
-        .name = "sensors",
-        .unit = "1",
-        .quantity = "number of sensors that see a photon stored here"};
-    static const murk_voxel_field clarity = {
-        .name = "clarity",
-        .unit = "1",
-        .quantity = "clarity of the clearest sensor"};
-    static const murk_voxel_field depth = {
-        .name = "optical_depth",
-        .unit = "1",
-        .quantity = "optical depth",
-        .meaning = "of the media, the least of all straight open sightlines "
-                   "from sensors within range and view; -1: none"};
-    /* Clarity differs from coverage only where sensors add up. */
-    *out = (seen_fields){.coverage = new_field(f, &coverage),
-                         .sensors = new_field(f, &sensors),
-                         .clarity = adds_up ? new_field(f, &clarity) : NULL,
-                         .depth = new_field(f, &depth)};
-    return out->coverage && out->sensors && (out->clarity || !adds_up) &&
-                   out->depth
-               ? MURK_OK
-               : no_memory(f, err);
-}
+static const murk_voxel_field seen_fields[SEEN_FIELDS] = {
+    [COVERAGE] = {.name = "coverage",
+                  .unit = "1",
+                  .quantity = "coverage",
+                  .meaning =
+                      "what a plan counts of a photon stored here: the clarity "
+                      "of the clearest sensor, or of several as detection and "
+                      "redundancy say"},
+    [SENSORS] = {.name = "sensors",
+                 .unit = "1",
+                 .quantity = "number of sensors that see a photon stored here"},
+    [CLARITY] = {.name = "clarity",
+                 .unit = "1",
+                 .quantity = "clarity of the clearest sensor"},
+    [DEPTH] = {.name = "optical_depth",
+               .unit = "1",
+               .quantity = "optical depth",
+               .meaning =
+                   "of the media, the least of all straight open sightlines "
+                   "from sensors within range and view; -1: none"}};
 
 static murk_status make_seen(domain_fields *f, const murk_sight *sight,
                              const murk_pose *sensor, size_t n, murk_error *err)
 {
     const murk_sight_desc *like = murk_sight_described(sight);
-    seen_fields fields;
-    murk_status status = new_seen_fields(
-        f, &fields,
-        like->redundancy > 1 || like->combining == MURK_COMBINE_INDEPENDENT,
-        err);
+    const bool adds_up =
+        like->redundancy > 1 || like->combining == MURK_COMBINE_INDEPENDENT;
     murk_place_seen *seen = malloc(f->voxels * sizeof *seen + 1);
-    if (!status && !seen) {
-        status = no_memory(f, err);
+    bool has_memory = seen != NULL;
+    float *value[SEEN_FIELDS] = {NULL};
+    for (int k = 0; has_memory && k < SEEN_FIELDS; ++k) {
+        /* clarity differs from coverage only where sensors add up */
+        if (k != CLARITY || adds_up) {
+            value[k] = new_field(f, &seen_fields[k]);
+            has_memory = value[k] != NULL;
+        }
     }
-    if (!status) {
-        const murk_places places = {.n = f->voxels,
-                                    .record = record_of,
-                                    .context = f,
-                                    .wants_depth = true,
-                                    .step = "fields"};
-        status = murk_places_see(seen, &places, sight, sensor, n, err);
-    }
-    /* Turn the results of voxels into fields. */
+    const murk_places places = {.n = f->voxels,
+                                .record = record_of,
+                                .context = f,
+                                .wants_depth = true,
+                                .step = "fields"};
+    const murk_status status =
+        has_memory ? murk_places_see(seen, &places, sight, sensor, n, err)
+                   : no_memory(f, err);
     for (size_t i = 0; !status && i < f->voxels; ++i) {
-        fields.coverage[i] = seen[i].worth;
-        fields.sensors[i] = (float)seen[i].sensors;
-        fields.depth[i] = isfinite(seen[i].depth) ? seen[i].depth : NO_DEPTH;
-        if (fields.clarity) {
-            fields.clarity[i] = seen[i].clarity;
+        value[COVERAGE][i] = seen[i].worth;
+        value[SENSORS][i] = (float)seen[i].sensors;
+        value[DEPTH][i] = isfinite(seen[i].depth) ? seen[i].depth : NO_DEPTH;
+        if (value[CLARITY]) {
+            value[CLARITY][i] = seen[i].clarity;
         }
     }
     free(seen);
