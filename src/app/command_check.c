@@ -79,7 +79,7 @@ static void add_mesh_materials(cJSON *root, const findings *f)
         cJSON *item = cJSON_CreateObject();
         cJSON_AddNumberToObject(item, "geometry", (double)m->geometry);
         cJSON_AddStringToObject(item, "file",
-                                scene->geometry[m->geometry].file);
+                                scene->geometry[m->geometry].solid.mesh);
         cJSON_AddStringToObject(item, "name", m->name);
         cJSON_AddNumberToObject(item, "area_m2", m->area_m2);
         cJSON_AddStringToObject(item, "material",

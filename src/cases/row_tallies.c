@@ -57,18 +57,20 @@ static void add_box(murk_row_tallies *g, const murk_box *box, const char *name,
 static void add_ball(murk_row_tallies *g, const murk_scene_interest *r,
                      const char *name)
 {
-    const murk_vec3 edge = murk_vec(r->radius_m, r->radius_m, r->radius_m);
+    const murk_vec3 edge =
+        murk_vec(r->solid.radius_m, r->solid.radius_m, r->solid.radius_m);
     const murk_tally_desc desc = {.where = r->where,
                                   .type = MURK_TALLY_SPHERE,
-                                  .center = r->center,
-                                  .radius_m = r->radius_m};
+                                  .center = r->solid.center,
+                                  .radius_m = r->solid.radius_m};
     murk_row_tally row_tally = {
         .is_density = true,
         .per_unit = 1,
         .part = {.is_ball = true,
-                 .box = {murk_sub(r->center, edge), murk_add(r->center, edge)},
-                 .center = r->center,
-                 .radius_m = r->radius_m,
+                 .box = {murk_sub(r->solid.center, edge),
+                         murk_add(r->solid.center, edge)},
+                 .center = r->solid.center,
+                 .radius_m = r->solid.radius_m,
                  .number = (uint32_t)g->n}};
     snprintf(row_tally.name, sizeof row_tally.name, "%s", name);
     add(g, &desc, &row_tally);
@@ -79,16 +81,18 @@ static void add_region(murk_row_tallies *g, const murk_scene_interest *r,
                        const murk_box *domain)
 {
     char name[MURK_ROW_NAME_SIZE];
-    const murk_vec3 edge = murk_vec(r->radius_m, r->radius_m, r->radius_m);
+    const murk_vec3 edge =
+        murk_vec(r->solid.radius_m, r->solid.radius_m, r->solid.radius_m);
     snprintf(name, sizeof name, "density_%s", r->name);
     /* The part of a box that lies in the domain. */
     if (r->shape == MURK_REGION_BOX) {
-        const murk_box box = {murk_vec(fmax(r->box.min.x, domain->min.x),
-                                       fmax(r->box.min.y, domain->min.y),
-                                       fmax(r->box.min.z, domain->min.z)),
-                              murk_vec(fmin(r->box.max.x, domain->max.x),
-                                       fmin(r->box.max.y, domain->max.y),
-                                       fmin(r->box.max.z, domain->max.z))};
+        const murk_box box = {
+            murk_vec(fmax(r->solid.box.min.x, domain->min.x),
+                     fmax(r->solid.box.min.y, domain->min.y),
+                     fmax(r->solid.box.min.z, domain->min.z)),
+            murk_vec(fmin(r->solid.box.max.x, domain->max.x),
+                     fmin(r->solid.box.max.y, domain->max.y),
+                     fmin(r->solid.box.max.z, domain->max.z))};
         if (box.min.x < box.max.x && box.min.y < box.max.y &&
             box.min.z < box.max.z) {
             add_box(g, &box, name, r->where);
@@ -98,8 +102,8 @@ static void add_region(murk_row_tallies *g, const murk_scene_interest *r,
         /* A sphere that lies wholly in the domain; other shapes are named in
          * the note. */
     } else if (r->shape == MURK_REGION_SPHERE &&
-               murk_box_contains(domain, murk_sub(r->center, edge)) &&
-               murk_box_contains(domain, murk_add(r->center, edge))) {
+               murk_box_contains(domain, murk_sub(r->solid.center, edge)) &&
+               murk_box_contains(domain, murk_add(r->solid.center, edge))) {
         add_ball(g, r, name);
     } else {
         note(g,
@@ -383,9 +387,10 @@ void murk_row_tallies_sign(FILE *out, const murk_scene_desc *scene,
     }
     for (size_t i = 0; i < scene->placement.n_interests; ++i) {
         const murk_scene_interest *r = &scene->placement.interest[i];
-        const murk_vec3 v[] = {r->box.min, r->box.max, r->center};
+        const murk_vec3 v[] = {r->solid.box.min, r->solid.box.max,
+                               r->solid.center};
         fprintf(out, "%s %d ", r->name, (int)r->shape);
         print_vectors(out, v, 3);
-        fprintf(out, "%a\n", r->radius_m);
+        fprintf(out, "%a\n", r->solid.radius_m);
     }
 }

@@ -109,7 +109,8 @@ static bool is_wanted(const drawing *d, murk_inside inside, murk_vec3 p)
     }
     switch (settings->shape) {
     case MURK_REGION_SPHERE:
-        return murk_length(murk_sub(p, settings->center)) <= settings->radius_m;
+        return murk_length(murk_sub(p, settings->solid.center)) <=
+               settings->solid.radius_m;
     case MURK_REGION_MESH:
         return murk_boundary_meshes_at(murk_goals_target_mesh(stage->goals),
                                        p) != 0;
@@ -368,14 +369,14 @@ static murk_box box_of_medium(const murk_stage *stage, int medium)
 static murk_box box_to_draw_from(const murk_stage *stage)
 {
     const murk_scene_targets *settings = &stage->scene->placement.targets;
-    const murk_vec3 r = {settings->radius_m, settings->radius_m,
-                         settings->radius_m};
+    const murk_vec3 r = {settings->solid.radius_m, settings->solid.radius_m,
+                         settings->solid.radius_m};
     murk_box box = stage->world.domain.box;
     if (settings->shape == MURK_REGION_BOX) {
-        box = meet(box, settings->box);
+        box = meet(box, settings->solid.box);
     } else if (settings->shape == MURK_REGION_SPHERE) {
-        box = meet(box, (murk_box){murk_sub(settings->center, r),
-                                   murk_add(settings->center, r)});
+        box = meet(box, (murk_box){murk_sub(settings->solid.center, r),
+                                   murk_add(settings->solid.center, r)});
     } else if (settings->shape == MURK_REGION_MESH) {
         box = meet(box, murk_boundary_meshes_describe(
                             murk_goals_target_mesh(stage->goals), 0)

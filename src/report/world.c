@@ -18,7 +18,7 @@ static bool differs_in_numbers(const murk_scene_desc *a,
 {
     bool is_so = a->n_regions == b->n_regions && a->n_media == b->n_media;
     for (size_t i = 0; is_so && i < a->n_regions; ++i) {
-        is_so = same_file(a->regions[i].mesh, b->regions[i].mesh);
+        is_so = same_file(a->regions[i].solid.mesh, b->regions[i].solid.mesh);
     }
     return is_so;
 }

@@ -32,6 +32,8 @@ typedef enum murk_key_kind {
     MURK_KEY_PER_BAND, /* maps or words, one or a list, one a band: an array
                           of structs in the same struct */
     MURK_KEY_LIST,     /* maps: an array of structs */
+    MURK_KEY_MAPS,     /* a map or a list of maps: an array of structs; or one
+                          of `words`: none */
     MURK_KEY_NAMED,    /* maps by name: an array of structs */
     MURK_KEY_OWN       /* read by the function `read` */
 } murk_key_kind;
@@ -60,11 +62,12 @@ typedef struct murk_key {
     const struct murk_key *items; /* numbers: name and range of each item */
     const char *of;               /* references: "media" or "materials" */
     size_t at, size;              /* member; size 0: not stored */
+    size_t inside; /* a map: the member into which the keys of the map go */
     bool has_flag;
     size_t flag_at; /* a bool that is true if the key is given */
     bool lights;    /* top level: the traced light depends on it */
     murk_status (*read)(murk_key_reader *walk, const struct murk_key *key,
-                        murk_yaml *node, void *item);
+                        murk_yaml *node, void *member);
     const char *allowed; /* allowed values of a key that reads itself: "free or
                             a list" */
 } murk_key;
@@ -72,12 +75,14 @@ typedef struct murk_key {
 struct murk_keys {
     const murk_key *key;
     const char *noun; /* "light" */
-    /* The variant of a map: the value of the word key `selector`, or the
-     * result of choose(); without both there is one variant only. */
+    /* The variant of a map: the value of the word key `selector`, the result
+     * of choose(), or the last of variant_names that is a key of the map (else
+     * 0); otherwise there is one variant only. */
     const char *selector;
     murk_status (*choose)(murk_key_reader *walk, const murk_yaml *map,
                           int *variant);
-    const char *const *variant_names; /* "point" */
+    bool by_key;
+    const char *const *variant_names; /* "point"; by_key: NULL ends the list */
     bool has_variant_at, has_where;
     size_t variant_at, where_at; /* members */
     /* Called before defaults are filled in: may add keys to the map. */

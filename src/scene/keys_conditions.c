@@ -2,10 +2,11 @@
  * in placement. */
 #include "scene/keys_rows.h"
 
+#include <string.h>
+
+#include "scene/override.h"
 #include "scene/value.h"
 #include "scene/words.h"
-
-#include <string.h>
 
 #define LETTERS \
     "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_"
@@ -44,27 +45,20 @@ static bool is_of_scene(const char *path)
     return false;
 }
 
-/* True if one path is, or lies within, the other. */
-static bool overlap(const char *a, const char *b)
-{
-    return begins_with(a, b) || begins_with(b, a);
-}
-
 /* Checks a name: names appear in tables and columns of result files. */
 static murk_status check_name(murk_key_reader *walk, const murk_yaml *map,
                               const char *name)
 {
     if (strspn(name, LETTERS) != strlen(name)) {
-        return murk_walk_fail(walk, MURK_BAD_VALUE, map, true,
-                              "a name of other characters than letters, "
-                              "digits, - and _");
+        return murk_walk_fail_key(
+            walk, map,
+            "a name of other characters than letters, digits, - and _");
     }
     if (strcmp(name, "mean") == 0 || strcmp(name, "worst") == 0 ||
         strcmp(name, "regret") == 0) {
-        return murk_walk_fail(walk, MURK_BAD_VALUE, map, true,
-                              "%s is a word of placement.over, must be "
-                              "another name",
-                              name);
+        return murk_walk_fail_key(
+            walk, map, "%s is a word of placement.over, must be another name",
+            name);
     }
     return MURK_OK;
 }
@@ -74,25 +68,25 @@ static murk_status check_condition(murk_key_reader *walk, const murk_yaml *map,
 {
     murk_scene_condition *condition = item;
     condition->weight = 1;
-    murk_status status = check_name(walk, map, condition->name);
+    const murk_status status = check_name(walk, map, condition->name);
     for (size_t i = 0; !status && i < map->n; ++i) {
-        const size_t back = murk_walk_enter(walk, map->key[i]);
+        const char *key = map->key[i];
+        const size_t back = murk_walk_enter(walk, key);
         /* Keys of one condition must not overlap. */
-        for (size_t k = 0; !status && k < i; ++k) {
-            if (overlap(map->key[i], map->key[k])) {
+        for (size_t k = 0; k < i; ++k) {
+            if (murk_override_overlap(key, map->key[k])) {
                 char other[MURK_SCENE_NAME_SIZE];
                 murk_words_show(other, sizeof other, map->key[k]);
-                status =
-                    murk_walk_fail(walk, MURK_BAD_VALUE, map->child[i], true,
-                                   "one of it and %s lies within the "
-                                   "other, must be apart",
-                                   other);
+                return murk_walk_fail_key(
+                    walk, map->child[i],
+                    "one of it and %s lies within the other, must be apart",
+                    other);
             }
         }
         /* Some keys are the same in all conditions. */
-        if (!status && !may_differ(map->key[i]) && is_of_scene(map->key[i])) {
-            status = murk_walk_fail(
-                walk, MURK_BAD_VALUE, map->child[i], true,
+        if (!may_differ(key) && is_of_scene(key)) {
+            return murk_walk_fail_key(
+                walk, map->child[i],
                 "must be the same in all conditions; what may differ lies in "
                 "seed, materials, geometry, media, regions, lights, photons, "
                 "flight, tallies");
@@ -109,7 +103,7 @@ const murk_keys murk_condition_keys = {
     .is_open = true,
     .check = check_condition,
     WHERE(murk_scene_condition, where),
-    ITEMS(murk_scene_condition, conditions, n_conditions),
+    ITEMS(murk_scene_desc, conditions, n_conditions),
     .name_at = offsetof(murk_scene_condition, name),
     .max_items = MURK_SCENE_CONDITIONS_MAX,
     .key = NO_ROWS,
@@ -129,9 +123,9 @@ static murk_status no_such_condition(murk_key_reader *walk,
         names[i] = scene->conditions[i].name;
     }
     const char *meant = murk_words_meant(name, names, scene->n_conditions);
-    return murk_walk_fail(
-        walk, MURK_BAD_VALUE, node, true, "no such condition%s%s%s",
-        meant ? ", did you mean " : "", meant ? meant : "", meant ? "?" : "");
+    return murk_walk_fail_key(walk, node, "no such condition%s%s%s",
+                              meant ? ", did you mean " : "",
+                              meant ? meant : "", meant ? "?" : "");
 }
 
 /* Reads the weights. Conditions come before placement in the key table, so
@@ -139,8 +133,9 @@ static murk_status no_such_condition(murk_key_reader *walk,
 static murk_status check_weights(murk_key_reader *walk, const murk_yaml *map,
                                  void *item)
 {
-    murk_scene_desc *scene = item;
+    murk_scene_desc *scene = walk->scene;
     double sum = 0;
+    (void)item;
     for (size_t i = 0; i < map->n; ++i) {
         size_t k = 0;
         while (k < scene->n_conditions &&
@@ -164,7 +159,7 @@ static murk_status check_weights(murk_key_reader *walk, const murk_yaml *map,
     }
     return scene->n_conditions == 0 || sum > 0
                ? MURK_OK
-               : murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
+               : murk_walk_fail(walk, map,
                                 "all weights are 0, one must be more than 0");
 }
 
@@ -176,19 +171,15 @@ const murk_keys murk_condition_weight_keys = {
 };
 
 murk_status murk_check_conditions(murk_key_reader *walk, const murk_yaml *map,
-                                  void *item)
+                                  const murk_scene_desc *scene)
 {
-    const murk_scene_desc *scene = item;
     if (scene->placement.over == MURK_SCENE_OBJECTIVE_NONE ||
         scene->n_conditions > 0) {
         return MURK_OK;
     }
-    const murk_yaml *placement = murk_yaml_get(map, "placement");
-    const murk_yaml *over = murk_yaml_get(placement, "over");
-    const size_t back = murk_walk_enter(walk, "placement.over");
-    const murk_status status =
-        murk_walk_fail(walk, MURK_BAD_VALUE, over, false,
-                       "%s, but the scene has no conditions", over->text);
-    murk_walk_leave(walk, back);
-    return status;
+    const murk_yaml *over =
+        murk_yaml_get(murk_yaml_get(map, "placement"), "over");
+    murk_walk_enter(walk, "placement.over");
+    return murk_walk_fail(walk, over, "%s, but the scene has no conditions",
+                          over->text);
 }

@@ -14,10 +14,9 @@ static murk_status check_light(murk_key_reader *walk, const murk_yaml *map,
         light->schedule.when != MURK_SCENE_NEVER &&
         !walk->scene->site.has_time) {
         return murk_walk_fail(
-            walk, MURK_BAD_VALUE, murk_yaml_get(map, "schedule"), false,
-            "a schedule by the time of a scene that has none, "
-            "must have site.time (or site.date and "
-            "site.clock)");
+            walk, murk_yaml_get(map, "schedule"),
+            "a schedule by the time of a scene that has none, must have "
+            "site.time (or site.date and site.clock)");
     }
     /* Shapes and directions must not be degenerate. */
     if (murk_yaml_get(map, "edge1_m")) {
@@ -25,7 +24,7 @@ static murk_status check_light(murk_key_reader *walk, const murk_yaml *map,
     }
     if (murk_yaml_get(map, "direction") &&
         !(murk_length(light->direction) > 0)) {
-        return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
+        return murk_walk_fail(walk, map,
                               "direction is [0, 0, 0], must point somewhere");
     }
     return MURK_OK;
@@ -48,81 +47,54 @@ static const char *const LIGHT_VARIANTS[] = {MURK_SOURCE_TYPES(TYPE_NAME)};
 #define TYPE_WORD(id, name, group) {name, MURK_SOURCE_##id},
 static const murk_word TYPE_WORDS[] = {MURK_SOURCE_TYPES(TYPE_WORD) WORDS_END};
 
-static const murk_word COVER_WORDS[] = {
-    {"clear", MURK_SCENE_CLEAR},
-    {"intermediate", MURK_SCENE_INTERMEDIATE},
-    {"overcast", MURK_SCENE_OVERCAST},
-    WORDS_END,
-};
-
-static murk_status read_time(murk_key_reader *walk, const murk_key *key,
-                             murk_yaml *node, void *item)
-{
-    return murk_read_time(walk, key, node, &((murk_scene_light *)item)->site);
-}
-
-static murk_status read_schedule(murk_key_reader *walk, const murk_key *key,
-                                 murk_yaml *node, void *item)
-{
-    return murk_read_schedule(walk, key, node,
-                              &((murk_scene_light *)item)->schedule);
-}
+/* An irradiance of more than 1e15 W/m2 is a mistake. */
+#define LIGHT(member) AT(murk_scene_light, member)
+#define IF(member)    FLAG(murk_scene_light, member)
+#define FOR(types)    .variants = (types)
+#define IRRADIANCE    .max = 1e15, .unit = "W/m2", LIGHT(power_w)
 
 static const murk_key LIGHT_ROWS[] = {
     ROW("type", WORD, NEEDED, .words = TYPE_WORDS),
-    ROW("center_m", VECTOR, NEEDED, LONG_M, .variants = SPHERE,
-        AT(murk_scene_light, position)),
-    ROW("corner_m", VECTOR, NEEDED, LONG_M, .variants = RECT,
-        AT(murk_scene_light, position)),
-    ROW("edge1_m", VECTOR, NEEDED, LONG_M, .variants = RECT,
-        AT(murk_scene_light, edge1)),
-    ROW("edge2_m", VECTOR, NEEDED, LONG_M, .variants = RECT,
-        AT(murk_scene_light, edge2)),
-    ROW("position_m", VECTOR, NEEDED, LONG_M, .variants = POINT,
-        AT(murk_scene_light, position)),
-    ROW("origin_m", VECTOR, NEEDED, LONG_M, .variants = BEAM,
-        AT(murk_scene_light, position)),
-    ROW("direction", VECTOR, NEEDED, ANY_UNIT, .variants = BEAM | DIRECTIONAL,
-        AT(murk_scene_light, direction)),
-    ROW("radius_m", NUMBER, NEEDED, SIZE_M, .variants = SPHERE,
-        AT(murk_scene_light, radius_m)),
-    ROW("radius_m", NUMBER, .max = 1e9, .unit = "m", .variants = BEAM,
-        .preset = "0", AT(murk_scene_light, radius_m)),
-    ROW("divergence_deg", NUMBER, .max = 90, .unit = "degrees",
-        .variants = BEAM, .preset = "0", .factor = MURK_PI / 180,
-        AT(murk_scene_light, divergence_rad)),
-    ROW("power_w", SHARED, NEEDED, .max = 1e15, .unit = "W", .variants = LAMPS,
-        AT(murk_scene_light, power_w)),
-    ROW("irradiance_w_per_m2", SHARED, NEEDED, .max = 1e15, .unit = "W/m2",
-        .variants = DIRECTIONAL, AT(murk_scene_light, power_w)),
-    ROW("irradiance_w_per_m2", SHARED, .max = 1e15, .unit = "W/m2",
-        .variants = BY_TIME | NIGHT_SKY, AT(murk_scene_light, power_w),
-        FLAG(murk_scene_light, has_irradiance)),
-    ROW("latitude_deg", NUMBER, LATITUDE, .variants = BY_TIME,
-        AT(murk_scene_light, site.latitude_deg),
-        FLAG(murk_scene_light, site.has_latitude)),
-    ROW("longitude_deg", NUMBER, LONGITUDE, .variants = BY_TIME,
-        AT(murk_scene_light, site.longitude_deg),
-        FLAG(murk_scene_light, site.has_longitude)),
-    ROW("altitude_m", NUMBER, ALTITUDE, .variants = BY_TIME,
-        AT(murk_scene_light, site.altitude_m),
-        FLAG(murk_scene_light, site.has_altitude)),
-    ROW("time", OWN, .read = read_time, .variants = BY_TIME,
-        .allowed = MURK_TIME_ALLOWED),
+    ROW("center_m", VECTOR, NEEDED, LONG_M, FOR(SPHERE), LIGHT(position)),
+    ROW("corner_m", VECTOR, NEEDED, LONG_M, FOR(RECT), LIGHT(position)),
+    ROW("edge1_m", VECTOR, NEEDED, LONG_M, FOR(RECT), LIGHT(edge1)),
+    ROW("edge2_m", VECTOR, NEEDED, LONG_M, FOR(RECT), LIGHT(edge2)),
+    ROW("position_m", VECTOR, NEEDED, LONG_M, FOR(POINT), LIGHT(position)),
+    ROW("origin_m", VECTOR, NEEDED, LONG_M, FOR(BEAM), LIGHT(position)),
+    ROW("direction", VECTOR, NEEDED, ANY_UNIT, FOR(BEAM | DIRECTIONAL),
+        LIGHT(direction)),
+    ROW("radius_m", NUMBER, NEEDED, SIZE_M, FOR(SPHERE), LIGHT(radius_m)),
+    ROW("radius_m", NUMBER, .max = 1e9, .unit = "m", FOR(BEAM), .preset = "0",
+        LIGHT(radius_m)),
+    ROW("divergence_deg", NUMBER, .max = 90, RADIANS, FOR(BEAM), .preset = "0",
+        LIGHT(divergence_rad)),
+    ROW("power_w", SHARED, NEEDED, .max = 1e15, .unit = "W", FOR(LAMPS),
+        LIGHT(power_w)),
+    ROW("irradiance_w_per_m2", SHARED, NEEDED, IRRADIANCE, FOR(DIRECTIONAL)),
+    ROW("irradiance_w_per_m2", SHARED, IRRADIANCE, FOR(BY_TIME | NIGHT_SKY),
+        IF(has_irradiance)),
+    ROW("latitude_deg", NUMBER, LATITUDE, FOR(BY_TIME),
+        LIGHT(site.latitude_deg), IF(site.has_latitude)),
+    ROW("longitude_deg", NUMBER, LONGITUDE, FOR(BY_TIME),
+        LIGHT(site.longitude_deg), IF(site.has_longitude)),
+    ROW("altitude_m", NUMBER, ALTITUDE, FOR(BY_TIME), LIGHT(site.altitude_m),
+        IF(site.has_altitude)),
+    ROW("time", OWN, .read = murk_read_time, FOR(BY_TIME), LIGHT(site),
+        IF(site.has_time), .allowed = MURK_TIME_ALLOWED),
     ROW("linke_turbidity", NUMBER, .min = 1, .max = 20,
-        .variants = BY_TIME | NIGHT_SKY, .preset = "3",
-        AT(murk_scene_light, linke_turbidity)),
-    ROW("cover", WORD, .variants = BY_TIME, .preset = "clear",
-        .words = COVER_WORDS, AT(murk_scene_light, cover)),
-    ROW("cie_type", COUNT, .variants = SKY, .min = 1, .max = 15,
-        AT(murk_scene_light, cie_type)),
-    ROW("mag_per_arcsec2", NUMBER, .variants = NIGHT_SKY, .min = 10, .max = 30,
-        .unit = "mag/arcsec2", .preset = "21.6",
-        AT(murk_scene_light, mag_per_arcsec2)),
+        FOR(BY_TIME | NIGHT_SKY), .preset = "3", LIGHT(linke_turbidity)),
+    ROW("cover", WORD, FOR(BY_TIME), .preset = "clear", LIGHT(cover),
+        WORDS({"clear", MURK_SCENE_CLEAR},
+              {"intermediate", MURK_SCENE_INTERMEDIATE},
+              {"overcast", MURK_SCENE_OVERCAST})),
+    ROW("cie_type", COUNT, FOR(SKY), .min = 1, .max = 15, LIGHT(cie_type)),
+    ROW("mag_per_arcsec2", NUMBER, FOR(NIGHT_SKY), .min = 10, .max = 30,
+        .unit = "mag/arcsec2", .preset = "21.6", LIGHT(mag_per_arcsec2)),
     ROW("aim", LIST, .keys = &murk_portal_keys, .preset = "[]",
-        .variants = DIRECTIONAL | BY_TIME | NIGHT_SKY),
-    ROW("schedule", OWN, .read = read_schedule, .preset = "always",
-        .variants = LAMPS | DIRECTIONAL, .allowed = MURK_SCHEDULE_ALLOWED),
+        FOR(DIRECTIONAL | BY_TIME | NIGHT_SKY)),
+    ROW("schedule", OWN, .read = murk_read_schedule, .preset = "always",
+        FOR(LAMPS | DIRECTIONAL), LIGHT(schedule),
+        .allowed = MURK_SCHEDULE_ALLOWED),
     END,
 };
 
@@ -133,7 +105,7 @@ const murk_keys murk_lightmap_keys = {
     .variant_names = LIGHT_VARIANTS,
     VARIANT(murk_scene_light, type),
     WHERE(murk_scene_light, where),
-    ITEMS(murk_scene_light, lights, n_lights),
+    ITEMS(murk_scene_desc, lights, n_lights),
     .max_items = 256,
     .needs_item = true,
     .key = LIGHT_ROWS,
@@ -144,56 +116,48 @@ const murk_keys murk_lightmap_keys = {
 static murk_status check_photons(murk_key_reader *walk, const murk_yaml *map,
                                  void *item)
 {
-    const murk_scene_photons *photons = &((murk_scene_desc *)item)->photons;
+    const murk_scene_photons *photons = item;
     if (photons->store > photons->max_stored) {
-        return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
+        return murk_walk_fail(walk, map,
                               "store %llu is more than max_stored %llu",
                               (unsigned long long)photons->store,
                               (unsigned long long)photons->max_stored);
     }
     if (photons->store > 0 && photons->maps == MURK_SCENE_MAPS_NONE) {
-        return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
-                              "store %llu with maps: none, must be emit where "
-                              "nothing is stored",
-                              (unsigned long long)photons->store);
+        return murk_walk_fail(
+            walk, map,
+            "store %llu with maps: none, must be emit where nothing is stored",
+            (unsigned long long)photons->store);
     }
     return MURK_OK;
 }
 
-static const murk_word STORE_WHEN_WORDS[] = {
-    {"reflected", 0},
-    {"hit", 1},
-    WORDS_END,
-};
-
-static const murk_word MAPS_WORDS[] = {
-    {"both", MURK_SCENE_MAPS_BOTH},
-    {"surface", MURK_SCENE_MAPS_SURFACE},
-    {"volume", MURK_SCENE_MAPS_VOLUME},
-    {"none", MURK_SCENE_MAPS_NONE},
-    WORDS_END,
-};
+#define PHOTONS(member) AT(murk_scene_photons, member)
+/* Photons and records are counted in 32 bits. */
+#define UP_TO_2_32 .min = 1, .max = 4294967295.0
 
 static const murk_key PHOTONS_ROWS[] = {
-    ROW("emit", COUNT, .group = 1, .min = 1, .max = 4294967295.0,
-        .unit = "photons", .preset = "100000",
-        AT(murk_scene_desc, photons.emit)),
-    ROW("store", COUNT, .group = 1, .min = 1, .max = 4294967295.0,
-        .unit = "records", AT(murk_scene_desc, photons.store)),
-    ROW("store_when", WORD, .preset = "reflected", .words = STORE_WHEN_WORDS,
-        AT(murk_scene_desc, photons.store_hits)),
+    ROW("emit", COUNT, .group = 1, UP_TO_2_32, .unit = "photons",
+        .preset = "100000", PHOTONS(emit)),
+    ROW("store", COUNT, .group = 1, UP_TO_2_32, .unit = "records",
+        PHOTONS(store)),
+    ROW("store_when", WORD, .preset = "reflected",
+        WORDS({"reflected", 0}, {"hit", 1}), PHOTONS(store_hits)),
     ROW("least_weight", NUMBER, .min = 1e-5, .max = 1, .preset = "1",
-        AT(murk_scene_desc, photons.least_weight)),
-    ROW("maps", WORD, .preset = "both", .words = MAPS_WORDS,
-        AT(murk_scene_desc, photons.maps)),
-    ROW("max_stored", COUNT, .min = 1, .max = 4294967295.0, .unit = "records",
-        .preset = "100000000", AT(murk_scene_desc, photons.max_stored)),
+        PHOTONS(least_weight)),
+    ROW("maps", WORD, .preset = "both", PHOTONS(maps),
+        WORDS({"both", MURK_SCENE_MAPS_BOTH},
+              {"surface", MURK_SCENE_MAPS_SURFACE},
+              {"volume", MURK_SCENE_MAPS_VOLUME},
+              {"none", MURK_SCENE_MAPS_NONE})),
+    ROW("max_stored", COUNT, UP_TO_2_32, .unit = "records",
+        .preset = "100000000", PHOTONS(max_stored)),
     END,
 };
 
 const murk_keys murk_photon_keys = {
     .noun = "photons",
     .check = check_photons,
-    WHERE(murk_scene_desc, photons.where),
+    WHERE(murk_scene_photons, where),
     .key = PHOTONS_ROWS,
 };

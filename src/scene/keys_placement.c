@@ -4,29 +4,24 @@
 static murk_status check_weights(murk_key_reader *walk, const murk_yaml *map,
                                  void *item)
 {
-    const murk_scene_placement *placement =
-        &((murk_scene_desc *)item)->placement;
-    if (!(placement->weight_surface + placement->weight_volume > 0)) {
-        return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
-                              "surface and volume are both 0, one must be "
-                              "more than 0");
-    }
-    return MURK_OK;
+    const murk_scene_placement *placement = item;
+    return placement->weight_surface + placement->weight_volume > 0
+               ? MURK_OK
+               : murk_walk_fail(
+                     walk, map,
+                     "surface and volume are both 0, one must be more than 0");
 }
 
+#define PLAN(member) AT(murk_scene_placement, member)
+
 static const murk_key WEIGHTS_ROWS[] = {
-    ROW("surface", NUMBER, NEEDED, .max = 1e6,
-        AT(murk_scene_desc, placement.weight_surface)),
-    ROW("volume", NUMBER, NEEDED, .max = 1e6,
-        AT(murk_scene_desc, placement.weight_volume)),
+    ROW("surface", NUMBER, NEEDED, .max = 1e6, PLAN(weight_surface)),
+    ROW("volume", NUMBER, NEEDED, .max = 1e6, PLAN(weight_volume)),
     END,
 };
 
 static const murk_keys WEIGHTS = {
-    .noun = "weights",
-    .check = check_weights,
-    .key = WEIGHTS_ROWS,
-};
+    .noun = "weights", .check = check_weights, .key = WEIGHTS_ROWS};
 
 #define METHOD_WORD(id, name) {name, MURK_PLACE_##id},
 static const murk_word METHOD_WORDS[] = {MURK_PLACE_METHODS(METHOD_WORD)
@@ -36,96 +31,51 @@ static const murk_word METHOD_WORDS[] = {MURK_PLACE_METHODS(METHOD_WORD)
 static const murk_word DETECTION_WORDS[] = {MURK_DETECTIONS(DETECTION_WORD)
                                                 WORDS_END};
 
-static const murk_word VISIBILITY_WORDS[] = {
-    {"ray", 0},
-    {"normal", 1},
-    WORDS_END,
-};
-
-static const murk_word THROUGH_WORDS[] = {
-    {"thin", MURK_SCENE_THIN},
-    {"block", MURK_SCENE_BLOCK},
-    {"refract", MURK_SCENE_REFRACT},
-    WORDS_END,
-};
-
-static const murk_word KNOWLEDGE_WORDS[] = {
-    {"known", MURK_SCENE_KNOWN},
-    {"unknown", MURK_SCENE_UNKNOWN},
-    {"explore", MURK_SCENE_EXPLORE},
-    WORDS_END,
-};
-
-static const murk_word WEIGHTS_WORDS[] = {
-    {"balanced", 1},
-    WORDS_END,
-};
-
-static const murk_word OBJECTIVE_WORDS[] = {
-    {"null", MURK_SCENE_OBJECTIVE_NONE},
-    {"mean", MURK_SCENE_OBJECTIVE_MEAN},
-    {"worst", MURK_SCENE_OBJECTIVE_WORST},
-    {"regret", MURK_SCENE_OBJECTIVE_REGRET},
-    WORDS_END,
-};
-
-static const murk_word REGRET_WORDS[] = {
-    {"absolute", 0},
-    {"relative", 1},
-    WORDS_END,
-};
-
-static const murk_word TARGETS_WORDS[] = {
-    {"photons", 0},
-    WORDS_END,
-};
-
 static const murk_key PLACEMENT_ROWS[] = {
-    ROW("method", WORD, .preset = "best", .words = METHOD_WORDS,
-        AT(murk_scene_desc, placement.method)),
+    ROW("method", WORD, .preset = "best", .words = METHOD_WORDS, PLAN(method)),
     ROW("detection", WORD, .preset = "weighted", .words = DETECTION_WORDS,
-        AT(murk_scene_desc, placement.detection)),
+        PLAN(detection)),
     ROW("threshold", NUMBER, .above = true, .max = 1, .preset = "0.05",
-        AT(murk_scene_desc, placement.threshold)),
-    ROW("power_radius_m", NUMBER, SIZE_M,
-        AT(murk_scene_desc, placement.power_radius_m)),
+        PLAN(threshold)),
+    ROW("power_radius_m", NUMBER, SIZE_M, PLAN(power_radius_m)),
     ROW("power_neighbours", COUNT, .min = 12, .max = 128, .preset = "64",
-        AT(murk_scene_desc, placement.power_neighbours)),
-    ROW("visibility", WORD, .preset = "ray", .words = VISIBILITY_WORDS,
-        AT(murk_scene_desc, placement.by_normal)),
-    ROW("through", WORD, .preset = "thin", .words = THROUGH_WORDS,
-        AT(murk_scene_desc, placement.through)),
-    ROW("knowledge", WORD, .preset = "known", .words = KNOWLEDGE_WORDS,
-        AT(murk_scene_desc, placement.knowledge)),
-    ROW("start_m", VECTOR, LONG_M, AT(murk_scene_desc, placement.start),
-        FLAG(murk_scene_desc, placement.has_start)),
+        PLAN(power_neighbours)),
+    ROW("visibility", WORD, .preset = "ray", WORDS({"ray", 0}, {"normal", 1}),
+        PLAN(by_normal)),
+    ROW("through", WORD, .preset = "thin", PLAN(through),
+        WORDS({"thin", MURK_SCENE_THIN}, {"block", MURK_SCENE_BLOCK},
+              {"refract", MURK_SCENE_REFRACT})),
+    ROW("knowledge", WORD, .preset = "known", PLAN(knowledge),
+        WORDS({"known", MURK_SCENE_KNOWN}, {"unknown", MURK_SCENE_UNKNOWN},
+              {"explore", MURK_SCENE_EXPLORE})),
+    ROW("start_m", VECTOR, LONG_M, PLAN(start),
+        FLAG(murk_scene_placement, has_start)),
     ROW("restarts", COUNT, .min = 1, .max = 1e6, .preset = "200",
-        AT(murk_scene_desc, placement.restarts)),
+        PLAN(restarts)),
     ROW("redundancy", COUNT, .min = 1, .max = 16, .preset = "1",
-        AT(murk_scene_desc, placement.redundancy)),
-    ROW("at_least", COUNT, .min = 1, .max = 16,
-        AT(murk_scene_desc, placement.at_least)),
+        PLAN(redundancy)),
+    ROW("at_least", COUNT, .min = 1, .max = 16, PLAN(at_least)),
     ROW("weights", MAP, .keys = &WEIGHTS, .preset = "balanced",
-        .words = WEIGHTS_WORDS, AT(murk_scene_desc, placement.balanced)),
+        WORDS({"balanced", 1}), PLAN(balanced)),
     ROW("interest", LIST, .keys = &murk_interest_keys, .preset = "[]"),
-    ROW("elsewhere", NUMBER, .max = 1e6, .preset = "1",
-        AT(murk_scene_desc, placement.elsewhere)),
+    ROW("elsewhere", NUMBER, .max = 1e6, .preset = "1", PLAN(elsewhere)),
     ROW("targets", MAP, .keys = &murk_target_keys, .preset = "photons",
-        .words = TARGETS_WORDS),
-    ROW("hold_out", BOOL, .preset = "true",
-        AT(murk_scene_desc, placement.hold_out)),
+        WORDS({"photons", 0}), INSIDE(murk_scene_placement, targets)),
+    ROW("hold_out", BOOL, .preset = "true", PLAN(hold_out)),
     ROW("jitter_m", NUMBER, .max = 1e9, .unit = "m", .preset = "0",
-        AT(murk_scene_desc, placement.jitter_m)),
-    ROW("jitter_deg", NUMBER, .max = 180, .unit = "degrees", .preset = "0",
-        .factor = MURK_PI / 180, AT(murk_scene_desc, placement.jitter_rad)),
+        PLAN(jitter_m)),
+    ROW("jitter_deg", NUMBER, .max = 180, RADIANS, .preset = "0",
+        PLAN(jitter_rad)),
     ROW("jitter_draws", COUNT, .min = 2, .max = 1e6, .preset = "100",
-        AT(murk_scene_desc, placement.jitter_draws)),
-    ROW("nodes", COUNT, .max = 1e15, .preset = "1000000",
-        AT(murk_scene_desc, placement.nodes)),
-    ROW("over", WORD, .preset = "null", .words = OBJECTIVE_WORDS,
-        AT(murk_scene_desc, placement.over)),
-    ROW("regret", WORD, .preset = "absolute", .words = REGRET_WORDS,
-        AT(murk_scene_desc, placement.relative_regret)),
+        PLAN(jitter_draws)),
+    ROW("nodes", COUNT, .max = 1e15, .preset = "1000000", PLAN(nodes)),
+    ROW("over", WORD, .preset = "null", PLAN(over),
+        WORDS({"null", MURK_SCENE_OBJECTIVE_NONE},
+              {"mean", MURK_SCENE_OBJECTIVE_MEAN},
+              {"worst", MURK_SCENE_OBJECTIVE_WORST},
+              {"regret", MURK_SCENE_OBJECTIVE_REGRET})),
+    ROW("regret", WORD, .preset = "absolute",
+        WORDS({"absolute", 0}, {"relative", 1}), PLAN(relative_regret)),
     ROW("condition_weights", MAP, .keys = &murk_condition_weight_keys,
         .preset = "{}"),
     END,
@@ -148,8 +98,8 @@ static murk_status check_at_least(murk_key_reader *walk, const murk_yaml *map,
         : placement->over != MURK_SCENE_OBJECTIVE_NONE ? "over: null"
                                                        : NULL;
     return placement->at_least > 0 && cause
-               ? murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
-                                "at_least is given, which needs %s", cause)
+               ? murk_walk_fail(walk, map, "at_least is given, which needs %s",
+                                cause)
                : MURK_OK;
 }
 
@@ -157,20 +107,19 @@ static murk_status check_at_least(murk_key_reader *walk, const murk_yaml *map,
 static murk_status check_placement(murk_key_reader *walk, const murk_yaml *map,
                                    void *item)
 {
-    const murk_scene_placement *placement =
-        &((murk_scene_desc *)item)->placement;
+    const murk_scene_placement *placement = item;
     double max = placement->elsewhere;
     for (size_t i = 0; i < placement->n_interests; ++i) {
         max = fmax(max, placement->interest[i].weight);
     }
     if (!(max > 0)) {
-        return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
+        return murk_walk_fail(walk, map,
                               "elsewhere and the weights of interest are all "
                               "0, one must be more than 0");
     }
     if (murk_detection_is(placement->detection, MURK_DETECTION_BY_CHANCE) &&
         placement->redundancy > 1) {
-        return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
+        return murk_walk_fail(walk, map,
                               "redundancy is %llu with detection: %s, must be "
                               "1: all views count there",
                               (unsigned long long)placement->redundancy,
@@ -182,6 +131,6 @@ static murk_status check_placement(murk_key_reader *walk, const murk_yaml *map,
 const murk_keys murk_placement_keys = {
     .noun = "placement",
     .check = check_placement,
-    WHERE(murk_scene_desc, placement.where),
+    WHERE(murk_scene_placement, where),
     .key = PLACEMENT_ROWS,
 };

@@ -16,23 +16,35 @@
     {                \
         .name = NULL \
     }
-/* Ends a list of words. */
+/* The words of a row, and the rows of the items of a list. */
 #define WORDS_END \
     {             \
         NULL, 0   \
+    }
+#define WORDS(...)               \
+    .words = (const murk_word[]) \
+    {                            \
+        __VA_ARGS__, WORDS_END   \
+    }
+#define LIST_ITEMS(...)         \
+    .items = (const murk_key[]) \
+    {                           \
+        __VA_ARGS__, END        \
     }
 
 #define NEEDED .required = true
 #define AT(type, member) \
     .at = offsetof(type, member), .size = sizeof(((type *)0)->member)
-#define FLAG(type, member) .has_flag = true, .flag_at = offsetof(type, member)
+#define INSIDE(type, member) .inside = offsetof(type, member)
+#define FLAG(type, member)   .has_flag = true, .flag_at = offsetof(type, member)
 #define WHERE(type, member) \
     .has_where = true, .where_at = offsetof(type, member)
 #define VARIANT(type, member) \
     .has_variant_at = true, .variant_at = offsetof(type, member)
-#define ITEMS(type, array, count)                                            \
-    .item_size = sizeof(type), .array_at = offsetof(murk_scene_desc, array), \
-    .count_at = offsetof(murk_scene_desc, count)
+/* An array of a struct `owner`, and the number of items. */
+#define ITEMS(owner, array, count)            \
+    .item_size = sizeof *((owner *)0)->array, \
+    .array_at = offsetof(owner, array), .count_at = offsetof(owner, count)
 #define BIT(variant) (1u << (variant))
 
 /* Ranges. Larger lengths, powers and so on are mistakes; within these ranges
@@ -45,10 +57,33 @@
 #define LATITUDE  .min = -90, .max = 90, .unit = "degrees"
 #define LONGITUDE .min = -180, .max = 360, .unit = "degrees"
 #define ALTITUDE  .min = -500, .max = 9000, .unit = "m"
+#define RADIANS   .unit = "degrees", .factor = MURK_PI / 180
 
 #define MURK_TIME_ALLOWED "a date and time, such as 2026-06-21T12:00:00Z"
 #define MURK_SCHEDULE_ALLOWED \
     "always, night, never, or a list of spans such as [[06:00, 22:00]]"
+
+/* Rows of a struct that has a murk_scene_solid as the member `solid`. The
+ * further arguments are added to each row: group, variants. */
+#define BOX_ROW(type, ...)                                           \
+    ROW("box", MAP, .keys = &murk_box_keys, INSIDE(type, solid.box), \
+        __VA_ARGS__)
+#define SPHERE_ROW(type, ...)                                          \
+    ROW("sphere", MAP, .keys = &murk_sphere_keys, INSIDE(type, solid), \
+        __VA_ARGS__)
+#define MESH_ROWS(type, ...)                                             \
+    ROW("mesh", PATH, AT(type, solid.mesh), __VA_ARGS__),                \
+        ROW("unit_m", NUMBER, SIZE_M, .variants = BIT(MURK_REGION_MESH), \
+            AT(type, solid.unit_m)),                                     \
+        ROW("up", WORD, .variants = BIT(MURK_REGION_MESH),               \
+            .words = murk_up_words, AT(type, solid.up))
+#define PLACEMENT_ROWS(type, ...)                                            \
+    ROW("scale", NUMBER, .above = true, .max = 1e9, .preset = "1",           \
+        AT(type, solid.scale), __VA_ARGS__),                                 \
+        ROW("rotate_deg", VECTOR, ANY_UNIT, .unit = "degrees",               \
+            .preset = "[0, 0, 0]", AT(type, solid.rotate_deg), __VA_ARGS__), \
+        ROW("translate_m", VECTOR, LONG_M, .preset = "[0, 0, 0]",            \
+            AT(type, solid.translate_m), __VA_ARGS__)
 
 /* One table for each part of a scene; keys_scene.c joins them. */
 extern const murk_keys murk_geometry_keys, murk_material_keys, murk_medium_keys,
@@ -57,43 +92,45 @@ extern const murk_keys murk_geometry_keys, murk_material_keys, murk_medium_keys,
     murk_condition_keys, murk_condition_weight_keys, murk_interest_keys,
     murk_target_keys, murk_site_keys, murk_portal_keys, murk_camera_keys;
 
+/* The keys of a box (murk_box) and of a sphere (murk_scene_solid). */
+extern const murk_keys murk_box_keys, murk_sphere_keys;
+
+/* The up axis of meshes: x, y, z. */
+extern const murk_word murk_up_words[];
+
+/* The shapes of an item with a box, a sphere, a mesh or none of them, by
+ * murk_region_shape. */
+extern const char *const murk_zone_variants[];
+
+/* Checks that min is less than max on each axis of a murk_box. */
+murk_status murk_check_box(murk_key_reader *walk, const murk_yaml *map,
+                           void *box);
+
+/* Checks that two edges span an area. */
+murk_status murk_check_edges(murk_key_reader *walk, const murk_yaml *map,
+                             murk_vec3 edge1, murk_vec3 edge2);
+
 /* Readers of keys that need a reader of their own: into murk_scene_site,
  * murk_scene_schedule. */
 murk_status murk_read_time(murk_key_reader *walk, const murk_key *key,
-                           murk_yaml *node, void *item);
+                           murk_yaml *node, void *site);
 murk_status murk_read_schedule(murk_key_reader *walk, const murk_key *key,
-                               murk_yaml *node, void *item);
+                               murk_yaml *node, void *schedule);
 
 /* For a light of the sky: takes place and time that the light does not give
  * from the site of the scene, and checks them. */
 murk_status murk_check_sky(murk_key_reader *walk, const murk_yaml *map,
                            murk_scene_light *light);
 
-/* The up axis of meshes: x, y, z. */
-extern const murk_word murk_up_words[];
-
 /* For the whole scene, after everything is read: placement over conditions
  * needs conditions. */
 murk_status murk_check_conditions(murk_key_reader *walk, const murk_yaml *map,
-                                  void *item);
+                                  const murk_scene_desc *scene);
 
-/* The shape of an item with a box, a sphere, a mesh or none of them:
- * murk_region_shape. */
-extern const char *const murk_zone_variants[];
-
-/* The shape whose key the map has, or `otherwise`. */
-murk_region_shape murk_shape_of_region(const murk_yaml *map,
-                                       murk_region_shape otherwise);
-
-murk_status murk_choose_zone(murk_key_reader *walk, const murk_yaml *map,
-                             int *variant);
-
-/* Checks that min is less than max on each axis. */
-murk_status murk_check_box(murk_key_reader *walk, const murk_yaml *map,
-                           murk_box box);
-
-/* Checks that two edges span an area. */
-murk_status murk_check_edges(murk_key_reader *walk, const murk_yaml *map,
-                             murk_vec3 edge1, murk_vec3 edge2);
+/* Checks that no item of an array before `item` has the name of the item. The
+ * items have `size` bytes and begin with the name. */
+murk_status murk_check_own_name(murk_key_reader *walk, const murk_yaml *map,
+                                const char *noun, const void *items,
+                                size_t size, const void *item);
 
 #endif

@@ -1,129 +1,76 @@
-/* The key table of the scene: top-level keys, the domain, and checks that
- * several tables share. The tables of other parts are in keys_*.c. */
+/* The key table of the scene: top-level keys, the domain, and the search for
+ * rows and words. The tables of other parts are in keys_*.c. */
 #include "scene/keys.h"
 
 #include <assert.h>
-#include <float.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "scene/keys_rows.h"
-
-murk_status murk_check_box(murk_key_reader *walk, const murk_yaml *map,
-                           murk_box box)
-{
-    if (!(box.min.x < box.max.x && box.min.y < box.max.y &&
-          box.min.z < box.max.z)) {
-        return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
-                              "min_m [%.9g, %.9g, %.9g] and max_m "
-                              "[%.9g, %.9g, %.9g], min must be less than max "
-                              "on each axis, m",
-                              box.min.x, box.min.y, box.min.z, box.max.x,
-                              box.max.y, box.max.z);
-    }
-    return MURK_OK;
-}
-
-murk_status murk_check_edges(murk_key_reader *walk, const murk_yaml *map,
-                             murk_vec3 edge1, murk_vec3 edge2)
-{
-    const double area = murk_length(murk_cross(edge1, edge2));
-    /* The cross product has three differences of products: parallel edges
-     * leave no more than this by rounding. */
-    const double slack =
-        4 * DBL_EPSILON * murk_length(edge1) * murk_length(edge2);
-    if (!(area > slack)) {
-        return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
-                              "edge1_m and edge2_m span no area, must not be "
-                              "zero or parallel");
-    }
-    return MURK_OK;
-}
 
 /* ---- the scene ---- */
 
 static murk_status check_domain(murk_key_reader *walk, const murk_yaml *map,
                                 void *item)
 {
-    return murk_check_box(walk, map, ((murk_scene_desc *)item)->domain.box);
+    return murk_check_box(walk, map, &((murk_scene_desc *)item)->domain.box);
 }
 
-static const murk_word SIDES_WORDS[] = {
-    {"open", 0},
-    {"periodic", 1},
-    WORDS_END,
-};
+#define SCENE(member) AT(murk_scene_desc, member)
 
-static const murk_word OUTSIDE_WORDS[] = {
-    {"empty", 0},
-    {"continued", 1},
-    WORDS_END,
-};
-
-static const murk_key DOMAIN_KEYS_ROWS[] = {
-    ROW("min_m", VECTOR, NEEDED, LONG_M, AT(murk_scene_desc, domain.box.min)),
-    ROW("max_m", VECTOR, NEEDED, LONG_M, AT(murk_scene_desc, domain.box.max)),
-    ROW("sides", WORD, .preset = "open", .words = SIDES_WORDS,
-        AT(murk_scene_desc, domain.is_periodic)),
-    ROW("outside", WORD, .preset = "empty", .words = OUTSIDE_WORDS,
-        AT(murk_scene_desc, continues)),
+static const murk_key DOMAIN_ROWS[] = {
+    ROW("min_m", VECTOR, NEEDED, LONG_M, SCENE(domain.box.min)),
+    ROW("max_m", VECTOR, NEEDED, LONG_M, SCENE(domain.box.max)),
+    ROW("sides", WORD, .preset = "open", WORDS({"open", 0}, {"periodic", 1}),
+        SCENE(domain.is_periodic)),
+    ROW("outside", WORD, .preset = "empty",
+        WORDS({"empty", 0}, {"continued", 1}), SCENE(continues)),
     END,
 };
 
 static const murk_keys DOMAIN_KEYS = {.noun = "domain",
                                       .check = check_domain,
                                       WHERE(murk_scene_desc, domain_where),
-                                      .key = DOMAIN_KEYS_ROWS};
+                                      .key = DOMAIN_ROWS};
+
+/* Keys on which the traced light depends. */
+#define TRACED .lights = true
+#define NM     .above = true, .max = 1e9, .unit = "nm"
 
 /* Keys are read in this order: bands before spectra, names before the keys
  * that refer to them. */
-static const murk_word FLIGHT_WORDS[] = {
-    {"march", 0},
-    {"delta", 1},
-    WORDS_END,
-};
-
-static const murk_word UNITS_WORDS[] = {
-    {"radiometric", MURK_RADIOMETRIC},
-    {"photometric", MURK_PHOTOMETRIC},
-    {"photons", MURK_PHOTONS},
-    {"par", MURK_PAR},
-    WORDS_END,
-};
-
 static const murk_key SCENE_ROWS[] = {
     ROW("murk", COUNT, NEEDED, .min = 1, .max = 1),
-    ROW("bands_nm", BANDS, .group = 1, .above = true, .max = 1e9, .unit = "nm",
-        .preset = "[550]", .lights = true, AT(murk_scene_desc, band_nm)),
-    ROW("band_edges_nm", BAND_EDGES, .group = 1, .above = true, .max = 1e9,
-        .unit = "nm", .lights = true, AT(murk_scene_desc, band_edge_nm)),
-    ROW("seed", COUNT, .max = 4294967295.0, .preset = "1", .lights = true,
-        AT(murk_scene_desc, seed)),
-    ROW("north", VECTOR, ANY_UNIT, .preset = "[0, 1, 0]", .lights = true,
-        AT(murk_scene_desc, north)),
-    ROW("site", MAP, .keys = &murk_site_keys, .lights = true),
-    ROW("domain", MAP, .keys = &DOMAIN_KEYS, .lights = true,
+    ROW("bands_nm", BANDS, .group = 1, NM, .preset = "[550]", TRACED,
+        SCENE(band_nm)),
+    ROW("band_edges_nm", BAND_EDGES, .group = 1, NM, TRACED,
+        SCENE(band_edge_nm)),
+    ROW("seed", COUNT, .max = 4294967295.0, .preset = "1", TRACED, SCENE(seed)),
+    ROW("north", VECTOR, ANY_UNIT, .preset = "[0, 1, 0]", TRACED, SCENE(north)),
+    ROW("site", MAP, .keys = &murk_site_keys, TRACED,
+        INSIDE(murk_scene_desc, site)),
+    ROW("domain", MAP, .keys = &DOMAIN_KEYS, TRACED,
         FLAG(murk_scene_desc, has_domain)),
     ROW("materials", NAMED, .keys = &murk_material_keys, .preset = "{}",
-        .lights = true),
-    ROW("geometry", LIST, .keys = &murk_geometry_keys, .preset = "[]",
-        .lights = true),
-    ROW("media", NAMED, .keys = &murk_medium_keys, .preset = "{}",
-        .lights = true),
-    ROW("regions", LIST, .keys = &murk_region_keys, .preset = "[]",
-        .lights = true),
-    ROW("lights", LIST, .keys = &murk_lightmap_keys, NEEDED, .lights = true),
-    ROW("photons", MAP, .keys = &murk_photon_keys, .preset = "{}",
-        .lights = true),
-    ROW("flight", WORD, .preset = "march", .lights = true,
-        .words = FLIGHT_WORDS, AT(murk_scene_desc, by_delta)),
-    ROW("units", WORD, .preset = "radiometric", .words = UNITS_WORDS,
-        AT(murk_scene_desc, units)),
+        TRACED),
+    ROW("geometry", LIST, .keys = &murk_geometry_keys, .preset = "[]", TRACED),
+    ROW("media", NAMED, .keys = &murk_medium_keys, .preset = "{}", TRACED),
+    ROW("regions", LIST, .keys = &murk_region_keys, .preset = "[]", TRACED),
+    ROW("lights", LIST, .keys = &murk_lightmap_keys, NEEDED, TRACED),
+    ROW("photons", MAP, .keys = &murk_photon_keys, .preset = "{}", TRACED,
+        INSIDE(murk_scene_desc, photons)),
+    ROW("flight", WORD, .preset = "march", TRACED,
+        WORDS({"march", 0}, {"delta", 1}), SCENE(by_delta)),
+    ROW("units", WORD, .preset = "radiometric", SCENE(units),
+        WORDS({"radiometric", MURK_RADIOMETRIC},
+              {"photometric", MURK_PHOTOMETRIC}, {"photons", MURK_PHOTONS},
+              {"par", MURK_PAR})),
     ROW("tallies", LIST, .keys = &murk_tally_keys, .preset = "[]"),
     ROW("sensors", MAP, .keys = &murk_sensor_keys,
-        FLAG(murk_scene_desc, sensors.given)),
+        INSIDE(murk_scene_desc, sensors), FLAG(murk_scene_desc, sensors.given)),
     ROW("conditions", NAMED, .keys = &murk_condition_keys, .preset = "{}"),
-    ROW("placement", MAP, .keys = &murk_placement_keys, .preset = "{}"),
+    ROW("placement", MAP, .keys = &murk_placement_keys, .preset = "{}",
+        INSIDE(murk_scene_desc, placement)),
     ROW("cameras", LIST, .keys = &murk_camera_keys, .preset = "[]"),
     END,
 };
@@ -135,8 +82,7 @@ static murk_status check_scene(murk_key_reader *walk, const murk_yaml *map,
     const murk_vec3 n = scene->north;
     const double length = murk_length(n);
     if (n.z != 0 || !(length > 0)) {
-        return murk_walk_fail(walk, MURK_BAD_VALUE, murk_yaml_get(map, "north"),
-                              false,
+        return murk_walk_fail(walk, murk_yaml_get(map, "north"),
                               "north: [%.9g, %.9g, %.9g] is not level, must be "
                               "[x, y, 0] and point somewhere",
                               n.x, n.y, n.z);
@@ -167,29 +113,32 @@ static const murk_key *find_path(const char *path)
     return *path ? NULL : key;
 }
 
-const char *murk_scene_word(const char *path, int value)
+static const murk_word *words_of(const char *path)
 {
     const murk_key *key = find_path(path);
     assert(key && key->words);
-    for (const murk_word *word = key->words; word->text; ++word) {
-        if (word->value == value) {
-            return word->text;
-        }
+    return key->words;
+}
+
+const char *murk_scene_word(const char *path, int value)
+{
+    const murk_word *word = words_of(path);
+    while (word->text && word->value != value) {
+        ++word;
     }
-    return NULL;
+    return word->text;
 }
 
 bool murk_scene_word_find(const char *path, const char *text, int *value)
 {
-    const murk_key *key = find_path(path);
-    assert(key && key->words);
-    for (const murk_word *word = key->words; word->text; ++word) {
-        if (strcmp(word->text, text) == 0) {
-            *value = word->value;
-            return true;
-        }
+    const murk_word *word = words_of(path);
+    while (word->text && strcmp(word->text, text) != 0) {
+        ++word;
     }
-    return false;
+    if (word->text) {
+        *value = word->value;
+    }
+    return word->text != NULL;
 }
 
 const murk_key *murk_keys_find(const murk_keys *keys, const char *name)
@@ -200,4 +149,19 @@ const murk_key *murk_keys_find(const murk_keys *keys, const char *name)
         }
     }
     return NULL;
+}
+
+murk_status murk_check_own_name(murk_key_reader *walk, const murk_yaml *map,
+                                const char *noun, const void *items,
+                                size_t size, const void *item)
+{
+    for (const char *other = items; other < (const char *)item; other += size) {
+        if (strcmp(other, item) == 0) {
+            return murk_walk_fail(
+                walk, map,
+                "name: %s is the name of an earlier %s, must be one's own",
+                (const char *)item, noun);
+        }
+    }
+    return MURK_OK;
 }

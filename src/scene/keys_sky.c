@@ -2,7 +2,6 @@
  * light, and checks of lights of the sky. */
 #include "scene/keys_rows.h"
 
-#include <stdio.h>
 #include <string.h>
 
 #include "scene/value.h"
@@ -15,9 +14,10 @@ static bool is_text(const murk_yaml *node)
 }
 
 murk_status murk_read_time(murk_key_reader *walk, const murk_key *key,
-                           murk_yaml *node, void *item)
+                           murk_yaml *node, void *member)
 {
-    murk_scene_site *site = item;
+    murk_scene_site *site = member;
+    const murk_scene_site *whole = &walk->scene->site;
     double local_s;
     bool has_zone;
     int zone_min;
@@ -25,86 +25,64 @@ murk_status murk_read_time(murk_key_reader *walk, const murk_key *key,
         !murk_time_read(node->text, &local_s, &has_zone, &zone_min)) {
         return murk_value_wrong(walk, key, node);
     }
-    if (!has_zone && !site->has_zone && !walk->scene->site.has_zone) {
-        return murk_walk_fail(walk, MURK_BAD_VALUE, node, false,
-                              "%s without its offset from UTC, must end in Z "
-                              "or in one such as +02:00 (or site.time_zone be "
-                              "given)",
-                              node->text);
+    if (!has_zone && !site->has_zone && !whole->has_zone) {
+        return murk_walk_fail(
+            walk, node,
+            "%s without its offset from UTC, must end in Z or in one such as "
+            "+02:00 (or site.time_zone be given)",
+            node->text);
     }
     if (!has_zone) {
-        zone_min = site->has_zone ? site->zone_min : walk->scene->site.zone_min;
+        zone_min = site->has_zone ? site->zone_min : whole->zone_min;
     }
     if (!site->has_zone) { /* a separate time zone also applies to clocks */
         site->zone_min = zone_min;
     }
     site->unix_s = local_s - 60.0 * zone_min;
-    site->has_time = true;
     node->is_quoted = true;
     return MURK_OK;
 }
 
-static murk_status read_zone(murk_key_reader *walk, const murk_key *key,
-                             murk_yaml *node, void *item)
+/* Reads the time zone, the date, or the time of day of a site. The flag of the
+ * row says that it is given. */
+static murk_status read_part(murk_key_reader *walk, const murk_key *key,
+                             murk_yaml *node, void *member)
 {
-    murk_scene_site *site = &((murk_scene_desc *)item)->site;
-    if (!is_text(node) || !murk_zone_read(node->text, &site->zone_min)) {
+    murk_scene_site *site = member;
+    bool is_read = is_text(node);
+    if (is_read && strcmp(key->name, "time_zone") == 0) {
+        is_read = murk_zone_read(node->text, &site->zone_min);
+    } else if (is_read && strcmp(key->name, "date") == 0) {
+        is_read = murk_date_read(node->text, &site->date);
+    } else if (is_read) {
+        is_read = murk_clock_read(node->text, &site->clock_s);
+    }
+    if (!is_read) {
         return murk_value_wrong(walk, key, node);
     }
-    site->has_zone = true;
     node->is_quoted = true;
     return MURK_OK;
-}
-
-static murk_status read_date(murk_key_reader *walk, const murk_key *key,
-                             murk_yaml *node, void *item)
-{
-    murk_scene_site *site = &((murk_scene_desc *)item)->site;
-    if (!is_text(node) || !murk_date_read(node->text, &site->date)) {
-        return murk_value_wrong(walk, key, node);
-    }
-    site->has_date = true;
-    node->is_quoted = true;
-    return MURK_OK;
-}
-
-static murk_status read_clock(murk_key_reader *walk, const murk_key *key,
-                              murk_yaml *node, void *item)
-{
-    murk_scene_site *site = &((murk_scene_desc *)item)->site;
-    if (!is_text(node) || !murk_clock_read(node->text, &site->clock_s)) {
-        return murk_value_wrong(walk, key, node);
-    }
-    site->has_clock = true;
-    node->is_quoted = true;
-    return MURK_OK;
-}
-
-static murk_status read_site_time(murk_key_reader *walk, const murk_key *key,
-                                  murk_yaml *node, void *item)
-{
-    return murk_read_time(walk, key, node, &((murk_scene_desc *)item)->site);
 }
 
 static murk_status check_site(murk_key_reader *walk, const murk_yaml *map,
                               void *item)
 {
-    murk_scene_site *site = &((murk_scene_desc *)item)->site;
+    murk_scene_site *site = item;
     if (!site->has_date && !site->has_clock) {
         return MURK_OK;
     }
     if (site->has_time) {
-        return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
-                              "has time and clock, must have time, or date, "
-                              "clock and time_zone");
+        return murk_walk_fail(
+            walk, map,
+            "has time and clock, must have time, or date, clock and time_zone");
     }
     if (!site->has_date || !site->has_clock || !site->has_zone) {
-        return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
-                              "misses %s, must have date, clock and time_zone "
-                              "together",
-                              !site->has_date    ? "date"
-                              : !site->has_clock ? "clock"
-                                                 : "time_zone");
+        return murk_walk_fail(
+            walk, map,
+            "misses %s, must have date, clock and time_zone together",
+            !site->has_date    ? "date"
+            : !site->has_clock ? "clock"
+                               : "time_zone");
     }
     site->unix_s = 86400.0 * murk_date_days(site->date) + site->clock_s -
                    60.0 * site->zone_min;
@@ -112,31 +90,29 @@ static murk_status check_site(murk_key_reader *walk, const murk_yaml *map,
     return MURK_OK;
 }
 
+#define SITE(member) AT(murk_scene_site, member)
+#define IF(member)   FLAG(murk_scene_site, member)
+
 /* Keys are read in this order, since later ones need earlier ones. A date or
  * a clock replaces a time, so that one of them may be set on the command
  * line. */
 static const murk_key SITE_ROWS[] = {
-    ROW("latitude_deg", NUMBER, LATITUDE,
-        AT(murk_scene_desc, site.latitude_deg),
-        FLAG(murk_scene_desc, site.has_latitude)),
-    ROW("longitude_deg", NUMBER, LONGITUDE,
-        AT(murk_scene_desc, site.longitude_deg),
-        FLAG(murk_scene_desc, site.has_longitude)),
-    ROW("altitude_m", NUMBER, ALTITUDE, .preset = "0",
-        AT(murk_scene_desc, site.altitude_m),
-        FLAG(murk_scene_desc, site.has_altitude)),
+    ROW("latitude_deg", NUMBER, LATITUDE, SITE(latitude_deg), IF(has_latitude)),
+    ROW("longitude_deg", NUMBER, LONGITUDE, SITE(longitude_deg),
+        IF(has_longitude)),
+    ROW("altitude_m", NUMBER, ALTITUDE, .preset = "0", SITE(altitude_m),
+        IF(has_altitude)),
     ROW("pressure_hpa", NUMBER, .min = 100, .max = 1200, .unit = "hPa",
-        AT(murk_scene_desc, site.pressure_hpa),
-        FLAG(murk_scene_desc, site.has_pressure)),
+        SITE(pressure_hpa), IF(has_pressure)),
     ROW("temperature_c", NUMBER, .min = -90, .max = 60, .unit = "C",
-        .preset = "10", AT(murk_scene_desc, site.temperature_c)),
-    ROW("time_zone", OWN, .read = read_zone,
+        .preset = "10", SITE(temperature_c)),
+    ROW("time_zone", OWN, .read = read_part, IF(has_zone),
         .allowed = "an offset from UTC, such as +02:00 or Z"),
-    ROW("time", OWN, .group = 1, .read = read_site_time,
+    ROW("time", OWN, .group = 1, .read = murk_read_time, IF(has_time),
         .allowed = MURK_TIME_ALLOWED),
-    ROW("date", OWN, .group = 1, .read = read_date,
+    ROW("date", OWN, .group = 1, .read = read_part, IF(has_date),
         .allowed = "a local date, such as 2026-06-21"),
-    ROW("clock", OWN, .read = read_clock,
+    ROW("clock", OWN, .read = read_part, IF(has_clock),
         .allowed = "a local time of day, 00:00..24:00, such as 06:30"),
     END,
 };
@@ -144,7 +120,7 @@ static const murk_key SITE_ROWS[] = {
 const murk_keys murk_site_keys = {
     .noun = "site",
     .check = check_site,
-    WHERE(murk_scene_desc, site.where),
+    WHERE(murk_scene_site, where),
     .key = SITE_ROWS,
 };
 
@@ -167,7 +143,7 @@ static murk_status read_span(murk_key_reader *walk, const murk_key *key,
         return murk_value_wrong(walk, key, node);
     }
     if (*from_s == *to_s) {
-        return murk_walk_fail(walk, MURK_BAD_VALUE, node, false,
+        return murk_walk_fail(walk, node,
                               "from %s to %s is no time, must not be equal",
                               node->child[0]->text, node->child[1]->text);
     }
@@ -176,19 +152,17 @@ static murk_status read_span(murk_key_reader *walk, const murk_key *key,
 }
 
 murk_status murk_read_schedule(murk_key_reader *walk, const murk_key *key,
-                               murk_yaml *node, void *item)
+                               murk_yaml *node, void *member)
 {
-    murk_scene_schedule *schedule = item;
+    murk_scene_schedule *schedule = member;
     /* A word. */
-    if (node->kind == MURK_YAML_SCALAR) {
-        for (const murk_word *word = SCHEDULE_WORDS; word->text; ++word) {
-            if (strcmp(node->text, word->text) == 0) {
-                node->is_quoted = false;
-                schedule->when = (murk_scene_shining)word->value;
-                return MURK_OK;
-            }
+    for (const murk_word *word = SCHEDULE_WORDS;
+         node->kind == MURK_YAML_SCALAR && word->text; ++word) {
+        if (strcmp(node->text, word->text) == 0) {
+            node->is_quoted = false;
+            schedule->when = (murk_scene_shining)word->value;
+            return MURK_OK;
         }
-        return murk_value_wrong(walk, key, node);
     }
     if (node->kind != MURK_YAML_LIST || node->n == 0 ||
         node->n > MURK_SCENE_SPANS_MAX) {
@@ -196,16 +170,13 @@ murk_status murk_read_schedule(murk_key_reader *walk, const murk_key *key,
     }
     /* A list of spans of the day. */
     schedule->when = MURK_SCENE_BY_CLOCK;
-    for (size_t i = 0; i < node->n; ++i) {
-        const murk_status status =
-            read_span(walk, key, node->child[i], &schedule->from_s[i],
-                      &schedule->to_s[i]);
-        if (status) {
-            return status;
-        }
-    }
     schedule->spans = node->n;
-    return MURK_OK;
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < node->n && !status; ++i) {
+        status = read_span(walk, key, node->child[i], &schedule->from_s[i],
+                           &schedule->to_s[i]);
+    }
+    return status;
 }
 
 /* ---- portals ---- */
@@ -228,9 +199,7 @@ const murk_keys murk_portal_keys = {
     .noun = "portal",
     .check = check_portal,
     WHERE(murk_scene_portal, where),
-    .item_size = sizeof(murk_scene_portal),
-    .array_at = offsetof(murk_scene_light, portal),
-    .count_at = offsetof(murk_scene_light, portals),
+    ITEMS(murk_scene_light, portal, portals),
     .max_items = 256,
     .key = PORTAL_ROWS,
 };
@@ -270,8 +239,8 @@ static murk_status check_place_and_time(murk_key_reader *walk,
                           : !site->has_time      ? "time"
                                                  : NULL;
     return missing
-               ? murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
-                                "misses %s, must be here or in site", missing)
+               ? murk_walk_fail(walk, map, "misses %s, must be here or in site",
+                                missing)
                : MURK_OK;
 }
 
@@ -293,10 +262,10 @@ static murk_status check_irradiance(murk_key_reader *walk, const murk_yaml *map,
         (node && walk->scene->bands == 1)) {
         return MURK_OK;
     }
-    return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
-                          "needs bands with edges (band_edges_nm) to spread "
-                          "its spectrum over, or irradiance_w_per_m2 for each "
-                          "line");
+    return murk_walk_fail(
+        walk, map,
+        "needs bands with edges (band_edges_nm) to spread its spectrum over, "
+        "or irradiance_w_per_m2 for each line");
 }
 
 murk_status murk_check_sky(murk_key_reader *walk, const murk_yaml *map,

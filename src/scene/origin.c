@@ -30,16 +30,21 @@ static murk_box with_placed(murk_box box, const murk_affine *placed,
     return box;
 }
 
+static murk_box with_sphere(murk_box box, const murk_scene_solid *s)
+{
+    const murk_affine placed = murk_scene_placed(s);
+    return with_ball(box, murk_affine_point(&placed, s->center),
+                     s->radius_m * s->scale);
+}
+
 static murk_box with_geometry(murk_box box, const murk_scene_geometry *g)
 {
-    const murk_affine placed =
-        murk_affine_place(g->rotate_deg, g->scale, g->translate_m);
+    const murk_affine placed = murk_scene_placed(&g->solid);
     switch (g->shape) {
     case MURK_SHAPE_BOX:
-        return with_placed(box, &placed, &g->box);
+        return with_placed(box, &placed, &g->solid.box);
     case MURK_SHAPE_SPHERE:
-        return with_ball(box, murk_affine_point(&placed, g->center),
-                         g->radius_m * g->scale);
+        return with_sphere(box, &g->solid);
     case MURK_SHAPE_RECT: {
         const murk_vec3 a = murk_add(g->corner, g->edge1),
                         b = murk_add(a, g->edge2);
@@ -55,15 +60,11 @@ static murk_box with_geometry(murk_box box, const murk_scene_geometry *g)
 
 static murk_box with_region(murk_box box, const murk_scene_region *r)
 {
-    const murk_affine placed =
-        murk_affine_place(r->rotate_deg, r->scale, r->translate_m);
-    if (r->shape == MURK_REGION_BOX) {
-        return with_placed(box, &placed, &r->box);
-    }
-    return r->shape == MURK_REGION_SPHERE
-               ? with_ball(box, murk_affine_point(&placed, r->center),
-                           r->radius_m * r->scale)
-               : box;
+    const murk_affine placed = murk_scene_placed(&r->solid);
+    return r->shape == MURK_REGION_BOX
+               ? with_placed(box, &placed, &r->solid.box)
+           : r->shape == MURK_REGION_SPHERE ? with_sphere(box, &r->solid)
+                                            : box;
 }
 
 static murk_box stated(const murk_scene_desc *s)
@@ -147,18 +148,16 @@ static double held_by(double own, double origin)
     return fabs(own - origin) < fabs(own) ? origin : 0;
 }
 
-/* Moves a shape with rotation, scale and translation. Changes the
- * translation, and returns the vector that the caller subtracts from the
- * shape's own coordinates, of which `at` is one point. Without rotation and
- * scale, the origin is taken out of the shape's own coordinates, so that
- * they are small, too. has_layers: a profile is moved in z in any case.
- * is_file: the shape's own coordinates are in a file and do not change. */
-static murk_vec3 move_placed(murk_vec3 rotate_deg, double scale,
-                             murk_vec3 *translate_m, murk_vec3 at,
-                             murk_vec3 origin, bool is_file, bool has_layers)
+/* Moves a solid. Changes the translation, and returns the vector that has been
+ * subtracted from the coordinates of the solid itself, of which `at` is one
+ * point. Without rotation and scale, the origin is taken out of these
+ * coordinates, so that they are small, too. has_layers: a profile is moved in
+ * z in any case. is_file: the coordinates are in a file and do not change. */
+static murk_vec3 move_solid(murk_scene_solid *s, murk_vec3 at, murk_vec3 origin,
+                            bool is_file, bool has_layers)
 {
-    const bool is_plain = rotate_deg.x == 0 && rotate_deg.y == 0 &&
-                          rotate_deg.z == 0 && scale == 1;
+    const bool is_plain = s->rotate_deg.x == 0 && s->rotate_deg.y == 0 &&
+                          s->rotate_deg.z == 0 && s->scale == 1;
     murk_vec3 own = {0, 0, 0};
     if (is_plain && !is_file) {
         own = murk_vec(held_by(at.x, origin.x), held_by(at.y, origin.y),
@@ -169,23 +168,21 @@ static murk_vec3 move_placed(murk_vec3 rotate_deg, double scale,
     }
     /* p = M q + t, q = q' + own: p - origin = M q' + (t + M own - origin) */
     const murk_vec3 none = {0, 0, 0};
-    const murk_affine turn = murk_affine_place(rotate_deg, scale, none);
+    const murk_affine turn = murk_affine_place(s->rotate_deg, s->scale, none);
     const murk_vec3 back = is_plain ? own : murk_affine_direction(&turn, own);
-    *translate_m = murk_add(*translate_m, murk_sub(back, origin));
+    s->translate_m = murk_add(s->translate_m, murk_sub(back, origin));
+    move_box(&s->box, own);
+    move(&s->center, own);
     return own;
 }
 
 static void move_geometry(murk_scene_geometry *g, murk_vec3 origin)
 {
-    const murk_vec3 at = g->shape == MURK_SHAPE_BOX    ? g->box.min
+    const murk_vec3 at = g->shape == MURK_SHAPE_BOX    ? g->solid.box.min
                          : g->shape == MURK_SHAPE_RECT ? g->corner
-                                                       : g->center;
-    const murk_vec3 own =
-        move_placed(g->rotate_deg, g->scale, &g->translate_m, at, origin,
-                    g->shape == MURK_SHAPE_MESH, false);
-    move_box(&g->box, own);
-    move(&g->corner, own);
-    move(&g->center, own);
+                                                       : g->solid.center;
+    move(&g->corner,
+         move_solid(&g->solid, at, origin, g->shape == MURK_SHAPE_MESH, false));
 }
 
 static void move_region(murk_scene_region *r, const murk_scene_medium *medium,
@@ -194,23 +191,28 @@ static void move_region(murk_scene_region *r, const murk_scene_medium *medium,
     const bool is_file = r->shape == MURK_REGION_GRID ||
                          r->shape == MURK_REGION_MESH || medium->vdb ||
                          medium->albedo_vdb;
-    const murk_vec3 at = r->shape == MURK_REGION_BOX ? r->box.min : r->center;
-    const murk_vec3 own =
-        move_placed(r->rotate_deg, r->scale, &r->translate_m, at, origin,
-                    is_file, medium->profile_z_m.n > 0);
-    move_box(&r->box, own);
-    move(&r->center, own);
+    move_solid(&r->solid,
+               r->shape == MURK_REGION_BOX ? r->solid.box.min : r->solid.center,
+               origin, is_file, medium->profile_z_m.n > 0);
     r->below_z_m -= origin.z;
 }
 
-static void move_zone(murk_scene_site_zone *z, murk_vec3 origin)
+static void move_zones(murk_scene_site_zone *zone, size_t n, murk_vec3 origin)
 {
-    const murk_vec3 at = z->shape == MURK_REGION_BOX ? z->box.min : z->center;
-    const murk_vec3 own =
-        move_placed(z->rotate_deg, z->scale, &z->translate_m, at, origin,
-                    z->shape == MURK_REGION_MESH, false);
-    move_box(&z->box, own);
-    move(&z->center, own);
+    for (size_t i = 0; i < n; ++i) {
+        murk_scene_solid *s = &zone[i].solid;
+        move_solid(s, zone[i].shape == MURK_REGION_BOX ? s->box.min : s->center,
+                   origin, zone[i].shape == MURK_REGION_MESH, false);
+    }
+}
+
+/* Moves a box, sphere or mesh in world coordinates, as of interest and of
+ * targets: only meshes have a translation. */
+static void move_in_world(murk_scene_solid *s, murk_vec3 origin)
+{
+    move_box(&s->box, origin);
+    move(&s->center, origin);
+    move(&s->translate_m, origin);
 }
 
 static void move_sensors(murk_scene_sensors *s, murk_vec3 origin)
@@ -228,27 +230,17 @@ static void move_sensors(murk_scene_sensors *s, murk_vec3 origin)
         c->mount[i].band_m[0] -= origin.z;
         c->mount[i].band_m[1] -= origin.z;
     }
-    for (size_t i = 0; i < c->avoids; ++i) {
-        move_zone(&c->avoid[i], origin);
-    }
-    for (size_t i = 0; i < c->withins; ++i) {
-        move_zone(&c->within[i], origin);
-    }
+    move_zones(c->avoid, c->avoids, origin);
+    move_zones(c->within, c->withins, origin);
 }
 
-/* Boxes and spheres of interest and of targets are in world coordinates;
- * only meshes have a translation. */
 static void move_placement(murk_scene_placement *p, murk_vec3 origin)
 {
     move(&p->start, origin);
     for (size_t i = 0; i < p->n_interests; ++i) {
-        move_box(&p->interest[i].box, origin);
-        move(&p->interest[i].center, origin);
-        move(&p->interest[i].translate_m, origin);
+        move_in_world(&p->interest[i].solid, origin);
     }
-    move_box(&p->targets.box, origin);
-    move(&p->targets.center, origin);
-    move(&p->targets.translate_m, origin);
+    move_in_world(&p->targets.solid, origin);
 }
 
 static void move_lights(murk_scene_desc *s, murk_vec3 origin)

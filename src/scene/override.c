@@ -338,6 +338,12 @@ static murk_status descend(const option_context *option, murk_yaml *root,
     }
 }
 
+bool murk_override_overlap(const char *a, const char *b)
+{
+    const size_t n = strlen(a), m = strlen(b), min = n < m ? n : m;
+    return strncmp(a, b, min) == 0 && (n == m || (n < m ? b : a)[min] == '.');
+}
+
 char *murk_override_source(const murk_override *override)
 {
     const char *prefix = override->option ? "" : "--set ";

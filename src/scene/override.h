@@ -21,6 +21,9 @@ murk_status murk_override_put(murk_yaml *root, const char *path,
                               murk_yaml *const *own, size_t n_own,
                               murk_error *err);
 
+/* True if the paths are equal or one lies within the other. */
+bool murk_override_overlap(const char *a, const char *b);
+
 /* The option as messages show it: override->option, or "--set KEY=VALUE".
  * NULL when out of memory; the caller frees it with free(). */
 char *murk_override_source(const murk_override *override);

@@ -33,19 +33,32 @@
 typedef char murk_scene_name[MURK_SCENE_NAME_SIZE];
 typedef char murk_scene_where[MURK_SCENE_WHERE_SIZE];
 
+/* A box, a sphere or a mesh, and how it is placed: scaled, then rotated, then
+ * moved. */
+typedef struct murk_scene_solid {
+    murk_box box;
+    murk_vec3 center; /* of the sphere */
+    double radius_m;
+    char *mesh;    /* path from the working folder; NULL for the other shapes */
+    double unit_m; /* 0: the unit that the file states */
+    char up;       /* 'x' 'y' 'z'; 0: the up axis that the file states */
+    murk_vec3 rotate_deg, translate_m;
+    double scale;
+} murk_scene_solid;
+
+/* The map from the coordinates of the solid to those of the scene. */
+static inline murk_affine murk_scene_placed(const murk_scene_solid *s)
+{
+    return murk_affine_place(s->rotate_deg, s->scale, s->translate_m);
+}
+
 typedef struct murk_scene_geometry {
     murk_scene_where where;
     murk_shape shape;
-    char *file;  /* path from the working folder; NULL for the other shapes */
-    char *allow; /* a further folder in which `file` may open other files; NULL:
-                    only the folder of `file` */
-    double unit_m; /* 0: the unit that the file states */
-    char up;       /* 'x' 'y' 'z'; 0: the up axis that the file states */
-    murk_box box;
-    murk_vec3 corner, edge1, edge2, center;
-    double radius_m;
-    murk_vec3 rotate_deg, translate_m;
-    double scale;
+    murk_scene_solid solid;
+    char *allow; /* a further folder in which the file of the mesh may open
+                    other files; NULL: only the folder of that file */
+    murk_vec3 corner, edge1, edge2; /* of a rectangle */
     int material; /* index into materials; -1: by the names in the mesh file */
 } murk_scene_geometry;
 
@@ -110,15 +123,8 @@ typedef struct murk_scene_region {
     murk_scene_where where;
     size_t medium; /* index */
     murk_region_shape shape;
-    murk_box box;
-    murk_vec3 center;
-    double radius_m;
-    murk_vec3 rotate_deg, translate_m;
-    double scale;
+    murk_scene_solid solid;
     double below_z_m;
-    char *mesh;    /* path from the working folder; NULL for the other shapes */
-    double unit_m; /* of the mesh, as in murk_scene_geometry */
-    char up;
     bool replaces;
     double ior;          /* 0: none */
     double wind_m_per_s; /* over a half space; 0: a flat surface */
@@ -255,14 +261,7 @@ typedef struct murk_scene_site_zone { /* a zone in which sensors may or may not
                                          be */
     murk_scene_where where;
     murk_region_shape shape;
-    murk_box box;
-    murk_vec3 center;
-    double radius_m;
-    char *mesh;    /* path from the working folder; NULL for the other shapes */
-    double unit_m; /* mesh: as of geometry */
-    char up;
-    murk_vec3 rotate_deg, translate_m;
-    double scale;
+    murk_scene_solid solid;
 } murk_scene_site_zone;
 
 typedef struct murk_scene_points {
@@ -352,14 +351,7 @@ typedef struct murk_scene_interest { /* a region of interest */
     murk_scene_where where;
     double weight;
     murk_region_shape shape;
-    murk_box box;
-    murk_vec3 center;
-    double radius_m;
-    char *mesh;    /* path from the working folder; NULL for the other shapes */
-    double unit_m; /* mesh: as of geometry */
-    char up;
-    murk_vec3 rotate_deg, translate_m;
-    double scale;
+    murk_scene_solid solid;
     int material, medium; /* index; -1: any */
 } murk_scene_interest;
 
@@ -375,14 +367,7 @@ typedef struct murk_scene_targets {
     bool has_volume;
     murk_scene_where volume_where;
     murk_region_shape shape; /* none: all of the domain */
-    murk_box box;
-    murk_vec3 center;
-    double radius_m;
-    char *mesh; /* path from the working folder; NULL for the other shapes */
-    double unit_m;
-    char up;
-    murk_vec3 rotate_deg, translate_m;
-    double scale;
+    murk_scene_solid solid;
     int medium;             /* only inside this medium; -1: anywhere */
     uint64_t volume_points; /* 0: by the spacing */
     double volume_spacing_m;

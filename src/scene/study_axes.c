@@ -3,6 +3,7 @@
  * and counts the rows. */
 #include "scene/study_axes.h"
 
+#include "scene/override.h"
 #include "scene/print.h"
 #include "scene/study_range.h"
 #include "scene/value.h"
@@ -218,13 +219,6 @@ static murk_status read_axis(murk_study_axis *axis, const char *name,
     return status;
 }
 
-/* True if the paths are equal or one lies within the other. */
-static bool overlap(const char *a, const char *b)
-{
-    const size_t n = strlen(a), m = strlen(b), min = n < m ? n : m;
-    return strncmp(a, b, min) == 0 && (n == m || (n < m ? b : a)[min] == '.');
-}
-
 /* A path that the axis sets and that overlaps `path`; NULL if there is none. */
 static const char *sets(const murk_study_axis *axis, const char *path)
 {
@@ -232,11 +226,11 @@ static const char *sets(const murk_study_axis *axis, const char *path)
         return NULL;
     }
     if (axis->kind != MURK_STUDY_AXIS_NAMED) {
-        return overlap(axis->path, path) ? axis->path : NULL;
+        return murk_override_overlap(axis->path, path) ? axis->path : NULL;
     }
     for (size_t i = 0; i < axis->n; ++i) {
         for (size_t k = 0; k < axis->value[i]->n; ++k) {
-            if (overlap(axis->value[i]->key[k], path)) {
+            if (murk_override_overlap(axis->value[i]->key[k], path)) {
                 return axis->value[i]->key[k];
             }
         }
@@ -281,7 +275,7 @@ static murk_status check_disjoint(const murk_study_file *study, size_t a,
         for (size_t k = 0; k < map->n && !status; ++k) {
             status = check_path(study, a, map->key[k], err);
             for (size_t j = 0; j < k && !status; ++j) {
-                if (overlap(map->key[j], map->key[k])) {
+                if (murk_override_overlap(map->key[j], map->key[k])) {
                     status = murk_fail(err, MURK_BAD_VALUE, axis->where,
                                        "%s sets %s and %s, of which one lies "
                                        "within the other",

@@ -3,13 +3,17 @@
  * is also rewritten in the tree in canonical form (scene/print.h). */
 #include "scene/value.h"
 
+#include <assert.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/file.h"
 #include "base/number.h"
-#include "scene/words.h"
+
+/* Lists of numbers are read into members of other types of the same form. */
+_Static_assert(sizeof(size_t) == sizeof(uint64_t), "sizes are counts");
+_Static_assert(sizeof(murk_vec3) == 3 * sizeof(double), "a vector is a list");
 
 murk_status murk_value_wrong(murk_key_reader *walk, const murk_key *key,
                              const murk_yaml *node)
@@ -17,127 +21,119 @@ murk_status murk_value_wrong(murk_key_reader *walk, const murk_key *key,
     char found[MURK_FOUND_SIZE], allowed[MURK_ALLOWED_SIZE];
     murk_value_found(node, found);
     murk_value_allowed(key, allowed);
-    return murk_walk_fail(walk, MURK_BAD_VALUE, node, false, "%s, must be %s",
-                          found, allowed);
+    return murk_walk_fail(walk, node, "%s, must be %s", found, allowed);
 }
 
 /* ---- one number ---- */
 
-static bool is_within(const murk_key *key, double value)
+static murk_status check_range(murk_key_reader *walk, const murk_key *key,
+                               const murk_yaml *node, double value)
 {
-    if (key->min == 0 && key->max == 0) {
-        return true;
+    const bool is_any = key->min == 0 && key->max == 0;
+    if (is_any || ((key->above ? value > key->min : value >= key->min) &&
+                   (key->below ? value < key->max : value <= key->max))) {
+        return MURK_OK;
     }
-    return (key->above ? value > key->min : value >= key->min) &&
-           (key->below ? value < key->max : value <= key->max);
-}
-
-static murk_status out_of_range(murk_key_reader *walk, const murk_key *key,
-                                const murk_yaml *node)
-{
     char found[MURK_FOUND_SIZE], range[MURK_ALLOWED_SIZE];
     murk_value_found(node, found);
     murk_value_range(key, range, sizeof range);
-    return murk_walk_fail(walk, MURK_BAD_VALUE, node, false, "%s, must be %s",
-                          found, range);
+    return murk_walk_fail(walk, node, "%s, must be %s", found, range);
+}
+
+static murk_status set_text(murk_key_reader *walk, murk_yaml *node,
+                            const char *text)
+{
+    return murk_yaml_set_text(node, text) ? MURK_OK : murk_walk_no_memory(walk);
 }
 
 static murk_status read_number(murk_key_reader *walk, const murk_key *key,
-                               murk_yaml *node, double *out)
+                               murk_yaml *node, void *member)
 {
     double value;
     if (!murk_yaml_number(node, &value)) {
-        murk_key one = *key; /* an item of a list is a number, too */
-        one.kind = MURK_KEY_NUMBER;
-        return murk_value_wrong(walk, &one, node);
+        return murk_value_wrong(walk, key, node);
     }
-    if (!is_within(key, value)) {
-        return out_of_range(walk, key, node);
+    const murk_status status = check_range(walk, key, node, value);
+    if (status) {
+        return status;
+    }
+    if (key->size) {
+        *(double *)member = value * (key->factor != 0 ? key->factor : 1);
     }
     char text[MURK_NUMBER_SIZE];
     murk_number_print(text, value);
-    if (!murk_yaml_set_text(node, text)) {
-        return murk_walk_no_memory(walk);
-    }
-    *out = value;
-    return MURK_OK;
+    return set_text(walk, node, text);
 }
 
 static murk_status read_count(murk_key_reader *walk, const murk_key *key,
-                              murk_yaml *node, uint64_t *out)
+                              murk_yaml *node, void *member)
 {
-    uint64_t value;
+    uint64_t value = 0;
     double number;
-    if (!murk_yaml_count(node, &value)) {
-        if (murk_yaml_number(node, &number) && !is_within(key, number)) {
-            return out_of_range(walk, key, node);
-        }
-        murk_key one = *key;
-        one.kind = MURK_KEY_COUNT;
-        return murk_value_wrong(walk, &one, node);
+    /* A number that is no count is refused by the range first. */
+    const bool is_count = murk_yaml_count(node, &value);
+    murk_status status = MURK_OK;
+    if (is_count || murk_yaml_number(node, &number)) {
+        status =
+            check_range(walk, key, node, is_count ? (double)value : number);
     }
-    if (!is_within(key, (double)value)) {
-        return out_of_range(walk, key, node);
+    if (!status && !is_count) {
+        status = murk_value_wrong(walk, key, node);
+    }
+    if (status) {
+        return status;
+    }
+    if (key->size == sizeof(uint32_t)) {
+        *(uint32_t *)member = (uint32_t)value;
+    } else if (key->size == sizeof value) {
+        *(uint64_t *)member = value;
     }
     char text[MURK_NUMBER_SIZE];
     snprintf(text, sizeof text, "%llu", (unsigned long long)value);
-    if (!murk_yaml_set_text(node, text)) {
-        return murk_walk_no_memory(walk);
-    }
-    *out = value;
-    return MURK_OK;
+    return set_text(walk, node, text);
+}
+
+static murk_status read_bool(murk_key_reader *walk, const murk_key *key,
+                             murk_yaml *node, void *member)
+{
+    return murk_yaml_bool(node, member) ? MURK_OK
+                                        : murk_value_wrong(walk, key, node);
 }
 
 /* ---- lists of fixed length ---- */
 
-typedef murk_status (*item_reader)(murk_key_reader *walk, const murk_key *key,
-                                   murk_yaml *node, size_t index, void *out);
-
-static murk_status number_item(murk_key_reader *walk, const murk_key *key,
-                               murk_yaml *node, size_t index, void *out)
-{
-    return read_number(walk, key, node, (double *)out + index);
-}
-
-static murk_status count_item(murk_key_reader *walk, const murk_key *key,
-                              murk_yaml *node, size_t index, void *out)
-{
-    uint64_t value = 0;
-    const murk_status status = read_count(walk, key, node, &value);
-    ((size_t *)out)[index] = (size_t)value;
-    return status;
-}
-
+/* Reads each value of a list into an array of `size` bytes per item. The items
+ * are of one kind; they have rows of their own, or that of the list. */
 static murk_status read_items(murk_key_reader *walk, const murk_key *key,
-                              murk_yaml *list, item_reader read, void *out)
+                              murk_yaml *list, murk_key_kind kind, size_t size,
+                              void *items)
 {
-    for (size_t i = 0; i < list->n; ++i) {
-        char number[24];
-        snprintf(number, sizeof number, "%zu", i);
-        const size_t back = murk_walk_enter(walk, number);
-        const murk_status status = read(walk, key, list->child[i], i, out);
-        murk_walk_leave(walk, back);
-        if (status) {
-            return status;
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < list->n && !status; ++i) {
+        murk_key one = key->items ? key->items[i] : *key;
+        one.kind = kind;
+        one.words = NULL;
+        one.at = 0;
+        one.size = size;
+        const size_t back = murk_walk_enter_item(walk, i);
+        status = murk_value_read(walk, &one, list->child[i],
+                                 (char *)items + i * size);
+        if (!status) {
+            murk_walk_leave(walk, back);
         }
     }
-    return MURK_OK;
-}
-
-static murk_status read_vector(murk_key_reader *walk, const murk_key *key,
-                               murk_yaml *node, murk_vec3 *out)
-{
-    double v[3] = {0};
-    if (node->kind != MURK_YAML_LIST || node->n != 3) {
-        return murk_value_wrong(walk, key, node);
-    }
-    const murk_status status = read_items(walk, key, node, number_item, v);
-    *out = murk_vec(v[0], v[1], v[2]);
     return status;
 }
 
-static size_t items_of(const murk_key *key)
+/* The number of values of a row of fixed length. */
+static size_t length_of(const murk_key *key)
 {
+    if (key->kind == MURK_KEY_VECTOR) {
+        return 3;
+    }
+    if (key->kind == MURK_KEY_SIZES) {
+        return key->size / sizeof(size_t);
+    }
     size_t n = 0;
     while (key->items[n].name) {
         ++n;
@@ -145,37 +141,35 @@ static size_t items_of(const murk_key *key)
     return n;
 }
 
-static murk_status numbers_item(murk_key_reader *walk, const murk_key *key,
-                                murk_yaml *node, size_t index, void *out)
+static murk_status read_array(murk_key_reader *walk, const murk_key *key,
+                              murk_yaml *node, void *member)
 {
-    return read_number(walk, &key->items[index], node, (double *)out + index);
-}
-
-static murk_status read_numbers(murk_key_reader *walk, const murk_key *key,
-                                murk_yaml *node, double *out)
-{
-    if (node->kind != MURK_YAML_LIST || node->n != items_of(key)) {
-        return murk_value_wrong(walk, key, node);
-    }
-    return read_items(walk, key, node, numbers_item, out);
+    const bool are_counts = key->kind == MURK_KEY_SIZES;
+    return node->kind == MURK_YAML_LIST && node->n == length_of(key)
+               ? read_items(walk, key, node,
+                            are_counts ? MURK_KEY_COUNT : MURK_KEY_NUMBER,
+                            sizeof(double), member)
+               : murk_value_wrong(walk, key, node);
 }
 
 static murk_status read_bands(murk_key_reader *walk, const murk_key *key,
-                              murk_yaml *node, double *out)
+                              murk_yaml *node, void *member)
 {
+    double *const out = member;
     const bool are_edges = key->kind == MURK_KEY_BAND_EDGES;
     if (node->kind != MURK_YAML_LIST || node->n < (are_edges ? 2 : 1) ||
         node->n > MURK_BANDS_MAX + (are_edges ? 1 : 0)) {
         return murk_value_wrong(walk, key, node);
     }
     /* Wavelengths must rise. */
-    const murk_status status = read_items(walk, key, node, number_item, out);
+    const murk_status status =
+        read_items(walk, key, node, MURK_KEY_NUMBER, sizeof *out, out);
     if (status) {
         return status;
     }
     for (size_t i = 1; i < node->n; ++i) {
         if (!(out[i] > out[i - 1])) {
-            return murk_walk_fail(walk, MURK_BAD_VALUE, node->child[i], false,
+            return murk_walk_fail(walk, node->child[i],
                                   "%.9g after %.9g, must rise, nm", out[i],
                                   out[i - 1]);
         }
@@ -207,87 +201,64 @@ static void join_equal(murk_yaml *list)
 }
 
 static murk_status read_spectrum(murk_key_reader *walk, const murk_key *key,
-                                 murk_yaml *node, murk_spectrum *out)
+                                 murk_yaml *node, void *member)
 {
+    murk_spectrum *out = member;
     const int bands = walk->scene->bands;
-    /* One value for each band. */
-    if (node->kind == MURK_YAML_LIST) {
-        if (node->n != (size_t)bands) {
-            return murk_walk_fail(walk, MURK_BAD_VALUE, node, false,
-                                  "a list of %zu, must be one number or a list "
-                                  "of %d, one a band",
-                                  node->n, bands);
-        }
-        const murk_status status =
-            read_items(walk, key, node, number_item, out->band);
-        if (!status && (key->kind == MURK_KEY_SPECTRUM || bands == 1)) {
-            join_equal(node);
-        }
+    murk_status status = MURK_OK;
+    /* One value for all bands, or a total that is spread over the bands. */
+    if (node->kind != MURK_YAML_LIST) {
+        double value = 0;
+        status = read_number(walk, key, node, &value);
+        *out = murk_spectrum_flat(
+            key->kind == MURK_KEY_SHARED ? value / bands : value, bands);
         return status;
     }
-    /* One value for all bands, or a total that is spread over the bands. */
-    double value = 0;
-    if (!murk_yaml_number(node, &value)) {
-        return murk_value_wrong(walk, key, node);
+    /* One value for each band. */
+    if (node->n != (size_t)bands) {
+        return murk_walk_fail(
+            walk, node,
+            "a list of %zu, must be one number or a list of %d, one a band",
+            node->n, bands);
     }
-    const murk_status status = read_number(walk, key, node, &value);
-    *out = murk_spectrum_flat(
-        key->kind == MURK_KEY_SHARED ? value / bands : value, bands);
+    status =
+        read_items(walk, key, node, MURK_KEY_NUMBER, sizeof(double), out->band);
+    if (!status && (key->kind == MURK_KEY_SPECTRUM || bands == 1)) {
+        join_equal(node);
+    }
     return status;
 }
 
 /* ---- lists of any length ---- */
 
-static murk_status spectrum_item(murk_key_reader *walk, const murk_key *key,
-                                 murk_yaml *node, size_t index, void *out)
+/* Reads a list into a member of the form of murk_scene_numbers, with items of
+ * any type. */
+static murk_status read_list(murk_key_reader *walk, const murk_key *key,
+                             murk_yaml *node, void *member)
 {
-    murk_key one = *key;
-    one.kind = MURK_KEY_SPECTRUM;
-    return read_spectrum(walk, &one, node, (murk_spectrum *)out + index);
-}
-
-static murk_status check_length(murk_key_reader *walk, const murk_key *key,
-                                const murk_yaml *node)
-{
+    const murk_key_kind kind =
+        key->kind == MURK_KEY_REFERENCES      ? MURK_KEY_REFERENCE
+        : key->kind == MURK_KEY_SPECTRUM_LIST ? MURK_KEY_SPECTRUM
+                                              : MURK_KEY_NUMBER;
+    const size_t size = kind == MURK_KEY_REFERENCE  ? sizeof(size_t)
+                        : kind == MURK_KEY_SPECTRUM ? sizeof(murk_spectrum)
+                                                    : sizeof(double);
     if (node->kind != MURK_YAML_LIST || node->n == 0) {
         return murk_value_wrong(walk, key, node);
     }
-    return node->n <= MURK_SCENE_LIST_MAX
-               ? MURK_OK
-               : murk_walk_fail(walk, MURK_BAD_VALUE, node, false,
-                                "a list of %zu, must be at most %d", node->n,
-                                MURK_SCENE_LIST_MAX);
-}
-
-static murk_status read_number_list(murk_key_reader *walk, const murk_key *key,
-                                    murk_yaml *node, murk_scene_numbers *out)
-{
-    const murk_status status = check_length(walk, key, node);
-    if (status) {
-        return status;
+    if (node->n > MURK_SCENE_LIST_MAX) {
+        return murk_walk_fail(walk, node, "a list of %zu, must be at most %d",
+                              node->n, MURK_SCENE_LIST_MAX);
     }
-    out->value = calloc(node->n, sizeof *out->value);
-    if (!out->value) {
+    /* The scene owns the array, even if reading fails. */
+    void *items = calloc(node->n, size);
+    if (!items) {
         return murk_walk_no_memory(walk);
     }
-    out->n = node->n;
-    return read_items(walk, key, node, number_item, out->value);
-}
-
-static murk_status read_spectrum_list(murk_key_reader *walk,
-                                      const murk_key *key, murk_yaml *node,
-                                      murk_scene_spectra *out)
-{
-    const murk_status status = check_length(walk, key, node);
-    if (status) {
-        return status;
-    }
-    out->value = calloc(node->n, sizeof *out->value);
-    if (!out->value) {
-        return murk_walk_no_memory(walk);
-    }
-    out->n = node->n;
-    return read_items(walk, key, node, spectrum_item, out->value);
+    memcpy(member, &node->n, sizeof node->n);
+    memcpy((char *)member + offsetof(murk_scene_numbers, value), &items,
+           sizeof items);
+    return read_items(walk, key, node, kind, size, items);
 }
 
 /* ---- texts ---- */
@@ -305,9 +276,9 @@ static murk_status read_text(murk_key_reader *walk, const murk_key *key,
         memcpy(member, node->text, strlen(node->text) + 1);
         return MURK_OK;
     }
-    char **out = member;
-    *out = strdup(node->text);
-    return *out ? MURK_OK : murk_walk_no_memory(walk);
+    char *copy = strdup(node->text);
+    *(char **)member = copy;
+    return copy ? MURK_OK : murk_walk_no_memory(walk);
 }
 
 char *murk_value_opened(const murk_yaml *node, const murk_yaml *root,
@@ -322,7 +293,7 @@ char *murk_value_opened(const murk_yaml *node, const murk_yaml *root,
 }
 
 static murk_status read_path(murk_key_reader *walk, const murk_key *key,
-                             murk_yaml *node, char **out)
+                             murk_yaml *node, void *member)
 {
     if (node->kind != MURK_YAML_SCALAR || node->text[0] == '\0' ||
         murk_yaml_is_null(node)) {
@@ -336,8 +307,9 @@ static murk_status read_path(murk_key_reader *walk, const murk_key *key,
     }
     walk->paths = paths;
     walk->paths[walk->n_paths++] = node;
-    *out = murk_value_opened(node, walk->root, walk->scene->path);
-    return *out ? MURK_OK : murk_walk_no_memory(walk);
+    char *path = murk_value_opened(node, walk->root, walk->scene->path);
+    *(char **)member = path;
+    return path ? MURK_OK : murk_walk_no_memory(walk);
 }
 
 murk_status murk_value_word(murk_key_reader *walk, const murk_key *key,
@@ -357,7 +329,7 @@ murk_status murk_value_word(murk_key_reader *walk, const murk_key *key,
     return murk_value_wrong(walk, key, node);
 }
 
-/* ---- storing, and all kinds ---- */
+/* ---- all kinds ---- */
 
 void murk_value_store(void *item, size_t at, size_t size, int value)
 {
@@ -369,86 +341,36 @@ void murk_value_store(void *item, size_t at, size_t size, int value)
     }
 }
 
-static void store_count(void *member, size_t size, uint64_t value)
-{
-    if (size == sizeof(uint32_t)) {
-        *(uint32_t *)member = (uint32_t)value;
-    } else if (size == sizeof value) {
-        *(uint64_t *)member = value;
-    }
-}
-
 murk_status murk_value_read(murk_key_reader *walk, const murk_key *key,
                             murk_yaml *node, void *item)
 {
+    typedef murk_status reader(murk_key_reader *, const murk_key *, murk_yaml *,
+                               void *member);
+    static reader *const readers[] = {
+        [MURK_KEY_NUMBER] = read_number,
+        [MURK_KEY_COUNT] = read_count,
+        [MURK_KEY_BOOL] = read_bool,
+        [MURK_KEY_TEXT] = read_text,
+        [MURK_KEY_PATH] = read_path,
+        [MURK_KEY_REFERENCE] = murk_value_reference,
+        [MURK_KEY_REFERENCES] = read_list,
+        [MURK_KEY_VECTOR] = read_array,
+        [MURK_KEY_SIZES] = read_array,
+        [MURK_KEY_NUMBERS] = read_array,
+        [MURK_KEY_BANDS] = read_bands,
+        [MURK_KEY_BAND_EDGES] = read_bands,
+        [MURK_KEY_NUMBER_LIST] = read_list,
+        [MURK_KEY_SPECTRUM_LIST] = read_list,
+        [MURK_KEY_SPECTRUM] = read_spectrum,
+        [MURK_KEY_SHARED] = read_spectrum,
+    };
     void *const member = (char *)item + key->at;
-    murk_status status = MURK_OK;
-    double number = 0;
-    uint64_t count = 0;
-    int word = 0;
-    bool fact = false;
-    /* Read the value by kind and store it in the member. */
-    switch (key->kind) {
-    case MURK_KEY_NUMBER:
-        status = read_number(walk, key, node, &number);
-        if (!status && key->size) {
-            *(double *)member = number * (key->factor != 0 ? key->factor : 1);
-        }
-        return status;
-    case MURK_KEY_COUNT:
-        status = read_count(walk, key, node, &count);
-        if (!status) {
-            store_count(member, key->size, count);
-        }
-        return status;
-    case MURK_KEY_BOOL:
-        if (!murk_yaml_bool(node, &fact)) {
-            return murk_value_wrong(walk, key, node);
-        }
-        murk_value_store(item, key->at, key->size, fact);
-        return MURK_OK;
-    case MURK_KEY_WORD:
-        status = murk_value_word(walk, key, node, &word);
-        if (!status) {
-            murk_value_store(item, key->at, key->size, word);
-        }
-        return status;
-    case MURK_KEY_TEXT:
-        return read_text(walk, key, node, member);
-    case MURK_KEY_PATH:
-        return read_path(walk, key, node, member);
-    case MURK_KEY_REFERENCE:
-        return murk_value_reference(walk, key, node, member);
-    case MURK_KEY_REFERENCES:
-        return murk_value_references(walk, key, node, member);
-    case MURK_KEY_VECTOR:
-        return read_vector(walk, key, node, member);
-    case MURK_KEY_SIZES:
-        if (node->kind != MURK_YAML_LIST ||
-            node->n != key->size / sizeof(size_t)) {
-            return murk_value_wrong(walk, key, node);
-        }
-        return read_items(walk, key, node, count_item, member);
-    case MURK_KEY_NUMBER_LIST:
-        return read_number_list(walk, key, node, member);
-    case MURK_KEY_SPECTRUM_LIST:
-        return read_spectrum_list(walk, key, node, member);
-    case MURK_KEY_NUMBERS:
-        return read_numbers(walk, key, node, member);
-    case MURK_KEY_BANDS:
-    case MURK_KEY_BAND_EDGES:
-        return read_bands(walk, key, node, member);
-    case MURK_KEY_SPECTRUM:
-    case MURK_KEY_SHARED:
-        return read_spectrum(walk, key, node, member);
-    case MURK_KEY_OWN:
-        return key->read(walk, key, node, item);
-    /* Kinds that walk_map.c reads. */
-    case MURK_KEY_MAP:
-    case MURK_KEY_PER_BAND:
-    case MURK_KEY_LIST:
-    case MURK_KEY_NAMED:
-        break;
+    if (key->kind == MURK_KEY_OWN) {
+        return key->read(walk, key, node, member);
     }
-    return murk_value_wrong(walk, key, node);
+    if (key->kind == MURK_KEY_WORD) { /* walk_map.c has read the words */
+        return murk_value_wrong(walk, key, node);
+    }
+    assert(key->kind < sizeof readers / sizeof *readers && readers[key->kind]);
+    return readers[key->kind](walk, key, node, member);
 }

@@ -11,13 +11,9 @@
 murk_status murk_value_read(murk_key_reader *walk, const murk_key *key,
                             murk_yaml *node, void *item);
 
-/* Reads names that refer to items of key->of: one, or a list of them (or one
- * of key->words, which leaves *out as it is). The caller frees out->index
- * with free(). */
+/* Reads the name of an item of key->of, and stores the number of the item. */
 murk_status murk_value_reference(murk_key_reader *walk, const murk_key *key,
                                  murk_yaml *node, void *member);
-murk_status murk_value_references(murk_key_reader *walk, const murk_key *key,
-                                  murk_yaml *node, murk_scene_indices *out);
 
 /* Fails with a message that states the value found and the values that the
  * row allows. */

@@ -2,15 +2,13 @@
  * a row of the key table allows. */
 #include "scene/value.h"
 
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/number.h"
 #include "scene/words.h"
-
-/* A range or a list of words is part of a description. */
-#define PART_SIZE (MURK_ALLOWED_SIZE / 2)
 
 /* Two quotes are around the text. */
 #define SHOWN_SIZE (MURK_FOUND_SIZE - 2)
@@ -66,32 +64,27 @@ void murk_value_range(const murk_key *key, char *out, size_t size)
     }
 }
 
-static void show_words(const murk_word *words, char *out, size_t size)
+/* Appends to a description, as far as there is space. */
+static void add(char out[MURK_ALLOWED_SIZE], const char *format, ...)
 {
-    size_t length = 0;
-    out[0] = '\0';
-    for (const murk_word *word = words; word->text; ++word) {
-        if (length < size) {
-            const int n = snprintf(out + length, size - length, "%s%s",
-                                   length ? ", " : "", word->text);
-            length += (size_t)n;
-        }
-    }
+    const size_t length = strlen(out);
+    va_list args;
+    va_start(args, format);
+    vsnprintf(out + length, MURK_ALLOWED_SIZE - length, format, args);
+    va_end(args);
 }
 
 /* "[n, mu], n 1.001..2, mu 3.0001..4.9999" */
-static void show_items(const murk_key *items, char *out, size_t size)
+static void add_items(char out[MURK_ALLOWED_SIZE], const murk_key *items)
 {
-    size_t length = 0;
-    for (const murk_key *item = items; item->name && length < size; ++item) {
-        length += (size_t)snprintf(out + length, size - length, "%s%s",
-                                   item == items ? "[" : ", ", item->name);
+    for (const murk_key *item = items; item->name; ++item) {
+        add(out, "%s%s", item == items ? "[" : ", ", item->name);
     }
-    for (const murk_key *item = items; item->name && length < size; ++item) {
-        char range[PART_SIZE];
+    add(out, "]");
+    for (const murk_key *item = items; item->name; ++item) {
+        char range[MURK_ALLOWED_SIZE];
         murk_value_range(item, range, sizeof range);
-        length += (size_t)snprintf(out + length, size - length, "%s, %s %s",
-                                   item == items ? "]" : "", item->name, range);
+        add(out, ", %s %s", item->name, range);
     }
 }
 
@@ -102,108 +95,85 @@ size_t murk_value_max_bytes(const murk_key *key)
            1;
 }
 
+/* The description of each kind: a text, the range of the row, and a text. */
+static const struct {
+    const char *before;
+    bool has_range;
+    const char *after;
+} ALLOWED[] = {
+    [MURK_KEY_NUMBER] = {"a number, ", true, ""},
+    [MURK_KEY_COUNT] = {"a whole number, ", true, ""},
+    [MURK_KEY_BOOL] = {"true or false", false, ""},
+    [MURK_KEY_WORD] = {"", false, ""},
+    [MURK_KEY_TEXT] = {"a text of 1..", false, ""},
+    [MURK_KEY_PATH] = {"the name of a file", false, ""},
+    [MURK_KEY_REFERENCE] = {"a name of ", false, ""},
+    [MURK_KEY_REFERENCES] = {"a list of names of ", false, ""},
+    [MURK_KEY_VECTOR] = {"[x, y, z], each ", true, ""},
+    [MURK_KEY_SIZES] = {"], each a whole number, ", true, ""},
+    [MURK_KEY_NUMBERS] = {"", false, ""},
+    [MURK_KEY_BANDS] = {"a list of 1..16 rising wavelengths, each ", true, ""},
+    [MURK_KEY_BAND_EDGES] = {"a list of 2..17 rising wavelengths, each ", true,
+                             ""},
+    [MURK_KEY_NUMBER_LIST] = {"a list of numbers, each ", true, ""},
+    [MURK_KEY_SPECTRUM_LIST] = {"a list of numbers, each ", true,
+                                ", or of lists, one a band"},
+    [MURK_KEY_SPECTRUM] = {"a number, ", true,
+                           ", or a list of them, one a band"},
+    [MURK_KEY_SHARED] = {"a number (the total), ", true,
+                         ", or a list, one a band"},
+    [MURK_KEY_MAP] = {"a map of keys", false, ""},
+    [MURK_KEY_PER_BAND] = {"a map of keys, or a list of them, one a band",
+                           false, ""},
+    [MURK_KEY_LIST] = {"a list of ", false, ""},
+    [MURK_KEY_MAPS] = {"a map of keys, or a list of them", false, ""},
+    [MURK_KEY_NAMED] = {"a map of names", false, ""},
+    [MURK_KEY_OWN] = {"", false, ""},
+};
+_Static_assert(MURK_BANDS_MAX == 16, "the descriptions of bands state it");
+
 void murk_value_allowed(const murk_key *key, char out[MURK_ALLOWED_SIZE])
 {
-    const size_t size = MURK_ALLOWED_SIZE;
-    char range[PART_SIZE];
-    murk_value_range(key, range, sizeof range);
-    /* One description for each kind of key. */
+    char range[MURK_ALLOWED_SIZE] = "";
+    out[0] = '\0';
+    /* Words come first. */
+    for (const murk_word *word = key->words; word && word->text; ++word) {
+        add(out, "%s%s", word == key->words ? "" : ", ", word->text);
+    }
+    if (key->words && key->kind != MURK_KEY_WORD) {
+        add(out, " or ");
+    }
+    /* The description of the kind, and a part that depends on the row. */
+    if (key->kind == MURK_KEY_SIZES) {
+        add(out, "[nx, ny%s", key->size > 2 * sizeof(size_t) ? ", nz" : "");
+    }
+    if (ALLOWED[key->kind].has_range) {
+        murk_value_range(key, range, sizeof range);
+    }
+    add(out, "%s%s%s", ALLOWED[key->kind].before, range,
+        ALLOWED[key->kind].after);
     switch (key->kind) {
-    case MURK_KEY_NUMBER:
-        snprintf(out, size, "a number, %s", range);
-        break;
-    case MURK_KEY_COUNT:
-        snprintf(out, size, "a whole number, %s", range);
-        break;
-    case MURK_KEY_BOOL:
-        snprintf(out, size, "true or false");
-        break;
-    case MURK_KEY_WORD:
-        show_words(key->words, out, size);
-        break;
-    case MURK_KEY_VECTOR:
-        snprintf(out, size, "[x, y, z], each %s", range);
-        break;
-    case MURK_KEY_SIZES:
-        snprintf(out, size, "[nx, ny%s], each a whole number, %s",
-                 key->size > 2 * sizeof(size_t) ? ", nz" : "", range);
-        break;
-    case MURK_KEY_NUMBERS:
-        show_items(key->items, out, size);
-        break;
-    case MURK_KEY_BANDS:
-        snprintf(out, size, "a list of 1..%d rising wavelengths, each %s",
-                 MURK_BANDS_MAX, range);
-        break;
-    case MURK_KEY_BAND_EDGES:
-        snprintf(out, size, "a list of 2..%d rising wavelengths, each %s",
-                 MURK_BANDS_MAX + 1, range);
-        break;
-    case MURK_KEY_SPECTRUM:
-        snprintf(out, size, "a number, %s, or a list of them, one a band%s",
-                 range, key->keys ? ", or a map of keys" : "");
-        break;
-    case MURK_KEY_NUMBER_LIST:
-        if (key->words) {
-            show_words(key->words, out, size);
-        }
-        snprintf(out + (key->words ? strlen(out) : 0),
-                 size - (key->words ? strlen(out) : 0),
-                 "%sa list of numbers, each %s", key->words ? " or " : "",
-                 range);
-        break;
-    case MURK_KEY_SPECTRUM_LIST:
-        snprintf(out, size,
-                 "a list of numbers, each %s, or of lists, one a band", range);
-        break;
-    case MURK_KEY_SHARED:
-        snprintf(out, size, "a number (the total), %s, or a list, one a band",
-                 range);
-        break;
     case MURK_KEY_TEXT:
-        snprintf(out, size, "a text of 1..%zu bytes",
-                 murk_value_max_bytes(key));
-        break;
-    case MURK_KEY_PATH:
-        snprintf(out, size, "the name of a file");
+        add(out, "%zu bytes", murk_value_max_bytes(key));
         break;
     case MURK_KEY_REFERENCE:
-        snprintf(out, size, "a name of %s", key->of);
-        break;
     case MURK_KEY_REFERENCES:
-        snprintf(out, size, "a list of names of %s", key->of);
-        if (key->words) {
-            show_words(key->words, range, sizeof range);
-            snprintf(out, size, "%s or a list of names of %s", range, key->of);
-        }
+        add(out, "%s", key->of);
         break;
-    case MURK_KEY_MAP:
-        snprintf(out, size, "a map of keys");
-        if (key->words) {
-            char words[PART_SIZE];
-            show_words(key->words, words, sizeof words);
-            snprintf(out, size, "%s or a map of keys", words);
-        }
+    case MURK_KEY_NUMBERS:
+        add_items(out, key->items);
         break;
-    case MURK_KEY_PER_BAND:
-        show_words(key->words, range, sizeof range);
-        snprintf(out, size,
-                 "%s or a map of keys, or a list of them, one a "
-                 "band",
-                 range);
+    case MURK_KEY_SPECTRUM:
+        add(out, "%s", key->keys ? ", or a map of keys" : "");
         break;
     case MURK_KEY_LIST:
-        if (key->keys->needs_item) {
-            snprintf(out, size, "a list of at least one %s", key->keys->noun);
-        } else {
-            snprintf(out, size, "a list of maps");
-        }
-        break;
-    case MURK_KEY_NAMED:
-        snprintf(out, size, "a map of names");
+        add(out, "%s%s", key->keys->needs_item ? "at least one " : "maps",
+            key->keys->needs_item ? key->keys->noun : "");
         break;
     case MURK_KEY_OWN:
-        snprintf(out, size, "%s", key->allowed);
+        add(out, "%s", key->allowed);
+        break;
+    default:
         break;
     }
 }

@@ -15,8 +15,9 @@ struct murk_key_reader {
     murk_scene_desc *scene;
     murk_yaml *root;
     murk_error *err;
-    char key[MURK_WALK_KEY_SIZE]; /* path of the current key: "lights.0.power_w"
-                                   */
+    char key[MURK_WALK_KEY_SIZE]; /* path of the current key:
+                                   * "lights.0.power_w"; after a failure the
+                                   * key that failed */
     murk_yaml **paths; /* nodes that name files, borrowed; the owner of the
                           reader frees the array */
     size_t n_paths;
@@ -31,18 +32,21 @@ murk_status murk_walk_scene(murk_key_reader *walk);
 murk_status murk_walk_value(murk_key_reader *walk, const murk_key *key,
                             murk_yaml *node, void *item);
 
-/* Appends a part to the current key; returns the length for
- * murk_walk_leave(). */
+/* Appends a part, or the number of an item, to the current key; returns the
+ * length for murk_walk_leave(). */
 size_t murk_walk_enter(murk_key_reader *walk, const char *part);
+size_t murk_walk_enter_item(murk_key_reader *walk, size_t index);
 void murk_walk_leave(murk_key_reader *walk, size_t length);
 
-/* Fails at a node under the current key: "fog.yaml:12:13: media.fog.albedo".
- * For maps, lists, and with `at_key`, the place is that of the key of the
- * node. */
-murk_status murk_walk_fail(murk_key_reader *walk, murk_status status,
-                           const murk_yaml *node, bool at_key,
+/* Fails with MURK_BAD_VALUE at a node under the current key:
+ * "fog.yaml:12:13: media.fog.albedo". For maps and lists the place is that of
+ * the key of the node; fail_key() takes that place for all nodes. */
+murk_status murk_walk_fail(murk_key_reader *walk, const murk_yaml *node,
                            const char *format, ...)
-    __attribute__((format(printf, 5, 6)));
+    __attribute__((format(printf, 3, 4)));
+murk_status murk_walk_fail_key(murk_key_reader *walk, const murk_yaml *node,
+                               const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
 murk_status murk_walk_no_memory(murk_key_reader *walk);
 
 /* The place of a node: "FILE:LINE:COLUMN: KEY"; "FILE: KEY" for a node that

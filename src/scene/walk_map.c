@@ -5,78 +5,11 @@
 #include "scene/walk.h"
 
 #include <assert.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "scene/value.h"
-#include "scene/walk_bands.h"
 #include "scene/walk_names.h"
-#include "scene/words.h"
-
-#define PLACE_SIZE (MURK_SCENE_WHERE_SIZE - MURK_WALK_KEY_SIZE)
-
-/* ---- places and messages ---- */
-
-size_t murk_walk_enter(murk_key_reader *walk, const char *part)
-{
-    const size_t length = strlen(walk->key);
-    char shown[MURK_SCENE_NAME_SIZE];
-    murk_words_show(shown, sizeof shown, part);
-    snprintf(walk->key + length, sizeof walk->key - length, "%s%s",
-             length ? "." : "", shown);
-    return length;
-}
-
-void murk_walk_leave(murk_key_reader *walk, size_t length)
-{
-    walk->key[length] = '\0';
-}
-
-/* True if an option names the key itself: --set KEY=VALUE, or --seed 3. */
-static bool names_key(const char *source, const char *key)
-{
-    const size_t length = strlen(key);
-    if (strncmp(source, "--set ", 6) != 0) {
-        return strncmp(source, "--", 2) == 0;
-    }
-    return strncmp(source + 6, key, length) == 0 && source[6 + length] == '=';
-}
-
-void murk_walk_where(const murk_yaml *node, const char *key, bool at_key,
-                     murk_scene_where out)
-{
-    char place[PLACE_SIZE];
-    if (at_key || node->kind != MURK_YAML_SCALAR) {
-        murk_yaml_key_place(node, place, sizeof place);
-    } else {
-        murk_yaml_place(node, place, sizeof place);
-    }
-    const bool is_said = key[0] == '\0' || names_key(node->source, key);
-    snprintf(out, MURK_SCENE_WHERE_SIZE, "%s%s%.*s", place, is_said ? "" : ": ",
-             is_said ? 0 : MURK_WALK_KEY_SIZE, key);
-}
-
-murk_status murk_walk_fail(murk_key_reader *walk, murk_status status,
-                           const murk_yaml *node, bool at_key,
-                           const char *format, ...)
-{
-    murk_scene_where where;
-    char text[512];
-    va_list args;
-    va_start(args, format);
-    vsnprintf(text, sizeof text, format, args);
-    va_end(args);
-    murk_walk_where(node, walk->key, at_key, where);
-    return murk_fail(walk->err, status, where, "%s", text);
-}
-
-murk_status murk_walk_no_memory(murk_key_reader *walk)
-{
-    return murk_fail(walk->err, MURK_NO_MEMORY, walk->scene->path,
-                     "no memory to read it");
-}
 
 /* ---- the keys of one map ---- */
 
@@ -99,12 +32,26 @@ static murk_status put_preset(murk_key_reader *walk, murk_yaml *map,
     return murk_yaml_put(map, name, node) ? MURK_OK : murk_walk_no_memory(walk);
 }
 
+static murk_status fail_missing(murk_key_reader *walk, const murk_key *key,
+                                const murk_yaml *map)
+{
+    char allowed[MURK_ALLOWED_SIZE];
+    murk_value_allowed(key, allowed);
+    return murk_walk_fail(walk, map, "misses %s, must be %s", key->name,
+                          allowed);
+}
+
 static murk_status find_variant(murk_key_reader *walk, const murk_keys *keys,
                                 murk_yaml *map, int *variant)
 {
     *variant = 0;
     if (keys->choose) {
         return keys->choose(walk, map, variant);
+    }
+    for (int i = 0; keys->by_key && keys->variant_names[i]; ++i) {
+        if (murk_yaml_get(map, keys->variant_names[i])) {
+            *variant = i;
+        }
     }
     if (!keys->selector) {
         return MURK_OK;
@@ -121,10 +68,7 @@ static murk_status find_variant(murk_key_reader *walk, const murk_keys *keys,
         node = murk_yaml_get(map, keys->selector);
     }
     if (!node) {
-        char allowed[MURK_ALLOWED_SIZE];
-        murk_value_allowed(key, allowed);
-        return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
-                              "misses %s, must be %s", key->name, allowed);
+        return fail_missing(walk, key, map);
     }
     /* The word of the selector is the variant. */
     const size_t back = murk_walk_enter(walk, key->name);
@@ -158,10 +102,7 @@ static murk_status put_presets(murk_key_reader *walk, const murk_keys *keys,
                 return status;
             }
         } else if (key->required) {
-            char allowed[MURK_ALLOWED_SIZE];
-            murk_value_allowed(key, allowed);
-            return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
-                                  "misses %s, must be %s", key->name, allowed);
+            return fail_missing(walk, key, map);
         }
     }
     return MURK_OK;
@@ -249,47 +190,80 @@ static murk_status walk_map(murk_key_reader *walk, const murk_keys *keys,
 
 /* ---- lists and names ---- */
 
-static murk_status check_number_of_items(murk_key_reader *walk,
-                                         const murk_key *key,
-                                         const murk_yaml *node)
+/* Reads one item, a map. Only an item of values per band may be a word, which
+ * then is the variant of the item. */
+static murk_status walk_item(murk_key_reader *walk, const murk_key *key,
+                             murk_yaml *node, void *item)
 {
-    const murk_keys *keys = key->keys;
-    if (keys->needs_item && node->n == 0) {
-        return murk_walk_fail(walk, MURK_BAD_VALUE, node, false,
-                              "an empty list, must have at least one %s",
-                              keys->noun);
-    }
-    if (node->n > keys->max_items) {
-        return murk_walk_fail(walk, MURK_BAD_VALUE, node, false,
-                              "%zu items (%s), must be at most %zu", node->n,
-                              keys->noun, keys->max_items);
+    const murk_key one = {.name = key->name,
+                          .kind = MURK_KEY_MAP,
+                          .keys = key->keys,
+                          .words = key->kind == MURK_KEY_PER_BAND ? key->words
+                                                                  : NULL,
+                          .at = key->keys->variant_at,
+                          .size = sizeof(int)};
+    return murk_walk_value(walk, &one, node, item);
+}
+
+/* Checks that an item of a list of bands has no values per band of its own. */
+static murk_status check_one_band(murk_key_reader *walk, const murk_keys *keys,
+                                  const murk_yaml *item)
+{
+    for (size_t i = 0; item->kind == MURK_YAML_MAP && i < item->n; ++i) {
+        const murk_key *key = murk_keys_find(keys, item->key[i]);
+        if (key && key->kind == MURK_KEY_SPECTRUM &&
+            item->child[i]->kind == MURK_YAML_LIST) {
+            murk_walk_enter(walk, key->name);
+            return murk_walk_fail(walk, item->child[i],
+                                  "a list inside a list of bands, must be one "
+                                  "number");
+        }
     }
     return MURK_OK;
 }
 
-static murk_status walk_items(murk_key_reader *walk, const murk_keys *keys,
+static murk_status walk_items(murk_key_reader *walk, const murk_key *key,
                               murk_yaml *node, char *items)
 {
-    for (size_t i = 0; i < node->n; ++i) {
-        char number[24];
-        snprintf(number, sizeof number, "%zu", i);
+    const murk_keys *keys = key->keys;
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < node->n && !status; ++i) {
         const bool is_named = node->kind == MURK_YAML_MAP;
-        const size_t back =
-            murk_walk_enter(walk, is_named ? node->key[i] : number);
+        const size_t back = is_named ? murk_walk_enter(walk, node->key[i])
+                                     : murk_walk_enter_item(walk, i);
         char *const item = items + i * keys->item_size;
         if (is_named) {
             memcpy(item + keys->name_at, node->key[i],
                    strlen(node->key[i]) + 1);
         }
-        const murk_key one = {.name = "", .kind = MURK_KEY_MAP, .keys = keys};
-        const murk_status status =
-            murk_walk_value(walk, &one, node->child[i], item);
-        murk_walk_leave(walk, back);
-        if (status) {
-            return status;
+        if (key->kind == MURK_KEY_PER_BAND) {
+            status = check_one_band(walk, keys, node->child[i]);
+        }
+        if (!status) {
+            status = walk_item(walk, key, node->child[i], item);
+            murk_walk_leave(walk, back);
         }
     }
-    return MURK_OK;
+    return status;
+}
+
+/* Reads one item for all bands, or a list with one item per band, into an
+ * array that is a member of the owner. */
+static murk_status walk_bands(murk_key_reader *walk, const murk_key *key,
+                              murk_yaml *node, void *owner)
+{
+    char *const items = (char *)owner + key->at;
+    const bool is_list = node->kind == MURK_YAML_LIST;
+    const size_t n = is_list ? node->n : 1;
+    if (is_list && n != (size_t)walk->scene->bands) {
+        return murk_walk_fail(
+            walk, node,
+            "a list of %zu, must be one %s or a list of %d, one a band", n,
+            key->keys->noun, walk->scene->bands);
+    }
+    memcpy((char *)owner + key->keys->count_at, &n, sizeof n);
+    return is_list ? walk_items(walk, key, node, items)
+                   : walk_item(walk, key, node, items);
 }
 
 static murk_status check_item_names(murk_key_reader *walk,
@@ -298,13 +272,10 @@ static murk_status check_item_names(murk_key_reader *walk,
     for (size_t i = 0; i < node->n; ++i) {
         const size_t length = strlen(node->key[i]);
         if (length == 0 || length >= MURK_SCENE_NAME_SIZE) {
-            const size_t back = murk_walk_enter(walk, node->key[i]);
-            const murk_status status =
-                murk_walk_fail(walk, MURK_BAD_VALUE, node->child[i], true,
-                               "a name of %zu bytes, must be 1..%d", length,
-                               MURK_SCENE_NAME_SIZE - 1);
-            murk_walk_leave(walk, back);
-            return status;
+            murk_walk_enter(walk, node->key[i]);
+            return murk_walk_fail_key(walk, node->child[i],
+                                      "a name of %zu bytes, must be 1..%d",
+                                      length, MURK_SCENE_NAME_SIZE - 1);
         }
     }
     return MURK_OK;
@@ -314,9 +285,6 @@ static murk_status check_item_names(murk_key_reader *walk,
 static murk_status put_first(murk_key_reader *walk, const murk_keys *keys,
                              murk_yaml *node)
 {
-    if (!keys->first) {
-        return MURK_OK;
-    }
     if (!murk_yaml_get(node, keys->first)) {
         const murk_status status =
             put_preset(walk, node, keys->first, keys->first_preset);
@@ -334,32 +302,41 @@ static murk_status put_first(murk_key_reader *walk, const murk_keys *keys,
     return MURK_OK;
 }
 
+/* Reads a list of maps, maps by name, or a single map into an array that is
+ * allocated. */
 static murk_status walk_array(murk_key_reader *walk, const murk_key *key,
                               murk_yaml *node, void *owner)
 {
     const murk_keys *keys = key->keys;
-    murk_status status = MURK_OK;
-    if (key->kind == MURK_KEY_NAMED) {
-        status = put_first(walk, keys, node);
-    }
-    if (status || (status = check_number_of_items(walk, key, node))) {
+    const bool is_named = key->kind == MURK_KEY_NAMED;
+    const bool is_one = !is_named && node->kind == MURK_YAML_MAP;
+    /* The built-in item, the number of items, and their names. */
+    murk_status status =
+        is_named && keys->first ? put_first(walk, keys, node) : MURK_OK;
+    if (status) {
         return status;
     }
-    if (key->kind == MURK_KEY_NAMED &&
-        (status = check_item_names(walk, node))) {
+    const size_t n = is_one ? 1 : node->n;
+    if (keys->needs_item && n == 0) {
+        return murk_walk_fail(
+            walk, node, "an empty list, must have at least one %s", keys->noun);
+    }
+    if (n > keys->max_items) {
+        return murk_walk_fail(walk, node, "%zu items (%s), must be at most %zu",
+                              n, keys->noun, keys->max_items);
+    }
+    if ((is_named && (status = check_item_names(walk, node))) || n == 0) {
         return status;
     }
-    if (node->n == 0) {
-        return walk_items(walk, keys, node, owner);
-    }
-    char *items = calloc(node->n, keys->item_size);
+    /* From here on the scene owns the items, even if reading fails. */
+    char *items = calloc(n, keys->item_size);
     if (!items) {
         return murk_walk_no_memory(walk);
     }
-    /* from here on the scene owns the items, even if reading fails */
     memcpy((char *)owner + keys->array_at, &items, sizeof items);
-    memcpy((char *)owner + keys->count_at, &node->n, sizeof node->n);
-    return walk_items(walk, keys, node, items);
+    memcpy((char *)owner + keys->count_at, &n, sizeof n);
+    return is_one ? walk_item(walk, key, node, items)
+                  : walk_items(walk, key, node, items);
 }
 
 murk_status murk_walk_value(murk_key_reader *walk, const murk_key *key,
@@ -368,37 +345,38 @@ murk_status murk_walk_value(murk_key_reader *walk, const murk_key *key,
     if (key->has_flag) {
         murk_value_store(item, key->flag_at, sizeof(bool), true);
     }
-    const bool may_be_word =
-        key->kind == MURK_KEY_MAP || key->kind == MURK_KEY_NUMBER_LIST;
-    if (may_be_word && key->words && node->kind == MURK_YAML_SCALAR) {
+    /* One of the words. A list does not store the word: it is empty then. */
+    if (key->words && node->kind == MURK_YAML_SCALAR &&
+        key->kind != MURK_KEY_PER_BAND) {
         int word = 0;
         const murk_status status = murk_value_word(walk, key, node, &word);
-        if (!status) { /* a list does not store the word: it is empty then */
+        if (!status) {
             murk_value_store(item, key->at, key->size, word);
         }
         return status;
     }
-    if (key->kind == MURK_KEY_PER_BAND) {
-        return murk_walk_bands(walk, key, node, item);
-    }
-    if (key->kind == MURK_KEY_SPECTRUM && key->keys &&
-        node->kind == MURK_YAML_MAP) {
-        return walk_map(walk, key->keys, node, item);
-    }
-    const bool wants_map =
-        key->kind == MURK_KEY_MAP || key->kind == MURK_KEY_NAMED;
-    if (!wants_map && key->kind != MURK_KEY_LIST) {
+    const bool is_map = node->kind == MURK_YAML_MAP;
+    const bool is_list = node->kind == MURK_YAML_LIST;
+    switch (key->kind) {
+    case MURK_KEY_PER_BAND:
+        return walk_bands(walk, key, node, item);
+    case MURK_KEY_MAP:
+        return is_map
+                   ? walk_map(walk, key->keys, node, (char *)item + key->inside)
+                   : murk_value_wrong(walk, key, node);
+    case MURK_KEY_SPECTRUM:
+        return key->keys && is_map ? walk_map(walk, key->keys, node, item)
+                                   : murk_value_read(walk, key, node, item);
+    case MURK_KEY_LIST:
+    case MURK_KEY_MAPS:
+    case MURK_KEY_NAMED:
+        return (is_list && key->kind != MURK_KEY_NAMED) ||
+                       (is_map && key->kind != MURK_KEY_LIST)
+                   ? walk_array(walk, key, node, item)
+                   : murk_value_wrong(walk, key, node);
+    default:
         return murk_value_read(walk, key, node, item);
     }
-    if (node->kind != (wants_map ? MURK_YAML_MAP : MURK_YAML_LIST)) {
-        char found[MURK_FOUND_SIZE], allowed[MURK_ALLOWED_SIZE];
-        murk_value_found(node, found);
-        murk_value_allowed(key, allowed);
-        return murk_walk_fail(walk, MURK_BAD_VALUE, node, false,
-                              "%s, must be %s", found, allowed);
-    }
-    return key->kind == MURK_KEY_MAP ? walk_map(walk, key->keys, node, item)
-                                     : walk_array(walk, key, node, item);
 }
 
 murk_status murk_walk_scene(murk_key_reader *walk)
@@ -406,7 +384,7 @@ murk_status murk_walk_scene(murk_key_reader *walk)
     if (walk->root->kind != MURK_YAML_MAP) {
         char found[MURK_FOUND_SIZE];
         murk_value_found(walk->root, found);
-        return murk_walk_fail(walk, MURK_BAD_VALUE, walk->root, false,
+        return murk_walk_fail(walk, walk->root,
                               "%s, must be a scene: a map of keys", found);
     }
     return walk_map(walk, &murk_scene_keys, walk->root, walk->scene);

@@ -52,8 +52,8 @@ static murk_status fail_with_names(murk_key_reader *walk, const murk_yaml *node,
         length += (size_t)snprintf(list + length, sizeof list - length, "%s%s",
                                    i ? ", " : "", names[i]);
     }
-    return murk_walk_fail(walk, MURK_BAD_VALUE, node, true, "%s, must be %s%s",
-                          what, n > 1 ? "one of " : "", list);
+    return murk_walk_fail_key(walk, node, "%s, must be %s%s", what,
+                              n > 1 ? "one of " : "", list);
 }
 
 static murk_status check_name(murk_key_reader *walk, const murk_keys *keys,
@@ -67,8 +67,8 @@ static murk_status check_name(murk_key_reader *walk, const murk_keys *keys,
     const char *meant =
         murk_words_meant(name, names, list_names(keys, -1, names));
     if (meant) {
-        return murk_walk_fail(walk, MURK_BAD_VALUE, child, true,
-                              "unknown key, did you mean %s?", meant);
+        return murk_walk_fail_key(walk, child, "unknown key, did you mean %s?",
+                                  meant);
     }
     return fail_with_names(walk, child, "unknown key", names,
                            list_names(keys, -1, names));
@@ -105,7 +105,7 @@ murk_status murk_walk_check_groups(murk_key_reader *walk, const murk_keys *keys,
                 continue;
             }
             if (given) {
-                return murk_walk_fail(walk, MURK_BAD_VALUE, map, false,
+                return murk_walk_fail(walk, map,
                                       "has %s and %s, must have one of them",
                                       given->name, other->name);
             }

@@ -14,7 +14,7 @@
 
 static murk_affine placed(const murk_scene_region *r)
 {
-    return murk_affine_place(r->rotate_deg, r->scale, r->translate_m);
+    return murk_scene_placed(&r->solid);
 }
 
 static double largest(const murk_box *box)
@@ -29,12 +29,13 @@ static double largest(const murk_box *box)
 static void open_faces(murk_plain_shape *shape, const murk_scene_region *r,
                        const murk_box *domain, double far_m)
 {
-    const murk_vec3 turn = r->rotate_deg;
+    const murk_vec3 turn = r->solid.rotate_deg;
     if (turn.x != 0 || turn.y != 0 || turn.z != 0) {
         return;
     }
-    const murk_vec3 low = murk_affine_point(&shape->to_world, r->box.min);
-    const murk_vec3 high = murk_affine_point(&shape->to_world, r->box.max);
+    const murk_vec3 low = murk_affine_point(&shape->to_world, r->solid.box.min);
+    const murk_vec3 high =
+        murk_affine_point(&shape->to_world, r->solid.box.max);
     shape->to_world = murk_affine_identity();
     shape->box = (murk_box){{low.x <= domain->min.x ? -far_m : low.x,
                              low.y <= domain->min.y ? -far_m : low.y,
@@ -51,9 +52,9 @@ static bool crosses_plain(const murk_boundary_meshes *boundary_meshes, int mesh,
                           murk_vec3 *place)
 {
     murk_plain_shape shape = {.plain = MURK_PLAIN_SPHERE,
-                              .box = r->box,
-                              .center = r->center,
-                              .radius_m = r->radius_m,
+                              .box = r->solid.box,
+                              .center = r->solid.center,
+                              .radius_m = r->solid.radius_m,
                               .to_world = placed(r)};
     const murk_box bounds =
         murk_boundary_meshes_describe(boundary_meshes, mesh).bounds_m;

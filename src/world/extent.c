@@ -51,13 +51,12 @@ static murk_box join(murk_box a, murk_box b)
 murk_box murk_extent_geometry(const murk_scene_geometry *g,
                               const murk_mesh *mesh)
 {
-    const murk_affine placed =
-        murk_affine_place(g->rotate_deg, g->scale, g->translate_m);
-    murk_box box = g->box;
+    const murk_affine placed = murk_scene_placed(&g->solid);
+    murk_box box = g->solid.box;
     switch (g->shape) {
     case MURK_SHAPE_SPHERE:
-        return box_of_sphere(murk_affine_point(&placed, g->center),
-                             g->radius_m * g->scale);
+        return box_of_sphere(murk_affine_point(&placed, g->solid.center),
+                             g->solid.radius_m * g->solid.scale);
     case MURK_SHAPE_MESH:
         box = mesh->bounds_m;
         break;
@@ -114,8 +113,8 @@ static murk_box box_of_shape(const murk_scene_region *r,
     const murk_box layers = {{-INFINITY, -INFINITY, z_m->value[0]},
                              {INFINITY, INFINITY, z_m->value[z_m->n - 1]}};
     return meet(r->shape == MURK_REGION_SPHERE
-                    ? box_of_sphere(r->center, r->radius_m)
-                    : r->box,
+                    ? box_of_sphere(r->solid.center, r->solid.radius_m)
+                    : r->solid.box,
                 layers);
 }
 
@@ -123,18 +122,17 @@ murk_box murk_extent_region(const murk_scene_desc *scene,
                             const murk_scene_region *r, const murk_grid *grid,
                             const murk_mesh *mesh)
 {
-    const murk_affine placed =
-        murk_affine_place(r->rotate_deg, r->scale, r->translate_m);
+    const murk_affine placed = murk_scene_placed(&r->solid);
     const bool is_linear = scene->media[r->medium].is_linear;
     /* The box of the shape alone. */
     murk_box box = murk_box_empty();
     switch (r->shape) {
     case MURK_REGION_SPHERE:
-        box = box_of_sphere(murk_affine_point(&placed, r->center),
-                            r->radius_m * r->scale);
+        box = box_of_sphere(murk_affine_point(&placed, r->solid.center),
+                            r->solid.radius_m * r->solid.scale);
         break;
     case MURK_REGION_BOX:
-        box = box_around(&placed, &r->box);
+        box = box_around(&placed, &r->solid.box);
         break;
     case MURK_REGION_MESH:
         box = box_around(&placed, &mesh->bounds_m);

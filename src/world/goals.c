@@ -47,17 +47,19 @@ murk_status murk_goals_import(murk_goals **out, const murk_scene_desc *scene,
     /* Import the meshes of the regions of interest. */
     for (size_t i = 0; i < settings->n_interests && !status; ++i) {
         const murk_scene_interest *r = &settings->interest[i];
-        const murk_mesh_import import = {.unit_m = r->unit_m, .up = r->up};
+        const murk_mesh_import import = {.unit_m = r->solid.unit_m,
+                                         .up = r->solid.up};
         if (r->shape == MURK_REGION_MESH) {
-            status = murk_mesh_read(&goals->mesh[i], r->mesh, &import, r->where,
-                                    err);
+            status = murk_mesh_read(&goals->mesh[i], r->solid.mesh, &import,
+                                    r->where, err);
         }
     }
     /* Import the mesh of the targets. */
     const murk_scene_targets *t = &settings->targets;
-    if (!status && t->mesh) {
-        const murk_mesh_import import = {.unit_m = t->unit_m, .up = t->up};
-        status = murk_mesh_read(&goals->target_mesh, t->mesh, &import,
+    if (!status && t->solid.mesh) {
+        const murk_mesh_import import = {.unit_m = t->solid.unit_m,
+                                         .up = t->solid.up};
+        status = murk_mesh_read(&goals->target_mesh, t->solid.mesh, &import,
                                 t->volume_where, err);
     }
     if (!status) {
@@ -108,13 +110,14 @@ static murk_status check_name(const murk_scene_placement *settings, size_t i,
 static murk_box box_of(const murk_goals *goals, size_t i)
 {
     const murk_scene_interest *r = &goals->scene->placement.interest[i];
-    const murk_vec3 radius = {r->radius_m, r->radius_m, r->radius_m};
+    const murk_vec3 radius = {r->solid.radius_m, r->solid.radius_m,
+                              r->solid.radius_m};
     switch (r->shape) {
     case MURK_REGION_BOX:
-        return r->box;
+        return r->solid.box;
     case MURK_REGION_SPHERE:
-        return (murk_box){murk_sub(r->center, radius),
-                          murk_add(r->center, radius)};
+        return (murk_box){murk_sub(r->solid.center, radius),
+                          murk_add(r->solid.center, radius)};
     case MURK_REGION_MESH:
         return murk_boundary_meshes_describe(goals->boundary_meshes, (int)i)
             .bounds_m;
@@ -180,9 +183,9 @@ static murk_interest_region region_of(const murk_scene_interest *r)
     return (murk_interest_region){.name = r->name,
                                   .weight = r->weight,
                                   .shape = r->shape,
-                                  .box = r->box,
-                                  .center = r->center,
-                                  .radius_m = r->radius_m,
+                                  .box = r->solid.box,
+                                  .center = r->solid.center,
+                                  .radius_m = r->solid.radius_m,
                                   .material = r->material,
                                   .medium = r->medium,
                                   .where = r->where};
@@ -200,8 +203,7 @@ static murk_status build_boundary_meshes(murk_goals *goals, murk_error *err)
             desc[n++] = (murk_boundary_mesh_desc){
                 .region = (int)i,
                 .mesh = goals->mesh[i],
-                .to_world =
-                    murk_affine_place(r->rotate_deg, r->scale, r->translate_m),
+                .to_world = murk_scene_placed(&r->solid),
                 .where = r->where};
         }
     }
@@ -214,8 +216,7 @@ static murk_status build_boundary_meshes(murk_goals *goals, murk_error *err)
     if (!status && goals->target_mesh) {
         const murk_boundary_mesh_desc target = {
             .mesh = goals->target_mesh,
-            .to_world =
-                murk_affine_place(t->rotate_deg, t->scale, t->translate_m),
+            .to_world = murk_scene_placed(&t->solid),
             .where = t->volume_where};
         status = murk_boundary_meshes_create(&goals->target_boundary_mesh,
                                              &target, 1, err);

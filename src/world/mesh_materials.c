@@ -69,8 +69,7 @@ murk_status murk_mesh_materials(murk_mesh_material **out, size_t *n,
         if (!mesh) {
             continue; /* a box, a rectangle or a sphere */
         }
-        const murk_affine to_world =
-            murk_affine_place(g->rotate_deg, g->scale, g->translate_m);
+        const murk_affine to_world = murk_scene_placed(&g->solid);
         memset(area_m2, 0, mesh->materials * sizeof *area_m2);
         add_areas(area_m2, mesh, &to_world);
         for (size_t k = 0; k < mesh->materials; ++k) {

@@ -38,10 +38,10 @@ murk_status murk_site_meshes_read(murk_site_meshes **out,
     /* Import the meshes. */
     for (size_t i = 0; i < made->n && !status; ++i) {
         const murk_scene_site_zone *zone = zone_at(settings, i);
-        const murk_mesh_import import = {.unit_m = zone->unit_m,
-                                         .up = zone->up};
+        const murk_mesh_import import = {.unit_m = zone->solid.unit_m,
+                                         .up = zone->solid.up};
         if (zone->shape == MURK_REGION_MESH) {
-            status = murk_mesh_read(&made->mesh[i], zone->mesh, &import,
+            status = murk_mesh_read(&made->mesh[i], zone->solid.mesh, &import,
                                     zone->where, err);
         }
     }
@@ -68,14 +68,13 @@ void murk_site_meshes_destroy(murk_site_meshes *meshes)
 
 static murk_zone zone_of(const murk_scene_site_zone *z, const murk_mesh *mesh)
 {
-    return (murk_zone){
-        .shape = z->shape,
-        .box = z->box,
-        .center = z->center,
-        .radius_m = z->radius_m,
-        .mesh = mesh,
-        .to_world = murk_affine_place(z->rotate_deg, z->scale, z->translate_m),
-        .where = z->where};
+    return (murk_zone){.shape = z->shape,
+                       .box = z->solid.box,
+                       .center = z->solid.center,
+                       .radius_m = z->solid.radius_m,
+                       .mesh = mesh,
+                       .to_world = murk_scene_placed(&z->solid),
+                       .where = z->where};
 }
 
 static murk_status create(murk_zones **out, const murk_scene_site_zone *zones,

@@ -104,19 +104,21 @@ static murk_status import_world(murk_stage *stage, murk_error *err)
     for (size_t i = 0; i < scene->geometries && !status; ++i) {
         const murk_scene_geometry *g = &scene->geometry[i];
         if (g->shape == MURK_SHAPE_MESH) {
-            const murk_mesh_import import = {
-                .unit_m = g->unit_m, .up = g->up, .allow = g->allow};
-            status = import_mesh(stage, &stage->mesh[i], g->file, &import,
-                                 g->scale, g->where, err);
+            const murk_mesh_import import = {.unit_m = g->solid.unit_m,
+                                             .up = g->solid.up,
+                                             .allow = g->allow};
+            status = import_mesh(stage, &stage->mesh[i], g->solid.mesh, &import,
+                                 g->solid.scale, g->where, err);
         }
     }
     /* Meshes of regions. */
     for (size_t i = 0; i < scene->n_regions && !status; ++i) {
         const murk_scene_region *r = &scene->regions[i];
         if (r->shape == MURK_REGION_MESH) {
-            const murk_mesh_import import = {.unit_m = r->unit_m, .up = r->up};
-            status = import_mesh(stage, &stage->region_mesh[i], r->mesh,
-                                 &import, r->scale, r->where, err);
+            const murk_mesh_import import = {.unit_m = r->solid.unit_m,
+                                             .up = r->solid.up};
+            status = import_mesh(stage, &stage->region_mesh[i], r->solid.mesh,
+                                 &import, r->solid.scale, r->where, err);
         }
     }
     /* Files of media: checksums first, then the grids themselves. */
@@ -173,18 +175,17 @@ static murk_status make_phases(murk_stage *stage, murk_error *err)
 static murk_surface_desc surface_of(const murk_scene_geometry *g,
                                     const murk_mesh *mesh)
 {
-    return (murk_surface_desc){
-        .shape = g->shape,
-        .mesh = mesh,
-        .box = g->box,
-        .corner = g->corner,
-        .edge1 = g->edge1,
-        .edge2 = g->edge2,
-        .center = g->center,
-        .radius_m = g->radius_m,
-        .to_world = murk_affine_place(g->rotate_deg, g->scale, g->translate_m),
-        .material = g->material,
-        .where = g->where};
+    return (murk_surface_desc){.shape = g->shape,
+                               .mesh = mesh,
+                               .box = g->solid.box,
+                               .corner = g->corner,
+                               .edge1 = g->edge1,
+                               .edge2 = g->edge2,
+                               .center = g->solid.center,
+                               .radius_m = g->solid.radius_m,
+                               .to_world = murk_scene_placed(&g->solid),
+                               .material = g->material,
+                               .where = g->where};
 }
 
 static murk_status build_surfaces(murk_stage *stage, murk_error *err)

@@ -8,18 +8,17 @@
 
 static murk_region region_of(const murk_scene_region *r)
 {
-    return (murk_region){
-        .medium = r->medium,
-        .shape = r->shape,
-        .box = r->box,
-        .center = r->center,
-        .radius_m = r->radius_m,
-        .below_z_m = r->below_z_m,
-        .to_world = murk_affine_place(r->rotate_deg, r->scale, r->translate_m),
-        .replaces = r->replaces,
-        .ior = r->ior,
-        .mean_square_slope = murk_region_mean_square_slope(r),
-        .where = r->where};
+    return (murk_region){.medium = r->medium,
+                         .shape = r->shape,
+                         .box = r->solid.box,
+                         .center = r->solid.center,
+                         .radius_m = r->solid.radius_m,
+                         .below_z_m = r->below_z_m,
+                         .to_world = murk_scene_placed(&r->solid),
+                         .replaces = r->replaces,
+                         .ior = r->ior,
+                         .mean_square_slope = murk_region_mean_square_slope(r),
+                         .where = r->where};
 }
 
 static murk_medium medium_of(const murk_scene_desc *scene, size_t i,

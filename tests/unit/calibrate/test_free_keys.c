@@ -155,7 +155,7 @@ static void test_a_scene_has_the_values(void)
     for (size_t k = 0; k < 4; ++k) {
         CHECK(resolved(at, way[k], ways[k]) == value[k]);
     }
-    CHECK(at->regions[1].translate_m.y == 0 && at->n_conditions == 0);
+    CHECK(at->regions[1].solid.translate_m.y == 0 && at->n_conditions == 0);
     murk_scene_desc_destroy(at);
     CHECK(murk_free_optics(&optics, keys, 0, value, NULL) == MURK_OK);
     CHECK(optics->media == 10 && optics->bands == 2 && optics->channels == 10);

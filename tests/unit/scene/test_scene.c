@@ -31,19 +31,21 @@ static void test_surfaces_and_materials(const murk_scene_desc *scene)
 
     CHECK(scene->geometries == 4);
     const murk_scene_geometry *file = &scene->geometry[0];
-    CHECK(file->shape == MURK_SHAPE_MESH && file->unit_m == 0.01);
-    CHECK(file->up == 'y' && file->scale == 2 && file->material == 1);
-    CHECK(file->rotate_deg.z == 90 && file->translate_m.y == 2);
-    CHECK_TEXT(file->file, "m/yard.dae");
+    CHECK(file->shape == MURK_SHAPE_MESH && file->solid.unit_m == 0.01);
+    CHECK(file->solid.up == 'y' && file->solid.scale == 2 &&
+          file->material == 1);
+    CHECK(file->solid.rotate_deg.z == 90 && file->solid.translate_m.y == 2);
+    CHECK_TEXT(file->solid.mesh, "m/yard.dae");
     CHECK_TEXT(file->where, "fog.yaml:7:5: geometry.0");
     const murk_scene_geometry *box = &scene->geometry[1];
-    CHECK(box->shape == MURK_SHAPE_BOX && box->box.max.z == 3);
-    CHECK(box->scale == 1 && box->file == NULL && box->unit_m == 0);
+    CHECK(box->shape == MURK_SHAPE_BOX && box->solid.box.max.z == 3);
+    CHECK(box->solid.scale == 1 && box->solid.mesh == NULL &&
+          box->solid.unit_m == 0);
     CHECK(scene->geometry[2].shape == MURK_SHAPE_RECT);
-    CHECK(scene->geometry[2].edge2.y == 1 && scene->geometry[2].up == 0);
+    CHECK(scene->geometry[2].edge2.y == 1 && scene->geometry[2].solid.up == 0);
     CHECK(scene->geometry[2].material == -1);
     CHECK(scene->geometry[3].shape == MURK_SHAPE_SPHERE);
-    CHECK(scene->geometry[3].radius_m == 0.5);
+    CHECK(scene->geometry[3].solid.radius_m == 0.5);
     CHECK(scene->geometry[3].material == 2);
 }
 
@@ -79,21 +81,24 @@ static void test_media_and_regions(const murk_scene_desc *scene)
 
     CHECK(scene->n_regions == 6);
     CHECK(scene->regions[0].shape == MURK_REGION_EVERYWHERE);
-    CHECK(scene->regions[0].scale == 1 && scene->regions[0].medium == 0);
+    CHECK(scene->regions[0].solid.scale == 1 && scene->regions[0].medium == 0);
     CHECK(scene->regions[1].shape == MURK_REGION_GRID);
-    CHECK(scene->regions[1].rotate_deg.z == 30);
+    CHECK(scene->regions[1].solid.rotate_deg.z == 30);
     CHECK(scene->regions[2].shape == MURK_REGION_BOX);
     CHECK(scene->regions[2].replaces && !scene->regions[3].replaces);
     CHECK(scene->regions[3].shape == MURK_REGION_SPHERE);
-    CHECK(scene->regions[3].center.x == 5 && scene->regions[3].medium == 2);
+    CHECK(scene->regions[3].solid.center.x == 5 &&
+          scene->regions[3].medium == 2);
     CHECK(scene->regions[3].ior == 0 && scene->regions[4].ior == 1.34);
     CHECK(scene->regions[4].shape == MURK_REGION_BELOW);
-    CHECK(scene->regions[4].below_z_m == -0.5 && scene->regions[4].scale == 1);
+    CHECK(scene->regions[4].below_z_m == -0.5 &&
+          scene->regions[4].solid.scale == 1);
     CHECK(scene->regions[5].shape == MURK_REGION_MESH);
-    CHECK_TEXT(scene->regions[5].mesh, "tank.obj");
-    CHECK(scene->regions[5].unit_m == 0.01 && scene->regions[5].up == 'y');
-    CHECK(scene->regions[5].scale == 3 && scene->regions[5].ior == 1.5);
-    CHECK(scene->regions[4].mesh == NULL);
+    CHECK_TEXT(scene->regions[5].solid.mesh, "tank.obj");
+    CHECK(scene->regions[5].solid.unit_m == 0.01 &&
+          scene->regions[5].solid.up == 'y');
+    CHECK(scene->regions[5].solid.scale == 3 && scene->regions[5].ior == 1.5);
+    CHECK(scene->regions[4].solid.mesh == NULL);
 }
 
 static void test_lights(const murk_scene_desc *scene)
@@ -165,10 +170,11 @@ static void test_the_rest(const murk_scene_desc *scene)
           settings->mount[0].facing == MURK_SCENE_FACING_UP);
     CHECK(settings->avoids == 2 && settings->withins == 0);
     CHECK(settings->avoid[0].shape == MURK_REGION_MESH &&
-          settings->avoid[0].up == 'y' && settings->avoid[0].scale == 1);
-    CHECK_TEXT(settings->avoid[0].mesh, "crate.obj");
+          settings->avoid[0].solid.up == 'y' &&
+          settings->avoid[0].solid.scale == 1);
+    CHECK_TEXT(settings->avoid[0].solid.mesh, "crate.obj");
     CHECK(settings->avoid[1].shape == MURK_REGION_SPHERE &&
-          settings->avoid[1].radius_m == 2);
+          settings->avoid[1].solid.radius_m == 2);
 
     const murk_scene_placement *placement = &scene->placement;
     CHECK(placement->method == MURK_PLACE_SPOQ && placement->restarts == 20);
@@ -359,8 +365,8 @@ static void test_paths(void)
     CHECK(murk_scene_desc_read(&scene, path, &option, 1, &err) == MURK_OK);
     if (scene) {
         CHECK_TEXT(scene->media[1].vdb, "other.vdb");
-        CHECK_MENTIONS(scene->geometry[0].file, "/m/yard.dae");
-        CHECK(scene->geometry[0].file[0] == '/');
+        CHECK_MENTIONS(scene->geometry[0].solid.mesh, "/m/yard.dae");
+        CHECK(scene->geometry[0].solid.mesh[0] == '/');
     }
     murk_scene_desc_destroy(scene);
 }

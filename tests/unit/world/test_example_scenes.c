@@ -121,10 +121,10 @@ static murk_scene_desc *read_scene(const char *path)
 static void check_materials(const murk_scene_desc *scene)
 {
     for (size_t g = 0; g < scene->geometries; ++g) {
-        if (!scene->geometry[g].file) {
+        if (!scene->geometry[g].solid.mesh) {
             continue;
         }
-        murk_mesh *mesh = read_mesh(scene->geometry[g].file);
+        murk_mesh *mesh = read_mesh(scene->geometry[g].solid.mesh);
         if (!mesh) {
             continue;
         }

@@ -1,0 +1,107 @@
+/* Frees a scene. The key table says which members of the structs are allocated;
+ * the few members that no key fills are freed one by one. */
+#include "scene/scene.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "scene/keys.h"
+
+/* Frees the pointer that lies `at` bytes into a struct. Several keys may fill
+ * one member, so that it becomes NULL. */
+static void free_member(void *item, size_t at)
+{
+    void *member;
+    void *const none = NULL;
+    memcpy(&member, (char *)item + at, sizeof member);
+    free(member);
+    memcpy((char *)item + at, &none, sizeof none);
+}
+
+static void release(const murk_keys *keys, void *item);
+
+static void release_items(const murk_keys *keys, void *owner, char *items)
+{
+    size_t n;
+    memcpy(&n, (char *)owner + keys->count_at, sizeof n);
+    for (size_t i = 0; i < n && items; ++i) {
+        release(keys, items + i * keys->item_size);
+    }
+}
+
+/* Frees all that the keys of a table have allocated for a struct. */
+static void release(const murk_keys *keys, void *item)
+{
+    for (const murk_key *key = keys->key; key->name; ++key) {
+        char *items;
+        switch (key->kind) {
+        case MURK_KEY_TEXT:
+            if (key->size == sizeof(char *)) {
+                free_member(item, key->at);
+            }
+            break;
+        case MURK_KEY_PATH:
+            free_member(item, key->at);
+            break;
+        case MURK_KEY_NUMBER_LIST:
+        case MURK_KEY_SPECTRUM_LIST:
+        case MURK_KEY_REFERENCES:
+            free_member(item, key->at + offsetof(murk_scene_numbers, value));
+            break;
+        case MURK_KEY_MAP:
+        case MURK_KEY_SPECTRUM:
+            if (key->keys) {
+                release(key->keys, (char *)item + key->inside);
+            }
+            break;
+        case MURK_KEY_PER_BAND:
+            release_items(key->keys, item, (char *)item + key->at);
+            break;
+        case MURK_KEY_LIST:
+        case MURK_KEY_MAPS:
+        case MURK_KEY_NAMED:
+            memcpy(&items, (char *)item + key->keys->array_at, sizeof items);
+            release_items(key->keys, item, items);
+            free_member(item, key->keys->array_at);
+            break;
+        default:
+            break;
+        }
+    }
+}
+
+void murk_scene_desc_destroy(murk_scene_desc *scene)
+{
+    if (!scene) {
+        return;
+    }
+    /* Members of items that no key fills. */
+    for (size_t i = 0; i < scene->n_media; ++i) {
+        free(scene->media[i].vdb_frames);
+        for (size_t k = 0; k < scene->media[i].n_phases; ++k) {
+            murk_mixture_destroy(scene->media[i].phase[k].mixture);
+        }
+    }
+    murk_scene_points *points = &scene->sensors.candidates.points;
+    for (size_t i = 0; i < points->files; ++i) {
+        free(points->file[i]);
+    }
+    free(points->file);
+    free(points->position);
+    for (size_t i = 0; i < scene->n_conditions; ++i) {
+        murk_scene_desc_destroy(scene->conditions[i].scene);
+    }
+    /* Members that keys fill, then the texts of the scene. */
+    release(&murk_scene_keys, scene);
+    free(scene->idle);
+    free(scene->resolved);
+    free(scene->light_key);
+    free(scene->whole_key);
+    free(scene->world_key);
+    for (size_t i = 0; i < scene->files; ++i) {
+        free(scene->file[i]);
+    }
+    free(scene->file);
+    free(scene->path);
+    free(scene);
+}
