@@ -168,19 +168,19 @@ static void print_words(const resolved *r)
     for (int i = 0; i < MURK_WORDS; ++i) {
         const murk_word_id id = (murk_word_id)i;
         const murk_preset_word word = murk_preset_word_of(r->preset, id);
-        const int n = murk_word_numbers(id);
+        const int n = murk_word_rows[id].numbers;
         if (!word.is_known) {
             continue;
         }
         if (!any) { /* no line ends in arguments: murk_print() escapes them */
             murk_print("\nwords\n");
         }
-        murk_print("  %s: ", murk_word_name(id));
+        murk_print("  %s: ", murk_word_rows[id].name);
         any = true;
         print_numbers(word.min, n);
         murk_print(" to ");
         print_numbers(word.max, n);
-        murk_print(" %s", murk_word_unit(id));
+        murk_print(" %s", murk_word_rows[id].unit);
         if (word.has_preset) {
             murk_print(", default ");
             print_numbers(word.preset, n);
@@ -249,11 +249,11 @@ static void add_words(cJSON *root, const resolved *r)
     for (int i = 0; i < MURK_WORDS; ++i) {
         const murk_word_id id = (murk_word_id)i;
         const murk_preset_word word = murk_preset_word_of(r->preset, id);
-        const int n = murk_word_numbers(id);
+        const int n = murk_word_rows[id].numbers;
         if (!word.is_known) {
             continue;
         }
-        cJSON *item = cJSON_AddObjectToObject(words, murk_word_name(id));
+        cJSON *item = cJSON_AddObjectToObject(words, murk_word_rows[id].name);
         cJSON_AddItemToObject(item, "value",
                               medium->words.given[i]
                                   ? numbers_json(medium->words.value[i], n)
@@ -263,7 +263,7 @@ static void add_words(cJSON *root, const resolved *r)
                                               : cJSON_CreateNull());
         cJSON_AddItemToObject(item, "least", numbers_json(word.min, n));
         cJSON_AddItemToObject(item, "most", numbers_json(word.max, n));
-        cJSON_AddStringToObject(item, "unit", murk_word_unit(id));
+        cJSON_AddStringToObject(item, "unit", murk_word_rows[id].unit);
     }
 }
 

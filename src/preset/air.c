@@ -13,8 +13,6 @@
  * 1854, doi:10.1175/1520-0426(1999)016<1854:ORODC>2.0.CO;2; Peck & Reeder, J.
  * Opt. Soc. Am. 62 (1972) 958, doi:10.1364/JOSA.62.000958; Angstrom, Tellus 16
  * (1964) 64, doi:10.1111/j.2153-3490.1964.tb00144.x. */
-#include "preset/air.h"
-
 #include "preset/laws.h"
 
 #include <math.h>
@@ -41,7 +39,8 @@ static double king_factor(double per_um2)
            (NITROGEN_PERCENT + OXYGEN_PERCENT + ARGON_PERCENT + CO2_PERCENT);
 }
 
-double murk_air_cross_section_cm2(double wavelength_nm)
+/* The scattering cross section of a molecule, 250..1690 nm. */
+static double cross_section_cm2(double wavelength_nm)
 {
     const double um = wavelength_nm / 1000, per_um2 = 1 / (um * um);
     const double n = 1 + 1e-8 * (8060.51 + 2480990 / (132.274 - per_um2) +
@@ -63,7 +62,7 @@ murk_status murk_law_rayleigh(murk_law_result *out, const murk_law_call *call,
         PER_CM3 * (hpa / STANDARD_HPA) * (STANDARD_K / kelvin);
     for (size_t i = 0; i < call->n; ++i) {
         out->scattering_per_m[i] =
-            murk_air_cross_section_cm2(call->wavelength_nm[i]) * per_cm3 * 100;
+            cross_section_cm2(call->wavelength_nm[i]) * per_cm3 * 100;
     }
     return MURK_OK;
 }
@@ -72,13 +71,7 @@ murk_status murk_law_angstrom(murk_law_result *out, const murk_law_call *call,
                               murk_error *err)
 {
     (void)err;
-    const double at_one = call->parameter[0], at_nm = call->parameter[1];
-    const double exponent = call->parameter[2], albedo = call->parameter[3];
-    for (size_t i = 0; i < call->n; ++i) {
-        const double extinction =
-            at_one * pow(call->wavelength_nm[i] / at_nm, -exponent);
-        out->scattering_per_m[i] = albedo * extinction;
-        out->absorption_per_m[i] = (1 - albedo) * extinction;
-    }
+    const double *p = call->parameter;
+    murk_law_power(out, call, p[0], p[1], p[2], p[3]);
     return MURK_OK;
 }

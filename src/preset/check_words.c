@@ -33,9 +33,9 @@ static murk_status fail_unknown(const murk_preset *preset, const char *where,
     size_t length = 0;
     for (int i = 0; i < MURK_WORDS; ++i) {
         if (murk_preset_word_of(preset, (murk_word_id)i).is_known) {
-            length += (size_t)snprintf(list + length, sizeof list - length,
-                                       "%s%s", length ? ", " : "",
-                                       murk_word_name((murk_word_id)i));
+            length +=
+                (size_t)snprintf(list + length, sizeof list - length, "%s%s",
+                                 length ? ", " : "", murk_word_rows[i].name);
         }
     }
     return murk_fail(err, MURK_BAD_VALUE, where,
@@ -52,21 +52,15 @@ murk_status murk_preset_check_word(const murk_preset *preset, murk_word_id word,
     if (!range.is_known) {
         return fail_unknown(preset, where, err);
     }
-    for (int k = 0; k < murk_word_numbers(word); ++k) {
+    for (int k = 0; k < murk_word_rows[word].numbers; ++k) {
         if (!(value[k] >= range.min[k] && value[k] <= range.max[k])) {
             return murk_fail(err, MURK_BAD_VALUE, where,
                              "%.9g, must be %.6g..%.6g %s for %s", value[k],
-                             range.min[k], range.max[k], murk_word_unit(word),
-                             preset->name);
+                             range.min[k], range.max[k],
+                             murk_word_rows[word].unit, preset->name);
         }
     }
     return MURK_OK;
-}
-
-bool murk_word_is_amount(murk_word_id word)
-{
-    return word == MURK_WORD_VISIBILITY || word == MURK_WORD_MOR ||
-           word == MURK_WORD_DROPLETS || word == MURK_WORD_LIQUID_WATER;
 }
 
 static murk_status check_amounts(const murk_words *words, const char *where,
@@ -74,8 +68,8 @@ static murk_status check_amounts(const murk_words *words, const char *where,
 {
     const char *first = NULL;
     for (int i = 0; i < MURK_WORDS; ++i) {
-        if (words->given[i] && murk_word_is_amount((murk_word_id)i)) {
-            const char *name = murk_word_name((murk_word_id)i);
+        if (words->given[i] && murk_word_rows[i].is_amount) {
+            const char *name = murk_word_rows[i].name;
             if (first) {
                 return murk_fail(err, MURK_BAD_VALUE, where,
                                  "has %s and %s, must have one of them", first,

@@ -16,10 +16,6 @@ murk_status murk_preset_check_word(const murk_preset *preset, murk_word_id word,
                                    const double *value, const char *where,
                                    murk_error *err);
 
-/* True for words that state the amount of the medium. A user may give only one
- * of them, and defaults of the others are then ignored. */
-bool murk_word_is_amount(murk_word_id word);
-
 /* Checks the given words, converts mor_m to visibility_m, and adds the defaults
  * of the preset. */
 murk_status murk_preset_complete(murk_words *words, const murk_preset *preset,

@@ -14,16 +14,6 @@
 /* The share of an integral that is cut off at each end. */
 #define LEFT_OUT 1e-7
 
-murk_droplets murk_droplets_gamma(double effective_radius_um,
-                                  double effective_variance)
-{
-    assert(effective_radius_um > 0);
-    assert(effective_variance > 0 && effective_variance < 1. / 3);
-    return (murk_droplets){.a = 1 / effective_variance - 3,
-                           .b = 1 / (effective_radius_um * effective_variance),
-                           .c = 1};
-}
-
 /* The share of the gamma distribution of a given order below t: the series
  * t^order e^-t / Gamma(order + 1) (1 + t / (order + 1) + ...), with positive
  * terms only. For large t the share is 1 to rounding, and no terms are

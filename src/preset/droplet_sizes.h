@@ -23,11 +23,6 @@ typedef struct murk_droplets {
     double a, b, c; /* exponents, and b in um^-c */
 } murk_droplets;
 
-/* The gamma distribution of Hansen and Travis with an effective radius [um] > 0
- * and an effective variance between 0 and 1/3. */
-murk_droplets murk_droplets_gamma(double effective_radius_um,
-                                  double effective_variance);
-
 /* Fails with MURK_BAD_VALUE at `where` for shapes that no fog, cloud or haze
  * has. The limits bound the computing time: a 0..40, c .1..6, effective radius
  * .05..50 um, effective variance .003..10, at least 1 % of the droplets

@@ -35,13 +35,15 @@ typedef struct murk_law_parameter {
     double min, max;
 } murk_law_parameter;
 
+typedef murk_status murk_law_run(murk_law_result *out,
+                                 const murk_law_call *call, murk_error *err);
+
 /* A row of the table of laws. Sets of words are bit sets: 1u <<
  * MURK_WORD_RAIN. */
 struct murk_law {
     const char *name;
     const char *about; /* one line for `murk media` */
-    murk_status (*run)(murk_law_result *out, const murk_law_call *call,
-                       murk_error *err);
+    murk_law_run *run;
     murk_law_parameter parameter[MURK_PRESET_PARAMETERS_MAX + 1];
     bool by_table;  /* requires a table with diffuse_attenuation_per_m */
     unsigned needs; /* words that the file must declare, with a default */
@@ -51,9 +53,5 @@ struct murk_law {
 
 /* Returns the law with that name, or NULL. */
 const murk_law *murk_law_find(const char *name);
-
-/* All laws, for tests and lists. */
-extern const murk_law murk_laws[];
-extern const size_t murk_laws_count;
 
 #endif

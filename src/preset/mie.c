@@ -55,7 +55,8 @@ static double alike(complex_number p, complex_number q)
     return p.re * q.re + p.im * q.im;
 }
 
-size_t murk_mie_terms(double x)
+/* The number of terms of the series for size parameter x (Wiscombe 1980). */
+static size_t terms_of(double x)
 {
     const double width = cbrt(x);
     if (x <= 8) {
@@ -69,7 +70,7 @@ murk_status murk_mie_create(murk_mie **out, double largest, murk_error *err)
     assert(out && largest >= MURK_MIE_SIZE_MIN && largest <= MURK_MIE_SIZE_MAX);
     murk_mie *mie = calloc(1, sizeof *mie);
     if (mie) {
-        mie->capacity = murk_mie_terms(largest);
+        mie->capacity = terms_of(largest);
         const size_t count = mie->capacity + 2;
         mie->a = calloc(count, sizeof *mie->a);
         mie->b = calloc(count, sizeof *mie->b);
@@ -178,10 +179,10 @@ static double solve_terms(murk_mie *mie, double x, murk_mie_index index)
 
 murk_mie_sphere murk_mie_solve(murk_mie *mie, double x, murk_mie_index index)
 {
-    assert(mie && x >= MURK_MIE_SIZE_MIN && murk_mie_terms(x) <= mie->capacity);
+    assert(mie && x >= MURK_MIE_SIZE_MIN && terms_of(x) <= mie->capacity);
     assert(index.n > 0 && index.k >= 0);
     assert(hypot(index.n, index.k) <= MURK_MIE_INDEX_MAX);
-    mie->terms = murk_mie_terms(x);
+    mie->terms = terms_of(x);
     derivatives(mie, (complex_number){index.n * x, index.k * x});
     ratios(mie, x);
     const double absorbed = solve_terms(mie, x, index);

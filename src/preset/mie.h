@@ -53,7 +53,4 @@ murk_mie_sphere murk_mie_solve(murk_mie *mie, double x, murk_mie_index index);
 void murk_mie_add_intensity(const murk_mie *mie, double weight, size_t count,
                             const double *mu, double *intensity);
 
-/* The number of terms of the series for size parameter x. */
-size_t murk_mie_terms(double x);
-
 #endif

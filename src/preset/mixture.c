@@ -47,15 +47,11 @@ void murk_mixing_add_angles(murk_mixing *mixing,
         murk_mixing_add(mixing, &phase, weight);
         return;
     }
-    size_t right = 1;
-    while (right + 1 < angles->columns && at[right] < wavelength_nm) {
-        ++right;
-    }
-    const double share =
-        (wavelength_nm - at[right - 1]) / (at[right] - at[right - 1]);
-    phase.column = right - 1;
+    double share;
+    phase.column =
+        murk_preset_interval(at, angles->columns, wavelength_nm, &share);
     murk_mixing_add(mixing, &phase, weight * (1 - share));
-    phase.column = right;
+    ++phase.column;
     murk_mixing_add(mixing, &phase, weight * share);
 }
 

@@ -2,7 +2,6 @@
  * by wavelength. */
 #include "preset/preset.h"
 
-#include <stdint.h>
 #include <stdlib.h>
 
 murk_status murk_preset_angles_create(murk_preset_angles **out, size_t angles,
@@ -15,9 +14,7 @@ murk_status murk_preset_angles_create(murk_preset_angles **out, size_t angles,
         made->columns = columns;
         made->angle_deg = calloc(angles, sizeof *made->angle_deg);
         made->phase_per_sr =
-            columns <= SIZE_MAX / sizeof(double) / (angles ? angles : 1)
-                ? calloc(angles * columns, sizeof *made->phase_per_sr)
-                : NULL;
+            calloc(columns, angles * sizeof *made->phase_per_sr);
         made->wavelength_nm =
             by_wavelength ? calloc(columns, sizeof *made->wavelength_nm) : NULL;
     }
@@ -41,20 +38,27 @@ void murk_preset_angles_destroy(murk_preset_angles *angles)
     }
 }
 
+size_t murk_preset_interval(const double *at, size_t n, double wavelength_nm,
+                            double *share)
+{
+    size_t right = 1;
+    while (right + 1 < n && at[right] < wavelength_nm) {
+        ++right;
+    }
+    *share = (wavelength_nm - at[right - 1]) / (at[right] - at[right - 1]);
+    return right - 1;
+}
+
 double murk_preset_table_at(const murk_preset_table *table,
                             const double *column, double wavelength_nm)
 {
-    const double *at = table->wavelength_nm;
     if (table->n == 1) {
         return column[0];
     }
-    size_t right = 1;
-    while (right + 1 < table->n && at[right] < wavelength_nm) {
-        ++right;
-    }
-    const double share =
-        (wavelength_nm - at[right - 1]) / (at[right] - at[right - 1]);
-    return column[right - 1] * (1 - share) + column[right] * share;
+    double share;
+    const size_t left = murk_preset_interval(table->wavelength_nm, table->n,
+                                             wavelength_nm, &share);
+    return column[left] * (1 - share) + column[left + 1] * share;
 }
 
 static void release_part(murk_preset_part *part)

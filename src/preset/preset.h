@@ -65,6 +65,12 @@ typedef struct murk_preset_table {
                                         * NULL */
 } murk_preset_table;
 
+/* The index of the interval of n >= 2 rising wavelengths that contains a
+ * wavelength, or of the nearest interval; *share is the position between the
+ * two ends, 0..1 inside. */
+size_t murk_preset_interval(const double *at, size_t n, double wavelength_nm,
+                            double *share);
+
 /* The value of a column of a table at a wavelength, linear between rows. Beyond
  * the first and the last row the nearest line is continued. */
 double murk_preset_table_at(const murk_preset_table *table,

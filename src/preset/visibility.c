@@ -42,18 +42,25 @@ double murk_visibility_kim_q(double visibility_km)
                                 : 0;
 }
 
+void murk_law_power(murk_law_result *out, const murk_law_call *call,
+                    double extinction_per_m, double at_nm, double exponent,
+                    double albedo)
+{
+    for (size_t i = 0; i < call->n; ++i) {
+        const double extinction =
+            extinction_per_m * pow(call->wavelength_nm[i] / at_nm, -exponent);
+        out->scattering_per_m[i] = albedo * extinction;
+        out->absorption_per_m[i] = (1 - albedo) * extinction;
+    }
+}
+
 static murk_status run(murk_law_result *out, const murk_law_call *call,
                        double (*q_of)(double))
 {
     const double visibility_m = call->words->value[MURK_WORD_VISIBILITY][0];
-    const double at_550 = murk_visibility_extinction(visibility_m);
-    const double q = q_of(visibility_m / 1000), albedo = call->parameter[0];
-    for (size_t i = 0; i < call->n; ++i) {
-        const double extinction =
-            at_550 * pow(call->wavelength_nm[i] / MURK_VISIBILITY_NM, -q);
-        out->scattering_per_m[i] = albedo * extinction;
-        out->absorption_per_m[i] = (1 - albedo) * extinction;
-    }
+    murk_law_power(out, call, murk_visibility_extinction(visibility_m),
+                   MURK_VISIBILITY_NM, q_of(visibility_m / 1000),
+                   call->parameter[0]);
     return MURK_OK;
 }
 

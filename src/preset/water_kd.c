@@ -19,14 +19,6 @@ static double turned(double particles, double molecules, double sun_cosine)
     return (.473 * sun_cosine - .218) * particles + G_MOLECULES * molecules;
 }
 
-double murk_water_kd(const murk_water_iop *water, double sun_cosine)
-{
-    const double a = water->absorption_per_m;
-    const double gb =
-        turned(water->particles_per_m, water->molecules_per_m, sun_cosine);
-    return sqrt(a * a + gb * a) / sun_cosine;
-}
-
 double murk_water_absorption_of_kd(double kd_per_m, double particles_per_m,
                                    double molecules_per_m, double sun_cosine)
 {

@@ -17,20 +17,12 @@
 #ifndef MURK_PRESET_WATER_KD_H
 #define MURK_PRESET_WATER_KD_H
 
-/* Inherent optical properties of water in 1/m; scattering by particles and by
- * molecules. */
-typedef struct murk_water_iop {
-    double absorption_per_m, particles_per_m, molecules_per_m;
-} murk_water_iop;
-
 /* The cosine of the direction of the sun in water of index 1.34, below a level
  * surface. */
 double murk_water_sun_cosine(double zenith_in_air_deg);
 
-/* The diffuse attenuation Kd [1/m]. */
-double murk_water_kd(const murk_water_iop *water, double sun_cosine);
-
-/* The absorption for which murk_water_kd() returns kd_per_m: 0 or more. */
+/* The absorption for which Kd is kd_per_m, with scattering by particles and by
+ * molecules: 0 or more. */
 double murk_water_absorption_of_kd(double kd_per_m, double particles_per_m,
                                    double molecules_per_m, double sun_cosine);
 

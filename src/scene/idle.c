@@ -10,81 +10,28 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- conditions under which a key has an effect ---- */
+/* ---- uses of keys ---- */
 
-static bool has_threshold(const murk_scene_desc *s)
-{
-    return murk_detection_is(s->placement.detection,
-                             MURK_DETECTION_HAS_THRESHOLD);
-}
-
-static bool has_power(const murk_scene_desc *s)
-{
-    return murk_detection_is(s->placement.detection, MURK_DETECTION_BY_POWER);
-}
-
-static bool has_neighbours(const murk_scene_desc *s)
-{
-    return has_power(s) && !(s->placement.power_radius_m > 0);
-}
-
-static bool bends_sight(const murk_scene_desc *s)
-{
-    return s->placement.through != MURK_SCENE_REFRACT ||
-           !s->placement.by_normal;
-}
-
-static bool explores(const murk_scene_desc *s)
-{
-    return s->placement.knowledge == MURK_SCENE_EXPLORE;
-}
-
-static bool restarts(const murk_scene_desc *s)
-{
-    return s->placement.method == MURK_PLACE_BEST;
-}
-
-static bool branches(const murk_scene_desc *s)
-{
-    return (s->placement.method == MURK_PLACE_BEST ||
-            s->placement.method == MURK_PLACE_EXACT) &&
-           s->placement.knowledge == MURK_SCENE_KNOWN;
-}
-
-static bool has_interest(const murk_scene_desc *s)
-{
-    return s->placement.n_interests > 0;
-}
-
-static bool has_jitter(const murk_scene_desc *s)
-{
-    return s->placement.jitter_m > 0 || s->placement.jitter_rad > 0;
-}
-
-static bool has_objective(const murk_scene_desc *s)
-{
-    return s->placement.over != MURK_SCENE_OBJECTIVE_NONE;
-}
-
-static bool has_regret(const murk_scene_desc *s)
-{
-    return s->placement.over == MURK_SCENE_OBJECTIVE_REGRET;
-}
-
-static bool has_target(const murk_scene_desc *s)
-{
-    return s->sensors.target > 0;
-}
-
-static bool has_budget(const murk_scene_desc *s)
-{
-    return s->sensors.budget > 0;
-}
-
-static bool stores(const murk_scene_desc *s)
-{
-    return s->photons.maps != MURK_SCENE_MAPS_NONE;
-}
+/* The features of a scene that use keys of the table. */
+enum {
+    OUTSIDE,
+    THRESHOLD,
+    POWER,
+    NEIGHBOURS,
+    SIGHT,
+    EXPLORING,
+    RESTARTS,
+    BRANCHING,
+    TARGET,
+    INTEREST,
+    JITTER,
+    OBJECTIVE,
+    REGRET,
+    BUDGET,
+    STORE,
+    TIME,
+    N_USES
+};
 
 static bool asks_time(const murk_scene_desc *s)
 {
@@ -99,53 +46,68 @@ static bool asks_time(const murk_scene_desc *s)
     return false;
 }
 
-static bool has_outside(const murk_scene_desc *s)
+/* Adds the features of a scene. */
+static void add_uses(bool uses[N_USES], const murk_scene_desc *s)
 {
-    return !s->domain.is_periodic;
+    const murk_scene_placement *p = &s->placement;
+    const bool by_power =
+        murk_detection_is(p->detection, MURK_DETECTION_BY_POWER);
+    const bool is_best = p->method == MURK_PLACE_BEST;
+    /* Each feature with the keys that it needs. */
+    const bool own[N_USES] = {
+        [OUTSIDE] = !s->domain.is_periodic,
+        [THRESHOLD] =
+            murk_detection_is(p->detection, MURK_DETECTION_HAS_THRESHOLD),
+        [POWER] = by_power,
+        [NEIGHBOURS] = by_power && !(p->power_radius_m > 0),
+        [SIGHT] = p->through != MURK_SCENE_REFRACT || !p->by_normal,
+        [EXPLORING] = p->knowledge == MURK_SCENE_EXPLORE,
+        [RESTARTS] = is_best,
+        [BRANCHING] = (is_best || p->method == MURK_PLACE_EXACT) &&
+                      p->knowledge == MURK_SCENE_KNOWN,
+        [TARGET] = s->sensors.target > 0,
+        [INTEREST] = p->n_interests > 0,
+        [JITTER] = p->jitter_m > 0 || p->jitter_rad > 0,
+        [OBJECTIVE] = p->over != MURK_SCENE_OBJECTIVE_NONE,
+        [REGRET] = p->over == MURK_SCENE_OBJECTIVE_REGRET,
+        [BUDGET] = s->sensors.budget > 0,
+        [STORE] = s->photons.maps != MURK_SCENE_MAPS_NONE,
+        [TIME] = asks_time(s),
+    };
+    for (int i = 0; i < N_USES; ++i) {
+        uses[i] = uses[i] || own[i];
+    }
 }
 
 #define WITHOUT "has no effect without "
 
 const murk_idle_key murk_idle_keys[] = {
-    {"domain.outside", has_outside, "has no effect with sides: periodic"},
-    {"placement.threshold", has_threshold, WITHOUT "detection: threshold"},
-    {"placement.power_radius_m", has_power, WITHOUT "detection: power"},
-    {"placement.power_neighbours", has_neighbours,
+    {"domain.outside", OUTSIDE, "has no effect with sides: periodic"},
+    {"placement.threshold", THRESHOLD, WITHOUT "detection: threshold"},
+    {"placement.power_radius_m", POWER, WITHOUT "detection: power"},
+    {"placement.power_neighbours", NEIGHBOURS,
      WITHOUT "detection: power, and beside power_radius_m"},
-    {"placement.through", bends_sight,
-     "bends no sightlines with visibility: normal"},
-    {"placement.start_m", explores, WITHOUT "knowledge: explore"},
-    {"placement.restarts", restarts, WITHOUT "method: best"},
-    {"placement.nodes", branches,
+    {"placement.through", SIGHT, "bends no sightlines with visibility: normal"},
+    {"placement.start_m", EXPLORING, WITHOUT "knowledge: explore"},
+    {"placement.restarts", RESTARTS, WITHOUT "method: best"},
+    {"placement.nodes", BRANCHING,
      WITHOUT "method: best or exact, and knowledge: known"},
-    {"placement.at_least", has_target, WITHOUT "sensors.target"},
-    {"placement.elsewhere", has_interest, WITHOUT "interest"},
-    {"placement.jitter_draws", has_jitter, WITHOUT "jitter_m or jitter_deg"},
-    {"placement.condition_weights", has_objective,
-     WITHOUT "over: mean or worst"},
-    {"placement.regret", has_regret, WITHOUT "over: regret"},
-    {"sensors.types.*.aperture_m2", has_power, WITHOUT "detection: power"},
-    {"sensors.types.*.quantum_efficiency", has_power,
-     WITHOUT "detection: power"},
-    {"sensors.types.*.exposure_s", has_power, WITHOUT "detection: power"},
-    {"sensors.types.*.target_m2", has_power, WITHOUT "detection: power"},
-    {"sensors.types.*.target_m3", has_power, WITHOUT "detection: power"},
-    {"sensors.types.*.cost", has_budget, WITHOUT "sensors.budget"},
-    {"photons.store_when", stores, "has no effect with maps: none"},
-    {"photons.max_stored", stores, "has no effect with maps: none"},
-    {"site", asks_time, WITHOUT "a light of the sky or a lamp with a schedule"},
-    {NULL, NULL, NULL},
+    {"placement.at_least", TARGET, WITHOUT "sensors.target"},
+    {"placement.elsewhere", INTEREST, WITHOUT "interest"},
+    {"placement.jitter_draws", JITTER, WITHOUT "jitter_m or jitter_deg"},
+    {"placement.condition_weights", OBJECTIVE, WITHOUT "over: mean or worst"},
+    {"placement.regret", REGRET, WITHOUT "over: regret"},
+    {"sensors.types.*.aperture_m2", POWER, WITHOUT "detection: power"},
+    {"sensors.types.*.quantum_efficiency", POWER, WITHOUT "detection: power"},
+    {"sensors.types.*.exposure_s", POWER, WITHOUT "detection: power"},
+    {"sensors.types.*.target_m2", POWER, WITHOUT "detection: power"},
+    {"sensors.types.*.target_m3", POWER, WITHOUT "detection: power"},
+    {"sensors.types.*.cost", BUDGET, WITHOUT "sensors.budget"},
+    {"photons.store_when", STORE, "has no effect with maps: none"},
+    {"photons.max_stored", STORE, "has no effect with maps: none"},
+    {"site", TIME, WITHOUT "a light of the sky or a lamp with a schedule"},
+    {NULL, N_USES, NULL},
 };
-
-static bool acts_anywhere(const murk_idle_key *inert,
-                          const murk_scene_desc *scene)
-{
-    bool acts = inert->acts(scene);
-    for (size_t i = 0; i < scene->n_conditions; ++i) {
-        acts = acts || inert->acts(scene->conditions[i].scene);
-    }
-    return acts;
-}
 
 /* ---- keys set by the user ---- */
 
@@ -265,11 +227,16 @@ static bool find_media(murk_scene_desc *scene, const murk_yaml *media)
 
 bool murk_idle_find(murk_scene_desc *scene, const murk_yaml *root)
 {
+    bool uses[N_USES] = {false};
+    add_uses(uses, scene);
+    for (size_t i = 0; i < scene->n_conditions; ++i) {
+        add_uses(uses, scene->conditions[i].scene);
+    }
     bool has_memory = find_media(scene, murk_yaml_get(root, "media"));
     const murk_idle_key *inert = murk_idle_keys;
     for (; inert->key && has_memory; ++inert) {
         char key[MURK_WALK_KEY_SIZE] = "";
-        if (!acts_anywhere(inert, scene)) {
+        if (!uses[inert->use]) {
             has_memory = follow(scene, inert, inert->key, root,
                                 &murk_scene_keys, key, 0);
         }

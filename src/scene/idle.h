@@ -11,8 +11,8 @@
 
 /* One row of the table. */
 typedef struct murk_idle_key {
-    const char *key; /* "sensors.types.*.cost": * stands for any item */
-    bool (*acts)(const murk_scene_desc *scene);
+    const char *key;  /* "sensors.types.*.cost": * stands for any item */
+    int use;          /* the feature of the scene for which it has an effect */
     const char *text; /* "has no effect without sensors.budget" */
 } murk_idle_key;
 

@@ -17,18 +17,10 @@ static const char *const MAY_DIFFER[] = {
     "seed",   "materials", "geometry", "media",   "regions",
     "lights", "photons",   "flight",   "tallies", NULL};
 
-/* True if the first part of a path is the key. */
-static bool begins_with(const char *path, const char *key)
-{
-    const size_t length = strlen(key);
-    return strncmp(path, key, length) == 0 &&
-           (path[length] == '.' || path[length] == '\0');
-}
-
 static bool may_differ(const char *path)
 {
     for (const char *const *key = MAY_DIFFER; *key; ++key) {
-        if (begins_with(path, *key)) {
+        if (murk_override_overlap(path, *key)) {
             return true;
         }
     }
@@ -38,7 +30,7 @@ static bool may_differ(const char *path)
 static bool is_of_scene(const char *path)
 {
     for (const murk_key *key = murk_scene_keys.key; key->name; ++key) {
-        if (begins_with(path, key->name)) {
+        if (murk_override_overlap(path, key->name)) {
             return true;
         }
     }

@@ -141,16 +141,6 @@ bool murk_scene_word_find(const char *path, const char *text, int *value)
     return word->text != NULL;
 }
 
-const murk_key *murk_keys_find(const murk_keys *keys, const char *name)
-{
-    for (const murk_key *key = keys->key; key->name; ++key) {
-        if (strcmp(key->name, name) == 0) {
-            return key;
-        }
-    }
-    return NULL;
-}
-
 murk_status murk_check_own_name(murk_key_reader *walk, const murk_yaml *map,
                                 const char *noun, const void *items,
                                 size_t size, const void *item)

@@ -37,42 +37,29 @@ static murk_status open_preset(murk_key_reader *walk, const murk_yaml *map,
                              where, walk->err);
 }
 
-static murk_yaml *number_node(double value, const char *source)
+/* Adds the default of a word to the map: a number, or a list of numbers. */
+static murk_status put_default(murk_key_reader *walk, murk_yaml *map,
+                               const char *name, const double *value,
+                               int numbers)
 {
-    char text[MURK_NUMBER_SIZE];
-    murk_yaml *node = murk_yaml_make(MURK_YAML_SCALAR, source);
-    murk_number_print(text, value);
-    if (node && !murk_yaml_set_text(node, text)) {
-        murk_yaml_destroy(node);
-        return NULL;
+    char text[MURK_WORD_NUMBERS_MAX * (MURK_NUMBER_SIZE + 2)] = "";
+    for (int k = 0; k < numbers; ++k) {
+        char number[MURK_NUMBER_SIZE];
+        const size_t length = strlen(text);
+        murk_number_print(number, value[k]);
+        snprintf(text + length, sizeof text - length, "%s%s%s",
+                 numbers == 1 ? ""
+                 : k          ? ", "
+                              : "[",
+                 number, numbers > 1 && k == numbers - 1 ? "]" : "");
     }
-    return node;
-}
-
-/* A YAML node for a default value. */
-static murk_yaml *default_node(const murk_preset_word *word, int numbers,
-                               const char *source)
-{
-    if (numbers == 1) {
-        return number_node(word->preset[0], source);
-    }
-    murk_yaml *list = murk_yaml_make(MURK_YAML_LIST, source);
-    bool is_whole = list != NULL;
-    for (int k = 0; k < numbers && is_whole; ++k) {
-        murk_yaml *item = number_node(word->preset[k], source);
-        is_whole = item && murk_yaml_append(list, NULL, item);
-    }
-    if (!is_whole) {
-        murk_yaml_destroy(list);
-        return NULL;
-    }
-    return list;
+    return murk_walk_put_preset(walk, map, name, text);
 }
 
 static murk_status complete_word(murk_key_reader *walk, murk_yaml *map,
                                  const murk_preset *preset, murk_word_id word)
 {
-    const char *name = murk_word_name(word);
+    const char *name = murk_word_rows[word].name;
     const murk_preset_word range = murk_preset_word_of(preset, word);
     if (murk_yaml_get(map, name)) {
         if (range.is_known) {
@@ -86,18 +73,16 @@ static murk_status complete_word(murk_key_reader *walk, murk_yaml *map,
     bool is_said_otherwise = false;
     for (int i = 0; i < MURK_WORDS; ++i) {
         const murk_word_id other = (murk_word_id)i;
-        is_said_otherwise =
-            is_said_otherwise ||
-            (murk_word_is_amount(word) && murk_word_is_amount(other) &&
-             other != word && murk_yaml_get(map, murk_word_name(other)));
+        is_said_otherwise = is_said_otherwise ||
+                            (murk_word_rows[word].is_amount &&
+                             murk_word_rows[other].is_amount && other != word &&
+                             murk_yaml_get(map, murk_word_rows[other].name));
     }
     if (!range.is_known || !range.has_preset || is_said_otherwise) {
         return MURK_OK;
     }
-    murk_yaml *node =
-        default_node(&range, murk_word_numbers(word), walk->root->source);
-    return node && murk_yaml_put(map, name, node) ? MURK_OK
-                                                  : murk_walk_no_memory(walk);
+    return put_default(walk, map, name, range.preset,
+                       murk_word_rows[word].numbers);
 }
 
 murk_status murk_medium_preset_complete(murk_key_reader *walk, murk_yaml *map)
@@ -125,7 +110,7 @@ static murk_status check_ranges(murk_key_reader *walk, const murk_yaml *map,
         if (words->given[i]) {
             murk_scene_where where;
             const murk_word_id word = (murk_word_id)i;
-            where_of(walk, map, murk_word_name(word), false, where);
+            where_of(walk, map, murk_word_rows[word].name, false, where);
             status = murk_preset_check_word(preset, word, words->value[i],
                                             where, walk->err);
         }
@@ -263,35 +248,11 @@ static void put_medium(FILE *out, const murk_scene_medium *medium, size_t bands)
     fputc('\n', out);
 }
 
-bool murk_medium_preset_sign(murk_scene_desc *scene)
+void murk_medium_preset_sign(FILE *out, const murk_scene_desc *scene)
 {
-    /* Nothing to add without presets. */
-    bool any = false;
-    for (size_t i = 0; i < scene->n_media; ++i) {
-        any = any || scene->media[i].preset;
-    }
-    if (!any) {
-        return true;
-    }
-    char *text = NULL;
-    size_t size = 0;
-    FILE *out = open_memstream(&text, &size);
-    if (!out) {
-        return false;
-    }
-    /* Append one line for each medium with a preset. */
-    fputs(scene->light_key, out);
     for (size_t i = 0; i < scene->n_media; ++i) {
         if (scene->media[i].preset) {
             put_medium(out, &scene->media[i], (size_t)scene->bands);
         }
     }
-    const bool failed = ferror(out) != 0;
-    if (fclose(out) != 0 || failed) {
-        free(text);
-        return false;
-    }
-    free(scene->light_key);
-    scene->light_key = text;
-    return true;
 }

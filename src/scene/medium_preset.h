@@ -5,6 +5,8 @@
 
 #include "scene/walk.h"
 
+#include <stdio.h>
+
 /* For a map with a `preset`: checks that the preset exists and knows the
  * given words, and adds the defaults of the other words to the map. */
 murk_status murk_medium_preset_complete(murk_key_reader *walk, murk_yaml *map);
@@ -14,8 +16,9 @@ murk_status murk_medium_preset_complete(murk_key_reader *walk, murk_yaml *map);
 murk_status murk_medium_preset_fill(murk_key_reader *walk, const murk_yaml *map,
                                     murk_scene_medium *medium);
 
-/* Adds the computed properties of presets to scene->light_key: traced light
- * is then not reused after a preset has changed. False when out of memory. */
-bool murk_medium_preset_sign(murk_scene_desc *scene);
+/* Prints the computed properties of presets, one line for each medium that has
+ * a preset: as a part of scene->light_key they prevent that traced light is
+ * reused after a preset has changed. */
+void murk_medium_preset_sign(FILE *out, const murk_scene_desc *scene);
 
 #endif

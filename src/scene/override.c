@@ -3,6 +3,7 @@
  * and puts the value at the end. */
 #include "scene/override.h"
 
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -28,8 +29,16 @@ typedef struct option_context {
     murk_error *err;
 } option_context;
 
-static murk_status fail(const option_context *option, const char *text)
+static murk_status fail(const option_context *option, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+static murk_status fail(const option_context *option, const char *format, ...)
 {
+    char text[256];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(text, sizeof text, format, args);
+    va_end(args);
     return murk_fail(option->err, MURK_BAD_VALUE, option->where, "%s", text);
 }
 
@@ -77,19 +86,15 @@ static size_t part_length(const spot *at, const char *path)
 static murk_status unknown(const option_context *option, const murk_key *owner,
                            const char *part, const char *const *names, size_t n)
 {
-    char shown[MURK_SCENE_NAME_SIZE], meant_shown[MURK_SCENE_NAME_SIZE];
-    char text[256];
+    char shown[MURK_SCENE_NAME_SIZE], meant_shown[MURK_SCENE_NAME_SIZE] = "";
     murk_words_show(shown, sizeof shown, part);
     const char *meant = murk_words_meant(part, names, n);
     const char *where = owner && owner->name ? owner->name : "the scene";
     if (meant) {
         murk_words_show(meant_shown, sizeof meant_shown, meant);
-        snprintf(text, sizeof text, "no %s in %s, did you mean %s?", shown,
-                 where, meant_shown);
-    } else {
-        snprintf(text, sizeof text, "no %s in %s", shown, where);
     }
-    return fail(option, text);
+    return fail(option, "no %s in %s%s%s%s", shown, where,
+                meant ? ", did you mean " : "", meant_shown, meant ? "?" : "");
 }
 
 static murk_status unknown_key(const option_context *option,
@@ -152,12 +157,10 @@ static murk_status remove_excluded(const option_context *option, murk_yaml *map,
             continue;
         }
         if (is_own(option, rival)) {
-            char text[256];
-            snprintf(text, sizeof text,
-                     "%s and %s are both %s, must be one of them", other->name,
-                     key->name,
-                     option->own ? "in the condition" : "on the command line");
-            return fail(option, text);
+            return fail(option, "%s and %s are both %s, must be one of them",
+                        other->name, key->name,
+                        option->own ? "in the condition"
+                                    : "on the command line");
         }
         murk_yaml_remove(map, other->name);
     }
@@ -224,19 +227,16 @@ static murk_status step_list(const option_context *option, spot *at,
 {
     murk_yaml *list = at->node;
     uint64_t index;
-    char text[256], shown[MURK_SCENE_NAME_SIZE];
+    char shown[MURK_SCENE_NAME_SIZE];
     /* The part must be the number of an existing item. */
+    murk_words_show(shown, sizeof shown, part);
+    if (list->n == 0) {
+        return fail(option, "item %s of an empty list", shown);
+    }
     if (!is_index(part) || !murk_count_parse(part, &index) ||
         index >= list->n) {
-        murk_words_show(shown, sizeof shown, part);
-        if (list->n == 0) {
-            snprintf(text, sizeof text, "item %s of an empty list", shown);
-        } else {
-            snprintf(text, sizeof text,
-                     "item %s of a list of %zu, must be 0..%zu", shown, list->n,
-                     list->n - 1);
-        }
-        return fail(option, text);
+        return fail(option, "item %s of a list of %zu, must be 0..%zu", shown,
+                    list->n, list->n - 1);
     }
     /* The last part of the path: replace the item. */
     if (value) {
@@ -305,10 +305,9 @@ static murk_status step(const option_context *option, spot *at,
         }
         status = step_map(option, at, part, next, value);
     } else {
-        char text[256], shown[MURK_SCENE_NAME_SIZE];
+        char shown[MURK_SCENE_NAME_SIZE];
         murk_words_show(shown, sizeof shown, part);
-        snprintf(text, sizeof text, "%s is below a single value", shown);
-        return fail(option, text);
+        return fail(option, "%s is below a single value", shown);
     }
     at->key = next;
     return status;
@@ -359,13 +358,11 @@ char *murk_override_source(const murk_override *override)
 static murk_status put(const option_context *option, murk_yaml *root,
                        const char *path, size_t length, murk_yaml *value)
 {
-    char *own_path = malloc(length + 1);
+    char *own_path = strndup(path, length);
     if (!own_path) {
         murk_yaml_destroy(value);
         return no_memory(option);
     }
-    memcpy(own_path, path, length);
-    own_path[length] = '\0';
     const murk_status status = descend(option, root, own_path, &value);
     free(own_path);
     murk_yaml_destroy(value);

@@ -18,8 +18,8 @@
 #define NANOMETRES "_nm"
 
 /* Opens and parses the table that a node names; the caller owns it. */
-static murk_status open_table(const murk_preset_walk *walk,
-                              const murk_yaml *node, murk_table **out)
+static bool open_table(murk_preset_walk *walk, const murk_yaml *node,
+                       murk_table **out)
 {
     const murk_media_file *file = murk_media_file_find(node->text);
     if (!file) {
@@ -31,17 +31,36 @@ static murk_status open_table(const murk_preset_walk *walk,
         return murk_preset_no_memory(walk);
     }
     memcpy(text, file->text, file->size + 1);
-    return murk_table_parse(out, file->name, text, file->size, walk->err);
+    walk->status =
+        murk_table_parse(out, file->name, text, file->size, walk->err);
+    return !walk->status;
 }
 
-static murk_status read_column(const murk_preset_walk *walk,
-                               const murk_table *csv, long column, double *out)
+static bool read_column(murk_preset_walk *walk, const murk_table *csv,
+                        long column, double *out)
 {
-    murk_status status = MURK_OK;
-    for (size_t i = 0; i < csv->rows && !status; ++i) {
-        status = murk_table_number(csv, i, column, NAN, &out[i], walk->err);
+    for (size_t i = 0; i < csv->rows && !walk->status; ++i) {
+        walk->status =
+            murk_table_number(csv, i, column, NAN, &out[i], walk->err);
     }
-    return status;
+    return !walk->status;
+}
+
+/* Checks that wavelengths rise and span those of the preset. */
+static bool check_wavelengths(murk_preset_walk *walk, const murk_yaml *node,
+                              const double *nm, size_t n)
+{
+    const double *range = walk->preset->wavelength_nm;
+    for (size_t i = 1; i < n; ++i) {
+        if (!(nm[i] > nm[i - 1])) {
+            return murk_preset_fail(walk, node, "%.9g nm after %.9g, must rise",
+                                    nm[i], nm[i - 1]);
+        }
+    }
+    return (nm[0] <= range[0] && nm[n - 1] >= range[1]) ||
+           murk_preset_fail(walk, node,
+                            "spans %.9g..%.9g nm, less than wavelength_nm",
+                            nm[0], nm[n - 1]);
 }
 
 /* ---- coefficients ---- */
@@ -74,60 +93,44 @@ typedef struct columns {
     double *value[COLUMNS];
 } columns;
 
-static murk_status read_lists(const murk_preset_walk *walk,
-                              const murk_yaml *map, columns *out)
+/* Reads the columns that a map of lists or a CSV file has. */
+static bool read_columns(murk_preset_walk *walk, const murk_yaml *node,
+                         columns *out)
 {
+    murk_table *csv = NULL;
+    const murk_yaml *nm = murk_yaml_get(node, COLUMN[NM].name);
     const char *known[KNOWN_MAX];
     for (int c = 0; c <= COLUMNS; ++c) {
         known[c] = COLUMN[c].name;
     }
-    murk_status status = murk_preset_check_keys(walk, map, known);
-    const murk_yaml *nm = status ? NULL : murk_yaml_get(map, COLUMN[NM].name);
-    out->n = nm && nm->kind == MURK_YAML_LIST ? nm->n : 1;
-    for (int c = 0; c < COLUMNS && !status; ++c) {
-        const murk_yaml *list = murk_yaml_get(map, COLUMN[c].name);
-        if (list) {
-            out->value[c] = calloc(out->n + 1, sizeof(double));
-            status = out->value[c] ? murk_preset_numbers(walk, list, out->n,
-                                                         out->value[c])
-                                   : murk_preset_no_memory(walk);
+    /* A file, or a map; the number of rows. */
+    bool is_read = node->kind == MURK_YAML_SCALAR
+                       ? open_table(walk, node, &csv)
+                       : murk_preset_check_keys(walk, node, known);
+    out->n = csv ? csv->rows : nm && nm->kind == MURK_YAML_LIST ? nm->n : 1;
+    for (int c = 0; c < COLUMNS && is_read; ++c) {
+        const long column = csv ? murk_table_column(csv, COLUMN[c].name) : -1;
+        const murk_yaml *list = murk_yaml_get(node, COLUMN[c].name);
+        if (column < 0 && !list) {
+            continue;
         }
-    }
-    return status;
-}
-
-static murk_status read_csv(const murk_preset_walk *walk, const murk_yaml *node,
-                            columns *out)
-{
-    murk_table *csv = NULL;
-    murk_status status = open_table(walk, node, &csv);
-    if (status) {
-        return status;
-    }
-    out->n = csv->rows;
-    for (int c = 0; c < COLUMNS && !status; ++c) {
-        const long column = murk_table_column(csv, COLUMN[c].name);
-        if (column >= 0) {
-            out->value[c] = calloc(out->n + 1, sizeof(double));
-            status = out->value[c]
-                         ? read_column(walk, csv, column, out->value[c])
-                         : murk_preset_no_memory(walk);
-        }
+        out->value[c] = calloc(out->n + 1, sizeof(double));
+        is_read = !out->value[c] ? murk_preset_no_memory(walk)
+                  : csv
+                      ? read_column(walk, csv, column, out->value[c])
+                      : murk_preset_numbers(walk, list, out->n, out->value[c]);
     }
     murk_table_destroy(csv);
-    return status;
+    return is_read;
 }
 
-/* Checks that values are in range, and that wavelengths rise and span those
- * of the preset. */
-static murk_status check_columns(const murk_preset_walk *walk,
-                                 const murk_yaml *node, const columns *in)
+/* Checks wavelengths and the range of every value. */
+static bool check_columns(murk_preset_walk *walk, const murk_yaml *node,
+                          const columns *in)
 {
-    const double *nm = in->value[NM], *range = walk->preset->wavelength_nm;
-    if (!nm || in->n == 0) {
+    if (!in->value[NM] || in->n == 0) {
         return murk_preset_fail(walk, node, "misses wavelength_nm");
     }
-    /* Range of every value. */
     for (int c = 0; c < COLUMNS; ++c) {
         for (size_t i = 0; in->value[c] && i < in->n; ++i) {
             if (!(in->value[c][i] >= COLUMN[c].min &&
@@ -138,30 +141,16 @@ static murk_status check_columns(const murk_preset_walk *walk,
             }
         }
     }
-    /* Wavelengths. */
-    for (size_t i = 1; i < in->n; ++i) {
-        if (!(nm[i] > nm[i - 1])) {
-            return murk_preset_fail(walk, node, "%.9g nm after %.9g, must rise",
-                                    nm[i], nm[i - 1]);
-        }
-    }
-    if (!(nm[0] <= range[0] && nm[in->n - 1] >= range[1])) {
-        return murk_preset_fail(walk, node,
-                                "spans %.9g..%.9g nm, less than wavelength_nm",
-                                nm[0], nm[in->n - 1]);
-    }
-    return MURK_OK;
+    return check_wavelengths(walk, node, in->value[NM], in->n);
 }
 
 /* Converts extinction and albedo to absorption and scattering, in place. */
-static murk_status split(const murk_preset_walk *walk, const murk_yaml *node,
-                         columns *in)
+static bool split(murk_preset_walk *walk, const murk_yaml *node, columns *in)
 {
     double **value = in->value;
     if (!value[EXTINCTION] && !value[ALBEDO]) {
-        return value[ABSORPTION] || value[SCATTERING] || value[DIFFUSE]
-                   ? MURK_OK
-                   : murk_preset_fail(walk, node, "has no coefficients");
+        return value[ABSORPTION] || value[SCATTERING] || value[DIFFUSE] ||
+               murk_preset_fail(walk, node, "has no coefficients");
     }
     if (!value[EXTINCTION] || !value[ALBEDO] || value[ABSORPTION] ||
         value[SCATTERING]) {
@@ -177,38 +166,26 @@ static murk_status split(const murk_preset_walk *walk, const murk_yaml *node,
     value[ABSORPTION] = value[EXTINCTION];
     value[SCATTERING] = value[ALBEDO];
     value[EXTINCTION] = value[ALBEDO] = NULL;
-    return MURK_OK;
+    return true;
 }
 
-murk_status murk_preset_read_table(const murk_preset_walk *walk,
-                                   const murk_yaml *node,
-                                   murk_preset_table *out)
+bool murk_preset_read_table(murk_preset_walk *walk, const murk_yaml *node,
+                            murk_preset_table *out)
 {
     columns in = {0};
-    murk_status status = node->kind == MURK_YAML_SCALAR
-                             ? read_csv(walk, node, &in)
-                             : read_lists(walk, node, &in);
-    if (!status) {
-        /* Range, order and completeness. */
-        status = check_columns(walk, node, &in);
-    }
-    if (!status) {
-        status = split(walk, node, &in);
-    }
-    if (!status) {
-        *out =
-            (murk_preset_table){.n = in.n,
-                                .wavelength_nm = in.value[NM],
-                                .absorption_per_m = in.value[ABSORPTION],
-                                .scattering_per_m = in.value[SCATTERING],
-                                .mean_cosine = in.value[COSINE],
-                                .diffuse_attenuation_per_m = in.value[DIFFUSE]};
-        return MURK_OK;
-    }
-    for (int c = 0; c < COLUMNS; ++c) {
-        free(in.value[c]);
-    }
-    return status;
+    const bool is_read = read_columns(walk, node, &in) &&
+                         check_columns(walk, node, &in) &&
+                         split(walk, node, &in);
+    /* The preset owns the columns, even if they are refused. */
+    *out = (murk_preset_table){.n = in.n,
+                               .wavelength_nm = in.value[NM],
+                               .absorption_per_m = in.value[ABSORPTION],
+                               .scattering_per_m = in.value[SCATTERING],
+                               .mean_cosine = in.value[COSINE],
+                               .diffuse_attenuation_per_m = in.value[DIFFUSE]};
+    free(in.value[EXTINCTION]);
+    free(in.value[ALBEDO]);
+    return is_read;
 }
 
 /* ---- phase functions ---- */
@@ -228,53 +205,28 @@ static double wavelength_of(const char *name)
     return murk_number_parse(number, &nm) ? nm : 0;
 }
 
-static murk_status fill_by_wavelength(const murk_preset_walk *walk,
-                                      const murk_yaml *node,
-                                      const murk_table *csv,
-                                      murk_preset_angles *out)
+/* Reads one column for each wavelength, in the order of the file. */
+static bool read_by_wavelength(murk_preset_walk *walk, const murk_yaml *node,
+                               const murk_table *csv, murk_preset_angles *out)
 {
-    const double *range = walk->preset->wavelength_nm;
-    double *nm = out->wavelength_nm;
-    murk_status status = MURK_OK;
     size_t n = 0;
-    /* One column for each wavelength, in the order of the file. */
-    for (size_t c = 0; c < csv->columns && !status; ++c) {
-        if (wavelength_of(csv->name[c]) > 0) {
-            nm[n] = wavelength_of(csv->name[c]);
-            status = read_column(walk, csv, (long)c,
-                                 out->phase_per_sr + n++ * out->angles);
+    bool is_read = true;
+    for (size_t c = 0; c < csv->columns && is_read; ++c) {
+        const double nm = wavelength_of(csv->name[c]);
+        if (nm > 0) {
+            out->wavelength_nm[n] = nm;
+            is_read = read_column(walk, csv, (long)c,
+                                  out->phase_per_sr + n++ * out->angles);
         }
     }
-    /* Wavelengths must rise and span those of the preset. */
-    for (size_t i = 1; i < n && !status; ++i) {
-        if (!(nm[i] > nm[i - 1])) {
-            status = murk_preset_fail(walk, node, "its wavelengths must rise");
-        }
-    }
-    if (!status && !(nm[0] <= range[0] && nm[n - 1] >= range[1])) {
-        status = murk_preset_fail(walk, node,
-                                  "spans %.9g..%.9g nm, less than "
-                                  "wavelength_nm",
-                                  nm[0], nm[n - 1]);
-    }
-    return status;
+    return is_read && check_wavelengths(walk, node, out->wavelength_nm, n);
 }
 
-murk_status murk_preset_read_angles(const murk_preset_walk *walk,
-                                    const murk_yaml *node,
-                                    murk_preset_angles **out)
+/* Reads either one phase function for all wavelengths, or one for each of
+ * several. */
+static bool read_phases(murk_preset_walk *walk, const murk_yaml *node,
+                        const murk_table *csv, murk_preset_angles **out)
 {
-    murk_table *csv = NULL;
-    murk_preset_angles *angles = NULL;
-    if (node->kind != MURK_YAML_SCALAR) {
-        return murk_preset_fail(walk, node, "must be the name of a csv file");
-    }
-    murk_status status = open_table(walk, node, &csv);
-    if (status) {
-        return status;
-    }
-    /* Either one phase function for all wavelengths, or one for each of
-     * several. */
     const long angle = murk_table_column(csv, "angle_deg");
     const long plain = murk_table_column(csv, "phase_per_sr");
     size_t n = 0;
@@ -282,26 +234,26 @@ murk_status murk_preset_read_angles(const murk_preset_walk *walk,
         n += wavelength_of(csv->name[c]) > 0;
     }
     if (angle < 0 || (plain >= 0) == (n > 0) || csv->rows < 2) {
-        status = murk_preset_fail(walk, node,
-                                  "must have angle_deg and either "
-                                  "phase_per_sr or columns such as 450_nm");
-        goto done;
+        return murk_preset_fail(walk, node,
+                                "must have angle_deg and either phase_per_sr "
+                                "or columns such as 450_nm");
     }
-    status =
-        murk_preset_angles_create(&angles, csv->rows, n ? n : 1, n, walk->err);
-    if (!status) {
-        status = read_column(walk, csv, angle, angles->angle_deg);
+    walk->status =
+        murk_preset_angles_create(out, csv->rows, n ? n : 1, n, walk->err);
+    return !walk->status && read_column(walk, csv, angle, (*out)->angle_deg) &&
+           (n ? read_by_wavelength(walk, node, csv, *out)
+              : read_column(walk, csv, plain, (*out)->phase_per_sr));
+}
+
+bool murk_preset_read_angles(murk_preset_walk *walk, const murk_yaml *node,
+                             murk_preset_angles **out)
+{
+    murk_table *csv = NULL;
+    if (node->kind != MURK_YAML_SCALAR) {
+        return murk_preset_fail(walk, node, "must be the name of a csv file");
     }
-    if (!status) {
-        status = n ? fill_by_wavelength(walk, node, csv, angles)
-                   : read_column(walk, csv, plain, angles->phase_per_sr);
-    }
-    if (!status) {
-        *out = angles;
-        angles = NULL;
-    }
-done:
-    murk_preset_angles_destroy(angles);
+    const bool is_read =
+        open_table(walk, node, &csv) && read_phases(walk, node, csv, out);
     murk_table_destroy(csv);
-    return status;
+    return is_read;
 }

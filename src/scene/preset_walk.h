@@ -6,43 +6,45 @@
 #include "preset/preset.h"
 #include "scene/yaml.h"
 
+/* The readers return false after a failure, whose status is kept here. */
 typedef struct murk_preset_walk {
     murk_preset *preset;
     murk_error *err;
+    murk_status status;
 } murk_preset_walk;
 
-/* Fails at the place of a node: "fog/kruse.yaml:7:3". */
-murk_status murk_preset_fail(const murk_preset_walk *walk,
-                             const murk_yaml *node, const char *format, ...)
+/* Fails at the place of a node: "fog/kruse.yaml:7:3". Returns false. */
+bool murk_preset_fail(murk_preset_walk *walk, const murk_yaml *node,
+                      const char *format, ...)
     __attribute__((format(printf, 3, 4)));
-murk_status murk_preset_no_memory(const murk_preset_walk *walk);
+bool murk_preset_no_memory(murk_preset_walk *walk);
 
 /* Checks that a node is a map with no other keys than known[]; NULL ends the
  * list. */
-murk_status murk_preset_check_keys(const murk_preset_walk *walk,
-                                   const murk_yaml *map,
-                                   const char *const *known);
+bool murk_preset_check_keys(murk_preset_walk *walk, const murk_yaml *map,
+                            const char *const *known);
+
+/* The value of a required key; NULL and a failure if the map lacks it. */
+const murk_yaml *murk_preset_get(murk_preset_walk *walk, const murk_yaml *map,
+                                 const char *key);
 
 /* Reads a number in min..max. */
-murk_status murk_preset_number(const murk_preset_walk *walk,
-                               const murk_yaml *node, double min, double max,
-                               double *out);
+bool murk_preset_number(murk_preset_walk *walk, const murk_yaml *node,
+                        double min, double max, double *out);
 
 /* Reads a list of n numbers; a single number is a list of 1. */
-murk_status murk_preset_numbers(const murk_preset_walk *walk,
-                                const murk_yaml *node, size_t n, double *out);
+bool murk_preset_numbers(murk_preset_walk *walk, const murk_yaml *node,
+                         size_t n, double *out);
 
 /* Reads one part of the preset, after the preset's wavelengths and words. */
-murk_status murk_preset_read_part(const murk_preset_walk *walk,
-                                  const murk_yaml *map, murk_preset_part *part);
+bool murk_preset_read_part(murk_preset_walk *walk, const murk_yaml *map,
+                           murk_preset_part *part);
 
 /* Reads the table of coefficients of a part, and a measured phase function
  * (preset_tables.c). */
-murk_status murk_preset_read_table(const murk_preset_walk *walk,
-                                   const murk_yaml *node,
-                                   murk_preset_table *out);
-murk_status murk_preset_read_angles(const murk_preset_walk *walk,
-                                    const murk_yaml *node,
-                                    murk_preset_angles **out);
+bool murk_preset_read_table(murk_preset_walk *walk, const murk_yaml *node,
+                            murk_preset_table *out);
+bool murk_preset_read_angles(murk_preset_walk *walk, const murk_yaml *node,
+                             murk_preset_angles **out);
 
 #endif

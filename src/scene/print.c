@@ -94,7 +94,26 @@ static void print_lines(FILE *out, const murk_yaml *node)
     }
 }
 
-static char *finish(FILE *out, char **text)
+void murk_print_map(FILE *out, const murk_yaml *map,
+                    bool (*is_wanted)(const char *key))
+{
+    for (size_t i = 0; i < map->n; ++i) {
+        if (is_wanted && !is_wanted(map->key[i])) {
+            continue;
+        }
+        murk_print_text(out, map->key[i]);
+        fputc(':', out);
+        if (holds_containers(map->child[i])) {
+            print_lines(out, map->child[i]);
+        } else {
+            fputc(' ', out);
+            print_flow(out, map->child[i]);
+        }
+        fputc('\n', out);
+    }
+}
+
+char *murk_print_finish(FILE *out, char **text)
 {
     const bool failed = ferror(out) != 0;
     if (fclose(out) != 0 || failed) {
@@ -113,7 +132,7 @@ char *murk_print_flow(const murk_yaml *node)
         return NULL;
     }
     print_flow(out, node);
-    return finish(out, &text);
+    return murk_print_finish(out, &text);
 }
 
 char *murk_print_file(const murk_yaml *map, bool (*is_wanted)(const char *key))
@@ -124,19 +143,6 @@ char *murk_print_file(const murk_yaml *map, bool (*is_wanted)(const char *key))
     if (!out) {
         return NULL;
     }
-    for (size_t i = 0; i < map->n; ++i) {
-        if (is_wanted && !is_wanted(map->key[i])) {
-            continue;
-        }
-        murk_print_text(out, map->key[i]);
-        fputc(':', out);
-        if (holds_containers(map->child[i])) {
-            print_lines(out, map->child[i]);
-        } else {
-            fputc(' ', out);
-            print_flow(out, map->child[i]);
-        }
-        fputc('\n', out);
-    }
-    return finish(out, &text);
+    murk_print_map(out, map, is_wanted);
+    return murk_print_finish(out, &text);
 }

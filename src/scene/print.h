@@ -6,6 +6,8 @@
 
 #include <stdio.h>
 
+#include <stdio.h>
+
 /* Prints a text as a scalar, in quotes if it could be read as anything else. */
 void murk_print_text(FILE *out, const char *text);
 
@@ -17,5 +19,11 @@ char *murk_print_flow(const murk_yaml *node);
  * within a list or a map of maps. Prints only the keys for which is_wanted()
  * is true (NULL: all). */
 char *murk_print_file(const murk_yaml *map, bool (*is_wanted)(const char *key));
+void murk_print_map(FILE *out, const murk_yaml *map,
+                    bool (*is_wanted)(const char *key));
+
+/* Closes a stream of open_memstream() and returns the text, which the caller
+ * frees with free(); NULL when out of memory. */
+char *murk_print_finish(FILE *out, char **text);
 
 #endif

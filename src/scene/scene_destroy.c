@@ -34,6 +34,7 @@ static void release(const murk_keys *keys, void *item)
 {
     for (const murk_key *key = keys->key; key->name; ++key) {
         char *items;
+        /* Memory of the member, and of the structs below it. */
         switch (key->kind) {
         case MURK_KEY_TEXT:
             if (key->size == sizeof(char *)) {

@@ -108,16 +108,6 @@ static char *absolute(const char *path)
     return out;
 }
 
-/* Replaces a path by the name of the file, so that a scene that moves with
- * its files keeps its key. */
-static murk_status drop_folder(murk_yaml *node)
-{
-    char *name = strdup(murk_path_name(node->text));
-    const bool is_set = name && murk_yaml_set_text(node, name);
-    free(name);
-    return is_set ? MURK_OK : MURK_NO_MEMORY;
-}
-
 static murk_status make_absolute(murk_yaml *node, const murk_yaml *root,
                                  const char *scene_path)
 {
@@ -161,57 +151,51 @@ static murk_status print_resolved(const murk_key_reader *walk,
     return scene->resolved ? MURK_OK : MURK_NO_MEMORY;
 }
 
-static bool append(char **text, const char *more)
-{
-    const size_t old = strlen(*text), size = strlen(more) + 1;
-    char *grown = realloc(*text, old + size);
-    if (grown) {
-        memcpy(grown + old, more, size);
-        *text = grown;
-    }
-    return grown != NULL;
-}
-
 /* True for all keys but `conditions`: each condition has a key of its own. */
 static bool is_of_base(const char *key)
 {
     return strcmp(key, "conditions") != 0;
 }
 
-static murk_status print_whole_key(const murk_key_reader *walk,
-                                   const char *presets, murk_scene_desc *scene)
+/* Prints the wanted keys of the tree, the properties of presets, and if asked
+ * for the keys of the conditions. NULL when out of memory. */
+static char *print_key(const murk_key_reader *walk,
+                       const murk_scene_desc *scene,
+                       bool (*is_wanted)(const char *key), bool has_conditions)
 {
-    scene->whole_key = murk_print_file(walk->root, is_of_base);
-    bool is_whole = scene->whole_key && append(&scene->whole_key, presets);
-    for (size_t i = 0; i < scene->n_conditions && is_whole; ++i) {
-        const murk_scene_condition *condition = &scene->conditions[i];
-        is_whole = append(&scene->whole_key, "condition ") &&
-                   append(&scene->whole_key, condition->name) &&
-                   append(&scene->whole_key, "\n") &&
-                   append(&scene->whole_key, condition->scene->whole_key);
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    if (!out) {
+        return NULL;
     }
-    return is_whole ? MURK_OK : MURK_NO_MEMORY;
+    murk_print_map(out, walk->root, is_wanted);
+    murk_medium_preset_sign(out, scene);
+    for (size_t i = 0; i < scene->n_conditions && has_conditions; ++i) {
+        const murk_scene_condition *condition = &scene->conditions[i];
+        fprintf(out, "condition %s\n%s", condition->name,
+                condition->scene->whole_key);
+    }
+    return murk_print_finish(out, &text);
 }
 
+/* Prints the keys by which results are recognised. Paths are replaced by names
+ * of files, so that a scene that moves with its files keeps its keys. */
 static murk_status print_keys(const murk_key_reader *walk,
                               murk_scene_desc *scene)
 {
     for (size_t i = 0; i < walk->n_paths; ++i) {
-        if (drop_folder(walk->paths[i])) {
+        murk_yaml *node = walk->paths[i];
+        if (!murk_yaml_set_text(node, murk_path_name(node->text))) {
             return MURK_NO_MEMORY;
         }
     }
-    scene->light_key = murk_print_file(walk->root, is_of_light);
-    scene->world_key = murk_print_file(walk->root, is_of_world);
-    if (!scene->light_key || !scene->world_key) {
-        return MURK_NO_MEMORY;
-    }
-    const size_t printed = strlen(scene->light_key);
-    if (!murk_medium_preset_sign(scene) ||
-        !append(&scene->world_key, scene->light_key + printed)) {
-        return MURK_NO_MEMORY;
-    }
-    return print_whole_key(walk, scene->light_key + printed, scene);
+    scene->light_key = print_key(walk, scene, is_of_light, false);
+    scene->world_key = print_key(walk, scene, is_of_world, false);
+    scene->whole_key = print_key(walk, scene, is_of_base, true);
+    return scene->light_key && scene->world_key && scene->whole_key
+               ? MURK_OK
+               : MURK_NO_MEMORY;
 }
 
 /* ---- scenes ---- */

@@ -44,7 +44,8 @@ typedef struct murk_study_file {
     murk_study_axis *axis; /* [axes], in the file's order */
     size_t axes;
     size_t rows;
-    char **output; /* [outputs]; 0: the outputs that the scene has */
+    char **output; /* [outputs], in the tree; 0: the outputs that the scene
+                      has */
     size_t outputs;
     murk_scene_where outputs_where;
     size_t fluence_size[3]; /* grid of fluence_vdb; 0: chosen by the program */

@@ -125,10 +125,7 @@ static murk_status read_outputs(const reading *r)
                                        "%s stands there twice", shown);
             }
         }
-        study->output[i] = strdup(item->text);
-        if (!study->output[i]) {
-            return murk_study_no_memory(study->path, r->err);
-        }
+        study->output[i] = item->text;
         study->outputs = i + 1;
     }
     return MURK_OK;
@@ -172,33 +169,21 @@ static murk_status read_units(const reading *r)
                        "radiometric, photometric, photons or par");
 }
 
+/* Reads all keys, in the order in which messages are most useful. */
 static murk_status read_all(const reading *r)
 {
-    /* All keys, in the order in which messages are most useful. */
+    murk_study_file *study = r->study;
+    const murk_yaml *axes = murk_yaml_get(r->root, "axes");
     murk_status status = check_keys(r);
-    if (!status) {
-        status = read_version(r);
+    if (status || (status = read_version(r)) ||
+        (status = read_file_name(r, "base", true, &study->base)) ||
+        (status = read_file_name(r, "plan", false, &study->plan)) ||
+        (status = read_mode(r)) ||
+        (status = murk_study_axes_read(study, axes, r->err)) ||
+        (status = read_outputs(r)) || (status = read_units(r))) {
+        return status;
     }
-    if (!status) {
-        status = read_file_name(r, "base", true, &r->study->base);
-    }
-    if (!status) {
-        status = read_file_name(r, "plan", false, &r->study->plan);
-    }
-    if (!status) {
-        status = read_mode(r);
-    }
-    if (!status) {
-        status = murk_study_axes_read(r->study, murk_yaml_get(r->root, "axes"),
-                                      r->err);
-    }
-    if (!status) {
-        status = read_outputs(r);
-    }
-    if (!status) {
-        status = read_units(r);
-    }
-    return status ? status : read_fluence_size(r);
+    return read_fluence_size(r);
 }
 
 murk_status murk_study_file_read(murk_study_file **out, const char *path,
@@ -248,9 +233,6 @@ void murk_study_file_destroy(murk_study_file *study)
         }
         free(axis->value);
         free(axis->text);
-    }
-    for (size_t i = 0; i < study->outputs; ++i) {
-        free(study->output[i]);
     }
     free(study->output);
     free(study->axis);

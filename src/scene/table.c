@@ -5,6 +5,7 @@
 
 #include <limits.h>
 #include <math.h>
+#include <stdarg.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -30,9 +31,16 @@ typedef struct cursor {
     murk_error *err;
 } cursor;
 
-static murk_status fail_at(const cursor *at, int line, const char *text)
+static murk_status fail_at(const cursor *at, int line, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+static murk_status fail_at(const cursor *at, int line, const char *format, ...)
 {
-    char where[320];
+    char where[320], text[256];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(text, sizeof text, format, args);
+    va_end(args);
     snprintf(where, sizeof where, "%.290s:%d", at->path, line);
     return murk_fail(at->err, MURK_BAD_FILE, where, "%s", text);
 }
@@ -160,55 +168,44 @@ static murk_status read_header(murk_table *table, cursor *at)
         if (status) {
             return status;
         }
-        char shown[48], text[128];
+        char shown[48];
         if (murk_table_column(table, cell) >= 0) {
             murk_words_show(shown, sizeof shown, cell);
-            snprintf(text, sizeof text, "column %s is there twice", shown);
-            return fail_at(at, line, text);
+            return fail_at(at, line, "column %s is there twice", shown);
         }
         if (cell[0] == '\0') {
-            snprintf(text, sizeof text, "column %zu has no name",
-                     table->columns + 1);
-            return fail_at(at, line, text);
+            return fail_at(at, line, "column %zu has no name",
+                           table->columns + 1);
         }
         table->name[table->columns++] = cell;
     }
     return MURK_OK;
 }
 
-static murk_status grow(murk_table *table, size_t *capacity, const cursor *at)
+/* Reserves memory for as many rows as the text has lines, within the limits:
+ * a row has at least one line. */
+static murk_status reserve(murk_table *table, size_t *capacity,
+                           const cursor *at)
 {
-    if (table->rows < *capacity) {
-        return MURK_OK;
+    size_t lines = 1;
+    for (const char *p = at->next; p < at->end; ++p) {
+        lines += *p == '\n';
     }
-    if (table->rows == MAX_ROWS ||
-        (table->rows + 1) * table->columns > MAX_CELLS) {
-        return fail_at(at, at->line,
-                       "too large, must be at most 1e7 rows and 2e7 cells");
-    }
-    /* Double the capacity, within the limits. */
-    *capacity = *capacity ? 2 * *capacity : 64;
-    if (*capacity > MAX_CELLS / table->columns) {
-        *capacity = MAX_CELLS / table->columns;
-    }
-    if (*capacity > MAX_ROWS) {
-        *capacity = MAX_ROWS;
-    }
-    char **cell =
-        realloc(table->cell, *capacity * table->columns * sizeof *cell);
-    if (cell) {
-        table->cell = cell;
-    }
-    int *line = realloc(table->line, *capacity * sizeof *line);
-    if (line) {
-        table->line = line;
-    }
-    return cell && line ? MURK_OK : no_memory(at->path, at->err);
+    *capacity = MAX_CELLS / table->columns;
+    *capacity = *capacity < MAX_ROWS ? *capacity : MAX_ROWS;
+    *capacity = *capacity < lines ? *capacity : lines;
+    table->cell = malloc(*capacity * table->columns * sizeof *table->cell);
+    table->line = malloc(*capacity * sizeof *table->line);
+    return table->cell && table->line ? MURK_OK : no_memory(at->path, at->err);
 }
 
-static murk_status read_row(murk_table *table, cursor *at)
+static murk_status read_row(murk_table *table, size_t capacity, cursor *at)
 {
     const int line = at->line;
+    if (table->rows == capacity) {
+        return fail_at(at, line,
+                       "too large, must be at most 1e7 rows and 2e7 cells");
+    }
     char **row = table->cell + table->rows * table->columns;
     size_t n = 0;
     bool is_last = false;
@@ -225,11 +222,10 @@ static murk_status read_row(murk_table *table, cursor *at)
         ++n;
     }
     if (n != table->columns) {
-        char text[128];
-        snprintf(text, sizeof text,
-                 "%zu cells, must be %zu: one for each column of the header", n,
-                 table->columns);
-        return fail_at(at, line, text);
+        return fail_at(
+            at, line,
+            "%zu cells, must be %zu: one for each column of the header", n,
+            table->columns);
     }
     table->line[table->rows++] = line;
     return MURK_OK;
@@ -272,11 +268,11 @@ murk_status murk_table_parse(murk_table **out, const char *path, char *text,
     if (!status) {
         status = read_header(table, &at);
     }
+    if (!status) {
+        status = reserve(table, &capacity, &at);
+    }
     for (skip_lines(&at); !status && at.next < at.end; skip_lines(&at)) {
-        status = grow(table, &capacity, &at);
-        if (!status) {
-            status = read_row(table, &at);
-        }
+        status = read_row(table, capacity, &at);
     }
     if (!status) {
         *out = table;

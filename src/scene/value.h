@@ -11,10 +11,6 @@
 murk_status murk_value_read(murk_key_reader *walk, const murk_key *key,
                             murk_yaml *node, void *item);
 
-/* Reads the name of an item of key->of, and stores the number of the item. */
-murk_status murk_value_reference(murk_key_reader *walk, const murk_key *key,
-                                 murk_yaml *node, void *member);
-
 /* Fails with a message that states the value found and the values that the
  * row allows. */
 murk_status murk_value_wrong(murk_key_reader *walk, const murk_key *key,

@@ -27,10 +27,10 @@ struct murk_key_reader {
  * the walk already has a key, all keys in messages begin with it. */
 murk_status murk_walk_scene(murk_key_reader *walk);
 
-/* Reads one value, map or list under the current key, into its member of the
- * struct `item`. */
-murk_status murk_walk_value(murk_key_reader *walk, const murk_key *key,
-                            murk_yaml *node, void *item);
+/* Adds a default to a map. Defaults are parsed from text, so that they are
+ * read like the values of the user. */
+murk_status murk_walk_put_preset(murk_key_reader *walk, murk_yaml *map,
+                                 const char *name, const char *text);
 
 /* Appends a part, or the number of an item, to the current key; returns the
  * length for murk_walk_leave(). */

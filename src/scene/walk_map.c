@@ -11,12 +11,15 @@
 #include "scene/value.h"
 #include "scene/walk_names.h"
 
+/* Reads one value, map or list under the current key, into its member of the
+ * struct `item`. */
+static murk_status walk_value(murk_key_reader *walk, const murk_key *key,
+                              murk_yaml *node, void *item);
+
 /* ---- the keys of one map ---- */
 
-/* Adds a default to a map. Defaults are parsed from text, so that they are
- * read like the values of the user. */
-static murk_status put_preset(murk_key_reader *walk, murk_yaml *map,
-                              const char *name, const char *text)
+murk_status murk_walk_put_preset(murk_key_reader *walk, murk_yaml *map,
+                                 const char *name, const char *text)
 {
     murk_yaml *node = NULL;
     const char *source = walk->root->source;
@@ -61,7 +64,7 @@ static murk_status find_variant(murk_key_reader *walk, const murk_keys *keys,
     /* A default selects the variant if the key is missing. */
     if (!node && key->preset) {
         const murk_status status =
-            put_preset(walk, map, key->name, key->preset);
+            murk_walk_put_preset(walk, map, key->name, key->preset);
         if (status) {
             return status;
         }
@@ -97,7 +100,7 @@ static murk_status put_presets(murk_key_reader *walk, const murk_keys *keys,
         }
         if (key->preset) {
             const murk_status status =
-                put_preset(walk, map, key->name, key->preset);
+                murk_walk_put_preset(walk, map, key->name, key->preset);
             if (status) {
                 return status;
             }
@@ -156,10 +159,10 @@ static murk_status walk_map(murk_key_reader *walk, const murk_keys *keys,
     }
     /* Check the keys, then complete the map with defaults. */
     int variant = 0;
-    murk_status status = murk_walk_check_names(walk, keys, map);
+    murk_status status = murk_walk_check_names(walk, keys, map, -1);
     if (status || (status = murk_walk_check_groups(walk, keys, map)) ||
         (status = find_variant(walk, keys, map, &variant)) ||
-        (status = murk_walk_check_variant(walk, keys, map, variant)) ||
+        (status = murk_walk_check_names(walk, keys, map, variant)) ||
         (keys->complete && (status = keys->complete(walk, map))) ||
         (status = put_presets(walk, keys, map, variant))) {
         return status;
@@ -179,7 +182,7 @@ static murk_status walk_map(murk_key_reader *walk, const murk_keys *keys,
         const murk_key *key = murk_walk_find(keys, map->key[i], variant);
         assert(key);
         const size_t back = murk_walk_enter(walk, key->name);
-        status = murk_walk_value(walk, key, map->child[i], item);
+        status = walk_value(walk, key, map->child[i], item);
         murk_walk_leave(walk, back);
         if (status) {
             return status;
@@ -202,7 +205,7 @@ static murk_status walk_item(murk_key_reader *walk, const murk_key *key,
                                                                   : NULL,
                           .at = key->keys->variant_at,
                           .size = sizeof(int)};
-    return murk_walk_value(walk, &one, node, item);
+    return walk_value(walk, &one, node, item);
 }
 
 /* Checks that an item of a list of bands has no values per band of its own. */
@@ -287,7 +290,7 @@ static murk_status put_first(murk_key_reader *walk, const murk_keys *keys,
 {
     if (!murk_yaml_get(node, keys->first)) {
         const murk_status status =
-            put_preset(walk, node, keys->first, keys->first_preset);
+            murk_walk_put_preset(walk, node, keys->first, keys->first_preset);
         if (status) {
             return status;
         }
@@ -339,8 +342,8 @@ static murk_status walk_array(murk_key_reader *walk, const murk_key *key,
                   : walk_items(walk, key, node, items);
 }
 
-murk_status murk_walk_value(murk_key_reader *walk, const murk_key *key,
-                            murk_yaml *node, void *item)
+static murk_status walk_value(murk_key_reader *walk, const murk_key *key,
+                              murk_yaml *node, void *item)
 {
     if (key->has_flag) {
         murk_value_store(item, key->flag_at, sizeof(bool), true);

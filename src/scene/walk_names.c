@@ -11,7 +11,8 @@
 
 bool murk_walk_fits(const murk_key *key, int variant)
 {
-    return key->variants == 0 || (key->variants & (1u << variant)) != 0;
+    return variant < 0 || key->variants == 0 ||
+           (key->variants & (1u << variant)) != 0;
 }
 
 const murk_key *murk_walk_find(const murk_keys *keys, const char *name,
@@ -25,13 +26,18 @@ const murk_key *murk_walk_find(const murk_keys *keys, const char *name,
     return NULL;
 }
 
+const murk_key *murk_keys_find(const murk_keys *keys, const char *name)
+{
+    return murk_walk_find(keys, name, -1);
+}
+
 /* Lists the names that a map may have, each once. */
 static size_t list_names(const murk_keys *keys, int variant,
                          const char *names[MAX_KEYS])
 {
     size_t n = 0;
     for (const murk_key *key = keys->key; key->name; ++key) {
-        bool is_new = variant < 0 || murk_walk_fits(key, variant);
+        bool is_new = murk_walk_fits(key, variant);
         for (size_t i = 0; i < n; ++i) {
             is_new = is_new && strcmp(names[i], key->name) != 0;
         }
@@ -56,37 +62,32 @@ static murk_status fail_with_names(murk_key_reader *walk, const murk_yaml *node,
                               n > 1 ? "one of " : "", list);
 }
 
-static murk_status check_name(murk_key_reader *walk, const murk_keys *keys,
-                              const char *name, const murk_yaml *child)
+murk_status murk_walk_check_names(murk_key_reader *walk, const murk_keys *keys,
+                                  const murk_yaml *map, int variant)
 {
-    const murk_key *key = murk_keys_find(keys, name);
-    if (key) {
+    size_t i = 0;
+    while (i < map->n && murk_walk_find(keys, map->key[i], variant)) {
+        ++i;
+    }
+    if (i == map->n) {
         return MURK_OK;
     }
+    /* Suggest a similar key, or list the allowed ones. */
     const char *names[MAX_KEYS];
+    const size_t n = list_names(keys, variant, names);
     const char *meant =
-        murk_words_meant(name, names, list_names(keys, -1, names));
+        variant < 0 ? murk_words_meant(map->key[i], names, n) : NULL;
+    char what[120] = "unknown key";
+    murk_walk_enter(walk, map->key[i]);
     if (meant) {
-        return murk_walk_fail_key(walk, child, "unknown key, did you mean %s?",
-                                  meant);
+        return murk_walk_fail_key(walk, map->child[i],
+                                  "unknown key, did you mean %s?", meant);
     }
-    return fail_with_names(walk, child, "unknown key", names,
-                           list_names(keys, -1, names));
-}
-
-murk_status murk_walk_check_names(murk_key_reader *walk, const murk_keys *keys,
-                                  const murk_yaml *map)
-{
-    for (size_t i = 0; i < map->n; ++i) {
-        const size_t back = murk_walk_enter(walk, map->key[i]);
-        const murk_status status =
-            check_name(walk, keys, map->key[i], map->child[i]);
-        murk_walk_leave(walk, back);
-        if (status) {
-            return status;
-        }
+    if (variant >= 0) {
+        snprintf(what, sizeof what, "not a key of a %s (%s)", keys->noun,
+                 keys->variant_names[variant]);
     }
-    return MURK_OK;
+    return fail_with_names(walk, map->child[i], what, names, n);
 }
 
 /* The keys of a group exclude each other. */
@@ -124,28 +125,6 @@ murk_status murk_walk_check_groups(murk_key_reader *walk, const murk_keys *keys,
             snprintf(what, sizeof what, "misses a key of a %s", keys->noun);
             return fail_with_names(walk, map, what, names, n);
         }
-    }
-    return MURK_OK;
-}
-
-murk_status murk_walk_check_variant(murk_key_reader *walk,
-                                    const murk_keys *keys, const murk_yaml *map,
-                                    int variant)
-{
-    for (size_t i = 0; i < map->n; ++i) {
-        if (murk_walk_find(keys, map->key[i], variant)) {
-            continue;
-        }
-        char what[120];
-        const char *names[MAX_KEYS];
-        const size_t n = list_names(keys, variant, names);
-        snprintf(what, sizeof what, "not a key of a %s (%s)", keys->noun,
-                 keys->variant_names[variant]);
-        const size_t back = murk_walk_enter(walk, map->key[i]);
-        const murk_status status =
-            fail_with_names(walk, map->child[i], what, names, n);
-        murk_walk_leave(walk, back);
-        return status;
     }
     return MURK_OK;
 }

@@ -5,23 +5,19 @@
 
 #include "scene/walk.h"
 
-/* True if a row belongs to a variant; and the row with a name and a variant. */
+/* True if a row belongs to a variant; and the row with a name and a variant.
+ * A variant of -1 stands for any. */
 bool murk_walk_fits(const murk_key *key, int variant);
 const murk_key *murk_walk_find(const murk_keys *keys, const char *name,
                                int variant);
 
-/* Checks that every key is in the table. */
+/* Checks that every key of the map is in the table, for the variant. */
 murk_status murk_walk_check_names(murk_key_reader *walk, const murk_keys *keys,
-                                  const murk_yaml *map);
+                                  const murk_yaml *map, int variant);
 
 /* Checks that the map has at most one key of each group, and one of each
  * required group. */
 murk_status murk_walk_check_groups(murk_key_reader *walk, const murk_keys *keys,
                                    const murk_yaml *map);
-
-/* Checks that every key belongs to the variant of the map. */
-murk_status murk_walk_check_variant(murk_key_reader *walk,
-                                    const murk_keys *keys, const murk_yaml *map,
-                                    int variant);
 
 #endif

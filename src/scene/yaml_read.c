@@ -35,17 +35,17 @@ typedef struct reader {
     murk_status status;
 } reader;
 
-static murk_yaml *fail_at(reader *r, yaml_mark_t mark, murk_status status,
-                          const char *text)
+/* Fails at a mark of the text; always NULL. */
+static void *fail_at(reader *r, yaml_mark_t mark, const char *text)
 {
     char place[PLACE_SIZE];
     murk_yaml_show_place(r->source, (int)mark.line + 1, (int)mark.column + 1,
                          place, sizeof place);
-    r->status = murk_fail(r->err, status, place, "%s", text);
+    r->status = murk_fail(r->err, MURK_BAD_FILE, place, "%s", text);
     return NULL;
 }
 
-static murk_yaml *no_memory(reader *r)
+static void *no_memory(reader *r)
 {
     r->status =
         murk_fail(r->err, MURK_NO_MEMORY, r->source, "no memory to read it");
@@ -64,27 +64,33 @@ static bool next_event(reader *r, yaml_event_t *event)
     char text[256];
     snprintf(text, sizeof text, "not YAML: %s",
              r->parser.problem ? r->parser.problem : "cannot be read");
-    fail_at(r, r->parser.problem_mark, MURK_BAD_FILE, text);
+    fail_at(r, r->parser.problem_mark, text);
     return false;
 }
 
-/* Makes a node and counts it. Every node is made here, copies by aliases
- * included. */
+/* Counts a node with a text of `length` bytes; false beyond the limits. */
+static bool count_node(reader *r, yaml_mark_t mark, size_t length)
+{
+    ++r->nodes;
+    r->text_bytes += length;
+    if (r->nodes > MAX_NODES) {
+        fail_at(r, mark,
+                "too large, must be at most 1e6 nodes with all aliases written "
+                "out");
+    } else if (r->text_bytes > MAX_TEXT) {
+        fail_at(
+            r, mark,
+            "too large, must be at most 32 MB with all aliases written out");
+    }
+    return !r->status;
+}
+
 static murk_yaml *make_node(reader *r, murk_yaml_kind kind, yaml_mark_t mark,
                             const char *text, size_t length)
 {
-    if (++r->nodes > MAX_NODES) {
-        return fail_at(r, mark, MURK_BAD_FILE,
-                       "too large, must be at most 1e6 nodes with all aliases "
-                       "written out");
+    if (!count_node(r, mark, length)) {
+        return NULL;
     }
-    r->text_bytes += length;
-    if (r->text_bytes > MAX_TEXT) {
-        return fail_at(r, mark, MURK_BAD_FILE,
-                       "too large, must be at most 32 MB with all aliases "
-                       "written out");
-    }
-    /* Copy place and text. */
     murk_yaml *node = calloc(1, sizeof *node);
     if (!node) {
         return no_memory(r);
@@ -93,14 +99,9 @@ static murk_yaml *make_node(reader *r, murk_yaml_kind kind, yaml_mark_t mark,
     node->line = (int)mark.line + 1;
     node->column = (int)mark.column + 1;
     node->source = r->source;
-    if (kind == MURK_YAML_SCALAR) {
-        node->text = malloc(length + 1);
-        if (!node->text) {
-            free(node);
-            return no_memory(r);
-        }
-        memcpy(node->text, text, length);
-        node->text[length] = '\0';
+    if (kind == MURK_YAML_SCALAR && !(node->text = strndup(text, length))) {
+        free(node);
+        return no_memory(r);
     }
     return node;
 }
@@ -108,48 +109,22 @@ static murk_yaml *make_node(reader *r, murk_yaml_kind kind, yaml_mark_t mark,
 static bool is_in_depth(reader *r, yaml_mark_t mark, int depth)
 {
     if (depth > MAX_DEPTH) {
-        fail_at(r, mark, MURK_BAD_FILE,
-                "nested too deep, must be at most 64 levels");
-        return false;
+        fail_at(r, mark, "nested too deep, must be at most 64 levels");
     }
-    return true;
+    return !r->status;
 }
 
-static murk_yaml *copy_node(reader *r, const murk_yaml *from, yaml_mark_t mark,
-                            int depth)
+/* Counts the nodes of a copy of a tree, which stands at `depth`. */
+static bool count_copy(reader *r, const murk_yaml *from, yaml_mark_t mark,
+                       int depth)
 {
-    if (!is_in_depth(r, mark, depth)) {
-        return NULL;
+    bool is_within = is_in_depth(r, mark, depth) &&
+                     count_node(r, mark, from->text ? strlen(from->text) : 0);
+    for (size_t i = 0; i < from->n && is_within; ++i) {
+        is_within = count_copy(r, from->child[i], mark, depth + 1);
+        r->text_bytes += from->key ? strlen(from->key[i]) : 0;
     }
-    murk_yaml *node = make_node(r, from->kind, mark, from->text,
-                                from->text ? strlen(from->text) : 0);
-    if (!node) {
-        return NULL;
-    }
-    /* Copy the place of the original, then the children. */
-    node->line = from->line;
-    node->column = from->column;
-    node->key_line = from->key_line;
-    node->key_column = from->key_column;
-    node->is_quoted = from->is_quoted;
-    for (size_t i = 0; i < from->n; ++i) {
-        murk_yaml *child = copy_node(r, from->child[i], mark, depth + 1);
-        char *key = NULL;
-        if (child && from->key) {
-            r->text_bytes += strlen(from->key[i]);
-            key = strdup(from->key[i]);
-        }
-        if (!child || (from->key && !key)) {
-            murk_yaml_destroy(child);
-            murk_yaml_destroy(node);
-            return r->status ? NULL : no_memory(r);
-        }
-        if (!murk_yaml_append(node, key, child)) {
-            murk_yaml_destroy(node);
-            return no_memory(r);
-        }
-    }
-    return node;
+    return is_within;
 }
 
 static murk_yaml *read_alias(reader *r, const yaml_event_t *event, int depth)
@@ -158,20 +133,22 @@ static murk_yaml *read_alias(reader *r, const yaml_event_t *event, int depth)
     for (size_t i = r->n_anchors; i-- > 0;) {
         if (strcmp(r->anchors[i].name, name) == 0) {
             if (!r->anchors[i].node) {
-                return fail_at(r, event->start_mark, MURK_BAD_FILE,
+                return fail_at(r, event->start_mark,
                                "an alias inside its own anchor");
             }
-            murk_yaml *node =
-                copy_node(r, r->anchors[i].node, event->start_mark, depth);
-            if (node) {
-                node->line = (int)event->start_mark.line + 1;
-                node->column = (int)event->start_mark.column + 1;
+            if (!count_copy(r, r->anchors[i].node, event->start_mark, depth)) {
+                return NULL;
             }
+            murk_yaml *node = murk_yaml_copy(r->anchors[i].node);
+            if (!node) {
+                return no_memory(r);
+            }
+            node->line = (int)event->start_mark.line + 1;
+            node->column = (int)event->start_mark.column + 1;
             return node;
         }
     }
-    return fail_at(r, event->start_mark, MURK_BAD_FILE,
-                   "an alias without its anchor");
+    return fail_at(r, event->start_mark, "an alias without its anchor");
 }
 
 /* Adds an anchor and returns its number; SIZE_MAX without a name or on
@@ -182,7 +159,7 @@ static size_t add_anchor(reader *r, const yaml_char_t *name, yaml_mark_t mark)
         return SIZE_MAX;
     }
     if (r->n_anchors == MAX_ANCHORS) {
-        fail_at(r, mark, MURK_BAD_FILE, "more than 1000 anchors");
+        fail_at(r, mark, "more than 1000 anchors");
         return SIZE_MAX;
     }
     char *copy = strdup((const char *)name);
@@ -237,34 +214,25 @@ static bool read_list(reader *r, murk_yaml *list, int depth)
 static char *read_key(reader *r, const yaml_event_t *event)
 {
     if (event->type != YAML_SCALAR_EVENT) {
-        fail_at(r, event->start_mark, MURK_BAD_FILE,
-                "not a key, must be a plain text");
-        return NULL;
+        return fail_at(r, event->start_mark, "not a key, must be a plain text");
     }
     const char *text = (const char *)event->data.scalar.value;
     if (event->data.scalar.tag || event->data.scalar.anchor) {
-        fail_at(r, event->start_mark, MURK_BAD_FILE,
-                "a tag or anchor at a key, must be a plain text");
-        return NULL;
+        return fail_at(r, event->start_mark,
+                       "a tag or anchor at a key, must be a plain text");
     }
     if (strlen(text) != event->data.scalar.length) {
-        fail_at(r, event->start_mark, MURK_BAD_FILE,
-                "a NUL character, must be text");
-        return NULL;
+        return fail_at(r, event->start_mark, "a NUL character, must be text");
     }
     if (strcmp(text, "<<") == 0 &&
         event->data.scalar.style == YAML_PLAIN_SCALAR_STYLE) {
-        fail_at(r, event->start_mark, MURK_BAD_FILE,
-                "a merge key (<<) is not allowed, write its keys out");
-        return NULL;
+        return fail_at(r, event->start_mark,
+                       "a merge key (<<) is not allowed, write its keys out");
     }
     /* Keys count as text, too. */
     r->text_bytes += event->data.scalar.length;
     char *key = strdup(text);
-    if (!key) {
-        no_memory(r);
-    }
-    return key;
+    return key ? key : no_memory(r);
 }
 
 static bool read_map(reader *r, murk_yaml *map, int depth)
@@ -303,8 +271,7 @@ static murk_yaml *read_scalar(reader *r, const yaml_event_t *event)
     const char *text = (const char *)event->data.scalar.value;
     const size_t length = event->data.scalar.length;
     if (memchr(text, '\0', length)) {
-        return fail_at(r, event->start_mark, MURK_BAD_FILE,
-                       "a NUL character, must be text");
+        return fail_at(r, event->start_mark, "a NUL character, must be text");
     }
     murk_yaml *node =
         make_node(r, MURK_YAML_SCALAR, event->start_mark, text, length);
@@ -337,15 +304,14 @@ static murk_yaml *read_node(reader *r, yaml_event_t *event, int depth)
         kind = MURK_YAML_MAP;
         break;
     default:
-        return fail_at(r, event->start_mark, MURK_BAD_FILE,
-                       "empty, must be a value");
+        return fail_at(r, event->start_mark, "empty, must be a value");
     }
     /* Tags and deep nesting are refused. */
     if (tag) {
         char text[128], shown[48];
         murk_words_show(shown, sizeof shown, (const char *)tag);
         snprintf(text, sizeof text, "a tag (%s) is not allowed", shown);
-        return fail_at(r, event->start_mark, MURK_BAD_FILE, text);
+        return fail_at(r, event->start_mark, text);
     }
     if (!is_in_depth(r, event->start_mark, depth)) {
         return NULL;
@@ -386,8 +352,7 @@ static murk_yaml *read_document(reader *r)
         if (type == YAML_STREAM_END_EVENT) {
             has_ended = true;
         } else if (type == YAML_DOCUMENT_START_EVENT && root) {
-            fail_at(r, mark, MURK_BAD_FILE,
-                    "a second document, must be only one");
+            fail_at(r, mark, "a second document, must be only one");
         } else if (type == YAML_DOCUMENT_START_EVENT) {
             root = read_next(r, 1);
         }

@@ -3,7 +3,6 @@
  * and slopes, units, and how scattering and absorption share an extinction.
  * Nothing here is random. */
 #include "check.h"
-#include "preset/air.h"
 #include "preset/law.h"
 #include "preset/rain.h"
 #include "preset/refraction.h"
@@ -258,11 +257,12 @@ static void test_attenuation_of_daylight_comes_back(void)
     const answer a = run_law("diffuse_attenuation", &words, p, &table);
     for (int i = 0; i < LINES; ++i) {
         CHECK_NEAR(a.scattering[i], .8 * pow(550 / nm[i], 1.2), 1e-12);
-        const murk_water_iop iop = {
-            a.absorption[i] + murk_water_absorption(nm[i]), a.scattering[i],
-            murk_water_scattering(nm[i], 20, 0)};
-        CHECK_NEAR(murk_water_kd(&iop, murk_water_sun_cosine(30)), kd[i],
-                   1e-12);
+        /* Kd = sqrt(a^2 + G b a) / m, see preset/water_kd.h. */
+        const double whole = a.absorption[i] + murk_water_absorption(nm[i]);
+        const double m = murk_water_sun_cosine(30);
+        const double gb = (.473 * m - .218) * a.scattering[i] +
+                          1.8 * murk_water_scattering(nm[i], 20, 0);
+        CHECK_NEAR(sqrt(whole * whole + gb * whole) / m, kd[i], 1e-12);
     }
 }
 

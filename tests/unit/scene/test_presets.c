@@ -194,9 +194,9 @@ static void word_option(char *out, size_t size, const murk_preset *preset,
                         murk_word_id word)
 {
     const murk_preset_word *w = &preset->word[word];
-    const int numbers = murk_word_numbers(word);
-    size_t used =
-        (size_t)snprintf(out, size, "media.fog.%s=[", murk_word_name(word));
+    const int numbers = murk_word_rows[word].numbers;
+    size_t used = (size_t)snprintf(out, size, "media.fog.%s=[",
+                                   murk_word_rows[word].name);
     for (int i = 0; i < numbers; ++i) {
         const double value = w->has_preset
                                  ? .75 * w->preset[i] + .25 * w->min[i]
