@@ -9,7 +9,7 @@
  *   LOAD(p)           LANES numbers from an aligned array
  *   STORE(p, v)       LANES numbers to an array
  *   LARGER(a, b)      maximum lane by lane; SMALLER(a, b): minimum
- *   AT_MOST(a, b)     bit i: a <= b in lane i
+ *   NOT_ABOVE(a, b)     bit i: a <= b in lane i
  *   QUARTERS(p)       in lanes 4 i to 4 i + 3: x, y, z and the next word of
  *                     photon p[4 i]
  *   LOW(a, b), HIGH(a, b)
@@ -58,8 +58,8 @@ TARGET static uint32_t NAME(bounds)(const murk_bounds *bounds,
     for (int i = 0; i < MURK_WIDE; i += LANES) {
         VECTOR near[3], far[3];
         NAME(box)(bounds, ball->center, i, near, far);
-        met |= (uint32_t)AT_MOST(NAME(length2)(near), radius2) << i;
-        inside |= (uint32_t)AT_MOST(NAME(length2)(far), radius2) << i;
+        met |= (uint32_t)NOT_ABOVE(NAME(length2)(near), radius2) << i;
+        inside |= (uint32_t)NOT_ABOVE(NAME(length2)(far), radius2) << i;
     }
     *whole = inside;
     return met;
@@ -104,7 +104,7 @@ TARGET static uint32_t NAME(leaf)(const murk_photon *photons, uint32_t n,
     const VECTOR radius2 = SPLAT(ball->radius2);
     uint32_t in = 0;
     for (int i = 0; i < MURK_LEAF; i += LANES) {
-        in |= (uint32_t)AT_MOST(NAME(photons)(photons + i, c), radius2) << i;
+        in |= (uint32_t)NOT_ABOVE(NAME(photons)(photons + i, c), radius2) << i;
     }
     return in;
 }
@@ -123,7 +123,7 @@ static const murk_range_test NAME(test) = {TITLE, NAME(bounds), NAME(leaf),
 #undef STORE
 #undef LARGER
 #undef SMALLER
-#undef AT_MOST
+#undef NOT_ABOVE
 #undef QUARTERS
 #undef LOW
 #undef HIGH

@@ -97,21 +97,21 @@ quarters_avx2(const murk_photon *p)
         _mm_loadu_ps(p[4].position_m), 1);
 }
 
-#define NAME(x)       x##_avx2
-#define TITLE         "AVX2"
-#define TARGET        __attribute__((target("avx2")))
-#define VECTOR        __m256
-#define LANES         8
-#define SPLAT         _mm256_set1_ps
-#define LOAD          _mm256_load_ps
-#define STORE         _mm256_storeu_ps
-#define LARGER        _mm256_max_ps
-#define SMALLER       _mm256_min_ps
-#define AT_MOST(a, b) _mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_LE_OQ))
-#define QUARTERS      quarters_avx2
-#define LOW           _mm256_unpacklo_ps
-#define HIGH          _mm256_unpackhi_ps
-#define PAIRS         _mm256_shuffle_ps
+#define NAME(x)         x##_avx2
+#define TITLE           "AVX2"
+#define TARGET          __attribute__((target("avx2")))
+#define VECTOR          __m256
+#define LANES           8 /* single-precision numbers in 256 bits */
+#define SPLAT           _mm256_set1_ps
+#define LOAD            _mm256_load_ps
+#define STORE           _mm256_storeu_ps
+#define LARGER          _mm256_max_ps
+#define SMALLER         _mm256_min_ps
+#define NOT_ABOVE(a, b) _mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_LE_OQ))
+#define QUARTERS        quarters_avx2
+#define LOW             _mm256_unpacklo_ps
+#define HIGH            _mm256_unpackhi_ps
+#define PAIRS           _mm256_shuffle_ps
 #include "photonmap/range_loops.h"
 
 /* ---- AVX-512: 16 at a time ---- */
@@ -126,21 +126,21 @@ quarters_avx512(const murk_photon *p)
     return v;
 }
 
-#define NAME(x)       x##_avx512
-#define TITLE         "AVX-512"
-#define TARGET        __attribute__((target("avx512f")))
-#define VECTOR        __m512
-#define LANES         16
-#define SPLAT         _mm512_set1_ps
-#define LOAD          _mm512_load_ps
-#define STORE         _mm512_storeu_ps
-#define LARGER        _mm512_max_ps
-#define SMALLER       _mm512_min_ps
-#define AT_MOST(a, b) _mm512_cmp_ps_mask(a, b, _CMP_LE_OQ)
-#define QUARTERS      quarters_avx512
-#define LOW           _mm512_unpacklo_ps
-#define HIGH          _mm512_unpackhi_ps
-#define PAIRS         _mm512_shuffle_ps
+#define NAME(x)         x##_avx512
+#define TITLE           "AVX-512"
+#define TARGET          __attribute__((target("avx512f")))
+#define VECTOR          __m512
+#define LANES           16 /* in 512 bits */
+#define SPLAT           _mm512_set1_ps
+#define LOAD            _mm512_load_ps
+#define STORE           _mm512_storeu_ps
+#define LARGER          _mm512_max_ps
+#define SMALLER         _mm512_min_ps
+#define NOT_ABOVE(a, b) _mm512_cmp_ps_mask(a, b, _CMP_LE_OQ)
+#define QUARTERS        quarters_avx512
+#define LOW             _mm512_unpacklo_ps
+#define HIGH            _mm512_unpackhi_ps
+#define PAIRS           _mm512_shuffle_ps
 #include "photonmap/range_loops.h"
 
 #endif
