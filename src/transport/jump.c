@@ -1,23 +1,24 @@
-/* Free heights of a periodic domain, and legs through them.
+/* Jumps through the free heights of a periodic domain (transport/jump.h).
  *
- * A ray wraps about height / (period * tan(elevation)) times on its way through
- * a domain that is much higher than its period. Where neither surfaces nor
- * bounded regions nor lamps are, media are even in x and y, so a leg may lead
- * on as if the domain had no sides, and the place at its end is brought back
- * by whole periods. */
+ * A ray through a domain that is much higher than its period wraps about height
+ * / (period * tan(elevation)) times. At heights without surfaces, bounded
+ * regions and lamps the media do not depend on x and y. A segment may therefore
+ * continue there as if the domain had no sides; the position at the end of the
+ * segment is then moved back by whole periods. */
 #include "transport/jump.h"
 
 #include <stdlib.h>
 
-/* A ray jumps that has wrapped so often since its last event. Fewer wraps cost
- * less than looking for free heights. */
+/* A ray jumps if it has wrapped so often since the last event. Fewer wraps cost
+ * less than the search for free heights. */
 #define WRAPS_BEFORE 8
 
-/* The least a jump leads sideways [periods]. */
+/* The smallest sideways length of a jump [periods]. */
 #define MIN_PERIODS 2
 
 /* Share of the domain's largest coordinate by which heights that are not free
- * are grown: some times what surfaces in single precision are off by. */
+ * are enlarged: some times the rounding error of surfaces in single precision.
+ */
 #define GROWN_BY 1e-5
 
 static void add(double (*height)[2], size_t *n, double low, double high,
@@ -45,8 +46,8 @@ murk_status murk_jump_heights(double (**out)[2], size_t *n,
         return murk_fail(err, MURK_NO_MEMORY, "render",
                          "no memory for the heights of %zu lights", lights);
     }
-    /* The heights of surfaces, bounded regions and lamps, grown by what
-     * rounding moves them. */
+    /* The heights of surfaces, bounded regions and lamps, enlarged by the
+     * rounding error. */
     const double grow =
         GROWN_BY * murk_box_largest_coordinate(&world->domain.box);
     const murk_box surfaces = murk_surfaces_describe(world->surfaces).bounds_m;
@@ -104,9 +105,7 @@ void murk_jump(murk_walker *w, double length_m)
     const murk_vec3 from = w->path.position;
     murk_vec3 end = murk_along(from, length_m, w->path.direction);
     end.z = murk_path_side_hold(end.z, sides->z);
-    if (w->sums->are_segments_wanted) {
-        murk_walker_score(w, from, length_m, w->quanta, end, 0);
-    }
+    murk_walker_score(w, from, length_m, w->quanta, end, 0);
     w->path.position = end;
     if (murk_walker_is_heard(w)) {
         murk_event event = murk_walker_event(w, MURK_EVENT_WRAPPED);

@@ -1,24 +1,26 @@
-/* Jumps of a ray through free heights of a periodic domain: heights with no
- * surface, no bounded region and no lamp, where nothing depends on x and y.
- * However often it would wrap there, it gets through in one leg. Private to
- * this room. */
+/* Jumps of a ray through free heights of a periodic domain: heights without
+ * surfaces, bounded regions and lamps, at which nothing depends on x and y. The
+ * ray passes these heights in one segment, however often it would wrap there.
+ * Private to this room. */
 #ifndef MURK_TRANSPORT_JUMP_H
 #define MURK_TRANSPORT_JUMP_H
 
 #include "transport/walker.h"
 
-/* The heights that are not free, as [n][2] bounds; *out is the caller's:
- * free(). NULL and 0 where the domain is not periodic. */
+/* Lists the ranges of heights that are not free, as [n][2] bounds; NULL and 0
+ * if the domain is not periodic. The caller frees *out. */
 murk_status murk_jump_heights(double (**out)[2], size_t *n,
                               const murk_transport_world *world,
                               murk_error *err);
 
-/* How far a jump leads; 0: the ray has not wrapped often enough since its last
- * event, or the way to the next height that is not free is short. */
+/* The length of a jump from the present position. 0, no jump: the ray has not
+ * wrapped often enough since the last event, or the next height that is not
+ * free is near. */
 double murk_jump_ahead(const murk_walker *w);
 
-/* Goes so far, tells the leg and one wrap: the event's position is where the
- * leg ends, outside of the domain, and the next leg begins at its image. */
+/* Moves the photon, scores the segment and reports one wrap. The position of
+ * the event is the end of the segment, outside of the domain; the next segment
+ * begins at the image of this position inside. */
 void murk_jump(murk_walker *w, double length_m);
 
 #endif

@@ -1,5 +1,6 @@
-/* The index on either side of what is met decides what becomes of the photon
- * there: that of the innermost solid, else of the regions around it. */
+/* Events at boundaries, surfaces and sides of the domain (transport/meet.h).
+ * The refractive index on each side of a boundary or surface is that of the
+ * innermost solid there, else that of the regions. */
 #include "transport/meet.h"
 
 #include "medium/interfaces.h"
@@ -7,11 +8,12 @@
 #include "transport/facets.h"
 #include "transport/turn.h"
 
-/* Reflected at a mesh, a photon stands on it to double precision: this share of
- * what meshes are told apart by keeps it from meeting it again. */
+/* After reflection at a mesh, the photon lies on the mesh to double precision.
+ * This share of the distance at which meshes are told apart is skipped, so that
+ * the photon does not meet the same face again. */
 #define REFLECTED_SKIP 0x1p-20
 
-/* At a mirror or a boundary. */
+/* Updates the event class and the number of wraps after a specular event. */
 static void note_specular(murk_walker *w)
 {
     if (w->event_class == MURK_CLASS_FIRST) {
@@ -20,7 +22,8 @@ static void note_specular(murk_walker *w)
     w->wraps = 0;
 }
 
-/* False when the light is given up among waves. */
+/* Draws the outcome at a boundary. False if the photon is given up among
+ * waves. */
 static bool bounce_at(const murk_walker *w, const murk_boundary *b,
                       double n_from, double n_to, murk_bounce *bounce)
 {
@@ -34,8 +37,7 @@ static bool bounce_at(const murk_walker *w, const murk_boundary *b,
     return true;
 }
 
-bool murk_meet_boundary(murk_walker *w, const murk_path_boundary *ahead,
-                        murk_fate *ended)
+murk_fate murk_meet_boundary(murk_walker *w, const murk_path_boundary *ahead)
 {
     const murk_boundary *b = &ahead->met;
     const murk_vec3 arriving = w->path.direction;
@@ -45,10 +47,8 @@ bool murk_meet_boundary(murk_walker *w, const murk_path_boundary *ahead,
     const murk_vec3 from = w->path.position;
     w->path.position = murk_path_sides_hold(
         &w->setup->space.sides, murk_along(from, b->distance_m, arriving));
-    if (w->sums->are_segments_wanted) {
-        murk_walker_score(w, from, b->distance_m, w->quanta, w->path.position,
-                          w->setup->in_plane_m);
-    }
+    murk_walker_score(w, from, b->distance_m, w->quanta, w->path.position,
+                      w->setup->in_plane_m);
     if (!(lead > b->distance_m)) {
         w->probe = w->path.position;
     }
@@ -60,13 +60,12 @@ bool murk_meet_boundary(murk_walker *w, const murk_path_boundary *ahead,
     if (n_from == n_to) {
         w->path.inside = beyond;
         w->silent_m += b->distance_m;
-        return true;
+        return MURK_FATE_NONE;
     }
     /* Reflect or refract. */
     murk_bounce bent;
     if (!bounce_at(w, b, n_from, n_to, &bent)) {
-        *ended = murk_walker_lose(w, MURK_LOSS_EVENTS);
-        return false;
+        return murk_walker_lose(w, MURK_LOSS_EVENTS);
     }
     if (murk_walker_is_heard(w)) {
         murk_event event = murk_walker_event(w, MURK_EVENT_INTERFACE);
@@ -77,7 +76,7 @@ bool murk_meet_boundary(murk_walker *w, const murk_path_boundary *ahead,
         event.path_m = b->distance_m;
         murk_walker_tell(w, &event);
     }
-    /* Go on on that side. */
+    /* Continue on the side to which the photon leaves. */
     w->path.direction = bent.direction;
     if (bent.outcome == MURK_TRANSMITTED) {
         w->path.inside = beyond;
@@ -85,11 +84,11 @@ bool murk_meet_boundary(murk_walker *w, const murk_path_boundary *ahead,
         w->path.skip_m = REFLECTED_SKIP * w->setup->space.near_m;
     }
     note_specular(w);
-    return true;
+    return MURK_FATE_NONE;
 }
 
-bool murk_meet_surface(murk_walker *w, const murk_hit *hit, double path_m,
-                       murk_inside crossed, murk_fate *ended)
+murk_fate murk_meet_surface(murk_walker *w, const murk_hit *hit, double path_m,
+                            murk_inside crossed)
 {
     const murk_surfaces *surfaces = w->setup->world->surfaces;
     const murk_material *material =
@@ -100,8 +99,7 @@ bool murk_meet_surface(murk_walker *w, const murk_hit *hit, double path_m,
     /* At the boundary of a solid: the index on either side. */
     if (hit->solid && material->ior > 0) {
         if (!murk_path_solids_cross(&beyond, hit->solid, material->ior)) {
-            *ended = murk_walker_lose(w, MURK_LOSS_NUMERICAL);
-            return false;
+            return murk_walker_lose(w, MURK_LOSS_NUMERICAL);
         }
         inside ^= crossed;
         n_from = murk_walker_index(w, &w->solids, w->path.inside);
@@ -110,10 +108,8 @@ bool murk_meet_surface(murk_walker *w, const murk_hit *hit, double path_m,
     /* Move to the surface. */
     const murk_vec3 place =
         murk_along(w->probe, hit->distance_m, w->path.direction);
-    if (w->sums->are_segments_wanted) {
-        murk_walker_score(w, w->path.position, path_m, w->quanta, place,
-                          w->setup->in_plane_m);
-    }
+    murk_walker_score(w, w->path.position, path_m, w->quanta, place,
+                      w->setup->in_plane_m);
     w->path.position = place;
     w->absorber = hit->material;
     /* Split the packet, or leave the absorbed share to the roulette of the
@@ -127,7 +123,7 @@ bool murk_meet_surface(murk_walker *w, const murk_hit *hit, double path_m,
                                        w->absorber)) {
         random.u[0] = w->quanta > 0 ? random.u[0] * kept : 1;
     }
-    /* Draw the outcome, and tell the event. */
+    /* Draw the outcome, and report the event. */
     const murk_bounce b =
         murk_surface_bounce(material, w->band, n_from, n_to, w->path.direction,
                             hit->normal, random.u);
@@ -144,11 +140,10 @@ bool murk_meet_surface(murk_walker *w, const murk_hit *hit, double path_m,
         event.path_m = path_m;
         murk_walker_tell(w, &event);
     }
-    *ended = MURK_FATE_SURFACES;
     if (b.outcome == MURK_ABSORBED) {
-        return false;
+        return MURK_FATE_SURFACES;
     }
-    /* Go on from a place clear of the surface. */
+    /* Continue from a position clear of the surface. */
     const bool through = b.outcome == MURK_TRANSMITTED;
     w->is_beyond = through;
     if (through) {
@@ -163,25 +158,26 @@ bool murk_meet_surface(murk_walker *w, const murk_hit *hit, double path_m,
     if (b.outcome == MURK_DIFFUSE) {
         w->event_class = MURK_CLASS_LATER;
     }
-    return true;
+    return MURK_FATE_NONE;
 }
 
-bool murk_meet_mesh_beyond(murk_walker *w, const murk_hit *hit,
-                           murk_path_boundary *ahead, murk_fate *ended)
+murk_fate murk_meet_mesh_beyond(murk_walker *w, const murk_hit *hit,
+                                murk_path_boundary *ahead)
 {
+    murk_fate fate = MURK_FATE_NONE;
     if (!hit->solid) {
         ++w->number;
         ahead->met.distance_m = 0;
-        if (!murk_meet_boundary(w, ahead, ended)) {
-            return false;
-        }
+        fate = murk_meet_boundary(w, ahead);
     }
     w->path.skip_m =
         w->setup->space.near_m / fabs(murk_dot(w->path.direction, hit->normal));
-    return true;
+    return fate;
 }
 
-void murk_walker_enter(murk_walker *w)
+/* Starts the search for surfaces before the position, because a surface may lie
+ * in the side of the domain through which the photon enters. */
+static void enter(murk_walker *w)
 {
     w->probe = murk_along(w->path.position, -w->setup->space.margin_m,
                           w->path.direction);
@@ -191,7 +187,8 @@ void murk_walker_enter(murk_walker *w)
     }
 }
 
-/* Just out of a side of the domain, so that planes in it count what passes. */
+/* A position slightly outside of the side, so that plane tallies in the side
+ * count the photon. */
 static murk_vec3 beyond_side(const murk_walker *w, int axis, bool upper)
 {
     const double step =
@@ -201,7 +198,7 @@ static murk_vec3 beyond_side(const murk_walker *w, int axis, bool upper)
                              axis == 2 ? step : 0));
 }
 
-bool murk_meet_side(murk_walker *w, double path_m, murk_fate *ended)
+murk_fate murk_meet_side(murk_walker *w, double path_m)
 {
     const murk_path_sides *sides = &w->setup->space.sides;
     const murk_vec3 d = w->path.direction;
@@ -212,14 +209,11 @@ bool murk_meet_side(murk_walker *w, double path_m, murk_fate *ended)
     const murk_vec3 from = w->path.position;
     w->path.position = murk_path_sides_hold(sides, murk_along(from, path_m, d));
     murk_path_sides_put(sides, axis, upper, &w->path.position);
-    if (w->sums->are_segments_wanted) {
-        murk_walker_score(w, from, path_m, w->quanta,
-                          beyond_side(w, axis, upper), 0);
-    }
-    /* Light wraps a limited number of times. */
+    murk_walker_score(w, from, path_m, w->quanta, beyond_side(w, axis, upper),
+                      0);
+    /* A photon wraps a limited number of times. */
     if (wraps && w->wraps >= w->setup->trace->wraps_max) {
-        *ended = murk_walker_lose(w, MURK_LOSS_WRAPS);
-        return false;
+        return murk_walker_lose(w, MURK_LOSS_WRAPS);
     }
     if (murk_walker_is_heard(w)) {
         murk_event event = murk_walker_event(w, wraps ? MURK_EVENT_WRAPPED
@@ -229,9 +223,8 @@ bool murk_meet_side(murk_walker *w, double path_m, murk_fate *ended)
         murk_walker_tell(w, &event);
     }
     /* Escape, or enter through the opposite side. */
-    *ended = MURK_FATE_ESCAPED;
     if (!wraps) {
-        return false;
+        return MURK_FATE_ESCAPED;
     }
     ++w->wraps;
     murk_path_sides_put(sides, axis, !upper, &w->path.position);
@@ -243,6 +236,6 @@ bool murk_meet_side(murk_walker *w, double path_m, murk_fate *ended)
         w->path.inside = murk_path_inside_wrapped(
             &w->setup->space, w->path.inside, w->path.position, axis);
     }
-    murk_walker_enter(w);
-    return true;
+    enter(w);
+    return MURK_FATE_NONE;
 }

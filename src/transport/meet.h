@@ -1,34 +1,30 @@
-/* What becomes of a photon where its leg ends: at a surface, at the boundary of
- * a region, at a side of the domain. Each flies it there, tells the event, and
- * leaves it where it goes on. Private to this room. */
+/* The end of a segment at a surface, at the boundary of a region, or at a side
+ * of the domain. Each function moves the photon there, scores the segment,
+ * reports the event and prepares the next segment. The result is
+ * MURK_FATE_NONE if the photon continues. Private to this room. */
 #ifndef MURK_TRANSPORT_MEET_H
 #define MURK_TRANSPORT_MEET_H
 
-#include "path/path.h"
 #include "transport/walker.h"
 
-/* Is reflected at the boundary or goes on beyond it. One that does not change
- * the index is no event. False when the photon ends there, *ended telling how:
- * given up among waves (transport/facets.h). */
-bool murk_meet_boundary(murk_walker *w, const murk_path_boundary *ahead,
-                        murk_fate *ended);
+/* Reflects the photon at the boundary or refracts it. A boundary at which the
+ * index does not change is no event. A photon that is given up among waves
+ * (transport/facets.h) is lost. */
+murk_fate murk_meet_boundary(murk_walker *w, const murk_path_boundary *ahead);
 
-/* path_m is the leg's; `crossed` are regions whose boundary lies in this
- * surface. False when the photon ends there, *ended telling how. */
-bool murk_meet_surface(murk_walker *w, const murk_hit *hit, double path_m,
-                       murk_inside crossed, murk_fate *ended);
+/* path_m: length of the segment; `crossed`: regions with a boundary that lies
+ * in this surface. */
+murk_fate murk_meet_surface(murk_walker *w, const murk_hit *hit, double path_m,
+                            murk_inside crossed);
 
-/* Beyond a surface in which the boundary of a mesh lies. A solid has taken it
- * into account; after a sheet it is met in its turn, where the photon is now.
- * Then the photon goes on as far as it takes to leave the mesh behind.
- * Otherwise as murk_meet_boundary(). */
-bool murk_meet_mesh_beyond(murk_walker *w, const murk_hit *hit,
-                           murk_path_boundary *ahead, murk_fate *ended);
+/* Called after a surface that transmitted the photon and in which a face of a
+ * boundary mesh lies. The surface of a solid has handled the face. After a thin
+ * sheet, the photon meets the face at its position. Then the photon skips as
+ * much of the ray as keeps it from meeting the mesh again. */
+murk_fate murk_meet_mesh_beyond(murk_walker *w, const murk_hit *hit,
+                                murk_path_boundary *ahead);
 
-/* False when the photon has left the world, *ended telling how. */
-bool murk_meet_side(murk_walker *w, double path_m, murk_fate *ended);
-
-/* Enters at w->path.position, through a side of the domain. */
-void murk_walker_enter(murk_walker *w);
+/* The photon escapes, or enters a periodic domain through the opposite side. */
+murk_fate murk_meet_side(murk_walker *w, double path_m);
 
 #endif

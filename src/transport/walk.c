@@ -1,15 +1,16 @@
-/* One photon at a time, leg by leg: find the nearest surface up to the side of
- * the domain, let the media stop the flight before it, deal with what was met.
+/* The photon loop: find the next event on the ray, let a medium end the flight
+ * before it, move, score and interact (walk.h).
  *
- * A surface that lies in a side of the domain is part of the world, though
- * rounding may put it a little outside: surfaces are looked for in a slightly
- * grown box. `probe` is the place that the next surface is looked for from; it
- * differs from `position` where a photon starts: light that enters through a
- * side must not miss a surface lying in it, and a lamp's own ceiling must not
- * stop its light.
+ * Rounding may put a surface that lies in a side of the domain slightly outside
+ * of the domain. Surfaces are therefore searched in a slightly larger box. The
+ * search for surfaces begins at `probe`, which differs from `position` at the
+ * start of a photon: light that enters through a side of the domain must meet a
+ * surface in that side, and light of a lamp must not meet the ceiling that the
+ * lamp touches.
  *
- * `inside`, not the position, says on which side of the boundaries of
- * refractive regions and of meshes the photon is; see path/path.h. */
+ * The set `inside`, not the position, determines on which side of the
+ * boundaries of refractive regions and of meshes the photon is (path/path.h).
+ */
 #include "transport/walk.h"
 
 #include "medium/phase.h"
@@ -18,23 +19,53 @@
 #include "transport/outside.h"
 #include "transport/turn.h"
 
-/* A plane nearer than this share of the domain's largest coordinate to a place
- * that was computed in double precision contains the place: some hundred times
- * the rounding. */
+/* A plane nearer than this share of the domain's largest coordinate to a
+ * position that was computed in double precision contains the position: some
+ * hundred times the rounding. */
 #define IN_PLANE_TOLERANCE 1e-13
 
-/* A jump that leads to a boundary ends at this share of the way, and the
- * boundary is met from near. */
+/* A jump towards a boundary ends at this share of the distance, and an ordinary
+ * segment meets the boundary. */
 #define BEFORE_BOUNDARY 0.999
 
-/* u: two numbers in (0, 1). Given that it scatters, what the roulette leaves of
- * its number is again uniform, and serves as the azimuth: so one collision
- * takes one draw of four. (A split rounds by the number that turns it: its
- * quantum in a billion may go with the azimuth.) False when the photon ends
- * there. */
-static bool scatter(murk_walker *w, const murk_collision *c, const double u[2])
+/* ---- collisions ---- */
+
+/* A collision, and two numbers in (0, 1) for the interaction there. */
+typedef struct hit_medium {
+    murk_collision at;
+    double u[2];
+} hit_medium;
+
+/* Draws a free flight. True if it ends in a medium within length_m. */
+static inline bool collides(const murk_walker *w, double length_m,
+                            hit_medium *hit)
 {
-    /* Split the packet, or put the photon to roulette. */
+    const murk_random4 random = murk_walker_draw(w, MURK_FLIGHT);
+    hit->u[0] = random.u[2];
+    hit->u[1] = random.u[3];
+    const murk_media *media = w->setup->world->media;
+    const double tau = -log(random.u[0]);
+    if (w->setup->trace->by_delta) {
+        const murk_address address = murk_walker_address(w, MURK_FLIGHT);
+        return murk_media_fly_delta(
+            media, w->band, w->path.inside, w->path.position, w->path.direction,
+            length_m, tau, random.u[1], &address, &hit->at);
+    }
+    return murk_media_fly(media, w->band, w->path.inside, w->path.position,
+                          w->path.direction, length_m, tau, random.u[1],
+                          &hit->at);
+}
+
+/* Moves to the collision; scatters or absorbs the photon. If the photon is
+ * scattered, the rest of the number of the roulette is uniform again and gives
+ * the azimuth, so that one collision takes one draw of four numbers. (A split
+ * packet is rounded by the number that also gives the azimuth: one quantum in a
+ * billion may depend on the azimuth.) */
+static murk_fate scatter(murk_walker *w, const hit_medium *hit)
+{
+    const murk_collision *c = &hit->at;
+    const double *u = hit->u;
+    /* Split the packet, or decide by roulette. */
     const int64_t before = w->quanta;
     w->absorber = w->sums->materials + c->medium;
     const bool is_split =
@@ -48,10 +79,8 @@ static bool scatter(murk_walker *w, const murk_collision *c, const double u[2])
     w->path.position = w->probe = murk_path_sides_hold(
         &w->setup->space.sides,
         murk_along(from, c->distance_m, w->path.direction));
-    if (w->sums->are_segments_wanted) {
-        murk_walker_score(w, from, c->distance_m, before, w->path.position, 0);
-    }
-    /* Turn, and tell the event. */
+    murk_walker_score(w, from, c->distance_m, before, w->path.position, 0);
+    /* Draw the new direction, and report the event. */
     if (scatters) {
         w->path.direction = murk_turned_direction(
             arriving, murk_phase_sample(c->phase, u[1]), azimuth);
@@ -71,156 +100,136 @@ static bool scatter(murk_walker *w, const murk_collision *c, const double u[2])
     }
     w->event_class = MURK_CLASS_LATER;
     w->wraps = 0;
-    return scatters;
+    return scatters ? MURK_FATE_NONE : MURK_FATE_MEDIA;
 }
 
-/* Whether a flight of at most length_m ends in a medium; rest: two numbers left
- * over for what happens there. */
-static inline bool collides(const murk_walker *w, double length_m,
-                            murk_collision *c, double rest[2])
+/* ---- the photon loop ---- */
+
+/* The next boundary on the ray. Meshes are searched only up to the collision
+ * that a medium would give, which in dense media saves more time than the
+ * second flight takes. */
+static inline bool boundary_ahead(murk_walker *w, murk_path_boundary *ahead)
 {
-    const murk_random4 random = murk_walker_draw(w, MURK_FLIGHT);
-    rest[0] = random.u[2];
-    rest[1] = random.u[3];
-    const murk_media *media = w->setup->world->media;
-    const double tau = -log(random.u[0]);
-    if (w->setup->trace->by_delta) {
-        const murk_address address = murk_walker_address(w, MURK_FLIGHT);
-        return murk_media_fly_delta(media, w->band, w->path.inside,
-                                    w->path.position, w->path.direction,
-                                    length_m, tau, random.u[1], &address, c);
+    const murk_path_space *space = &w->setup->space;
+    if (!space->any_boundaries) {
+        return false;
     }
-    return murk_media_fly(media, w->band, w->path.inside, w->path.position,
-                          w->path.direction, length_m, tau, random.u[1], c);
+    hit_medium hit;
+    const bool is_cut = space->boundary_meshes && w->setup->any_media &&
+                        w->solids.n == 0 && collides(w, INFINITY, &hit);
+    return murk_path_next_boundary(
+        &w->path, is_cut ? hit.at.distance_m : INFINITY, ahead);
 }
 
-/* How far this leg can lead at most. Meshes are looked for only so far, which
- * in dense media saves more than flying twice costs. */
-static inline double as_far_as_media_let(const murk_walker *w)
+/* Jumps `run` metres, or up to the collision on the way. */
+static murk_fate jump(murk_walker *w, double run)
 {
-    murk_collision collision;
-    double rest[2];
-    return w->setup->space.boundary_meshes && w->setup->any_media &&
-                   w->solids.n == 0 && collides(w, INFINITY, &collision, rest)
-               ? collision.distance_m
-               : INFINITY;
+    hit_medium hit;
+    const bool collided = w->setup->any_media && collides(w, run, &hit);
+    murk_jump(w, collided ? hit.at.distance_m : run);
+    hit.at.distance_m = 0; /* the jump has moved the photon there */
+    return collided ? scatter(w, &hit) : MURK_FATE_NONE;
 }
 
-static murk_fate follow(murk_walker *w)
+/* Follows the photon to its next event. Inlined, because a call for each event
+ * would cost 2 % of the time. */
+static inline __attribute__((always_inline)) murk_fate
+next_event(murk_walker *w)
 {
     const murk_walk_setup *r = w->setup;
     const murk_path_space *space = &r->space;
-    const bool only_media = r->any_media && !space->any_surfaces;
-    const bool media_too = r->any_media && space->any_surfaces;
-    for (;;) {
-        ++w->number;
-        if (w->number > r->trace->events_max) {
-            return murk_walker_lose(w, MURK_LOSS_EVENTS);
-        }
-        murk_collision collision;
-        double rest[2];
-        murk_path_boundary ahead;
-        const bool bends =
-            space->any_boundaries &&
-            murk_path_next_boundary(&w->path, as_far_as_media_let(w), &ahead);
-        const double boundary_m = bends ? ahead.met.distance_m : INFINITY;
-        w->path.skip_m = 0;
-        double run = r->jumps ? murk_jump_ahead(w) : 0;
-        run = bends ? fmin(run, BEFORE_BOUNDARY * boundary_m) : run;
-        if (run > 0) {
-            const bool met_medium =
-                r->any_media && collides(w, run, &collision, rest);
-            murk_jump(w, met_medium ? collision.distance_m : run);
-            collision.distance_m = 0; /* the flight is behind it */
-            if (met_medium && !scatter(w, &collision, rest)) {
-                return MURK_FATE_MEDIA;
-            }
-            continue;
-        }
-        /* With no surfaces most legs end in a medium: the others alone look
-         * for the side. */
-        if (only_media && collides(w, boundary_m, &collision, rest) &&
-            murk_path_sides_contain(&space->sides,
-                                    murk_along(w->path.position,
-                                               collision.distance_m,
-                                               w->path.direction))) {
-            if (!scatter(w, &collision, rest)) {
-                return MURK_FATE_MEDIA;
-            }
-            continue;
-        }
-        murk_path_event event;
-        if (!murk_path_first_event(&w->path, w->probe, bends ? &ahead : NULL,
-                                   &event)) {
-            return murk_walker_lose(w, MURK_LOSS_NUMERICAL);
-        }
-        if (media_too && w->solids.n == 0 &&
-            collides(w, event.distance_m, &collision, rest)) {
-            if (!scatter(w, &collision, rest)) {
-                return MURK_FATE_MEDIA;
-            }
-            continue;
-        }
-        murk_fate ended;
-        if (event.kind == MURK_PATH_BOUNDARY) {
-            if (!murk_meet_boundary(w, &ahead, &ended)) {
-                return ended;
-            }
-            continue;
-        }
-        if (event.kind == MURK_PATH_SURFACE
-                ? !murk_meet_surface(w, &event.hit, event.distance_m,
-                                     event.crossed, &ended)
-                : !murk_meet_side(w, event.distance_m, &ended)) {
-            return ended;
-        }
-        if (event.crossed && ahead.has_mesh && w->is_beyond &&
-            !murk_meet_mesh_beyond(w, &event.hit, &ahead, &ended)) {
-            return ended;
-        }
+    if (++w->number > r->trace->events_max) {
+        return murk_walker_lose(w, MURK_LOSS_EVENTS);
+    }
+    murk_path_boundary ahead;
+    const bool bends = boundary_ahead(w, &ahead);
+    const double boundary_m = bends ? ahead.met.distance_m : INFINITY;
+    w->path.skip_m = 0;
+    double run = r->jumps ? murk_jump_ahead(w) : 0;
+    run = bends ? fmin(run, BEFORE_BOUNDARY * boundary_m) : run;
+    if (run > 0) {
+        return jump(w, run);
+    }
+    /* Without surfaces most segments end in a medium: only the others need the
+     * side of the domain. */
+    hit_medium hit;
+    if (r->any_media && !space->any_surfaces && collides(w, boundary_m, &hit) &&
+        murk_path_sides_contain(&space->sides,
+                                murk_along(w->path.position, hit.at.distance_m,
+                                           w->path.direction))) {
+        return scatter(w, &hit);
+    }
+    /* The nearest surface, boundary or side; a collision before it comes
+     * first. */
+    murk_path_event event;
+    if (!murk_path_first_event(&w->path, w->probe, bends ? &ahead : NULL,
+                               &event)) {
+        return murk_walker_lose(w, MURK_LOSS_NUMERICAL);
+    }
+    if (r->any_media && space->any_surfaces && w->solids.n == 0 &&
+        collides(w, event.distance_m, &hit)) {
+        return scatter(w, &hit);
+    }
+    if (event.kind == MURK_PATH_BOUNDARY) {
+        return murk_meet_boundary(w, &ahead);
+    }
+    const murk_fate fate =
+        event.kind == MURK_PATH_SURFACE
+            ? murk_meet_surface(w, &event.hit, event.distance_m, event.crossed)
+            : murk_meet_side(w, event.distance_m);
+    return fate == MURK_FATE_NONE && event.crossed && ahead.has_mesh &&
+                   w->is_beyond
+               ? murk_meet_mesh_beyond(w, &event.hit, &ahead)
+               : fate;
+}
+
+/* Follows the photon to its end. */
+static murk_fate follow(murk_walker *w)
+{
+    murk_fate fate;
+    do {
+        fate = next_event(w);
+    } while (fate == MURK_FATE_NONE);
+    return fate;
+}
+
+/* ---- starts ---- */
+
+/* Puts the photon at the beginning of the ray, and finds the regions and solids
+ * around it. `probe`: where the search for surfaces begins. */
+static void set_out(murk_walker *w, murk_ray ray, murk_vec3 probe)
+{
+    const murk_path_space *space = &w->setup->space;
+    w->path.position = ray.origin;
+    w->path.direction = ray.direction;
+    w->probe = probe;
+    if (space->any_boundaries) {
+        w->path.inside =
+            murk_path_inside_ahead(space, ray.origin, ray.direction);
+    }
+    if (space->any_solids) {
+        w->solids =
+            murk_path_solids_around(space->surfaces, probe, ray.direction);
     }
 }
 
-static void start(murk_walker *w, murk_ray ray)
+/* The start of the search for surfaces: for distant light before the side of
+ * the domain, for lamps clear of the surface that the lamp touches. */
+static murk_vec3 first_probe(const murk_walker *w, murk_ray ray)
 {
     const murk_walk_setup *r = w->setup;
     const murk_source *light = murk_sources_get(r->world->lights, w->light);
-    w->path.position = w->probe = ray.origin;
-    w->path.direction = ray.direction;
-    if (r->space.any_boundaries) {
-        w->path.inside =
-            murk_path_inside_ahead(&r->space, ray.origin, ray.direction);
-    }
     if (!r->space.any_surfaces) {
-        return;
+        return ray.origin;
     }
-    if (murk_source_is_distant(light)) {
-        murk_walker_enter(w);
-        return;
-    }
-    const murk_vec3 off = murk_source_face(light, ray.direction);
-    w->probe = murk_surfaces_leave(r->world->surfaces, ray.origin, off);
-    if (r->space.any_solids) {
-        w->solids = murk_path_solids_around(r->world->surfaces, w->probe,
-                                            w->path.direction);
-    }
+    return murk_source_is_distant(light)
+               ? murk_along(ray.origin, -r->space.margin_m, ray.direction)
+               : murk_surfaces_leave(r->world->surfaces, ray.origin,
+                                     murk_source_face(light, ray.direction));
 }
 
-/* Media, meshes and solids around a place in the open. */
-static void start_inside(murk_walker *w)
-{
-    const murk_walk_setup *r = w->setup;
-    if (r->space.any_boundaries) {
-        w->path.inside = murk_path_inside_ahead(&r->space, w->path.position,
-                                                w->path.direction);
-    }
-    if (r->space.any_solids) {
-        w->solids = murk_path_solids_around(r->world->surfaces, w->probe,
-                                            w->path.direction);
-    }
-}
-
-/* What another portal lets in escapes before it has done anything. */
+/* Ends a photon at its start: another portal samples its ray, or roulette
+ * removes it (come_from_outside()). */
 static murk_fate spend(murk_walker *w)
 {
     ++w->number;
@@ -232,9 +241,9 @@ static murk_fate spend(murk_walker *w)
     return MURK_FATE_ESCAPED;
 }
 
-/* Light of the sun or sky through a domain whose media go on outside: what they
- * take of it escapes before it has done anything, by roulette. Light that a
- * boundary outside has refracted is of class specular. */
+/* Attenuates light of sun and sky in the media that continue outside of the
+ * domain, by roulette: a photon that is removed escapes at its start. Light
+ * that a boundary outside has refracted is of class specular. */
 static void come_from_outside(murk_walker *w, murk_ray *ray)
 {
     const murk_transport_world *world = w->setup->world;
@@ -243,7 +252,7 @@ static void come_from_outside(murk_walker *w, murk_ray *ray)
     const double share = murk_outside_share(world, w->band, ray->origin,
                                             &ray->direction, &is_bent);
     if (share < 1) {
-        /* slots 0 and 1 are the emission's own (source/sources.c) */
+        /* slots 0 and 1 belong to the emission (source/sources.c) */
         const murk_random4 random =
             murk_random(trace->seed, MURK_EMIT + MURK_STREAM * trace->stream,
                         w->photon, 0, 2);
@@ -254,8 +263,8 @@ static void come_from_outside(murk_walker *w, murk_ray *ray)
     }
 }
 
-/* Where the chain of the tallies' planes begins: before the side that distant
- * light enters by. */
+/* The first position of the chain of plane tallies: for distant light, before
+ * the side through which the light enters. */
 static murk_station first_station(const murk_walker *w)
 {
     const murk_source *light =
@@ -307,8 +316,8 @@ void murk_walk_photon(const murk_walk_setup *r, murk_sums *s, uint64_t batch,
         murk_source_is_distant(murk_sources_get(world->lights, w.light))) {
         come_from_outside(&w, &ray);
     }
-    /* Tell the emission. */
-    start(&w, ray);
+    /* Report the emission. */
+    set_out(&w, ray, first_probe(&w, ray));
     if (murk_walker_is_heard(&w)) {
         murk_event event = murk_walker_event(&w, MURK_EVENT_EMITTED);
         event.direction_in = murk_vec(0, 0, 0);
@@ -338,12 +347,8 @@ void murk_walk_from(const murk_walk_setup *r, murk_sums *s, uint64_t photon,
                      .quanta = MURK_PACKET,
                      .band = band,
                      .event_class = MURK_CLASS_FIRST,
-                     .path = {.space = &r->space,
-                              .position = ray.origin,
-                              .direction = ray.direction,
-                              .length_m = INFINITY},
-                     .probe = ray.origin};
-    start_inside(&w);
+                     .path = {.space = &r->space, .length_m = INFINITY}};
+    set_out(&w, ray, ray.origin);
     const murk_fate fate = follow(&w);
     s->ended[0][fate] += w.quanta;
 }

@@ -1,29 +1,76 @@
-/* A photon under way, and what it does wherever it is: draws its numbers, tells
- * its events, leaves quanta behind. Private to this room. */
+/* The state of a photon under way, and what every event needs: random numbers,
+ * the report to the sink, the score of a segment, the split of the packet.
+ * Private to this room. */
 #ifndef MURK_TRANSPORT_WALKER_H
 #define MURK_TRANSPORT_WALKER_H
 
 #include "base/rng.h"
 #include "path/path.h"
 #include "path/solids.h"
-#include "transport/walk.h"
+#include "transport/score.h"
+#include "transport/trace.h"
+
+#define MURK_EMISSIONS_MAX (MURK_SOURCES_MAX * MURK_BANDS_MAX)
+
+/* The end of a photon, in the order of the accounts of the ledger. */
+typedef enum murk_fate {
+    MURK_FATE_SURFACES, /* absorbed by a surface */
+    MURK_FATE_MEDIA,    /* absorbed by a medium */
+    MURK_FATE_ESCAPED,
+    MURK_FATE_LOST,
+    MURK_FATES,
+    MURK_FATE_NONE = MURK_FATES /* the photon continues */
+} murk_fate;
+
+/* The data that all photons of a run share. */
+typedef struct murk_walk_setup {
+    const murk_trace *trace;
+    const murk_transport_world *world;
+    murk_path_space space;
+    double in_plane_m; /* a plane nearer to a surface has the surface in it */
+    bool any_media;
+    bool jumps;              /* the domain is periodic, and the ray may jump:
+                              * transport/jump.h */
+    const double (*busy)[2]; /* [n_busy] ranges of heights that are
+                              * not free */
+    size_t n_busy;
+    uint32_t purpose_shift;
+    int64_t min_quanta; /* with at most so many quanta roulette
+                         * decides */
+} murk_walk_setup;
+
+/* Sums of one batch: adding to the shared ledger photon by photon would make
+ * the threads wait for each other. */
+typedef struct murk_sums {
+    uint16_t emitted[MURK_EMISSIONS_MAX];          /* photons */
+    int64_t ended[MURK_EMISSIONS_MAX][MURK_FATES]; /* quanta */
+    uint16_t lost[MURK_LOSSES];
+    uint64_t collisions;
+    murk_tally *absorber; /* cells of the ledger, in the lane of this thread:
+                           * added to at once */
+    size_t materials, absorbers;
+    murk_scorer *scorer;      /* NULL: no tallies */
+    bool are_segments_wanted; /* by the scorer or by the sink of segments */
+} murk_sums;
 
 /* A photon under way. */
 typedef struct murk_walker {
     const murk_walk_setup *setup;
     murk_sums *sums;
     uint64_t batch, photon;
-    int64_t quanta; /* what is left of its packet */
+    int64_t quanta; /* of the packet that are left */
     size_t channel, light;
-    size_t absorber; /* that took it, where it ended so */
+    size_t absorber; /* number of the material or medium met last; media count
+                      * on from the last material */
     int band;
     uint32_t number, wraps;
     murk_event_class event_class;
-    murk_path path;  /* begins at the photon's place */
-    murk_vec3 probe; /* surfaces are looked for from here on */
+    murk_path path;  /* begins at the position of the photon */
+    murk_vec3 probe; /* start of the search for surfaces */
     murk_path_solids solids;
-    double silent_m; /* flown to boundaries that were no event, since one */
-    bool is_beyond;  /* the surface met last let it through */
+    double silent_m; /* flown since the last event to boundaries that were no
+                      * event */
+    bool is_beyond;  /* the surface met last transmitted the photon */
 } murk_walker;
 
 static inline murk_address murk_walker_address(const murk_walker *w,
@@ -46,8 +93,7 @@ static inline double murk_packet_share(int64_t quanta)
     return (double)quanta / (double)MURK_PACKET;
 }
 
-/* Quanta that a material or, counted on from the last of them, a medium keeps.
- */
+/* Adds quanta that a material or medium absorbs to the ledger. */
 static inline void murk_walker_keep(const murk_walker *w, size_t absorber,
                                     int64_t quanta)
 {
@@ -56,9 +102,9 @@ static inline void murk_walker_keep(const murk_walker *w, size_t absorber,
         w->setup->trace->takes_back ? -quanta : quanta);
 }
 
-/* Leaves behind all but the share `kept` of the photon's quanta, where it has
- * enough of them to be split; u in (0, 1) rounds without bias. False where the
- * roulette must decide instead. */
+/* Splits the packet: the absorber keeps all but the share `kept` of the quanta;
+ * u in (0, 1) rounds without bias. False, without a change, if the packet has
+ * too few quanta: then roulette must decide. */
 static inline bool murk_walker_splits(murk_walker *w, double kept, double u,
                                       murk_fate fate, size_t absorber)
 {
@@ -73,7 +119,7 @@ static inline bool murk_walker_splits(murk_walker *w, double kept, double u,
     return true;
 }
 
-/* What all events tell. */
+/* The members that all events have in common. */
 static inline murk_event murk_walker_event(const murk_walker *w,
                                            murk_event_kind kind)
 {
@@ -96,6 +142,7 @@ static inline void murk_walker_tell(murk_walker *w, murk_event *event)
     w->setup->trace->sink(w->setup->trace->context, w->batch, event);
 }
 
+/* True if the events are reported to a sink. */
 static inline bool murk_walker_is_heard(const murk_walker *w)
 {
     return w->setup->trace->sink != NULL;
@@ -110,17 +157,21 @@ static inline double murk_walker_index(const murk_walker *w,
                          : murk_media_index(w->setup->world->media, inside);
 }
 
-/* A leg for the tallies, which ends for planes at `end`, and for who else wants
- * to know; reach_m: murk_station. */
+/* Scores a segment of the path and reports it to the sink of segments. For
+ * plane tallies the segment ends at `end`; reach_m as in murk_station. */
 static inline void murk_walker_score(const murk_walker *w, murk_vec3 from,
                                      double length_m, int64_t quanta,
                                      murk_vec3 end, double reach_m)
 {
     const murk_trace *trace = w->setup->trace;
+    if (!w->sums->are_segments_wanted) {
+        return;
+    }
     if (w->sums->scorer) {
         murk_score_segment(w->sums->scorer, from, w->path.direction, length_m,
                            (double)quanta, (murk_station){end, reach_m});
     }
+    /* The sink of segments. */
     if (trace->leg) {
         const murk_trace_leg leg = {
             .photon = w->photon,
