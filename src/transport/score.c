@@ -114,10 +114,10 @@ void murk_score_end(murk_scorer *scorer, bool takes_back)
     for (size_t i = 0; i < scorer->n_touched; ++i) {
         const uint32_t cell = scorer->touched[i];
         const uint64_t value = (uint64_t)(scorer->value[cell] + 0.5);
-        murk_wide sum = {value, 0}, square = murk_wide_square(value);
+        murk_wide sum = value, square = (murk_wide)value * value;
         if (takes_back) {
-            sum = murk_wide_negated(sum);
-            square = murk_wide_negated(square);
+            sum = -sum;
+            square = -square;
         }
         murk_tally_bin *const to = &scorer->cell[cell];
         if (scorer->is_alone) {

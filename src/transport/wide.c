@@ -1,48 +1,33 @@
-/* The variance of whole numbers from their sum and the sum of their squares,
- * in integers of 192 bits, so that it is exact before one last rounding. */
+/* The variance of whole numbers from their sum and the sum of their squares, in
+ * integers of 192 bits, so that only the conversion to a double rounds. */
 #include "transport/wide.h"
 
-/* Words of 32 bits: n sum x^2 and (sum x)^2 are below 2^192. */
-#define LIMBS 6
+/* A number of 192 bits: high 2^64 + low, where `low` may exceed 2^64. */
+typedef struct number {
+    murk_wide high, low;
+} number;
 
-/* out = a b; both factors have 128 bits, and the product is below 2^192. */
-static void multiply(murk_wide a, murk_wide b, uint32_t out[LIMBS])
+static number carried(number x)
 {
-    const uint32_t p[4] = {(uint32_t)a.low, (uint32_t)(a.low >> 32),
-                           (uint32_t)a.high, (uint32_t)(a.high >> 32)};
-    const uint32_t q[4] = {(uint32_t)b.low, (uint32_t)(b.low >> 32),
-                           (uint32_t)b.high, (uint32_t)(b.high >> 32)};
-    for (int i = 0; i < LIMBS; ++i) {
-        out[i] = 0;
-    }
-    for (int i = 0; i < 4; ++i) {
-        uint64_t carry = 0;
-        for (int j = 0; i + j < LIMBS; ++j) {
-            const uint64_t factor = j < 4 ? q[j] : 0;
-            carry += out[i + j] + p[i] * factor;
-            out[i + j] = (uint32_t)carry;
-            carry >>= 32;
-        }
-    }
+    return (number){x.high + (x.low >> 64), (uint64_t)x.low};
 }
 
 double murk_wide_spread(murk_wide sum, murk_wide squares, uint64_t n)
 {
-    uint32_t all[LIMBS], mean[LIMBS];
-    multiply(squares, (murk_wide){n, 0}, all);
-    multiply(sum, sum, mean);
+    /* n sum x^2 and (sum x)^2, from factors of 64 bits. */
+    const murk_wide a = sum >> 64, b = (uint64_t)sum;
+    const number all = carried(
+        (number){(squares >> 64) * n, (murk_wide)(uint64_t)squares * n});
+    const number mean = carried((number){(a * a << 64) + 2 * (a * b), b * b});
     /* The difference is not negative, by the inequality of Cauchy and
      * Schwarz. */
+    const murk_wide high = all.high - mean.high - (all.low < mean.low);
+    const uint64_t low = (uint64_t)all.low - (uint64_t)mean.low;
     double spread = 0;
-    uint32_t difference[LIMBS];
-    uint64_t borrow = 0;
-    for (int i = 0; i < LIMBS; ++i) {
-        const uint64_t d = (uint64_t)all[i] - mean[i] - borrow;
-        difference[i] = (uint32_t)d;
-        borrow = d >> 63;
+    for (int shift = 96; shift >= 0; shift -= 32) {
+        spread = spread * 0x1p32 + (double)(uint32_t)(high >> shift);
     }
-    for (int i = LIMBS; i > 0; --i) {
-        spread = spread * 0x1p32 + difference[i - 1];
-    }
+    spread = spread * 0x1p32 + (double)(low >> 32);
+    spread = spread * 0x1p32 + (double)(uint32_t)low;
     return spread / (double)n;
 }

@@ -391,39 +391,45 @@ static void test_exact_spread(void)
 {
     const uint64_t x[] = {1, 12345678901, (UINT64_C(1) << 47) - 3};
     for (int i = 0; i < 3; ++i) {
-        murk_wide sum = {0, 0}, squares = {0, 0};
+        murk_wide sum = 0, squares = 0;
         for (int k = 0; k < 1000; ++k) {
-            sum = murk_wide_plus(sum, (murk_wide){x[i], 0});
-            squares = murk_wide_plus(squares, murk_wide_square(x[i]));
+            sum += x[i];
+            squares += (murk_wide)x[i] * x[i];
         }
         CHECK(murk_wide_spread(sum, squares, 1000) == 0);
         CHECK(murk_wide_value(sum) == 1000 * (double)x[i]);
 
         const uint64_t y = x[i] + 1000;
-        const murk_wide both = {x[i] + y, 0};
         const murk_wide both_squares =
-            murk_wide_plus(murk_wide_square(x[i]), murk_wide_square(y));
-        CHECK(murk_wide_spread(both, both_squares, 2) == 500000);
+            (murk_wide)x[i] * x[i] + (murk_wide)y * y;
+        CHECK(murk_wide_spread((murk_wide)x[i] + y, both_squares, 2) == 500000);
     }
     /* all of 2^32 photons bring 2^47 - 1, but one that brings nothing */
     const uint64_t n = UINT32_MAX;
-    murk_wide sum = {0, 0}, squares = {0, 0},
-              one = {(UINT64_C(1) << 47) - 1, 0},
-              square = murk_wide_square(one.low);
-    for (uint64_t bits = n - 1; bits; bits >>= 1) {
-        if (bits & 1) {
-            sum = murk_wide_plus(sum, one);
-            squares = murk_wide_plus(squares, square);
-        }
-        one = murk_wide_plus(one, one);
-        square = murk_wide_plus(square, square);
-    }
+    const murk_wide one = (UINT64_C(1) << 47) - 1;
+    const murk_wide sum = (n - 1) * one, squares = (n - 1) * (one * one);
     CHECK_NEAR(murk_wide_spread(sum, squares, n) / 0x1p94, 1, 1e-9);
-    const murk_wide big = murk_wide_square(UINT64_C(0xfedcba9876543210));
-    CHECK(big.high == UINT64_C(0xfdbac097c8dc5acc) &&
-          big.low == UINT64_C(0xdeec6cd7a44a4100));
-    const murk_wide none = murk_wide_plus(big, murk_wide_negated(big));
-    CHECK(none.low == 0 && none.high == 0);
+}
+
+/* Sums of 64 bits carry into the upper half, and adding the complement takes a
+ * number back, with and without other threads. */
+static void test_wide_sums(void)
+{
+    const murk_wide big =
+        (murk_wide)UINT64_C(0xfedcba9876543210) * UINT64_C(0xfedcba9876543210);
+    murk_wide_sum shared = {0, 0}, alone = {0, 0};
+    for (int i = 0; i < 5; ++i) {
+        murk_wide_add(&shared, UINT64_MAX);
+        murk_wide_add_alone(&alone, UINT64_MAX);
+    }
+    CHECK(murk_wide_read(&shared) == (murk_wide)UINT64_MAX * 5);
+    CHECK(murk_wide_read(&alone) == (murk_wide)UINT64_MAX * 5);
+    murk_wide_add(&shared, big);
+    murk_wide_add_alone(&alone, big);
+    murk_wide_add(&shared, -big);
+    murk_wide_add_alone(&alone, -big);
+    CHECK(murk_wide_read(&shared) == (murk_wide)UINT64_MAX * 5);
+    CHECK(murk_wide_read(&alone) == (murk_wide)UINT64_MAX * 5);
 }
 
 /* Two photons in one channel: value a + b, variance 2/1 (a - b)^2 / 2. */
@@ -474,6 +480,7 @@ int main(void)
     test_a_jump_passes_nothing();
     test_taken_back_leaves_nothing();
     test_exact_spread();
+    test_wide_sums();
     test_error_of_two_photons();
     test_error_of_one_photon();
     return check_done();

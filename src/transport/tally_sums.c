@@ -241,12 +241,6 @@ static double worth(const murk_tally_desc *d)
     return murk_length(edge) / (edge.x * edge.y * edge.z);
 }
 
-static murk_wide read_sum(const murk_wide_sum *sum)
-{
-    return (murk_wide){atomic_load_explicit(&sum->low, memory_order_relaxed),
-                       atomic_load_explicit(&sum->high, memory_order_relaxed)};
-}
-
 /* The variance of the sum over n photons. */
 static double variance(murk_wide sum, murk_wide squares, int64_t n)
 {
@@ -261,13 +255,13 @@ murk_estimate murk_tallies_read(const murk_tallies *t, size_t tally, int band,
 {
     double power_w = 0, variance_w2 = 0;
     for (size_t c = (size_t)band; c < t->channels; c += (size_t)t->bands) {
-        murk_wide sum = {0, 0}, squares = {0, 0};
+        murk_wide sum = 0, squares = 0;
         for (size_t copy = 0; copy < t->copies; ++copy) {
             const murk_tally_bin *from =
                 &t->cell[(copy * t->channels + c) * t->cells + t->first[tally] +
                          cell];
-            sum = murk_wide_plus(sum, read_sum(&from->sum));
-            squares = murk_wide_plus(squares, read_sum(&from->squares));
+            sum += murk_wide_read(&from->sum);
+            squares += murk_wide_read(&from->squares);
         }
         const double quantum_w = packet_w[c] / (double)MURK_PACKET;
         const int64_t n = murk_tally_read(&emitted[c]) / MURK_PACKET;
