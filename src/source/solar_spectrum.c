@@ -53,17 +53,14 @@ static void add_node(murk_solar_spectrum *out, double nm, double value)
                                          (value + out->w_per_m2_nm[i - 1]) / 2;
 }
 
-static void make_standard(murk_solar_spectrum *out, murk_spectrum_source source)
+static void make_extraterrestrial(murk_solar_spectrum *out)
 {
     for (size_t i = 0; i < MURK_G173_CELLS; ++i) {
         const murk_g173_cell *cell = &murk_g173[i];
-        const double value =
-            source == MURK_SPECTRUM_EXTRATERRESTRIAL ? cell->extraterrestrial
-            : source == MURK_SPECTRUM_AM15_GLOBAL    ? cell->global
-                                                     : cell->direct;
-        add_node(out, cell->from_nm, value);
-        add_node(out, cell[1].from_nm, value);
+        add_node(out, cell->from_nm, cell->extraterrestrial);
+        add_node(out, cell[1].from_nm, cell->extraterrestrial);
     }
+    out->total = G173_CONSTANT;
 }
 
 /* The absorption index of water, by a power law between the rows of the
@@ -127,22 +124,12 @@ void murk_solar_spectrum_make(murk_solar_spectrum *out,
                               const murk_spectrum_air *air)
 {
     out->nodes = 0;
-    switch (source) {
-    case MURK_SPECTRUM_DIRECT:
-    case MURK_SPECTRUM_CLEAR_SKY:
-    case MURK_SPECTRUM_CLEAR_GLOBAL:
-    case MURK_SPECTRUM_OVERCAST:
+    if (source == MURK_SPECTRUM_EXTRATERRESTRIAL) {
+        make_extraterrestrial(out);
+    } else {
         make_clear(out, source, air);
-        break;
-    case MURK_SPECTRUM_EXTRATERRESTRIAL:
-    case MURK_SPECTRUM_AM15_GLOBAL:
-    case MURK_SPECTRUM_AM15_DIRECT:
-        make_standard(out, source);
-        break;
+        out->total = out->up_to[out->nodes - 1];
     }
-    out->total = source == MURK_SPECTRUM_EXTRATERRESTRIAL
-                     ? G173_CONSTANT
-                     : out->up_to[out->nodes - 1];
 }
 
 /* The last node at or below nm, except for the very last one. */
@@ -191,13 +178,4 @@ double murk_solar_spectrum_share(const murk_solar_spectrum *spectrum,
 {
     return (integral(spectrum, to_nm) - integral(spectrum, from_nm)) /
            spectrum->total;
-}
-
-double murk_spectrum_share(murk_spectrum_source source, double from_nm,
-                           double to_nm)
-{
-    const murk_spectrum_air air = murk_spectrum_air_defaults();
-    murk_solar_spectrum spectrum;
-    murk_solar_spectrum_make(&spectrum, source, &air);
-    return murk_solar_spectrum_share(&spectrum, from_nm, to_nm);
 }

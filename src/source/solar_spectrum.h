@@ -18,7 +18,7 @@
  * 2086), by two-stream theory (Bohren, Am. J. Phys. 55 (1987) 524,
  * doi:10.1119/1.15109). Both papers are cited from secondary sources. The
  * optical depth determines the loss in the infrared and little else.
- * Extraterrestrial and AM 1.5: ASTM G173-03. */
+ * Extraterrestrial: ASTM G173-03. */
 #ifndef MURK_SOURCE_SOLAR_SPECTRUM_H
 #define MURK_SOURCE_SOLAR_SPECTRUM_H
 
@@ -30,9 +30,7 @@ typedef enum murk_spectrum_source {
     MURK_SPECTRUM_DIRECT,           /* the beam of the sun */
     MURK_SPECTRUM_CLEAR_SKY,        /* on a horizontal plane, without the sun */
     MURK_SPECTRUM_CLEAR_GLOBAL,     /* sun and sky on a horizontal plane */
-    MURK_SPECTRUM_OVERCAST,         /* likewise, under cloud */
-    MURK_SPECTRUM_AM15_GLOBAL, /* the standard, plane tilted by 37 degrees */
-    MURK_SPECTRUM_AM15_DIRECT  /* the standard beam with aureole */
+    MURK_SPECTRUM_OVERCAST          /* likewise, under cloud */
 } murk_spectrum_source;
 
 /* The state of the atmosphere. Start from murk_spectrum_air_defaults(), the air
@@ -80,9 +78,5 @@ double murk_solar_spectrum_share(const murk_solar_spectrum *spectrum,
 /* The spectral irradiance [W/m2/nm]; a murk_spectral_shape (base/photometry.h)
  * whose context is a spectrum. */
 double murk_solar_spectrum_at(const void *spectrum, double wavelength_nm);
-
-/* The share for the default air. */
-double murk_spectrum_share(murk_spectrum_source source, double from_nm,
-                           double to_nm);
 
 #endif

@@ -3,13 +3,11 @@
 #ifndef MURK_SOURCE_SOLAR_TABLES_H
 #define MURK_SOURCE_SOLAR_TABLES_H
 
-/* ASTM G173-03: means over the cells from from_nm to the next row [W/m2/nm].
- * The last row ends the table. Columns: extraterrestrial; at air mass 1.5 on a
- * plane tilted by 37 degrees; at air mass 1.5 of the sun and the aureole at
- * right angles. Made from the published spectra with steps of .5 to 5 nm by the
- * trapezoid rule. */
+/* ASTM G173-03: extraterrestrial means over the cells from from_nm to the next
+ * row [W/m2/nm], made from the published spectrum with steps of .5 to 5 nm by
+ * the trapezoid rule. The last row ends the table. */
 typedef struct murk_g173_cell {
-    double from_nm, extraterrestrial, global, direct;
+    double from_nm, extraterrestrial;
 } murk_g173_cell;
 
 #define MURK_G173_CELLS 131 /* 280..4000 nm */

@@ -228,13 +228,6 @@ bool murk_sources_portal_is_lit(const murk_sources *lights, size_t light,
     return murk_entry_faces_one_m2(source->entry_faces, portal) > 0;
 }
 
-double murk_sources_sky_level(const murk_sources *lights, size_t light)
-{
-    assert(light < lights->n);
-    const murk_source_state *source = &lights->sources[light];
-    return murk_entry_faces_level(source->entry_faces);
-}
-
 bool murk_sources_place(const murk_sources *lights, size_t light,
                         murk_vec3 *out)
 {

@@ -66,10 +66,6 @@ murk_ray murk_sources_emit(const murk_sources *lights, uint32_t seed,
 bool murk_sources_portal_is_lit(const murk_sources *lights, size_t light,
                                 size_t portal);
 
-/* The integral of the relative radiance of a dome times the cosine at a level
- * plane, over the sky. */
-double murk_sources_sky_level(const murk_sources *lights, size_t light);
-
 /* The center of a lamp, used to decide which candidates light can reach. False
  * for distant light. */
 bool murk_sources_place(const murk_sources *lights, size_t light,
