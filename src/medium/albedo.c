@@ -9,32 +9,13 @@
 
 #include <math.h>
 
-/* Finds the voxel or cell that contains p (index space) and the position
- * inside it; false outside of the tree's box enlarged by `beyond` voxels at
- * the lower side. */
-static bool voxel_of(const murk_tree *tree, murk_vec3 p, int32_t beyond,
-                     int32_t voxel[3], double in[3])
-{
-    const double place[3] = {p.x, p.y, p.z};
-    for (int axis = 0; axis < 3; ++axis) {
-        const double low = floor(place[axis]);
-        if (!(low >= (double)tree->first[axis] - beyond &&
-              low <= tree->last[axis])) {
-            return false;
-        }
-        voxel[axis] = (int32_t)low;
-        in[axis] = place[axis] - low;
-    }
-    return true;
-}
-
 /* Albedo of the nearest voxel; negative if there is none. */
 static double nearest(const murk_tree *tree, murk_vec3 p)
 {
     int32_t voxel[3];
     double in[3];
     const murk_vec3 shifted = murk_add(p, murk_vec(0.5, 0.5, 0.5));
-    return voxel_of(tree, shifted, 0, voxel, in)
+    return murk_tree_voxel_at(tree, 0, shifted, voxel, in)
                ? (double)murk_tree_value(tree, voxel)
                : -1;
 }
@@ -44,7 +25,7 @@ static double linear(const murk_tree *tree, murk_vec3 p)
 {
     int32_t cell[3];
     double in[3], corner[8], sum = 0, weights = 0;
-    if (!voxel_of(tree, p, 1, cell, in)) {
+    if (!murk_tree_voxel_at(tree, 1, p, cell, in)) {
         return -1;
     }
     murk_tree_corners(tree, cell, corner);

@@ -13,13 +13,9 @@
 #ifndef MURK_MEDIUM_BRICKS_H
 #define MURK_MEDIUM_BRICKS_H
 
-#include "base/status.h"
-#include "base/vector.h"
-#include "medium/tree.h"
+#include "medium/grid_ray.h"
 
-#include <stdbool.h>
 #include <stddef.h>
-#include <stdint.h>
 
 /* Edges from that of a leaf to that of a block, in voxels. */
 #define MURK_BRICK_EDGE_MIN 8
@@ -51,13 +47,8 @@ murk_bricks_facts murk_bricks_describe(const murk_bricks *bricks);
 /* A ray through the bricks: one segment of constant bound after the other. */
 typedef struct murk_brick_walk {
     const murk_bricks *bricks;
-    double origin[3], direction[3], inverse[3]; /* inverse 0: parallel */
-    double end;
-
-    /* The current segment [from, to) and the bound on it. */
-    double from, to, bound;
-
-    int32_t at[3]; /* first voxel of the next segment */
+    murk_grid_ray ray;
+    double bound; /* on the current segment */
 
     /* The block visited last, and the lower limit of the bounds in it. */
     const float *block;
@@ -66,7 +57,7 @@ typedef struct murk_brick_walk {
 } murk_brick_walk;
 
 /* Starts a walk from t0 to t1, which lie in the interval of
- * murk_march_clip(). */
+ * murk_grid_clip(). */
 void murk_brick_walk_begin(murk_brick_walk *walk, const murk_bricks *bricks,
                            murk_vec3 origin, murk_vec3 direction, double t0,
                            double t1);

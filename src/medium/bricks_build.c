@@ -209,7 +209,7 @@ static bool add_lower(murk_bricks *b, const unsigned char *node,
     for (int n = 0; n < 16 * 16 * 16; ++n) {
         int32_t at[3];
         nth_cell(first, n, 16, 8, at);
-        const murk_cell c = murk_lower_cell(node, at[0], at[1], at[2]);
+        const murk_cell c = murk_lower_cell(node, at);
         const bool added = c.child ? add_leaf(b, at, murk_leaf_values(c.child))
                            : c.value > 0 ? add_small_tile(b, at, c.value)
                                          : true;
@@ -226,7 +226,7 @@ static bool add_upper(murk_bricks *b, const unsigned char *node,
     for (int n = 0; n < 32 * 32 * 32; ++n) {
         int32_t at[3];
         nth_cell(first, n, 32, MURK_BLOCK, at);
-        const murk_cell c = murk_upper_cell(node, at[0], at[1], at[2]);
+        const murk_cell c = murk_upper_cell(node, at);
         if (!(c.child ? add_lower(b, c.child, at)
                       : add_large_tile(b, 0, at, c.value))) {
             return false;

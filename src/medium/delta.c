@@ -7,7 +7,6 @@
 #include "medium/bricks.h"
 #include "medium/linear.h"
 #include "medium/nodes.h"
-#include "medium/steps.h"
 
 #include <assert.h>
 #include <math.h>
@@ -22,10 +21,7 @@ typedef struct grid_track {
     const murk_place *place;
     double extinction_per_m; /* extinction at density 1 */
     murk_brick_walk walk;
-
-    /* The cell of 128 voxels visited last. */
-    const unsigned char *lower;
-    int32_t lower_first[3];
+    murk_tree_cursor cursor;
 } grid_track;
 
 /* Takes the next pair of random numbers of the flight: the optical depth of
@@ -48,63 +44,30 @@ static void next_randoms(murk_flight *f)
     stream->has_pair = true;
 }
 
-/* The lower node around a voxel of the tree. NULL if there is none: then
- * *value is the constant value there. */
-static const unsigned char *find_lower(const murk_tree *tree,
-                                       const int32_t voxel[3], float *value)
-{
-    const murk_root_cell *root = murk_tree_root_cell(tree, voxel);
-    *value = root ? root->value : 0;
-    if (!root || !root->node) {
-        return NULL;
-    }
-    const murk_cell cell =
-        murk_upper_cell(root->node, voxel[0], voxel[1], voxel[2]);
-    *value = cell.value;
-    return cell.child;
-}
-
-/* Trilinear density at t. */
-static double linear_at(const grid_track *k, double t)
-{
-    const murk_brick_walk *w = &k->walk;
-    const murk_vec3 p = {w->origin[0] + t * w->direction[0],
-                         w->origin[1] + t * w->direction[1],
-                         w->origin[2] + t * w->direction[2]};
-    double density = 0;
-    return murk_linear_density(k->place->tree, p, &density) ? density : 0;
-}
-
 /* The density at t, which is inside the tree's box except for rounding. */
 static inline double density_at(grid_track *k, double t)
 {
-    const murk_brick_walk *w = &k->walk;
+    const murk_grid_ray *r = &k->walk.ray;
     const murk_tree *tree = k->place->tree;
+    const double at[3] = {r->origin[0] + t * r->direction[0],
+                          r->origin[1] + t * r->direction[1],
+                          r->origin[2] + t * r->direction[2]};
     if (k->place->filling == MURK_FILLED_BY_LINEAR) {
-        return linear_at(k, t);
+        double density = 0;
+        return murk_linear_density(tree, murk_vec(at[0], at[1], at[2]),
+                                   &density)
+                   ? density
+                   : 0;
     }
     /* The voxel at t, clamped to the box. */
     int32_t voxel[3];
     for (int axis = 0; axis < 3; ++axis) {
-        const double at = w->origin[axis] + t * w->direction[axis];
-        voxel[axis] = murk_voxel_at(at, tree->first[axis], tree->last[axis]);
+        voxel[axis] =
+            murk_voxel_at(at[axis], tree->first[axis], tree->last[axis]);
     }
-    /* Descend from the root only if the ray has left the last cell of 128
-     * voxels. */
-    if (!k->lower || !murk_cell_contains(k->lower_first, voxel, 128)) {
-        float value;
-        k->lower = find_lower(tree, voxel, &value);
-        if (!k->lower) {
-            return (double)value;
-        }
-        murk_cell_first(k->lower_first, voxel, 128);
-    }
-    const murk_cell cell =
-        murk_lower_cell(k->lower, voxel[0], voxel[1], voxel[2]);
-    return cell.child ? (double)murk_leaf_values(
-                            cell.child)[(voxel[0] & 7) << 6 |
-                                        (voxel[1] & 7) << 3 | (voxel[2] & 7)]
-                      : (double)cell.value;
+    const murk_tree_node node = murk_tree_node_at(&k->cursor, voxel);
+    return (double)(node.leaf ? node.leaf[murk_offset_in_leaf(voxel)]
+                              : node.value);
 }
 
 /* Decides whether the collision at t is real. */
@@ -136,7 +99,7 @@ bool murk_delta_cross(murk_flight *flight, double *from, double to,
         const murk_affine *to_index = &grids[i]->to_index;
         tracks[i].place = grids[i];
         tracks[i].extinction_per_m = murk_flight_extinction(f, grids[i]);
-        tracks[i].lower = NULL;
+        tracks[i].cursor = (murk_tree_cursor){.tree = grids[i]->tree};
         murk_brick_walk_begin(&tracks[i].walk, grids[i]->bricks,
                               murk_affine_point(to_index, f->origin),
                               murk_affine_direction(to_index, f->direction),
@@ -149,10 +112,10 @@ bool murk_delta_cross(murk_flight *flight, double *from, double to,
         double bound = even_per_m, end = to;
         for (size_t i = 0; i < n; ++i) {
             murk_brick_walk *w = &tracks[i].walk;
-            while (w->to <= t && murk_brick_walk_next(w)) {
+            while (w->ray.to <= t && murk_brick_walk_next(w)) {
             }
             bound += tracks[i].extinction_per_m * w->bound;
-            end = w->to < end ? w->to : end;
+            end = w->ray.to < end ? w->ray.to : end;
         }
         bound *= factor;
         /* Collision by collision, up to the end of the interval with these

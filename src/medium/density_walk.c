@@ -50,9 +50,9 @@ double murk_density_walk_to(const murk_density_walk *walk)
 {
     switch (walk->filling) {
     case MURK_FILLED_BY_NEAREST:
-        return walk->in.march.to;
+        return walk->in.march.ray.to;
     case MURK_FILLED_BY_LINEAR:
-        return walk->in.linear.to;
+        return walk->in.linear.ray.to;
     case MURK_FILLED_BY_LAYERS:
         return walk->in.layers.to;
     case MURK_FILLED_EVENLY:
@@ -89,12 +89,12 @@ bool murk_density_walk_integrate(murk_density_walk *walk, double scale,
     switch (walk->filling) {
     case MURK_FILLED_BY_NEAREST:
         collides = murk_march_integrate(march, scale, offset, limit, sum);
-        *collision_t = march->to;
+        *collision_t = march->ray.to;
         *density = march->value;
         break;
     case MURK_FILLED_BY_LINEAR:
         collides = murk_linear_integrate(linear, scale, offset, limit, sum);
-        *collision_t = linear->to;
+        *collision_t = linear->ray.to;
         *density = linear->value;
         break;
     case MURK_FILLED_BY_LAYERS:

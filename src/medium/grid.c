@@ -9,7 +9,6 @@
 #include "base/inputs.h"
 #include "base/log.h"
 #include "base/subprocess.h"
-#include "medium/march.h"
 #include "medium/tree.h"
 #include "medium/vdb_bridge.h"
 
@@ -354,17 +353,4 @@ double murk_grid_value(const murk_grid *grid, int64_t i, int64_t j, int64_t k)
         voxel[axis] = (int32_t)at[axis];
     }
     return (double)murk_tree_value(&grid->tree, voxel);
-}
-
-double murk_grid_line_integral(const murk_grid *grid, murk_vec3 origin,
-                               murk_vec3 direction, double length)
-{
-    const murk_vec3 shifted = murk_add(origin, murk_vec(0.5, 0.5, 0.5));
-    double from = 0, to = length, sum = 0;
-    if (murk_march_clip(&grid->tree, shifted, direction, &from, &to)) {
-        murk_march march;
-        murk_march_begin(&march, &grid->tree, shifted, direction, from, to);
-        murk_march_integrate(&march, 1, 0, INFINITY, &sum);
-    }
-    return sum;
 }

@@ -63,11 +63,4 @@ const void *murk_grid_nanovdb(const murk_grid *grid);
 /* Value at an index [density unit]; the background (0) outside of the tree. */
 double murk_grid_value(const murk_grid *grid, int64_t i, int64_t j, int64_t k);
 
-/* Integral of density along origin + t direction, 0 <= t <= length, in index
- * space [density * voxels], with nearest-neighbour interpolation (piecewise
- * constant); exact except for rounding. The walk is hierarchical and skips
- * empty space. */
-double murk_grid_line_integral(const murk_grid *grid, murk_vec3 origin,
-                               murk_vec3 direction, double length);
-
 #endif

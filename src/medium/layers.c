@@ -3,7 +3,7 @@
  * advances by one layer. */
 #include "medium/layers.h"
 
-#include "medium/steps.h"
+#include "medium/grid_ray.h"
 
 #include <float.h>
 #include <math.h>

@@ -15,57 +15,32 @@
 #ifndef MURK_MEDIUM_LINEAR_H
 #define MURK_MEDIUM_LINEAR_H
 
-#include "base/vector.h"
 #include "medium/cubic.h"
-#include "medium/tree.h"
-
-#include <stdbool.h>
+#include "medium/grid_ray.h"
 
 /* The state of a walk. It contains pointers to itself: do not copy it after
  * it has begun. */
 typedef struct murk_linear {
-    const murk_tree *tree;
-    double origin[3], direction[3], inverse[3]; /* inverse 0: parallel */
-    double end;
+    murk_tree_cursor cursor;
+    murk_grid_ray ray;
 
-    /* The current segment [from, to), the lowest point of the cell and the
-     * values at the corners (medium/cubic.h). If the cell is larger than a
-     * voxel along an axis, the field does not depend on that axis. */
-    double from, to;
+    /* The lowest point of the cell of the current segment and the values at the
+     * corners (medium/cubic.h). If the cell is larger than a voxel along an
+     * axis, the field does not depend on that axis. */
     double low[3], corner[8];
     double value; /* field at the collision of murk_linear_integrate() */
 
-    /* Position of `to`: the cell at[], or, in a block, the cell in_block[]
-     * of it. */
-    int32_t at[3];
-
-    /* A block: the 8 x 8 x 8 cells whose lowest voxel is in one leaf. leaf[4
-     * x + 2 y + z] are the leaves that contain the corners, found when first
-     * needed. For a tile, leaf points to its single value and offset_mask is
-     * 0. */
-    bool is_in_block;
-    int32_t block_first[3];
-    int in_block[3], step[3];
-    double cross[3],
-        stride[3]; /* t at which the ray leaves the cell, by axis; and the step
-                      of t from face to face (0: parallel) */
+    /* In a block, the cells whose lowest voxel is in one leaf: leaf[4 x + 2 y +
+     * z] are the leaves that contain the corners, found when first needed. For
+     * a tile, leaf points to its single value and offset_mask is 0. */
     unsigned known;
     const float *leaf[8];
     int offset_mask[8];
     float tile[8];
-
-    /* The node visited last, and the lowest voxel of it. */
-    const unsigned char *lower;
-    int32_t lower_first[3];
 } murk_linear;
 
-/* Clips [*t0, *t1] to the box outside of which the field is 0. False if
- * nothing is left, or if a number is NaN. */
-bool murk_linear_clip(const murk_tree *tree, murk_vec3 origin,
-                      murk_vec3 direction, double *t0, double *t1);
-
-/* Starts a walk from t0 to t1, which lie in the interval of
- * murk_linear_clip(). */
+/* Starts a walk from t0 to t1, which lie in the interval of murk_grid_clip()
+ * with 1 voxel below. */
 void murk_linear_begin(murk_linear *linear, const murk_tree *tree,
                        murk_vec3 origin, murk_vec3 direction, double t0,
                        double t1);
@@ -85,5 +60,11 @@ bool murk_linear_integrate(murk_linear *linear, double scale, double offset,
 
 /* True if p is in the box of the field; *density is then the field there. */
 bool murk_linear_density(const murk_tree *tree, murk_vec3 p, double *density);
+
+/* The part of the walk outside of leaves (linear_even.c): crosses the segment
+ * that begins in the cell at[] and moves at[] beyond it. The largest box of
+ * cells whose corners belong to the same constant nodes is one segment. False,
+ * without a change, if a leaf takes part in that cell. */
+bool murk_linear_cross_even(murk_linear *linear);
 
 #endif

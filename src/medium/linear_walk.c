@@ -9,10 +9,8 @@
  * stall. */
 #include "medium/linear.h"
 
-#include "medium/linear_even.h"
-#include "medium/steps.h"
+#include "medium/nodes.h"
 
-#include <float.h>
 #include <math.h>
 #include <stddef.h>
 
@@ -27,35 +25,13 @@ static double clamp01(double x)
 
 /* ---- blocks ---- */
 
-static void enter_block(murk_linear *m)
-{
-    m->is_in_block = true;
-    m->known = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        m->block_first[axis] = m->at[axis] & ~7;
-        m->in_block[axis] = m->at[axis] & 7;
-        const double face =
-            (double)m->at[axis] + (m->inverse[axis] > 0 ? 1 : 0);
-        m->cross[axis] = m->inverse[axis] == 0
-                             ? INFINITY
-                             : (face - m->origin[axis]) * m->inverse[axis];
-    }
-}
-
-static void leave_block(murk_linear *m)
-{
-    for (int axis = 0; axis < 3; ++axis) {
-        m->at[axis] = m->block_first[axis] + m->in_block[axis];
-    }
-    m->is_in_block = false;
-}
-
 static void load_node(murk_linear *m, unsigned which)
 {
-    const int32_t voxel[3] = {m->block_first[0] + (int32_t)(which >> 2) * 8,
-                              m->block_first[1] + (int32_t)(which >> 1 & 1) * 8,
-                              m->block_first[2] + (int32_t)(which & 1) * 8};
-    const murk_linear_node found = murk_linear_node_at(m, voxel);
+    const int32_t voxel[3] = {m->ray.block_first[0] + (int32_t)(which >> 2) * 8,
+                              m->ray.block_first[1] +
+                                  (int32_t)(which >> 1 & 1) * 8,
+                              m->ray.block_first[2] + (int32_t)(which & 1) * 8};
+    const murk_tree_node found = murk_tree_node_at(&m->cursor, voxel);
     m->tile[which] = found.value;
     m->leaf[which] = found.leaf ? found.leaf : &m->tile[which];
     m->offset_mask[which] = found.leaf ? -1 : 0;
@@ -121,7 +97,7 @@ static inline double mean_in_cell(const pair corner[4], double x, double y,
 
 static void load_cell(murk_linear *m)
 {
-    const int *in = m->in_block;
+    const int *in = m->ray.in_block;
     pair corner[4];
     load_far_corners(m, in[0], in[1], in[2], corner);
     for (int i = 0; i < 4; ++i) {
@@ -129,7 +105,7 @@ static void load_cell(murk_linear *m)
         m->corner[2 * i + 1] = corner[i][1];
     }
     for (int axis = 0; axis < 3; ++axis) {
-        m->low[axis] = (double)m->block_first[axis] + in[axis];
+        m->low[axis] = (double)m->ray.block_first[axis] + in[axis];
     }
 }
 
@@ -137,21 +113,7 @@ static void load_cell(murk_linear *m)
 static void cross_cell(murk_linear *m)
 {
     load_cell(m);
-    const double min =
-        murk_smaller(murk_smaller(m->cross[0], m->cross[1]), m->cross[2]);
-    m->to = murk_smaller(murk_larger(min, m->from), m->end);
-}
-
-/* Advances to the next cell of the block; false if that is outside of the
- * block. */
-static bool step_in_block(murk_linear *m)
-{
-    for (int axis = 0; axis < 3; ++axis) {
-        const bool leaves = m->cross[axis] <= m->from;
-        m->in_block[axis] += leaves ? m->step[axis] : 0;
-        m->cross[axis] += leaves ? m->stride[axis] : 0;
-    }
-    return !((m->in_block[0] | m->in_block[1] | m->in_block[2]) & ~7);
+    murk_grid_ray_cross_in_block(&m->ray);
 }
 
 /* ---- segments ---- */
@@ -163,62 +125,38 @@ static bool cross_at(murk_linear *m)
     if (murk_linear_cross_even(m)) {
         return false;
     }
-    enter_block(m);
+    murk_grid_ray_enter_block(&m->ray);
+    m->known = 0;
     return true;
-}
-
-bool murk_linear_clip(const murk_tree *tree, murk_vec3 origin,
-                      murk_vec3 direction, double *t0, double *t1)
-{
-    const double o[3] = {origin.x, origin.y, origin.z};
-    const double d[3] = {direction.x, direction.y, direction.z};
-    for (int axis = 0; axis < 3; ++axis) {
-        if (!murk_clip_axis((double)tree->first[axis] - 1,
-                            (double)tree->last[axis] + 1, o[axis],
-                            murk_invert(d[axis]), t0, t1)) {
-            return false;
-        }
-    }
-    return tree->n_cells > 0;
 }
 
 void murk_linear_begin(murk_linear *linear, const murk_tree *tree,
                        murk_vec3 origin, murk_vec3 direction, double t0,
                        double t1)
 {
-    murk_linear *m = linear;
-    *m = (murk_linear){
-        .tree = tree,
-        .origin = {origin.x, origin.y, origin.z},
-        .direction = {direction.x, direction.y, direction.z},
-        .end = fmin(t1, DBL_MAX), /* finite, so that 0 * length is 0 */
-        .from = t0,
-        .to = t0};
-    for (int axis = 0; axis < 3; ++axis) {
-        m->inverse[axis] = murk_invert(m->direction[axis]);
-        m->stride[axis] = fabs(m->inverse[axis]);
-        m->step[axis] = m->inverse[axis] < 0 ? -1 : 1;
-        m->at[axis] = murk_voxel_at(m->origin[axis] + t0 * m->direction[axis],
-                                    tree->first[axis] - 1, tree->last[axis]);
-    }
+    const int32_t first[3] = {tree->first[0] - 1, tree->first[1] - 1,
+                              tree->first[2] - 1};
+    linear->cursor = (murk_tree_cursor){.tree = tree};
+    murk_grid_ray_begin(&linear->ray, origin, direction, t0, t1, first,
+                        tree->last);
 }
 
 bool murk_linear_next(murk_linear *linear)
 {
-    murk_linear *m = linear;
-    m->from = m->to;
-    if (!(m->from < m->end)) {
+    murk_grid_ray *r = &linear->ray;
+    r->from = r->to;
+    if (!(r->from < r->end)) {
         return false;
     }
-    if (m->is_in_block) {
-        if (step_in_block(m)) {
-            cross_cell(m);
+    if (r->is_in_block) {
+        if (murk_grid_ray_step_in_block(r)) {
+            cross_cell(linear);
             return true;
         }
-        leave_block(m);
+        murk_grid_ray_leave_block(r);
     }
-    if (cross_at(m)) {
-        cross_cell(m);
+    if (cross_at(linear)) {
+        cross_cell(linear);
     }
     return true;
 }
@@ -227,8 +165,8 @@ bool murk_linear_next(murk_linear *linear)
 static void place_in_cell(const murk_linear *m, double t, double in[3])
 {
     for (int axis = 0; axis < 3; ++axis) {
-        in[axis] =
-            clamp01(m->origin[axis] + t * m->direction[axis] - m->low[axis]);
+        in[axis] = clamp01(m->ray.origin[axis] + t * m->ray.direction[axis] -
+                           m->low[axis]);
     }
 }
 
@@ -250,14 +188,14 @@ typedef struct tally {
  * end of the segment), the mean is used, so that a collision has a medium. */
 static void stop_in_segment(murk_linear *m, tally *sum, double mean)
 {
-    const double length = m->to - m->from;
+    const double length = m->ray.to - m->ray.from;
     const double density = sum->scale * mean + sum->offset;
-    const murk_cubic field = murk_linear_cubic(m, m->from, m->to);
+    const murk_cubic field = murk_linear_cubic(m, m->ray.from, m->ray.to);
     murk_cubic whole = {{sum->offset, 0, 0, 0}};
     murk_cubic_add(&whole, sum->scale, &field);
     const double s = murk_cubic_reach(&whole, (sum->limit - sum->reached) /
                                                   (density * length));
-    m->to = murk_smaller(m->to, m->from + s * length);
+    m->ray.to = murk_smaller(m->ray.to, m->ray.from + s * length);
     m->value = murk_cubic_value(&field, s);
     m->value = m->value > 0 ? m->value : mean;
     sum->reached = sum->limit;
@@ -277,9 +215,9 @@ static inline bool add_segment(tally *sum, double length, double mean)
 
 static bool integrate_segment(murk_linear *m, tally *sum)
 {
-    const murk_cubic field = murk_linear_cubic(m, m->from, m->to);
+    const murk_cubic field = murk_linear_cubic(m, m->ray.from, m->ray.to);
     const double mean = murk_larger(murk_cubic_integral(&field, 1), 0);
-    if (add_segment(sum, m->to - m->from, mean)) {
+    if (add_segment(sum, m->ray.to - m->ray.from, mean)) {
         stop_in_segment(m, sum, mean);
         return true;
     }
@@ -290,21 +228,22 @@ static bool integrate_segment(murk_linear *m, tally *sum)
  * one loop. */
 static bool integrate_block(murk_linear *m, tally *sum)
 {
-    const double end = m->end;
-    const double dx = m->direction[0], dy = m->direction[1];
-    const double dz = m->direction[2];
-    const double stride_x = m->stride[0], stride_y = m->stride[1];
-    const double stride_z = m->stride[2];
-    const int step_x = m->step[0], step_y = m->step[1], step_z = m->step[2];
-    double from = m->from, to, mean;
-    double tx = murk_larger(m->cross[0], from);
-    double ty = murk_larger(m->cross[1], from);
-    double tz = murk_larger(m->cross[2], from);
-    int x = m->in_block[0], y = m->in_block[1], z = m->in_block[2];
+    const double end = m->ray.end;
+    const double dx = m->ray.direction[0], dy = m->ray.direction[1];
+    const double dz = m->ray.direction[2];
+    const double stride_x = m->ray.stride[0], stride_y = m->ray.stride[1];
+    const double stride_z = m->ray.stride[2];
+    const int step_x = m->ray.step[0], step_y = m->ray.step[1],
+              step_z = m->ray.step[2];
+    double from = m->ray.from, to, mean;
+    double tx = murk_larger(m->ray.cross[0], from);
+    double ty = murk_larger(m->ray.cross[1], from);
+    double tz = murk_larger(m->ray.cross[2], from);
+    int x = m->ray.in_block[0], y = m->ray.in_block[1], z = m->ray.in_block[2];
     /* The lowest point of the cell relative to the origin of the ray. */
-    double ox = m->block_first[0] + x - m->origin[0];
-    double oy = m->block_first[1] + y - m->origin[1];
-    double oz = m->block_first[2] + z - m->origin[2];
+    double ox = m->ray.block_first[0] + x - m->ray.origin[0];
+    double oy = m->ray.block_first[1] + y - m->ray.origin[1];
+    double oz = m->ray.block_first[2] + z - m->ray.origin[2];
     /* The longest possible segment in a cell, with a margin of 1e-3 for
      * rounding. Origins so far away that rounding exceeds the margin lose
      * the second-order term only. */
@@ -350,11 +289,11 @@ static bool integrate_block(murk_linear *m, tally *sum)
         }
     }
     /* Store the state; at the limit find the exact position. */
-    m->from = from;
-    m->to = to;
-    m->in_block[0] = x;
-    m->in_block[1] = y;
-    m->in_block[2] = z;
+    m->ray.from = from;
+    m->ray.to = to;
+    m->ray.in_block[0] = x;
+    m->ray.in_block[1] = y;
+    m->ray.in_block[2] = z;
     if (stops) {
         load_cell(m);
         stop_in_segment(m, &t, mean);
@@ -369,11 +308,11 @@ bool murk_linear_integrate(murk_linear *linear, double scale, double offset,
     murk_linear *m = linear;
     tally t = {scale, offset, limit, *sum};
     bool stops = false;
-    while (!stops && m->to < m->end) {
-        m->from = m->to;
+    while (!stops && m->ray.to < m->ray.end) {
+        m->ray.from = m->ray.to;
         if (cross_at(m)) {
             stops = integrate_block(m, &t);
-            leave_block(m);
+            murk_grid_ray_leave_block(&m->ray);
         } else {
             stops = integrate_segment(m, &t);
         }
@@ -384,17 +323,10 @@ bool murk_linear_integrate(murk_linear *linear, double scale, double offset,
 
 bool murk_linear_density(const murk_tree *tree, murk_vec3 p, double *density)
 {
-    const double place[3] = {p.x, p.y, p.z};
     int32_t cell[3];
     double in[3], corner[8];
-    for (int axis = 0; axis < 3; ++axis) {
-        const double low = floor(place[axis]);
-        if (!(low >= (double)tree->first[axis] - 1 &&
-              low <= tree->last[axis])) {
-            return false;
-        }
-        cell[axis] = (int32_t)low;
-        in[axis] = place[axis] - low;
+    if (!murk_tree_voxel_at(tree, 1, p, cell, in)) {
+        return false;
     }
     murk_tree_corners(tree, cell, corner);
     const murk_cubic there = murk_cubic_in_cell(corner, in, in);

@@ -15,40 +15,17 @@
 #ifndef MURK_MEDIUM_MARCH_H
 #define MURK_MEDIUM_MARCH_H
 
-#include "base/vector.h"
-#include "medium/tree.h"
-
-#include <stdbool.h>
+#include "medium/grid_ray.h"
 
 typedef struct murk_march {
-    const murk_tree *tree;
-    double origin[3], direction[3], inverse[3]; /* inverse 0: parallel */
-    double end;
-
-    /* The current segment [from, to) and the value on it. */
-    double from, to, value;
-
-    /* Position of `to`: a voxel of a leaf, or (leaf NULL) the voxel at[]. */
-    const float *leaf;
-    int32_t leaf_first[3];
-    int mirror[3];    /* 7 if the ray goes down the axis, else 0 */
-    int in_leaf[3];   /* voxel in the leaf, counted along the ray, 0..8 */
-    double cross[3];  /* t at which the ray leaves that voxel, by axis */
-    double stride[3]; /* t from face to face; 0: parallel */
-    int32_t at[3];
-
-    /* The nodes visited last, and their lowest voxels. */
-    const unsigned char *upper, *lower;
-    int32_t upper_first[3], lower_first[3];
+    murk_tree_cursor cursor;
+    murk_grid_ray ray;
+    double value;      /* on the current segment */
+    const float *leaf; /* of the block that the ray visits */
 } murk_march;
 
-/* Clips [*t0, *t1] to the box of active voxels. False if nothing is left, or
- * if a number is NaN. */
-bool murk_march_clip(const murk_tree *tree, murk_vec3 origin,
-                     murk_vec3 direction, double *t0, double *t1);
-
-/* Starts a walk from t0 to t1, which lie in the interval of
- * murk_march_clip(). */
+/* Starts a walk from t0 to t1, which lie in the interval of murk_grid_clip()
+ * with 0 voxels below. */
 void murk_march_begin(murk_march *march, const murk_tree *tree,
                       murk_vec3 origin, murk_vec3 direction, double t0,
                       double t1);

@@ -3,6 +3,8 @@
 #ifndef MURK_MEDIUM_NODES_H
 #define MURK_MEDIUM_NODES_H
 
+#include "medium/tree.h"
+
 #define PNANOVDB_C
 #include <nanovdb/PNanoVDB.h>
 
@@ -22,44 +24,42 @@ static inline pnanovdb_buf_t murk_node_buffer(const unsigned char *node)
     return pnanovdb_make_buf((uint32_t *)(uintptr_t)node, 0);
 }
 
+/* The cell at an entry of the table of a node, which holds the offset of the
+ * child or the value. */
+static inline murk_cell murk_table_cell(const unsigned char *node,
+                                        pnanovdb_address_t entry, bool is_child)
+{
+    const pnanovdb_buf_t buffer = murk_node_buffer(node);
+    return is_child ? (murk_cell){node + pnanovdb_read_int64(buffer, entry), 0}
+                    : (murk_cell){NULL, pnanovdb_read_float(buffer, entry)};
+}
+
 /* The 128-voxel cell of an upper node that contains the voxel. */
-static inline murk_cell murk_upper_cell(const unsigned char *node, int32_t i,
-                                        int32_t j, int32_t k)
+static inline murk_cell murk_upper_cell(const unsigned char *node,
+                                        const int32_t voxel[3])
 {
     const pnanovdb_buf_t buffer = murk_node_buffer(node);
     const pnanovdb_upper_handle_t upper = {{0}};
-    const pnanovdb_coord_t at = {i, j, k};
+    const pnanovdb_coord_t at = {voxel[0], voxel[1], voxel[2]};
     const uint32_t n = pnanovdb_upper_coord_to_offset(&at);
-    if (pnanovdb_upper_get_child_mask(buffer, upper, n)) {
-        return (murk_cell){
-            node + pnanovdb_upper_get_table_child(PNANOVDB_GRID_TYPE_FLOAT,
-                                                  buffer, upper, n),
-            0};
-    }
-    return (murk_cell){
-        NULL, pnanovdb_read_float(
-                  buffer, pnanovdb_upper_get_table_address(
-                              PNANOVDB_GRID_TYPE_FLOAT, buffer, upper, n))};
+    return murk_table_cell(node,
+                           pnanovdb_upper_get_table_address(
+                               PNANOVDB_GRID_TYPE_FLOAT, buffer, upper, n),
+                           pnanovdb_upper_get_child_mask(buffer, upper, n));
 }
 
 /* The 8-voxel cell of a lower node that contains the voxel. */
-static inline murk_cell murk_lower_cell(const unsigned char *node, int32_t i,
-                                        int32_t j, int32_t k)
+static inline murk_cell murk_lower_cell(const unsigned char *node,
+                                        const int32_t voxel[3])
 {
     const pnanovdb_buf_t buffer = murk_node_buffer(node);
     const pnanovdb_lower_handle_t lower = {{0}};
-    const pnanovdb_coord_t at = {i, j, k};
+    const pnanovdb_coord_t at = {voxel[0], voxel[1], voxel[2]};
     const uint32_t n = pnanovdb_lower_coord_to_offset(&at);
-    if (pnanovdb_lower_get_child_mask(buffer, lower, n)) {
-        return (murk_cell){
-            node + pnanovdb_lower_get_table_child(PNANOVDB_GRID_TYPE_FLOAT,
-                                                  buffer, lower, n),
-            0};
-    }
-    return (murk_cell){
-        NULL, pnanovdb_read_float(
-                  buffer, pnanovdb_lower_get_table_address(
-                              PNANOVDB_GRID_TYPE_FLOAT, buffer, lower, n))};
+    return murk_table_cell(node,
+                           pnanovdb_lower_get_table_address(
+                               PNANOVDB_GRID_TYPE_FLOAT, buffer, lower, n),
+                           pnanovdb_lower_get_child_mask(buffer, lower, n));
 }
 
 /* The 512 values of a leaf; voxel (i, j, k) is at (i & 7) * 64 + (j & 7) * 8
@@ -70,6 +70,43 @@ static inline const float *murk_leaf_values(const unsigned char *node)
     const pnanovdb_address_t first = pnanovdb_leaf_get_table_address(
         PNANOVDB_GRID_TYPE_FLOAT, murk_node_buffer(node), leaf, 0);
     return (const float *)(const void *)(node + first.byte_offset);
+}
+
+static inline int murk_offset_in_leaf(const int32_t voxel[3])
+{
+    return (voxel[0] & 7) << 6 | (voxel[1] & 7) << 3 | (voxel[2] & 7);
+}
+
+/* The smallest node around a voxel: the 512 values of a leaf, or (leaf NULL)
+ * one value for a cell of the tree with an edge of `size` voxels. */
+typedef struct murk_tree_node {
+    const float *leaf;
+    float value;
+    int32_t size;
+} murk_tree_node;
+
+/* Descends to the node that contains the voxel, from the node of 128 voxels
+ * that the cursor visited last if that contains the voxel. */
+static inline murk_tree_node murk_tree_node_at(murk_tree_cursor *cursor,
+                                               const int32_t voxel[3])
+{
+    murk_tree_cursor *c = cursor;
+    if (!(c->lower && murk_cell_contains(c->lower_first, voxel, 128))) {
+        const murk_root_cell *root = murk_tree_root_cell(c->tree, voxel);
+        if (!root || !root->node) {
+            return (murk_tree_node){
+                NULL, root ? root->value : c->tree->elsewhere, MURK_ROOT_CELL};
+        }
+        const murk_cell cell = murk_upper_cell(root->node, voxel);
+        if (!cell.child) {
+            return (murk_tree_node){NULL, cell.value, 128};
+        }
+        c->lower = cell.child;
+        murk_cell_first(c->lower_first, voxel, 128);
+    }
+    const murk_cell cell = murk_lower_cell(c->lower, voxel);
+    return cell.child ? (murk_tree_node){murk_leaf_values(cell.child), 0, 8}
+                      : (murk_tree_node){NULL, cell.value, 8};
 }
 
 #endif

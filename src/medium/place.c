@@ -6,7 +6,6 @@
 #include "medium/grid_internal.h"
 #include "medium/layers.h"
 #include "medium/linear.h"
-#include "medium/march.h"
 
 #include <math.h>
 #include <string.h>
@@ -217,9 +216,9 @@ bool murk_place_clip(const murk_place *place, const murk_vec3 *origin,
     case MURK_REGION_SPHERE:
         return clip_sphere(place->center, place->radius, o, d, t0, t1);
     case MURK_REGION_GRID:
-        return place->filling == MURK_FILLED_BY_LINEAR
-                   ? murk_linear_clip(place->tree, *o, *d, t0, t1)
-                   : murk_march_clip(place->tree, *o, *d, t0, t1);
+        return murk_grid_clip(place->tree,
+                              place->filling == MURK_FILLED_BY_LINEAR, *o, *d,
+                              t0, t1);
     }
     return false;
 }
@@ -241,9 +240,8 @@ bool murk_place_clip_filling(const murk_place *place, const murk_vec3 *origin,
     }
     const murk_vec3 o = murk_affine_point(&place->to_index, *origin);
     const murk_vec3 d = murk_affine_direction(&place->to_index, *direction);
-    return place->filling == MURK_FILLED_BY_LINEAR
-               ? murk_linear_clip(place->tree, o, d, t0, t1)
-               : murk_march_clip(place->tree, o, d, t0, t1);
+    return murk_grid_clip(place->tree, place->filling == MURK_FILLED_BY_LINEAR,
+                          o, d, t0, t1);
 }
 
 static bool box_holds(const murk_box *box, murk_vec3 p)

@@ -99,61 +99,24 @@ const murk_root_cell *murk_tree_root_cell(const murk_tree *tree,
     for (int axis = 0; axis < 3; ++axis) {
         sought.first[axis] = voxel[axis] & ~(MURK_ROOT_CELL - 1);
     }
-    size_t low = 0, high = tree->n_cells;
-    while (low < high) {
-        const size_t middle = low + (high - low) / 2;
-        const int order = compare_cells(&tree->cells[middle], &sought);
-        if (order == 0) {
-            return &tree->cells[middle];
-        }
-        if (order < 0) {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
-    }
-    return NULL;
-}
-
-/* The leaf that contains the voxel; or NULL, and *value is the constant
- * value there. */
-static const float *leaf_at(const murk_tree *tree, const int32_t voxel[3],
-                            float *value)
-{
-    const murk_root_cell *root = murk_tree_root_cell(tree, voxel);
-    if (!root || !root->node) {
-        *value = root ? root->value : tree->elsewhere;
-        return NULL;
-    }
-    const int32_t i = voxel[0], j = voxel[1], k = voxel[2];
-    const murk_cell lower = murk_upper_cell(root->node, i, j, k);
-    if (!lower.child) {
-        *value = lower.value;
-        return NULL;
-    }
-    const murk_cell leaf = murk_lower_cell(lower.child, i, j, k);
-    *value = leaf.value;
-    return leaf.child ? murk_leaf_values(leaf.child) : NULL;
-}
-
-static int offset_in_leaf(const int32_t voxel[3])
-{
-    return (voxel[0] & 7) << 6 | (voxel[1] & 7) << 3 | (voxel[2] & 7);
+    return tree->n_cells > 0 ? bsearch(&sought, tree->cells, tree->n_cells,
+                                       sizeof sought, compare_cells)
+                             : NULL;
 }
 
 float murk_tree_value(const murk_tree *tree, const int32_t voxel[3])
 {
-    float value;
-    const float *leaf = leaf_at(tree, voxel, &value);
-    return leaf ? leaf[offset_in_leaf(voxel)] : value;
+    murk_tree_cursor cursor = {.tree = tree};
+    const murk_tree_node node = murk_tree_node_at(&cursor, voxel);
+    return node.leaf ? node.leaf[murk_offset_in_leaf(voxel)] : node.value;
 }
 
 void murk_tree_corners(const murk_tree *tree, const int32_t voxel[3],
                        double corner[8])
 {
-    float value;
-    const float *leaf = leaf_at(tree, voxel, &value);
-    const int offset = offset_in_leaf(voxel);
+    murk_tree_cursor cursor = {.tree = tree};
+    const murk_tree_node node = murk_tree_node_at(&cursor, voxel);
+    const int offset = murk_offset_in_leaf(voxel);
     const bool is_inside =
         (voxel[0] & 7) != 7 && (voxel[1] & 7) != 7 &&
         (voxel[2] & 7) != 7; /* the cell is inside one leaf or tile */
@@ -161,26 +124,39 @@ void murk_tree_corners(const murk_tree *tree, const int32_t voxel[3],
         const int32_t at[3] = {voxel[0] + (which >> 2),
                                voxel[1] + (which >> 1 & 1),
                                voxel[2] + (which & 1)};
+        float value = node.value;
         if (!is_inside) {
             value = murk_tree_value(tree, at);
-        } else if (leaf) {
-            value = leaf[offset + ((which & 4) << 4) + ((which & 2) << 2) +
-                         (which & 1)];
+        } else if (node.leaf) {
+            value = node.leaf[offset + ((which & 4) << 4) + ((which & 2) << 2) +
+                              (which & 1)];
         }
         corner[which] = (double)value;
     }
 }
 
-bool murk_tree_density(const murk_tree *tree, murk_vec3 p, double *density)
+bool murk_tree_voxel_at(const murk_tree *tree, int32_t below, murk_vec3 p,
+                        int32_t voxel[3], double in[3])
 {
-    const double place[3] = {floor(p.x), floor(p.y), floor(p.z)};
-    int32_t voxel[3];
+    const double place[3] = {p.x, p.y, p.z};
     for (int axis = 0; axis < 3; ++axis) {
-        if (!(place[axis] >= tree->first[axis] &&
-              place[axis] <= tree->last[axis])) {
+        const double low = floor(place[axis]);
+        if (!(low >= (double)tree->first[axis] - below &&
+              low <= tree->last[axis])) {
             return false;
         }
-        voxel[axis] = (int32_t)place[axis];
+        voxel[axis] = (int32_t)low;
+        in[axis] = place[axis] - low;
+    }
+    return true;
+}
+
+bool murk_tree_density(const murk_tree *tree, murk_vec3 p, double *density)
+{
+    int32_t voxel[3];
+    double in[3];
+    if (!murk_tree_voxel_at(tree, 0, p, voxel, in)) {
+        return false;
     }
     *density = (double)murk_tree_value(tree, voxel);
     return tree->n_cells > 0;

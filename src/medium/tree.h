@@ -29,6 +29,30 @@ typedef struct murk_tree {
     float elsewhere; /* value outside of all cells: 0, or MURK_VDB_NO_ALBEDO */
 } murk_tree;
 
+/* A position in the tree: the node of 128 voxels visited last (nodes.h). */
+typedef struct murk_tree_cursor {
+    const murk_tree *tree;
+    const unsigned char *lower; /* NULL: none yet */
+    int32_t lower_first[3];
+} murk_tree_cursor;
+
+/* True if at[] is in the cell of `size` voxels that begins at first[]. */
+static inline bool murk_cell_contains(const int32_t first[3],
+                                      const int32_t at[3], int32_t size)
+{
+    return (((first[0] ^ at[0]) | (first[1] ^ at[1]) | (first[2] ^ at[2])) &
+            ~(size - 1)) == 0;
+}
+
+/* The lowest voxel of the cell of `size` voxels around at[]. */
+static inline void murk_cell_first(int32_t first[3], const int32_t at[3],
+                                   int32_t size)
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        first[axis] = at[axis] & ~(size - 1);
+    }
+}
+
 /* Opens a NanoVDB float grid that this program has made (and that is
  * therefore trusted). `buffer` must stay valid; NULL is an empty tree. */
 murk_status murk_tree_open(murk_tree *tree, const unsigned char *buffer,
@@ -42,6 +66,11 @@ const murk_root_cell *murk_tree_root_cell(const murk_tree *tree,
 
 /* The value of a voxel; `elsewhere` outside of the tree. */
 float murk_tree_value(const murk_tree *tree, const int32_t voxel[3]);
+
+/* The voxel that contains p, and the position of p in it. False if p is not in
+ * the box of active voxels, enlarged by `below` voxels at the lower side. */
+bool murk_tree_voxel_at(const murk_tree *tree, int32_t below, murk_vec3 p,
+                        int32_t voxel[3], double in[3]);
 
 /* True if p (in index space shifted by one half) is in the box of active
  * voxels; *density is then the value there. */

@@ -6,6 +6,7 @@
 #include "base/progress.h"
 #include "base/rng.h"
 #include "check.h"
+#include "grid_line.h"
 #include "medium/grid.h"
 
 #include <stdlib.h>
@@ -86,7 +87,7 @@ static bool survives(void)
     const murk_grid_facts *facts = murk_grid_describe(grid);
     CHECK(facts->minimum >= 0 && facts->maximum >= facts->minimum);
     CHECK(isfinite(facts->maximum) && isfinite(facts->sum));
-    const double integral = murk_grid_line_integral(
+    const double integral = grid_line_integral(
         grid, murk_vec(-100, 0, 0), murk_unit(murk_vec(1, 0.01, 0.02)), 1e4);
     CHECK(integral >= 0 && isfinite(integral));
     murk_grid_destroy(grid);

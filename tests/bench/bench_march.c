@@ -13,6 +13,7 @@
 #include "base/pool.h"
 #include "base/progress.h"
 #include "base/rng.h"
+#include "grid_line.h"
 #include "medium/grid.h"
 #include "medium/media.h"
 
@@ -117,7 +118,7 @@ static void ours_batch(void *context, uint64_t batch)
     contest *c = context;
     for (size_t i = batch * BATCH; i < (batch + 1) * BATCH; ++i) {
         const ray *r = &c->rays[i];
-        c->ours[i] = murk_grid_line_integral(
+        c->ours[i] = grid_line_integral(
             c->grid, murk_vec(r->origin[0], r->origin[1], r->origin[2]),
             murk_vec(r->direction[0], r->direction[1], r->direction[2]),
             r->length);

@@ -3,6 +3,7 @@
  * that hold no density are refused by name. Deterministic. */
 #include "base/log.h"
 #include "check.h"
+#include "grid_line.h"
 #include "medium/grid.h"
 
 #include <stdlib.h>
@@ -91,7 +92,7 @@ static double largest_line(const murk_grid *grid, int axis)
             origin[u] = (double)i;
             origin[v] = (double)j;
             largest = fmax(
-                largest, murk_grid_line_integral(
+                largest, grid_line_integral(
                              grid, murk_vec(origin[0], origin[1], origin[2]),
                              murk_vec(direction[0], direction[1], direction[2]),
                              length));
@@ -184,8 +185,8 @@ static void test_nothing_is_allowed_with_a_warning(void)
         facts_of(&grid, FOLDER "usd_smoke_000001.vdb", NULL);
     CHECK(facts && facts->active == 0);
     CHECK_MENTIONS(warned, "grid density is empty");
-    CHECK(grid && murk_grid_line_integral(grid, murk_vec(0, 0, 0),
-                                          murk_vec(1, 0, 0), 100) == 0);
+    CHECK(grid && grid_line_integral(grid, murk_vec(0, 0, 0), murk_vec(1, 0, 0),
+                                     100) == 0);
     CHECK(grid && murk_grid_value(grid, 0, 0, 0) == 0);
     murk_grid_destroy(grid);
 

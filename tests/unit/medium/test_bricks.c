@@ -128,20 +128,20 @@ static void test_walk_meets_the_bounds_in_order(const murk_grid *grid,
                 along = murk_vec(0, 0, i % 2 ? 2 : -2);
             }
             double t0 = 0, t1 = 10;
-            if (!murk_march_clip(tree, from, along, &t0, &t1)) {
+            if (!murk_grid_clip(tree, 0, from, along, &t0, &t1)) {
                 continue;
             }
             murk_brick_walk walk;
             murk_brick_walk_begin(&walk, bricks, from, along, t0, t1);
             double reached = t0;
             while (murk_brick_walk_next(&walk)) {
-                CHECK(walk.from == reached && walk.to >= walk.from);
-                reached = walk.to;
+                CHECK(walk.ray.from == reached && walk.ray.to >= walk.ray.from);
+                reached = walk.ray.to;
                 ++segments;
-                if (walk.to - walk.from < 1e-9) {
+                if (walk.ray.to - walk.ray.from < 1e-9) {
                     continue;
                 }
-                const double middle = (walk.from + walk.to) / 2;
+                const double middle = (walk.ray.from + walk.ray.to) / 2;
                 const int32_t in[3] = {
                     (int32_t)floor(from.x + middle * along.x),
                     (int32_t)floor(from.y + middle * along.y),
@@ -187,7 +187,7 @@ static void test_emptiness_costs_little(void)
     double bound = 0;
     int steps = 0;
     while (murk_brick_walk_next(&walk)) {
-        bound += walk.bound * (walk.to - walk.from);
+        bound += walk.bound * (walk.ray.to - walk.ray.from);
         ++steps;
     }
     CHECK_NEAR(bound, (CELLS - 1) * 8, 1e-6);

@@ -2,6 +2,7 @@
  * read, what is refused and how it is told. Deterministic. */
 #include "base/log.h"
 #include "check.h"
+#include "grid_line.h"
 #include "medium/grid.h"
 #include "medium/grid_choice.h"
 
@@ -48,8 +49,8 @@ static void refuses(const char *file, const char *name, murk_status status,
 static double along_x(const murk_grid *grid, double from, double j, double k,
                       double length)
 {
-    return murk_grid_line_integral(grid, murk_vec(from, j, k),
-                                   murk_vec(1, 0, 0), length);
+    return grid_line_integral(grid, murk_vec(from, j, k), murk_vec(1, 0, 0),
+                              length);
 }
 
 static void test_tiles_of_every_size_are_density(void)
@@ -80,9 +81,9 @@ static void test_tiles_of_every_size_are_density(void)
     CHECK_NEAR(along_x(grid, 5000, 9, 9, 10), 10, 1e-9);
     /* Corner to corner of the largest tile, backwards. */
     const murk_vec3 from = {8191.5, 4095.5, 4095.5};
-    CHECK_NEAR(murk_grid_line_integral(grid, from,
-                                       murk_unit(murk_vec(-1, -1, -1)), 1e5),
-               4096 * sqrt(3), 1e-8);
+    CHECK_NEAR(
+        grid_line_integral(grid, from, murk_unit(murk_vec(-1, -1, -1)), 1e5),
+        4096 * sqrt(3), 1e-8);
     murk_grid_destroy(grid);
 }
 

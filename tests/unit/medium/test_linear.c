@@ -68,11 +68,11 @@ static double depth(const murk_grid *grid, const line *l, double limit,
     const murk_tree *tree = murk_grid_tree(grid);
     double from = 0, to = l->length, sum = 0;
     *t = INFINITY;
-    if (murk_linear_clip(tree, l->from, l->along, &from, &to)) {
+    if (murk_grid_clip(tree, 1, l->from, l->along, &from, &to)) {
         murk_linear walk;
         murk_linear_begin(&walk, tree, l->from, l->along, from, to);
         if (murk_linear_integrate(&walk, 1, 0, limit, &sum)) {
-            *t = walk.to;
+            *t = walk.ray.to;
             *field = walk.value;
         }
     }
@@ -90,15 +90,16 @@ static double depth_by_segments(const murk_grid *grid, const line *l)
 {
     const murk_tree *tree = murk_grid_tree(grid);
     double from = 0, to = l->length, sum = 0;
-    if (murk_linear_clip(tree, l->from, l->along, &from, &to)) {
+    if (murk_grid_clip(tree, 1, l->from, l->along, &from, &to)) {
         murk_linear walk;
         murk_linear_begin(&walk, tree, l->from, l->along, from, to);
         double last = from;
         while (murk_linear_next(&walk)) {
-            CHECK(walk.from == last && walk.to >= walk.from);
-            const murk_cubic c = murk_linear_cubic(&walk, walk.from, walk.to);
-            sum += murk_cubic_integral(&c, 1) * (walk.to - walk.from);
-            last = walk.to;
+            CHECK(walk.ray.from == last && walk.ray.to >= walk.ray.from);
+            const murk_cubic c =
+                murk_linear_cubic(&walk, walk.ray.from, walk.ray.to);
+            sum += murk_cubic_integral(&c, 1) * (walk.ray.to - walk.ray.from);
+            last = walk.ray.to;
         }
         CHECK(last == to);
     }

@@ -3,6 +3,7 @@
  * tolerances are some hundred roundings of the largest length involved. */
 #include "base/rng.h"
 #include "check.h"
+#include "grid_line.h"
 #include "medium/grid.h"
 #include "medium/grid_internal.h"
 #include "medium/tree.h"
@@ -86,15 +87,14 @@ static void test_random_rays_agree_with_the_twin(uint32_t seed)
             along = murk_vec(0, along.y < 0 ? -1 : 1, 0);
         }
         const double length = i & 2 ? 100 : 10;
-        const double got = murk_grid_line_integral(tiles, from, along, length);
+        const double got = grid_line_integral(tiles, from, along, length);
         CHECK_NEAR(got, plain_line_integral(&plain, from, along, length),
                    1e-12);
-        CHECK_NEAR(murk_grid_line_integral(leaves, from, along, length), got,
-                   1e-12);
+        CHECK_NEAR(grid_line_integral(leaves, from, along, length), got, 1e-12);
         /* A direction of another length is another parameter. */
-        CHECK_NEAR(murk_grid_line_integral(tiles, from, murk_scale(4, along),
-                                           length / 4),
-                   got / 4, 1e-12);
+        CHECK_NEAR(
+            grid_line_integral(tiles, from, murk_scale(4, along), length / 4),
+            got / 4, 1e-12);
         total += got;
     }
     CHECK(total > 100);
@@ -127,9 +127,9 @@ static void test_additive_along_a_ray(uint32_t seed)
         const murk_vec3 from = random_point(seed, i, 30);
         const murk_vec3 along = random_direction(seed, i);
         const double cut = 60 * murk_random(seed, MURK_TEST, i, 3, 0).u[0];
-        const double whole = murk_grid_line_integral(grid, from, along, 60);
-        const double first = murk_grid_line_integral(grid, from, along, cut);
-        const double second = murk_grid_line_integral(
+        const double whole = grid_line_integral(grid, from, along, 60);
+        const double first = grid_line_integral(grid, from, along, cut);
+        const double second = grid_line_integral(
             grid, murk_along(from, cut, along), along, 60 - cut);
         CHECK_NEAR(first + second, whole, 1e-12);
     }
@@ -156,24 +156,22 @@ static void test_faces_edges_and_corners(void)
     for (int i = 0; i < NY; ++i) {
         corner += murk_grid_value(grid, i, i, i) * sqrt(3);
     }
-    CHECK_NEAR(murk_grid_line_integral(grid, murk_vec(-9, 6.5, 7.5), x, 100),
-               row, 1e-12);
+    CHECK_NEAR(grid_line_integral(grid, murk_vec(-9, 6.5, 7.5), x, 100), row,
+               1e-12);
+    CHECK_NEAR(grid_line_integral(grid, murk_vec(15.5, 7.5, 90), minus_z, 100),
+               column, 1e-12);
     CHECK_NEAR(
-        murk_grid_line_integral(grid, murk_vec(15.5, 7.5, 90), minus_z, 100),
-        column, 1e-12);
-    CHECK_NEAR(murk_grid_line_integral(grid, murk_vec(-0.5, -0.5, -0.5),
-                                       diagonal, 100),
-               corner, 1e-12);
-    CHECK_NEAR(murk_grid_line_integral(grid, murk_vec(-9.5, -9.5, -9.5),
-                                       diagonal, 100),
-               corner, 1e-12);
-    CHECK_NEAR(murk_grid_line_integral(grid, murk_vec(39.5, 39.5, 39.5),
-                                       murk_scale(-1, diagonal), 100),
+        grid_line_integral(grid, murk_vec(-0.5, -0.5, -0.5), diagonal, 100),
+        corner, 1e-12);
+    CHECK_NEAR(
+        grid_line_integral(grid, murk_vec(-9.5, -9.5, -9.5), diagonal, 100),
+        corner, 1e-12);
+    CHECK_NEAR(grid_line_integral(grid, murk_vec(39.5, 39.5, 39.5),
+                                  murk_scale(-1, diagonal), 100),
                corner, 1e-12);
     /* Upper outer faces are outside. */
-    CHECK(murk_grid_line_integral(grid, murk_vec(-9, NY - 0.5, 3), x, 100) ==
-          0);
-    CHECK(murk_grid_line_integral(grid, murk_vec(-9, -0.5, 3), x, 100) > 0);
+    CHECK(grid_line_integral(grid, murk_vec(-9, NY - 0.5, 3), x, 100) == 0);
+    CHECK(grid_line_integral(grid, murk_vec(-9, -0.5, 3), x, 100) > 0);
     murk_grid_destroy(grid);
 }
 
@@ -194,8 +192,7 @@ static void test_uniform_grid_is_its_chord(uint32_t seed)
         double t0 = 0, t1 = 200;
         const bool meets = murk_box_clip(&box, from, along, &t0, &t1);
         const double chord = meets ? t1 - t0 : 0;
-        CHECK_NEAR(murk_grid_line_integral(grid, from, along, 200), chord,
-                   1e-12);
+        CHECK_NEAR(grid_line_integral(grid, from, along, 200), chord, 1e-12);
     }
     murk_grid_destroy(grid);
 }
@@ -224,15 +221,15 @@ static void test_many_root_cells_and_a_gap(void)
     }
     CHECK(murk_grid_tree(grid)->n_cells == CELLS - 1);
     const double length = (double)size[0] + 100;
-    CHECK_NEAR(murk_grid_line_integral(grid, murk_vec(-50, 0, 0),
-                                       murk_vec(1, 0, 0), length),
+    CHECK_NEAR(grid_line_integral(grid, murk_vec(-50, 0, 0), murk_vec(1, 0, 0),
+                                  length),
                CELLS - 1, 1e-8);
-    CHECK_NEAR(murk_grid_line_integral(grid, murk_vec(length - 50, 0, 0),
-                                       murk_vec(-1, 0, 0), length),
+    CHECK_NEAR(grid_line_integral(grid, murk_vec(length - 50, 0, 0),
+                                  murk_vec(-1, 0, 0), length),
                CELLS - 1, 1e-8);
     const double from = GAP * EDGE + 5.0;
-    CHECK(murk_grid_line_integral(grid, murk_vec(from, 0, 0), murk_vec(1, 0, 0),
-                                  EDGE) == 0);
+    CHECK(grid_line_integral(grid, murk_vec(from, 0, 0), murk_vec(1, 0, 0),
+                             EDGE) == 0);
     murk_grid_destroy(grid);
 }
 
@@ -246,18 +243,18 @@ static void test_odd_rays_end(void)
         for (int j = 0; j < n; ++j) {
             for (int k = 0; k < n; ++k) {
                 const double got =
-                    murk_grid_line_integral(grid, murk_vec(odd[i], 1, 1),
-                                            murk_vec(odd[j], odd[k], 1), 100);
+                    grid_line_integral(grid, murk_vec(odd[i], 1, 1),
+                                       murk_vec(odd[j], odd[k], 1), 100);
                 CHECK(got >= 0 && got <= 101);
             }
         }
     }
-    CHECK(murk_grid_line_integral(grid, murk_vec(1, 1, 1), murk_vec(0, 0, 0),
-                                  7) == 7);
-    CHECK(murk_grid_line_integral(grid, murk_vec(1, 1, 1), murk_vec(1, 0, 0),
-                                  INFINITY) == NX - 1.5);
-    CHECK(murk_grid_line_integral(grid, murk_vec(1, 1, 1), murk_vec(1, 0, 0),
-                                  -1) == 0);
+    CHECK(grid_line_integral(grid, murk_vec(1, 1, 1), murk_vec(0, 0, 0), 7) ==
+          7);
+    CHECK(grid_line_integral(grid, murk_vec(1, 1, 1), murk_vec(1, 0, 0),
+                             INFINITY) == NX - 1.5);
+    CHECK(grid_line_integral(grid, murk_vec(1, 1, 1), murk_vec(1, 0, 0), -1) ==
+          0);
     murk_grid_destroy(grid);
 }
 
