@@ -144,16 +144,8 @@ static double share_below(const murk_phase_table *table, double s)
 }
 
 /* For each of 2^k equal intervals of u, the node at which the search begins. */
-static murk_status guide(murk_phase_table *table)
+static void fill_guide(murk_phase_table *table)
 {
-    table->guides = 1;
-    while (table->guides < table->nodes) {
-        table->guides *= 2;
-    }
-    table->guide = malloc(table->guides * sizeof *table->guide);
-    if (!table->guide) {
-        return MURK_NO_MEMORY;
-    }
     size_t i = 0;
     for (size_t k = 0; k < table->guides; ++k) {
         const double u = (double)k / (double)table->guides;
@@ -162,7 +154,6 @@ static murk_status guide(murk_phase_table *table)
         }
         table->guide[k] = (uint32_t)i;
     }
-    return MURK_OK;
 }
 
 murk_status murk_phase_nodes_finish(murk_phase_table **out,
@@ -170,57 +161,49 @@ murk_status murk_phase_nodes_finish(murk_phase_table **out,
                                     murk_error *err)
 {
     const double integral = murk_phase_nodes_integral(nodes);
-    murk_phase_table *table = NULL;
-    murk_status status = MURK_OK;
     if (!nodes->is_full && !(integral > 0)) {
-        status = murk_fail(err, MURK_BAD_VALUE, where,
-                           "no light anywhere, the integral over the sphere "
-                           "must be more than 0");
-        goto done;
+        free(nodes->node);
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "no light anywhere, the integral over the sphere "
+                         "must be more than 0");
     }
-    /* Take over the nodes and scale the integral to 1. */
-    table = calloc(1, sizeof *table);
-    if (nodes->is_full || !table) {
-        status = murk_fail(err, MURK_NO_MEMORY, where,
-                           "no memory for a phase function, or more than %u "
-                           "nodes",
-                           MURK_PHASE_NODES_MAX);
-        goto done;
+    /* Copy the nodes, and scale the integral to 1. */
+    murk_phase_table sizes = {
+        .nodes = nodes->n, .guides = 1, .power = nodes->power};
+    while (sizes.guides < sizes.nodes) {
+        sizes.guides *= 2;
     }
-    *table = (murk_phase_table){
-        .node = nodes->node, .nodes = nodes->n, .power = nodes->power};
-    *nodes = (murk_phase_nodes){0};
+    murk_phase_table *table =
+        nodes->is_full ? NULL : malloc(murk_phase_table_bytes(&sizes));
+    if (!table) {
+        free(nodes->node);
+        return murk_fail(err, MURK_NO_MEMORY, where,
+                         "no memory for a phase function, or more than %u "
+                         "nodes",
+                         MURK_PHASE_NODES_MAX);
+    }
+    *table = sizes;
+    murk_phase_table_attach(table);
     for (size_t i = 0; i < table->nodes; ++i) {
-        table->node[i].below /= integral;
-        table->node[i].density /= integral;
+        table->node[i] =
+            (murk_phase_node){nodes->node[i].below / integral, nodes->node[i].s,
+                              nodes->node[i].density / integral};
     }
+    free(nodes->node);
     assert(table->nodes > 1 && table->node[table->nodes - 1].s == 2);
     /* The guide for sampling, then the facts. */
-    status = guide(table);
-    if (status) {
-        murk_fail(err, status, where, "no memory for a phase function");
-        goto done;
-    }
+    fill_guide(table);
     table->facts.integral = integral;
     table->facts.mean_cosine = 1 - mean_s(table);
     table->facts.backward = 1 - share_below(table, 1);
     table->facts.nodes = table->nodes;
     *out = table;
-    table = NULL;
-done:
-    free(nodes->node);
-    *nodes = (murk_phase_nodes){0};
-    murk_phase_table_destroy(table);
-    return status;
+    return MURK_OK;
 }
 
 void murk_phase_table_destroy(murk_phase_table *table)
 {
-    if (table) {
-        free(table->node);
-        free(table->guide);
-        free(table);
-    }
+    free(table);
 }
 
 const murk_phase_facts *murk_phase_table_facts(const murk_phase_table *table)

@@ -17,16 +17,30 @@ typedef struct murk_phase_node {
     double density;
 } murk_phase_node;
 
+/* The nodes and the guide follow the struct in one block of memory, so that a
+ * copy of the block is a table once the pointers are set. */
 struct murk_phase_table {
+    size_t nodes, guides;  /* guides: a power of two */
     murk_phase_node *node; /* [nodes]; the last one at s = 2 */
-    size_t nodes;
-    double
-        power; /* before node 0 the density is proportional to s^power; > -1 */
-    uint32_t *
-        guide; /* [guides]: the last node whose `below` is at most k / guides */
-    size_t guides; /* a power of two */
+    uint32_t *guide; /* [guides]: the last node whose `below` is at most k /
+                        guides */
+    double power;    /* before node 0 the density is proportional to
+                        s^power; > -1 */
     murk_phase_facts facts;
 };
+
+static inline size_t murk_phase_table_bytes(const murk_phase_table *table)
+{
+    return sizeof *table + table->nodes * sizeof *table->node +
+           table->guides * sizeof *table->guide;
+}
+
+/* Sets the pointers of a table after the block was copied. */
+static inline void murk_phase_table_attach(murk_phase_table *table)
+{
+    table->node = (murk_phase_node *)(void *)(table + 1);
+    table->guide = (uint32_t *)(void *)(table->node + table->nodes);
+}
 
 /* The list of nodes while it is built, with a density of any scale. */
 typedef struct murk_phase_nodes {

@@ -3,11 +3,12 @@
  * uses a cache of earlier tables. */
 #include "medium/phase_table.h"
 
+#include "base/cache.h"
 #include "medium/fournier_forand.h"
-#include "medium/phase_cache.h"
 #include "medium/phase_nodes.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -28,11 +29,19 @@
  * 8e-7. */
 #define HEAD_S 5e-6
 
-static murk_status fail_row(const murk_phase_rows *rows, size_t i,
-                            const char *column, const char *text,
-                            murk_error *err)
+static murk_status fail_row(murk_error *err, const murk_phase_rows *rows,
+                            size_t i, const char *column, const char *format,
+                            ...) __attribute__((format(printf, 5, 6)));
+
+static murk_status fail_row(murk_error *err, const murk_phase_rows *rows,
+                            size_t i, const char *column, const char *format,
+                            ...)
 {
-    char where[320];
+    char where[320], text[200];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(text, sizeof text, format, args);
+    va_end(args);
     if (rows->line) {
         snprintf(where, sizeof where, "%.240s:%d: %s", rows->where,
                  rows->line[i], column);
@@ -47,22 +56,26 @@ static murk_status check_angle(const murk_phase_rows *rows, size_t i,
                                murk_error *err)
 {
     const double angle = rows->angle_deg[i];
-    char text[160] = "";
     if (!(angle == 0 || (angle >= MIN_DEG && angle <= 180))) {
-        snprintf(text, sizeof text, "%.9g, must be 0 or %g..180 degrees", angle,
-                 MIN_DEG);
-    } else if (i > 0 && !(angle > rows->angle_deg[i - 1])) {
-        snprintf(text, sizeof text,
-                 "%.9g, must be more than the %.9g degrees before", angle,
-                 rows->angle_deg[i - 1]);
-    } else if (i == 0 && angle > FIRST_DEG_MAX) {
-        snprintf(text, sizeof text, "begins at %.9g, must be 0..%g degrees",
-                 angle, FIRST_DEG_MAX);
-    } else if (i + 1 == rows->rows && angle < LAST_DEG_MIN) {
-        snprintf(text, sizeof text, "ends at %.9g, must be %g..180 degrees",
-                 angle, LAST_DEG_MIN);
+        return fail_row(err, rows, i, "angle_deg",
+                        "%.9g, must be 0 or %g..180 degrees", angle, MIN_DEG);
     }
-    return text[0] ? fail_row(rows, i, "angle_deg", text, err) : MURK_OK;
+    if (i > 0 && !(angle > rows->angle_deg[i - 1])) {
+        return fail_row(err, rows, i, "angle_deg",
+                        "%.9g, must be more than the %.9g degrees before",
+                        angle, rows->angle_deg[i - 1]);
+    }
+    if (i == 0 && angle > FIRST_DEG_MAX) {
+        return fail_row(err, rows, i, "angle_deg",
+                        "begins at %.9g, must be 0..%g degrees", angle,
+                        FIRST_DEG_MAX);
+    }
+    if (i + 1 == rows->rows && angle < LAST_DEG_MIN) {
+        return fail_row(err, rows, i, "angle_deg",
+                        "ends at %.9g, must be %g..180 degrees", angle,
+                        LAST_DEG_MIN);
+    }
+    return MURK_OK;
 }
 
 static murk_status check_rows(const murk_phase_rows *rows, murk_error *err)
@@ -78,10 +91,9 @@ static murk_status check_rows(const murk_phase_rows *rows, murk_error *err)
             return status;
         }
         if (!(value == 0 || (value >= VALUE_MIN && value <= VALUE_MAX))) {
-            char text[96];
-            snprintf(text, sizeof text, "%.9g, must be 0 or %g..%g per sr",
-                     value, VALUE_MIN, VALUE_MAX);
-            return fail_row(rows, i, "phase_per_sr", text, err);
+            return fail_row(err, rows, i, "phase_per_sr",
+                            "%.9g, must be 0 or %g..%g per sr", value,
+                            VALUE_MIN, VALUE_MAX);
         }
     }
     return MURK_OK;
@@ -141,13 +153,11 @@ static murk_status lay_head(murk_phase_nodes *nodes,
     }
     /* Too steep: the integral to angle 0 diverges. */
     if (law.power <= -2) {
-        char text[200];
-        snprintf(text, sizeof text,
-                 "the first two rows fall as angle^%.4g, which has no "
-                 "integral to angle 0: must be less steep than angle^-2, or "
-                 "begin with a row at angle 0",
-                 law.power);
-        return fail_row(rows, 0, "phase_per_sr", text, err);
+        return fail_row(err, rows, 0, "phase_per_sr",
+                        "the first two rows fall as angle^%.4g, which has no "
+                        "integral to angle 0: must be less steep than "
+                        "angle^-2, or begin with a row at angle 0",
+                        law.power);
     }
     /* A falling power law continues to angle 0. */
     const double begin = fmin(s, HEAD_S);
@@ -169,12 +179,10 @@ static murk_status lay_rows(murk_phase_nodes *nodes,
             murk_phase_nodes_law(nodes, s, stretch_density, &law);
         }
         if (nodes->is_full) {
-            char text[128];
-            snprintf(text, sizeof text,
-                     "too many steep rows up to here: no memory, or more than "
-                     "%u steps",
-                     MURK_PHASE_NODES_MAX);
-            return fail_row(rows, i + 1, "phase_per_sr", text, err);
+            return fail_row(err, rows, i + 1, "phase_per_sr",
+                            "too many steep rows up to here: no memory, or "
+                            "more than %u steps",
+                            MURK_PHASE_NODES_MAX);
         }
     }
     return MURK_OK;
@@ -184,7 +192,6 @@ static murk_status lay_table(murk_phase_table **out,
                              const murk_phase_rows *rows, murk_error *err)
 {
     murk_phase_nodes nodes = {0};
-    murk_phase_table *table = NULL;
     murk_status status = lay_head(&nodes, rows, err);
     const double before = murk_phase_nodes_integral(&nodes);
     double covered = 0;
@@ -192,17 +199,57 @@ static murk_status lay_table(murk_phase_table **out,
         status = lay_rows(&nodes, rows, err);
         covered = murk_phase_nodes_integral(&nodes);
     }
-    if (!status) {
-        murk_phase_nodes_line(&nodes, 2, rows->phase_per_sr[rows->rows - 1]);
-        status = murk_phase_nodes_finish(&table, &nodes, rows->where, err);
+    if (status) {
+        free(nodes.node);
+        return status;
     }
+    murk_phase_nodes_line(&nodes, 2, rows->phase_per_sr[rows->rows - 1]);
+    status = murk_phase_nodes_finish(out, &nodes, rows->where, err);
     if (!status) {
-        table->facts.before_first = before / table->facts.integral;
-        table->facts.behind_last = 1 - covered / table->facts.integral;
-        *out = table;
+        murk_phase_facts *facts = &(*out)->facts;
+        facts->before_first = before / facts->integral;
+        facts->behind_last = 1 - covered / facts->integral;
     }
-    free(nodes.node);
     return status;
+}
+
+/* ---- the cache of earlier tables ---- */
+
+/* The same input gives the same table, and computing one takes some ten
+ * milliseconds (base/cache.h). */
+static murk_cache cache = MURK_CACHE_NONE;
+
+/* The key of a table: angles and values of a measured function, or the index n
+ * and the slope of Fournier-Forand, n of each. The caller frees it. */
+static double *key_of(size_t n, const double *a, const double *b)
+{
+    double *key = malloc(2 * n * sizeof *key);
+    if (key) {
+        memcpy(key, a, n * sizeof *key);
+        memcpy(key + n, b, n * sizeof *key);
+    }
+    return key;
+}
+
+/* Finds a table in the cache; NULL if it must be computed. */
+static murk_phase_table *find_table(const double *key, size_t n)
+{
+    size_t size;
+    murk_phase_table *table =
+        key ? murk_cache_find(&cache, key, 2 * n * sizeof *key, &size) : NULL;
+    if (table) {
+        murk_phase_table_attach(table);
+    }
+    return table;
+}
+
+static void keep_table(const murk_phase_table *table, const double *key,
+                       size_t n)
+{
+    if (key) {
+        murk_cache_put(&cache, key, 2 * n * sizeof *key, table,
+                       murk_phase_table_bytes(table));
+    }
 }
 
 murk_status murk_phase_table_create(murk_phase_table **out,
@@ -213,15 +260,17 @@ murk_status murk_phase_table_create(murk_phase_table **out,
     if (status) {
         return status;
     }
-    const murk_phase_origin origin = {rows->rows, rows->angle_deg,
-                                      rows->phase_per_sr};
-    if (murk_phase_cache_find(out, &origin)) {
-        return MURK_OK;
+    double *key = key_of(rows->rows, rows->angle_deg, rows->phase_per_sr);
+    murk_phase_table *found = find_table(key, rows->rows);
+    if (found) {
+        *out = found;
+    } else {
+        status = lay_table(out, rows, err);
+        if (!status) {
+            keep_table(*out, key, rows->rows);
+        }
     }
-    status = lay_table(out, rows, err);
-    if (!status) {
-        murk_phase_cache_put(*out, &origin);
-    }
+    free(key);
     return status;
 }
 
@@ -268,8 +317,10 @@ murk_status murk_phase_table_fournier_forand(murk_phase_table **out, double n,
     }
     /* A cached table, or a new one: power law, then nodes along the formula. */
     const forand f = {n, slope};
-    const murk_phase_origin origin = {1, &n, &slope};
-    if (murk_phase_cache_find(out, &origin)) {
+    const double key[2] = {n, slope};
+    murk_phase_table *found = find_table(key, 1);
+    if (found) {
+        *out = found;
         return MURK_OK;
     }
     const double s = forand_head(&f);
@@ -278,7 +329,7 @@ murk_status murk_phase_table_fournier_forand(murk_phase_table **out, double n,
     murk_phase_nodes_law(&nodes, 2, forand_density, &f);
     const murk_status status = murk_phase_nodes_finish(out, &nodes, where, err);
     if (!status) {
-        murk_phase_cache_put(*out, &origin);
+        keep_table(*out, key, 1);
     }
     return status;
 }
