@@ -4,7 +4,7 @@
 #include "calibrate/beams.h"
 
 #include "base/position.h"
-#include "medium/acceptance.h"
+#include "medium/rescaled.h"
 #include "path/viewpoint.h"
 #include "world/stage_media.h"
 

@@ -30,7 +30,7 @@ murk_status murk_beams_create(murk_beams **out, const murk_stage *stage,
 void murk_beams_destroy(murk_beams *beams); /* NULL is fine */
 
 /* The transmittance of a reading, exp(-optical depth), with the acceptance
- * angle of the instrument (medium/acceptance.h). For a reading of all bands,
+ * angle of the instrument (medium/rescaled.h). For a reading of all bands,
  * the mean over the bands. Fails with MURK_NO_MEMORY. */
 murk_status murk_beam_transmittance(double *out, const murk_beams *beams,
                                     const murk_reading *reading,

@@ -10,7 +10,7 @@
  * (detection: weighted), or independent probabilities. The transmittance of a
  * sightline at other parameters follows from the density path along it, stored
  * by medium, and from the extinctions for the acceptance angle of the sensor
- * (medium/acceptance.h). The result differs from murk_coverage_result_measure()
+ * (medium/rescaled.h). The result differs from murk_coverage_result_measure()
  * of the same records by the rounding of clarities to 1/65535 alone. */
 #ifndef MURK_CALIBRATE_COVERED_H
 #define MURK_CALIBRATE_COVERED_H

@@ -5,7 +5,7 @@
  * as in the photon tracer. */
 #include "calibrate/recorder.h"
 
-#include "medium/single_medium.h"
+#include "medium/rescaled.h"
 
 #include <assert.h>
 #include <stdlib.h>

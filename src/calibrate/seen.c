@@ -9,9 +9,7 @@
 #include "base/pool.h"
 #include "base/position.h"
 #include "base/tally.h"
-#include "medium/acceptance.h"
 #include "medium/rescaled.h"
-#include "medium/single_medium.h"
 #include "plan/plan.h"
 
 #include <assert.h>

@@ -33,17 +33,6 @@ murk_status murk_bricks_create(murk_bricks **out, const murk_tree *tree,
                                const char *where, murk_error *err);
 void murk_bricks_destroy(murk_bricks *bricks); /* NULL is fine */
 
-/* The bound at a voxel. */
-float murk_bricks_bound(const murk_bricks *bricks, const int32_t voxel[3]);
-
-typedef struct murk_bricks_facts {
-    double volume; /* volume with a bound above 0 [voxels] */
-    double sum;    /* sum of bound times volume [density * voxels] */
-    size_t memory_bytes;
-} murk_bricks_facts;
-
-murk_bricks_facts murk_bricks_describe(const murk_bricks *bricks);
-
 /* A ray through the bricks: one segment of constant bound after the other. */
 typedef struct murk_brick_walk {
     const murk_bricks *bricks;

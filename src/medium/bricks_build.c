@@ -279,37 +279,3 @@ void murk_bricks_destroy(murk_bricks *bricks)
         free(bricks);
     }
 }
-
-float murk_bricks_bound(const murk_bricks *bricks, const int32_t voxel[3])
-{
-    murk_brick_bound s = murk_bricks_lookup(bricks, voxel);
-    if (s.table) {
-        raise(&s.bound,
-              s.table[murk_brick_in_block(bricks->edge_shift, voxel)]);
-    }
-    return s.bound;
-}
-
-murk_bricks_facts murk_bricks_describe(const murk_bricks *bricks)
-{
-    const murk_bricks *b = bricks;
-    murk_bricks_facts facts = {.memory_bytes =
-                                   sizeof *b + b->n_slots * sizeof *b->slot +
-                                   b->tables_capacity * murk_table_size(b) *
-                                       sizeof *b->bound};
-    const size_t n = b->n_tables * murk_table_size(b);
-    const double brick = ldexp(1, 3 * b->edge_shift);
-    for (size_t i = 0; i < n; ++i) {
-        facts.volume += b->bound[i] > 0 ? brick : 0;
-        facts.sum += (double)b->bound[i] * brick;
-    }
-    for (size_t i = 0; i < b->n_slots; ++i) {
-        const murk_brick_cell *c = &b->slot[i];
-        if (c->bound > 0) {
-            const double volume = ldexp(1, 3 * murk_level_shift[c->level]);
-            facts.volume += volume;
-            facts.sum += (double)c->bound * volume;
-        }
-    }
-    return facts;
-}

@@ -26,7 +26,8 @@ murk_status murk_delta_prepare(murk_media *media, int32_t edge, double factor,
                                murk_error *err);
 
 /* murk_media_fly_delta() with a stream of random numbers that the caller has
- * set up and may inspect afterwards. */
+ * set up and may inspect afterwards; without a stream (NULL) the flight
+ * marches. */
 bool murk_delta_fly(const murk_media *media, int band, murk_inside inside,
                     murk_vec3 origin, murk_vec3 direction, double length_m,
                     double tau, double u, murk_flight_randoms *stream,

@@ -31,11 +31,6 @@ typedef struct span {
  * two segments. */
 #define SPANS_MAX (2 * MURK_REGIONS_MAX)
 
-static double extinction_of(const ray *r, const murk_place *place)
-{
-    return murk_flight_extinction(r, place);
-}
-
 /* Records a medium present at the collision. */
 static void add_contributor(ray *r, const murk_place *place,
                             double extinction_per_m)
@@ -72,9 +67,9 @@ static bool cross_walk(ray *r, double from, double to, const murk_place *place,
     double collision_t = to;
     murk_density_walk_begin(&walk, place, r->band, r->origin, r->direction,
                             from, to);
-    const bool collides =
-        murk_density_walk_integrate(&walk, extinction_of(r, place), even_per_m,
-                                    r->limit, &r->depth, &collision_t, density);
+    const bool collides = murk_density_walk_integrate(
+        &walk, murk_flight_extinction(r, place), even_per_m, r->limit,
+        &r->depth, &collision_t, density);
     r->collision_m = collision_t;
     return collides;
 }
@@ -125,7 +120,8 @@ static bool cross_walks(ray *r, double from, double to,
         murk_cubic total = {{even_per_m, 0, 0, 0}};
         for (size_t i = 0; i < n; ++i) {
             cubic[i] = murk_density_walk_cubic(&walk[i], from, min);
-            murk_cubic_add(&total, extinction_of(r, places[i]), &cubic[i]);
+            murk_cubic_add(&total, murk_flight_extinction(r, places[i]),
+                           &cubic[i]);
         }
         /* Cross the part; at a collision report the density of each walk. */
         const bool is_even =
@@ -187,7 +183,7 @@ static bool cross_piece(ray *r, double from, double to,
         if (present[i]->filling != MURK_FILLED_EVENLY) {
             varying[n_varying++] = present[i];
         } else {
-            even += extinction_of(r, present[i]);
+            even += murk_flight_extinction(r, present[i]);
         }
     }
     const bool collides =
@@ -201,7 +197,7 @@ static bool cross_piece(ray *r, double from, double to,
             const double value =
                 present[i]->filling != MURK_FILLED_EVENLY ? density[next++] : 1;
             add_contributor(r, present[i],
-                            value * extinction_of(r, present[i]));
+                            value * murk_flight_extinction(r, present[i]));
         }
     }
     return collides;
@@ -261,7 +257,7 @@ static bool cross_overlapping(ray *r, const span *spans, size_t n)
 static bool cross_alone(ray *r, const span *only)
 {
     const murk_place *place = only->place;
-    const double extinction = extinction_of(r, place);
+    const double extinction = murk_flight_extinction(r, place);
     double density = 1;
     const bool collides =
         only->fills &&
@@ -309,7 +305,7 @@ static bool cross_media(ray *r, double length_m)
     }
     for (size_t i = 0; i < r->media->n_places; ++i) {
         const murk_place *place = &r->media->places[i];
-        if (!place->replaces && !(extinction_of(r, place) > 0)) {
+        if (!place->replaces && !(murk_flight_extinction(r, place) > 0)) {
             continue;
         }
         if (!murk_place_may_hold(place, i, r->inside)) {
@@ -397,29 +393,13 @@ static bool fly(ray *r, double length_m, murk_collision *collision)
     return true;
 }
 
-bool murk_media_fly(const murk_media *media, int band, murk_inside inside,
-                    murk_vec3 origin, murk_vec3 direction, double length_m,
-                    double tau, double u, murk_collision *collision)
-{
-    ray r;
-    r.media = media;
-    r.band = band;
-    r.inside = inside;
-    r.origin = origin;
-    r.direction = direction;
-    r.limit = tau;
-    r.u = u;
-    r.stream = NULL;
-    return fly(&r, length_m, collision);
-}
-
 bool murk_delta_fly(const murk_media *media, int band, murk_inside inside,
                     murk_vec3 origin, murk_vec3 direction, double length_m,
                     double tau, double u, murk_flight_randoms *stream,
                     murk_collision *collision)
 {
-    assert(media->bound_factor > 0);
-    ray r;
+    assert(!stream || media->bound_factor > 0);
+    ray r; /* not initialised as a whole: the list of media is long */
     r.media = media;
     r.band = band;
     r.inside = inside;
@@ -429,6 +409,14 @@ bool murk_delta_fly(const murk_media *media, int band, murk_inside inside,
     r.u = u;
     r.stream = stream;
     return fly(&r, length_m, collision);
+}
+
+bool murk_media_fly(const murk_media *media, int band, murk_inside inside,
+                    murk_vec3 origin, murk_vec3 direction, double length_m,
+                    double tau, double u, murk_collision *collision)
+{
+    return murk_delta_fly(media, band, inside, origin, direction, length_m, tau,
+                          u, NULL, collision);
 }
 
 bool murk_media_fly_delta(const murk_media *media, int band, murk_inside inside,

@@ -347,22 +347,6 @@ static void release_places(murk_media *media)
     free(media->boundaries);
 }
 
-murk_media *murk_media_shallow_copy(const murk_media *media)
-{
-    murk_media *made = malloc(sizeof *made);
-    murk_medium *list = malloc((media->n_media + 1) * sizeof *list);
-    if (!made || !list) {
-        free(made);
-        free(list);
-        return NULL;
-    }
-    *made = *media;
-    made->borrows_places = true;
-    made->media = list;
-    memcpy(list, media->media, media->n_media * sizeof *list);
-    return made;
-}
-
 void murk_media_destroy(murk_media *media)
 {
     if (media) {
@@ -396,20 +380,26 @@ bool murk_media_any(const murk_media *media)
     return false;
 }
 
-/* Sum over the regions at p of the extinction, or of the scattering
- * coefficient. A region that replaces others discards the sum of those
- * before it. */
-static double sum_at(const murk_media *media, int band, murk_inside inside,
-                     murk_vec3 p, bool scattered)
+/* All media, for sum_at(). */
+#define ALL_MEDIA SIZE_MAX
+
+/* Sum over the regions at p of the extinction of one medium or of all, or of
+ * the scattering coefficient. A region that replaces others discards the sum of
+ * those before it. */
+static double sum_at(const murk_media *media, size_t only, int band,
+                     murk_inside inside, murk_vec3 p, bool scattered)
 {
     double sum = 0;
     for (size_t i = 0; i < media->n_places; ++i) {
         const murk_place *place = &media->places[i];
         const murk_medium *medium = &media->media[place->medium];
         double density;
-        if (murk_place_may_hold(place, i, inside) &&
-            murk_place_density(place, band, p, &density)) {
-            sum = place->replaces ? 0 : sum;
+        if (!murk_place_may_hold(place, i, inside) ||
+            !murk_place_density(place, band, p, &density)) {
+            continue;
+        }
+        sum = place->replaces ? 0 : sum;
+        if (only == ALL_MEDIA || only == place->medium) {
             sum += density * medium->extinction_per_m.band[band] *
                    (scattered ? murk_albedo_at(medium, place, band, p) : 1);
         }
@@ -420,30 +410,19 @@ static double sum_at(const murk_media *media, int band, murk_inside inside,
 double murk_media_extinction(const murk_media *media, int band,
                              murk_inside inside, murk_vec3 p)
 {
-    return sum_at(media, band, inside, p, false);
+    return sum_at(media, ALL_MEDIA, band, inside, p, false);
 }
 
 double murk_media_extinction_of(const murk_media *media, size_t medium,
                                 int band, murk_inside inside, murk_vec3 p)
 {
-    const double per_m = media->media[medium].extinction_per_m.band[band];
-    double sum = 0;
-    for (size_t i = 0; i < media->n_places; ++i) {
-        const murk_place *place = &media->places[i];
-        double density;
-        if (murk_place_may_hold(place, i, inside) &&
-            murk_place_density(place, band, p, &density)) {
-            sum = place->replaces ? 0 : sum;
-            sum += place->medium == medium ? density * per_m : 0;
-        }
-    }
-    return sum;
+    return sum_at(media, medium, band, inside, p, false);
 }
 
 double murk_media_scattering(const murk_media *media, int band,
                              murk_inside inside, murk_vec3 p)
 {
-    return sum_at(media, band, inside, p, true);
+    return sum_at(media, ALL_MEDIA, band, inside, p, true);
 }
 
 murk_box murk_media_bounds(const murk_media *media)

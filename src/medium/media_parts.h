@@ -27,9 +27,4 @@ struct murk_media {
                             majorants yet */
 };
 
-/* A copy with a list of media that may be changed; places and boundaries are
- * borrowed from `media`. NULL if out of memory. The caller releases it with
- * murk_media_destroy(). */
-murk_media *murk_media_shallow_copy(const murk_media *media);
-
 #endif

@@ -8,7 +8,7 @@
 #include "base/log.h"
 #include "base/machine.h"
 #include "base/progress.h"
-#include "medium/acceptance.h"
+#include "medium/rescaled.h"
 #include "placement/at_least.h"
 #include "plan/dark.h"
 #include "plan/few_photons.h"

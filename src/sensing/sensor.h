@@ -19,7 +19,7 @@ typedef struct murk_sensor_type {
     double cone_rad;           /* whole angle, above 0 and at most 2 pi */
     double hfov_rad, vfov_rad; /* whole angles, above 0 and below pi */
     double acceptance_rad; /* light scattered forward by less than this counts
-                              as not scattered (medium/acceptance.h), 0..pi */
+                              as not scattered (medium/rescaled.h), 0..pi */
     bool toward; /* detects only light that travels toward the sensor: against
                     the axis, for a sphere toward the position */
     uint32_t bands; /* bit b: detects band b; 0: all bands */

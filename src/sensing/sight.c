@@ -5,8 +5,8 @@
 #include "sensing/sight.h"
 
 #include "base/bands.h"
-#include "medium/acceptance.h"
 #include "medium/interfaces.h"
+#include "medium/rescaled.h"
 #include "sensing/sight_parts.h"
 #include "sensing/weights.h"
 

@@ -1,7 +1,7 @@
 /* What an instrument's acceptance angle leaves of extinction: shares of phase
  * functions against quadrature and against figures of the field, optical depths
  * against sigma_t - sigma_s F worked out by hand. Deterministic. */
-#include "medium/acceptance.h"
+#include "medium/rescaled.h"
 
 #include "check.h"
 #include "petzold.h"
@@ -178,7 +178,7 @@ static void test_depths_are_extinction_less_accepted_scattering(void)
             murk_media *alone = media_of(&medium[i], 1);
             const double share =
                 ALBEDO[i][band] *
-                murk_medium_accepted(&medium[i], band, acceptance);
+                murk_phase_share_within(&medium[i].phase[band], acceptance);
             want += depth(alone, band) * (1 - share);
             off += depth(alone, band) * (1 - 1.001 * share);
             murk_media_destroy(alone);

@@ -2,7 +2,7 @@
  * length that a ray has in what is not hidden of it. Nothing is random. */
 #include "check.h"
 #include "medium/phase.h"
-#include "medium/single_medium.h"
+#include "medium/rescaled.h"
 
 #define MEDIA 3
 

@@ -2,7 +2,7 @@
  * how clearly, against ways found by Fermat's principle alone. Deterministic.
  */
 #include "base/rng.h"
-#include "medium/acceptance.h"
+#include "medium/rescaled.h"
 #include "world.h"
 
 #define SEED    3
