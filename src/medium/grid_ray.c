@@ -49,6 +49,7 @@ void murk_grid_ray_begin(murk_grid_ray *ray, murk_vec3 origin,
 void murk_grid_ray_skip(murk_grid_ray *ray, const murk_tree *tree,
                         int32_t below)
 {
+    /* The root cell that the ray reaches first. */
     const murk_root_cell *nearest = NULL;
     double min = ray->end;
     for (size_t i = 0; i < tree->n_cells; ++i) {
@@ -66,6 +67,7 @@ void murk_grid_ray_skip(murk_grid_ray *ray, const murk_tree *tree,
             nearest = cell;
         }
     }
+    /* The segment ends there. */
     ray->to = min;
     if (nearest) {
         const int32_t *f = nearest->first, size = MURK_ROOT_CELL - 1;

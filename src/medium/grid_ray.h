@@ -195,4 +195,18 @@ static inline bool murk_grid_ray_step_in_block(murk_grid_ray *r)
     return !((r->in_block[0] | r->in_block[1] | r->in_block[2]) & ~7);
 }
 
+/* Begins the next segment: in a block with the next cell of the block. The
+ * block is left if that cell is outside. False at the end of the ray. */
+static inline bool murk_grid_ray_next(murk_grid_ray *r)
+{
+    r->from = r->to;
+    if (!(r->from < r->end)) {
+        return false;
+    }
+    if (r->is_in_block && !murk_grid_ray_step_in_block(r)) {
+        murk_grid_ray_leave_block(r);
+    }
+    return true;
+}
+
 #endif

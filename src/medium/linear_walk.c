@@ -143,19 +143,10 @@ void murk_linear_begin(murk_linear *linear, const murk_tree *tree,
 
 bool murk_linear_next(murk_linear *linear)
 {
-    murk_grid_ray *r = &linear->ray;
-    r->from = r->to;
-    if (!(r->from < r->end)) {
+    if (!murk_grid_ray_next(&linear->ray)) {
         return false;
     }
-    if (r->is_in_block) {
-        if (murk_grid_ray_step_in_block(r)) {
-            cross_cell(linear);
-            return true;
-        }
-        murk_grid_ray_leave_block(r);
-    }
-    if (cross_at(linear)) {
+    if (linear->ray.is_in_block || cross_at(linear)) {
         cross_cell(linear);
     }
     return true;

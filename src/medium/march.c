@@ -46,19 +46,10 @@ void murk_march_begin(murk_march *march, const murk_tree *tree,
 
 bool murk_march_next(murk_march *march)
 {
-    murk_grid_ray *r = &march->ray;
-    r->from = r->to;
-    if (!(r->from < r->end)) {
+    if (!murk_grid_ray_next(&march->ray)) {
         return false;
     }
-    if (r->is_in_block) {
-        if (murk_grid_ray_step_in_block(r)) {
-            cross_voxel(march);
-            return true;
-        }
-        murk_grid_ray_leave_block(r);
-    }
-    if (cross_at(march)) {
+    if (march->ray.is_in_block || cross_at(march)) {
         cross_voxel(march);
     }
     return true;
