@@ -15,7 +15,10 @@
  *   LOW(a, b), HIGH(a, b)
  *                     the two lower or upper lanes of each quarter of a and b,
  *                     interleaved
- *   PAIRS(a, b, how)  two lanes of each quarter of a, then two of b */
+ *   PAIRS(a, b, how)  two lanes of each quarter of a, then two of b
+ *
+ * Without these definitions the file is empty. */
+#ifdef NAME
 
 /* The squared length of each vector. */
 TARGET static inline VECTOR NAME(length2)(const VECTOR d[3])
@@ -128,3 +131,5 @@ static const murk_range_test NAME(test) = {TITLE, NAME(bounds), NAME(leaf),
 #undef LOW
 #undef HIGH
 #undef PAIRS
+
+#endif
