@@ -3,8 +3,6 @@
  * a layout is the gain in that block. */
 #include "placement/blocks.h"
 
-#include "base/pool.h"
-
 #include <stdlib.h>
 
 /* A value below 2^63 times 2^52. */
@@ -45,14 +43,7 @@ void murk_block_gains(const murk_block_layouts *layouts,
                       size_t count, uint64_t *gain)
 {
     gain_task g = {layouts, cover, candidate, gain};
-    const unsigned threads = murk_evaluator_threads(layouts->evaluator, count);
-    if (threads > 1) {
-        murk_pool_run_workers(threads, count, gain_of_one, &g);
-        return;
-    }
-    for (size_t k = 0; k < count; ++k) {
-        gain_of_one(&g, 0, k);
-    }
+    murk_evaluator_run(layouts->evaluator, count, gain_of_one, &g);
 }
 
 /* Makes the layout of one block, and the unit and offset of the block's worth.

@@ -120,44 +120,31 @@ static size_t find_top(murk_bound *b, size_t n)
     return kept;
 }
 
-/* Fixes candidates out: a plan with candidate j is worth at most `base`, the n
- * - 1 largest other gains, and the gain of j. If that does not exceed `lower`,
- * j belongs to no better plan. */
-static void fix_candidates(murk_bound *b, uint64_t base, size_t n,
-                           size_t chosen, uint64_t lower)
+/* Fixes candidates out by the last evaluation: a plan with candidate j is worth
+ * at most the base, the n - 1 largest other gains (with constraints: a
+ * relaxation of them), and the gain of j. If that does not exceed `lower`, j
+ * belongs to no better plan. */
+static void fix_candidates(murk_bound *b, size_t n, size_t chosen,
+                           uint64_t lower)
 {
-    if (chosen < n) {
+    if (!b->partial && chosen < n) {
         return;
     }
-    uint64_t others = base;
-    for (size_t k = 0; k + 1 < n; ++k) {
+    uint64_t others = 0;
+    for (size_t k = 0; !b->partial && k + 1 < n; ++k) {
         others = murk_sum_saturated(others, b->top[k].bound);
     }
-    const uint64_t grain = b->evaluator->grain;
-    const uint64_t last = b->top[n - 1].bound;
+    /* The largest gains always stay. */
+    const uint64_t last = b->partial ? UINT64_MAX : b->top[n - 1].bound;
     size_t kept = 0;
     for (size_t k = 0; k < b->live_count; ++k) {
-        const uint64_t with = murk_sum_saturated(others, b->gain[k]);
-        if (b->gain[k] >= last || with - with % grain > lower) {
-            b->live[kept] = b->live[k];
-            b->gain[kept++] = b->gain[k];
+        if (b->partial) {
+            others =
+                murk_relaxation_others(&b->relaxed, b->partial, b->live[k]);
         }
-    }
-    b->live_count = kept;
-}
-
-/* The same under constraints. */
-static void fix_candidates_constrained(murk_bound *b, uint64_t base,
-                                       uint64_t lower)
-{
-    const uint64_t grain = b->evaluator->grain;
-    size_t kept = 0;
-    for (size_t k = 0; k < b->live_count; ++k) {
-        const uint64_t others =
-            murk_relaxation_others(&b->relaxed, b->partial, b->live[k]);
         const uint64_t with =
-            murk_sum_saturated(base, murk_sum_saturated(others, b->gain[k]));
-        if (with - with % grain > lower) {
+            murk_sum_saturated(b->base, murk_sum_saturated(others, b->gain[k]));
+        if (b->gain[k] >= last || with - with % b->evaluator->grain > lower) {
             b->live[kept] = b->live[k];
             b->gain[kept++] = b->gain[k];
         }
@@ -269,16 +256,6 @@ static uint64_t evaluate(murk_bound *b, size_t n, size_t *chosen)
     return sum_top(b, n, chosen);
 }
 
-/* Fixes candidates out by the last evaluation. */
-static void fix_by_bound(murk_bound *b, size_t n, size_t chosen, uint64_t lower)
-{
-    if (b->partial) {
-        fix_candidates_constrained(b, b->base, lower);
-    } else {
-        fix_candidates(b, b->base, n, chosen, lower);
-    }
-}
-
 /* Lowers the bound over the live candidates. */
 static uint64_t descend(murk_bound *b, size_t n, uint64_t lower, size_t rounds)
 {
@@ -314,7 +291,7 @@ static uint64_t descend(murk_bound *b, size_t n, uint64_t lower, size_t rounds)
             break;
         }
         /* Fix candidates out, then step. */
-        fix_by_bound(b, n, chosen, lower);
+        fix_candidates(b, n, chosen, lower);
         if (round + 1 < rounds) {
             update_mean(b, chosen);
             take_step(b, (double)(lowest - lower));
@@ -324,7 +301,7 @@ static uint64_t descend(murk_bound *b, size_t n, uint64_t lower, size_t rounds)
     if (b->multipliers.partial && upper > lower && rounds > 0) {
         memcpy(b->multiplier, b->lowest, slots * sizeof *b->multiplier);
         evaluate(b, n, &chosen);
-        fix_by_bound(b, n, chosen, lower);
+        fix_candidates(b, n, chosen, lower);
     }
     memcpy(b->multiplier, b->lowest, slots * sizeof *b->multiplier);
     return upper > lower ? upper : lower;

@@ -42,42 +42,33 @@ static bool is_too_close(const murk_constraints *constraints, uint32_t a,
     return square < constraints->spacing_m * constraints->spacing_m;
 }
 
-/* True if b is in a's list of conflicts, by binary search. */
+static int by_index(const void *a, const void *b)
+{
+    const uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
+    return (x > y) - (x < y);
+}
+
+/* True if b is in a's list of conflicts. */
 static bool is_listed(const murk_constraints *constraints, uint32_t a,
                       uint32_t b)
 {
-    if (!constraints->conflict_first) {
-        return false;
-    }
-    size_t low = constraints->conflict_first[a],
-           high = constraints->conflict_first[a + 1];
-    while (low < high) {
-        const size_t middle = low + (high - low) / 2;
-        if (constraints->conflict[middle] == b) {
-            return true;
-        }
-        if (constraints->conflict[middle] < b) {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
-    }
-    return false;
+    const size_t *first = constraints->conflict_first;
+    return first && bsearch(&b, constraints->conflict + first[a],
+                            first[a + 1] - first[a],
+                            sizeof *constraints->conflict, by_index);
 }
 
 /* ---- for messages ---- */
 
-typedef struct name {
-    char text[80];
-} name;
+#define NAME_SIZE 80 /* longer names are cut */
 
 static const char *class_name(const murk_constraints *constraints, size_t class,
-                              char out[sizeof(name)])
+                              char out[NAME_SIZE])
 {
     if (constraints->class_name) {
-        snprintf(out, sizeof(name), "type %s", constraints->class_name[class]);
+        snprintf(out, NAME_SIZE, "type %s", constraints->class_name[class]);
     } else {
-        snprintf(out, sizeof(name), "class %zu", class);
+        snprintf(out, NAME_SIZE, "class %zu", class);
     }
     return out;
 }
@@ -215,19 +206,19 @@ static murk_status check_conflicts(const murk_constraints *constraints,
 
 static bool allocate(murk_constraint_set *set)
 {
-    const size_t n = set->candidates + 1, classes = set->classes + 1;
-    set->class_of = calloc(n, sizeof *set->class_of);
-    set->min = calloc(classes, sizeof *set->min);
-    set->max = calloc(classes, sizeof *set->max);
-    set->is_fixed = calloc(n, sizeof *set->is_fixed);
-    set->by_cost = calloc(n, sizeof *set->by_cost);
-    set->class_first = calloc(classes + 1, sizeof *set->class_first);
+    const size_t n = set->candidates, classes = set->classes;
+    murk_arena *arena = &set->arena;
+    set->class_of = murk_arena_array(arena, n, sizeof *set->class_of);
+    set->min = murk_arena_array(arena, classes, sizeof *set->min);
+    set->max = murk_arena_array(arena, classes, sizeof *set->max);
+    set->is_fixed = murk_arena_array(arena, n, sizeof *set->is_fixed);
+    set->by_cost = murk_arena_array(arena, n, sizeof *set->by_cost);
+    set->class_first =
+        murk_arena_array(arena, classes + 1, sizeof *set->class_first);
     if (set->constraints->site) {
-        set->site = calloc(n, sizeof *set->site);
+        set->site = murk_arena_array(arena, n, sizeof *set->site);
     }
-    return set->class_of && set->min && set->max && set->is_fixed &&
-           set->by_cost && set->class_first &&
-           (set->site || !set->constraints->site);
+    return !arena->is_short;
 }
 
 /* Renumbers the sites without gaps. scratch[candidates]. */
@@ -277,6 +268,7 @@ static murk_status index_classes(murk_constraint_set *set, murk_error *err)
 static murk_status index_counts(murk_constraint_set *set, murk_error *err)
 {
     const murk_constraints *constraints = set->constraints;
+    char name[NAME_SIZE];
     for (size_t c = 0; c < set->classes; ++c) {
         /* A missing limit is 0, or the size of the class. */
         const size_t size = set->class_first[c + 1] - set->class_first[c];
@@ -289,15 +281,13 @@ static murk_status index_counts(murk_constraint_set *set, murk_error *err)
             return murk_fail(err, MURK_BAD_VALUE, "",
                              "%s must have at least %zu sensors, but has "
                              "only %zu usable candidates",
-                             class_name(set->constraints, c, (name){{0}}.text),
-                             min, size);
+                             class_name(set->constraints, c, name), min, size);
         }
         if (min > max) {
             return murk_fail(err, MURK_BAD_VALUE, "",
                              "%s must have at least %zu sensors, but at most "
                              "%zu",
-                             class_name(set->constraints, c, (name){{0}}.text),
-                             min, max);
+                             class_name(set->constraints, c, name), min, max);
         }
         set->min[c] = min;
         set->max[c] = max < size ? max : size;
@@ -404,6 +394,7 @@ static murk_status check_count(murk_constraint_set *set, size_t count,
                                bool is_max, murk_error *err)
 {
     /* Sum up required and allowed sensors over the classes. */
+    char name[NAME_SIZE];
     size_t needed = 0, allowed = 0;
     for (size_t c = 0; c < set->classes; ++c) {
         const size_t fixed = fixed_of_class(set, c);
@@ -411,8 +402,8 @@ static murk_status check_count(murk_constraint_set *set, size_t count,
             return murk_fail(err, MURK_BAD_VALUE, "",
                              "%s may have at most %zu sensors, but %zu are "
                              "fixed",
-                             class_name(set->constraints, c, (name){{0}}.text),
-                             set->max[c], fixed);
+                             class_name(set->constraints, c, name), set->max[c],
+                             fixed);
         }
         needed += fixed > set->min[c] ? fixed : set->min[c];
         allowed += set->max[c];
@@ -465,7 +456,6 @@ murk_status murk_constraint_set_init(murk_constraint_set *out,
         .has_conflicts = constraints->site || constraints->spacing_m > 0 ||
                          constraints->conflict_first};
     /* Checks that need no index come first. */
-    keyed *scratch = NULL;
     murk_status status = check_costs(constraints, candidates, err);
     if (!status) {
         status = check_conflicts(constraints, candidates, err);
@@ -474,15 +464,12 @@ murk_status murk_constraint_set_init(murk_constraint_set *out,
         return status;
     }
     /* Index and check, step by step. */
-    scratch = calloc(candidates + 1, sizeof *scratch);
-    if (!scratch || !allocate(out)) {
-        status =
-            murk_fail(err, MURK_NO_MEMORY, "",
-                      "no memory for the rules of %zu candidates", candidates);
-    }
-    if (!status) {
-        status = index_classes(out, err);
-    }
+    keyed *scratch = calloc(candidates + 1, sizeof *scratch);
+    status = scratch && allocate(out)
+                 ? index_classes(out, err)
+                 : murk_fail(err, MURK_NO_MEMORY, "",
+                             "no memory for the rules of %zu candidates",
+                             candidates);
     if (!status) {
         if (constraints->site) {
             index_sites(out, scratch);
@@ -508,12 +495,6 @@ murk_status murk_constraint_set_init(murk_constraint_set *out,
 
 void murk_constraint_set_release(murk_constraint_set *set)
 {
-    free(set->class_of);
-    free(set->site);
-    free(set->min);
-    free(set->max);
-    free(set->is_fixed);
-    free(set->by_cost);
-    free(set->class_first);
+    murk_arena_release(&set->arena);
     *set = (murk_constraint_set){0};
 }

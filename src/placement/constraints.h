@@ -9,6 +9,7 @@
 #ifndef MURK_PLACEMENT_CONSTRAINTS_H
 #define MURK_PLACEMENT_CONSTRAINTS_H
 
+#include "base/arena.h"
 #include "base/status.h"
 
 #include <stdbool.h>
@@ -57,6 +58,7 @@ typedef struct murk_constraint_set {
         *class_first; /* [classes + 1] first entry of each class in by_cost */
     uint64_t budget;
     bool has_budget, has_min, has_caps, has_conflicts;
+    murk_arena arena;
 } murk_constraint_set;
 
 /* Checks and indexes the constraints, which are borrowed. `count` sensors are

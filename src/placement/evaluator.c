@@ -6,7 +6,6 @@
 #include "placement/evaluator.h"
 
 #include "base/interrupt.h"
-#include "base/pool.h"
 #include "base/progress.h"
 #include "placement/presolve.h"
 
@@ -131,13 +130,26 @@ unsigned murk_evaluator_threads(const murk_evaluator *evaluator, size_t n)
     return is_worth ? evaluator->problem->threads : 1;
 }
 
-static void evaluate_all(evaluation *w, unsigned threads, unsigned worker)
+void murk_evaluator_run(const murk_evaluator *evaluator, size_t n,
+                        murk_worker_job job, void *context)
 {
-    if (threads > 1 && murk_evaluator_threads(w->evaluator, w->n) > 1) {
-        evaluate_in_batches(w, threads);
+    const unsigned threads = murk_evaluator_threads(evaluator, n);
+    if (threads > 1) {
+        murk_pool_run_workers(threads, n, job, context);
         return;
     }
-    evaluate_range(w, worker, 0, w->n);
+    for (size_t k = 0; k < n; ++k) {
+        job(context, 0, k);
+    }
+}
+
+static void evaluate_candidates(evaluation w, unsigned threads, unsigned worker)
+{
+    if (threads > 1 && murk_evaluator_threads(w.evaluator, w.n) > 1) {
+        evaluate_in_batches(&w, threads);
+    } else {
+        evaluate_range(&w, worker, 0, w.n);
+    }
 }
 
 void murk_evaluator_gains(const murk_evaluator *evaluator,
@@ -145,12 +157,12 @@ void murk_evaluator_gains(const murk_evaluator *evaluator,
                           size_t n, unsigned threads, unsigned worker,
                           uint64_t *gain)
 {
-    evaluation w = {.evaluator = evaluator,
-                    .cover = cover,
-                    .candidate = candidate,
-                    .gain = gain,
-                    .n = n};
-    evaluate_all(&w, threads, worker);
+    evaluate_candidates((evaluation){.evaluator = evaluator,
+                                     .cover = cover,
+                                     .candidate = candidate,
+                                     .gain = gain,
+                                     .n = n},
+                        threads, worker);
 }
 
 void murk_evaluator_gain_bounds(const murk_evaluator *evaluator,
@@ -159,13 +171,13 @@ void murk_evaluator_gain_bounds(const murk_evaluator *evaluator,
                                 unsigned threads, unsigned worker,
                                 uint64_t *max)
 {
-    evaluation w = {.evaluator = evaluator,
-                    .cover = cover,
-                    .candidate = candidate,
-                    .gain = max,
-                    .n = n,
-                    .is_max = true};
-    evaluate_all(&w, threads, worker);
+    evaluate_candidates((evaluation){.evaluator = evaluator,
+                                     .cover = cover,
+                                     .candidate = candidate,
+                                     .gain = max,
+                                     .n = n,
+                                     .is_max = true},
+                        threads, worker);
 }
 
 static int by_rank(const void *a, const void *b)
@@ -224,44 +236,42 @@ done:
     return status;
 }
 
-/* Sort key: cost, then the index in order[]. */
+/* Sort key of a candidate: candidates of equal value have one number. */
 typedef struct costed {
+    size_t number;
     uint64_t cost;
     size_t rank;
-    uint32_t candidate;
 } costed;
 
 static int by_cost(const void *a, const void *b)
 {
     const costed *x = a, *y = b;
+    if (x->number != y->number) {
+        return x->number < y->number ? -1 : 1;
+    }
     if (x->cost != y->cost) {
         return x->cost < y->cost ? -1 : 1;
     }
     return (x->rank > y->rank) - (x->rank < y->rank);
 }
 
-/* Sorts candidates of equal value by cost, so that the cheaper one dominates.
- * False when out of memory. */
-static bool sort_ties_by_cost(const murk_evaluator *o, uint32_t *order)
+/* Fills order[] with the ranked candidates, those of equal value by cost, so
+ * that the cheaper one dominates. */
+static void order_by_cost(const murk_evaluator *o, costed *key, uint32_t *order)
 {
-    costed *same = malloc((o->candidates + 1) * sizeof *same);
-    for (size_t first = 0; same && first < o->candidates;) {
-        size_t n = 0;
-        while (first + n < o->candidates && o->single_value[order[first + n]] ==
-                                                o->single_value[order[first]]) {
-            const uint32_t j = order[first + n];
-            same[n] = (costed){murk_constraint_set_cost(o->set, j), n, j};
-            ++n;
-        }
-        qsort(same, n, sizeof *same, by_cost);
-        for (size_t k = 0; k < n; ++k) {
-            order[first + k] = same[k].candidate;
-        }
-        first += n;
+    const murk_ranked *ranked = o->ranked;
+    size_t number = 0;
+    for (size_t k = 0; k < o->candidates; ++k) {
+        const uint32_t j = ranked[k].candidate;
+        number += k > 0 && o->single_value[j] !=
+                               o->single_value[ranked[k - 1].candidate];
+        key[k] = (costed){number,
+                          o->set ? murk_constraint_set_cost(o->set, j) : 0, k};
     }
-    const bool is_done = same != NULL;
-    free(same);
-    return is_done;
+    qsort(key, o->candidates, sizeof *key, by_cost);
+    for (size_t k = 0; k < o->candidates; ++k) {
+        order[k] = ranked[key[k].rank].candidate;
+    }
 }
 
 /* The number of dominators that make a candidate superfluous. A dominator
@@ -310,22 +320,17 @@ static murk_status rank(murk_evaluator *o, size_t max, bool keep_dominated,
         return MURK_OK;
     }
     /* Presolve compares candidates in this order. */
-    uint32_t *order = malloc((n + 1) * sizeof *order);
-    bool *is_dropped = calloc(n + 1, sizeof *is_dropped);
+    murk_arena scratch = {0};
+    uint32_t *order = murk_arena_array(&scratch, n, sizeof *order);
+    bool *is_dropped = murk_arena_array(&scratch, n, sizeof *is_dropped);
+    costed *key = murk_arena_array(&scratch, n, sizeof *key);
     murk_status status = MURK_OK;
-    if (!order || !is_dropped) {
+    if (scratch.is_short) {
         status = murk_fail(err, MURK_NO_MEMORY, "",
                            "no memory to rank %zu candidates", n);
         goto done;
     }
-    for (size_t k = 0; k < n; ++k) {
-        order[k] = o->ranked[k].candidate;
-    }
-    if (o->set && !sort_ties_by_cost(o, order)) {
-        status = murk_fail(err, MURK_NO_MEMORY, "",
-                           "no memory to rank %zu candidates", n);
-        goto done;
-    }
+    order_by_cost(o, key, order);
     /* With redundancy or probabilities one dominator is not enough. */
     const size_t needed = dominators_needed(o, max);
     if (needed > 1) {
@@ -344,8 +349,7 @@ static murk_status rank(murk_evaluator *o, size_t max, bool keep_dominated,
     o->undominated = split_dominated(o, o->ranked, order, is_dropped);
     o->presolved_count = split_dominated(o, o->presolved, order, is_dropped);
 done:
-    free(order);
-    free(is_dropped);
+    murk_arena_release(&scratch);
     return status;
 }
 
@@ -376,19 +380,18 @@ murk_status murk_evaluator_init(murk_evaluator *out,
     out->grain =
         (uint64_t)out->layout->weight_gcd * (out->is_binary ? MURK_CLEAR : 1);
     /* Evaluate and rank the candidates. */
-    out->single_value = calloc(n + 1, sizeof *out->single_value);
-    out->dominator = calloc(n + 1, sizeof *out->dominator);
-    out->ranked = calloc(n + 1, sizeof *out->ranked);
-    out->presolved = calloc(n + 1, sizeof *out->presolved);
+    murk_arena *arena = &out->arena;
+    out->single_value = murk_arena_array(arena, n, sizeof *out->single_value);
+    out->dominator = murk_arena_array(arena, n, sizeof *out->dominator);
+    out->ranked = murk_arena_array(arena, n, sizeof *out->ranked);
+    out->presolved = murk_arena_array(arena, n, sizeof *out->presolved);
     if (out->layout->doses) {
-        out->slack = calloc(n + 1, sizeof *out->slack);
+        out->slack = murk_arena_array(arena, n, sizeof *out->slack);
     }
-    murk_status status = out->single_value && out->dominator && out->ranked &&
-                                 out->presolved &&
-                                 (out->slack || !out->layout->doses)
-                             ? evaluate_singles(out, err)
-                             : murk_fail(err, MURK_NO_MEMORY, "",
-                                         "no memory for %zu candidates", n);
+    murk_status status = arena->is_short
+                             ? murk_fail(err, MURK_NO_MEMORY, "",
+                                         "no memory for %zu candidates", n)
+                             : evaluate_singles(out, err);
     if (!status && murk_interrupted()) {
         status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
     }
@@ -404,10 +407,6 @@ murk_status murk_evaluator_init(murk_evaluator *out,
 void murk_evaluator_release(murk_evaluator *evaluator)
 {
     murk_layout_release(&evaluator->own_layout);
-    free(evaluator->single_value);
-    free(evaluator->dominator);
-    free(evaluator->ranked);
-    free(evaluator->presolved);
-    free(evaluator->slack);
+    murk_arena_release(&evaluator->arena);
     *evaluator = (murk_evaluator){0};
 }

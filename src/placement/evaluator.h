@@ -4,6 +4,8 @@
 #ifndef MURK_PLACEMENT_EVALUATOR_H
 #define MURK_PLACEMENT_EVALUATOR_H
 
+#include "base/arena.h"
+#include "base/pool.h"
 #include "placement/constraints.h"
 #include "placement/gain.h"
 #include "placement/matrix.h"
@@ -43,6 +45,7 @@ typedef struct murk_evaluator {
     uint64_t queries;        /* rows asked of the problem at creation */
     uint64_t
         search_work; /* maximum work of the searches; 0: MURK_SEARCH_WORK */
+    murk_arena arena;
 } murk_evaluator;
 
 /* matrix NULL: unknown environment. Asks once for the row of each candidate.
@@ -76,6 +79,10 @@ uint64_t murk_evaluator_work(const murk_evaluator *evaluator,
 
 /* The number of threads that are worth using to evaluate n candidates. */
 unsigned murk_evaluator_threads(const murk_evaluator *evaluator, size_t n);
+
+/* Runs job(context, worker, k) for k < n, over threads if that is worth it. */
+void murk_evaluator_run(const murk_evaluator *evaluator, size_t n,
+                        murk_worker_job job, void *context);
 
 /* gain[k] = the gain of candidate[k] over the cover, k < n. Uses at most
  * `threads` threads; a single thread works as `worker`. */

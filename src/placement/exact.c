@@ -8,7 +8,6 @@
 #include "base/progress.h"
 
 #include <assert.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* Evaluations of the bound at the root and at every other node. Multipliers of
@@ -44,6 +43,7 @@ typedef struct exact {
     uint64_t work, work_max;
     const murk_exact_callback *callback; /* NULL: the value is the objective */
     bool is_cut, lacks_memory;
+    murk_arena arena;
 } exact;
 
 static void count_work(exact *e, uint64_t candidates)
@@ -170,34 +170,21 @@ static uint64_t rest_of(const exact *e, const level *l, size_t k, size_t left)
     return in_grains(e, sum);
 }
 
-static bool level_init(level *l, const murk_evaluator *evaluator)
-{
-    const size_t slots = evaluator->layout->slots + 1;
-    if (!murk_cover_init(&l->cover, evaluator->layout, evaluator->is_binary) ||
-        (evaluator->is_binary &&
-         !murk_cover_init(&l->clarity_cover, evaluator->layout, false))) {
-        return false;
-    }
-    l->multiplier = calloc(slots, sizeof *l->multiplier);
-    l->live = calloc(evaluator->candidates + 1, sizeof *l->live);
-    return l->multiplier && l->live;
-}
-
-static void level_release(level *l)
-{
-    murk_cover_release(&l->cover);
-    murk_cover_release(&l->clarity_cover);
-    free(l->multiplier);
-    free(l->live);
-    *l = (level){0};
-}
-
 /* Allocates a level. False when out of memory: then the search ends. */
 static bool level_ready(exact *e, size_t depth)
 {
+    const murk_evaluator *o = e->evaluator;
     level *l = &e->level[depth];
-    if (!l->live && !level_init(l, e->evaluator)) {
-        level_release(l);
+    if (l->live) {
+        return true;
+    }
+    l->multiplier =
+        murk_arena_array(&e->arena, o->layout->slots, sizeof *l->multiplier);
+    l->live = murk_arena_array(&e->arena, o->candidates, sizeof *l->live);
+    if (e->arena.is_short ||
+        !murk_cover_init(&l->cover, o->layout, o->is_binary) ||
+        (o->is_binary &&
+         !murk_cover_init(&l->clarity_cover, o->layout, false))) {
         e->lacks_memory = e->is_cut = true;
     }
     return !e->lacks_memory;
@@ -314,24 +301,22 @@ static void add_fixed(exact *e)
 
 static bool exact_init(exact *e)
 {
-    const size_t candidates = e->evaluator->candidates + 1;
-    e->level = calloc(e->n + 1, sizeof *e->level);
-    e->chosen = calloc(e->n, sizeof *e->chosen);
-    e->members = calloc(candidates, sizeof *e->members);
-    e->gain = calloc(candidates, sizeof *e->gain);
-    return e->level && e->chosen && e->members && e->gain && level_ready(e, 0);
+    const size_t candidates = e->evaluator->candidates;
+    e->level = murk_arena_array(&e->arena, e->n + 1, sizeof *e->level);
+    e->chosen = murk_arena_array(&e->arena, e->n, sizeof *e->chosen);
+    e->members = murk_arena_array(&e->arena, candidates, sizeof *e->members);
+    e->gain = murk_arena_array(&e->arena, candidates, sizeof *e->gain);
+    return !e->arena.is_short && level_ready(e, 0);
 }
 
 static void exact_release(exact *e)
 {
     for (size_t k = 0; e->level && k <= e->n; ++k) {
-        level_release(&e->level[k]);
+        murk_cover_release(&e->level[k].cover);
+        murk_cover_release(&e->level[k].clarity_cover);
     }
     murk_partial_plan_release(&e->partial);
-    free(e->level);
-    free(e->chosen);
-    free(e->members);
-    free(e->gain);
+    murk_arena_release(&e->arena);
 }
 
 murk_status murk_exact_search(murk_exact *out, murk_bound *bound,

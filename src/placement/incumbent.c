@@ -28,33 +28,26 @@
  * choice). */
 #define ROUNDS_PER_CURVE_ROUND 3
 
-/* Stores the plan in trial if it is complete and worth more than *best. */
-static void keep_better(murk_incumbent *p, uint64_t value, uint64_t *best,
-                        size_t *size)
-{
-    if (murk_partial_plan_is_complete(&p->search->partial) &&
-        (*size == 0 || value > *best)) {
-        *best = value;
-        *size = p->search->size;
-        memcpy(p->plan, p->run->trial, *size * sizeof *p->plan);
-    }
-}
-
 /* Greedy with a budget: the better one of greedy by gain per cost, and plain
  * greedy, which begins with the best single sensor. */
 static uint64_t greedy_with_budget(murk_incumbent *p)
 {
+    murk_place_run *run = p->run;
     murk_gain_scan *s = p->search;
-    const size_t max = p->run->set->max_sensors;
-    uint64_t best = 0;
-    size_t size = 0;
-    keep_better(p, murk_search_budget_greedy(s, p->run->trial, 0), &best,
-                &size);
-    keep_better(p,
-                murk_search_greedy(s, p->run->trial, 0, max, UINT64_MAX, NULL),
-                &best, &size);
-    p->size = size;
-    return best;
+    run->size = 0;
+    run->value = 0;
+    for (int pass = 0; pass < 2; ++pass) {
+        const uint64_t value =
+            pass == 0
+                ? murk_search_budget_greedy(s, run->trial, 0)
+                : murk_search_greedy(s, run->trial, 0, run->set->max_sensors,
+                                     UINT64_MAX, NULL);
+        if (murk_partial_plan_is_complete(&s->partial)) {
+            murk_place_run_keep(run, run->trial, s->size, value);
+        }
+    }
+    p->size = run->size;
+    return run->value;
 }
 
 /* Greedy's plan of n. If constraints stop greedy early, the fallback plan. */
@@ -208,18 +201,12 @@ static size_t curve_starts(size_t restarts)
     return share < CURVE_STARTS_MAX ? share : CURVE_STARTS_MAX;
 }
 
-static size_t curve_rounds(size_t rounds)
-{
-    return rounds > ROUNDS_PER_CURVE_ROUND ? rounds / ROUNDS_PER_CURVE_ROUND
-                                           : rounds;
-}
-
 /* Number of evaluations of the bound for k sensors. */
 static size_t rounds_of(const murk_incumbent *p, size_t k, bool is_plan)
 {
     const murk_place_desc *desc = p->desc;
     if (p->run->evaluator.matrix) {
-        return is_plan ? p->rounds : curve_rounds(p->rounds);
+        return is_plan ? p->rounds : p->rounds / ROUNDS_PER_CURVE_ROUND;
     }
     const bool has_greedy_bound =
         !p->run->set && desc->method != MURK_PLACE_SPOQ;

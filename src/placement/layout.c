@@ -1,6 +1,6 @@
 /* Assigns a slot to each photon: photons of one weight share 64-bit words, so
- * that most sums of weights are bit counts times a weight. A counting sort over
- * the distinct weights gives the slots. With nearly as many distinct weights as
+ * that most sums of weights are bit counts times a weight. A sort of the
+ * photons by weight gives the slots. With nearly as many distinct weights as
  * photons the unused slots would outweigh the gain, and photon i stays in slot
  * i. */
 #include "placement/layout.h"
@@ -13,27 +13,13 @@
  * choice). */
 #define PHOTONS_PER_PADDING 4
 
-static int by_value(const void *a, const void *b)
+static int by_key(const void *a, const void *b)
 {
-    const uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
+    const uint64_t x = *(const uint64_t *)a, y = *(const uint64_t *)b;
     return (x > y) - (x < y);
 }
 
-/* Sorts value[n] and moves the distinct values to the front. Returns their
- * number. */
-static size_t keep_distinct(uint32_t *value, size_t n)
-{
-    qsort(value, n, sizeof *value, by_value);
-    size_t kept = 0;
-    for (size_t i = 0; i < n; ++i) {
-        if (kept == 0 || value[kept - 1] != value[i]) {
-            value[kept++] = value[i];
-        }
-    }
-    return kept;
-}
-
-static uint32_t common_divisor(const uint32_t *weight, size_t n)
+uint32_t murk_common_divisor(const uint32_t *weight, size_t n)
 {
     uint32_t weight_gcd = 0;
     for (size_t i = 0; i < n && weight_gcd != 1; ++i) {
@@ -48,34 +34,34 @@ static uint32_t common_divisor(const uint32_t *weight, size_t n)
     return weight_gcd ? weight_gcd : 1;
 }
 
-/* Assigns the slots by weight, then by photon. The first pass counts the
- * photons of each weight, the second one assigns. */
-static void assign_slots(murk_layout *out, const uint32_t *weight,
-                         const uint32_t *distinct, size_t n_distinct,
-                         size_t *next)
+/* Assigns the slots by weight, then by photon, each weight at a new word; if
+ * the unused slots would be too many, photon i keeps slot i. key[photons] is
+ * scratch. False when out of memory. */
+static bool assign_slots(murk_layout *out, const uint32_t *weight,
+                         uint64_t *key)
 {
-    memset(next, 0, n_distinct * sizeof *next);
-    for (size_t pass = 0; pass < 2; ++pass) {
-        for (size_t i = 0; i < out->photons; ++i) {
-            const uint32_t *at = bsearch(&weight[i], distinct, n_distinct,
-                                         sizeof *distinct, by_value);
-            const size_t k = (size_t)(at - distinct);
-            if (pass == 1) {
-                out->slot[i] = (uint32_t)next[k];
-            }
-            ++next[k];
-        }
-        if (pass ==
-            0) { /* counts become first slots, each weight at a new word */
-            size_t first = 0;
-            for (size_t k = 0; k < n_distinct; ++k) {
-                const size_t count = next[k];
-                next[k] = first;
-                first += (count + 63) / 64 * 64;
-            }
-            out->slots = first;
-        }
+    const size_t n = out->photons;
+    size_t distinct = n > 0;
+    for (size_t i = 0; i < n; ++i) {
+        key[i] = (uint64_t)weight[i] << 32 | i;
     }
+    qsort(key, n, sizeof *key, by_key);
+    for (size_t k = 1; k < n; ++k) {
+        distinct += key[k] >> 32 != key[k - 1] >> 32;
+    }
+    if (distinct < 2 || distinct * 63 > n / PHOTONS_PER_PADDING) {
+        return true;
+    }
+    /* Photons of one weight follow each other. */
+    out->slot = malloc(n * sizeof *out->slot);
+    size_t next = 0;
+    for (size_t k = 0; out->slot && k < n; ++k) {
+        const bool is_new = k > 0 && key[k] >> 32 != key[k - 1] >> 32;
+        next = is_new ? (next + 63) / 64 * 64 : next;
+        out->slot[(uint32_t)key[k]] = (uint32_t)next++;
+    }
+    out->slots = (next + 63) / 64 * 64;
+    return out->slot;
 }
 
 /* True if all photons of a word have the same weight, *weight. Unused slots do
@@ -136,7 +122,7 @@ static void set_weights(murk_layout *l, const uint32_t *weight)
         l->weight[murk_layout_slot(l, (uint32_t)i)] = weight[i];
         l->whole += (uint64_t)weight[i] * MURK_CLEAR * l->layers;
     }
-    l->weight_gcd = common_divisor(weight, l->photons);
+    l->weight_gcd = murk_common_divisor(weight, l->photons);
 }
 
 murk_status murk_layout_init(murk_layout *out, const murk_problem *problem,
@@ -147,24 +133,13 @@ murk_status murk_layout_init(murk_layout *out, const murk_problem *problem,
                      .slots = (photons + 63) / 64 * 64,
                      .layers = murk_problem_layers(problem),
                      .kernels = murk_kernels_fastest()};
-    uint32_t *distinct = NULL;
-    size_t *next = NULL;
     murk_status status = MURK_OK;
-    /* Assign slots by weight if the unused slots are few. */
-    if (regroup && photons > 0) {
-        distinct = malloc(photons * sizeof *distinct);
-        if (!distinct) {
+    if (regroup) {
+        uint64_t *key = malloc((photons + 1) * sizeof *key);
+        const bool has_slots = key && assign_slots(&l, problem->weight, key);
+        free(key);
+        if (!has_slots) {
             goto no_memory;
-        }
-        memcpy(distinct, problem->weight, photons * sizeof *distinct);
-        const size_t n = keep_distinct(distinct, photons);
-        if (n > 1 && n * 63 <= photons / PHOTONS_PER_PADDING) {
-            l.slot = malloc(photons * sizeof *l.slot);
-            next = malloc(n * sizeof *next);
-            if (!l.slot || !next) {
-                goto no_memory;
-            }
-            assign_slots(&l, problem->weight, distinct, n, next);
         }
     }
     /* Detection probabilities need the table of doses. */
@@ -190,8 +165,6 @@ no_memory:
                        "no memory for the weights of %zu photons", photons);
 done:
     murk_layout_release(&l);
-    free(distinct);
-    free(next);
     return status;
 }
 

@@ -50,6 +50,9 @@ static inline size_t murk_layout_slot(const murk_layout *layout,
     return layout->slot ? layout->slot[photon] : photon;
 }
 
+/* The greatest common divisor of weight[n], 1 if all are 0. */
+uint32_t murk_common_divisor(const uint32_t *weight, size_t n);
+
 /* At least n bytes, zeroed and aligned to 64 bytes (one cache line, the widest
  * vector register), for free(). NULL when out of memory. */
 void *murk_aligned_zeros(size_t n);

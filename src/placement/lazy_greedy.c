@@ -20,27 +20,25 @@ murk_status murk_lazy_greedy_init(murk_lazy_greedy *out,
                                   const murk_constraint_set *set,
                                   murk_error *err)
 {
-    const size_t n = problem->candidates + 1;
+    const size_t n = problem->candidates;
     *out = (murk_lazy_greedy){.problem = problem, .set = set};
     murk_status status = murk_layout_init(&out->layout, problem, false, err);
     if (status) {
         return status;
     }
-    /* Before the first evaluation each bound is the value of everything. */
-    out->bound = malloc(n * sizeof *out->bound);
-    out->order = malloc(n * sizeof *out->order);
-    out->chunk = malloc(CHUNK * sizeof *out->chunk);
-    out->chunk_gain = malloc(CHUNK * sizeof *out->chunk_gain);
-    out->chunk_bound = malloc(CHUNK * sizeof *out->chunk_bound);
-    if (!out->bound || !out->order || !out->chunk || !out->chunk_gain ||
-        !out->chunk_bound ||
-        !murk_cover_init(&out->cover, &out->layout, false)) {
+    murk_arena *arena = &out->arena;
+    out->bound = murk_arena_array(arena, n, sizeof *out->bound);
+    out->order = murk_arena_array(arena, n, sizeof *out->order);
+    out->chunk = murk_arena_array(arena, CHUNK, sizeof *out->chunk);
+    out->chunk_gain = murk_arena_array(arena, CHUNK, sizeof *out->chunk_gain);
+    out->chunk_bound = murk_arena_array(arena, CHUNK, sizeof *out->chunk_bound);
+    if (arena->is_short || !murk_cover_init(&out->cover, &out->layout, false)) {
         murk_lazy_greedy_release(out);
         return murk_fail(err, MURK_NO_MEMORY, "",
-                         "no memory to weigh %zu candidates",
-                         problem->candidates);
+                         "no memory to weigh %zu candidates", n);
     }
-    for (size_t j = 0; j < problem->candidates; ++j) {
+    /* Before the first evaluation each bound is the value of everything. */
+    for (size_t j = 0; j < n; ++j) {
         out->bound[j] = out->layout.whole;
     }
     return MURK_OK;
@@ -50,11 +48,7 @@ void murk_lazy_greedy_release(murk_lazy_greedy *s)
 {
     murk_cover_release(&s->cover);
     murk_layout_release(&s->layout);
-    free(s->bound);
-    free(s->order);
-    free(s->chunk);
-    free(s->chunk_gain);
-    free(s->chunk_bound);
+    murk_arena_release(&s->arena);
     *s = (murk_lazy_greedy){0};
 }
 

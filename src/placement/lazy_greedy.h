@@ -11,6 +11,7 @@
 #ifndef MURK_PLACEMENT_LAZY_GREEDY_H
 #define MURK_PLACEMENT_LAZY_GREEDY_H
 
+#include "base/arena.h"
 #include "placement/cover.h"
 #include "placement/relaxation.h"
 
@@ -27,6 +28,7 @@ typedef struct murk_lazy_greedy {
     uint64_t *chunk_gain;  /* [chunk] present gains */
     uint64_t *chunk_bound; /* [chunk] upper bounds on later gains: rounding of
                               doses may add a little */
+    murk_arena arena;
 } murk_lazy_greedy;
 
 /* Borrows both. With a budget, gains per cost are compared. */

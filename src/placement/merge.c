@@ -6,6 +6,7 @@
  * remaining photons. */
 #include "placement/merge.h"
 
+#include "base/arena.h"
 #include "base/interrupt.h"
 #include "base/pool.h"
 #include "base/tally.h"
@@ -52,6 +53,14 @@ typedef struct hashed_photon {
     uint32_t weight, photon;
 } hashed_photon;
 
+/* Scratch arrays of one thread. */
+typedef struct merge_scratch {
+    uint32_t *group_count; /* [groups] photons of the group met in the row */
+    uint16_t *clarity;     /* [groups] clarity of the group in the row */
+    uint32_t *seen;        /* [kept] photons of the new row */
+    uint16_t *packed;      /* [kept] clarities of the new row */
+} merge_scratch;
+
 typedef struct merging {
     murk_layout *old; /* layout of the given rows */
     murk_row *row;    /* [candidates] */
@@ -63,13 +72,10 @@ typedef struct merging {
     uint32_t *weight; /* [kept] weights of the remaining photons */
     uint32_t *photon; /* [slots] photon of each slot of the old layout */
     murk_layout layout;
-    /* Scratch, one block for each thread. */
-    uint32_t **group_count; /* [groups] photons of the group met in the row */
-    uint16_t **clarity;     /* [groups] clarity of the group in the row */
-    uint32_t **seen;        /* [kept] photons of the new row */
-    uint16_t **packed;      /* [kept] clarities of the new row */
+    merge_scratch *scratch; /* [threads] */
     unsigned threads;
     murk_tally mismatches, out_of_memory, bytes;
+    murk_arena arena;
 } merging;
 
 static int by_hash(const void *a, const void *b)
@@ -161,8 +167,8 @@ static double scan_cost(const murk_layout *layout)
 static void check_row(void *context, unsigned worker, uint64_t batch)
 {
     merging *m = context;
-    uint32_t *group_count = m->group_count[worker];
-    uint16_t *clarity = m->clarity[worker];
+    uint32_t *group_count = m->scratch[worker].group_count;
+    uint16_t *clarity = m->scratch[worker].clarity;
     const murk_layout *layout = m->old;
     const murk_row *row = &m->row[batch];
     size_t slot;
@@ -195,8 +201,8 @@ static void store_row(void *context, unsigned worker, uint64_t batch)
     merging *m = context;
     const murk_layout *layout = m->old;
     murk_row *row = &m->row[batch];
-    uint32_t *seen = m->seen[worker];
-    uint16_t *packed = m->packed[worker];
+    uint32_t *seen = m->scratch[worker].seen;
+    uint16_t *packed = m->scratch[worker].packed;
     /* Collect the entries of the representatives. */
     size_t n = 0, slot;
     uint16_t p;
@@ -223,64 +229,43 @@ static void store_row(void *context, unsigned worker, uint64_t batch)
     murk_tally_add(&m->bytes, (int64_t)(row->memory_bytes + sizeof *row));
 }
 
+/* Arrays for the groups. False when out of memory. */
 static bool merging_init(merging *m, murk_layout *layout, murk_row *row,
                          const murk_problem *problem)
 {
-    const size_t n = problem->photons + 1;
+    const size_t n = problem->photons;
     *m = (merging){.old = layout,
                    .row = row,
                    .candidates = problem->candidates,
-                   .photons = problem->photons,
-                   .threads = problem->threads,
-                   .group = calloc(n, sizeof *m->group),
-                   .size = calloc(n, sizeof *m->size),
-                   .number = calloc(n, sizeof *m->number),
-                   .weight = calloc(n, sizeof *m->weight),
-                   .photon = calloc(layout->slots + 1, sizeof *m->photon),
-                   .group_count =
-                       calloc(problem->threads, sizeof *m->group_count),
-                   .clarity = calloc(problem->threads, sizeof *m->clarity),
-                   .seen = calloc(problem->threads, sizeof *m->seen),
-                   .packed = calloc(problem->threads, sizeof *m->packed)};
-    return m->group && m->size && m->number && m->weight && m->photon &&
-           m->group_count && m->clarity && m->seen && m->packed;
+                   .photons = n,
+                   .threads = problem->threads};
+    m->group = murk_arena_array(&m->arena, n, sizeof *m->group);
+    m->size = murk_arena_array(&m->arena, n, sizeof *m->size);
+    m->number = murk_arena_array(&m->arena, n, sizeof *m->number);
+    m->weight = murk_arena_array(&m->arena, n, sizeof *m->weight);
+    m->photon = murk_arena_array(&m->arena, layout->slots, sizeof *m->photon);
+    m->scratch = murk_arena_array(&m->arena, m->threads, sizeof *m->scratch);
+    if (m->arena.is_short) {
+        return false;
+    }
+    for (uint32_t i = 0; i < n; ++i) {
+        m->photon[murk_layout_slot(layout, i)] = i;
+    }
+    return true;
 }
 
-static bool allocate(merging *m)
-{
-    bool has_memory = true;
-    for (unsigned k = 0; k < m->threads && has_memory; ++k) {
-        m->group_count[k] = calloc(m->groups + 1, sizeof *m->group_count[k]);
-        m->clarity[k] = calloc(m->groups + 1, sizeof *m->clarity[k]);
-        m->seen[k] = calloc(m->kept + 1, sizeof *m->seen[k]);
-        m->packed[k] = calloc(m->kept + 1, sizeof *m->packed[k]);
-        has_memory =
-            m->group_count[k] && m->clarity[k] && m->seen[k] && m->packed[k];
-    }
-    for (uint32_t i = 0; i < m->photons; ++i) {
-        m->photon[murk_layout_slot(m->old, i)] = i;
-    }
-    return has_memory;
-}
-
-static void merging_release(merging *m)
+/* Arrays whose sizes are known once the photons are grouped. */
+static bool allocate_scratch(merging *m)
 {
     for (unsigned k = 0; k < m->threads; ++k) {
-        free(m->group_count ? m->group_count[k] : NULL);
-        free(m->clarity ? m->clarity[k] : NULL);
-        free(m->seen ? m->seen[k] : NULL);
-        free(m->packed ? m->packed[k] : NULL);
+        merge_scratch *s = &m->scratch[k];
+        s->group_count =
+            murk_arena_array(&m->arena, m->groups, sizeof *s->group_count);
+        s->clarity = murk_arena_array(&m->arena, m->groups, sizeof *s->clarity);
+        s->seen = murk_arena_array(&m->arena, m->kept, sizeof *s->seen);
+        s->packed = murk_arena_array(&m->arena, m->kept, sizeof *s->packed);
     }
-    free(m->group_count);
-    free(m->clarity);
-    free(m->seen);
-    free(m->packed);
-    free(m->group);
-    free(m->size);
-    free(m->number);
-    free(m->weight);
-    free(m->photon);
-    murk_layout_release(&m->layout);
+    return !m->arena.is_short;
 }
 
 /* Rewrites the rows in the new layout, and exchanges the layouts. */
@@ -307,7 +292,7 @@ murk_status murk_merge(murk_layout *layout, murk_row *row,
     murk_status status = MURK_OK;
     /* Group the photons and lay out the representatives. */
     bool has_memory = merging_init(&m, layout, row, problem) &&
-                      group_photons(&m, problem, hash) && allocate(&m);
+                      group_photons(&m, problem, hash) && allocate_scratch(&m);
     if (has_memory) {
         murk_problem fewer = *problem;
         fewer.photons = m.kept;
@@ -333,6 +318,7 @@ murk_status murk_merge(murk_layout *layout, murk_row *row,
                            "no memory to merge equal ones of %zu photons",
                            problem->photons);
     }
-    merging_release(&m);
+    murk_layout_release(&m.layout);
+    murk_arena_release(&m.arena);
     return status;
 }

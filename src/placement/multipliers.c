@@ -5,8 +5,6 @@
  * with 128-bit integers. */
 #include "placement/multipliers.h"
 
-#include "base/pool.h"
-
 #include <string.h>
 
 /* weight * clarity * dose: at most 47, 16 and 25 bits together. */
@@ -154,15 +152,8 @@ void murk_multipliers_gains(const murk_multipliers *t,
                              t->evaluator->problem->threads, 0, gain);
         return;
     }
-    const unsigned threads = murk_evaluator_threads(t->evaluator, n);
     evaluation w = {t, candidate, gain};
-    if (threads > 1) {
-        murk_pool_run_workers(threads, n, weigh_row, &w);
-        return;
-    }
-    for (size_t k = 0; k < n; ++k) {
-        weigh_row(&w, 0, k);
-    }
+    murk_evaluator_run(t->evaluator, n, weigh_row, &w);
 }
 
 /* The number of the k largest entries that the multiplier replaces. */

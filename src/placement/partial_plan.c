@@ -7,7 +7,6 @@
 #include "base/interrupt.h"
 
 #include <assert.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* Candidates tried before the search for a complete plan gives up (a choice).
@@ -18,11 +17,12 @@ murk_status murk_partial_plan_init(murk_partial_plan *out,
                                    const murk_constraint_set *set,
                                    murk_error *err)
 {
-    *out = (murk_partial_plan){
-        .set = set,
-        .member = calloc(set->max_sensors + 1, sizeof *out->member),
-        .class_count = calloc(set->classes, sizeof *out->class_count)};
-    if (!out->member || !out->class_count) {
+    *out = (murk_partial_plan){.set = set};
+    out->member = murk_arena_array(&out->arena, set->max_sensors + 1,
+                                   sizeof *out->member);
+    out->class_count =
+        murk_arena_array(&out->arena, set->classes, sizeof *out->class_count);
+    if (out->arena.is_short) {
         murk_partial_plan_release(out);
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for %zu sensors",
                          set->max_sensors);
@@ -33,8 +33,7 @@ murk_status murk_partial_plan_init(murk_partial_plan *out,
 
 void murk_partial_plan_release(murk_partial_plan *partial)
 {
-    free(partial->member);
-    free(partial->class_count);
+    murk_arena_release(&partial->arena);
     *partial = (murk_partial_plan){0};
 }
 

@@ -13,6 +13,7 @@ typedef struct murk_partial_plan {
     size_t *class_count; /* [classes] members of each class */
     size_t missing;      /* sensors that the minimum counts still need */
     uint64_t cost;
+    murk_arena arena;
 } murk_partial_plan;
 
 murk_status murk_partial_plan_init(murk_partial_plan *out,

@@ -1,6 +1,6 @@
-/* Makes a sparse matrix from entries in any order: a stable counting sort by
- * row, then a distribution to columns, in time proportional to the entries.
- * Weights become whole numbers. */
+/* Makes a sparse matrix from entries in any order: a sort by row, unless
+ * the file is sorted, then a distribution to columns. Weights become whole
+ * numbers. */
 #include "placement/sparse_builder.h"
 
 #include <math.h>
@@ -39,39 +39,27 @@ murk_status murk_sparse_builder_put(murk_sparse_builder *b, size_t row,
     return MURK_OK;
 }
 
-/* Sorts by row, unless the entries are sorted already. */
-static bool sort_by_row(murk_sparse_builder *b)
+/* By row, then in the order of the file. */
+static int by_row(const void *a, const void *b)
 {
-    bool is_sorted = true;
-    for (size_t k = 1; k < b->entries && is_sorted; ++k) {
-        is_sorted = b->entry[k - 1].row <= b->entry[k].row;
+    const murk_sparse_entry *x = a, *y = b;
+    if (x->row != y->row) {
+        return x->row < y->row ? -1 : 1;
     }
-    if (is_sorted) {
-        return true;
+    return x->line != y->line
+               ? (x->line > y->line) - (x->line < y->line)
+               : (x->column > y->column) - (x->column < y->column);
+}
+
+/* Sorts by row, unless the entries are sorted already. */
+static void sort_by_row(murk_sparse_builder *b)
+{
+    for (size_t k = 1; k < b->entries; ++k) {
+        if (b->entry[k - 1].row > b->entry[k].row) {
+            qsort(b->entry, b->entries, sizeof *b->entry, by_row);
+            return;
+        }
     }
-    size_t *at = calloc(b->rows + 1, sizeof *at);
-    murk_sparse_entry *sorted = malloc(b->entries * sizeof *sorted);
-    if (!at || !sorted) {
-        free(at);
-        free(sorted);
-        return false;
-    }
-    /* Count the entries of each row, then move each entry to the place of its
-     * row. */
-    for (size_t k = 0; k < b->entries; ++k) {
-        ++at[b->entry[k].row + 1];
-    }
-    for (size_t i = 0; i < b->rows; ++i) {
-        at[i + 1] += at[i];
-    }
-    for (size_t k = 0; k < b->entries; ++k) {
-        sorted[at[b->entry[k].row]++] = b->entry[k];
-    }
-    free(at);
-    free(b->entry);
-    b->entry = sorted;
-    b->capacity = b->entries;
-    return true;
 }
 
 /* Distributes the entries to columns. The rows increase, so two entries of one
@@ -171,10 +159,10 @@ static murk_status finish(murk_sparse_matrix **out, murk_sparse_builder *b,
     }
     /* Sort, convert the weights, and fill the columns. */
     murk_sparse_matrix *m = calloc(1, sizeof *m);
-    if (!m || !sort_by_row(b)) {
-        free(m);
+    if (!m) {
         return no_memory(b, err);
     }
+    sort_by_row(b);
     *m = (murk_sparse_matrix){.format = b->format,
                               .rows = b->rows,
                               .columns = b->columns,

@@ -7,6 +7,7 @@
 
 #include "base/file.h"
 
+#include <stdarg.h>
 #include <stdlib.h>
 
 /* Entries and pairs of an LP file: some hundred bytes each make files of a
@@ -17,12 +18,10 @@
 
 /* Groups of rows with equal entries; the first row of a group stands for it. */
 typedef struct kinds {
-    bool *is_first;   /* [rows] */
-    uint64_t *weight; /* [rows] weight of the group, at the first row */
-    size_t
-        *begin; /* [rows + 1] entries of the first rows; other rows are empty */
-    uint32_t *column; /* [begin[rows]] */
-    uint16_t *clarity;
+    bool *is_first;        /* [rows] */
+    uint64_t *weight;      /* [rows] weight of the group, at the first row */
+    murk_sparse_rows rows; /* entries of the first rows */
+    murk_arena arena;
 } kinds;
 
 typedef struct row_hash {
@@ -71,46 +70,13 @@ static row_hash *hash_rows(const murk_sparse_matrix *m)
     return hash;
 }
 
-/* The entries of the first rows, sorted by row: counting sort. */
-static bool turn(kinds *k, const murk_sparse_matrix *m)
-{
-    k->begin = calloc(m->rows + 2, sizeof *k->begin);
-    if (!k->begin) {
-        return false;
-    }
-    /* Count the entries of each row, then fill the rows. */
-    const size_t entries = murk_sparse_matrix_entries(m);
-    for (size_t e = 0; e < entries; ++e) {
-        k->begin[m->row[e] + 2] += k->is_first[m->row[e]];
-    }
-    for (size_t i = 0; i < m->rows; ++i) {
-        k->begin[i + 2] += k->begin[i + 1];
-    }
-    const size_t kept = k->begin[m->rows + 1];
-    k->column = malloc((kept + 1) * sizeof *k->column);
-    k->clarity = malloc((kept + 1) * sizeof *k->clarity);
-    if (!k->column || !k->clarity) {
-        return false;
-    }
-    for (size_t j = 0; j < m->columns; ++j) {
-        for (size_t e = m->begin[j]; e < m->begin[j + 1]; ++e) {
-            if (k->is_first[m->row[e]]) {
-                const size_t to = k->begin[m->row[e] + 1]++;
-                k->column[to] = (uint32_t)j;
-                k->clarity[to] = m->clarity[e];
-            }
-        }
-    }
-    return true;
-}
-
 /* Groups the rows. Rows without entries or without weight are in no group. */
 static bool group(kinds *k, const murk_sparse_matrix *m)
 {
     row_hash *hash = hash_rows(m);
-    k->is_first = calloc(m->rows, sizeof *k->is_first);
-    k->weight = calloc(m->rows, sizeof *k->weight);
-    const bool is_good = hash && k->is_first && k->weight;
+    k->is_first = murk_arena_array(&k->arena, m->rows, sizeof *k->is_first);
+    k->weight = murk_arena_array(&k->arena, m->rows, sizeof *k->weight);
+    const bool is_good = hash && !k->arena.is_short;
     size_t first = 0;
     for (size_t n = 0; is_good && n < m->rows; ++n) {
         const row_hash *h = &hash[n];
@@ -121,16 +87,8 @@ static bool group(kinds *k, const murk_sparse_matrix *m)
         k->is_first[first] = k->weight[first] > 0 && (h->low || h->high);
     }
     free(hash);
-    return is_good && turn(k, m);
-}
-
-static void release(kinds *k)
-{
-    free(k->is_first);
-    free(k->weight);
-    free(k->begin);
-    free(k->column);
-    free(k->clarity);
+    return is_good &&
+           murk_sparse_matrix_by_rows(&k->rows, m, k->is_first, &k->arena);
 }
 
 /* ---- terms ---- */
@@ -140,17 +98,26 @@ typedef struct terms {
     size_t n;
 } terms;
 
-static void begin_term(terms *t)
+/* Prints a term, behind `sign` unless the term is the first. */
+static void print_term(terms *t, const char *sign, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+static void print_term(terms *t, const char *sign, const char *format, ...)
 {
+    va_list arguments;
     fputs(t->n && t->n % TERMS_A_LINE == 0 ? "\n  " : " ", t->to);
+    fputs(t->n ? sign : "", t->to);
+    va_start(arguments, format);
+    vfprintf(t->to, format, arguments);
+    va_end(arguments);
     ++t->n;
 }
 
-static void print_columns(terms *t, const murk_sparse_matrix *m)
+static void print_columns(terms *t, const murk_sparse_matrix *m,
+                          const char *sign)
 {
     for (size_t j = 0; j < m->columns; ++j) {
-        begin_term(t);
-        fprintf(t->to, "%sx%zu", t->n > 1 ? "+ " : "", j + 1);
+        print_term(t, sign, "x%zu", j + 1);
     }
 }
 
@@ -161,15 +128,13 @@ static void print_value(terms *t, const murk_sparse_matrix *m, const kinds *k,
     for (size_t i = 0; i < m->rows; ++i) {
         const double weight = (double)k->weight[i] / m->unit / redundancy;
         if (m->is_clear && k->is_first[i]) {
-            begin_term(t);
-            fprintf(t->to, "%s%.15g y%zu", t->n > 1 ? "+ " : "", weight, i + 1);
+            print_term(t, "+ ", "%.15g y%zu", weight, i + 1);
             continue;
         }
-        for (size_t e = k->begin[i]; e < k->begin[i + 1]; ++e) {
-            begin_term(t);
-            fprintf(t->to, "%s%.15g y%zu_%zu", t->n > 1 ? "+ " : "",
-                    weight * k->clarity[e] / MURK_CLEAR, i + 1,
-                    (size_t)k->column[e] + 1);
+        for (size_t e = k->rows.begin[i]; e < k->rows.begin[i + 1]; ++e) {
+            print_term(t, "+ ", "%.15g y%zu_%zu",
+                       weight * k->rows.clarity[e] / MURK_CLEAR, i + 1,
+                       (size_t)k->rows.column[e] + 1);
         }
     }
 }
@@ -179,11 +144,9 @@ static void print_clear_row(FILE *to, const kinds *k, size_t i)
 {
     terms t = {to, 0};
     fprintf(to, " r%zu:", i + 1);
-    begin_term(&t);
-    fprintf(to, "y%zu", i + 1);
-    for (size_t e = k->begin[i]; e < k->begin[i + 1]; ++e) {
-        begin_term(&t);
-        fprintf(to, "- x%zu", (size_t)k->column[e] + 1);
+    print_term(&t, "", "y%zu", i + 1);
+    for (size_t e = k->rows.begin[i]; e < k->rows.begin[i + 1]; ++e) {
+        print_term(&t, "- ", "x%zu", (size_t)k->rows.column[e] + 1);
     }
     fputs(" <= 0\n", to);
 }
@@ -194,14 +157,12 @@ static void print_dimmed_row(FILE *to, const kinds *k, size_t i,
 {
     terms t = {to, 0};
     fprintf(to, " r%zu:", i + 1);
-    for (size_t e = k->begin[i]; e < k->begin[i + 1]; ++e) {
-        begin_term(&t);
-        fprintf(to, "%sy%zu_%zu", e > k->begin[i] ? "+ " : "", i + 1,
-                (size_t)k->column[e] + 1);
+    for (size_t e = k->rows.begin[i]; e < k->rows.begin[i + 1]; ++e) {
+        print_term(&t, "+ ", "y%zu_%zu", i + 1, (size_t)k->rows.column[e] + 1);
     }
     fprintf(to, " <= %u\n", redundancy);
-    for (size_t e = k->begin[i]; e < k->begin[i + 1]; ++e) {
-        const size_t j = (size_t)k->column[e] + 1;
+    for (size_t e = k->rows.begin[i]; e < k->rows.begin[i + 1]; ++e) {
+        const size_t j = (size_t)k->rows.column[e] + 1;
         fprintf(to, " r%zu_%zu: y%zu_%zu - x%zu <= 0\n", i + 1, j, i + 1, j, j);
     }
 }
@@ -231,7 +192,7 @@ static void print_goal(FILE *to, const murk_sparse_matrix *m, const kinds *k,
         fputs("Maximize\n covered:", to);
         print_value(&aim, m, k, redundancy_of(goal));
         fputs("\nSubject To\n count:", to);
-        print_columns(&limit, m);
+        print_columns(&limit, m, "+ ");
         fprintf(to, " = %zu\n", goal->count);
     } else if (goal->target == 0) {
         fputs("Maximize\n covered:", to);
@@ -243,7 +204,7 @@ static void print_goal(FILE *to, const murk_sparse_matrix *m, const kinds *k,
         const double min = ((double)goal->target - 0.5) / redundancy_of(goal) /
                            MURK_CLEAR / m->unit;
         fputs("Minimize\n columns:", to);
-        print_columns(&aim, m);
+        print_columns(&aim, m, "+ ");
         fputs("\nSubject To\n target:", to);
         print_value(&limit, m, k, redundancy_of(goal));
         fprintf(to, " >= %.15g\n", min);
@@ -252,15 +213,13 @@ static void print_goal(FILE *to, const murk_sparse_matrix *m, const kinds *k,
 
 /* ---- constraints ---- */
 
-/* Prints "+ 3 x7", or "+ x7" if `times` is 1. */
-static void print_member(terms *t, int64_t times, size_t column)
+static void print_cost(terms *t, int64_t cost, size_t column)
 {
-    begin_term(t);
-    fputs(t->n > 1 ? "+ " : "", t->to);
-    if (times != 1) {
-        fprintf(t->to, "%lld ", (long long)times);
+    if (cost == 1) {
+        print_term(t, "+ ", "x%zu", column + 1);
+    } else {
+        print_term(t, "+ ", "%lld x%zu", (long long)cost, column + 1);
     }
-    fprintf(t->to, "x%zu", column + 1);
 }
 
 static void print_budget(FILE *to, const murk_constraints *constraints,
@@ -270,11 +229,11 @@ static void print_budget(FILE *to, const murk_constraints *constraints,
     fputs(" budget:", to);
     for (size_t j = 0; j < columns; ++j) {
         if (constraints->cost[j] > 0) {
-            print_member(&t, constraints->cost[j], j);
+            print_cost(&t, constraints->cost[j], j);
         }
     }
     if (t.n == 0) { /* no column has a cost */
-        print_member(&t, 0, 0);
+        print_cost(&t, 0, 0);
     }
     fprintf(to, " <= %lld\n", (long long)constraints->budget);
 }
@@ -286,7 +245,7 @@ static void print_class(FILE *to, const murk_constraint_set *set,
     fprintf(to, " class%u_%s:", number + 1, is_min ? "least" : "most");
     for (size_t j = 0; j < set->candidates; ++j) {
         if (set->class_of[j] == number) {
-            print_member(&t, 1, j);
+            print_term(&t, "+ ", "x%zu", j + 1);
         }
     }
     fprintf(to, " %s %zu\n",
@@ -321,7 +280,7 @@ static bool print_sites(FILE *to, const murk_constraint_set *set)
             terms t = {to, 0};
             fprintf(to, " site%zu:", (size_t)(order[k] >> 32) + 1);
             for (size_t i = k; i < end; ++i) {
-                print_member(&t, 1, (size_t)(order[i] & UINT32_MAX));
+                print_term(&t, "+ ", "x%zu", (size_t)(uint32_t)order[i] + 1);
             }
             fputs(" <= 1\n", to);
         }
@@ -414,10 +373,7 @@ static void print_bounds(FILE *to, const murk_sparse_matrix *m, const kinds *k,
     }
     fputs("Binaries\n", to);
     terms t = {to, 0};
-    for (size_t j = 0; j < m->columns; ++j) {
-        begin_term(&t);
-        fprintf(to, "x%zu", j + 1);
-    }
+    print_columns(&t, m, "");
     fputs("\nEnd\n", to);
 }
 
@@ -431,11 +387,11 @@ murk_status murk_sparse_matrix_write_lp(const murk_sparse_matrix *m,
     /* Refuse what an LP file cannot hold before the file is created. */
     if (!group(&k, m)) {
         status = murk_fail(err, MURK_NO_MEMORY, path, "no memory to write it");
-    } else if (k.begin[m->rows] > ENTRIES_MAX) {
+    } else if (k.rows.begin[m->rows] > ENTRIES_MAX) {
         status = murk_fail(err, MURK_RUN_FAILED, path,
                            "%zu entries of rows that differ, an LP file may "
                            "have %d",
-                           k.begin[m->rows], ENTRIES_MAX);
+                           k.rows.begin[m->rows], ENTRIES_MAX);
     }
     if (!status) {
         status = murk_file_create(&file, path, err);
@@ -461,6 +417,6 @@ murk_status murk_sparse_matrix_write_lp(const murk_sparse_matrix *m,
             status = murk_file_commit(&file, err);
         }
     }
-    release(&k);
+    murk_arena_release(&k.arena);
     return status;
 }

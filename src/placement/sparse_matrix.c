@@ -6,6 +6,7 @@
 
 #include "base/interrupt.h"
 #include "base/pool.h"
+#include "placement/layout.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -30,6 +31,37 @@ murk_problem murk_sparse_matrix_problem(murk_sparse_matrix *matrix,
                           .get_row = get_row,
                           .context = matrix,
                           .threads = threads};
+}
+
+bool murk_sparse_matrix_by_rows(murk_sparse_rows *out,
+                                const murk_sparse_matrix *m,
+                                const bool *is_wanted, murk_arena *arena)
+{
+    const size_t entries = murk_sparse_matrix_entries(m);
+    out->begin = murk_arena_array(arena, m->rows + 2, sizeof *out->begin);
+    out->column = murk_arena_array(arena, entries, sizeof *out->column);
+    out->clarity = murk_arena_array(arena, entries, sizeof *out->clarity);
+    if (arena->is_short) {
+        return false;
+    }
+    /* begin[i + 2] counts row i; begin[i + 1] is then the place of the row's
+     * next entry */
+    for (size_t e = 0; e < entries; ++e) {
+        out->begin[m->row[e] + 2] += !is_wanted || is_wanted[m->row[e]];
+    }
+    for (size_t i = 0; i < m->rows; ++i) {
+        out->begin[i + 2] += out->begin[i + 1];
+    }
+    for (size_t j = 0; j < m->columns; ++j) {
+        for (size_t e = m->begin[j]; e < m->begin[j + 1]; ++e) {
+            if (!is_wanted || is_wanted[m->row[e]]) {
+                const size_t to = out->begin[m->row[e] + 1]++;
+                out->column[to] = (uint32_t)j;
+                out->clarity[to] = m->clarity[e];
+            }
+        }
+    }
+    return true;
 }
 
 /* Rows of a block for each thread: enough that threads seldom wait for the
@@ -146,17 +178,8 @@ static murk_status get_rows(collection *c, murk_error *err)
 /* Divides the weights by their greatest common divisor. */
 static void reduce_weights(murk_sparse_matrix *m)
 {
-    uint32_t common = 0;
+    const uint32_t common = murk_common_divisor(m->weight, m->rows);
     for (size_t i = 0; i < m->rows; ++i) {
-        uint32_t a = common, b = m->weight[i];
-        while (b) {
-            const uint32_t rest = a % b;
-            a = b;
-            b = rest;
-        }
-        common = a;
-    }
-    for (size_t i = 0; i < m->rows && common > 1; ++i) {
         m->weight[i] /= common;
     }
 }

@@ -53,6 +53,20 @@ murk_sparse_matrix_entries(const murk_sparse_matrix *matrix)
     return matrix->begin[matrix->columns];
 }
 
+/* The entries of a matrix sorted by row: row i has column[k] and clarity[k] for
+ * begin[i] <= k < begin[i + 1]. */
+typedef struct murk_sparse_rows {
+    size_t *begin; /* [rows + 1] */
+    uint32_t *column;
+    uint16_t *clarity;
+} murk_sparse_rows;
+
+/* Sorts the entries of the rows that is_wanted[rows] marks (NULL: all); other
+ * rows are empty. The arena owns the arrays. False when out of memory. */
+bool murk_sparse_matrix_by_rows(murk_sparse_rows *out,
+                                const murk_sparse_matrix *matrix,
+                                const bool *is_wanted, murk_arena *arena);
+
 /* The placement problem of the matrix; borrows the matrix. */
 murk_problem murk_sparse_matrix_problem(murk_sparse_matrix *matrix,
                                         unsigned threads);

@@ -87,37 +87,6 @@ murk_status murk_sparse_matrix_write_csv(const murk_sparse_matrix *m,
     return murk_file_commit(&file, err);
 }
 
-/* The matrix by rows: row i has the columns column[begin[i] .. begin[i + 1] -
- * 1]. */
-typedef struct by_rows {
-    size_t *begin;
-    uint32_t *column;
-} by_rows;
-
-static bool turn(by_rows *out, const murk_sparse_matrix *m)
-{
-    const size_t entries = murk_sparse_matrix_entries(m);
-    *out = (by_rows){calloc(m->rows + 2, sizeof *out->begin),
-                     malloc((entries + 1) * sizeof *out->column)};
-    if (!out->begin || !out->column) {
-        return false;
-    }
-    /* begin[i + 2] counts row i; begin[i + 1] is then the place of the row's
-     * next entry */
-    for (size_t k = 0; k < entries; ++k) {
-        ++out->begin[m->row[k] + 2];
-    }
-    for (size_t i = 0; i < m->rows; ++i) {
-        out->begin[i + 2] += out->begin[i + 1];
-    }
-    for (size_t j = 0; j < m->columns; ++j) {
-        for (size_t k = m->begin[j]; k < m->begin[j + 1]; ++k) {
-            out->column[out->begin[m->row[k] + 1]++] = (uint32_t)j;
-        }
-    }
-    return true;
-}
-
 /* Twelve numbers a line, as in the files of OR-Library. */
 #define NUMBERS_A_LINE 12
 
@@ -127,7 +96,7 @@ static void separate(FILE *to, size_t k, size_t n)
 }
 
 static void print_rows(FILE *to, const murk_sparse_matrix *m,
-                       const by_rows *rows)
+                       const murk_sparse_rows *rows)
 {
     char text[MURK_NUMBER_SIZE];
     fprintf(to, "%zu %zu\n", m->rows, m->columns);
@@ -161,14 +130,14 @@ murk_status murk_sparse_matrix_write_or_library(const murk_sparse_matrix *m,
                          "sightlines are dimmed; CSV holds them");
     }
     murk_file *file = NULL;
-    by_rows rows = {0};
-    murk_status status =
-        open_for(&file, path, turn(&rows, m) ? &rows : NULL, err);
+    murk_arena arena = {0};
+    murk_sparse_rows rows;
+    const bool has_rows = murk_sparse_matrix_by_rows(&rows, m, NULL, &arena);
+    murk_status status = open_for(&file, path, has_rows ? &rows : NULL, err);
     if (!status) {
         print_rows(murk_file_stream(file), m, &rows);
         status = murk_file_commit(&file, err);
     }
-    free(rows.begin);
-    free(rows.column);
+    murk_arena_release(&arena);
     return status;
 }
