@@ -22,8 +22,7 @@ void murk_results_list_photons(murk_results_fields *f, const void *of)
                murk_photon_map_count(traced->volume));
 }
 
-/* As it was asked for: turning to radians and back leaves rounding behind. */
-static double degrees(double rad)
+double murk_degrees(double rad)
 {
     return round(rad * (180 / MURK_PI) * 1e9) / 1e9;
 }
@@ -58,11 +57,12 @@ void murk_results_list_heading(murk_results_fields *f, murk_posed p)
 {
     MURK_NUMBER(f, "heading_deg", "degrees",
                 "clockwise from north; none of a sensor that sees all round",
-                is_all_round(p.scene, p.pose) ? NAN
-                                              : degrees(p.pose->heading_rad));
+                is_all_round(p.scene, p.pose)
+                    ? NAN
+                    : murk_degrees(p.pose->heading_rad));
     MURK_NUMBER(f, "tilt_deg", "degrees", "up from the horizon",
                 is_all_round(p.scene, p.pose) ? NAN
-                                              : degrees(p.pose->tilt_rad));
+                                              : murk_degrees(p.pose->tilt_rad));
 }
 
 /* Sensors that see all round have an axis only by convention: up. */
@@ -183,32 +183,24 @@ static int print_heading(char heading[HEADING_SIZE], const columns *c)
                     "z m", "heading", "tilt", "covers", "only it");
 }
 
-static int widest_coordinate(const murk_scene_desc *scene,
-                             const murk_pose *sensor, size_t n, int axis,
-                             int decimals)
+static int wider(int width, int other)
 {
-    int widest = 0;
-    for (size_t i = 0; i < n; ++i) {
-        const murk_vec3 p = murk_scene_user(scene, sensor[i].position);
-        const double x[3] = {p.x, p.y, p.z};
-        const int width = snprintf(NULL, 0, "%.*f", decimals, x[axis]);
-        widest = width > widest ? width : widest;
-    }
-    return widest;
+    return width > other ? width : other;
 }
 
 static columns columns_of(const murk_scene_desc *scene, const murk_pose *sensor,
                           size_t n, int decimals, int min)
 {
-    columns c = {.decimals = decimals, .type = min < 4 ? 4 : min};
+    columns c = {wider(min, 4), {min, min, min}, decimals};
     for (size_t i = 0; i < n; ++i) {
-        const int length =
-            (int)strlen(scene->sensors.type[sensor[i].type].name);
-        c.type = length > c.type ? length : c.type;
-    }
-    for (int axis = 0; axis < 3; ++axis) {
-        const int width = widest_coordinate(scene, sensor, n, axis, decimals);
-        c.place[axis] = width > min ? width : min;
+        const murk_vec3 p = murk_scene_user(scene, sensor[i].position);
+        const double x[3] = {p.x, p.y, p.z};
+        c.type = wider(c.type,
+                       (int)strlen(scene->sensors.type[sensor[i].type].name));
+        for (int axis = 0; axis < 3; ++axis) {
+            c.place[axis] = wider(c.place[axis],
+                                  snprintf(NULL, 0, "%.*f", decimals, x[axis]));
+        }
     }
     return c;
 }
@@ -245,8 +237,8 @@ void murk_print_sensors(const murk_sensor_results *sensors, const char *folder)
         char way[20] = "all round";
         if (!is_all_round(scene, &sensor[i])) {
             snprintf(way, sizeof way, "%7.1f %5.1f",
-                     degrees(sensor[i].heading_rad),
-                     degrees(sensor[i].tilt_rad));
+                     murk_degrees(sensor[i].heading_rad),
+                     murk_degrees(sensor[i].tilt_rad));
         }
         char covers[16], only[16];
         show_share(covers, coverage->covers[i]);

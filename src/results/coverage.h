@@ -13,6 +13,10 @@ typedef struct murk_sensor_results {
     const murk_region_coverage *held_out_region; /* NULL: not held out */
 } murk_sensor_results;
 
+/* An angle as it was asked for: turning to radians and back leaves rounding
+ * behind, beyond nine decimals. */
+double murk_degrees(double rad);
+
 /* Rows of "photons"; of: a murk_traced. */
 void murk_results_list_photons(murk_results_fields *f, const void *of);
 

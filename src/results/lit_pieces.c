@@ -57,24 +57,24 @@ static void locate_batch(void *context, uint64_t batch)
     murk_progress_add(end - first);
 }
 
-/* piece[n] of the map's photons, NULL when out of memory or interrupted. */
-static uint32_t *locate(const murk_pieces *pieces, const murk_photon_map *map,
-                        unsigned threads)
+/* (*out)[n]: the piece of each photon of the map. */
+static murk_status locate(uint32_t **out, const murk_pieces *pieces,
+                          const murk_photon_map *map, unsigned threads,
+                          murk_error *err)
 {
     locating l = {.pieces = pieces,
                   .photon = murk_photon_map_photons(map),
                   .n = murk_photon_map_count(map)};
-    l.piece = malloc(l.n * sizeof *l.piece + 1);
-    if (l.piece) {
-        murk_progress_begin("surfaces", l.n, "photons");
-        murk_pool_run(threads, (l.n + BATCH - 1) / BATCH, locate_batch, &l);
-        murk_progress_end();
+    *out = l.piece = malloc(l.n * sizeof *l.piece + 1);
+    if (!l.piece) {
+        return no_memory(pieces, err);
     }
-    if (l.piece && murk_interrupted()) {
-        free(l.piece);
-        l.piece = NULL;
-    }
-    return l.piece;
+    murk_progress_begin("surfaces", l.n, "photons");
+    murk_pool_run(threads, (l.n + BATCH - 1) / BATCH, locate_batch, &l);
+    murk_progress_end();
+    return murk_interrupted()
+               ? murk_fail(err, MURK_INTERRUPTED, "", "interrupted")
+               : MURK_OK;
 }
 
 /* ---- irradiance ---- */
@@ -134,9 +134,10 @@ static void light_piece(const lighting *l, size_t i)
     }
     const double variance =
         l->emitted / (l->emitted - 1) * (squares - sum * sum / l->emitted);
-    l->out->photons[i] = (uint32_t)n;
-    l->out->irradiance[i] = (float)(sum / area_m2);
-    l->out->error[i] = (float)(variance > 0 ? sqrt(variance) / area_m2 : 0);
+    l->out->piece[i].photons = (uint32_t)n;
+    l->out->piece[i].irradiance = (float)(sum / area_m2);
+    l->out->piece[i].error =
+        (float)(variance > 0 ? sqrt(variance) / area_m2 : 0);
 }
 
 /* Fills begin and order by counting; returns how many lie on the fullest. */
@@ -212,7 +213,7 @@ static void weigh(murk_lit_pieces *out, const murk_sight *sight,
         }
     }
     for (size_t i = 0; i < out->pieces->n; ++i) {
-        out->coverage[i] =
+        out->piece[i].coverage =
             whole[i] > 0 ? (float)((double)seen[i] / (double)whole[i]) : NAN;
     }
 }
@@ -279,11 +280,11 @@ static void take_up(murk_lit_pieces *out, const middles *m,
         const uint32_t sensors = sides[0].sensors + sides[1].sensors;
         const uint16_t maximum =
             (uint16_t)(sensors < UINT16_MAX ? sensors : UINT16_MAX);
-        if (maximum > out->sensors[piece]) {
-            out->sensors[piece] = maximum;
+        if (maximum > out->piece[piece].sensors) {
+            out->piece[piece].sensors = maximum;
         }
-        out->clarity[piece] =
-            fmaxf(out->clarity[piece], fmaxf(sides[0].worth, sides[1].worth));
+        out->piece[piece].clarity = fmaxf(
+            out->piece[piece].clarity, fmaxf(sides[0].worth, sides[1].worth));
     }
 }
 
@@ -322,38 +323,10 @@ static murk_status see_middles(murk_lit_pieces *out, const murk_domain *domain,
 
 /* ---- all ---- */
 
-static bool set_aside(murk_lit_pieces *out, bool is_seen)
-{
-    const size_t n = out->pieces->n + 1;
-    out->photons = calloc(n, sizeof *out->photons);
-    out->irradiance = calloc(n, sizeof *out->irradiance);
-    out->error = calloc(n, sizeof *out->error);
-    out->is_seen = is_seen;
-    if (is_seen) {
-        out->coverage = calloc(n, sizeof *out->coverage);
-        out->clarity = calloc(n, sizeof *out->clarity);
-        out->sensors = calloc(n, sizeof *out->sensors);
-    }
-    return out->photons && out->irradiance && out->error &&
-           (!is_seen || (out->coverage && out->clarity && out->sensors));
-}
-
 void murk_lit_pieces_release(murk_lit_pieces *lit)
 {
-    free(lit->photons);
-    free(lit->irradiance);
-    free(lit->error);
-    free(lit->coverage);
-    free(lit->clarity);
-    free(lit->sensors);
+    free(lit->piece);
     *lit = (murk_lit_pieces){0};
-}
-
-static murk_status fail_to_locate(const murk_pieces *pieces, murk_error *err)
-{
-    return murk_interrupted()
-               ? murk_fail(err, MURK_INTERRUPTED, "", "interrupted")
-               : no_memory(pieces, err);
 }
 
 murk_status murk_lit_pieces_make(murk_lit_pieces *out,
@@ -363,29 +336,29 @@ murk_status murk_lit_pieces_make(murk_lit_pieces *out,
                                  murk_sight *sight, const murk_pose *sensor,
                                  size_t n, unsigned threads, murk_error *err)
 {
-    *out = (murk_lit_pieces){.pieces = pieces};
-    uint32_t *piece = NULL, *looked_at = NULL;
-    murk_status status =
-        set_aside(out, sight != NULL) ? MURK_OK : no_memory(pieces, err);
+    *out = (murk_lit_pieces){.pieces = pieces,
+                             .piece = calloc(pieces->n + 1, sizeof *out->piece),
+                             .is_seen = sight != NULL};
+    uint32_t *piece = NULL, *target = NULL;
+    murk_status status = out->piece ? MURK_OK : no_memory(pieces, err);
     if (!status) {
-        piece = locate(pieces, traced->surface, threads);
-        status = piece ? light_all(out, traced, piece, err)
-                       : fail_to_locate(pieces, err);
+        status = locate(&piece, pieces, traced->surface, threads, err);
+    }
+    if (!status) {
+        status = light_all(out, traced, piece, err);
     }
     const murk_photon_map *map =
         sight ? murk_sight_described(sight)->surface_map : NULL;
     if (!status && sight && map != traced->surface) { /* targets */
-        looked_at = locate(pieces, map, threads);
-        status = looked_at ? MURK_OK : fail_to_locate(pieces, err);
+        status = locate(&target, pieces, map, threads, err);
     }
     if (!status && sight) {
-        status = cover_all(out, sight, sensor, n, looked_at ? looked_at : piece,
-                           err);
+        status = cover_all(out, sight, sensor, n, target ? target : piece, err);
     }
     if (!status && sight) {
         status = see_middles(out, domain, bands, sight, sensor, n, err);
     }
-    free(looked_at);
+    free(target);
     free(piece);
     return status;
 }

@@ -7,21 +7,26 @@
 #include "results/pieces.h"
 #include "sensing/sight.h"
 
-/* Values of pieces, each [pieces->n]. */
+/* The values of one piece; without sensors the last three are 0. */
+typedef struct murk_lit_piece {
+    uint32_t photons; /* stored on it, on either side */
+    float irradiance; /* W/m2, all bands, what arrives on both sides together:
+                         sum of power / diffuse, over the area */
+    float error;      /* its standard error, by emitted photon; 0 without
+                         photons */
+    float coverage; /* 0..1: what is seen of the weight of what a plan looks at
+                       there; NaN: nothing lies there */
+    float clarity;  /* 0..1: what a plan would count of a photon in its middle,
+                       on the side and in the band where it is most */
+    uint16_t sensors; /* that see its middle from either side, in the band
+                         where most do */
+} murk_lit_piece;
+
 typedef struct murk_lit_pieces {
     const murk_pieces *pieces; /* borrowed */
-    uint32_t *photons;         /* stored on it, on either side */
-    float *irradiance; /* W/m2, all bands, what arrives on both sides together:
-                          sum of power / diffuse, over the area */
-    float *error; /* its standard error, by emitted photon; 0 without photons */
-    bool is_seen; /* there are sensors; else the rest is NULL */
-    float *coverage; /* 0..1: what is seen of the weight of what a plan looks at
-                        there; NaN: nothing lies there */
-    float *clarity;  /* 0..1: what a plan would count of a photon in its middle,
-                        on the side and in the band where it is most */
-    uint16_t *sensors; /* that see its middle from either side, in the band
-                          where most do */
-    uint64_t lost;     /* stored photons that lie on no surface, by rounding */
+    murk_lit_piece *piece;     /* [pieces->n] */
+    bool is_seen;              /* there are sensors */
+    uint64_t lost; /* stored photons that lie on no surface, by rounding */
 } murk_lit_pieces;
 
 /* sight NULL: no sensors. Takes 40 bytes a piece, and 8 bytes a photon of the

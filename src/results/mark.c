@@ -4,6 +4,7 @@
 #include "results/mark.h"
 
 #include <math.h>
+#include <string.h>
 
 #define VIEW_LENGTH 4 /* of a view's edges, by the octahedron's half width */
 
@@ -24,11 +25,7 @@ static void make_octahedron(murk_mark *out, murk_vec3 place, double size_m)
             murk_add(place, murk_vec(c / 2 == 0 ? d : 0, c / 2 == 1 ? d : 0,
                                      c / 2 == 2 ? d : 0));
     }
-    for (int f = 0; f < 8; ++f) {
-        for (int c = 0; c < 3; ++c) {
-            out->face[f][c] = face[f][c];
-        }
-    }
+    memcpy(out->face, face, sizeof face);
 }
 
 static void add_face(murk_mark *out, size_t a, size_t b, size_t c,

@@ -30,16 +30,21 @@ murk_status murk_results_begin(murk_results *results, const char *folder,
 
 /* ---- what may be replaced ---- */
 
-/* Whether this run has put it there itself. */
+/* The number of the file of that path; results->n: there is none. */
+static size_t find(const murk_results *results, const char *path)
+{
+    size_t i = 0;
+    while (i < results->n && strcmp(results->file[i].path, path) != 0) {
+        ++i;
+    }
+    return i;
+}
+
+/* True if this run has put the file there itself. */
 static bool is_shown(const murk_results *results, const char *path)
 {
-    for (size_t i = 0; i < results->n; ++i) {
-        if (!results->file[i].staged &&
-            strcmp(results->file[i].path, path) == 0) {
-            return true;
-        }
-    }
-    return false;
+    const size_t i = find(results, path);
+    return i < results->n && !results->file[i].staged;
 }
 
 /* Of what the folder holds; inputs are judged once it is known what would be
@@ -103,36 +108,24 @@ murk_status murk_results_expect(murk_results *results, const char *name,
 
 /* ---- adding ---- */
 
-/* Drops what is in its place already under this path, which is to be written
- * anew. */
-static void forget(murk_results *results, const char *path)
-{
-    size_t kept = 0;
-    for (size_t i = 0; i < results->n; ++i) {
-        const murk_result file = results->file[i];
-        if (!file.staged && strcmp(file.path, path) == 0) {
-            free(file.path);
-        } else {
-            results->file[kept++] = file;
-        }
-    }
-    results->n = kept;
-}
-
+/* Refuses a path that a file of this run has, unless that file is in its place
+ * already: then the file is forgotten, as it will be written anew. */
 static murk_status check_name(murk_results *results, const char *path,
                               const char *name, murk_error *err)
 {
-    murk_status status = check_owner(results, path, name, err);
-    if (!status) {
-        forget(results, path);
+    const murk_status status = check_owner(results, path, name, err);
+    const size_t i = find(results, path);
+    if (status || i == results->n) {
+        return status;
     }
-    for (size_t i = 0; i < results->n && !status; ++i) {
-        if (strcmp(results->file[i].path, path) == 0) {
-            status = murk_fail(err, MURK_RUN_FAILED, path,
-                               "cannot write: two results have this name");
-        }
+    if (!is_shown(results, path)) {
+        return murk_fail(err, MURK_RUN_FAILED, path,
+                         "cannot write: two results have this name");
     }
-    return status;
+    free(results->file[i].path);
+    memmove(&results->file[i], &results->file[i + 1],
+            (--results->n - i) * sizeof *results->file);
+    return MURK_OK;
 }
 
 /* Room for one more. */
@@ -176,14 +169,6 @@ static murk_status stage_name(murk_results *results, const char *name,
     return MURK_OK;
 }
 
-static void drop_last(murk_results *results)
-{
-    --results->n;
-    unlink(results->file[results->n].staged);
-    free(results->file[results->n].staged);
-    free(results->file[results->n].path);
-}
-
 murk_status murk_results_add(murk_results *results, const char *name,
                              murk_results_writer write, const void *context,
                              murk_error *err)
@@ -207,8 +192,11 @@ murk_status murk_results_add(murk_results *results, const char *name,
     } else {
         status = check_input(results, i, err);
     }
-    if (status) {
-        drop_last(results);
+    if (status) { /* as if the file had not been asked for */
+        --results->n;
+        unlink(results->file[i].staged);
+        free(results->file[i].staged);
+        free(results->file[i].path);
     }
     return status;
 }

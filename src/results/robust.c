@@ -1,17 +1,10 @@
 /* Robustness of a plan: rows of JSON and lines of the summary. */
 #include "results/robust.h"
 
-#include "results/results.h"
+#include "results/coverage.h"
 #include "results/summary.h"
 
 #include <math.h>
-
-#define DEG_PER_RAD (180 / MURK_PI) /* degrees in a radian */
-
-static double asked_deg(const murk_scene_desc *scene)
-{
-    return round(scene->placement.jitter_rad * DEG_PER_RAD * 1e9) / 1e9;
-}
 
 /* Sensors are numbered from 1, as in coverage.csv. */
 static void list_without(murk_results_fields *f, const void *of, size_t i)
@@ -45,7 +38,7 @@ static void list_jitter(murk_results_fields *f, const void *of)
     MURK_NUMBER(f, "jitter_m", "m", "radius of displacements",
                 r->scene->placement.jitter_m);
     MURK_NUMBER(f, "jitter_deg", "degrees", "largest turn",
-                asked_deg(r->scene));
+                murk_degrees(r->scene->placement.jitter_rad));
     MURK_COUNT(f, "draws", "displaced plans", j->draws);
     MURK_TEXT(f, "measured", "held_out or in_sample",
               j->on_held_out ? "held_out" : "in_sample");
@@ -104,8 +97,8 @@ static void print_jitter(const murk_scene_desc *scene, const murk_jittered *j,
     murk_print(
         "jitter      within %.4g m and %.4g degrees: mean %.4f +- %.4f, 5 %% "
         "quantile %.4f",
-        scene->placement.jitter_m, asked_deg(scene), j->mean.value,
-        j->mean.standard_error, j->quantile);
+        scene->placement.jitter_m, murk_degrees(scene->placement.jitter_rad),
+        j->mean.value, j->mean.standard_error, j->quantile);
     if (isfinite(j->quantile_lower) && isfinite(j->quantile_upper)) {
         murk_print(" (95 %%: %.4f..%.4f)", j->quantile_lower,
                    j->quantile_upper);

@@ -82,12 +82,13 @@ static void ramp(double t, uint8_t rgb[3])
 
 static void color_of(const surfaces *s, uint32_t piece, uint8_t rgb[3])
 {
-    const murk_lit_pieces *lit = s->lit;
-    if (lit->is_seen ? isnan(lit->coverage[piece]) : lit->photons[piece] == 0) {
-        rgb[0] = rgb[1] = rgb[2] = 110;
+    const bool is_seen = s->lit->is_seen;
+    const murk_lit_piece *lit = &s->lit->piece[piece];
+    if (is_seen ? isnan(lit->coverage) : lit->photons == 0) {
+        rgb[0] = rgb[1] = rgb[2] = 110; /* grey: nothing is known */
     } else {
-        ramp(lit->is_seen ? (double)lit->coverage[piece]
-                          : (double)lit->irradiance[piece] / s->bright_w_per_m2,
+        ramp(is_seen ? (double)lit->coverage
+                     : (double)lit->irradiance / s->bright_w_per_m2,
              rgb);
     }
 }
@@ -131,18 +132,15 @@ static murk_vec3 corner_of(const void *context, size_t i)
 static void put_record(const void *context, size_t i, void *out)
 {
     const surfaces *s = context;
-    const murk_lit_pieces *lit = s->lit;
-    const uint32_t piece = s->piece[i];
-    record r = {.irradiance = lit->irradiance[piece],
-                .error = lit->error[piece],
-                .photons = lit->photons[piece],
-                .material = s->material[i]};
-    color_of(s, piece, r.color);
-    if (lit->is_seen) {
-        r.coverage = lit->coverage[piece];
-        r.clarity = lit->clarity[piece];
-        r.sensors = lit->sensors[piece];
-    }
+    const murk_lit_piece *lit = &s->lit->piece[s->piece[i]];
+    record r = {.irradiance = lit->irradiance,
+                .error = lit->error,
+                .photons = lit->photons,
+                .material = s->material[i],
+                .coverage = lit->coverage,
+                .clarity = lit->clarity,
+                .sensors = lit->sensors};
+    color_of(s, s->piece[i], r.color);
     memcpy(out, &r, sizeof r);
 }
 
@@ -240,7 +238,7 @@ static void choose(surfaces *s)
             s->piece[s->n] = (uint32_t)i;
             s->material[s->n++] = piece.material;
             area_m2 += piece.area_m2;
-            w += (double)s->lit->irradiance[i] * piece.area_m2;
+            w += (double)s->lit->piece[i].irradiance * piece.area_m2;
         }
     }
     s->bright_w_per_m2 = w > 0 ? BRIGHT * w / area_m2 : 1;

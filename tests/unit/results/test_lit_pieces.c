@@ -65,17 +65,17 @@ static void test_sums_and_errors(void)
     CHECK(!murk_lit_pieces_make(&lit, &pieces, &domain, &traced, 2, NULL, NULL,
                                 0, 1, &err));
     CHECK_TEXT(err.text, "");
-    if (lit.irradiance) {
+    if (lit.piece) {
         CHECK(lit.lost == 1 && !lit.is_seen);
-        CHECK(lit.photons[first] == 3 && lit.photons[other] == 0);
+        CHECK(lit.piece[first].photons == 3 && lit.piece[other].photons == 0);
         /* a triangle of 2 m2: 3 W of photon 3, 2 W of photon 7 */
-        CHECK_NEAR((double)lit.irradiance[first], 5.0 / 2, 1e-6);
+        CHECK_NEAR((double)lit.piece[first].irradiance, 5.0 / 2, 1e-6);
         const double variance = 10.0 / 9 * (9 + 4 - 25.0 / 10);
-        CHECK_NEAR((double)lit.error[first], sqrt(variance) / 2, 1e-6);
-        CHECK(lit.irradiance[other] == 0 && lit.error[other] == 0);
-        CHECK_NEAR((double)lit.irradiance[dark], 2.5 / 2, 1e-6);
-        CHECK_NEAR((double)lit.error[dark], sqrt(10.0 / 9 * (6.25 - .625)) / 2,
-                   1e-6);
+        CHECK_NEAR((double)lit.piece[first].error, sqrt(variance) / 2, 1e-6);
+        CHECK(lit.piece[other].irradiance == 0 && lit.piece[other].error == 0);
+        CHECK_NEAR((double)lit.piece[dark].irradiance, 2.5 / 2, 1e-6);
+        CHECK_NEAR((double)lit.piece[dark].error,
+                   sqrt(10.0 / 9 * (6.25 - .625)) / 2, 1e-6);
     }
     murk_lit_pieces_release(&lit);
     murk_photon_map_destroy(traced.surface);
