@@ -77,11 +77,12 @@ void murk_mesh_end_header(const murk_ply *ply)
 void murk_mesh_put_vertex(const murk_ply *ply, murk_vec3 position,
                           const void *record)
 {
-    unsigned char place[MURK_PLACE_BYTES_MAX];
-    murk_place_put(ply->scene, position, place);
+    unsigned char bytes[MURK_PLACE_BYTES_MAX + RECORD_MAX];
+    const size_t place = murk_place_bytes(ply->scene);
+    murk_place_put(ply->scene, position, bytes);
+    memcpy(bytes + place, record, ply->vertex_bytes);
     /* a failure is noticed when the file is committed, by ferror() */
-    (void)fwrite(place, murk_place_bytes(ply->scene), 1, ply->to);
-    (void)fwrite(record, ply->vertex_bytes, 1, ply->to);
+    (void)fwrite(bytes, 1, place + ply->vertex_bytes, ply->to);
 }
 
 void murk_mesh_put_face(const murk_ply *ply, size_t a, size_t b, size_t c,
