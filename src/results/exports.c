@@ -170,9 +170,7 @@ murk_status murk_exports_begin(const murk_session *session, murk_error *err)
     murk_status status = MURK_OK;
     if (exports & MURK_EXPORT_FIELDS) {
         status = check_names(session, err);
-    }
-    if (!status && exports & MURK_EXPORT_FIELDS) {
-        status = murk_fields_box(&box, session, err);
+        status = status ? status : murk_fields_box(&box, session, err);
     }
     if (!status && exports & MURK_EXPORT_SURFACES) {
         status = murk_surfaces_check(session, err);

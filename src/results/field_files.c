@@ -181,7 +181,7 @@ murk_status murk_field_add_vdb(murk_results *results, const char *name,
 static void put_facts(FILE *to, const murk_voxel_fields *f)
 {
     fputs("    <FieldData>\n", to);
-    murk_vtk_put_facts(to, f->scene);
+    murk_vtk_put_facts(to, f->scene, NULL);
     for (size_t i = 0; i < f->n; ++i) {
         const murk_voxel_field *field = &f->field[i];
         char name[sizeof field->name + 16], text[512];

@@ -10,10 +10,11 @@
 #include "results/vtk.h"
 #include "scene/places.h"
 
+#include <assert.h>
 #include <string.h>
 
 #define SHOWN_EVERY 65536 /* items between two updates of the progress bar */
-#define RECORD_MAX  64    /* bytes: no list of columns takes as many */
+#define RECORD_MAX  64    /* bytes of a record; the longest is 40 */
 
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
                "numbers are written as they lie in memory");
@@ -51,6 +52,7 @@ static size_t put_properties(FILE *to, const murk_mesh_column *column, size_t n)
         }
         bytes += bytes_of(column);
     }
+    assert(bytes <= RECORD_MAX);
     return bytes;
 }
 
@@ -163,8 +165,7 @@ static void put_header(FILE *to, const murk_vtp *v)
     /* field data: where the file is from, and what its numbers mean */
     murk_vtk_begin(to, "PolyData");
     fputs("  <PolyData>\n    <FieldData>\n", to);
-    murk_vtk_put_facts(to, v->scene);
-    murk_vtk_put_notes(to, v->notes);
+    murk_vtk_put_facts(to, v->scene, v->notes);
     /* points, cells and columns, whose bytes follow the header */
     fprintf(to,
             "    </FieldData>\n"

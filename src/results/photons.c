@@ -63,7 +63,7 @@ static void color_bands(photons *p)
 
 static const uint8_t *color_of(const photons *p, const murk_photon *photon)
 {
-    /* warm and cold colors, darker with each event */
+    /* warm on surfaces, cold in volumes; by event class */
     static const uint8_t by_event[2][4][3] = {
         {{255, 170, 60}, {255, 235, 120}, {205, 110, 60}, {205, 110, 60}},
         {{90, 200, 255}, {150, 240, 215}, {70, 110, 210}, {70, 110, 210}}};
@@ -171,8 +171,7 @@ static murk_status put_ply(FILE *to, const photons *p, const meanings *m,
         murk_mesh_begin(to, p->session->scene,
                         "comment murk photons: those of the surface map, then "
                         "of the volume map\n");
-    murk_ply_put_facts(to, p->session->scene);
-    murk_ply_put_notes(to, m->note);
+    murk_ply_put_facts(to, p->session->scene, m->note);
     murk_mesh_vertices(&ply, n, columns, COLUMNS);
     murk_mesh_end_header(&ply);
 

@@ -182,9 +182,8 @@ static murk_status write_ply(FILE *to, const void *context, murk_error *err)
     record r;
     murk_ply ply = murk_mesh_begin(to, s->session->scene,
                                    "comment murk surfaces, in pieces\n");
-    murk_ply_put_facts(to, s->session->scene);
     meanings_of(s, note);
-    murk_ply_put_notes(to, note);
+    murk_ply_put_facts(to, s->session->scene, note);
     murk_mesh_vertices(&ply, 3 * s->n, columns, 1); /* the color of the face */
     murk_mesh_faces(&ply, s->n, columns, columns_of(s));
     murk_mesh_end_header(&ply);

@@ -18,7 +18,7 @@ void murk_facts_of(murk_facts *out, const murk_scene_desc *scene)
     memcpy(out->fact, facts.fact, sizeof facts.fact);
 }
 
-void murk_ply_put_notes(FILE *to, const char *const *note)
+static void put_comments(FILE *to, const char *const *note)
 {
     for (; note && note[0]; note += 2) {
         fprintf(to, "comment %s ", note[0]);
@@ -30,11 +30,13 @@ void murk_ply_put_notes(FILE *to, const char *const *note)
     }
 }
 
-void murk_ply_put_facts(FILE *to, const murk_scene_desc *scene)
+void murk_ply_put_facts(FILE *to, const murk_scene_desc *scene,
+                        const char *const *note)
 {
     murk_facts facts = {0};
     murk_facts_of(&facts, scene);
-    murk_ply_put_notes(to, facts.fact);
+    put_comments(to, facts.fact);
+    put_comments(to, note);
 }
 
 char *murk_numbered_names(const char *first, size_t n, size_t stride)
@@ -64,18 +66,20 @@ void murk_vtk_put_text(FILE *to, const char *name, const char *text)
     fputs("0</DataArray>\n", to);
 }
 
-void murk_vtk_put_notes(FILE *to, const char *const *note)
+static void put_texts(FILE *to, const char *const *note)
 {
     for (; note && note[0]; note += 2) {
         murk_vtk_put_text(to, note[0], note[1]);
     }
 }
 
-void murk_vtk_put_facts(FILE *to, const murk_scene_desc *scene)
+void murk_vtk_put_facts(FILE *to, const murk_scene_desc *scene,
+                        const char *const *note)
 {
     murk_facts facts = {0};
     murk_facts_of(&facts, scene);
-    murk_vtk_put_notes(to, facts.fact);
+    put_texts(to, facts.fact);
+    put_texts(to, note);
 }
 
 void murk_vtk_begin(FILE *to, const char *type)

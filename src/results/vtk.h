@@ -16,20 +16,20 @@ typedef struct murk_facts {
 } murk_facts;
 void murk_facts_of(murk_facts *out, const murk_scene_desc *scene);
 
-/* Facts, or a list of notes like theirs, as comments of a PLY file, a line
- * each; bytes that would end a line are "?". */
-void murk_ply_put_facts(FILE *to, const murk_scene_desc *scene);
-void murk_ply_put_notes(FILE *to, const char *const *note);
+/* Facts, and a list of notes like theirs (or NULL), as comments of a PLY file,
+ * a line each; bytes that would end a line are "?". */
+void murk_ply_put_facts(FILE *to, const murk_scene_desc *scene,
+                        const char *const *note);
 
 /* "0: fog, 1: smoke" of n names that begin `stride` bytes apart; the caller's.
  * NULL when out of memory. */
 char *murk_numbered_names(const char *first, size_t n, size_t stride);
 
 /* A text as an array of field data: character by character, so that nothing
- * has to be escaped; the same of all facts, and of a list of notes. */
+ * has to be escaped; the same of all facts, and of a list of notes or NULL. */
 void murk_vtk_put_text(FILE *to, const char *name, const char *text);
-void murk_vtk_put_facts(FILE *to, const murk_scene_desc *scene);
-void murk_vtk_put_notes(FILE *to, const char *const *note);
+void murk_vtk_put_facts(FILE *to, const murk_scene_desc *scene,
+                        const char *const *note);
 
 /* The file's first line, and the element around all. */
 void murk_vtk_begin(FILE *to, const char *type);

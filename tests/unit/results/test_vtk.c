@@ -18,14 +18,15 @@ static murk_scene_desc hostile_scene(void)
 }
 
 /* What a writer writes; the caller frees it. */
-static char *written(void (*put)(FILE *, const murk_scene_desc *))
+static char *written(void (*put)(FILE *, const murk_scene_desc *,
+                                 const char *const *))
 {
     char *text = NULL;
     size_t size = 0;
     const murk_scene_desc scene = hostile_scene();
     FILE *to = open_memstream(&text, &size);
     CHECK(to != NULL);
-    put(to, &scene);
+    put(to, &scene, NULL);
     fclose(to);
     return text;
 }
