@@ -21,9 +21,8 @@ typedef struct fit {
     murk_free_keys *keys;
     murk_calibration found;
     murk_next next;
-    char **asked; /* [n_asked] of --predict, else the options' */
+    char **asked; /* [n_asked] of --predict */
     size_t n_asked;
-    bool owns_asked;
 } fit;
 
 /* The files of all conditions first, then the scene's own world. */
@@ -52,12 +51,10 @@ static void release(fit *f)
     murk_calibration_release(&f->found);
     murk_free_keys_destroy(f->keys);
     murk_measurements_destroy(f->measured);
-    for (size_t i = 0; f->owns_asked && i < f->n_asked; ++i) {
+    for (size_t i = 0; i < f->n_asked; ++i) {
         free(f->asked[i]);
     }
-    if (f->owns_asked) {
-        free(f->asked);
-    }
+    free(f->asked);
 }
 
 /* ---- --predict: the values of a finished fit ---- */
@@ -118,7 +115,6 @@ static char *asked_as(const char *name)
 
 static murk_status ask_for(fit *f, const murk_yaml *list, murk_error *err)
 {
-    f->owns_asked = true;
     f->asked = calloc(list->n + 1, sizeof *f->asked);
     for (size_t i = 0; f->asked && i < list->n; ++i) {
         char *name = asked_as(murk_yaml_get(list->child[i], "key")->text);
@@ -204,8 +200,6 @@ static murk_status read_input(fit *f, const murk_session *session,
 {
     const murk_options *o = f->options;
     const murk_yaml *list = NULL;
-    f->asked = o->fit.free.word;
-    f->n_asked = o->fit.free.n;
     murk_status status = MURK_OK;
     /* With --predict the free keys are those of a finished fit. */
     if (o->fit.predict) {
@@ -229,10 +223,10 @@ static murk_status read_input(fit *f, const murk_session *session,
     const murk_free_desc desc = {.scene_path = o->input,
                                  .overrides = o->overrides,
                                  .n_overrides = o->n_overrides,
-                                 .asked = (const char *const *)f->asked,
-                                 .n_asked = f->n_asked,
-                                 .bounds =
-                                     (const char *const *)o->fit.bounds.word,
+                                 .asked = list ? (const char *const *)f->asked
+                                               : o->fit.free.word,
+                                 .n_asked = list ? f->n_asked : o->fit.free.n,
+                                 .bounds = o->fit.bounds.word,
                                  .n_bounds = o->fit.bounds.n,
                                  .measured = f->measured,
                                  .domain = &session->stage->world.domain};

@@ -1,64 +1,388 @@
-/* The command line as results record it: quoted for a shell, without options
- * that change no result. */
+/* Parses the command line by the table of options, word by word, records it as
+ * results keep it, and checks that the options belong to the command and to
+ * each other. An unknown word is refused with the nearest known one. */
 #include "app/command_line.h"
 
-#include "app/option_table.h"
+#include "app/option_values.h"
+#include "base/pool.h"
 #include "base/utf8.h"
+#include "scene/words.h"
 
-#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
-static char *append(char *line, const char *word)
+#define COMMANDS_MAX 32 /* more than the table of commands has */
+
+/* ---- unknown words ---- */
+
+static murk_status unknown_command(const char *name, murk_error *err)
 {
-    char *quoted = murk_utf8_shell_word(word);
-    const size_t at = strlen(line);
-    char *grown = quoted ? realloc(line, at + strlen(quoted) + 2) : NULL;
-    if (grown) {
-        grown[at] = ' ';
-        strcpy(grown + at + 1, quoted);
+    const char *known[COMMANDS_MAX] = {NULL};
+    char all[160] = "", shown[64];
+    size_t at = 0;
+    const size_t n = murk_commands_count;
+    /* The list of all commands, for the message. */
+    for (size_t i = 0; i < n && i < COMMANDS_MAX; ++i) {
+        known[i] = murk_commands[i].name;
+        at += (size_t)snprintf(all + at, at < sizeof all ? sizeof all - at : 0,
+                               "%s%s",
+                               i == 0      ? ""
+                               : i + 1 < n ? ", "
+                                           : " and ",
+                               known[i]);
+    }
+    /* The nearest name, or a hint that a file comes second. */
+    murk_words_show(shown, sizeof shown, name);
+    const char *meant = murk_words_meant(name, known, n);
+    if (meant) {
+        return murk_fail(err, MURK_BAD_VALUE, "",
+                         "%s: no such command, did you mean %s?", shown, meant);
+    }
+    if (strpbrk(name, "./")) {
+        return murk_fail(err, MURK_BAD_VALUE, "",
+                         "%s: no such command; a file comes after the command, "
+                         "as in murk check %s",
+                         shown, shown);
+    }
+    return murk_fail(err, MURK_BAD_VALUE, "",
+                     "%s: no such command; there are %s (murk --help)", shown,
+                     all);
+}
+
+/* text[length] begins with a hyphen; command may be NULL. */
+static murk_status unknown_option(const char *text, size_t length,
+                                  const murk_command *command, murk_error *err)
+{
+    const char *known[MURK_OPTIONS_MAX];
+    size_t n = 0;
+    char word[64], shown[64];
+    for (size_t i = 0; i < murk_option_table_size; ++i) {
+        const murk_option *option = &murk_option_table[i];
+        if (option->help &&
+            (!command || murk_option_belongs(option, command->name))) {
+            known[n++] = option->name;
+        }
+    }
+    snprintf(word, sizeof word, "%.*s", (int)(length < 63 ? length : 63), text);
+    murk_words_show(shown, sizeof shown, word);
+    const char *meant = murk_words_meant(word, known, n);
+    if (meant) {
+        return murk_fail(err, MURK_BAD_VALUE, "",
+                         "%s: no such option, did you mean %s?", shown, meant);
+    }
+    return murk_fail(err, MURK_BAD_VALUE, "",
+                     "%s: no such option (murk %s%s--help)", shown,
+                     command ? command->name : "", command ? " " : "");
+}
+
+/* ---- options ---- */
+
+/* Stores a number in a member of this size. */
+static void store(murk_options *out, size_t at, size_t size, uint64_t value)
+{
+    char *member = (char *)out + at;
+    const bool is_true = value != 0;
+    const unsigned whole = (unsigned)value;
+    if (size == sizeof is_true) {
+        memcpy(member, &is_true, sizeof is_true);
+    } else if (size == sizeof whole) {
+        memcpy(member, &whole, sizeof whole);
+    } else if (size == sizeof value) {
+        memcpy(member, &value, sizeof value);
+    }
+}
+
+/* Checks the value of one option, and stores it in its member or as an override
+ * of its scene key. */
+static murk_status apply(murk_options *out, const murk_option *option,
+                         const char *value, uint64_t *number, murk_error *err)
+{
+    const char *name = option->name;
+    char digits[32];
+    murk_status status = MURK_OK;
+    /* Check the value. */
+    switch (option->kind) {
+    case MURK_OPTION_SWITCH:
+        *number = 1;
+        break;
+    case MURK_OPTION_TEXT:
+        break;
+    case MURK_OPTION_COUNT:
+        status = murk_option_count(name, value, option->min, option->max,
+                                   number, err);
+        snprintf(digits, sizeof digits, "%llu", (unsigned long long)*number);
+        break;
+    case MURK_OPTION_WORD:
+        status = murk_option_choice(name, value, option->words, number, err);
+        break;
+    case MURK_OPTION_OWN:
+        return option->read(out, name, value, err);
+    }
+    if (status) {
+        return status;
+    }
+    /* Store it. */
+    if (option->key) {
+        const bool is_count = option->kind == MURK_OPTION_COUNT;
+        return murk_option_override(out, option->key, is_count ? digits : value,
+                                    name, err);
+    }
+    if (option->kind == MURK_OPTION_TEXT && option->size) {
+        memcpy((char *)out + option->at, &value, sizeof value);
     } else {
-        free(line);
+        store(out, option->at, option->size, *number);
     }
-    free(quoted);
-    return grown;
+    return MURK_OK;
 }
 
-/* How many arguments this one is with its value, which may be the next. */
-static int words_of(const murk_option *option, const char *text)
+/* Notes and applies one option. */
+static murk_status take(murk_options *out, const murk_option *option,
+                        const char *value, murk_error *err)
 {
-    const bool has_value = strncmp(text, "--", 2) == 0
-                               ? strchr(text, '=') != NULL
-                               : strlen(text) > 2;
-    return option && option->argument && !has_value ? 2 : 1;
-}
-
-murk_status murk_command_line(char **out, int argc, char **argv,
-                              murk_error *err)
-{
-    char *line = strdup("murk");
-    bool may_be_option = true;
-    for (int i = 1; line && i < argc;) {
-        const char *text = argv[i];
-        const bool is_option = may_be_option && text[0] == '-' && text[1];
-        const bool is_long = strncmp(text, "--", 2) == 0;
-        const size_t length = is_long ? strcspn(text, "=") : strlen(text);
-        const murk_option *option =
-            is_option ? murk_option_find(text, length) : NULL;
-        if (is_option && !option) {
-            option = murk_option_find_short(text);
-        }
-        may_be_option &= strcmp(text, "--") != 0; /* which ends the options */
-        const int words = words_of(option, text);
-        for (int k = 0; line && k < words && i < argc; ++k, ++i) {
-            if (!option || !option->is_left_out) {
-                line = append(line, argv[i]);
-            }
-        }
-    }
-    if (!line) {
+    murk_given *grown = realloc(out->given, (out->n_given + 1) * sizeof *grown);
+    if (!grown) {
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the options");
     }
-    *out = line;
+    out->given = grown;
+    murk_given *given = &out->given[out->n_given++];
+    *given = (murk_given){.option = option, .value = value};
+    return apply(out, option, value, &given->number, err);
+}
+
+/* Takes one option and its value, which stands behind "=", behind the letter of
+ * a short option (-j2) or in the next argument; *i moves to the last argument
+ * that was taken. *is_left_out: from the command line that results keep. */
+static murk_status take_option(murk_options *out, int argc, char **argv, int *i,
+                               bool *is_left_out, murk_error *err)
+{
+    const char *text = argv[*i];
+    const bool is_long = text[1] == '-';
+    const char *equals = is_long ? strchr(text, '=') : NULL;
+    const size_t length = equals ? (size_t)(equals - text) : strlen(text);
+    const char *value = equals ? equals + 1 : NULL;
+    /* The option, by its whole name or by one letter with its value behind. */
+    const murk_option *option = murk_option_find(text, length);
+    if (!option && !is_long) {
+        option = murk_option_find(text, 2);
+        option = option && option->argument ? option : NULL;
+        value = text + 2;
+    }
+    if (!option) {
+        return unknown_option(text, length, out->command, err);
+    }
+    /* Its value. */
+    *is_left_out = option->is_left_out;
+    if (value && !option->argument) {
+        return murk_fail(err, MURK_BAD_VALUE, option->name, "takes no value");
+    }
+    if (!value && option->argument) {
+        if (*i + 1 >= argc) {
+            return murk_fail(err, MURK_BAD_VALUE, option->name,
+                             "needs a value: %s", option->argument);
+        }
+        value = argv[++*i];
+    }
+    return take(out, option, value, err);
+}
+
+/* ---- checks ---- */
+
+/* Options may stand before the command is known, so they are held against it
+ * at the end. */
+static murk_status check_belonging(const murk_options *out, murk_error *err)
+{
+    for (size_t i = 0; out->command && i < out->n_given; ++i) {
+        const murk_option *option = out->given[i].option;
+        if (!murk_option_belongs(option, out->command->name)) {
+            return murk_fail(err, MURK_BAD_VALUE, option->name,
+                             "not an option of murk %s (%s)",
+                             out->command->name, option->commands);
+        }
+    }
     return MURK_OK;
+}
+
+static murk_status check_exports(const murk_options *out, murk_error *err)
+{
+    /* Exports need a folder and a command that has what they export. */
+    const bool is_place = strcmp(out->command->name, "place") == 0;
+    const bool is_media = strcmp(out->command->name, "media") == 0;
+    if (out->exports && !out->out) {
+        return murk_fail(err, MURK_BAD_VALUE, "--export",
+                         "needs a folder to write into: -o DIR");
+    }
+    if ((out->exports & MURK_EXPORTS_OF_PROBLEM) && !is_place) {
+        return murk_fail(err, MURK_BAD_VALUE, "--export",
+                         "matrix, or-library, lp are of murk place; murk %s "
+                         "has fields, photons, surfaces",
+                         out->command->name);
+    }
+    if (out->matrix && (out->exports & ~(unsigned)MURK_EXPORTS_OF_PROBLEM)) {
+        return murk_fail(err, MURK_BAD_VALUE, "--export",
+                         "fields, photons, surfaces are of a scene, and "
+                         "--matrix has none; must be of matrix, or-library, "
+                         "lp");
+    }
+    if (out->voxel && !is_media &&
+        !(out->exports & (MURK_EXPORT_FIELDS | MURK_EXPORT_SURFACES))) {
+        return murk_fail(err, MURK_BAD_VALUE, "--voxel",
+                         "is of --export fields or surfaces, which are not "
+                         "asked for");
+    }
+    return MURK_OK;
+}
+
+/* Checks the options of murk render that need each other. */
+static murk_status check_picture(const murk_options *out, murk_error *err)
+{
+    static const struct {
+        const char *option, *needs, *shown;
+    } rows[] = {{"--from-sensor", "--sensors", "--sensors FILE"},
+                {"--exposure", "--png", "--png"},
+                {"--range", "--false-colour", "--false-colour CHANNEL"},
+                {"--scale", "--false-colour", "--false-colour CHANNEL"}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; ++i) {
+        if (murk_option_is_given(out, rows[i].option) &&
+            !murk_option_is_given(out, rows[i].needs)) {
+            return murk_fail(err, MURK_BAD_VALUE, rows[i].option,
+                             "goes with %s, which is not given", rows[i].shown);
+        }
+    }
+    const murk_render_options *r = &out->render;
+    const bool is_log = murk_option_number(out, "--scale", 0) == 1;
+    return r->has_range && is_log && !(r->range[0] > 0)
+               ? murk_fail(err, MURK_BAD_VALUE, "--range",
+                           "%g:%g, must be above 0 with --scale log",
+                           r->range[0], r->range[1])
+               : MURK_OK;
+}
+
+/* The kind of input that a command reads, as its arguments name it. */
+static const char *kind_of_input(const murk_command *command)
+{
+    static const char *const kinds[][2] = {
+        {"DIR", "folder"}, {"STUDY", "study"}, {"[NAME]", "preset"}};
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; ++i) {
+        const char *word = kinds[i][0];
+        if (strncmp(command->arguments, word, strlen(word)) == 0) {
+            return kinds[i][1];
+        }
+    }
+    return "scene";
+}
+
+static murk_status check_input(const murk_options *out, murk_error *err)
+{
+    if (out->matrix) {
+        return out->input ? murk_fail(err, MURK_BAD_VALUE, "--matrix",
+                                      "stands in place of a scene, and %s is "
+                                      "given as one",
+                                      out->input)
+                          : MURK_OK;
+    }
+    return out->input || out->command->arguments[0] == '['
+               ? MURK_OK
+               : murk_fail(err, MURK_BAD_VALUE, "",
+                           "%s: no %s; usage: murk %s %s", out->command->name,
+                           kind_of_input(out->command), out->command->name,
+                           out->command->arguments);
+}
+
+/* ---- the command line ---- */
+
+/* Takes a word that is no option: "help", the command or the input. */
+static murk_status take_word(murk_options *out, const char *word,
+                             murk_error *err)
+{
+    if (!out->command && strcmp(word, "help") == 0) {
+        out->wants_help = true; /* murk help place */
+    } else if (!out->command) {
+        out->command = murk_command_find(word);
+        return out->command ? MURK_OK : unknown_command(word, err);
+    } else if (!out->input) {
+        out->input = word;
+    } else {
+        return murk_fail(err, MURK_BAD_VALUE, "",
+                         "%s: one %s at a time, %s is named already", word,
+                         kind_of_input(out->command), out->input);
+    }
+    return MURK_OK;
+}
+
+static murk_status take_all(murk_options *out, FILE *typed, int argc,
+                            char **argv, murk_error *err)
+{
+    murk_status status = MURK_OK;
+    bool may_be_option = true;
+    fputs("murk", typed);
+    for (int i = 1; i < argc && !status; ++i) {
+        const int first = i;
+        bool is_left_out = false;
+        if (may_be_option && strcmp(argv[i], "--") == 0) {
+            may_be_option = false; /* "--" ends the options, as in POSIX */
+        } else if (may_be_option && argv[i][0] == '-' && argv[i][1]) {
+            status = take_option(out, argc, argv, &i, &is_left_out, err);
+        } else {
+            status = take_word(out, argv[i], err);
+        }
+        for (int k = first; k <= i && !is_left_out && !status; ++k) {
+            char *word = murk_utf8_shell_word(argv[k]);
+            if (!word) {
+                status = murk_fail(err, MURK_NO_MEMORY, "",
+                                   "no memory for the options");
+            } else {
+                fprintf(typed, " %s", word);
+            }
+            free(word);
+        }
+    }
+    return status;
+}
+
+murk_status murk_options_parse(murk_options *out, int argc, char **argv,
+                               murk_error *err)
+{
+    *out = (murk_options){.threads = murk_pool_processors(),
+                          .progress = MURK_PROGRESS_AUTO};
+    /* Take the words, and record them as results keep them. */
+    size_t size = 0;
+    FILE *typed = open_memstream(&out->typed, &size);
+    murk_status status =
+        typed ? take_all(out, typed, argc, argv, err) : MURK_NO_MEMORY;
+    if (typed && fclose(typed) != 0) {
+        status = MURK_NO_MEMORY;
+    }
+    if (status == MURK_NO_MEMORY) {
+        return murk_fail(err, status, "", "no memory for the options");
+    }
+    /* Check them against the command and each other. */
+    if (!status) {
+        status = check_belonging(out, err);
+    }
+    if (status || out->wants_help || out->wants_version || out->wants_man) {
+        return status;
+    }
+    if (!out->command) {
+        return murk_fail(err, MURK_BAD_VALUE, "",
+                         "no command; try murk --help");
+    }
+    status = check_exports(out, err);
+    if (!status) {
+        status = check_input(out, err);
+    }
+    return status ? status : check_picture(out, err);
+}
+
+void murk_options_release(murk_options *options)
+{
+    for (size_t i = 0; i < options->n_owned; ++i) {
+        free(options->owned[i]);
+    }
+    free(options->owned);
+    free(options->fit.free.word);
+    free(options->fit.bounds.word);
+    free(options->overrides);
+    free(options->given);
+    free(options->typed);
+    *options = (murk_options){0};
 }

@@ -1,6 +1,7 @@
 /* murk media: what presets there are, and what one comes to, band by band. Its
  * numbers are those of a scene with this one medium. */
 #include "app/identity.h"
+#include "app/media_profile.h"
 #include "base/progress.h"
 #include "results/results.h"
 #include "results/summary.h"
@@ -325,25 +326,6 @@ static cJSON *one_json(const resolved *r)
 
 /* ---- the command ---- */
 
-static murk_status print_json(cJSON *root, const murk_options *options,
-                              murk_error *err)
-{
-    const murk_status status = murk_identify_alone(
-        root, options, options->input ? options->input : "", NULL, err);
-    if (status) {
-        cJSON_Delete(root);
-        return status;
-    }
-    char *text = root ? cJSON_Print(root) : NULL;
-    cJSON_Delete(root);
-    if (!text) {
-        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the JSON");
-    }
-    murk_print_json(text);
-    cJSON_free(text);
-    return MURK_OK;
-}
-
 static murk_status say_one(const murk_options *options, murk_error *err)
 {
     resolved r = {0};
@@ -359,7 +341,8 @@ static murk_status say_one(const murk_options *options, murk_error *err)
     }
     murk_progress_end();
     if (!status && options->json) {
-        status = print_json(one_json(&r), options, err);
+        status =
+            murk_print_alone(one_json(&r), options, options->input, NULL, err);
     } else if (!status && !options->quiet) {
         print_one(&r);
     }
@@ -391,7 +374,7 @@ murk_status murk_command_media(const murk_options *options, murk_error *err)
                          "--set needs the name of a preset");
     }
     if (options->json) {
-        return print_json(list_json(), options, err);
+        return murk_print_alone(list_json(), options, "", NULL, err);
     }
     if (!options->quiet) {
         print_list();

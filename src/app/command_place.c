@@ -126,8 +126,10 @@ static murk_status check_repeat(const murk_session *session, uint64_t runs,
                                   : "use --export matrix or or-library");
     }
     /* A seed fixed by a condition would be the same in all runs. */
-    const bool is_over = scene->placement.over != MURK_SCENE_OBJECTIVE_NONE;
-    for (size_t c = 0; runs > 0 && is_over && c < scene->n_conditions; ++c) {
+    const bool has_conditions =
+        scene->placement.over != MURK_SCENE_OBJECTIVE_NONE;
+    for (size_t c = 0; runs > 0 && has_conditions && c < scene->n_conditions;
+         ++c) {
         if (scene->conditions[c].scene->seed != scene->seed) {
             return murk_fail(err, MURK_BAD_VALUE, scene->conditions[c].where,
                              "seed: one of its own, which other runs of "
@@ -163,7 +165,7 @@ static murk_status expect_files(murk_session *session, bool repeats,
 {
     const bool explores =
         session->scene->placement.knowledge == MURK_SCENE_EXPLORE;
-    const bool is_over =
+    const bool has_conditions =
         session->scene->placement.over != MURK_SCENE_OBJECTIVE_NONE;
     const char *names[10] = {"plan.json", "sensors.csv", "coverage.csv"};
     size_t n = 3;
@@ -174,11 +176,11 @@ static murk_status expect_files(murk_session *session, bool repeats,
     if (repeats) {
         names[n++] = "repeat.csv";
     }
-    names[n++] = is_over ? "regret.csv" : "plan.ply";
+    names[n++] = has_conditions ? "regret.csv" : "plan.ply";
     const murk_status status = murk_session_expect(session, names, err);
-    return status    ? status
-           : is_over ? expect_conditions(session, err)
-                     : murk_session_expect_light(session, err);
+    return status           ? status
+           : has_conditions ? expect_conditions(session, err)
+                            : murk_session_expect_light(session, err);
 }
 
 static murk_status place(murk_session *session, const murk_options *options,
@@ -207,10 +209,10 @@ static murk_status place(murk_session *session, const murk_options *options,
 }
 
 /* Over conditions, each of which has a light of its own. */
-static murk_status place_over(murk_session *session,
-                              const murk_options *options,
-                              murk_plan_result *plan,
-                              murk_condition_plans *over, murk_error *err)
+static murk_status place_conditions(murk_session *session,
+                                    const murk_options *options,
+                                    murk_plan_result *plan,
+                                    murk_condition_plans *over, murk_error *err)
 {
     if (options->light || options->exports) {
         return murk_fail(err, MURK_BAD_VALUE,
@@ -252,7 +254,7 @@ murk_status murk_command_place(const murk_options *options, murk_error *err)
     }
     if (!status && session.scene->placement.over != MURK_SCENE_OBJECTIVE_NONE) {
         over = calloc(1, sizeof *over);
-        status = over ? place_over(&session, options, &plan, over, err)
+        status = over ? place_conditions(&session, options, &plan, over, err)
                       : murk_fail(err, MURK_NO_MEMORY, session.scene->path,
                                   "no memory for conditions");
     } else if (!status) {

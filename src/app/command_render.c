@@ -1,7 +1,6 @@
 /* A picture of the scene, by one of its cameras or from a sensor's place. */
 #include "app/images.h"
 #include "app/picture_coverage.h"
-#include "app/render_options.h"
 #include "app/session.h"
 #include "app/viewpoint.h"
 #include "base/interrupt.h"
@@ -184,11 +183,10 @@ static murk_status write_images(job *j, murk_error *err)
     const murk_traced *traced = j->session.traced;
     const murk_image_facts facts = {.scene = j->session.scene,
                                     .viewpoint = &j->viewpoint,
-                                    .command = j->options->typed,
+                                    .options = j->options,
                                     .method = method_of(j),
                                     .photons = traced ? traced->emitted : 0};
-    return murk_images_write(&j->images, j->picture, &facts,
-                             &j->options->render, err);
+    return murk_images_write(&j->images, j->picture, &facts, err);
 }
 
 /* ---- what is told of it ---- */
@@ -364,13 +362,9 @@ static murk_status prepare(job *j, murk_error *err)
 {
     const murk_options *options = j->options;
     murk_session *s = &j->session;
-    murk_status status = murk_render_options_check(options, err);
-    if (!status) {
-        /* The image is no folder of results. */
-        murk_options inner = *options;
-        inner.out = NULL;
-        status = murk_session_read(s, &inner, err);
-    }
+    murk_options inner = *options;
+    inner.out = NULL; /* the image is no folder of results */
+    murk_status status = murk_session_read(s, &inner, err);
     if (!status) {
         status = murk_viewpoint_choose(&j->viewpoint, s->scene, options, err);
     }

@@ -1,84 +1,60 @@
-/* murk report: one self-contained page of a result folder (report/report.h).
+/* murk report: one self-contained page of a result folder: see report/report.h.
  */
 #include "app/identity.h"
-#include "app/options.h"
-#include "base/file.h"
+#include "app/session.h"
 #include "base/log.h"
 #include "base/progress.h"
 #include "report/report.h"
-#include "results/ownership.h"
 #include "results/summary.h"
 
-#include "results/json.h"
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
-/* What the page shows has identities of its own. */
-static murk_status identify(cJSON *root, const murk_options *options,
-                            const murk_results_in *results, const char *path,
-                            murk_error *err)
+/* The page as JSON. The identity of a page follows from the identities of the
+ * results in it. */
+static murk_status print_json(const murk_options *options, const char *path,
+                              double bytes, const murk_report_facts *facts,
+                              murk_error *err)
 {
     char shown[MURK_RESULT_FILES * 65] = "";
     size_t n = 0;
     for (int i = 0; i < MURK_RESULT_FILES; ++i) {
-        const char *one = murk_result_text(results->json[i], "identity");
+        const char *one = murk_result_text(facts->results->json[i], "identity");
         if (one && strlen(one) == 64) {
             n += (size_t)snprintf(shown + n, 65, "%s", one);
         }
     }
-    return murk_identify_alone(root, options, shown, path, err);
-}
-
-static murk_status tell(const murk_options *options, const char *path,
-                        const murk_report_facts *facts, murk_error *err)
-{
-    struct stat known = {0};
-    (void)stat(path, &known);
-    /* One line for the terminal. */
-    if (!options->json) {
-        if (!options->quiet) {
-            murk_print("%s: %.2f MB", path, (double)known.st_size / 1e6);
-            if (facts->photons > 0) {
-                murk_print(", %llu of %llu photons",
-                           (unsigned long long)facts->photons_shown,
-                           (unsigned long long)facts->photons);
-            }
-            murk_print("\n");
-        }
-        return MURK_OK;
-    }
-    /* The same as JSON. */
     cJSON *root = cJSON_CreateObject();
     cJSON_AddStringToObject(root, "report", path);
-    cJSON_AddNumberToObject(root, "bytes", (double)known.st_size);
+    cJSON_AddNumberToObject(root, "bytes", bytes);
     cJSON_AddNumberToObject(root, "photons", (double)facts->photons);
     cJSON_AddNumberToObject(root, "photons_shown",
                             (double)facts->photons_shown);
     cJSON_AddNumberToObject(root, "sensors_shown", (double)facts->sensors);
-    const murk_status status =
-        identify(root, options, facts->results, path, err);
-    char *text = status ? NULL : cJSON_Print(root);
-    cJSON_Delete(root);
-    if (status) {
-        return status;
-    }
-    if (!text) {
-        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the JSON");
-    }
-    murk_print_json(text);
-    cJSON_free(text);
-    return MURK_OK;
+    return murk_print_alone(root, options, shown, path, err);
 }
 
-static void warn_of_strangers(const char *folder, const char *strangers)
+/* Reports the page on standard output. */
+static murk_status print_page(const murk_options *options, const char *path,
+                              const murk_report_facts *facts, murk_error *err)
 {
-    if (strangers && *strangers) {
-        murk_warn(folder,
-                  "edited since, of an earlier run, or of a run that was "
-                  "killed while it wrote them: %s",
-                  strangers);
+    struct stat known = {0};
+    (void)stat(path, &known);
+    const double bytes = (double)known.st_size;
+    if (options->json) {
+        return print_json(options, path, bytes, facts, err);
     }
+    if (!options->quiet) {
+        murk_print("%s: %.2f MB", path, bytes / 1e6);
+        if (facts->photons > 0) {
+            murk_print(", %llu of %llu photons",
+                       (unsigned long long)facts->photons_shown,
+                       (unsigned long long)facts->photons);
+        }
+        murk_print("\n");
+    }
+    return MURK_OK;
 }
 
 murk_status murk_command_report(const murk_options *options, murk_error *err)
@@ -87,10 +63,7 @@ murk_status murk_command_report(const murk_options *options, murk_error *err)
         return murk_fail(err, MURK_BAD_VALUE, "report",
                          "shows results as they are: no --set and no --seed");
     }
-    if (options->quiet) {
-        murk_warn_to(NULL);
-    }
-    murk_progress_set(options->quiet ? MURK_PROGRESS_NEVER : options->progress);
+    murk_session_quiet(options);
     murk_progress_begin_group("report", 0, "");
     /* Read the folder. */
     char *path = options->out ? strdup(options->out)
@@ -105,7 +78,13 @@ murk_status murk_command_report(const murk_options *options, murk_error *err)
         /* Name files of other runs, and replace no page that murk did not
          * write. */
         facts = murk_report_describe(report);
-        warn_of_strangers(options->input, facts.results->strangers);
+        const char *strangers = facts.results->strangers;
+        if (strangers && *strangers) {
+            murk_warn(options->input,
+                      "edited since, of an earlier run, or of a run that was "
+                      "killed while it wrote them: %s",
+                      strangers);
+        }
         status = murk_file_check_owner(path, MURK_MARK_PAGE,
                                        sizeof MURK_MARK_PAGE - 1,
                                        options->force, err);
@@ -115,7 +94,7 @@ murk_status murk_command_report(const murk_options *options, murk_error *err)
     }
     murk_progress_end();
     if (!status) {
-        status = tell(options, path, &facts, err);
+        status = print_page(options, path, &facts, err);
     }
     murk_report_destroy(report);
     free(path);

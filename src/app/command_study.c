@@ -2,8 +2,7 @@
  * prints a summary. */
 #include "app/identity.h"
 #include "app/log_once.h"
-#include "results/json.h"
-#include "results/results.h"
+#include "app/session.h"
 #include "results/study.h"
 #include "results/study_print.h"
 #include "results/summary.h"
@@ -20,50 +19,40 @@
 
 #define VERSION_SIZE 128 /* bytes of a version and a commit */
 
-typedef struct study_session {
+typedef struct study_run {
     const murk_options *options;
     murk_study_file *study;
     murk_sweep *sweep;
-    murk_results results;
-    char identity[65];
+    murk_session session; /* of results alone: rows have scenes of their own */
     char *base; /* the base scene as resolved; NULL: it cannot stand alone */
-    murk_log_once told;
-    double begun_s;
-} study_session;
+    char *seen; /* notes that were shown */
+} study_run;
 
-/* What a row has to say, on standard error. */
-static void tell_row(void *context, size_t row)
+static void warn_of_failure(const study_run *s, size_t row)
 {
-    study_session *s = context;
-    const murk_study_row *found = &s->sweep->row[row].found;
     char where[64];
     snprintf(where, sizeof where, "row %zu of %zu", row + 1, s->study->rows);
-    if (found->failed[0]) {
-        murk_warn(where, "failed: %s", found->failed);
-    }
-    char news[MURK_ROW_TEXT_SIZE];
-    if (murk_log_once_news(&s->told, found->note, news, sizeof news)) {
-        murk_note(where, "%s", news);
+    if (s->sweep->row[row].found.failed[0]) {
+        murk_warn(where, "failed: %s", s->sweep->row[row].found.failed);
     }
 }
 
-/* Those that could not even be read. */
-static void tell_early_failures(const study_session *s)
+/* Reports a finished row on standard error. */
+static void report_row(void *context, size_t row)
 {
-    for (size_t i = 0; i < s->study->rows; ++i) {
-        const murk_sweep_row *row = &s->sweep->row[i];
-        if (row->is_done && row->found.failed[0]) {
-            char where[64];
-            snprintf(where, sizeof where, "row %zu of %zu", i + 1,
-                     s->study->rows);
-            murk_warn(where, "failed: %s", row->found.failed);
-        }
+    study_run *s = context;
+    char news[MURK_ROW_TEXT_SIZE], where[64];
+    warn_of_failure(s, row);
+    snprintf(where, sizeof where, "row %zu of %zu", row + 1, s->study->rows);
+    if (murk_log_once_news(&s->seen, s->sweep->row[row].found.note, news,
+                           sizeof news)) {
+        murk_note(where, "%s", news);
     }
 }
 
 /* The scene that rows differ from, as resolved; none, where it cannot stand
  * without a row's own values. */
-static void read_base(study_session *s)
+static void read_base(study_run *s)
 {
     murk_scene_desc *scene = NULL;
     murk_error why = {0};
@@ -77,7 +66,7 @@ static void read_base(study_session *s)
 }
 
 /* The rows' keys say all that rows follow from. */
-static murk_status identify(study_session *s, murk_error *err)
+static murk_status identify(study_run *s, murk_error *err)
 {
     const size_t size = sizeof s->sweep->row->key, rows = s->study->rows;
     char *keys = calloc(rows + 2, size);
@@ -88,34 +77,32 @@ static murk_status identify(study_session *s, murk_error *err)
     for (size_t i = 0; i < rows; ++i) {
         n += (size_t)snprintf(keys + n, size, "%s", s->sweep->row[i].key);
     }
-    const murk_status status =
-        murk_identity(s->identity, s->options, keys, s->sweep->seed, err);
+    const murk_status status = murk_identity(s->session.identity, s->options,
+                                             keys, s->sweep->seed, err);
     free(keys);
     return status;
 }
 
-static murk_status expect_files(study_session *s, murk_error *err)
+static murk_status expect_files(study_run *s, murk_error *err)
 {
     murk_status status =
-        murk_results_expect(&s->results, "study.json", NULL, err);
+        murk_results_expect(&s->session.results, "study.json", NULL, err);
     if (!status) {
-        status = murk_results_expect(&s->results, "table.csv", NULL, err);
+        status =
+            murk_results_expect(&s->session.results, "table.csv", NULL, err);
     }
     if (!status && s->base) {
-        status =
-            murk_results_expect(&s->results, MURK_SCENE_NAME, s->base, err);
+        status = murk_results_expect(&s->session.results, MURK_SCENE_NAME,
+                                     s->base, err);
     }
     return status;
 }
 
-static murk_status begin(study_session *s, murk_error *err)
+static murk_status begin(study_run *s, murk_error *err)
 {
     static char version[VERSION_SIZE];
     const murk_options *o = s->options;
-    if (o->quiet) {
-        murk_warn_to(NULL);
-    }
-    murk_progress_set(o->quiet ? MURK_PROGRESS_NEVER : o->progress);
+    murk_session_set(&s->session, o);
     snprintf(version, sizeof version, "%s %s", MURK_VERSION,
              murk_version_commit());
     /* Read the study and the scenes of its rows. */
@@ -130,11 +117,11 @@ static murk_status begin(study_session *s, murk_error *err)
                                   .force = o->force,
                                   .version = version,
                                   .threads = o->threads,
-                                  .row_done = tell_row,
+                                  .row_done = report_row,
                                   .context = s};
     status = murk_sweep_create(&s->sweep, &desc, err);
     if (!status) {
-        status = murk_results_begin(&s->results, o->out, o->force, err);
+        status = murk_results_begin(&s->session.results, o->out, o->force, err);
     }
     /* Judge the files that will be written before any row runs. */
     if (!status) {
@@ -144,14 +131,17 @@ static murk_status begin(study_session *s, murk_error *err)
     if (!status) {
         status = identify(s, err);
     }
-    if (!status) {
-        tell_early_failures(s);
+    /* Rows whose scenes could not be read have failed already. */
+    for (size_t i = 0; i < s->study->rows && !status; ++i) {
+        if (s->sweep->row[i].is_done) {
+            warn_of_failure(s, i);
+        }
     }
     return status;
 }
 
 /* Rows write their grids themselves. */
-static murk_status note_fluence(study_session *s, murk_error *err)
+static murk_status note_fluence(study_run *s, murk_error *err)
 {
     murk_status status = MURK_OK;
     const bool wants = s->sweep->outputs.wants[MURK_OUTPUT_FLUENCE];
@@ -159,50 +149,35 @@ static murk_status note_fluence(study_session *s, murk_error *err)
         char name[MURK_SWEEP_NAME_SIZE];
         murk_sweep_fluence_name(name, i);
         if (s->sweep->row[i].is_done && !s->sweep->row[i].found.failed[0]) {
-            status = murk_results_note(&s->results, name, err);
+            status = murk_results_note(&s->session.results, name, err);
         }
     }
     return status;
 }
 
-static murk_status write_files(study_session *s, bool is_interrupted,
+static murk_status write_files(study_run *s, bool is_interrupted,
                                murk_error *err)
 {
-    const murk_run_facts run = {.command = s->options->typed,
-                                .threads = s->options->threads,
-                                .total_s = murk_clock_s() - s->begun_s};
     /* The table, the base scene and the grids. */
-    murk_status status = murk_add_table(&s->results, s->sweep, err);
+    murk_status status = murk_add_table(&s->session.results, s->sweep, err);
     if (!status && s->base) {
-        status =
-            murk_results_add_text(&s->results, MURK_SCENE_NAME, s->base, err);
+        status = murk_results_add_text(&s->session.results, MURK_SCENE_NAME,
+                                       s->base, err);
     }
     if (!status) {
         status = note_fluence(s, err);
     }
     /* The JSON comes last and names the other files. */
-    const murk_study_results study = {s->sweep, is_interrupted};
-    cJSON *root = murk_results_json(murk_results_list_study, &study);
-    murk_json_identify(root, s->identity, &s->results, "study.json");
-    char *text = murk_json_end(root, &run);
-    if (!text) {
-        return murk_fail(err, MURK_NO_MEMORY, "study.json",
-                         "no memory to write it");
-    }
     if (!status) {
-        status = murk_results_add_text(&s->results, "study.json", text, err);
+        const murk_study_results study = {s->sweep, is_interrupted};
+        cJSON *root = murk_results_json(murk_results_list_study, &study);
+        status = (is_interrupted ? murk_session_keep : murk_session_finish)(
+            &s->session, "study.json", root, err);
     }
-    if (!status) {
-        status = murk_results_show(&s->results, err);
-    }
-    if (!status && s->options->json && !is_interrupted) {
-        murk_print_json(text);
-    }
-    cJSON_free(text);
     return status;
 }
 
-static void print_plan(const study_session *s, int p)
+static void print_plan(const study_run *s, int p)
 {
     static const char *const names[] = {
         [MURK_SWEEP_MEAN] = "mean", [MURK_SWEEP_WORST] = "worst"};
@@ -224,7 +199,7 @@ static void print_plan(const study_session *s, int p)
     }
 }
 
-static void print_study(const study_session *s)
+static void print_study(const study_run *s)
 {
     size_t traced = 0, kept = 0;
     for (size_t g = 0; g < s->sweep->groups; ++g) {
@@ -241,8 +216,7 @@ static void print_study(const study_session *s)
     murk_print("rows        %zu, of which %zu kept from before and %zu failed; "
                "light traced for %zu groups of rows\n",
                s->study->rows, kept, murk_sweep_failed(s->sweep), traced);
-    const murk_run_facts run = {.total_s = murk_clock_s() - s->begun_s};
-    murk_print_time(&run, NULL, 0);
+    murk_print_time(&s->session.run, NULL, 0);
     /* The files. */
     if (s->options->out) {
         murk_print("files       %s: study.json table.csv %s %srows/\n",
@@ -259,19 +233,19 @@ static void print_study(const study_session *s)
 
 murk_status murk_command_study(const murk_options *options, murk_error *err)
 {
-    study_session s = {.options = options, .begun_s = murk_clock_s()};
+    study_run s = {.options = options};
     murk_status status = begin(&s, err);
     if (!status) {
         status = murk_sweep_run(s.sweep, err);
         if (status == MURK_INTERRUPTED && murk_sweep_done(s.sweep) > 0) {
-            murk_error late = {0}; /* the interrupt is what is told */
+            murk_error late = {0}; /* the interrupt is the message */
             (void)write_files(&s, true, &late);
         }
     }
     if (!status) {
         status = write_files(&s, false, err);
     }
-    if (!status && !options->json && !options->quiet) {
+    if (!status && murk_session_speaks(&s.session)) {
         print_study(&s);
     }
     if (!status && murk_sweep_failed(s.sweep) > 0) {
@@ -284,8 +258,8 @@ murk_status murk_command_study(const murk_options *options, murk_error *err)
                            murk_sweep_why_no_plan(s.sweep));
     }
     free(s.base);
-    murk_log_once_release(&s.told);
-    murk_results_end(&s.results);
+    free(s.seen);
+    murk_session_end(&s.session);
     murk_sweep_destroy(s.sweep);
     murk_study_file_destroy(s.study);
     return status;

@@ -1,9 +1,6 @@
 /* Prints the help of the program and of each command, from the tables of
  * commands and options. */
-#include "app/command_notes.h"
-#include "app/help_text.h"
-#include "app/option_table.h"
-#include "app/options.h"
+#include "app/help.h"
 
 #include <stdbool.h>
 #include <string.h>
@@ -54,29 +51,20 @@ static void wrap(FILE *to, const char *text, size_t at, size_t indent)
     fputc('\n', to);
 }
 
-static void option_label(char *out, size_t size, const murk_option *option)
-{
-    snprintf(out, size, "%s%s%s%s%s", option->other ? option->other : "",
-             option->other ? ", " : "", option->name,
-             option->argument ? " " : "",
-             option->argument ? option->argument : "");
-}
-
-/* command NULL: those that all have. */
+/* Prints the options of a command; of NULL those that all commands have. */
 static void print_options(FILE *to, const char *command)
 {
     for (size_t i = 0; i < murk_option_table_size; ++i) {
         const murk_option *option = &murk_option_table[i];
-        if (!option->help || (!command && option->commands) ||
-            (command && !murk_option_belongs(option, command))) {
+        if (!option->help || !murk_option_belongs(option, command)) {
             continue;
         }
-        char label[64];
-        option_label(label, sizeof label, option);
-        const size_t end = strlen(label) + 2;
-        fprintf(to, "  %s", label);
+        const char *other = option->other, *argument = option->argument;
+        const int end = fprintf(to, "  %s%s%s%s%s", other ? other : "",
+                                other ? ", " : "", option->name,
+                                argument ? " " : "", argument ? argument : "");
         if (end < INDENT) {
-            fprintf(to, "%*s", (int)(INDENT - end), "");
+            fprintf(to, "%*s", INDENT - end, "");
         } else {
             fprintf(to, "\n%*s", INDENT, "");
         }
@@ -133,7 +121,7 @@ void murk_help_print(FILE *to, const murk_command *command)
         wrap(to, command->text, 0, 0);
         fputs("\noptions:\n", to);
         print_options(to, command->name);
-        print_examples(to, murk_command_notes_of(command->name)->example);
+        print_examples(to, command->example);
         fprintf(to, "\nmore: man murk-%s\n", command->name);
         return;
     }

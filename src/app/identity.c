@@ -3,9 +3,10 @@
  * wherever they lie. */
 #include "app/identity.h"
 
-#include "app/option_table.h"
+#include "app/options.h"
 #include "base/file.h"
 #include "results/json.h"
+#include "results/summary.h"
 #include "results/version.h"
 #include "world/file_sums.h"
 
@@ -13,32 +14,21 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Prints all of a scene that results follow from, wherever it lies. */
-static bool write_scene(FILE *to, const murk_scene_desc *scene)
-{
-    murk_file_sums sums = {0};
-    fputs(scene->whole_key, to);
-    const bool is_whole = murk_file_sums_scene(to, &sums, scene);
-    murk_file_sums_release(&sums);
-    return is_whole;
-}
-
 static murk_status write_option(FILE *to, const murk_option *option,
                                 const char *value, murk_error *err)
 {
-    const murk_option_part part = option->part;
     char sum[65];
-    murk_status status = MURK_OK;
-    if (part == MURK_OPTION_AS_FILE) {
-        status = murk_file_sha256(value, sum, err);
+    if (option->part == MURK_OPTION_AS_FILE) {
+        const murk_status status = murk_file_sha256(value, sum, err);
+        if (status) {
+            return status;
+        }
+        value = sum;
     }
-    if (!status && part != MURK_OPTION_NO_PART) {
-        fprintf(to, "%s %s\n", option->name,
-                part == MURK_OPTION_AS_FILE ? sum
-                : value                     ? value
-                                            : "");
+    if (option->part != MURK_OPTION_NO_PART) {
+        fprintf(to, "%s %s\n", option->name, value ? value : "");
     }
-    return status;
+    return MURK_OK;
 }
 
 /* Options in the table's order, and those of a name in the order given. */
@@ -73,12 +63,19 @@ static murk_status identify(char out[65], const murk_options *options,
     char *text = NULL;
     size_t size = 0;
     FILE *to = open_memstream(&text, &size);
-    murk_status status =
-        to ? write_all(to, options, of, seed, err) : no_memory(err);
-    if (!status && scene && !write_scene(to, scene)) {
-        status = no_memory(err);
+    if (!to) {
+        return no_memory(err);
     }
-    if (to && fclose(to) != 0 && !status) {
+    /* Write all that results follow from, with the scene wherever it lies. */
+    murk_status status = write_all(to, options, of, seed, err);
+    if (!status && scene) {
+        murk_file_sums sums = {0};
+        fputs(scene->whole_key, to);
+        status =
+            murk_file_sums_scene(to, &sums, scene) ? MURK_OK : no_memory(err);
+        murk_file_sums_release(&sums);
+    }
+    if (fclose(to) != 0 && !status) {
         status = no_memory(err);
     }
     if (!status) {
@@ -100,26 +97,42 @@ murk_status murk_identity_scene(char out[65], const murk_options *options,
     return identify(out, options, scene, "", scene->seed, err);
 }
 
-murk_status murk_identify_alone(cJSON *root, const murk_options *options,
-                                const char *of, const char *file,
-                                murk_error *err)
+/* Adds "identity", of `of` and the keys that --set gives. */
+static murk_status add_identity(cJSON *root, const murk_options *options,
+                                const char *of, murk_error *err)
 {
     char identity[65], *text = NULL;
     size_t size = 0;
     FILE *to = open_memstream(&text, &size);
-    if (to) {
-        fprintf(to, "%s\n", of);
-        for (size_t i = 0; i < options->n_overrides; ++i) {
-            fprintf(to, "%s\n", options->overrides[i].text);
-        }
+    if (!to) {
+        return no_memory(err);
+    }
+    fprintf(to, "%s\n", of);
+    for (size_t i = 0; i < options->n_overrides; ++i) {
+        fprintf(to, "%s\n", options->overrides[i].text);
     }
     const murk_status status =
-        to && fclose(to) == 0 ? murk_identity(identity, options, text, 0, err)
-                              : no_memory(err);
+        fclose(to) == 0 ? murk_identity(identity, options, text, 0, err)
+                        : no_memory(err);
     free(text);
     if (!status) {
         cJSON_AddStringToObject(root, "identity", identity);
-        murk_json_file(root, file);
     }
+    return status;
+}
+
+murk_status murk_print_alone(cJSON *root, const murk_options *options,
+                             const char *of, const char *file, murk_error *err)
+{
+    murk_status status = add_identity(root, options, of, err);
+    murk_json_file(root, file);
+    char *text = status ? NULL : cJSON_Print(root);
+    if (text) {
+        murk_print_json(text);
+    } else if (!status) {
+        status = murk_fail(err, MURK_NO_MEMORY, "", "no memory for the JSON");
+    }
+    cJSON_free(text);
+    cJSON_Delete(root);
     return status;
 }

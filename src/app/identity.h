@@ -20,11 +20,10 @@ murk_status murk_identity(char out[65], const murk_options *options,
 murk_status murk_identity_scene(char out[65], const murk_options *options,
                                 const murk_scene_desc *scene, murk_error *err);
 
-/* Adds "identity" and "files" to the JSON of a command that has no scene: of
- * what --set gives and `of`, which says all other input; file: the one that it
- * wrote, or NULL. */
-murk_status murk_identify_alone(cJSON *root, const murk_options *options,
-                                const char *of, const char *file,
-                                murk_error *err);
+/* Prints the JSON of a command that has no scene, with "identity" and "files":
+ * of the keys that --set gives, and of `of`, which says all other input; file:
+ * the one that the command wrote, or NULL. Deletes root. */
+murk_status murk_print_alone(cJSON *root, const murk_options *options,
+                             const char *of, const char *file, murk_error *err);
 
 #endif

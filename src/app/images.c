@@ -206,7 +206,7 @@ static void say_all(texts *t, const murk_image_facts *facts)
     const murk_camera *c = &v->camera;
     say(t, "software", "murk " MURK_VERSION);
     say(t, "murkCommit", murk_version_commit());
-    say(t, "murkCommand", facts->command);
+    say(t, "murkCommand", facts->options->typed);
     say(t, "murkScene", facts->scene->path);
     say(t, "murkSceneSha256", facts->scene->sha256);
     say_made(t, "murkSeed", "%lu", (unsigned long)facts->scene->seed);
@@ -256,10 +256,9 @@ static murk_status write_exr(const murk_image_files *images,
 
 static murk_status write_png(murk_image_files *images,
                              const murk_image *picture,
-                             const murk_image_facts *facts,
-                             const murk_render_options *settings,
-                             murk_error *err)
+                             const murk_image_facts *facts, murk_error *err)
 {
+    const murk_render_options *settings = &facts->options->render;
     images->stops = settings->exposure_stops;
     murk_status status = settings->has_exposure
                              ? MURK_OK
@@ -281,13 +280,13 @@ static murk_status write_png(murk_image_files *images,
 
 static murk_status choose_colours(murk_image_files *images,
                                   const murk_channel *channel, size_t n,
-                                  const murk_render_options *settings,
-                                  murk_error *err)
+                                  const murk_options *options, murk_error *err)
 {
+    const murk_render_options *settings = &options->render;
     /* A range that begins at 0 or below asks for no logarithm. */
     const bool is_log =
-        settings->has_scale
-            ? settings->is_log
+        murk_option_is_given(options, "--scale")
+            ? murk_option_number(options, "--scale", 0) == 1
             : murk_false_colour_is_log(channel) &&
                   !(settings->has_range && !(settings->range[0] > 0));
     if (settings->has_range) {
@@ -301,7 +300,6 @@ static murk_status choose_colours(murk_image_files *images,
 static murk_status write_false_colour(murk_image_files *images,
                                       const murk_image *picture,
                                       const murk_image_facts *facts,
-                                      const murk_render_options *settings,
                                       murk_error *err)
 {
     murk_channel *list = calloc(MURK_CHANNELS_MAX, sizeof *list);
@@ -314,7 +312,7 @@ static murk_status write_false_colour(murk_image_files *images,
                            picture->seen_by != NULL, list);
     const murk_channel *channel = murk_channel_find(list, n, images->channel);
     murk_status status = choose_colours(
-        images, channel, picture->width * picture->height, settings, err);
+        images, channel, picture->width * picture->height, facts->options, err);
     const murk_false_colour *colours = &images->colours;
     /* Draw it, and write it with the texts. */
     murk_raster raster = {0};
@@ -338,16 +336,14 @@ static murk_status write_false_colour(murk_image_files *images,
 
 murk_status murk_images_write(murk_image_files *images,
                               const murk_image *picture,
-                              const murk_image_facts *facts,
-                              const murk_render_options *settings,
-                              murk_error *err)
+                              const murk_image_facts *facts, murk_error *err)
 {
     murk_status status = write_exr(images, picture, facts, err);
     if (!status && images->png) {
-        status = write_png(images, picture, facts, settings, err);
+        status = write_png(images, picture, facts, err);
     }
     if (!status && images->false_colour) {
-        status = write_false_colour(images, picture, facts, settings, err);
+        status = write_false_colour(images, picture, facts, err);
     }
     return status;
 }

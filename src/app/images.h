@@ -17,8 +17,8 @@ typedef struct murk_image_files {
 typedef struct murk_image_facts {
     const murk_scene_desc *scene;
     const murk_viewpoint *viewpoint;
-    const char *command; /* that makes it again, for a shell */
-    const char *method;  /* "path: path tracing with shadow rays" */
+    const murk_options *options;
+    const char *method; /* "path: path tracing with shadow rays" */
     uint64_t photons;
 } murk_image_facts;
 
@@ -33,9 +33,7 @@ murk_status murk_images_name(murk_image_files *out, const murk_options *options,
 /* Each is written whole or not at all; the OpenEXR image first. */
 murk_status murk_images_write(murk_image_files *images,
                               const murk_image *picture,
-                              const murk_image_facts *facts,
-                              const murk_render_options *settings,
-                              murk_error *err);
+                              const murk_image_facts *facts, murk_error *err);
 void murk_images_release(murk_image_files *images);
 
 #endif

@@ -1,5 +1,5 @@
-/* Filters texts so that each is shown once. Texts that differ only in their
- * numbers count as the same text. */
+/* Filters notes so that each is shown once. Notes that differ only in their
+ * numbers count as the same note. */
 #include "app/log_once.h"
 
 #include <ctype.h>
@@ -9,60 +9,47 @@
 
 #define PART_SIZE 4100 /* a row's notes are shorter */
 
-static void strip_numbers(char *text)
+/* Copies a note without its numbers, as a line of its own: "\nnote\n". */
+static void strip_numbers(char out[PART_SIZE], const char *note, size_t length)
 {
-    char *to = text;
-    for (const char *from = text; *from; ++from) {
-        if (!isdigit((unsigned char)*from) && *from != '.' && *from != '-') {
-            *to++ = *from;
+    size_t n = 0;
+    out[n++] = '\n';
+    for (size_t i = 0; i < length && n < PART_SIZE - 2; ++i) {
+        if (!isdigit((unsigned char)note[i]) && !strchr(".-", note[i])) {
+            out[n++] = note[i];
         }
     }
-    *to = '\0';
+    strcpy(out + n, "\n");
 }
 
-static bool is_told(murk_log_once *told, const char *part)
+static bool is_new(char **seen, const char *line)
 {
-    char text[PART_SIZE];
-    snprintf(text, sizeof text, "%s", part);
-    strip_numbers(text);
-    for (size_t i = 0; i < told->n; ++i) {
-        if (strcmp(told->text[i], text) == 0) {
-            return true;
-        }
+    if (*seen && strstr(*seen, line)) {
+        return false;
     }
-    char **grown = realloc(told->text, (told->n + 1) * sizeof *grown);
+    const size_t length = *seen ? strlen(*seen) : 0;
+    char *grown = realloc(*seen, length + strlen(line) + 1);
     if (grown) {
-        told->text = grown;
-        grown[told->n] = strdup(text);
-        told->n += grown[told->n] != NULL;
+        strcpy(grown + length, line);
+        *seen = grown;
     }
-    return false;
+    return true;
 }
 
-bool murk_log_once_news(murk_log_once *told, const char *notes, char *out,
-                        size_t size)
+bool murk_log_once_news(char **seen, const char *notes, char *out, size_t size)
 {
     size_t n = 0;
     out[0] = '\0';
     while (*notes) {
-        char part[PART_SIZE];
+        char line[PART_SIZE];
         const char *end = strstr(notes, "; ");
         const size_t length = end ? (size_t)(end - notes) : strlen(notes);
-        snprintf(part, sizeof part, "%.*s", (int)length, notes);
-        if (!is_told(told, part) && n < size) {
-            n += (size_t)snprintf(out + n, size - n, "%s%s", n ? "; " : "",
-                                  part);
+        strip_numbers(line, notes, length);
+        if (is_new(seen, line) && n < size) {
+            n += (size_t)snprintf(out + n, size - n, "%s%.*s", n ? "; " : "",
+                                  (int)length, notes);
         }
         notes += length + (end ? 2 : 0);
     }
     return out[0] != '\0';
-}
-
-void murk_log_once_release(murk_log_once *told)
-{
-    for (size_t i = 0; i < told->n; ++i) {
-        free(told->text[i]);
-    }
-    free(told->text);
-    *told = (murk_log_once){0};
 }

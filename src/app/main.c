@@ -1,6 +1,7 @@
 /* The program: sets up signals, parses the command line, runs the command, and
  * turns its status into an exit code. */
-#include "app/options.h"
+#include "app/command_line.h"
+#include "app/help.h"
 #include "app/terminate_bridge.h"
 #include "base/inputs.h"
 #include "base/interrupt.h"

@@ -1,13 +1,15 @@
-/* Reads a measured profile of a coefficient from a CSV file, finds its columns
- * by the units in their names, and averages it into layers of equal height,
- * which keep the optical depth. */
+/* murk media --profile: reads a measured profile of a coefficient from a CSV
+ * file, finds its columns by the units in their names, averages it into layers
+ * of equal height, which keep the optical depth, and writes them as a grid. */
 #include "app/media_profile.h"
 
+#include "app/identity.h"
+#include "base/number.h"
 #include "medium/grid_write.h"
+#include "results/summary.h"
 #include "scene/table.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -31,14 +33,11 @@ static const unit COEFFICIENTS[] = {{"_per_m", 1},     {"[1/m]", 1},
 
 #define UNITS 6 /* of either */
 
-/* Upwards or downwards. */
-typedef struct direction {
+/* Names of places, and the sign of their upward direction. */
+static const struct {
     const char *name;
     double sign;
-} direction;
-
-static const direction PLACES[] = {
-    {"depth", -1}, {"z", 1}, {"height", 1}, {"altitude", 1}};
+} PLACES[] = {{"depth", -1}, {"z", 1}, {"height", 1}, {"altitude", 1}};
 
 /* The number of bytes before the unit, and its factor; 0: none. */
 static size_t before_unit(const char *name, const unit *units, double *factor)
@@ -73,97 +72,94 @@ static bool is_place(const char *name, double *factor)
     return false;
 }
 
-static murk_status find_place(const murk_table *t, column *found,
-                              murk_error *err)
+static bool is_coefficient(const char *name, double *factor)
+{
+    return before_unit(name, COEFFICIENTS, factor) > 0;
+}
+
+/* Finds the only column whose name `matches`. Messages: of two columns, with
+ * the remedy; of none. */
+static murk_status find_only(const murk_table *t,
+                             bool (*matches)(const char *, double *),
+                             column *found, const char *two, const char *remedy,
+                             const char *none, murk_error *err)
 {
     *found = (column){-1, 0};
     for (size_t i = 0; i < t->columns; ++i) {
         double factor;
-        if (!is_place(t->name[i], &factor)) {
+        if (!matches(t->name[i], &factor)) {
             continue;
         }
         if (found->at >= 0) {
             return murk_fail(err, MURK_BAD_VALUE, t->path,
-                             "columns %s and %s, must have one of them",
-                             t->name[found->at], t->name[i]);
+                             "%s %s and %s, must %s", two, t->name[found->at],
+                             t->name[i], remedy);
         }
         *found = (column){(long)i, factor};
     }
-    return found->at >= 0
-               ? MURK_OK
-               : murk_fail(err, MURK_BAD_VALUE, t->path,
-                           "no column of places, must have depth_m (down from "
-                           "z = 0), or z_m, height_m or altitude_m (up)");
+    return found->at >= 0 ? MURK_OK
+                          : murk_fail(err, MURK_BAD_VALUE, t->path, "%s", none);
+}
+
+static murk_status find_place(const murk_table *t, column *found,
+                              murk_error *err)
+{
+    return find_only(t, is_place, found, "columns", "have one of them",
+                     "no column of places, must have depth_m (down from z = "
+                     "0), or z_m, height_m or altitude_m (up)",
+                     err);
 }
 
 static murk_status find_coefficient(const murk_table *t, const char *wanted,
                                     column *found, murk_error *err)
 {
-    *found = (column){-1, 0};
+    if (!wanted) {
+        return find_only(t, is_coefficient, found, "coefficients",
+                         "choose with --column",
+                         "no column of a coefficient, must have a name that "
+                         "ends in _per_m, _per_km, _per_cm, or [1/m], [1/km], "
+                         "[1/cm]",
+                         err);
+    }
     /* The column that the user names must have a unit. */
-    if (wanted) {
-        found->at = murk_table_column(t, wanted);
-        if (found->at < 0) {
-            return murk_fail(err, MURK_BAD_VALUE, t->path,
-                             "--column %s: not a column of it", wanted);
-        }
-        return before_unit(wanted, COEFFICIENTS, &found->factor) > 0
-                   ? MURK_OK
-                   : murk_fail(err, MURK_BAD_VALUE, t->path,
-                               "--column %s: no unit in its name, must end in "
-                               "_per_m, _per_km, _per_cm, or [1/m], [1/km], "
-                               "[1/cm]",
-                               wanted);
+    found->at = murk_table_column(t, wanted);
+    if (found->at < 0) {
+        return murk_fail(err, MURK_BAD_VALUE, t->path,
+                         "--column %s: not a column of it", wanted);
     }
-    /* Otherwise exactly one column may look like a coefficient. */
-    for (size_t i = 0; i < t->columns; ++i) {
-        double factor;
-        if (before_unit(t->name[i], COEFFICIENTS, &factor) == 0) {
-            continue;
-        }
-        if (found->at >= 0) {
-            return murk_fail(err, MURK_BAD_VALUE, t->path,
-                             "coefficients %s and %s, must choose with "
-                             "--column",
-                             t->name[found->at], t->name[i]);
-        }
-        *found = (column){(long)i, factor};
-    }
-    return found->at >= 0
+    return is_coefficient(wanted, &found->factor)
                ? MURK_OK
                : murk_fail(err, MURK_BAD_VALUE, t->path,
-                           "no column of a coefficient, must have a name that "
-                           "ends in _per_m, _per_km, _per_cm, or [1/m], "
-                           "[1/km], [1/cm]");
+                           "--column %s: no unit in its name, must end in "
+                           "_per_m, _per_km, _per_cm, or [1/m], [1/km], "
+                           "[1/cm]",
+                           wanted);
 }
 
-/* Which rows count: those whose cell in a column is a text. */
-typedef struct choice {
-    long at; /* -1: all */
-    const char *value;
-} choice;
-
+/* Finds the column that "COLUMN=VALUE" names, and the value. */
 static murk_status find_choice(const murk_table *t, const char *rows,
-                               choice *found, murk_error *err)
+                               size_t *at, const char **value, murk_error *err)
 {
-    *found = (choice){-1, NULL};
-    for (size_t i = 0; rows && i < t->columns && found->at < 0; ++i) {
+    for (size_t i = 0; i < t->columns; ++i) {
         const size_t n = strlen(t->name[i]);
         if (strncmp(rows, t->name[i], n) == 0 && rows[n] == '=') {
-            *found = (choice){(long)i, rows + n + 1};
+            *at = i;
+            *value = rows + n + 1;
+            return MURK_OK;
         }
     }
-    return !rows || found->at >= 0
-               ? MURK_OK
-               : murk_fail(err, MURK_BAD_VALUE, t->path,
-                           "--rows %s: must be COLUMN=VALUE of a column of it",
-                           rows);
+    return murk_fail(err, MURK_BAD_VALUE, t->path,
+                     "--rows %s: must be COLUMN=VALUE of a column of it", rows);
 }
+
+typedef struct knot {
+    double z_m, per_m;
+} knot;
 
 /* The profile, from the top down. */
 typedef struct profile {
     size_t n;
-    double *z_m, *per_m; /* [n] each */
+    knot *knot; /* [n] */
 } profile;
 
 static murk_status fail_at(const murk_table *t, size_t row, const column *c,
@@ -201,9 +197,10 @@ static murk_status add_row(profile *p, const murk_table *t, size_t row,
     }
     z = 0 + z * place->factor; /* and never -0 */
     if (p->n > 0) {
-        const double before = p->z_m[p->n - 1];
+        const double before = p->knot[p->n - 1].z_m;
         const int step = (z > before) - (z < before);
-        const bool is_third = p->n > 1 && z == p->z_m[p->n - 2] && step == 0;
+        const bool is_third =
+            p->n > 1 && z == p->knot[p->n - 2].z_m && step == 0;
         if ((*way && step && step != *way) || is_third) {
             snprintf(text, sizeof text,
                      "%.9g after %.9g, must go one way, each place twice at "
@@ -216,20 +213,16 @@ static murk_status add_row(profile *p, const murk_table *t, size_t row,
         }
         *way = step ? step : *way;
     }
-    p->z_m[p->n] = z;
-    p->per_m[p->n++] = per_m * coefficient->factor;
+    p->knot[p->n++] = (knot){z, per_m * coefficient->factor};
     return MURK_OK;
 }
 
-static void turn_over(profile *p)
+static void reverse(profile *p)
 {
     for (size_t i = 0; i < p->n / 2; ++i) {
-        const size_t k = p->n - 1 - i;
-        const double z = p->z_m[i], per_m = p->per_m[i];
-        p->z_m[i] = p->z_m[k];
-        p->per_m[i] = p->per_m[k];
-        p->z_m[k] = z;
-        p->per_m[k] = per_m;
+        const knot swap = p->knot[i];
+        p->knot[i] = p->knot[p->n - 1 - i];
+        p->knot[p->n - 1 - i] = swap;
     }
 }
 
@@ -238,30 +231,28 @@ static murk_status read_profile(profile *p, const murk_table *t,
                                 char name[64], murk_error *err)
 {
     column place, coefficient;
-    choice rows;
+    size_t chosen = 0;
+    const char *value = NULL;
     murk_status status = find_place(t, &place, err);
     if (!status) {
         status = find_coefficient(t, settings->column, &coefficient, err);
     }
-    if (!status) {
-        status = find_choice(t, settings->rows, &rows, err);
+    if (!status && settings->rows) {
+        status = find_choice(t, settings->rows, &chosen, &value, err);
     }
     if (status) {
         return status;
     }
     /* Take the rows that the user chose. */
     snprintf(name, 64, "%.63s", t->name[coefficient.at]);
-    p->z_m = calloc(t->rows + 1, sizeof *p->z_m);
-    p->per_m = calloc(t->rows + 1, sizeof *p->per_m);
-    if (!p->z_m || !p->per_m) {
+    p->knot = calloc(t->rows + 1, sizeof *p->knot);
+    if (!p->knot) {
         return murk_fail(err, MURK_NO_MEMORY, t->path, "no memory for %zu rows",
                          t->rows);
     }
     int way = 0;
     for (size_t row = 0; row < t->rows && !status; ++row) {
-        const char *cell =
-            rows.at >= 0 ? t->cell[row * t->columns + (size_t)rows.at] : NULL;
-        if (!cell || strcmp(cell, rows.value) == 0) {
+        if (!value || strcmp(t->cell[row * t->columns + chosen], value) == 0) {
             status = add_row(p, t, row, &place, &coefficient, &way, err);
         }
     }
@@ -274,7 +265,7 @@ static murk_status read_profile(profile *p, const murk_table *t,
                            settings->rows ? settings->rows : "");
     }
     if (way > 0) {
-        turn_over(p);
+        reverse(p);
     }
     return status;
 }
@@ -285,7 +276,8 @@ static void fill(murk_profile_layers *out, const profile *p, double *sum)
 {
     size_t layer = 0;
     for (size_t i = 0; i + 1 < p->n; ++i) {
-        const double top = p->z_m[i], length = top - p->z_m[i + 1];
+        const knot *upper = &p->knot[i], *lower = &p->knot[i + 1];
+        const double top = upper->z_m, length = top - lower->z_m;
         double from = 0; /* below the piece's top */
         while (from < length) {
             const double ends =
@@ -294,8 +286,8 @@ static void fill(murk_profile_layers *out, const profile *p, double *sum)
             const double to = is_last ? length : fmin(length, ends);
             if (to > from) {
                 const double middle = (from + to) / 2 / length;
-                sum[layer] += (to - from) * (p->per_m[i] * (1 - middle) +
-                                             p->per_m[i + 1] * middle);
+                sum[layer] += (to - from) * (upper->per_m * (1 - middle) +
+                                             lower->per_m * middle);
                 from = to;
             }
             layer += !is_last && ends <= length;
@@ -307,9 +299,9 @@ static murk_status make_layers(murk_profile_layers *out, const profile *p,
                                const murk_profile_settings *settings,
                                murk_error *err)
 {
-    const double length = p->z_m[0] - p->z_m[p->n - 1];
-    out->top_m = p->z_m[0];
-    out->bottom_m = p->z_m[p->n - 1];
+    const double length = p->knot[0].z_m - p->knot[p->n - 1].z_m;
+    out->top_m = p->knot[0].z_m;
+    out->bottom_m = p->knot[p->n - 1].z_m;
     out->voxel_m =
         settings->voxel_m > 0 ? settings->voxel_m : length / LAYERS_USUAL;
     out->width_m = settings->width_m > 0 ? settings->width_m : WIDTH_USUAL_M;
@@ -340,35 +332,14 @@ static murk_status make_layers(murk_profile_layers *out, const profile *p,
     return MURK_OK;
 }
 
-static murk_status check_settings(const murk_profile_settings *settings,
-                                  murk_error *err)
-{
-    if (!(settings->voxel_m >= 0 &&
-          settings->voxel_m <= MURK_PROFILE_LENGTH_MAX_M)) {
-        return murk_fail(err, MURK_BAD_VALUE, "--voxel",
-                         "%g, must be more than 0 and at most %g m",
-                         settings->voxel_m, MURK_PROFILE_LENGTH_MAX_M);
-    }
-    if (!(settings->width_m >= 0 &&
-          settings->width_m <= MURK_PROFILE_LENGTH_MAX_M)) {
-        return murk_fail(err, MURK_BAD_VALUE, "--width",
-                         "%g, must be more than 0 and at most %g m",
-                         settings->width_m, MURK_PROFILE_LENGTH_MAX_M);
-    }
-    return MURK_OK;
-}
-
 murk_status murk_profile_layers_read(murk_profile_layers *out,
                                      const murk_profile_settings *settings,
                                      murk_error *err)
 {
-    *out = (murk_profile_layers){.csv = settings->csv};
+    *out = (murk_profile_layers){.n = 0};
     profile p = {0};
     murk_table *table = NULL;
-    murk_status status = check_settings(settings, err);
-    if (!status) {
-        status = murk_table_read(&table, settings->csv, err);
-    }
+    murk_status status = murk_table_read(&table, settings->csv, err);
     if (!status) {
         status = read_profile(&p, table, settings, out->column, err);
     }
@@ -376,8 +347,7 @@ murk_status murk_profile_layers_read(murk_profile_layers *out,
         status = make_layers(out, &p, settings, err);
     }
     out->rows = p.n;
-    free(p.z_m);
-    free(p.per_m);
+    free(p.knot);
     murk_table_destroy(table);
     return status;
 }
@@ -411,5 +381,90 @@ murk_status murk_profile_layers_write(const murk_profile_layers *layers,
     const murk_status status =
         murk_grid_write(path, &field, 1, size, &place, err);
     free(upwards);
+    return status;
+}
+
+/* ---- the command ---- */
+
+/* An option that is a length, 0 where it is not given. */
+static murk_status read_length(const char *name, const char *text,
+                               double *length_m, murk_error *err)
+{
+    *length_m = 0;
+    if (text && (!murk_number_parse(text, length_m) ||
+                 !(*length_m > 0 && *length_m <= MURK_PROFILE_LENGTH_MAX_M))) {
+        return murk_fail(err, MURK_BAD_VALUE, name,
+                         "%.80s, must be more than 0 and at most %g m", text,
+                         MURK_PROFILE_LENGTH_MAX_M);
+    }
+    return MURK_OK;
+}
+
+static cJSON *layers_json(const murk_profile_layers *l,
+                          const murk_options *options)
+{
+    cJSON *root = murk_json_begin_murk();
+    cJSON_AddStringToObject(root, "profile", options->profile);
+    cJSON_AddStringToObject(root, "column", l->column);
+    cJSON_AddNumberToObject(root, "rows", (double)l->rows);
+    cJSON_AddStringToObject(root, "grid", options->out);
+    cJSON_AddNumberToObject(root, "voxels", (double)l->n);
+    murk_json_number(root, "voxel_m", l->voxel_m);
+    murk_json_number(root, "width_m", l->width_m);
+    murk_json_number(root, "top_m", l->top_m);
+    murk_json_number(root, "optical_depth", l->depth);
+    return root;
+}
+
+murk_status murk_command_media_profile(const murk_options *options,
+                                       murk_error *err)
+{
+    murk_profile_settings settings = {
+        .csv = options->profile,
+        .column = murk_option_text(options, "--column"),
+        .rows = murk_option_text(options, "--rows")};
+    if (options->input) {
+        return murk_fail(err, MURK_BAD_VALUE, "media",
+                         "%.80s and --profile, must be one of them",
+                         options->input);
+    }
+    if (!options->out) {
+        return murk_fail(err, MURK_BAD_VALUE, "--profile",
+                         "misses -o, must be the name of the grid's file");
+    }
+    /* Lengths that the user gives. */
+    murk_status status =
+        read_length("--voxel", options->voxel, &settings.voxel_m, err);
+    if (!status) {
+        status = read_length("--width", murk_option_text(options, "--width"),
+                             &settings.width_m, err);
+    }
+    if (status) {
+        return status;
+    }
+    /* Read the profile and write it as a grid. */
+    murk_profile_layers layers;
+    status = murk_profile_layers_read(&layers, &settings, err);
+    if (!status) {
+        status = murk_file_check_owner(options->out, MURK_GRID_MARK,
+                                       sizeof MURK_GRID_MARK - 1,
+                                       options->force, err);
+    }
+    if (!status) {
+        status = murk_profile_layers_write(&layers, options->out, err);
+    }
+    /* Report the grid. */
+    if (!status && options->json) {
+        status = murk_print_alone(layers_json(&layers, options), options, "",
+                                  options->out, err);
+    } else if (!status && !options->quiet) {
+        murk_print(
+            "%s: %s of %zu rows, %.6g down to %.6g m, optical depth %.7g\n"
+            "%s: grid density [1/m], %zu voxels of %.6g m, %.6g m wide\n",
+            options->profile, layers.column, layers.rows, layers.top_m,
+            layers.bottom_m, layers.depth, options->out, layers.n,
+            layers.voxel_m, layers.width_m);
+    }
+    murk_profile_layers_release(&layers);
     return status;
 }

@@ -15,9 +15,7 @@
 #ifndef MURK_APP_MEDIA_PROFILE_H
 #define MURK_APP_MEDIA_PROFILE_H
 
-#include "base/status.h"
-
-#include <stddef.h>
+#include "app/options.h"
 
 /* A layer is a voxel of a grid; lengths are those that a scene may have. */
 #define MURK_PROFILE_LAYERS_MAX   1000000
@@ -40,12 +38,12 @@ typedef struct murk_profile_layers {
     double voxel_m, width_m;
     double depth;    /* integral of the coefficient along the profile */
     size_t rows;     /* read */
-    const char *csv; /* the wish's */
     char column[64]; /* that was read */
 } murk_profile_layers;
 
-/* Fails with MURK_BAD_VALUE or MURK_BAD_FILE at the line and column of what is
- * wrong. Release *out in any case. */
+/* Lengths of the settings must be 0 or more. Fails with MURK_BAD_VALUE or
+ * MURK_BAD_FILE at the line and column of the fault. Release *out in any case.
+ */
 murk_status murk_profile_layers_read(murk_profile_layers *out,
                                      const murk_profile_settings *settings,
                                      murk_error *err);
@@ -54,5 +52,8 @@ void murk_profile_layers_release(murk_profile_layers *layers);
 /* Writes them as a .vdb; see medium/grid_write.h. */
 murk_status murk_profile_layers_write(const murk_profile_layers *layers,
                                       const char *path, murk_error *err);
+
+/* murk media --profile */
+murk_command_run murk_command_media_profile;
 
 #endif

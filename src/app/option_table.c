@@ -1,18 +1,11 @@
-/* The table of options. Limits are those of the help: they keep out slips of
- * the pen, and what a machine could not do. */
-#include "app/option_table.h"
-
+/* The table of options. The limits keep out slips of the pen, and
+ * values that no machine could compute with; the help states them. */
 #include "app/option_values.h"
-#include "app/render_options.h"
 #include "render/render.h"
-
-#include <string.h>
 
 #define MEMBER(member)                    \
     .at = offsetof(murk_options, member), \
     .size = sizeof(((murk_options *)0)->member)
-#define GIVEN(member) \
-    .has_flag = true, .flag_at = offsetof(murk_options, member)
 #define COUNT(low, high) .kind = MURK_OPTION_COUNT, .min = low, .max = high
 #define WORDS(list)      .kind = MURK_OPTION_WORD, .words = list
 #define OWN(reader)      .kind = MURK_OPTION_OWN, .read = reader
@@ -38,8 +31,8 @@ const murk_option murk_option_table[] = {
      "any number",
      COUNT(1, 256), MEMBER(threads), .is_left_out = true},
     {"--emit", NULL, "N", "check trace place sense render study fit replay",
-     "emit N photons, 1..4294967295 (1e6 is a million); replaces emit or "
-     "store of the scene",
+     "emit N photons, 1..4294967295 (1e6 is a million); replaces emit or store "
+     "of the scene",
      COUNT(1, UINT32_MAX), .key = "photons.emit"},
     {"--store", NULL, "N", "check trace place sense render study fit replay",
      "emit until N photons are stored; replaces emit or store of the scene",
@@ -56,9 +49,8 @@ const murk_option murk_option_table[] = {
      .kind = MURK_OPTION_TEXT, .key = "sensors.budget"},
     {"--sensors", NULL, "FILE", "sense render",
      "a placement, sensors.csv (type, x_m, y_m, z_m) or a plan.json: the one "
-     "to "
-     "measure; render: who sees each pixel's place, as channels coverage.count "
-     "and coverage.clarity",
+     "to measure; render: who sees each pixel's place, as channels "
+     "coverage.count and coverage.clarity",
      .kind = MURK_OPTION_TEXT, MEMBER(sensors), .part = MURK_OPTION_AS_FILE},
     {"--matrix", NULL, "FILE", "place",
      "choose columns of this coverage matrix, CSV or OR-Library text, in place "
@@ -66,8 +58,7 @@ const murk_option murk_option_table[] = {
      .kind = MURK_OPTION_TEXT, MEMBER(matrix), .part = MURK_OPTION_AS_FILE},
     {"--export", NULL, "LIST", "trace place sense",
      "write these into DIR, too, with commas between: fields (coverage, "
-     "optical "
-     "depth, extinction and photon density as .vdb and .vti), photons "
+     "optical depth, extinction and photon density as .vdb and .vti), photons "
      "(photons.ply), surfaces (surfaces.ply and .vtp); and of place alone "
      "matrix (matrix.csv, the coverage matrix, which --matrix reads, and "
      "candidates.csv), or-library (matrix.txt, the same as OR-Library text), "
@@ -82,8 +73,7 @@ const murk_option murk_option_table[] = {
      COUNT(0, UINT32_MAX - UINT64_C(1)), .part = MURK_OPTION_AS_TEXT},
     {"--data", NULL, "FILE", "fit",
      "what was measured: CSV with kind, place, value and standard_error of "
-     "each "
-     "reading",
+     "each reading",
      .kind = MURK_OPTION_TEXT, MEMBER(fit.data), .part = MURK_OPTION_AS_FILE},
     {"--free", NULL, "KEY[,KEY...]", "fit",
      "the scene's keys to be found, by their paths; KEY@each: one value for "
@@ -153,8 +143,7 @@ const murk_option murk_option_table[] = {
     {"--scale", NULL, "linear|log", "render",
      "of the false colours; default: log for radiances and their errors, else "
      "linear",
-     WORDS(SCALES), MEMBER(render.is_log), GIVEN(render.has_scale),
-     .part = MURK_OPTION_AS_TEXT},
+     WORDS(SCALES), .part = MURK_OPTION_AS_TEXT},
     {"--profile", NULL, "FILE", "media",
      "turn this measured profile (CSV: depth_m, z_m or height_m, and a "
      "coefficient such as c_per_m) into a grid, -o FILE.vdb",
@@ -189,8 +178,8 @@ const murk_option murk_option_table[] = {
      "JSON",
      WORDS(FORMATS), MEMBER(json), .is_left_out = true},
     {"--quiet", "-q", NULL, NULL,
-     "no summary, no progress, and no warnings but that of a fit that the "
-     "data refuse",
+     "no summary, no progress, and no warnings but that of a fit that the data "
+     "refuse",
      .kind = MURK_OPTION_SWITCH, MEMBER(quiet), .is_left_out = true},
     {"--progress", NULL, "auto|always|never", NULL,
      "bars on standard error; auto: only on a terminal", WORDS(PROGRESSES),
@@ -208,40 +197,3 @@ const size_t murk_option_table_size =
 _Static_assert(sizeof murk_option_table / sizeof *murk_option_table <=
                    MURK_OPTIONS_MAX,
                "lists of options have room for all");
-
-const murk_option *murk_option_find(const char *text, size_t length)
-{
-    for (size_t i = 0; i < murk_option_table_size; ++i) {
-        const murk_option *option = &murk_option_table[i];
-        if ((strlen(option->name) == length &&
-             strncmp(option->name, text, length) == 0) ||
-            (option->other && strlen(option->other) == length &&
-             strncmp(option->other, text, length) == 0)) {
-            return option;
-        }
-    }
-    return NULL;
-}
-
-const murk_option *murk_option_find_short(const char *text)
-{
-    const bool may_be = text[0] == '-' && text[1] != '-' && strlen(text) > 2;
-    const murk_option *option = may_be ? murk_option_find(text, 2) : NULL;
-    return option && option->argument ? option : NULL;
-}
-
-bool murk_option_belongs(const murk_option *option, const char *command)
-{
-    if (!option->commands) {
-        return true;
-    }
-    const size_t length = strlen(command);
-    for (const char *at = strstr(option->commands, command); at;
-         at = strstr(at + 1, command)) {
-        const bool begins = at == option->commands || at[-1] == ' ';
-        if (begins && (at[length] == ' ' || at[length] == '\0')) {
-            return true;
-        }
-    }
-    return false;
-}

@@ -3,48 +3,51 @@
 #include "app/option_values.h"
 
 #include "base/file.h"
+#include "base/number.h"
+#include "render/render.h"
 #include "results/fit.h"
 #include "scene/yaml.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #define LOSS_WIDTH_MAX 1e6 /* standard errors: far beyond any outlier */
 
-/* A whole number, also as 1e6; strict. */
-static bool read_count(const char *text, uint64_t *out)
-{
-    char *end = NULL;
-    if (!((*text >= '0' && *text <= '9') || *text == '.')) {
-        return false;
-    }
-    for (const char *c = text; *c; ++c) {
-        if (!strchr("0123456789.eE+", *c)) {
-            return false;
-        }
-    }
-    errno = 0;
-    const double value = strtod(text, &end);
-    if (*end || errno || !(value >= 0 && value < 0x1p64) ||
-        value != floor(value)) {
-        return false;
-    }
-    *out = strspn(text, "0123456789") == strlen(text) ? strtoull(text, NULL, 10)
-                                                      : (uint64_t)value;
-    return true;
-}
+/* Pixels along a side: the range of the key of a scene. */
+#define SIDE_MAX     65536
+#define EXPOSURE_MAX 100.0 /* stops: 2^100 is beyond any radiance */
 
 murk_status murk_option_count(const char *name, const char *text, uint64_t low,
                               uint64_t high, uint64_t *out, murk_error *err)
 {
-    if (!read_count(text, out) || *out < low || *out > high) {
+    if (*text == '+' || !murk_count_parse(text, out) || *out < low ||
+        *out > high) {
         return murk_fail(err, MURK_BAD_VALUE, name,
                          "%s, must be a whole number %llu..%llu", text,
                          (unsigned long long)low, (unsigned long long)high);
     }
     return MURK_OK;
+}
+
+static murk_status no_memory(murk_error *err)
+{
+    return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the options");
+}
+
+/* Takes over a text until the options are released. NULL when out of memory,
+ * also if `text` is NULL for that reason. */
+static const char *keep(murk_options *out, char *text)
+{
+    char **grown = realloc(out->owned, (out->n_owned + 1) * sizeof *grown);
+    if (grown) {
+        out->owned = grown;
+    }
+    if (!grown || !text) {
+        free(text);
+        return NULL;
+    }
+    return out->owned[out->n_owned++] = text;
 }
 
 murk_status murk_option_override(murk_options *out, const char *key,
@@ -53,31 +56,28 @@ murk_status murk_option_override(murk_options *out, const char *key,
 {
     const size_t size = strlen(key) + strlen(value) + 2;
     char *text = malloc(size);
+    if (text) {
+        snprintf(text, size, "%s%s%s", key, *key ? "=" : "", value);
+    }
     murk_override *overrides =
         realloc(out->overrides, (out->n_overrides + 1) * sizeof *overrides);
     if (overrides) {
         out->overrides = overrides;
     }
-    char **kept = realloc(out->kept, (out->n_kept + 1) * sizeof *kept);
-    if (kept) {
-        out->kept = kept;
+    const char *kept = keep(out, text);
+    if (!kept || !overrides) {
+        return no_memory(err);
     }
-    if (!text || !overrides || !kept) {
-        free(text);
-        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the options");
-    }
-    snprintf(text, size, "%s%s%s", key, *key ? "=" : "", value);
-    out->kept[out->n_kept++] = text;
-    out->overrides[out->n_overrides++] = (murk_override){text, option};
+    out->overrides[out->n_overrides++] = (murk_override){kept, option};
     return MURK_OK;
 }
 
 murk_status murk_option_choice(const char *name, const char *value,
-                               const char *const *allowed, int *out,
+                               const char *const *allowed, uint64_t *out,
                                murk_error *err)
 {
     char list[96] = "";
-    for (int i = 0; allowed[i]; ++i) {
+    for (uint64_t i = 0; allowed[i]; ++i) {
         if (strcmp(allowed[i], value) == 0) {
             *out = i;
             return MURK_OK;
@@ -101,7 +101,7 @@ murk_status murk_option_method(murk_options *out, const char *name,
                                const char *value, murk_error *err)
 {
     static const char *const methods[] = {"maps", "path", "maps-only", NULL};
-    int which = 0;
+    uint64_t which = 0;
     const murk_status status =
         murk_option_choice(name, value, methods, &which, err);
     out->by_path = which == 1;
@@ -138,22 +138,24 @@ murk_status murk_option_exports(murk_options *out, const char *name,
     }
 }
 
-static murk_status take_words(murk_words_given *words, const char *value,
-                              const char *name, murk_error *err)
+static murk_status take_words(murk_options *out, murk_words_given *words,
+                              const char *value, const char *name,
+                              murk_error *err)
 {
     /* Word by word between commas. */
     for (const char *at = value;;) {
         const size_t length = strcspn(at, ",");
-        char *word = strndup(at, length);
-        char **grown = realloc(words->word, (words->n + 1) * sizeof *grown);
+        const char **grown =
+            realloc(words->word, (words->n + 2) * sizeof *grown);
         if (grown) {
             words->word = grown;
         }
+        const char *word = keep(out, strndup(at, length));
         if (!word || !grown) {
-            free(word);
-            return murk_fail(err, MURK_NO_MEMORY, name, "no memory for it");
+            return no_memory(err);
         }
         words->word[words->n++] = word;
+        words->word[words->n] = NULL;
         if (length == 0) {
             return murk_fail(err, MURK_BAD_VALUE, name,
                              "\"%s\", must be words with commas between",
@@ -169,13 +171,13 @@ static murk_status take_words(murk_words_given *words, const char *value,
 murk_status murk_option_free(murk_options *out, const char *name,
                              const char *value, murk_error *err)
 {
-    return take_words(&out->fit.free, value, name, err);
+    return take_words(out, &out->fit.free, value, name, err);
 }
 
 murk_status murk_option_bounds(murk_options *out, const char *name,
                                const char *value, murk_error *err)
 {
-    return take_words(&out->fit.bounds, value, name, err);
+    return take_words(out, &out->fit.bounds, value, name, err);
 }
 
 murk_status murk_option_loss(murk_options *out, const char *name,
@@ -212,7 +214,7 @@ murk_status murk_option_loss(murk_options *out, const char *name,
 }
 
 static murk_status add_value(murk_options *out, const murk_yaml *map, size_t i,
-                             const char *file, murk_error *err)
+                             const char *option, murk_error *err)
 {
     const murk_yaml *node = map->child[i];
     char where[320];
@@ -223,19 +225,6 @@ static murk_status add_value(murk_options *out, const murk_yaml *map, size_t i,
                          "KEY: VALUE a line",
                          map->key[i]);
     }
-    /* Messages about the key name the file. */
-    const size_t size = strlen(file) + 16;
-    char *option = malloc(size);
-    char **kept = realloc(out->kept, (out->n_kept + 1) * sizeof *kept);
-    if (kept) {
-        out->kept = kept;
-    }
-    if (!option || !kept) {
-        free(option);
-        return murk_fail(err, MURK_NO_MEMORY, where, "no memory for it");
-    }
-    snprintf(option, size, "--set @%s", file);
-    out->kept[out->n_kept++] = option;
     return murk_option_override(out, map->key[i], node->text, option, err);
 }
 
@@ -260,8 +249,18 @@ static murk_status values_of(murk_options *out, const char *file,
         status = murk_fail(err, MURK_BAD_FILE, file,
                            "must be a map of KEY: VALUE, as calibrated.yaml");
     }
+    /* Messages about a key name the file. */
+    const size_t length = strlen(file) + sizeof "--set @";
+    char *option = malloc(length);
+    if (option) {
+        snprintf(option, length, "--set @%s", file);
+    }
+    const char *kept = keep(out, option);
+    if (!status && !kept) {
+        status = no_memory(err);
+    }
     for (size_t i = 0; !status && i < root->n; ++i) {
-        status = add_value(out, root, i, file, err);
+        status = add_value(out, root, i, kept, err);
     }
     if (!status && murk_fit_refused_values(text)) {
         murk_fit_warn_refused(file);
@@ -281,4 +280,69 @@ murk_status murk_option_set(murk_options *out, const char *name,
                ? murk_option_override(out, "", value, NULL, err)
                : murk_fail(err, MURK_BAD_VALUE, name, "%s, must be KEY=VALUE",
                            value);
+}
+
+/* ---- pictures ---- */
+
+static bool is_side(unsigned long n)
+{
+    return n >= 1 && n <= SIDE_MAX;
+}
+
+/* "640x480" */
+murk_status murk_option_pixels(murk_options *out, const char *name,
+                               const char *value, murk_error *err)
+{
+    char *end = NULL, *last = NULL;
+    const bool begins = *value >= '0' && *value <= '9';
+    const unsigned long width = begins ? strtoul(value, &end, 10) : 0;
+    const bool goes_on =
+        begins && *end == 'x' && end[1] >= '0' && end[1] <= '9';
+    const unsigned long height = goes_on ? strtoul(end + 1, &last, 10) : 0;
+    if (!is_side(width) || !is_side(height) || *last ||
+        (uint64_t)width * height > MURK_PIXELS_MAX) {
+        return murk_fail(err, MURK_BAD_VALUE, name,
+                         "%s, must be WIDTHxHEIGHT, such as 640x480: each "
+                         "1..%d, %llu pixels together at most",
+                         value, SIDE_MAX, (unsigned long long)MURK_PIXELS_MAX);
+    }
+    out->render.pixels[0] = width;
+    out->render.pixels[1] = height;
+    return MURK_OK;
+}
+
+murk_status murk_option_exposure(murk_options *out, const char *name,
+                                 const char *value, murk_error *err)
+{
+    char *end;
+    const double stops = strtod(value, &end);
+    if (end == value || *end || !(fabs(stops) <= EXPOSURE_MAX)) {
+        return murk_fail(err, MURK_BAD_VALUE, name,
+                         "%s, must be a number of stops, %g..%g", value,
+                         -EXPOSURE_MAX, EXPOSURE_MAX);
+    }
+    out->render.has_exposure = true;
+    out->render.exposure_stops = stops;
+    return MURK_OK;
+}
+
+/* "LOW:HIGH" */
+murk_status murk_option_range(murk_options *out, const char *name,
+                              const char *value, murk_error *err)
+{
+    char *middle, *end = NULL;
+    const double low = strtod(value, &middle);
+    const bool goes_on = middle != value && *middle == ':';
+    const double high = goes_on ? strtod(middle + 1, &end) : NAN;
+    if (!goes_on || end == middle + 1 || *end || !isfinite(low) ||
+        !isfinite(high) || !(low < high)) {
+        return murk_fail(err, MURK_BAD_VALUE, name,
+                         "%s, must be LOW:HIGH, two numbers, the first less "
+                         "than the second",
+                         value);
+    }
+    out->render.has_range = true;
+    out->render.range[0] = low;
+    out->render.range[1] = high;
+    return MURK_OK;
 }

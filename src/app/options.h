@@ -1,8 +1,12 @@
-/* The command line: which command, which file, which options. */
+/* The command line: the tables of commands and options, and what was given.
+ *
+ * An option is one row of murk_option_table (option_table.c), and the parser,
+ * --help, the man pages and the identity of results read that row. Most options
+ * need no member of murk_options: the command asks murk_option_text() or
+ * murk_option_number() by the option's name. */
 #ifndef MURK_APP_OPTIONS_H
 #define MURK_APP_OPTIONS_H
 
-#include "app/option_table.h"
 #include "base/progress.h"
 #include "base/status.h"
 #include "fit/least_squares.h"
@@ -13,14 +17,97 @@
 #include <stdint.h>
 #include <stdio.h>
 
+typedef struct murk_options murk_options;
+
+/* ---- options ---- */
+
+typedef enum murk_option_kind {
+    MURK_OPTION_SWITCH, /* no value; a bool */
+    MURK_OPTION_TEXT,   /* const char * */
+    MURK_OPTION_COUNT,  /* a whole number min..max; uint64_t or unsigned */
+    MURK_OPTION_WORD,   /* one of `words`; the index: bool or int */
+    MURK_OPTION_OWN     /* as `read` reads it */
+} murk_option_kind;
+
+/* How results depend on an option, beside its scene key. */
+typedef enum murk_option_part {
+    MURK_OPTION_NO_PART,
+    MURK_OPTION_AS_TEXT, /* results depend on the value */
+    MURK_OPTION_AS_FILE  /* results depend on the contents of that file */
+} murk_option_part;
+
+/* Checks the value of the option `name` and stores it. */
+typedef murk_status murk_option_read(murk_options *out, const char *name,
+                                     const char *value, murk_error *err);
+
+typedef struct murk_option {
+    const char *name;     /* "--seed" */
+    const char *other;    /* "-o", or NULL */
+    const char *argument; /* "N", or NULL for a switch */
+    const char *commands; /* "place sense", or NULL for all */
+    const char *help;     /* NULL: not shown */
+    murk_option_kind kind;
+    uint64_t min, max;
+    const char *const *words; /* NULL ends them */
+    murk_option_read *read;
+    const char *key; /* scene key that gets the value; NULL: none */
+    size_t at, size; /* member of murk_options; size 0: none */
+    murk_option_part part;
+    bool is_left_out; /* of the command line that is kept with results: places
+                         of results, and form of the output */
+} murk_option;
+
+#define MURK_OPTIONS_MAX 96 /* of the table */
+
+extern const murk_option murk_option_table[];
+extern const size_t murk_option_table_size;
+
+/* Finds an option by its name or its other spelling, text[length]; NULL if
+ * there is none. */
+const murk_option *murk_option_find(const char *text, size_t length);
+
+/* True if the command has the option. command NULL: if every command has it. */
+bool murk_option_belongs(const murk_option *option, const char *command);
+
+/* ---- commands ---- */
+
+typedef struct murk_note_pair {
+    const char *name, *text; /* a file and its contents; a command line and its
+                                purpose */
+} murk_note_pair;
+
+/* Entries of a command, with the empty one at the end. */
+#define MURK_NOTES_FILES    24
+#define MURK_NOTES_EXAMPLES 6
+
+typedef murk_status murk_command_run(const murk_options *options,
+                                     murk_error *err);
+
 typedef struct murk_command {
     const char *name, *arguments, *summary;
     const char *text; /* a paragraph or two for --help and the man page */
-    murk_status (*run)(const murk_options *options, murk_error *err);
+    murk_command_run *run;
+    const char *formats; /* man pages of section 5, with spaces between */
+    murk_note_pair example[MURK_NOTES_EXAMPLES + 1];
+    murk_note_pair file[MURK_NOTES_FILES + 1]; /* that the command writes */
 } murk_command;
 
+extern const murk_command murk_commands[];
+extern const size_t murk_commands_count;
+
+/* NULL if there is none of that name. */
+const murk_command *murk_command_find(const char *name);
+
+/* The commands, each in its own file. */
+murk_command_run murk_command_check, murk_command_trace, murk_command_place,
+    murk_command_sense, murk_command_render, murk_command_study,
+    murk_command_fit, murk_command_report, murk_command_replay,
+    murk_command_media;
+
+/* ---- a command line as given ---- */
+
 typedef struct murk_words_given {
-    char **word; /* [n] owned */
+    const char **word; /* [n], with NULL behind the last */
     size_t n;
 } murk_words_given;
 
@@ -41,11 +128,11 @@ typedef struct murk_render_options {
     bool has_exposure;        /* --exposure */
     double exposure_stops;    /* 0: radiance as it is */
     const char *false_colour; /* --false-colour; with it: */
-    bool has_range, has_scale;
+    bool has_range;
     double range[2]; /* --range */
-    bool is_log;     /* --scale */
 } murk_render_options;
 
+/* One option as it was given. */
 typedef struct murk_given {
     const murk_option *option;
     const char *value; /* NULL: it takes none */
@@ -76,43 +163,19 @@ struct murk_options {
     size_t n_overrides;
     murk_given *given; /* [n_given] as they came */
     size_t n_given;
-    char *typed; /* the command line that gives the same again, for a shell */
-    char **kept; /* texts that overrides point to */
-    size_t n_kept;
+    char *typed;  /* the command line that gives the same results again, quoted
+                     for a POSIX shell: without options that change no result
+                     (is_left_out) */
+    char **owned; /* [n_owned] texts that other members point to */
+    size_t n_owned;
 };
 
-extern const murk_command murk_commands[];
-extern const size_t murk_commands_count;
+bool murk_option_is_given(const murk_options *options, const char *name);
 
-/* Fills *out; release it also after a failure. Messages name the option, what
- * was found and what is allowed. */
-murk_status murk_options_parse(murk_options *out, int argc, char **argv,
-                               murk_error *err);
-void murk_options_release(murk_options *options);
-
-/* The value of an option by its name in the table, the last one that is given.
- * Text: NULL where it is not given; number: `otherwise`. */
+/* The value that was given last under the option's name; NULL, or `otherwise`,
+ * if none was. */
 const char *murk_option_text(const murk_options *options, const char *name);
 uint64_t murk_option_number(const murk_options *options, const char *name,
                             uint64_t otherwise);
-
-/* --help of one command, or of the program (NULL). */
-void murk_help_print(FILE *to, const murk_command *command);
-
-/* The man page of one command, or of the program (NULL), in roff. */
-void murk_man_print(FILE *to, const murk_command *command);
-
-/* The commands, each in its own file. */
-murk_status murk_command_check(const murk_options *, murk_error *);
-murk_status murk_command_trace(const murk_options *, murk_error *);
-murk_status murk_command_place(const murk_options *, murk_error *);
-murk_status murk_command_sense(const murk_options *, murk_error *);
-murk_status murk_command_render(const murk_options *, murk_error *);
-murk_status murk_command_study(const murk_options *, murk_error *);
-murk_status murk_command_fit(const murk_options *, murk_error *);
-murk_status murk_command_report(const murk_options *, murk_error *);
-murk_status murk_command_replay(const murk_options *, murk_error *);
-murk_status murk_command_media(const murk_options *, murk_error *);
-murk_status murk_command_media_profile(const murk_options *, murk_error *);
 
 #endif

@@ -65,7 +65,7 @@ static void raise(_Atomic uint32_t *cell, uint32_t value)
         ;
 }
 
-static void look_by_sensor(void *context, unsigned worker, uint64_t batch)
+static void cover_by_sensor(void *context, unsigned worker, uint64_t batch)
 {
     strip *s = context;
     const murk_pose *pose = &s->viewpoint->sensor[batch];
@@ -109,7 +109,7 @@ static size_t sensors_of_band(const strip *s)
 }
 
 /* By the sensors of one band. */
-static murk_status look_at_strip(strip *s, murk_error *err)
+static murk_status cover_strip(strip *s, murk_error *err)
 {
     const murk_image *p = s->picture;
     murk_photon *point = NULL;
@@ -129,8 +129,8 @@ static murk_status look_at_strip(strip *s, murk_error *err)
                                         p->width * p->height, s->threads, err);
     }
     if (!status && n > 0) {
-        murk_pool_run_workers(s->threads, s->viewpoint->sensors, look_by_sensor,
-                              s);
+        murk_pool_run_workers(s->threads, s->viewpoint->sensors,
+                              cover_by_sensor, s);
         keep(s, points);
     } else if (!status) { /* nothing to look at: these looks are done */
         murk_progress_add(sensors_of_band(s));
@@ -152,7 +152,7 @@ static uint32_t bands_of_sensors(const strip *s)
     return bands;
 }
 
-static murk_status look_at_all(strip *s, murk_error *err)
+static murk_status cover_all(strip *s, murk_error *err)
 {
     const murk_image *p = s->picture;
     const size_t together = rows_together(p->width);
@@ -175,7 +175,7 @@ static murk_status look_at_all(strip *s, murk_error *err)
         }
         for (int b = 0; b < p->bands && !status; ++b) {
             s->band = b;
-            status = bands >> b & 1 ? look_at_strip(s, err) : MURK_OK;
+            status = bands >> b & 1 ? cover_strip(s, err) : MURK_OK;
         }
         if (!status && murk_interrupted()) {
             status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
@@ -204,7 +204,7 @@ murk_status murk_picture_cover(murk_image *picture,
         const size_t together = rows_together(picture->width);
         const size_t strips = (picture->height + together - 1) / together;
         murk_progress_begin("coverage", strips * viewpoint->sensors, "looks");
-        status = look_at_all(&s, err);
+        status = cover_all(&s, err);
         murk_progress_end();
     }
     murk_scenery_release(&scenery);

@@ -19,7 +19,7 @@
 #include <string.h>
 
 #define MATRIX_SHARE 0.7 /* of the free memory, as for a scene's */
-#define COST_MAX     1e6
+#define COST_MAX     1e6 /* as of a scene: scene/keys_sensors.c */
 
 /* ---- the wish ---- */
 

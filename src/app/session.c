@@ -13,14 +13,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Keys that are given in vain. */
-static void warn_of_idle(const murk_scene_desc *scene)
-{
-    for (size_t i = 0; i < scene->idles; ++i) {
-        murk_warn(scene->idle[i].where, "%s", scene->idle[i].text);
-    }
-}
-
 /* True if an option or --set gives this key or the map that it is in. */
 static bool is_given(const murk_options *options, const char *key)
 {
@@ -42,22 +34,18 @@ static murk_status read_scene(murk_scene_desc **out,
                               const murk_options *options, murk_error *err)
 {
     murk_lightmap_counts counts;
-    murk_status status = MURK_OK;
-    if (!options->light) {
-        return murk_scene_desc_read(out, options->input, options->overrides,
-                                    options->n_overrides, err);
-    }
     murk_error unread = {0};
-    if (murk_lightmap_read_counts(&counts, options->light, &unread)) {
-        /* placement over conditions takes no file of light, whatever the file
-         * holds, and says so itself */
+    murk_status status = MURK_OK;
+    if (!options->light ||
+        murk_lightmap_read_counts(&counts, options->light, &unread)) {
         status = murk_scene_desc_read(out, options->input, options->overrides,
                                       options->n_overrides, err);
+        /* Placement over conditions refuses --light itself, whatever the file
+         * holds. */
         if (status || (*out)->placement.over != MURK_SCENE_OBJECTIVE_NONE) {
             return status;
         }
-        *err = unread;
-        return unread.status;
+        return murk_fail(err, unread.status, unread.where, "%s", unread.text);
     }
     murk_override *all = calloc(options->n_overrides + 2, sizeof *all);
     char seed[32], number[64];
@@ -92,6 +80,14 @@ murk_status murk_session_begin(murk_session *session,
     return status ? status : murk_session_build(session, err);
 }
 
+void murk_session_quiet(const murk_options *options)
+{
+    if (options->quiet) {
+        murk_warn_to(NULL);
+    }
+    murk_progress_set(options->quiet ? MURK_PROGRESS_NEVER : options->progress);
+}
+
 void murk_session_set(murk_session *session, const murk_options *options)
 {
     *session = (murk_session){.settings = {.folder = options->out,
@@ -105,10 +101,7 @@ void murk_session_set(murk_session *session, const murk_options *options)
                               .run.threads = options->threads,
                               .run.command = options->typed,
                               .begun_s = murk_clock_s()};
-    if (options->quiet) {
-        murk_warn_to(NULL);
-    }
-    murk_progress_set(options->quiet ? MURK_PROGRESS_NEVER : options->progress);
+    murk_session_quiet(options);
 }
 
 murk_status murk_session_scene(murk_session *session,
@@ -122,7 +115,10 @@ murk_status murk_session_scene(murk_session *session,
         return status;
     }
     murk_units_note(session->scene);
-    warn_of_idle(session->scene);
+    for (size_t i = 0; i < session->scene->idles; ++i) {
+        murk_warn(session->scene->idle[i].where, "%s",
+                  session->scene->idle[i].text); /* keys without effect */
+    }
     return murk_identity_scene(session->identity, options, session->scene, err);
 }
 

@@ -6,7 +6,10 @@
 #include "app/options.h"
 #include "results/session.h"
 
-/* Sets what the options say, with nothing read yet. */
+/* Silences warnings and progress as the options say. */
+void murk_session_quiet(const murk_options *options);
+
+/* The same, and the session's settings, with nothing read yet. */
 void murk_session_set(murk_session *session, const murk_options *options);
 
 /* Reads and builds; makes the result folder. End it also after a failure.

@@ -36,11 +36,12 @@ static void write_effort(FILE *to, const murk_yaml *root,
                     " s on {run.threads#thread|threads} and "
                     "{run.peak_memory_bytes*} MB of memory");
     if (is_known || isfinite(murk_result_number(ledger, "photons_emitted"))) {
-        murk_report_say(to, is_known ? root : ledger,
-                        is_known ? ", for {photons.emitted#photon|photons} "
-                                   "that left the lights"
-                                 : ", for {photons_emitted#photon|photons} "
-                                   "that left the lights");
+        murk_report_say(
+            to, is_known ? root : ledger,
+            is_known
+                ? ", for {photons.emitted#photon|photons} that left the lights"
+                : ", for {photons_emitted#photon|photons} that left the "
+                  "lights");
     }
     murk_report_say(to, root, "; murk {murk.version$}");
     if (date) {
@@ -91,15 +92,13 @@ static void explain(FILE *to, const murk_results_in *results)
          "No plan with as many sensors covers more than the upper bound, in "
          "sample. The gap is how far the plan is from it, as a share of the "
          "bound: 0 means that the plan is the best there is."},
-        {"ceiling",
-         "What all places together would cover: what is beyond cannot be seen "
-         "from anywhere that was allowed."},
+        {"ceiling", "What all places together would cover: what is beyond "
+                    "cannot be seen from anywhere that was allowed."},
         {"it covers, only it covers",
          "What a sensor sees, and what would be lost without it."}};
     static const word of_fits[] = {
-        {"residual",
-         "Measured less predicted, in standard errors of the reading. One in "
-         "twenty is beyond ±1.96 by chance."},
+        {"residual", "Measured less predicted, in standard errors of the "
+                     "reading. One in twenty is beyond ±1.96 by chance."},
         {"chi², degrees of freedom",
          "The sum of squared residuals; and how many readings there are beyond "
          "those that the values take. Both should be about the same."},
@@ -160,12 +159,11 @@ void murk_report_summary(FILE *to, const murk_results_in *results)
           "<h2>In short</h2>\n",
           to);
     if (!murk_results_are_one_run(results)) {
-        fputs(
-            "<p>This folder holds files of several runs. The scene, the light "
-            "and the tallies are those of the last that wrote them, and need "
-            "not be those of the answers here: see how each file was "
-            "made.</p>\n",
-            to);
+        fputs("<p>This folder holds files of several runs. The scene, the "
+              "light and the tallies are those of the last that wrote them, "
+              "and need not be those of the answers here: see how each file "
+              "was made.</p>\n",
+              to);
     }
     if (results->strangers && *results->strangers) {
         fputs("<p>Not as the run of this page wrote them: ", to);
