@@ -56,12 +56,12 @@ static void read_base(study_run *s)
 {
     murk_scene_desc *scene = NULL;
     murk_error why = {0};
-    const murk_warn_sink told = murk_warn_to(NULL); /* by the rows */
+    const murk_warn_sink sink = murk_warn_to(NULL); /* by the rows */
     if (!murk_scene_desc_read(&scene, s->study->base, s->options->overrides,
                               s->options->n_overrides, &why)) {
         s->base = strdup(scene->resolved);
     }
-    murk_warn_to(told);
+    murk_warn_to(sink);
     murk_scene_desc_destroy(scene);
 }
 

@@ -178,14 +178,14 @@ murk_status murk_repeat_make(murk_repeat *out, const murk_repeat_first *first,
     for (out->runs = 1; out->runs < asked && !status;) {
         const uint32_t later = (uint32_t)out->runs;
         murk_repeat_run *run = &out->run[out->runs];
-        murk_error told = {0};
+        murk_error why = {0};
         murk_progress_part(out->runs + 1, asked, out->runs);
         status = first->stage
-                     ? run_again(run, first, later, threads, &told)
-                     : run_conditions_again(run, first, later, threads, &told);
+                     ? run_again(run, first, later, threads, &why)
+                     : run_conditions_again(run, first, later, threads, &why);
         if (status) {
-            status = murk_fail(err, status, told.where, "seed %lu: %s",
-                               (unsigned long)scene->seed + later, told.text);
+            status = murk_fail(err, status, why.where, "seed %lu: %s",
+                               (unsigned long)scene->seed + later, why.text);
         } else {
             ++out->runs;
             murk_progress_add_to_group(1);

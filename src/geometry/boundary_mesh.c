@@ -27,7 +27,7 @@ typedef struct gathering {
     murk_walk walk;
     double from_m;
     murk_meet meet;
-    void *told;
+    void *receiver;
 } gathering;
 
 /* Embree's filter: reports the triangle and rejects the hit, so that Embree
@@ -46,15 +46,17 @@ static void tell(const struct RTCFilterFunctionNArguments *args)
     murk_vec3 normal;
     g->walk.ray.ray.tfar = ray->tfar;
     const double distance = murk_walk_locate(&g->walk, p, &normal);
-    g->meet(g->told, p.index, g->from_m + distance);
+    g->meet(g->receiver, p.index, g->from_m + distance);
 }
 
 void murk_boundary_mesh_gather(const murk_boundary_mesh *b, murk_vec3 origin,
                                murk_vec3 direction, double from_m, double to_m,
                                murk_meet meet, void *context)
 {
-    gathering g = {
-        .boundary_mesh = b, .from_m = from_m, .meet = meet, .told = context};
+    gathering g = {.boundary_mesh = b,
+                   .from_m = from_m,
+                   .meet = meet,
+                   .receiver = context};
     if (murk_walk_begin(&g.walk, b->shape,
                         murk_along(origin, from_m, direction), direction,
                         to_m - from_m, MURK_MASK_ALL)) {

@@ -158,7 +158,7 @@ murk_status murk_report_fields_read(murk_report_fields *out,
         return MURK_OK;
     }
     murk_error why = {0};
-    const murk_warn_sink told = murk_warn_to(NULL); /* by the run */
+    const murk_warn_sink sink = murk_warn_to(NULL); /* by the run */
     char *path =
         murk_path_join(results->folder, murk_results_scene(results->folder));
     murk_status status = MURK_OK;
@@ -168,7 +168,7 @@ murk_status murk_report_fields_read(murk_report_fields *out,
         status = read_fields(out, results, err);
     }
     free(path);
-    murk_warn_to(told);
+    murk_warn_to(sink);
     return status;
 }
 

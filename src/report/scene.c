@@ -238,9 +238,9 @@ murk_status murk_report_scene_read(murk_report_scene *out,
                                    murk_error *err)
 {
     *out = (murk_report_scene){0};
-    const murk_warn_sink told = murk_warn_to(NULL); /* by the run */
+    const murk_warn_sink sink = murk_warn_to(NULL); /* by the run */
     const murk_status status = read_all(out, results, err);
-    murk_warn_to(told);
+    murk_warn_to(sink);
     out->points = out->state[0].points;
     out->sensor = out->state[0].sensor;
     out->sensors = out->state[0].sensors;
