@@ -19,6 +19,15 @@ static bool has(const murk_yaml *plan, const char *path)
     return isfinite(murk_result_number(plan, path));
 }
 
+/* Says the words if there is a number under the path. */
+static void say_if(FILE *to, const murk_yaml *plan, const char *path,
+                   const char *words)
+{
+    if (has(plan, path)) {
+        murk_report_say(to, plan, words);
+    }
+}
+
 static bool is_judged_by(const murk_yaml *plan, const char *how)
 {
     return murk_result_is(plan, "over", how);
@@ -45,12 +54,11 @@ static const char *object_of(const murk_yaml *plan)
     return has_targets(plan) ? "targets" : "light";
 }
 
-/* Of the strict question, whose shares are of what so many see. */
+/* Of the strict question, whose shares are of light that so many see. */
 static void say_by_how_many(FILE *to, const murk_yaml *plan)
 {
-    if (has(plan, "target.at_least")) {
-        murk_report_say(to, plan, ", each part by {target.at_least} or more");
-    }
+    say_if(to, plan, "target.at_least",
+           ", each part by {target.at_least} or more");
 }
 
 /* ---- the question ---- */
@@ -73,11 +81,9 @@ static void ask_sensors(FILE *to, const murk_yaml *plan)
         fprintf(to, " be to see the most %s", object);
     }
     /* of which places, in which conditions, with which knowledge */
-    if (has(plan, "candidates.usable")) {
-        murk_report_say(to, plan,
-                        ", of {candidates.usable#place that is free|places "
-                        "that are free}");
-    }
+    say_if(to, plan, "candidates.usable",
+           ", of {candidates.usable#place that is free|places "
+           "that are free}");
     if (is_judged_by(plan, "mean") || is_judged_by(plan, "worst") ||
         is_judged_by(plan, "regret")) {
         murk_report_say(to, plan, ", over {conditions[condition|conditions}");
@@ -141,11 +147,9 @@ static void say_thin(FILE *to, const murk_yaml *plan)
     fputs(murk_result_is(plan, "thin_map.map", "volume") ? "in media"
                                                          : "on surfaces",
           to);
-    if (has(plan, "thin_map.variance_share")) {
-        murk_report_say(to, plan,
-                        ", and so does {thin_map.variance_share%} of its "
-                        "variance");
-    }
+    say_if(to, plan, "thin_map.variance_share",
+           ", and so does {thin_map.variance_share%} of its "
+           "variance");
     fputs(". With placement.weights: {surface: 1, volume: 1} all photons count "
           "alike.",
           to);
@@ -301,18 +305,14 @@ static void extra_plan(FILE *to, const murk_yaml *plan)
                         "It cannot be met by fewer than "
                         "{target.fewest_possible}.</dd></div>\n");
     }
-    if (has(plan, "budget.spent")) {
-        murk_report_say(to, plan,
-                        "<div><dt>Budget</dt><dd>{budget.spent} of "
-                        "{budget.asked} spent.</dd></div>\n");
-    }
-    if (has(plan, "repeat.runs")) {
-        murk_report_say(to, plan,
-                        "<div><dt>With other seeds</dt><dd>The whole job with "
-                        "{repeat.runs#seed|seeds} gives, held out, "
-                        "{repeat.held_out.minimum%} to "
-                        "{repeat.held_out.maximum%}.</dd></div>\n");
-    }
+    say_if(to, plan, "budget.spent",
+           "<div><dt>Budget</dt><dd>{budget.spent} of "
+           "{budget.asked} spent.</dd></div>\n");
+    say_if(to, plan, "repeat.runs",
+           "<div><dt>With other seeds</dt><dd>The whole job with "
+           "{repeat.runs#seed|seeds} gives, held out, "
+           "{repeat.held_out.minimum%} to "
+           "{repeat.held_out.maximum%}.</dd></div>\n");
 }
 
 void murk_answer_plan(FILE *to, const murk_yaml *plan, bool is_made)

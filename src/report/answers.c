@@ -109,10 +109,8 @@ static bool find_extremes(extreme out[2], const murk_yaml *rows, size_t n,
     out[0] = (extreme){.value = INFINITY};
     out[1] = (extreme){.value = -INFINITY};
     for (size_t i = 0; i < n; ++i) {
-        const murk_yaml *values = murk_result_at(rows->child[i], "values");
-        const murk_yaml *one = values && values->kind == MURK_YAML_MAP
-                                   ? murk_yaml_get(values, output)
-                                   : NULL;
+        const murk_yaml *one =
+            murk_result_get(murk_result_at(rows->child[i], "values"), output);
         const extreme e = {murk_result_number(one, "value"),
                            murk_result_number(one, "standard_error"), i + 1};
         out[0] = e.value < out[0].value ? e : out[0];
@@ -135,7 +133,7 @@ static void write_extreme(FILE *to, const extreme *e, const murk_yaml *rows,
                           const char *output)
 {
     const murk_yaml *axes = murk_result_at(rows->child[e->row - 1], "axes");
-    const size_t n = axes && axes->kind == MURK_YAML_MAP ? axes->n : 0;
+    const size_t n = murk_result_entries(axes);
     write_value(to, e, output);
     for (size_t i = 0; i < n && i < SHOWN_MAX; ++i) {
         const char *dot = strrchr(axes->key[i], '.');
@@ -174,8 +172,7 @@ void murk_answer_study(FILE *to, const murk_yaml *study)
     const murk_yaml *rows = murk_result_at(study, "rows");
     const murk_yaml *values =
         n > 0 ? murk_result_at(rows->child[0], "values") : NULL;
-    const size_t outputs =
-        values && values->kind == MURK_YAML_MAP ? values->n : 0;
+    const size_t outputs = murk_result_entries(values);
     ask_study(to, study);
     /* an output's range over all rows; bands have a table of their own */
     fputs("<div><dt>Answer</dt><dd><ul>", to);

@@ -29,11 +29,6 @@ static int is_csv(const struct dirent *entry)
            strcmp(entry->d_name + length - 4, ".csv") == 0;
 }
 
-static int by_name(const struct dirent **a, const struct dirent **b)
-{
-    return strcmp((*a)->d_name, (*b)->d_name);
-}
-
 /* True if the page's script draws from this file, so that a file that cannot
  * be read is an error of the results. */
 static bool is_drawn(const murk_results_in *results, const char *name)
@@ -118,7 +113,7 @@ murk_status murk_report_csv(FILE *to, const murk_results_in *results,
     struct dirent **entry = NULL;
     size_t left = ALL_BYTES;
     murk_status status = MURK_OK;
-    const int n = scandir(results->folder, &entry, is_csv, by_name);
+    const int n = scandir(results->folder, &entry, is_csv, alphasort);
     if (n > 0) {
         fputs("<noscript>\n<section>\n<h2>Tables of the folder</h2>\n", to);
     }

@@ -152,22 +152,10 @@ murk_status murk_report_fields_read(murk_report_fields *out,
                                     const murk_results_in *results,
                                     murk_error *err)
 {
-    *out = (murk_report_fields){0};
-    if (!murk_results_has(results->folder,
-                          murk_results_scene(results->folder))) {
-        return MURK_OK;
-    }
-    murk_error why = {0};
-    const murk_warn_sink sink = murk_warn_to(NULL); /* by the run */
-    char *path =
-        murk_path_join(results->folder, murk_results_scene(results->folder));
-    murk_status status = MURK_OK;
-    if (!path) {
-        status = murk_fail(err, MURK_NO_MEMORY, "", "no memory to read it");
-    } else if (!murk_scene_desc_read(&out->scene, path, NULL, 0, &why)) {
-        status = read_fields(out, results, err);
-    }
-    free(path);
+    *out = (murk_report_fields){.scene = results->scene};
+    const murk_warn_sink sink = murk_warn_to(NULL); /* the run has warned */
+    const murk_status status =
+        out->scene ? read_fields(out, results, err) : MURK_OK;
     murk_warn_to(sink);
     return status;
 }
@@ -178,7 +166,6 @@ void murk_report_fields_release(murk_report_fields *fields)
         free(fields->field[i].value);
         free(fields->field[i].error);
     }
-    murk_scene_desc_destroy(fields->scene);
     *fields = (murk_report_fields){0};
 }
 

@@ -24,7 +24,7 @@ typedef struct murk_report_field {
 } murk_report_field;
 
 typedef struct murk_report_fields {
-    murk_scene_desc *scene; /* NULL: not there, or cannot be read */
+    const murk_scene_desc *scene; /* of the results */
     murk_report_field field[MURK_REPORT_FIELDS_MAX];
     size_t fields, asked; /* read, and that there are */
 } murk_report_fields;

@@ -15,13 +15,6 @@
 
 /* ---- commands ---- */
 
-static const char *const names[MURK_RESULT_FILES] = {
-    [MURK_RESULT_PLAN] = "plan.json",
-    [MURK_RESULT_COVERAGE] = "coverage.json",
-    [MURK_RESULT_STUDY] = "study.json",
-    [MURK_RESULT_FIT] = "fit.json",
-    [MURK_RESULT_LEDGER] = "ledger.json"};
-
 static void write_word(FILE *to, const char *word)
 {
     char *quoted = murk_utf8_shell_word(word);
@@ -145,8 +138,7 @@ static void write_fact(FILE *to, const murk_yaml *root, const char *name,
 static void write_packages(FILE *to, const murk_yaml *root)
 {
     const murk_yaml *packages = murk_result_at(root, "murk.packages");
-    const size_t n =
-        packages && packages->kind == MURK_YAML_MAP ? packages->n : 0;
+    const size_t n = murk_result_entries(packages);
     fputs("<tr><th scope=\"row\">packages</th><td class=\"text\">", to);
     for (size_t i = 0; i < n && i < MURK_REPORT_ROWS_MAX; ++i) {
         fputs(i > 0 ? ", " : "", to);
@@ -191,11 +183,6 @@ static int is_shown(const struct dirent *entry)
     return entry->d_name[0] != '.';
 }
 
-static int by_name(const struct dirent **a, const struct dirent **b)
-{
-    return strcmp((*a)->d_name, (*b)->d_name);
-}
-
 /* The page's own name in the folder; NULL where it is written elsewhere. */
 static const char *name_in(const char *folder, const char *page)
 {
@@ -216,7 +203,7 @@ static void write_files(FILE *to, const char *folder, const char *page)
     const char *own = name_in(folder, page);
     struct dirent **entry = NULL;
     size_t rows = 0;
-    const int n = scandir(folder, &entry, is_shown, by_name);
+    const int n = scandir(folder, &entry, is_shown, alphasort);
     if (n <= 0) {
         free(entry);
         return;
@@ -262,7 +249,7 @@ void murk_report_made(FILE *to, const murk_results_in *results,
     write_commands(to, results);
     for (int i = 0; i < MURK_RESULT_FILES; ++i) {
         if (is_described(results, i)) {
-            write_run(to, names[i], results->json[i]);
+            write_run(to, murk_result_kinds[i].file, results->json[i]);
         }
     }
     write_files(to, results->folder, page);

@@ -11,6 +11,7 @@
 #include "base/interrupt.h"
 #include "base/version.h"
 #include "report/data.h"
+#include "report/fields.h"
 #include "report/html.h"
 #include "report/pictures.h"
 #include "report/scene.h"
@@ -111,7 +112,7 @@ static void write_json(murk_data *data, const char *key, const murk_yaml *root,
                        size_t items_max)
 {
     murk_data_begin(data, key, '{');
-    for (size_t i = 0; root->kind == MURK_YAML_MAP && i < root->n; ++i) {
+    for (size_t i = 0; i < murk_result_entries(root); ++i) {
         if (!is_of_one_run(root->key[i])) {
             murk_data_yaml(data, root->key[i], root->child[i], items_max);
         }
@@ -159,9 +160,8 @@ static void add_ledgers(murk_data *data, const murk_results_in *results)
         const char *name = murk_result_text(list->child[i], "name");
         snprintf(file, sizeof file, "ledger-%.*s.json", FILE_SIZE - 16,
                  name ? name : "");
-        char *path = name && !strchr(name, '/') &&
-                             murk_results_has(results->folder, file)
-                         ? murk_path_join(results->folder, file)
+        char *path = name && !strchr(name, '/')
+                         ? murk_results_path(results->folder, file)
                          : NULL;
         if (path && !murk_yaml_read(&ledger, path, &why)) {
             add_json(data, name, ledger);
@@ -174,25 +174,19 @@ static void add_ledgers(murk_data *data, const murk_results_in *results)
 
 static murk_status write_data(FILE *to, const murk_report *c, murk_error *err)
 {
-    static const char *const key[MURK_RESULT_FILES] = {
-        [MURK_RESULT_PLAN] = "plan",
-        [MURK_RESULT_COVERAGE] = "coverage",
-        [MURK_RESULT_STUDY] = "study",
-        [MURK_RESULT_FIT] = "fit",
-        [MURK_RESULT_LEDGER] = "ledger"};
-    const murk_scene_desc *scene = c->fields.scene;
+    const murk_scene_desc *scene = c->results.scene;
     /* the main JSON files, those of conditions, what else they depend on */
     murk_data data = murk_data_open(to, "results");
     for (int i = 0; i < MURK_RESULT_FILES; ++i) {
         if (c->results.json[i]) {
-            add_json(&data, key[i], c->results.json[i]);
+            add_json(&data, murk_result_kinds[i].key, c->results.json[i]);
         }
     }
     add_ledgers(&data, &c->results);
     murk_data_numbers(&data, "bands_nm", scene ? scene->band_nm : NULL,
                       scene ? (size_t)scene->bands : 0);
     murk_data_text(&data, "note", c->scene.note);
-    murk_status status = murk_report_tallies(&data, &c->results, scene, err);
+    murk_status status = murk_report_tallies(&data, &c->results, err);
     murk_report_fields_add(&data, &c->fields);
     murk_data_close(&data);
     return status || !murk_report_has_view(&c->scene)
@@ -291,7 +285,7 @@ void murk_report_destroy(murk_report *report)
 murk_report_facts murk_report_describe(const murk_report *report)
 {
     murk_report_facts facts = {.results = &report->results,
-                               .sensors = report->scene.sensors};
+                               .sensors = report->scene.state[0].sensors};
     for (size_t i = 0; i < report->scene.states; ++i) {
         facts.photons += report->scene.state[i].points.photons;
         facts.photons_shown += report->scene.state[i].points.n;

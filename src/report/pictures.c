@@ -8,7 +8,6 @@
 #include "report/html.h"
 #include "report/results_in.h"
 
-#include <dirent.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -75,16 +74,16 @@ static char *text_of(const murk_report_picture *p, const char *name)
 
 /* ---- reading ---- */
 
-static int is_picture(const struct dirent *entry)
+static bool ends_in(const struct dirent *entry, const char *extension)
 {
     const char *dot = strrchr(entry->d_name, '.');
-    return entry->d_name[0] != '.' && dot &&
-           (strcmp(dot, ".png") == 0 || strcmp(dot, ".exr") == 0);
+    return dot && strcmp(dot, extension) == 0;
 }
 
-static int by_name(const struct dirent **a, const struct dirent **b)
+static int is_picture(const struct dirent *entry)
 {
-    return strcmp((*a)->d_name, (*b)->d_name);
+    return entry->d_name[0] != '.' &&
+           (ends_in(entry, ".png") || ends_in(entry, ".exr"));
 }
 
 /* Opens what may be carried; false where it is no picture. */
@@ -116,14 +115,16 @@ static murk_status add_png(murk_report_pictures *out, const char *folder,
 {
     murk_report_picture p = {0};
     char *path = murk_path_join(folder, name);
+    if (!path) {
+        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for pictures");
+    }
     /* what a folder names may be a pipe that nobody writes to */
-    FILE *file =
-        path && murk_results_has(folder, name) ? murk_inputs_open(path) : NULL;
+    FILE *file = murk_results_has(folder, name) ? murk_inputs_open(path) : NULL;
     const bool is_full = out->n == MURK_REPORT_PICTURES_MAX;
     if (file && is_full && read_file(&p, file, 0)) {
         ++out->more;
     } else if (file && !is_full && read_file(&p, file, *left)) {
-        p.name = strdup(name);
+        p.name = name;
         *left -= p.bytes ? p.size : 0;
         out->carried += p.bytes != NULL;
         out->picture[out->n++] = p;
@@ -133,62 +134,36 @@ static murk_status add_png(murk_report_pictures *out, const char *folder,
     if (file) {
         fclose(file);
     }
-    const bool is_whole =
-        path && (out->n == 0 || out->picture[out->n - 1].name);
     free(path);
-    return is_whole
-               ? MURK_OK
-               : murk_fail(err, MURK_NO_MEMORY, "", "no memory for pictures");
-}
-
-static murk_status add_exr(murk_report_pictures *out, const char *name,
-                           murk_error *err)
-{
-    char **grown = realloc(out->exr, (out->n_exr + 1) * sizeof *grown);
-    char *copy = strdup(name);
-    if (grown) {
-        out->exr = grown;
-    }
-    if (!grown || !copy) {
-        free(copy);
-        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for pictures");
-    }
-    out->exr[out->n_exr++] = copy;
     return MURK_OK;
 }
 
 murk_status murk_report_pictures_read(murk_report_pictures *out,
                                       const char *folder, murk_error *err)
 {
-    struct dirent **entry = NULL;
     size_t left = MURK_REPORT_PICTURES_BYTES;
     murk_status status = MURK_OK;
     *out = (murk_report_pictures){0};
-    const int n = scandir(folder, &entry, is_picture, by_name);
-    for (int i = 0; i < n; ++i) {
-        const char *name = entry[i]->d_name;
-        const bool is_exr = strcmp(strrchr(name, '.'), ".exr") == 0;
-        if (!status && is_exr) {
-            status = add_exr(out, name, err);
-        } else if (!status) {
-            status = add_png(out, folder, name, &left, err);
+    out->entries = scandir(folder, &out->entry, is_picture, alphasort);
+    for (int i = 0; i < out->entries && !status; ++i) {
+        if (ends_in(out->entry[i], ".exr")) {
+            ++out->exr;
+        } else {
+            status = add_png(out, folder, out->entry[i]->d_name, &left, err);
         }
-        free(entry[i]);
     }
-    free(entry);
     return status;
 }
 
 void murk_report_pictures_release(murk_report_pictures *pictures)
 {
     for (size_t i = 0; i < pictures->n; ++i) {
-        free(pictures->picture[i].name);
         free(pictures->picture[i].bytes);
     }
-    for (size_t i = 0; i < pictures->n_exr; ++i) {
-        free(pictures->exr[i]);
+    for (int i = 0; i < pictures->entries; ++i) {
+        free(pictures->entry[i]);
     }
-    free(pictures->exr);
+    free(pictures->entry);
     *pictures = (murk_report_pictures){0};
 }
 
@@ -246,7 +221,7 @@ static void write_picture(FILE *to, const murk_report_picture *p)
 
 void murk_report_pictures_write(FILE *to, const murk_report_pictures *pictures)
 {
-    if (pictures->n + pictures->n_exr == 0) {
+    if (pictures->n + pictures->exr == 0) {
         return;
     }
     fputs("<section id=\"pictures\" data-title=\"Pictures\">\n"
@@ -275,15 +250,20 @@ void murk_report_pictures_write(FILE *to, const murk_report_pictures *pictures)
         fprintf(to, "<p class=\"note\">And %zu more PNG file%s.</p>\n",
                 pictures->more, pictures->more > 1 ? "s" : "");
     }
-    for (size_t i = 0; i < pictures->n_exr && i < NAMED_MAX; ++i) {
-        fputs(i == 0 ? "<p class=\"note\">Radiances with their errors are in "
-                     : ", ",
-              to);
-        murk_html_text(to, pictures->exr[i]);
+    const char *before =
+        "<p class=\"note\">Radiances with their errors are in ";
+    size_t named = 0;
+    for (int i = 0; i < pictures->entries && named < NAMED_MAX; ++i) {
+        if (ends_in(pictures->entry[i], ".exr")) {
+            fputs(before, to);
+            murk_html_text(to, pictures->entry[i]->d_name);
+            before = ", ";
+            ++named;
+        }
     }
-    if (pictures->n_exr > NAMED_MAX) {
-        fprintf(to, " and %zu more", pictures->n_exr - NAMED_MAX);
+    if (pictures->exr > named) {
+        fprintf(to, " and %zu more", pictures->exr - named);
     }
-    fputs(pictures->n_exr > 0 ? ".</p>\n" : "", to);
+    fputs(pictures->exr > 0 ? ".</p>\n" : "", to);
     fputs("</section>\n", to);
 }

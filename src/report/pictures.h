@@ -5,6 +5,7 @@
 
 #include "base/status.h"
 
+#include <dirent.h>
 #include <stddef.h>
 #include <stdio.h>
 
@@ -18,7 +19,7 @@
 #define MURK_REPORT_PICTURES_BYTES 700000
 
 typedef struct murk_report_picture {
-    char *name;           /* of the file */
+    const char *name;     /* of the file; borrowed of an entry below */
     unsigned char *bytes; /* [size]; NULL: too large to be carried */
     size_t size;
     unsigned width, height; /* pixels */
@@ -27,9 +28,10 @@ typedef struct murk_report_picture {
 typedef struct murk_report_pictures {
     murk_report_picture picture[MURK_REPORT_PICTURES_MAX];
     size_t n, carried;
-    size_t more; /* PNG files beyond those, not read */
-    char **exr;  /* [n_exr] names */
-    size_t n_exr;
+    size_t more;           /* PNG files beyond those, not read */
+    size_t exr;            /* EXR files */
+    struct dirent **entry; /* [entries] PNG and EXR files, by name */
+    int entries;           /* or -1: none */
 } murk_report_pictures;
 
 /* What is no PNG is passed over. Fails with MURK_NO_MEMORY. Release in any

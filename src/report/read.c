@@ -54,8 +54,7 @@ static void name_row(char *out, size_t size, const murk_yaml *row)
 {
     const murk_yaml *axes = murk_result_at(row, "axes");
     int at = snprintf(out, size, "row %.0f", murk_result_number(row, "row"));
-    for (size_t i = 0; axes && axes->kind == MURK_YAML_MAP && i < axes->n;
-         ++i) {
+    for (size_t i = 0; i < murk_result_entries(axes); ++i) {
         const char *value = murk_result_text(axes->child[i], "");
         if (at > 0 && (size_t)at < size) {
             at += snprintf(out + at, size - (size_t)at, "%s %.60s %.40s",
@@ -99,90 +98,38 @@ murk_status murk_report_read_study(murk_report_scene *out,
 
 /* ---- fits ---- */
 
-static double number_of(const murk_table *table, size_t row, long column)
+static murk_vec3 place_of(const murk_report_scene *of, size_t row,
+                          const char *x, const char *y, const char *z)
 {
-    double value = NAN;
-    murk_error ignored = {0};
-    return column >= 0 &&
-                   table->cell[row * table->columns + (size_t)column][0] &&
-                   !murk_table_number(table, row, column, 0, &value, &ignored)
-               ? value
-               : NAN;
-}
-
-static void copy_cell(char *out, size_t size, const murk_table *table,
-                      size_t row, const char *name)
-{
-    const long column = murk_table_column(table, name);
-    snprintf(out, size, "%s",
-             column >= 0 ? table->cell[row * table->columns + (size_t)column]
-                         : "");
-}
-
-static murk_vec3 place_of(const murk_table *table, size_t row,
-                          const char *const names[3])
-{
-    double v[3];
-    for (int k = 0; k < 3; ++k) {
-        v[k] = number_of(table, row, murk_table_column(table, names[k]));
-    }
-    return murk_vec(v[0], v[1], v[2]);
-}
-
-static murk_shown_reading reading_of(const murk_table *table, size_t row)
-{
-    static const char *const from[] = {"x_m", "y_m", "z_m"};
-    static const char *const end[] = {"x2_m", "y2_m", "z2_m"};
-    murk_shown_reading r = {.place = place_of(table, row, from),
-                            .to = place_of(table, row, end)};
-    char use[16];
-    const struct {
-        const char *name;
-        double *to;
-    } numbers[] = {{"residual_in_standard_errors", &r.residual},
-                   {"value", &r.value},
-                   {"standard_error", &r.standard_error},
-                   {"predicted", &r.predicted},
-                   {"line", &r.line}};
-    /* a cell without a number leaves NaN: not known */
-    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; ++i) {
-        *numbers[i].to =
-            number_of(table, row, murk_table_column(table, numbers[i].name));
-    }
-    copy_cell(r.kind, sizeof r.kind, table, row, "kind");
-    copy_cell(r.unit, sizeof r.unit, table, row, "unit");
-    copy_cell(r.condition, sizeof r.condition, table, row, "condition");
-    copy_cell(use, sizeof use, table, row, "use");
-    r.is_held_out = strcmp(use, "hold_out") == 0;
-    r.to = murk_is_shown(r.to) ? r.to : r.place;
-    return r;
+    const murk_vec3 place = murk_vec(murk_table_value(of->fit, row, x),
+                                     murk_table_value(of->fit, row, y),
+                                     murk_table_value(of->fit, row, z));
+    return of->scene ? murk_scene_local(of->scene, place) : place;
 }
 
 murk_status murk_report_read_fit(murk_report_scene *out, const char *folder,
                                  murk_error *err)
 {
-    murk_table *table = NULL;
     murk_error why = {0};
-    if (murk_results_table(&table, folder, "fit.csv", &why)) {
+    if (murk_results_table(&out->fit, folder, "fit.csv", &why)) {
         murk_report_scene_note(
             out, "fit.csv cannot be read, so readings are not shown", &why);
         return MURK_OK;
     }
     /* readings that have a place, about the scene's local origin */
-    const size_t rows = table ? table->rows : 0;
+    const size_t rows = out->fit ? out->fit->rows : 0;
     out->reading = calloc(rows + 1, sizeof *out->reading);
     for (size_t i = 0; out->reading && i < rows; ++i) {
-        murk_shown_reading one = reading_of(table, i);
-        if (out->scene) {
-            one.place = murk_scene_local(out->scene, one.place);
-            one.to = murk_scene_local(out->scene, one.to);
-        }
+        murk_shown_reading one = {
+            .place = place_of(out, i, "x_m", "y_m", "z_m"),
+            .to = place_of(out, i, "x2_m", "y2_m", "z2_m"),
+            .row = i};
+        one.to = murk_is_shown(one.to) ? one.to : one.place;
         if (murk_is_shown(one.place) &&
             out->readings < MURK_SHOWN_READINGS_MAX) {
             out->reading[out->readings++] = one;
         }
     }
-    murk_table_destroy(table);
     return out->reading ? MURK_OK
                         : murk_fail(err, MURK_NO_MEMORY, "fit.csv",
                                     "no memory to read it");

@@ -4,6 +4,8 @@
 #include "report/results_in.h"
 
 #include "base/file.h"
+#include "base/log.h"
+#include "base/number.h"
 #include "base/version.h"
 
 #include <math.h>
@@ -14,20 +16,30 @@
 
 #define PATH_PART_MAX 64 /* bytes of a key: the longest has some 30 */
 
-static const char *const names[MURK_RESULT_FILES] = {
-    [MURK_RESULT_PLAN] = "plan.json",
-    [MURK_RESULT_COVERAGE] = "coverage.json",
-    [MURK_RESULT_STUDY] = "study.json",
-    [MURK_RESULT_FIT] = "fit.json",
-    [MURK_RESULT_LEDGER] = "ledger.json"};
+const murk_result_kind murk_result_kinds[MURK_RESULT_FILES] = {
+    [MURK_RESULT_PLAN] = {"plan.json", "plan", "The placement"},
+    [MURK_RESULT_COVERAGE] = {"coverage.json", "coverage",
+                              "The sensors that were given"},
+    [MURK_RESULT_STUDY] = {"study.json", "study", "The study"},
+    [MURK_RESULT_FIT] = {"fit.json", "fit", "The calibration"},
+    [MURK_RESULT_LEDGER] = {"ledger.json", "ledger", "The light"}};
 
-bool murk_results_has(const char *folder, const char *name)
+char *murk_results_path(const char *folder, const char *name)
 {
     struct stat known;
     char *path = murk_path_join(folder, name);
-    const bool has = path && stat(path, &known) == 0 && S_ISREG(known.st_mode);
+    if (path && stat(path, &known) == 0 && S_ISREG(known.st_mode)) {
+        return path;
+    }
     free(path);
-    return has;
+    return NULL;
+}
+
+bool murk_results_has(const char *folder, const char *name)
+{
+    char *path = murk_results_path(folder, name);
+    free(path);
+    return path != NULL;
 }
 
 const char *murk_results_scene(const char *folder)
@@ -50,19 +62,44 @@ murk_status murk_results_table(murk_table **out, const char *folder,
     return status;
 }
 
+const char *murk_table_text(const murk_table *table, size_t row,
+                            const char *name)
+{
+    const long column = murk_table_column(table, name);
+    return column < 0 ? "" : table->cell[row * table->columns + (size_t)column];
+}
+
+double murk_table_value(const murk_table *table, size_t row, const char *name)
+{
+    double value;
+    return murk_number_parse(murk_table_text(table, row, name), &value) ? value
+                                                                        : NAN;
+}
+
 /* ---- values ---- */
+
+const murk_yaml *murk_result_get(const murk_yaml *root, const char *key)
+{
+    return root && root->kind == MURK_YAML_MAP ? murk_yaml_get(root, key)
+                                               : NULL;
+}
+
+size_t murk_result_entries(const murk_yaml *root)
+{
+    return root && root->kind == MURK_YAML_MAP ? root->n : 0;
+}
 
 const murk_yaml *murk_result_at(const murk_yaml *root, const char *path)
 {
     char part[PATH_PART_MAX];
     while (root && *path) {
         const size_t length = strcspn(path, ".");
-        if (length >= sizeof part || root->kind != MURK_YAML_MAP) {
+        if (length >= sizeof part) {
             return NULL;
         }
         memcpy(part, path, length);
         part[length] = '\0';
-        root = murk_yaml_get(root, part);
+        root = murk_result_get(root, part);
         path += length + (path[length] == '.');
     }
     return root;
@@ -87,15 +124,6 @@ size_t murk_result_count(const murk_yaml *root, const char *path)
 {
     const murk_yaml *at = murk_result_at(root, path);
     return at && at->kind == MURK_YAML_LIST ? at->n : 0;
-}
-
-double *murk_result_column(const murk_yaml *list, size_t n, const char *key)
-{
-    double *values = malloc((n + 1) * sizeof *values);
-    for (size_t i = 0; values && i < n; ++i) {
-        values[i] = murk_result_number(list->child[i], key);
-    }
-    return values;
 }
 
 bool murk_result_is(const murk_yaml *root, const char *path, const char *text)
@@ -138,18 +166,37 @@ static murk_status check_version(const murk_yaml *root, const char *path,
 static murk_status read_json(murk_results_in *out, murk_result_file which,
                              murk_error *err)
 {
-    out->path[which] = murk_path_join(out->folder, names[which]);
+    const char *name = murk_result_kinds[which].file;
+    out->path[which] = murk_path_join(out->folder, name);
     if (!out->path[which]) {
-        return murk_fail(err, MURK_NO_MEMORY, names[which],
-                         "no memory to read it");
+        return murk_fail(err, MURK_NO_MEMORY, name, "no memory to read it");
     }
-    if (!murk_results_has(out->folder, names[which])) {
+    if (!murk_results_has(out->folder, name)) {
         return MURK_OK;
     }
     const murk_status status =
         murk_yaml_read(&out->json[which], out->path[which], err);
     return status ? status
                   : check_version(out->json[which], out->path[which], err);
+}
+
+/* Reads the resolved scene again. The page does without one. */
+static murk_status read_scene(murk_results_in *out, murk_error *err)
+{
+    const char *name = murk_results_scene(out->folder);
+    char *path = murk_path_join(out->folder, name);
+    if (!path) {
+        return murk_fail(err, MURK_NO_MEMORY, name, "no memory to read it");
+    }
+    const murk_warn_sink sink = murk_warn_to(NULL); /* the run has warned */
+    if (murk_results_has(out->folder, name)) {
+        (void)murk_scene_desc_read(&out->scene, path, NULL, 0, &out->no_scene);
+    } else {
+        (void)murk_fail(&out->no_scene, MURK_BAD_FILE, "", "it is not there");
+    }
+    murk_warn_to(sink);
+    free(path);
+    return MURK_OK;
 }
 
 murk_status murk_results_read(murk_results_in *out, const char *folder,
@@ -180,7 +227,7 @@ murk_status murk_results_read(murk_results_in *out, const char *folder,
                          "no results here, must hold plan.json, coverage.json, "
                          "study.json, fit.json or ledger.json");
     }
-    return MURK_OK;
+    return read_scene(out, err);
 }
 
 bool murk_results_is_main(const murk_results_in *results,
@@ -223,53 +270,22 @@ bool murk_results_are_one_run(const murk_results_in *results)
 static bool is_known(const murk_results_in *results, const char *name,
                      const char *sum)
 {
-    bool is_known = false;
-    for (int i = 0; i < MURK_RESULT_FILES && !is_known; ++i) {
+    for (int i = 0; i < MURK_RESULT_FILES; ++i) {
         const murk_yaml *files = murk_result_at(results->json[i], "files");
-        const murk_yaml *known = files && files->kind == MURK_YAML_MAP
-                                     ? murk_yaml_get(files, name)
-                                     : NULL;
-        is_known = known && murk_result_is(known, "", sum);
-    }
-    return is_known;
-}
-
-static bool is_stranger(const murk_results_in *results, const char *name)
-{
-    char sum[65];
-    char *path = murk_results_has(results->folder, name)
-                     ? murk_path_join(results->folder, name)
-                     : NULL;
-    const bool is_read = path && !murk_file_sha256(path, sum, NULL);
-    free(path);
-    return is_read && !is_known(results, name, sum);
-}
-
-/* Whether a name stands in a list of names. */
-static bool is_in(const char *list, const char *name)
-{
-    const size_t length = strlen(name);
-    for (const char *at = strstr(list, name); at; at = strstr(at + 1, name)) {
-        if ((at == list || at[-1] == ' ') &&
-            (!at[length] || at[length] == ',')) {
+        if (murk_result_is(murk_result_get(files, name), "", sum)) {
             return true;
         }
     }
     return false;
 }
 
-static bool add_strangers(FILE *to, const murk_results_in *results,
-                          const murk_yaml *files, char *const *so_far)
+static bool is_stranger(const murk_results_in *results, const char *name)
 {
-    for (size_t k = 0; k < files->n; ++k) {
-        const char *name = files->key[k];
-        fflush(to);
-        if (!strchr(name, '/') && !is_in(*so_far, name) &&
-            is_stranger(results, name)) {
-            fprintf(to, "%s%s", **so_far ? ", " : "", name);
-        }
-    }
-    return fflush(to) == 0;
+    char sum[65];
+    char *path = murk_results_path(results->folder, name);
+    const bool is_read = path && !murk_file_sha256(path, sum, NULL);
+    free(path);
+    return is_read && !is_known(results, name, sum);
 }
 
 /* Whether ledger.json is neither a trace's, which lists files, nor of the run
@@ -282,40 +298,53 @@ static bool has_stray_ledger(const murk_results_in *results)
     if (!identity || murk_result_at(ledger, "files")) {
         return false;
     }
-    bool is_known = false;
     for (int i = 0; i < MURK_RESULT_LEDGER; ++i) {
-        is_known =
-            is_known || murk_result_is(results->json[i], "identity", identity);
+        if (murk_result_is(results->json[i], "identity", identity)) {
+            return false;
+        }
     }
-    return !is_known;
+    return true;
 }
 
 char *murk_results_strangers(const murk_results_in *results)
 {
-    char *list = NULL;
-    size_t size = 0;
-    FILE *to = open_memstream(&list, &size);
-    if (to && has_stray_ledger(results)) {
-        fputs(names[MURK_RESULT_LEDGER], to);
+    /* Files that the JSONs list, and files of earlier runs. */
+    const murk_yaml *lists[2 * MURK_RESULT_FILES];
+    for (size_t i = 0; i < MURK_RESULT_FILES; ++i) {
+        lists[2 * i] = murk_result_at(results->json[i], "files");
+        lists[2 * i + 1] = murk_result_at(results->json[i], "run.earlier");
     }
-    bool is_whole = to && fflush(to) == 0;
-    for (int i = 0; i < MURK_RESULT_FILES && is_whole; ++i) {
-        /* files listed that have other checksums, and files of earlier runs */
-        const murk_yaml *const lists[] = {
-            murk_result_at(results->json[i], "files"),
-            murk_result_at(results->json[i], "run.earlier")};
-        for (int k = 0; k < 2 && is_whole; ++k) {
-            if (lists[k] && lists[k]->kind == MURK_YAML_MAP) {
-                is_whole = add_strangers(to, results, lists[k], &list);
+    char *text = NULL;
+    size_t size = 0;
+    FILE *to = open_memstream(&text, &size);
+    if (!to) {
+        return NULL;
+    }
+    /* Each name once: in the first list that has the name. */
+    const char *ledger = murk_result_kinds[MURK_RESULT_LEDGER].file;
+    const bool is_stray = has_stray_ledger(results);
+    const char *between = is_stray ? ", " : "";
+    fputs(is_stray ? ledger : "", to);
+    for (size_t n = 0; n < 2 * MURK_RESULT_FILES; ++n) {
+        for (size_t k = 0; k < murk_result_entries(lists[n]); ++k) {
+            const char *name = lists[n]->key[k];
+            size_t first = 0;
+            while (!murk_result_get(lists[first], name)) {
+                ++first;
+            }
+            if (first == n && !strchr(name, '/') &&
+                !(is_stray && strcmp(name, ledger) == 0) &&
+                is_stranger(results, name)) {
+                fprintf(to, "%s%s", between, name);
+                between = ", ";
             }
         }
     }
-    is_whole = to && fclose(to) == 0 && is_whole;
-    if (!is_whole) {
-        free(list);
-        list = NULL;
+    if (fclose(to) != 0) {
+        free(text);
+        return NULL;
     }
-    return list;
+    return text;
 }
 
 void murk_results_release(murk_results_in *results)
@@ -324,6 +353,7 @@ void murk_results_release(murk_results_in *results)
         free(results->path[i]);
         murk_yaml_destroy(results->json[i]);
     }
+    murk_scene_desc_destroy(results->scene);
     free(results->whole);
     free(results->strangers);
     *results = (murk_results_in){0};

@@ -7,6 +7,7 @@
 #define MURK_REPORT_RESULTS_IN_H
 
 #include "base/status.h"
+#include "scene/scene.h"
 #include "scene/table.h"
 #include "scene/yaml.h"
 
@@ -21,12 +22,22 @@ typedef enum murk_result_file {
     MURK_RESULT_FILES
 } murk_result_file;
 
+typedef struct murk_result_kind {
+    const char *file, *key, *title; /* "plan.json", its key in the page's data,
+                                       the heading of its answer */
+} murk_result_kind;
+
+extern const murk_result_kind murk_result_kinds[MURK_RESULT_FILES];
+
 typedef struct murk_results_in {
     const char *folder; /* borrowed */
     char *whole;        /* its whole path; as named, where there is none */
     char *path[MURK_RESULT_FILES];      /* of each, there or not */
     murk_yaml *json[MURK_RESULT_FILES]; /* NULL: not there */
-    char *strangers; /* murk_results_strangers(); NULL: not looked for */
+    char *strangers;        /* murk_results_strangers(); NULL: not looked for */
+    murk_scene_desc *scene; /* as resolved; NULL: not there, or cannot be read,
+                               for the reason in no_scene */
+    murk_error no_scene;
 } murk_results_in;
 
 /* Fails with MURK_BAD_FILE or MURK_BAD_VALUE in one line: no such folder, no
@@ -56,9 +67,24 @@ bool murk_results_has(const char *folder, const char *name);
  * wrote it, where there is no scene.resolved.yaml. */
 const char *murk_results_scene(const char *folder);
 
+/* The path of a regular file of the folder, for free(); NULL if there is none.
+ */
+char *murk_results_path(const char *folder, const char *name);
+
 /* A CSV of the folder; *out stays NULL where there is none. */
 murk_status murk_results_table(murk_table **out, const char *folder,
                                const char *name, murk_error *err);
+
+/* The cell of a row in the column of that name; as a text "", as a number NaN
+ * if there is none. */
+const char *murk_table_text(const murk_table *table, size_t row,
+                            const char *name);
+double murk_table_value(const murk_table *table, size_t row, const char *name);
+
+/* The value under a key of a map, and the number of keys of a map; NULL and 0
+ * if root is no map. */
+const murk_yaml *murk_result_get(const murk_yaml *root, const char *key);
+size_t murk_result_entries(const murk_yaml *root);
 
 /* What lies under a path such as "coverage.held_out"; NULL where there is
  * nothing, or root is NULL. As a number NaN, as a text NULL where it is none;
@@ -67,10 +93,6 @@ const murk_yaml *murk_result_at(const murk_yaml *root, const char *path);
 double murk_result_number(const murk_yaml *root, const char *path);
 const char *murk_result_text(const murk_yaml *root, const char *path);
 size_t murk_result_count(const murk_yaml *root, const char *path);
-
-/* What each map of a list holds under a key, NaN where that is no number:
- * values[n] for free(), n as murk_result_count(); NULL when out of memory. */
-double *murk_result_column(const murk_yaml *list, size_t n, const char *key);
 
 /* Whether it is that text; true and false are texts, too. */
 bool murk_result_is(const murk_yaml *root, const char *path, const char *text);

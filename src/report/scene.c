@@ -95,29 +95,6 @@ murk_status murk_report_read_sensors(murk_shown_sensor **out, size_t *n,
     return MURK_OK;
 }
 
-/* ---- the world ---- */
-
-static void read_scene(murk_report_scene *out, const char *folder)
-{
-    murk_error why = {0};
-    const char *name = murk_results_scene(folder);
-    char *path = murk_path_join(folder, name);
-    murk_status status = MURK_OK;
-    if (!murk_results_has(folder, name)) {
-        status = murk_fail(&why, MURK_BAD_FILE, "", "it is not there");
-    } else if (path) {
-        status = murk_scene_desc_read(&out->scene, path, NULL, 0, &why);
-    }
-    if (status) {
-        murk_report_scene_note(
-            out,
-            "the resolved scene cannot be read again, so surfaces, "
-            "ranges and media are not shown",
-            &why);
-    }
-    free(path);
-}
-
 /* ---- photons ---- */
 
 /* As many as fit into the page with all other states'. */
@@ -137,8 +114,7 @@ static void read_points(murk_report_scene *out, size_t state,
     murk_error why = {0};
     murk_plan_points *points = &out->state[state].points;
     const size_t max = photons_of_a_state(out);
-    char *path =
-        murk_results_has(folder, name) ? murk_path_join(folder, name) : NULL;
+    char *path = murk_results_path(folder, name);
     const bool is_light = strcmp(name, "light.murk") == 0;
     if (path && (is_light ? murk_plan_points_of_light(points, path, max, &why)
                           : murk_plan_points_read(points, path, out->scene, max,
@@ -212,7 +188,14 @@ static murk_status read_all(murk_report_scene *out,
     const murk_yaml *study = results->json[MURK_RESULT_STUDY];
     murk_status status = MURK_OK;
     /* the scene first, since its local origin and its types are needed below */
-    read_scene(out, results->folder);
+    out->scene = results->scene;
+    if (!out->scene) {
+        murk_report_scene_note(
+            out,
+            "the resolved scene cannot be read again, so surfaces, "
+            "ranges and media are not shown",
+            &results->no_scene);
+    }
     if (plan) {
         status = read_plan(out, plan, err);
     } else if (study) {
@@ -241,9 +224,6 @@ murk_status murk_report_scene_read(murk_report_scene *out,
     const murk_warn_sink sink = murk_warn_to(NULL); /* by the run */
     const murk_status status = read_all(out, results, err);
     murk_warn_to(sink);
-    out->points = out->state[0].points;
-    out->sensor = out->state[0].sensor;
-    out->sensors = out->state[0].sensors;
     return status;
 }
 
@@ -257,14 +237,15 @@ void murk_report_scene_release(murk_report_scene *scene)
         free(scene->state[i].sensor);
     }
     murk_stage_destroy(scene->stage);
-    murk_scene_desc_destroy(scene->scene);
     free(scene->stop);
     free(scene->reading);
+    murk_table_destroy(scene->fit);
     *scene = (murk_report_scene){0};
 }
 
 bool murk_report_has_view(const murk_report_scene *scene)
 {
+    const murk_shown_state *first = &scene->state[0];
     return scene->stage ||
-           scene->points.n + scene->sensors + scene->readings > 0;
+           first->points.n + first->sensors + scene->readings > 0;
 }

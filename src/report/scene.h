@@ -34,24 +34,18 @@ typedef struct murk_shown_state {
 #define MURK_SHOWN_READINGS_MAX 2000
 typedef struct murk_shown_reading {
     murk_vec3 place, to; /* to: the other end of a line of sight, or place */
-    double residual;     /* in standard errors; NaN: not known */
-    double value, standard_error, predicted;
-    bool is_held_out;
-    double line; /* of the data's file */
-    char kind[24], unit[24], condition[64];
+    size_t row;
 } murk_shown_reading;
 
 typedef struct murk_report_scene {
-    murk_scene_desc *scene; /* NULL: not there, or cannot be read */
-    murk_stage *stage;      /* NULL: likewise, or what it names is not there */
+    const murk_scene_desc *scene; /* of the results */
+    murk_stage *stage; /* NULL: likewise, or what it names is not there */
     murk_shown_state state[MURK_SHOWN_STATES_MAX]; /* [states], 1 or more */
     size_t states, states_asked;
-    bool is_study;           /* states are its rows, the scene is its base */
-    murk_plan_points points; /* of the first state, borrowed */
-    const murk_shown_sensor *sensor; /* [sensors] likewise */
-    size_t sensors;
+    bool is_study;   /* states are its rows, the scene is its base */
     murk_vec3 *stop; /* [stops] the path's */
     size_t stops;
+    murk_table *fit;             /* fit.csv; NULL: not there */
     murk_shown_reading *reading; /* [readings] */
     size_t readings;
     char note[640]; /* why something is not shown; may be empty */

@@ -5,7 +5,6 @@
 #define MURK_REPORT_SECTIONS_H
 
 #include "report/data.h"
-#include "report/fields.h"
 #include "report/results_in.h"
 
 #include <stdio.h>
@@ -20,9 +19,9 @@ void murk_report_summary(FILE *to, const murk_results_in *results);
 murk_status murk_report_csv(FILE *to, const murk_results_in *results,
                             murk_error *err);
 
-/* tallies.csv as `tallies`; nothing if there is none. scene: may be NULL. */
+/* tallies.csv as `tallies`; nothing if there is none. */
 murk_status murk_report_tallies(murk_data *data, const murk_results_in *results,
-                                const murk_scene_desc *scene, murk_error *err);
+                                murk_error *err);
 
 /* How it was made: the commands that make it again, version, packages, files
  * but the page, whose path is told. */

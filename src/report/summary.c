@@ -145,12 +145,6 @@ static void write_one(FILE *to, murk_result_file which, const murk_yaml *root)
 
 void murk_report_summary(FILE *to, const murk_results_in *results)
 {
-    static const char *const kinds[MURK_RESULT_FILES] = {
-        [MURK_RESULT_PLAN] = "The placement",
-        [MURK_RESULT_COVERAGE] = "The sensors that were given",
-        [MURK_RESULT_STUDY] = "The study",
-        [MURK_RESULT_FIT] = "The calibration",
-        [MURK_RESULT_LEDGER] = "The light"};
     size_t n = 0;
     for (int i = 0; i < MURK_RESULT_FILES; ++i) {
         n += murk_results_is_main(results, (murk_result_file)i);
@@ -178,7 +172,7 @@ void murk_report_summary(FILE *to, const murk_results_in *results)
             continue;
         }
         if (n > 1) {
-            fprintf(to, "<h3>%s</h3>\n", kinds[i]);
+            fprintf(to, "<h3>%s</h3>\n", murk_result_kinds[i].title);
         }
         fputs("<dl class=\"facts\">\n", to);
         write_one(to, (murk_result_file)i, root);

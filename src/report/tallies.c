@@ -6,8 +6,8 @@
  * angles and bands and thinned by whole bins, whose values add up. */
 #include "report/sections.h"
 
-#include "base/number.h"
 #include "report/data.h"
+#include "report/fields.h"
 #include "transport/tallies.h"
 
 #include <math.h>
@@ -33,22 +33,10 @@ typedef struct part {
     const char *name, *unit;
 } part;
 
-static const char *cell(const murk_table *t, size_t row, const char *column)
-{
-    const long c = murk_table_column(t, column);
-    return c < 0 ? "" : t->cell[row * t->columns + (size_t)c];
-}
-
-static double number(const murk_table *t, size_t row, const char *column)
-{
-    double value = NAN;
-    return murk_number_parse(cell(t, row, column), &value) ? value : NAN;
-}
-
 /* A whole number from 0 on, or SIZE_MAX. */
 static size_t index_of(const murk_table *t, size_t row, const char *column)
 {
-    const double value = number(t, row, column);
+    const double value = murk_table_value(t, row, column);
     return value >= 0 && value < 1e6 && value == floor(value) ? (size_t)value
                                                               : SIZE_MAX;
 }
@@ -81,9 +69,10 @@ static part part_at(const murk_table *t, size_t begin,
               .scene = scene,
               .begin = begin,
               .end = begin,
-              .name = cell(t, begin, "tally"),
-              .unit = cell(t, begin, "unit")};
-    while (p.end < t->rows && strcmp(cell(t, p.end, "tally"), p.name) == 0) {
+              .name = murk_table_text(t, begin, "tally"),
+              .unit = murk_table_text(t, begin, "unit")};
+    while (p.end < t->rows &&
+           strcmp(murk_table_text(t, p.end, "tally"), p.name) == 0) {
         ++p.end;
     }
     for (size_t i = 0; scene && i < scene->n_tallies; ++i) {
@@ -100,8 +89,8 @@ static bool measure(part *p)
 {
     static const char *const bins[] = {"bin_i", "bin_j", "bin_k"};
     for (size_t row = p->begin; row < p->end; ++row) {
-        const double nm = number(p->table, row, "band_nm");
-        const char *direction = cell(p->table, row, "direction");
+        const double nm = murk_table_value(p->table, row, "band_nm");
+        const char *direction = murk_table_text(p->table, row, "direction");
         for (size_t k = 0; k < 3; ++k) {
             const size_t i = index_of(p->table, row, bins[k]);
             if (i == SIZE_MAX) {
@@ -139,14 +128,14 @@ static double *values_of(const part *p)
     }
     for (size_t row = p->begin; out && row < p->end; ++row) {
         const murk_table *t = p->table;
-        const size_t d = direction_of(p, cell(t, row, "direction"));
-        const size_t b = band_of(p, number(t, row, "band_nm"));
+        const size_t d = direction_of(p, murk_table_text(t, row, "direction"));
+        const size_t b = band_of(p, murk_table_value(t, row, "band_nm"));
         size_t at = d * p->bands + b;
         at = at * p->size[2] + index_of(t, row, "bin_k");
         at = at * p->size[1] + index_of(t, row, "bin_j");
         at = at * p->size[0] + index_of(t, row, "bin_i");
-        out[at] = number(t, row, "value");
-        out[n + at] = number(t, row, "standard_error");
+        out[at] = murk_table_value(t, row, "value");
+        out[n + at] = murk_table_value(t, row, "standard_error");
     }
     return out;
 }
@@ -157,7 +146,7 @@ static double *values_of(const part *p)
  * the scene does not say. */
 static bool find_extent(const part *p, int which, char *axis, double range[2])
 {
-    if (!p->asked || !p->scene || !p->scene->has_domain) {
+    if (!p->asked || !p->scene->has_domain) {
         return false;
     }
     int axes[2];
@@ -295,7 +284,7 @@ static bool add_part(murk_data *data, const part *p, const double *values)
 }
 
 murk_status murk_report_tallies(murk_data *data, const murk_results_in *results,
-                                const murk_scene_desc *scene, murk_error *err)
+                                murk_error *err)
 {
     murk_table *table = NULL;
     const murk_status status =
@@ -309,7 +298,7 @@ murk_status murk_report_tallies(murk_data *data, const murk_results_in *results,
     murk_data_begin(data, "tallies", '[');
     for (size_t row = 0;
          is_whole && row < table->rows && drawn < TALLIES_MAX;) {
-        part p = part_at(table, row, scene);
+        part p = part_at(table, row, results->scene);
         row = p.end;
         if (measure(&p)) {
             double *values = values_of(&p);

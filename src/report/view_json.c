@@ -5,6 +5,7 @@
 #include "sensing/sensor.h"
 
 #include <math.h>
+#include <string.h>
 
 #define SPHERES_MAX 1000 /* some 60 kB of the page */
 #define LAMPS_MAX   1000 /* some 150 kB */
@@ -133,21 +134,30 @@ static void add_lamps(murk_data *item, const murk_report_scene *s)
 
 static void add_readings(murk_data *item, const murk_report_scene *s)
 {
+    static const char *const texts[] = {"kind", "unit", "condition"};
+    static const char *const numbers[][2] = {
+        {"line", "line"},
+        {"value", "value"},
+        {"standard_error", "standard_error"},
+        {"predicted", "predicted"},
+        {"residual", "residual_in_standard_errors"}};
     murk_data_begin(item, "readings", '[');
     for (size_t i = 0; i < s->readings; ++i) {
         const murk_shown_reading *r = &s->reading[i];
         murk_data_begin(item, NULL, '{');
         murk_data_vector(item, "place", r->place);
         murk_data_vector(item, "to", r->to);
-        murk_data_text(item, "kind", r->kind);
-        murk_data_text(item, "unit", r->unit);
-        murk_data_text(item, "condition", r->condition);
-        murk_data_bool(item, "held_out", r->is_held_out);
-        murk_data_number(item, "line", r->line);
-        murk_data_number(item, "value", r->value);
-        murk_data_number(item, "standard_error", r->standard_error);
-        murk_data_number(item, "predicted", r->predicted);
-        murk_data_number(item, "residual", r->residual);
+        for (size_t k = 0; k < sizeof texts / sizeof *texts; ++k) {
+            murk_data_text(item, texts[k],
+                           murk_table_text(s->fit, r->row, texts[k]));
+        }
+        murk_data_bool(
+            item, "held_out",
+            strcmp(murk_table_text(s->fit, r->row, "use"), "hold_out") == 0);
+        for (size_t k = 0; k < sizeof numbers / sizeof *numbers; ++k) {
+            murk_data_number(item, numbers[k][0],
+                             murk_table_value(s->fit, r->row, numbers[k][1]));
+        }
         murk_data_end(item, '}');
     }
     murk_data_end(item, ']');

@@ -66,30 +66,12 @@ static int by_corners(const void *a, const void *b)
                   sizeof((const face *)a)->sorted);
 }
 
-static uint32_t find(const uint64_t *key, size_t n, uint64_t wanted)
+static void order(uint32_t v[2])
 {
-    size_t low = 0, high = n;
-    while (high - low > 1) {
-        const size_t middle = low + (high - low) / 2;
-        if (key[middle] <= wanted) {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    return (uint32_t)low;
-}
-
-static void sort3(uint32_t v[3])
-{
-    for (int pass = 0; pass < 2; ++pass) {
-        for (int k = 0; k < 2; ++k) {
-            if (v[k] > v[k + 1]) {
-                const uint32_t swap = v[k];
-                v[k] = v[k + 1];
-                v[k + 1] = swap;
-            }
-        }
+    if (v[0] > v[1]) {
+        const uint32_t swap = v[0];
+        v[0] = v[1];
+        v[1] = swap;
     }
 }
 
@@ -120,10 +102,14 @@ static size_t cluster(const murk_surfaces *surfaces, size_t n, const lattice *l,
     for (size_t i = 0; i < n; ++i) {
         face f = {.triangle = i};
         for (size_t k = 0; k < 3; ++k) {
-            f.corner[k] = find(key, distinct, all[3 * i + k]);
+            const uint64_t *at =
+                bsearch(&all[3 * i + k], key, distinct, sizeof *key, by_key);
+            f.corner[k] = (uint32_t)(at - key);
         }
         memcpy(f.sorted, f.corner, sizeof f.sorted);
-        sort3(f.sorted);
+        order(f.sorted);
+        order(f.sorted + 1);
+        order(f.sorted);
         if (f.sorted[0] != f.sorted[1] && f.sorted[1] != f.sorted[2]) {
             faces[kept++] = f;
         }
