@@ -1,6 +1,6 @@
 /* The cameras of a scene as murk check reports them, with the memory that a
  * picture by maps takes. */
-#include "app/check_cameras.h"
+#include "app/check.h"
 
 #include "base/log.h"
 #include "base/machine.h"
@@ -31,14 +31,11 @@ void murk_json_cameras(cJSON *root, const murk_scene_desc *scene,
                                 c->projection == MURK_SCENE_EQUIRECTANGULAR
                                     ? "equirectangular"
                                     : "perspective");
-        cJSON *pixels = cJSON_AddArrayToObject(item, "pixels");
-        for (int k = 0; k < 2; ++k) {
-            cJSON_AddItemToArray(pixels,
-                                 cJSON_CreateNumber((double)c->pixels[k]));
-        }
-        cJSON_AddNumberToObject(item, "samples", (double)c->samples);
-        cJSON_AddNumberToObject(item, "memory_bytes",
-                                bytes_of(scene, forecast, i));
+        const double pixels[] = {(double)c->pixels[0], (double)c->pixels[1]};
+        cJSON_AddItemToObject(item, "pixels",
+                              cJSON_CreateDoubleArray(pixels, 2));
+        murk_json_number(item, "samples", (double)c->samples);
+        murk_json_number(item, "memory_bytes", bytes_of(scene, forecast, i));
         cJSON_AddItemToArray(list, item);
     }
 }

@@ -1,6 +1,6 @@
 /* The media and regions of a scene as murk check reports them: coefficients,
  * grids, phase functions and bounds. */
-#include "app/check_media.h"
+#include "app/check.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -52,13 +52,13 @@ static cJSON *phase_json(const murk_stage *stage, size_t medium, int band)
     const murk_phase *phase = phase_of(stage, medium, band);
     cJSON *item = cJSON_CreateObject();
     cJSON_AddStringToObject(item, "kind", murk_phases_kind(m, band));
-    cJSON_AddNumberToObject(item, "mean_cosine", murk_phase_mean_cosine(phase));
+    murk_json_number(item, "mean_cosine", murk_phase_mean_cosine(phase));
     if (phase->table) {
         const murk_phase_facts *facts = murk_phase_table_facts(phase->table);
-        cJSON_AddNumberToObject(item, "backward", facts->backward);
-        cJSON_AddNumberToObject(item, "integral", facts->integral);
-        cJSON_AddNumberToObject(item, "before_first", facts->before_first);
-        cJSON_AddNumberToObject(item, "behind_last", facts->behind_last);
+        murk_json_number(item, "backward", facts->backward);
+        murk_json_number(item, "integral", facts->integral);
+        murk_json_number(item, "before_first", facts->before_first);
+        murk_json_number(item, "behind_last", facts->behind_last);
     }
     return item;
 }
@@ -95,7 +95,7 @@ static void add_profile(cJSON *item, const murk_scene_medium *m, double up_m,
     const double ends[] = {z->value[0] + up_m, z->value[z->n - 1] + up_m};
     const murk_spectrum upper = profile_maximum(m);
     cJSON *profile = cJSON_AddObjectToObject(item, "profile");
-    cJSON_AddNumberToObject(profile, "heights", (double)z->n);
+    murk_json_number(profile, "heights", (double)z->n);
     cJSON_AddItemToObject(profile, "z_m", cJSON_CreateDoubleArray(ends, 2));
     murk_json_spectrum(profile, "maximum_per_m", &upper, bands);
 }
@@ -108,10 +108,10 @@ static void add_grid(cJSON *item, const char *key, const murk_grid *grid)
     const murk_grid_facts *facts = murk_grid_describe(grid);
     cJSON *g = cJSON_AddObjectToObject(item, key);
     cJSON_AddStringToObject(g, "name", facts->name);
-    cJSON_AddNumberToObject(g, "active_voxels", (double)facts->active);
-    cJSON_AddNumberToObject(g, "minimum", facts->minimum);
-    cJSON_AddNumberToObject(g, "maximum", facts->maximum);
-    cJSON_AddNumberToObject(g, "sum", facts->sum);
+    murk_json_number(g, "active_voxels", (double)facts->active);
+    murk_json_number(g, "minimum", facts->minimum);
+    murk_json_number(g, "maximum", facts->maximum);
+    murk_json_number(g, "sum", facts->sum);
     cJSON_AddItemToObject(g, "voxel_m",
                           cJSON_CreateDoubleArray(facts->voxel_m, 3));
 }
@@ -149,14 +149,14 @@ void murk_json_media(cJSON *root, const murk_stage *stage)
         if (r->shape == MURK_REGION_MESH) {
             const murk_boundary_mesh_facts mesh =
                 murk_boundary_meshes_describe(stage->boundary_meshes, (int)i);
-            cJSON_AddNumberToObject(item, "triangles", (double)mesh.triangles);
-            cJSON_AddNumberToObject(item, "crossings", (double)mesh.crossings);
+            murk_json_number(item, "triangles", (double)mesh.triangles);
+            murk_json_number(item, "crossings", (double)mesh.crossings);
         }
         if (r->ior > 0) {
-            cJSON_AddNumberToObject(item, "ior", r->ior);
+            murk_json_number(item, "ior", r->ior);
         }
         if (r->wind_m_per_s > 0) {
-            cJSON_AddNumberToObject(item, "wind_m_per_s", r->wind_m_per_s);
+            murk_json_number(item, "wind_m_per_s", r->wind_m_per_s);
         }
         cJSON_AddItemToArray(regions, item);
     }

@@ -1,6 +1,6 @@
 /* The sensor types of a scene as murk check reports them, with the number of
  * their candidates. */
-#include "app/check_sensors.h"
+#include "app/check.h"
 
 #include "results/summary.h"
 
@@ -42,7 +42,7 @@ void murk_json_sensor_types(cJSON *root, const murk_scene_desc *scene,
         murk_json_number(item, "least_range_m", type->least_range_m);
         murk_json_number(item, "range_m", type->range_m);
         murk_json_number(item, "cost", type->cost);
-        cJSON_AddNumberToObject(item, "candidates", (double)poses_of(poses, k));
+        murk_json_number(item, "candidates", (double)poses_of(poses, k));
         cJSON_AddItemToArray(list, item);
     }
 }

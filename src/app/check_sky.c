@@ -1,6 +1,6 @@
 /* The lights of a scene as murk check reports them: power, the position of sun
  * and moon, irradiance, and the share that the media of the domain take. */
-#include "app/check_sky.h"
+#include "app/check.h"
 
 #include "results/summary.h"
 
@@ -99,15 +99,6 @@ void murk_print_lights(const murk_stage *stage)
     }
 }
 
-static void add_number(cJSON *item, const char *key, double value)
-{
-    if (isfinite(value)) {
-        cJSON_AddNumberToObject(item, key, value);
-    } else {
-        cJSON_AddNullToObject(item, key);
-    }
-}
-
 static void add_taken(cJSON *item, const murk_stage *stage, size_t light)
 {
     const int bands = stage->world.bands;
@@ -117,7 +108,7 @@ static void add_taken(cJSON *item, const murk_stage *stage, size_t light)
         return;
     }
     cJSON *object = cJSON_AddObjectToObject(item, "taken_again");
-    cJSON_AddNumberToObject(object, "share", taken.share);
+    murk_json_number(object, "share", taken.share);
     cJSON_AddItemToObject(
         object, "optical_depth",
         cJSON_CreateDoubleArray(taken.optical_depth.band, bands));
@@ -132,29 +123,29 @@ void murk_json_lights(cJSON *root, const murk_stage *stage)
     /* All lights together, also in the units of the scene. */
     const murk_units units = murk_units_of(scene->units);
     cJSON *lights = cJSON_AddObjectToObject(root, "lights");
-    cJSON_AddNumberToObject(lights, "count",
-                            (double)murk_sources_count(stage->lights));
-    cJSON_AddNumberToObject(lights, "power_w",
-                            murk_sources_power_w(stage->lights));
+    murk_json_number(lights, "count",
+                     (double)murk_sources_count(stage->lights));
+    murk_json_number(lights, "power_w", murk_sources_power_w(stage->lights));
     if (scene->units != MURK_RADIOMETRIC) {
         char key[40];
         snprintf(key, sizeof key, "power_%s", units.suffix);
-        cJSON_AddNumberToObject(lights, key, power_of(stage, scene->units));
+        murk_json_number(lights, key, power_of(stage, scene->units));
     }
     /* Each light, with its place in the sky. */
     cJSON *list = cJSON_AddArrayToObject(lights, "sky");
     for (size_t i = 0; i < scene->n_lights; ++i) {
         const murk_sky_facts *facts = &stage->sky[i];
         cJSON *item = cJSON_CreateObject();
-        cJSON_AddNumberToObject(item, "light", (double)i);
+        murk_json_number(item, "light", (double)i);
         cJSON_AddStringToObject(item, "type",
                                 murk_source_type_name(scene->lights[i].type));
         cJSON_AddBoolToObject(item, "on", facts->is_on);
-        add_number(item, "azimuth_deg", facts->azimuth_deg);
-        add_number(item, "elevation_deg", facts->elevation_deg);
-        add_number(item, "irradiance_w_per_m2", facts->irradiance_w_per_m2);
+        murk_json_number(item, "azimuth_deg", facts->azimuth_deg);
+        murk_json_number(item, "elevation_deg", facts->elevation_deg);
+        murk_json_number(item, "irradiance_w_per_m2",
+                         facts->irradiance_w_per_m2);
         if (isfinite(facts->irradiance_w_per_m2)) {
-            add_number(item, "irradiance", irradiance_of(stage, i));
+            murk_json_number(item, "irradiance", irradiance_of(stage, i));
             cJSON_AddStringToObject(item, "unit", units.irradiance);
         } else {
             cJSON_AddNullToObject(item, "irradiance");

@@ -1,10 +1,7 @@
 /* murk check: reads and builds a scene, and reports surfaces, media, lights,
  * candidates, sensors, cameras, doubtful points and the memory that a run
  * takes. */
-#include "app/check_cameras.h"
-#include "app/check_media.h"
-#include "app/check_sensors.h"
-#include "app/check_sky.h"
+#include "app/check.h"
 #include "app/session.h"
 #include "base/machine.h"
 #include "plan/few_photons.h"
@@ -43,13 +40,12 @@ static void add_surfaces(cJSON *root, const findings *f)
 {
     const murk_scene_desc *scene = f->session->scene;
     cJSON *object = cJSON_AddObjectToObject(root, "surfaces");
-    cJSON_AddNumberToObject(object, "triangles", (double)f->surfaces.triangles);
-    cJSON_AddNumberToObject(object, "spheres", (double)f->surfaces.spheres);
-    cJSON_AddNumberToObject(object, "degenerate",
-                            (double)f->surfaces.degenerate);
-    cJSON_AddNumberToObject(object, "solids", (double)f->surfaces.solids);
-    cJSON_AddNumberToObject(object, "sheets", (double)f->surfaces.sheets);
-    cJSON_AddNumberToObject(object, "area_m2", f->surfaces.area_m2);
+    murk_json_number(object, "triangles", (double)f->surfaces.triangles);
+    murk_json_number(object, "spheres", (double)f->surfaces.spheres);
+    murk_json_number(object, "degenerate", (double)f->surfaces.degenerate);
+    murk_json_number(object, "solids", (double)f->surfaces.solids);
+    murk_json_number(object, "sheets", (double)f->surfaces.sheets);
+    murk_json_number(object, "area_m2", f->surfaces.area_m2);
     /* Bounds are in the coordinates of the user. */
     const murk_box bounds = murk_scene_user_box(scene, f->surfaces.bounds_m);
     murk_json_box(object, "bounds", &bounds);
@@ -59,7 +55,7 @@ static void add_surfaces(cJSON *root, const findings *f)
         const murk_scene_material *m = &scene->materials[i];
         cJSON *item = cJSON_CreateObject();
         cJSON_AddStringToObject(item, "name", m->name);
-        cJSON_AddNumberToObject(
+        murk_json_number(
             item, "area_m2",
             murk_surfaces_material_area(f->session->stage->surfaces, i));
         murk_json_spectrum(item, "diffuse", &m->diffuse, scene->bands);
@@ -77,11 +73,11 @@ static void add_mesh_materials(cJSON *root, const findings *f)
     for (size_t i = 0; i < f->mesh_names; ++i) {
         const murk_mesh_material *m = &f->mesh_name[i];
         cJSON *item = cJSON_CreateObject();
-        cJSON_AddNumberToObject(item, "geometry", (double)m->geometry);
+        murk_json_number(item, "geometry", (double)m->geometry);
         cJSON_AddStringToObject(item, "file",
                                 scene->geometry[m->geometry].solid.mesh);
         cJSON_AddStringToObject(item, "name", m->name);
-        cJSON_AddNumberToObject(item, "area_m2", m->area_m2);
+        murk_json_number(item, "area_m2", m->area_m2);
         cJSON_AddStringToObject(item, "material",
                                 scene->materials[m->material].name);
         cJSON_AddItemToArray(list, item);
@@ -114,13 +110,13 @@ static cJSON *check_json(const findings *f)
     murk_json_cameras(root, f->session->scene, &f->forecast);
     /* The forecast of a full run. */
     cJSON *forecast = cJSON_AddObjectToObject(root, "forecast");
-    cJSON_AddNumberToObject(forecast, "pilot_photons",
-                            (double)f->forecast.pilot_photons);
-    cJSON_AddNumberToObject(forecast, "emitted", f->forecast.emitted);
-    cJSON_AddNumberToObject(forecast, "surface", f->forecast.surface);
-    cJSON_AddNumberToObject(forecast, "volume", f->forecast.volume);
-    cJSON_AddNumberToObject(forecast, "memory_bytes", f->forecast.memory_bytes);
-    cJSON_AddNumberToObject(forecast, "matrix_bytes_at_most", matrix_bytes(f));
+    murk_json_number(forecast, "pilot_photons",
+                     (double)f->forecast.pilot_photons);
+    murk_json_number(forecast, "emitted", f->forecast.emitted);
+    murk_json_number(forecast, "surface", f->forecast.surface);
+    murk_json_number(forecast, "volume", f->forecast.volume);
+    murk_json_number(forecast, "memory_bytes", f->forecast.memory_bytes);
+    murk_json_number(forecast, "matrix_bytes_at_most", matrix_bytes(f));
     return root;
 }
 
@@ -142,13 +138,11 @@ static void print_mesh_materials(const findings *f)
 static void print_findings(const findings *f)
 {
     const murk_stage *stage = f->session->stage;
+    const murk_scene_desc *scene = f->session->scene;
     const murk_domain *domain = &stage->world.domain;
     const murk_surfaces_facts *s = &f->surfaces;
-    murk_print("scene       %s: %d band%s, seed %u\n", f->session->scene->path,
-               f->session->scene->bands,
-               f->session->scene->bands > 1 ? "s" : "",
-               f->session->scene->seed);
-    const murk_scene_desc *scene = f->session->scene;
+    murk_print("scene       %s: %d band%s, seed %u\n", scene->path,
+               scene->bands, scene->bands > 1 ? "s" : "", scene->seed);
     const murk_box box = murk_scene_user_box(scene, domain->box);
     const int digits = murk_coordinate_digits(scene, 6);
     murk_print("domain      %.*g %.*g %.*g to %.*g %.*g %.*g m, %s sides\n",
@@ -166,8 +160,8 @@ static void print_findings(const findings *f)
         "sheets; %zu degenerate triangles left out\n",
         s->triangles, s->spheres, s->area_m2, s->solids, s->sheets,
         s->degenerate);
-    for (size_t i = 0; i < f->session->scene->n_materials; ++i) {
-        const murk_scene_material *m = &f->session->scene->materials[i];
+    for (size_t i = 0; i < scene->n_materials; ++i) {
+        const murk_scene_material *m = &scene->materials[i];
         const double area_m2 = murk_surfaces_material_area(stage->surfaces, i);
         if (!(area_m2 > 0)) {
             continue; /* nothing is of it */
@@ -183,14 +177,14 @@ static void print_findings(const findings *f)
     /* Candidates, sensors, tallies and cameras. */
     if (f->candidates) {
         murk_print_candidates(f->candidates);
-        murk_print_sensor_types(f->session->scene, f->poses);
+        murk_print_sensor_types(scene, f->poses);
     } else {
         murk_print("candidates  none: the scene has no sensors\n");
     }
-    murk_print_asked_goals(f->session->scene);
-    murk_print_asked_conditions(f->session->scene);
+    murk_print_asked_goals(scene);
+    murk_print_asked_conditions(scene);
     murk_print_asked_tallies(f->session);
-    murk_print_cameras(f->session->scene, &f->forecast);
+    murk_print_cameras(scene, &f->forecast);
     murk_print("forecast    %.3g photons emitted; stored: %.3g surface, %.3g "
                "volume (from a pilot of %llu photons)\n",
                f->forecast.emitted, f->forecast.surface, f->forecast.volume,

@@ -21,7 +21,7 @@ typedef struct fit {
     murk_free_keys *keys;
     murk_calibration found;
     murk_next next;
-    char **asked; /* [n_asked] of --predict */
+    char *asked[MURK_FREE_MAX]; /* [n_asked] of --predict */
     size_t n_asked;
 } fit;
 
@@ -54,7 +54,6 @@ static void release(fit *f)
     for (size_t i = 0; i < f->n_asked; ++i) {
         free(f->asked[i]);
     }
-    free(f->asked);
 }
 
 /* ---- --predict: the values of a finished fit ---- */
@@ -93,46 +92,31 @@ static murk_status parameters_of(const murk_yaml **out, const murk_yaml *root,
     return MURK_OK;
 }
 
-static bool is_refused(const murk_yaml *root)
-{
-    const murk_yaml *accepted = murk_yaml_get(root, "accepted");
-    return accepted && accepted->kind == MURK_YAML_SCALAR &&
-           strcmp(accepted->text, "false") == 0;
-}
-
-/* "media.fog.visibility_m@dawn" was asked for as "..@each". */
-static char *asked_as(const char *name)
-{
-    const char *at = strchr(name, '@');
-    const size_t length = at ? (size_t)(at - name) : strlen(name);
-    char *out = malloc(length + sizeof "@each");
-    if (out) {
-        memcpy(out, name, length);
-        strcpy(out + length, at ? "@each" : "");
-    }
-    return out;
-}
-
+/* Asks for the keys of a finished fit: "media.fog.visibility_m@dawn" was asked
+ * for as "media.fog.visibility_m@each". */
 static murk_status ask_for(fit *f, const murk_yaml *list, murk_error *err)
 {
-    f->asked = calloc(list->n + 1, sizeof *f->asked);
-    for (size_t i = 0; f->asked && i < list->n; ++i) {
-        char *name = asked_as(murk_yaml_get(list->child[i], "key")->text);
-        bool is_new = name != NULL;
-        for (size_t k = 0; is_new && k < f->n_asked; ++k) {
-            is_new = strcmp(f->asked[k], name) != 0;
-        }
-        if (is_new) {
-            f->asked[f->n_asked++] = name;
-        } else if (name) {
-            free(name);
-        } else {
+    for (size_t i = 0; i < list->n; ++i) {
+        const char *name = murk_yaml_get(list->child[i], "key")->text;
+        const size_t length = strcspn(name, "@");
+        const size_t size = length + sizeof "@each";
+        char *asked = malloc(size);
+        if (!asked) {
             return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the fit");
         }
+        snprintf(asked, size, "%.*s%s", (int)length, name,
+                 name[length] ? "@each" : "");
+        bool is_new = true;
+        for (size_t k = 0; is_new && k < f->n_asked; ++k) {
+            is_new = strcmp(f->asked[k], asked) != 0;
+        }
+        if (is_new) {
+            f->asked[f->n_asked++] = asked;
+        } else {
+            free(asked);
+        }
     }
-    return f->asked
-               ? MURK_OK
-               : murk_fail(err, MURK_NO_MEMORY, "", "no memory for the fit");
+    return MURK_OK;
 }
 
 static murk_status set_values(fit *f, const murk_yaml *list, murk_error *err)
@@ -210,7 +194,11 @@ static murk_status read_input(fit *f, const murk_session *session,
         if (!status) {
             status = ask_for(f, list, err);
         }
-        if (!status && is_refused(*values)) {
+        bool is_accepted = true;
+        const murk_yaml *accepted =
+            status ? NULL : murk_yaml_get(*values, "accepted");
+        if (accepted && murk_yaml_bool(accepted, &is_accepted) &&
+            !is_accepted) {
             murk_fit_warn_refused(o->fit.predict);
         }
     }

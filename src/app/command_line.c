@@ -4,6 +4,7 @@
 #include "app/command_line.h"
 
 #include "app/option_values.h"
+#include "base/number.h"
 #include "base/pool.h"
 #include "base/utf8.h"
 #include "scene/words.h"
@@ -77,6 +78,36 @@ static murk_status unknown_option(const char *text, size_t length,
 
 /* ---- options ---- */
 
+/* Reads a whole number low..high, also as 1e6. */
+static murk_status read_count(const murk_option *option, const char *text,
+                              uint64_t *out, murk_error *err)
+{
+    return *text != '+' && murk_count_parse(text, out) && *out >= option->min &&
+                   *out <= option->max
+               ? MURK_OK
+               : murk_fail(err, MURK_BAD_VALUE, option->name,
+                           "%s, must be a whole number %llu..%llu", text,
+                           (unsigned long long)option->min,
+                           (unsigned long long)option->max);
+}
+
+/* Finds a word among those of the option. */
+static murk_status read_word(const murk_option *option, const char *value,
+                             uint64_t *out, murk_error *err)
+{
+    char list[96] = "";
+    for (uint64_t i = 0; option->words[i]; ++i) {
+        if (strcmp(option->words[i], value) == 0) {
+            *out = i;
+            return MURK_OK;
+        }
+        snprintf(list + strlen(list), sizeof list - strlen(list), "%s%s",
+                 i ? " | " : "", option->words[i]);
+    }
+    return murk_fail(err, MURK_BAD_VALUE, option->name, "%s, must be %s", value,
+                     list);
+}
+
 /* Stores a number in a member of this size. */
 static void store(murk_options *out, size_t at, size_t size, uint64_t value)
 {
@@ -97,7 +128,6 @@ static void store(murk_options *out, size_t at, size_t size, uint64_t value)
 static murk_status apply(murk_options *out, const murk_option *option,
                          const char *value, uint64_t *number, murk_error *err)
 {
-    const char *name = option->name;
     char digits[32];
     murk_status status = MURK_OK;
     /* Check the value. */
@@ -108,15 +138,14 @@ static murk_status apply(murk_options *out, const murk_option *option,
     case MURK_OPTION_TEXT:
         break;
     case MURK_OPTION_COUNT:
-        status = murk_option_count(name, value, option->min, option->max,
-                                   number, err);
+        status = read_count(option, value, number, err);
         snprintf(digits, sizeof digits, "%llu", (unsigned long long)*number);
         break;
     case MURK_OPTION_WORD:
-        status = murk_option_choice(name, value, option->words, number, err);
+        status = read_word(option, value, number, err);
         break;
     case MURK_OPTION_OWN:
-        return option->read(out, name, value, err);
+        return option->read(out, option->name, value, err);
     }
     if (status) {
         return status;
@@ -125,7 +154,7 @@ static murk_status apply(murk_options *out, const murk_option *option,
     if (option->key) {
         const bool is_count = option->kind == MURK_OPTION_COUNT;
         return murk_option_override(out, option->key, is_count ? digits : value,
-                                    name, err);
+                                    option->name, err);
     }
     if (option->kind == MURK_OPTION_TEXT && option->size) {
         memcpy((char *)out + option->at, &value, sizeof value);

@@ -22,41 +22,30 @@ static const double USUAL_NM[] = {450, 550, 650, 850, 1550};
 
 /* ---- the list ---- */
 
-static void print_list(void)
+/* Prints all presets, or adds them to a list of JSON. */
+static void show_list(cJSON *list)
 {
     for (size_t i = 0; i < murk_presets_count(); ++i) {
         char name[MURK_PRESET_NAME_SIZE];
         murk_preset *preset = NULL;
         murk_presets_name(i, name);
-        if (!murk_presets_read(&preset, name, "", NULL)) {
-            murk_print("%-*s %5g..%-5g nm  %s\n", WIDTH, name,
-                       preset->wavelength_nm[0], preset->wavelength_nm[1],
-                       preset->about);
+        if (murk_presets_read(&preset, name, "", NULL)) {
+            continue;
         }
-        murk_preset_destroy(preset);
-    }
-}
-
-static cJSON *list_json(void)
-{
-    cJSON *root = murk_json_begin_murk();
-    cJSON *list = cJSON_AddArrayToObject(root, "presets");
-    for (size_t i = 0; i < murk_presets_count(); ++i) {
-        char name[MURK_PRESET_NAME_SIZE];
-        murk_preset *preset = NULL;
-        murk_presets_name(i, name);
-        if (!murk_presets_read(&preset, name, "", NULL)) {
+        const double *range = preset->wavelength_nm;
+        if (list) {
             cJSON *item = cJSON_CreateObject();
             cJSON_AddStringToObject(item, "name", name);
             cJSON_AddStringToObject(item, "about", preset->about);
-            cJSON_AddItemToObject(
-                item, "wavelength_nm",
-                cJSON_CreateDoubleArray(preset->wavelength_nm, 2));
+            cJSON_AddItemToObject(item, "wavelength_nm",
+                                  cJSON_CreateDoubleArray(range, 2));
             cJSON_AddItemToArray(list, item);
+        } else {
+            murk_print("%-*s %5g..%-5g nm  %s\n", WIDTH, name, range[0],
+                       range[1], preset->about);
         }
         murk_preset_destroy(preset);
     }
-    return root;
 }
 
 /* ---- one preset, resolved ---- */
@@ -93,25 +82,24 @@ static murk_status read_scene(resolved *r, const murk_options *options,
     const size_t n = options->n_overrides;
     murk_override *set = calloc(n + 1, sizeof *set);
     char **text = calloc(n + 1, sizeof *text);
-    char **shown = calloc(n + 1, sizeof *shown);
     char *yaml = NULL;
     size_t size = 0;
     FILE *to = open_memstream(&yaml, &size);
-    bool is_whole = set && text && shown && to;
+    bool is_whole = set && text && to;
     /* Keys of --set belong to the medium, except those of bands and seed;
      * messages show them as they were typed. */
     for (size_t i = 0; i < n && is_whole; ++i) {
         const murk_override *given = &options->overrides[i];
         const size_t room = strlen(given->text) + sizeof MEDIUM;
-        text[i] = malloc(room);
-        shown[i] = malloc(room + 8);
-        is_whole = text[i] && shown[i];
+        text[i] = malloc(2 * room);
+        is_whole = text[i] != NULL;
         if (is_whole) {
+            char *shown = text[i] + room;
             snprintf(text[i], room, "%s%s",
                      is_of_scene(given->text) ? "" : MEDIUM, given->text);
-            snprintf(shown[i], room + 8, "--set %s", given->text);
-            set[i] = (murk_override){text[i],
-                                     given->option ? given->option : shown[i]};
+            snprintf(shown, room, "--set %s", given->text);
+            set[i] =
+                (murk_override){text[i], given->option ? given->option : shown};
         }
     }
     /* A scene with this one medium, at the usual wavelengths of the preset. */
@@ -129,14 +117,12 @@ static murk_status read_scene(resolved *r, const murk_options *options,
         is_whole ? murk_scene_desc_parse(&r->scene, yaml, r->preset->name, set,
                                          n, err)
                  : murk_fail(err, MURK_NO_MEMORY, "", "no memory for a preset");
-    for (size_t i = 0; i < n && text && shown; ++i) {
+    for (size_t i = 0; i < n && text; ++i) {
         free(text[i]);
-        free(shown[i]);
     }
     free(yaml);
     free(set);
     free(text);
-    free(shown);
     return status;
 }
 
@@ -374,10 +360,12 @@ murk_status murk_command_media(const murk_options *options, murk_error *err)
                          "--set needs the name of a preset");
     }
     if (options->json) {
-        return murk_print_alone(list_json(), options, "", NULL, err);
+        cJSON *root = murk_json_begin_murk();
+        show_list(cJSON_AddArrayToObject(root, "presets"));
+        return murk_print_alone(root, options, "", NULL, err);
     }
     if (!options->quiet) {
-        print_list();
+        show_list(NULL);
     }
     return MURK_OK;
 }

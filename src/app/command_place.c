@@ -14,7 +14,6 @@
 #include "results/repeat.h"
 #include "results/robust.h"
 #include "results/summary.h"
-#include "results/tallies.h"
 
 #include "base/log.h"
 
@@ -24,20 +23,6 @@
 /* Bytes of the name of a result file of a condition, "scene-NAME.yaml". */
 #define FILE_SIZE (MURK_SCENE_NAME_SIZE + 16)
 
-static murk_status write_light(murk_session *session, murk_error *err)
-{
-    murk_status status = murk_session_add_light(session, err);
-    if (!status) {
-        status = murk_session_add_ledger(
-            session, "ledger.json",
-            &(murk_ledger_results){session->traced, session->stage}, err);
-    }
-    if (!status) {
-        status = murk_add_tallies(session, err);
-    }
-    return status;
-}
-
 static murk_status add_files(murk_session *session,
                              const murk_plan_result *plan,
                              const murk_condition_plans *over, murk_error *late,
@@ -45,9 +30,10 @@ static murk_status add_files(murk_session *session,
 {
     const murk_sensor_results sensors =
         murk_plan_sensor_results(session->scene, plan);
+    /* The light of each condition, or that of the scene; then the plan. */
     murk_status status =
         over ? murk_add_condition_files(session, plan, over, err)
-             : write_light(session, err);
+             : murk_session_add_all_of_light(session, err);
     if (!status) {
         status = murk_results_add_csv(&session->results, "sensors.csv",
                                       murk_results_list_place, &sensors,
@@ -159,14 +145,13 @@ static murk_status expect_conditions(murk_session *session, murk_error *err)
     return status;
 }
 
-/* Of a plan, over conditions or not; explore and repeat have a file more. */
 static murk_status expect_files(murk_session *session, bool repeats,
                                 murk_error *err)
 {
-    const bool explores =
-        session->scene->placement.knowledge == MURK_SCENE_EXPLORE;
-    const bool has_conditions =
-        session->scene->placement.over != MURK_SCENE_OBJECTIVE_NONE;
+    const murk_scene_placement *asked = &session->scene->placement;
+    const bool explores = asked->knowledge == MURK_SCENE_EXPLORE;
+    const bool has_conditions = asked->over != MURK_SCENE_OBJECTIVE_NONE;
+    /* The files of every plan, and those of exploring and of repeats. */
     const char *names[10] = {"plan.json", "sensors.csv", "coverage.csv"};
     size_t n = 3;
     if (explores) {

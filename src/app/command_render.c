@@ -20,8 +20,22 @@
 #define UNSURE_SHARE 0.25
 #define UNSURE_MIN   50
 
+/* The methods, in the order of the words of --method. */
+typedef struct method {
+    murk_render_method kind;
+    const char *name, *text;
+} method;
+
+static const method METHODS[] = {
+    {MURK_BY_MAPS, "maps",
+     "maps: shadow rays, and density estimate over later records"},
+    {MURK_BY_PATHS, "path", "path: path tracing with shadow rays"},
+    {MURK_BY_MAPS_ONLY, "maps-only",
+     "maps-only: density estimate over all records"}};
+
 typedef struct job {
     const murk_options *options;
+    const method *method;
     murk_session session;
     murk_viewpoint viewpoint;
     murk_image_files images;
@@ -31,20 +45,13 @@ typedef struct job {
 
 /* ---- what is asked for ---- */
 
-static murk_render_method chosen_method(const job *j)
-{
-    return j->options->by_path     ? MURK_BY_PATHS
-           : j->options->maps_only ? MURK_BY_MAPS_ONLY
-                                   : MURK_BY_MAPS;
-}
-
 /* What the picture takes, and once there is light also what is made of it. */
 static murk_status check_memory(const job *j, murk_error *err)
 {
     const murk_camera *c = &j->viewpoint.camera;
     const murk_traced *traced = j->session.traced;
-    double wanted = murk_render_bytes(
-        c->width, c->height, j->session.scene->bands, chosen_method(j));
+    double wanted = murk_render_bytes(c->width, c->height,
+                                      j->session.scene->bands, j->method->kind);
     /* one PNG after the other */
     if (j->images.false_colour) {
         wanted += murk_false_colour_bytes(c->width, c->height);
@@ -79,7 +86,7 @@ static murk_status check_maps(const job *j, murk_error *err)
 {
     static const char *const words[] = {"both", "surface", "volume", "none"};
     const murk_scene_maps maps = j->session.scene->photons.maps;
-    if (j->options->by_path || maps == MURK_SCENE_MAPS_BOTH) {
+    if (j->method->kind == MURK_BY_PATHS || maps == MURK_SCENE_MAPS_BOTH) {
         return MURK_OK;
     }
     return murk_fail(err, MURK_BAD_VALUE, "photons.maps",
@@ -96,7 +103,7 @@ static murk_status take_picture(job *j, murk_error *err)
     murk_render render = {.trace = &trace,
                           .camera = j->viewpoint.camera,
                           .samples = j->viewpoint.samples,
-                          .method = chosen_method(j),
+                          .method = j->method->kind,
                           .surface = s->traced ? s->traced->surface : NULL,
                           .volume = s->traced ? s->traced->volume : NULL,
                           .threads = s->settings.threads};
@@ -170,21 +177,13 @@ static void warn_of_unsure_errors(const job *j)
     }
 }
 
-static const char *method_of(const job *j)
-{
-    return j->options->by_path ? "path: path tracing with shadow rays"
-           : j->options->maps_only
-               ? "maps-only: density estimate over all records"
-               : "maps: shadow rays, and density estimate over later records";
-}
-
 static murk_status write_images(job *j, murk_error *err)
 {
     const murk_traced *traced = j->session.traced;
     const murk_image_facts facts = {.scene = j->session.scene,
                                     .viewpoint = &j->viewpoint,
                                     .options = j->options,
-                                    .method = method_of(j),
+                                    .method = j->method->text,
                                     .photons = traced ? traced->emitted : 0};
     return murk_images_write(&j->images, j->picture, &facts, err);
 }
@@ -268,7 +267,7 @@ static void print_summary(const job *j)
         murk_print("heading %.1f, tilt %.1f degrees\n", v->heading_deg,
                    v->tilt_deg);
     }
-    murk_print("method      %s\n", method_of(j));
+    murk_print("method      %s\n", j->method->text);
     /* The radiance, and what limits it. */
     print_radiance(j);
     if (p->lost > 0) {
@@ -318,29 +317,22 @@ static cJSON *facts_json(const job *j)
                      murk_scene_user(j->session.scene, v->camera.from));
     murk_json_number(root, "heading_deg", v->heading_deg);
     murk_json_number(root, "tilt_deg", v->tilt_deg);
-    cJSON_AddStringToObject(root, "method",
-                            j->options->by_path     ? "path"
-                            : j->options->maps_only ? "maps-only"
-                                                    : "maps");
+    cJSON_AddStringToObject(root, "method", j->method->name);
     /* Size, samples and rays. */
-    cJSON *pixels = cJSON_AddArrayToObject(root, "pixels");
-    cJSON_AddItemToArray(pixels, cJSON_CreateNumber((double)p->width));
-    cJSON_AddItemToArray(pixels, cJSON_CreateNumber((double)p->height));
+    const double pixels[] = {(double)p->width, (double)p->height};
+    cJSON_AddItemToObject(root, "pixels", cJSON_CreateDoubleArray(pixels, 2));
     murk_json_number(root, "samples", (double)v->samples);
     murk_json_number(root, "sensors", (double)v->sensors);
     murk_json_number(root, "rays", (double)p->rays);
     murk_json_number(root, "lost", (double)p->lost);
     murk_json_number(root, "unsure_errors", (double)p->unsure);
     /* The mean radiance with its error, and the checksums of the files. */
-    murk_spectrum mean = {{0}}, error = {{0}};
-    for (int b = 0; b < p->bands; ++b) {
-        mean.band[b] = p->mean[b];
-        error.band[b] = p->mean_error[b];
-    }
     cJSON_AddStringToObject(root, "mean_over",
                             is_all_round(j) ? "solid angle" : "pixels");
-    murk_json_spectrum(root, "mean_radiance", &mean, p->bands);
-    murk_json_spectrum(root, "mean_radiance_standard_error", &error, p->bands);
+    cJSON_AddItemToObject(root, "mean_radiance",
+                          cJSON_CreateDoubleArray(p->mean, p->bands));
+    cJSON_AddItemToObject(root, "mean_radiance_standard_error",
+                          cJSON_CreateDoubleArray(p->mean_error, p->bands));
     murk_json_file(root, j->images.exr);
     murk_json_file(root, j->images.png);
     murk_json_file(root, j->images.false_colour);
@@ -393,12 +385,14 @@ static murk_status prepare(job *j, murk_error *err)
 
 murk_status murk_command_render(const murk_options *options, murk_error *err)
 {
-    job j = {.options = options};
+    job j = {.options = options,
+             .method = &METHODS[murk_option_number(options, "--method", 0)]};
     murk_status status = prepare(&j, err);
-    if (!status && !options->by_path) {
+    if (!status && j.method->kind != MURK_BY_PATHS) {
         status = murk_session_light(&j.session, err);
         status = status ? status : check_memory(&j, err);
     }
+    /* The picture, then its files and the report. */
     if (!status) {
         status = take_picture(&j, err);
     }

@@ -71,7 +71,7 @@ static void print_event(const replay *r, const murk_event *event)
 static void add_event(const replay *r, const murk_event *event)
 {
     cJSON *item = cJSON_CreateObject();
-    cJSON_AddNumberToObject(item, "number", event->number);
+    murk_json_number(item, "number", event->number);
     cJSON_AddStringToObject(item, "kind", kind_name[event->kind]);
     cJSON_AddStringToObject(item, "partner", partner(r, event));
     if (has_outcome(event)) {
@@ -130,7 +130,7 @@ murk_status murk_command_replay(const murk_options *options, murk_error *err)
     replay r = {.session = &session, .photon = photon};
     if (options->json) {
         root = murk_json_begin(session.scene);
-        cJSON_AddNumberToObject(root, "photon", (double)photon);
+        murk_json_number(root, "photon", (double)photon);
         r.events = cJSON_AddArrayToObject(root, "events");
     } else if (murk_session_speaks(&session)) {
         murk_print("event kind            x m       y m       z m  direction "

@@ -27,11 +27,10 @@ static murk_status print_json(const murk_options *options, const char *path,
     }
     cJSON *root = cJSON_CreateObject();
     cJSON_AddStringToObject(root, "report", path);
-    cJSON_AddNumberToObject(root, "bytes", bytes);
-    cJSON_AddNumberToObject(root, "photons", (double)facts->photons);
-    cJSON_AddNumberToObject(root, "photons_shown",
-                            (double)facts->photons_shown);
-    cJSON_AddNumberToObject(root, "sensors_shown", (double)facts->sensors);
+    murk_json_number(root, "bytes", bytes);
+    murk_json_number(root, "photons", (double)facts->photons);
+    murk_json_number(root, "photons_shown", (double)facts->photons_shown);
+    murk_json_number(root, "sensors_shown", (double)facts->sensors);
     return murk_print_alone(root, options, shown, path, err);
 }
 

@@ -7,7 +7,6 @@
 #include "results/exports.h"
 #include "results/plan_ply.h"
 #include "results/sense.h"
-#include "results/tallies.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -23,15 +22,7 @@ static murk_status write_coverage(murk_session *session,
                                   const murk_sense_results *results,
                                   murk_error *err)
 {
-    murk_status status = murk_session_add_light(session, err);
-    if (!status) {
-        status = murk_session_add_ledger(
-            session, "ledger.json",
-            &(murk_ledger_results){session->traced, session->stage}, err);
-    }
-    if (!status) {
-        status = murk_add_tallies(session, err);
-    }
+    murk_status status = murk_session_add_all_of_light(session, err);
     if (!status) {
         status = murk_results_add_csv(
             &session->results, "coverage.csv", murk_results_list_sensor,

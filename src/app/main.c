@@ -57,26 +57,6 @@ static bool is_reader_gone(void)
     return poll(&output, 1, 0) > 0 && (output.revents & POLLERR);
 }
 
-typedef struct call {
-    int argc, exit_code;
-    char **argv;
-} call;
-
-static int run_program(int argc, char **argv);
-
-static void run_call(void *context)
-{
-    call *c = context;
-    c->exit_code = run_program(c->argc, c->argv);
-}
-
-int main(int argc, char **argv)
-{
-    call c = {.argc = argc, .argv = argv};
-    murk_pool_run_with_stack(run_call, &c);
-    return c.exit_code;
-}
-
 static int run_program(int argc, char **argv)
 {
     /* a file-size limit is an error to report; a closed pipe ends the program
@@ -110,4 +90,22 @@ static int run_program(int argc, char **argv)
     }
     murk_options_release(&options);
     return murk_status_exit_code(status);
+}
+
+typedef struct call {
+    int argc, exit_code;
+    char **argv;
+} call;
+
+static void run_call(void *context)
+{
+    call *c = context;
+    c->exit_code = run_program(c->argc, c->argv);
+}
+
+int main(int argc, char **argv)
+{
+    call c = {.argc = argc, .argv = argv};
+    murk_pool_run_with_stack(run_call, &c);
+    return c.exit_code;
 }

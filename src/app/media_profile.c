@@ -406,9 +406,9 @@ static cJSON *layers_json(const murk_profile_layers *l,
     cJSON *root = murk_json_begin_murk();
     cJSON_AddStringToObject(root, "profile", options->profile);
     cJSON_AddStringToObject(root, "column", l->column);
-    cJSON_AddNumberToObject(root, "rows", (double)l->rows);
+    murk_json_number(root, "rows", (double)l->rows);
     cJSON_AddStringToObject(root, "grid", options->out);
-    cJSON_AddNumberToObject(root, "voxels", (double)l->n);
+    murk_json_number(root, "voxels", (double)l->n);
     murk_json_number(root, "voxel_m", l->voxel_m);
     murk_json_number(root, "width_m", l->width_m);
     murk_json_number(root, "top_m", l->top_m);

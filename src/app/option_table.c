@@ -10,6 +10,9 @@
 #define WORDS(list)      .kind = MURK_OPTION_WORD, .words = list
 #define OWN(reader)      .kind = MURK_OPTION_OWN, .read = reader
 
+/* In the order of METHODS in command_render.c. */
+static const char *const METHODS[] = {"maps", "path", "maps-only", NULL};
+
 static const char *const FORMATS[] = {"text", "json", NULL};
 static const char *const SCALES[] = {"linear", "log", NULL};
 static const char *const PROGRESSES[] = {"never", "auto", "always", NULL};
@@ -110,7 +113,7 @@ const murk_option murk_option_table[] = {
      "maps (default): direct light by shadow rays, all other from the photon "
      "maps; maps-only: direct light, too; path: path tracing, which needs no "
      "photons",
-     OWN(murk_option_method), .part = MURK_OPTION_AS_TEXT},
+     WORDS(METHODS), .part = MURK_OPTION_AS_TEXT},
     {"--from-sensor", NULL, "N", "render",
      "stand where sensor N of --sensors does, from 1: a hfov x vfov view as it "
      "is, all others all round with the way they look in the middle; pixels "

@@ -3,7 +3,6 @@
 #include "app/option_values.h"
 
 #include "base/file.h"
-#include "base/number.h"
 #include "render/render.h"
 #include "results/fit.h"
 #include "scene/yaml.h"
@@ -17,18 +16,6 @@
 /* Pixels along a side: the range of the key of a scene. */
 #define SIDE_MAX     65536
 #define EXPOSURE_MAX 100.0 /* stops: 2^100 is beyond any radiance */
-
-murk_status murk_option_count(const char *name, const char *text, uint64_t low,
-                              uint64_t high, uint64_t *out, murk_error *err)
-{
-    if (*text == '+' || !murk_count_parse(text, out) || *out < low ||
-        *out > high) {
-        return murk_fail(err, MURK_BAD_VALUE, name,
-                         "%s, must be a whole number %llu..%llu", text,
-                         (unsigned long long)low, (unsigned long long)high);
-    }
-    return MURK_OK;
-}
 
 static murk_status no_memory(murk_error *err)
 {
@@ -72,22 +59,6 @@ murk_status murk_option_override(murk_options *out, const char *key,
     return MURK_OK;
 }
 
-murk_status murk_option_choice(const char *name, const char *value,
-                               const char *const *allowed, uint64_t *out,
-                               murk_error *err)
-{
-    char list[96] = "";
-    for (uint64_t i = 0; allowed[i]; ++i) {
-        if (strcmp(allowed[i], value) == 0) {
-            *out = i;
-            return MURK_OK;
-        }
-        snprintf(list + strlen(list), sizeof list - strlen(list), "%s%s",
-                 i ? " | " : "", allowed[i]);
-    }
-    return murk_fail(err, MURK_BAD_VALUE, name, "%s, must be %s", value, list);
-}
-
 murk_status murk_option_out(murk_options *out, const char *name,
                             const char *value, murk_error *err)
 {
@@ -95,18 +66,6 @@ murk_status murk_option_out(murk_options *out, const char *name,
     return *value ? MURK_OK
                   : murk_fail(err, MURK_BAD_VALUE, name,
                               "\"\", must name a folder");
-}
-
-murk_status murk_option_method(murk_options *out, const char *name,
-                               const char *value, murk_error *err)
-{
-    static const char *const methods[] = {"maps", "path", "maps-only", NULL};
-    uint64_t which = 0;
-    const murk_status status =
-        murk_option_choice(name, value, methods, &which, err);
-    out->by_path = which == 1;
-    out->maps_only = which == 2;
-    return status;
 }
 
 murk_status murk_option_exports(murk_options *out, const char *name,

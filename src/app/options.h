@@ -148,8 +148,6 @@ struct murk_options {
     const char *sensors; /* --sensors */
     const char *matrix;  /* --matrix */
     const char *camera;  /* --camera */
-    bool by_path;        /* --method path */
-    bool maps_only;      /* --method maps-only */
     const char *profile; /* --profile */
     const char *voxel;   /* --voxel, of a profile's grid and of --export */
     unsigned exports;    /* --export: murk_export bits */

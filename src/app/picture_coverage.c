@@ -142,21 +142,10 @@ static murk_status cover_strip(strip *s, murk_error *err)
     return status;
 }
 
-static uint32_t bands_of_sensors(const strip *s)
-{
-    uint32_t bands = 0;
-    for (size_t i = 0; i < s->viewpoint->sensors; ++i) {
-        bands |= UINT32_C(1)
-                 << band_of(s->stage->scene, s->viewpoint->sensor[i].type);
-    }
-    return bands;
-}
-
 static murk_status cover_all(strip *s, murk_error *err)
 {
     const murk_image *p = s->picture;
     const size_t together = rows_together(p->width);
-    const uint32_t bands = bands_of_sensors(s);
     const size_t cells = together * p->width;
     /* Counts and clarities of the rows that are looked at together. */
     s->count = calloc(2 * cells, sizeof *s->count);
@@ -175,7 +164,7 @@ static murk_status cover_all(strip *s, murk_error *err)
         }
         for (int b = 0; b < p->bands && !status; ++b) {
             s->band = b;
-            status = bands >> b & 1 ? cover_strip(s, err) : MURK_OK;
+            status = sensors_of_band(s) > 0 ? cover_strip(s, err) : MURK_OK;
         }
         if (!status && murk_interrupted()) {
             status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");

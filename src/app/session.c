@@ -4,6 +4,7 @@
 
 #include "app/identity.h"
 #include "results/ownership.h"
+#include "results/tallies.h"
 
 #include "base/log.h"
 #include "base/progress.h"
@@ -168,4 +169,16 @@ murk_status murk_session_light(murk_session *session, murk_error *err)
         session->run.map_s = session->traced->map_s;
     }
     return status;
+}
+
+murk_status murk_session_add_all_of_light(murk_session *session,
+                                          murk_error *err)
+{
+    murk_status status = murk_session_add_light(session, err);
+    if (!status) {
+        status = murk_session_add_ledger(
+            session, "ledger.json",
+            &(murk_ledger_results){session->traced, session->stage}, err);
+    }
+    return status ? status : murk_add_tallies(session, err);
 }

@@ -147,6 +147,7 @@ static void add_readings(murk_data *item, const murk_report_scene *s)
         murk_data_begin(item, NULL, '{');
         murk_data_vector(item, "place", r->place);
         murk_data_vector(item, "to", r->to);
+        /* cells of fit.csv: a cell without a number is not known */
         for (size_t k = 0; k < sizeof texts / sizeof *texts; ++k) {
             murk_data_text(item, texts[k],
                            murk_table_text(s->fit, r->row, texts[k]));

@@ -1,6 +1,6 @@
 /* The memory that `murk check` predicts for pictures equals the sizes of the
  * buffers that rendering allocates. Nothing here is random. */
-#include "app/check_cameras.h"
+#include "app/check.h"
 #include "base/log.h"
 #include "check.h"
 #include "render/render.h"

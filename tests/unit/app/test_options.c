@@ -173,10 +173,11 @@ static void test_pictures(void)
                            "--png --exposure -2.5 --false-colour Z "
                            "--range 1e-3:2 --scale log --method path");
     CHECK(o.render.pixels[0] == 640 && o.render.pixels[1] == 480);
-    CHECK(o.render.samples == 65536 && o.render.png && o.by_path);
+    CHECK(o.render.samples == 65536 && o.render.png);
     CHECK(o.render.has_exposure && o.render.exposure_stops == -2.5);
     CHECK(o.render.range[0] == 1e-3 && o.render.range[1] == 2);
-    CHECK(murk_option_number(&o, "--scale", 0) == 1 && !o.maps_only);
+    CHECK(murk_option_number(&o, "--scale", 0) == 1 &&
+          murk_option_number(&o, "--method", 0) == 1);
     murk_options_release(&o);
     refused("render s.yaml --false-colour Z --range 0:2 --scale log", "--range",
             "must be above 0 with --scale log");

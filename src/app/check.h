@@ -1,0 +1,43 @@
+/* Parts of murk check: each prints lines of the summary, and adds a part of the
+ * JSON. */
+#ifndef MURK_APP_CHECK_H
+#define MURK_APP_CHECK_H
+
+#include "lightmap/lightmap.h"
+#include "plan/poses.h"
+#include "results/json.h"
+#include "world/stage.h"
+
+/* Media with their coefficients, phase functions and grids, and regions with
+ * their bounds: "media" and "regions". Bounds of an unbounded region are those
+ * of the part in the domain. */
+void murk_print_media(const murk_stage *stage);
+void murk_json_media(cJSON *root, const murk_stage *stage);
+
+/* The power of lights; of those that go by place and time the positions of sun
+ * and moon and the irradiance; lamps that are off. In watts, and also in the
+ * scene's `units`. Adds "lights": {count, power_w, power_lm.., sky: [{light,
+ * type, on, azimuth_deg, elevation_deg, irradiance_w_per_m2, irradiance, unit
+ * (of `units`), taken_again: {share, optical_depth, transmittance}}]}, null
+ * where a light has no such value. */
+void murk_print_lights(const murk_stage *stage);
+void murk_json_lights(cJSON *root, const murk_stage *stage);
+
+/* Types of sensors, with the number of their usable candidates: "sensors", null
+ * without poses. */
+void murk_print_sensor_types(const murk_scene_desc *scene,
+                             const murk_poses *poses);
+void murk_json_sensor_types(cJSON *root, const murk_scene_desc *scene,
+                            const murk_poses *poses);
+
+/* Cameras: "cameras": [{name, type, pixels, samples, memory_bytes}], the memory
+ * of one picture by maps with the maps and their copies; and warnings of
+ * pictures that would not fit into the free memory. */
+void murk_print_cameras(const murk_scene_desc *scene,
+                        const murk_forecast *forecast);
+void murk_json_cameras(cJSON *root, const murk_scene_desc *scene,
+                       const murk_forecast *forecast);
+void murk_warn_of_cameras(const murk_scene_desc *scene,
+                          const murk_forecast *forecast);
+
+#endif
