@@ -101,12 +101,12 @@ static murk_status add_matrix(murk_session *session,
     murk_sight_problem seen;
     murk_sight_problem_init(&seen, sight, plan->poses->pose,
                             plan->poses->count);
-    murk_error told = {0};
+    murk_error why = {0};
     const murk_status status =
-        murk_sparse_matrix_collect(&matrix, &seen.problem, ENTRIES_MAX, &told);
+        murk_sparse_matrix_collect(&matrix, &seen.problem, ENTRIES_MAX, &why);
     if (status) {
         return murk_fail(status == MURK_RUN_FAILED ? late : err, status,
-                         "--export", "%s", told.text) == MURK_RUN_FAILED
+                         "--export", "%s", why.text) == MURK_RUN_FAILED
                    ? MURK_OK
                    : status;
     }

@@ -176,19 +176,19 @@ murk_status murk_results_add(murk_results *results, const char *name,
     if (!results->folder) {
         return MURK_OK;
     }
-    murk_error told = {0};
+    murk_error why = {0};
     murk_status status = stage_name(results, name, err);
     if (status) {
         return status;
     }
     const size_t i = results->n - 1;
-    status = write(results->file[i].staged, context, &told);
+    status = write(results->file[i].staged, context, &why);
     if (!status) {
         status = murk_file_sha256(results->file[i].staged, results->file[i].sum,
-                                  &told);
+                                  &why);
     }
     if (status) { /* under the staged name; told of the final one */
-        status = murk_fail(err, status, results->file[i].path, "%s", told.text);
+        status = murk_fail(err, status, results->file[i].path, "%s", why.text);
     } else {
         status = check_input(results, i, err);
     }

@@ -277,23 +277,23 @@ void murk_surfaces_add(murk_session *session, murk_sight *sight,
     const murk_stage *stage = session->stage;
     murk_pieces pieces = {0};
     murk_lit_pieces lit = {0};
-    murk_error told = {0};
+    murk_error why = {0};
     double edge_m = 0;
     /* Cut the surfaces, then find out what arrives and who sees it. */
-    murk_status status = edge_asked(&edge_m, session, &told);
+    murk_status status = edge_asked(&edge_m, session, &why);
     if (!status) {
         status =
             murk_pieces_create(&pieces, stage->surfaces, edge_m,
-                               usual_pieces(session->traced), "--voxel", &told);
+                               usual_pieces(session->traced), "--voxel", &why);
     }
     if (!status) {
         status =
             murk_lit_pieces_make(&lit, &pieces, &stage->world.domain,
                                  session->traced, session->scene->bands, sight,
-                                 sensor, n, session->settings.threads, &told);
+                                 sensor, n, session->settings.threads, &why);
     }
     if (status) {
-        (void)murk_fail(late, status, "--export", "surfaces: %s", told.text);
+        (void)murk_fail(late, status, "--export", "surfaces: %s", why.text);
     } else {
         add_files(session, &lit, late);
     }

@@ -240,20 +240,20 @@ void murk_fields_add(murk_session *session, const murk_sight *sight,
                      const murk_pose *sensor, size_t n, murk_error *late)
 {
     domain_fields f = {.stage = session->stage, .list.scene = session->scene};
-    murk_error told = {0};
-    murk_status status = murk_fields_box(&f.list.box, session, &told);
+    murk_error why = {0};
+    murk_status status = murk_fields_box(&f.list.box, session, &why);
     f.to_world = murk_field_to_world(&f.list.box);
     f.voxels = murk_field_voxels(&f.list.box);
     for (f.band = 0; !status && f.band < session->scene->bands; ++f.band) {
         if (sight) {
-            status = make_seen(&f, sight, sensor, n, &told);
+            status = make_seen(&f, sight, sensor, n, &why);
         }
         if (!status && murk_media_any(session->stage->media)) {
-            status = make_extinction(&f, &told);
+            status = make_extinction(&f, &why);
         }
     }
     if (status) {
-        (void)murk_fail(late, status, "--export", "fields: %s", told.text);
+        (void)murk_fail(late, status, "--export", "fields: %s", why.text);
     } else {
         add_files(session, &f, late);
     }
