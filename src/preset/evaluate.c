@@ -12,18 +12,24 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+/* All bands, and 550 nm. */
+#define SAMPLES_MAX (MURK_BANDS_MAX * MURK_PRESET_SAMPLES + 1)
+
 /* Wavelengths, band by band. If parts are scaled, 550 nm follows as the last
  * one. */
 typedef struct samples {
     size_t n, per_band;
-    double nm[MURK_BANDS_MAX * MURK_PRESET_SAMPLES + 1];
+    double nm[SAMPLES_MAX];
 } samples;
 
 typedef struct evaluation {
     const murk_preset *preset;
     murk_words words;
     samples at;
-    murk_law_result part[MURK_PRESET_PARTS_MAX];
+    murk_law_result part[MURK_PRESET_PARTS_MAX]; /* into the arrays below */
+    double absorption_per_m[MURK_PRESET_PARTS_MAX][SAMPLES_MAX];
+    double scattering_per_m[MURK_PRESET_PARTS_MAX][SAMPLES_MAX];
+    murk_preset_phase phase[MURK_PRESET_PARTS_MAX][SAMPLES_MAX];
     murk_mixing mixing;
 } evaluation;
 
@@ -129,16 +135,12 @@ static murk_status run_part(evaluation *e, size_t index, const char *where,
                             murk_error *err)
 {
     const murk_preset_part *part = &e->preset->part[index];
-    /* Memory for the results. */
     murk_law_result *out = &e->part[index];
     const size_t n = e->at.n;
     murk_status status = MURK_OK;
-    out->absorption_per_m = calloc(n, sizeof *out->absorption_per_m);
-    out->scattering_per_m = calloc(n, sizeof *out->scattering_per_m);
-    out->phase = calloc(n, sizeof *out->phase);
-    if (!out->absorption_per_m || !out->scattering_per_m || !out->phase) {
-        return murk_fail(err, MURK_NO_MEMORY, where, "no memory for a preset");
-    }
+    out->absorption_per_m = e->absorption_per_m[index];
+    out->scattering_per_m = e->scattering_per_m[index];
+    out->phase = e->phase[index];
     /* Coefficients by the law or the table, times the word of the part. */
     if (part->law) {
         const murk_law_call call = {.n = n,
@@ -237,9 +239,6 @@ static murk_status join_band(murk_preset_result *out, evaluation *e, int band,
 static void release(evaluation *e)
 {
     for (size_t i = 0; i < e->preset->parts; ++i) {
-        free(e->part[i].absorption_per_m);
-        free(e->part[i].scattering_per_m);
-        free(e->part[i].phase);
         murk_preset_angles_destroy(e->part[i].made);
     }
     free(e);

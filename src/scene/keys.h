@@ -64,8 +64,9 @@ typedef struct murk_key {
     size_t at, size;              /* member; size 0: not stored */
     size_t inside; /* a map: the member into which the keys of the map go */
     bool has_flag;
-    size_t flag_at; /* a bool that is true if the key is given */
-    bool lights;    /* top level: the traced light depends on it */
+    size_t flag_at;  /* a bool that is true if the key is given */
+    bool lights;     /* top level: the traced light depends on it */
+    bool may_differ; /* top level: conditions may set it */
     murk_status (*read)(murk_key_reader *walk, const struct murk_key *key,
                         murk_yaml *node, void *member);
     const char *allowed; /* allowed values of a key that reads itself: "free or
@@ -82,7 +83,8 @@ struct murk_keys {
     murk_status (*choose)(murk_key_reader *walk, const murk_yaml *map,
                           int *variant);
     bool by_key;
-    const char *const *variant_names; /* "point"; by_key: NULL ends the list */
+    const char *const *variant_names; /* without a selector: "with a view";
+                                       * by_key: NULL ends the list */
     bool has_variant_at, has_where;
     size_t variant_at, where_at; /* members */
     /* Called before defaults are filled in: may add keys to the map. */

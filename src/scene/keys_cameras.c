@@ -7,8 +7,6 @@
 /* Largest number of pixels of one picture: 67 megapixels, to bound memory. */
 #define PIXELS_MAX (1u << 26)
 
-static const char *const CAMERA_VARIANTS[] = {"perspective", "equirectangular"};
-
 static murk_status check_direction(murk_key_reader *walk, const murk_yaml *map,
                                    const murk_scene_camera *camera)
 {
@@ -58,11 +56,11 @@ static murk_status check_camera(murk_key_reader *walk, const murk_yaml *map,
 
 #define CAMERA(member) AT(murk_scene_camera, member)
 
-/* A picture of more pixels per edge fits no memory. */
 #define PERSPECTIVE .variants = BIT(MURK_SCENE_PERSPECTIVE)
 #define ALL_ROUND   .variants = BIT(MURK_SCENE_EQUIRECTANGULAR)
 #define TO          LONG_M, FLAG(murk_scene_camera, has_to), CAMERA(to)
-#define PIXELS      .min = 1, .max = 65536, .unit = "pixels", CAMERA(pixels)
+/* Pictures with longer edges fit no memory. */
+#define PIXELS .min = 1, .max = 65536, .unit = "pixels", CAMERA(pixels)
 
 static const murk_key CAMERA_ROWS[] = {
     ROW("name", TEXT, NEEDED, CAMERA(name)),
@@ -85,7 +83,6 @@ static const murk_key CAMERA_ROWS[] = {
 const murk_keys murk_camera_keys = {
     .noun = "camera",
     .selector = "type",
-    .variant_names = CAMERA_VARIANTS,
     VARIANT(murk_scene_camera, projection),
     .check = check_camera,
     WHERE(murk_scene_camera, where),

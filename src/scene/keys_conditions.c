@@ -11,30 +11,15 @@
 #define LETTERS \
     "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_"
 
-/* Keys that may differ between conditions. All others describe the sensors
- * or the frame of the world, which are the same in all conditions. */
-static const char *const MAY_DIFFER[] = {
-    "seed",   "materials", "geometry", "media",   "regions",
-    "lights", "photons",   "flight",   "tallies", NULL};
-
-static bool may_differ(const char *path)
+/* True if the keys at a path are the same in all conditions, as they describe
+ * the sensors or the frame of the world. */
+static bool is_fixed(const char *path)
 {
-    for (const char *const *key = MAY_DIFFER; *key; ++key) {
-        if (murk_override_overlap(path, *key)) {
-            return true;
-        }
+    const murk_key *key = murk_scene_keys.key;
+    while (key->name && !murk_override_overlap(path, key->name)) {
+        ++key;
     }
-    return false;
-}
-
-static bool is_of_scene(const char *path)
-{
-    for (const murk_key *key = murk_scene_keys.key; key->name; ++key) {
-        if (murk_override_overlap(path, key->name)) {
-            return true;
-        }
-    }
-    return false;
+    return key->name && !key->may_differ;
 }
 
 /* Checks a name: names appear in tables and columns of result files. */
@@ -76,7 +61,7 @@ static murk_status check_condition(murk_key_reader *walk, const murk_yaml *map,
             }
         }
         /* Some keys are the same in all conditions. */
-        if (!may_differ(key) && is_of_scene(key)) {
+        if (is_fixed(key)) {
             return murk_walk_fail_key(
                 walk, map->child[i],
                 "must be the same in all conditions; what may differ lies in "

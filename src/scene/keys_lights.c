@@ -41,17 +41,14 @@ enum {
     BY_TIME = SUN | MOON | SKY,
 };
 
-#define TYPE_NAME(id, name, group) name,
-static const char *const LIGHT_VARIANTS[] = {MURK_SOURCE_TYPES(TYPE_NAME)};
-
 #define TYPE_WORD(id, name, group) {name, MURK_SOURCE_##id},
 static const murk_word TYPE_WORDS[] = {MURK_SOURCE_TYPES(TYPE_WORD) WORDS_END};
 
-/* An irradiance of more than 1e15 W/m2 is a mistake. */
 #define LIGHT(member) AT(murk_scene_light, member)
 #define IF(member)    FLAG(murk_scene_light, member)
 #define FOR(types)    .variants = (types)
-#define IRRADIANCE    .max = 1e15, .unit = "W/m2", LIGHT(power_w)
+/* More than 1e15 W/m2 is a mistake. */
+#define IRRADIANCE .max = 1e15, .unit = "W/m2", LIGHT(power_w)
 
 static const murk_key LIGHT_ROWS[] = {
     ROW("type", WORD, NEEDED, .words = TYPE_WORDS),
@@ -102,7 +99,6 @@ const murk_keys murk_lightmap_keys = {
     .noun = "light",
     .selector = "type",
     .check = check_light,
-    .variant_names = LIGHT_VARIANTS,
     VARIANT(murk_scene_light, type),
     WHERE(murk_scene_light, where),
     ITEMS(murk_scene_desc, lights, n_lights),

@@ -33,8 +33,9 @@ static const murk_keys DOMAIN_KEYS = {.noun = "domain",
                                       WHERE(murk_scene_desc, domain_where),
                                       .key = DOMAIN_ROWS};
 
-/* Keys on which the traced light depends. */
+/* Keys on which the traced light depends: fixed, or set by conditions. */
 #define TRACED .lights = true
+#define VARIED .lights = true, .may_differ = true
 #define NM     .above = true, .max = 1e9, .unit = "nm"
 
 /* Keys are read in this order: bands before spectra, names before the keys
@@ -45,27 +46,28 @@ static const murk_key SCENE_ROWS[] = {
         SCENE(band_nm)),
     ROW("band_edges_nm", BAND_EDGES, .group = 1, NM, TRACED,
         SCENE(band_edge_nm)),
-    ROW("seed", COUNT, .max = 4294967295.0, .preset = "1", TRACED, SCENE(seed)),
+    ROW("seed", COUNT, .max = 4294967295.0, .preset = "1", VARIED, SCENE(seed)),
     ROW("north", VECTOR, ANY_UNIT, .preset = "[0, 1, 0]", TRACED, SCENE(north)),
     ROW("site", MAP, .keys = &murk_site_keys, TRACED,
         INSIDE(murk_scene_desc, site)),
     ROW("domain", MAP, .keys = &DOMAIN_KEYS, TRACED,
         FLAG(murk_scene_desc, has_domain)),
     ROW("materials", NAMED, .keys = &murk_material_keys, .preset = "{}",
-        TRACED),
-    ROW("geometry", LIST, .keys = &murk_geometry_keys, .preset = "[]", TRACED),
-    ROW("media", NAMED, .keys = &murk_medium_keys, .preset = "{}", TRACED),
-    ROW("regions", LIST, .keys = &murk_region_keys, .preset = "[]", TRACED),
-    ROW("lights", LIST, .keys = &murk_lightmap_keys, NEEDED, TRACED),
-    ROW("photons", MAP, .keys = &murk_photon_keys, .preset = "{}", TRACED,
+        VARIED),
+    ROW("geometry", LIST, .keys = &murk_geometry_keys, .preset = "[]", VARIED),
+    ROW("media", NAMED, .keys = &murk_medium_keys, .preset = "{}", VARIED),
+    ROW("regions", LIST, .keys = &murk_region_keys, .preset = "[]", VARIED),
+    ROW("lights", LIST, .keys = &murk_lightmap_keys, NEEDED, VARIED),
+    ROW("photons", MAP, .keys = &murk_photon_keys, .preset = "{}", VARIED,
         INSIDE(murk_scene_desc, photons)),
-    ROW("flight", WORD, .preset = "march", TRACED,
+    ROW("flight", WORD, .preset = "march", VARIED,
         WORDS({"march", 0}, {"delta", 1}), SCENE(by_delta)),
     ROW("units", WORD, .preset = "radiometric", SCENE(units),
         WORDS({"radiometric", MURK_RADIOMETRIC},
               {"photometric", MURK_PHOTOMETRIC}, {"photons", MURK_PHOTONS},
               {"par", MURK_PAR})),
-    ROW("tallies", LIST, .keys = &murk_tally_keys, .preset = "[]"),
+    ROW("tallies", LIST, .keys = &murk_tally_keys, .preset = "[]",
+        .may_differ = true),
     ROW("sensors", MAP, .keys = &murk_sensor_keys,
         INSIDE(murk_scene_desc, sensors), FLAG(murk_scene_desc, sensors.given)),
     ROW("conditions", NAMED, .keys = &murk_condition_keys, .preset = "{}"),

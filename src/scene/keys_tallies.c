@@ -16,9 +16,6 @@ static murk_status check_tally(murk_key_reader *walk, const murk_yaml *map,
     return MURK_OK;
 }
 
-#define TALLY_NAME(id, name) name,
-static const char *const TALLY_VARIANTS[] = {MURK_TALLY_TYPES(TALLY_NAME)};
-
 #define TALLY_WORD(id, name) {name, MURK_TALLY_##id},
 static const murk_word TALLY_WORDS[] = {MURK_TALLY_TYPES(TALLY_WORD) WORDS_END};
 
@@ -51,7 +48,6 @@ const murk_keys murk_tally_keys = {
     .noun = "tally",
     .selector = "type",
     .check = check_tally,
-    .variant_names = TALLY_VARIANTS,
     VARIANT(murk_scene_tally, type),
     WHERE(murk_scene_tally, where),
     ITEMS(murk_scene_desc, tallies, n_tallies),

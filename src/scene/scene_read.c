@@ -92,17 +92,14 @@ static void tidy(char *path)
     *to = '\0';
 }
 
+/* The absolute path; the path as given if the working folder has been
+ * removed. */
 static char *absolute(const char *path)
 {
-    char folder[PATH_MAX] = "";
-    if (path[0] != '/' && !getcwd(folder, sizeof folder)) {
-        return strdup(
-            path); /* the working folder has been removed: the path as given */
-    }
-    const size_t size = strlen(folder) + strlen(path) + 2;
-    char *out = malloc(size);
+    char folder[PATH_MAX];
+    const bool is_whole = path[0] == '/' || !getcwd(folder, sizeof folder);
+    char *out = is_whole ? strdup(path) : murk_path_join(folder, path);
     if (out) {
-        snprintf(out, size, "%s%s%s", folder, path[0] == '/' ? "" : "/", path);
         tidy(out);
     }
     return out;

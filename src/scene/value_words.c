@@ -16,10 +16,8 @@
 void murk_value_found(const murk_yaml *node, char out[MURK_FOUND_SIZE])
 {
     if (node->kind != MURK_YAML_SCALAR) {
-        snprintf(out, MURK_FOUND_SIZE, "%s%s", node->n ? "" : "an empty ",
-                 node->kind == MURK_YAML_LIST ? node->n ? "a list" : "list"
-                 : node->n                    ? "a map"
-                                              : "map");
+        snprintf(out, MURK_FOUND_SIZE, "%s %s", node->n ? "a" : "an empty",
+                 node->kind == MURK_YAML_LIST ? "list" : "map");
     } else if (node->is_quoted) {
         char text[SHOWN_SIZE];
         murk_words_show(text, sizeof text, node->text);

@@ -62,6 +62,19 @@ static murk_status fail_with_names(murk_key_reader *walk, const murk_yaml *node,
                               n > 1 ? "one of " : "", list);
 }
 
+/* The name of a variant: the word of the selector, or a name of the table. */
+static const char *name_of_variant(const murk_keys *keys, int variant)
+{
+    if (!keys->selector) {
+        return keys->variant_names[variant];
+    }
+    const murk_word *word = murk_keys_find(keys, keys->selector)->words;
+    while (word->value != variant) {
+        ++word;
+    }
+    return word->text;
+}
+
 murk_status murk_walk_check_names(murk_key_reader *walk, const murk_keys *keys,
                                   const murk_yaml *map, int variant)
 {
@@ -85,7 +98,7 @@ murk_status murk_walk_check_names(murk_key_reader *walk, const murk_keys *keys,
     }
     if (variant >= 0) {
         snprintf(what, sizeof what, "not a key of a %s (%s)", keys->noun,
-                 keys->variant_names[variant]);
+                 name_of_variant(keys, variant));
     }
     return fail_with_names(walk, map->child[i], what, names, n);
 }
