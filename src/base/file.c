@@ -26,16 +26,6 @@ struct murk_file {
     char *path, *temporary;
 };
 
-static char *join(const char *a, const char *b)
-{
-    char *out = malloc(strlen(a) + strlen(b) + 1);
-    if (out) {
-        strcpy(out, a);
-        strcat(out, b);
-    }
-    return out;
-}
-
 /* Flushes the folder of a file: only then is the new folder entry on the disk.
  * Failure does not make the file fail, because some file systems refuse to
  * flush folders. */
@@ -96,7 +86,7 @@ murk_status murk_file_create(murk_file **out, const char *path, murk_error *err)
     struct stat known;
     int fd = -1;
     /* Refuse paths that are no regular file or an input of this run. */
-    if (!file || !(file->path = join(path, ""))) {
+    if (!file || !(file->path = strdup(path))) {
         status = murk_fail(err, MURK_NO_MEMORY, path, "no memory to open it");
         goto done;
     }
@@ -234,6 +224,37 @@ static murk_status open_regular(int *out, struct stat *info, uint64_t max,
     return MURK_OK;
 }
 
+murk_status murk_file_open(int *fd, uint64_t *size, const char *path,
+                           murk_error *err)
+{
+    struct stat info;
+    const murk_status status =
+        open_regular(fd, &info, UINT64_MAX, INPUT, path, err);
+    if (!status) {
+        *size = (uint64_t)info.st_size;
+    }
+    return status;
+}
+
+murk_status murk_file_read_bytes(int fd, void *out, size_t size,
+                                 const char *path, murk_error *err)
+{
+    /* A read may return fewer bytes than asked for. */
+    size_t got = 0;
+    while (got < size) {
+        const ssize_t n = read(fd, (char *)out + got, size - got);
+        if (n < 0 && errno == EINTR) {
+            continue;
+        }
+        if (n <= 0) {
+            return murk_fail(err, MURK_BAD_FILE, path, "cannot read: %s",
+                             n < 0 ? strerror(errno) : "it grew shorter");
+        }
+        got += (size_t)n;
+    }
+    return MURK_OK;
+}
+
 static murk_status read_whole(char **out, size_t *size, const char *path,
                               size_t max, owner whose, murk_error *err)
 {
@@ -251,19 +272,9 @@ static murk_status read_whole(char **out, size_t *size, const char *path,
         status = murk_fail(err, MURK_NO_MEMORY, path, "no memory to read it");
         goto done;
     }
-    /* A read may return fewer bytes than asked for. */
-    size_t got = 0;
-    while (got < length) {
-        const ssize_t n = read(fd, bytes + got, length - got);
-        if (n < 0 && errno == EINTR) {
-            continue;
-        }
-        if (n <= 0) {
-            status = murk_fail(err, MURK_BAD_FILE, path, "cannot read: %s",
-                               n < 0 ? strerror(errno) : "it grew shorter");
-            goto done;
-        }
-        got += (size_t)n;
+    status = murk_file_read_bytes(fd, bytes, length, path, err);
+    if (status) {
+        goto done;
     }
     bytes[length] = '\0';
     *size = length;
@@ -326,7 +337,7 @@ murk_status murk_file_check_owner(const char *path, const char *mark,
 
 murk_status murk_folder_make(const char *path, murk_error *err)
 {
-    char *part = join(path, "/");
+    char *part = murk_path_join(path, "");
     if (!part) {
         return murk_fail(err, MURK_NO_MEMORY, path, "no memory for its name");
     }

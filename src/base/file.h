@@ -29,6 +29,15 @@ void murk_file_discard(murk_file *file);
 murk_status murk_file_write(const char *path, const void *bytes, size_t size,
                             murk_error *err);
 
+/* Opens a regular file for reading and returns the descriptor, which the caller
+ * closes, and the size. The file counts as an input of the run. */
+murk_status murk_file_open(int *fd, uint64_t *size, const char *path,
+                           murk_error *err);
+
+/* Reads exactly `size` bytes; a file that ends earlier is an error. */
+murk_status murk_file_read_bytes(int fd, void *out, size_t size,
+                                 const char *path, murk_error *err);
+
 /* Reads a whole file, which must be a regular file of at most `max` bytes. A
  * '\0' follows the bytes and is not counted in *size. The caller frees *out. */
 murk_status murk_file_read(char **out, size_t *size, const char *path,

@@ -24,11 +24,6 @@
  * are arbitrary marks that detect garbage in the pipe. */
 typedef enum kind { MESSAGE = 0x6d736721, END = 0x656e6421 } kind;
 
-typedef struct head {
-    uint32_t kind, status;
-    uint64_t size;
-} head;
-
 struct murk_isolated {
     int fd;
 };
@@ -36,9 +31,7 @@ struct murk_isolated {
 murk_status murk_isolated_send(murk_isolated *process, const void *bytes,
                                size_t size, murk_error *err)
 {
-    const head h = {MESSAGE, MURK_OK, size};
-    return murk_pipe_write(process->fd, &h, sizeof h) &&
-                   murk_pipe_write(process->fd, bytes, size)
+    return murk_pipe_send(process->fd, MESSAGE, MURK_OK, bytes, size)
                ? MURK_OK
                : murk_fail(err, MURK_RUN_FAILED, "",
                            "nobody listens to it any more");
@@ -60,9 +53,7 @@ static _Noreturn void run_and_exit(int fd, pid_t parent,
     murk_isolated process = {fd};
     murk_error err = {0};
     const murk_status status = work(&process, context, &err);
-    const head h = {END, (uint32_t)status, sizeof err};
-    const bool sent = murk_pipe_write(fd, &h, sizeof h) &&
-                      murk_pipe_write(fd, &err, sizeof err);
+    const bool sent = murk_pipe_send(fd, END, status, &err, sizeof err);
     _exit(sent ? 0 : 1); /* buffers that were filled before the fork are not
                           * flushed */
 }
@@ -74,8 +65,9 @@ typedef struct ending {
     murk_error error;
 } ending;
 
-static bool take_message(int fd, const head *h, murk_isolated_receive receive,
-                         void *context, ending *end, murk_error *err)
+static bool take_message(int fd, const murk_pipe_head *h,
+                         murk_isolated_receive receive, void *context,
+                         ending *end, murk_error *err)
 {
     if (h->size > MURK_ISOLATED_MESSAGE_MAX) {
         end->verdict = MURK_PIPE_CUT_SHORT;
@@ -99,7 +91,7 @@ static bool take_message(int fd, const head *h, murk_isolated_receive receive,
 static void listen(int fd, murk_isolated_receive receive, void *context,
                    ending *end, murk_error *err)
 {
-    head h;
+    murk_pipe_head h;
     for (;;) {
         end->verdict = murk_pipe_read(fd, &h, sizeof h, INFINITY);
         if (end->verdict != MURK_PIPE_RECEIVED) {
@@ -178,9 +170,7 @@ murk_status murk_isolated_run(murk_isolated_work work, void *work_context,
     if (end.verdict != MURK_PIPE_RECEIVED || end.received) {
         kill(pid, SIGKILL);
     }
-    int ended = 0;
-    while (waitpid(pid, &ended, 0) < 0 && errno == EINTR) {
-    }
+    const int ended = murk_pipe_wait(pid);
     murk_progress_resume();
     return explain(&end, ended, err);
 }

@@ -59,46 +59,40 @@ static bool is_said_before(const char *kind, const char *where,
     return found;
 }
 
-static void message_once(const char *kind, const char *where, const char *text)
+static murk_warn_sink current = murk_warn_to_stderr;
+static _Thread_local bool is_quiet;
+
+/* Passes a message to the sink; on standard error it is printed once. */
+static void report(const char *kind, const char *where, const char *format,
+                   va_list args)
 {
-    if (!is_said_before(kind, where, text)) {
+    if (!current || is_quiet) {
+        return;
+    }
+    char text[TEXT_SIZE];
+    vsnprintf(text, sizeof text, format, args);
+    where = where ? where : "";
+    if (current != murk_warn_to_stderr) {
+        current(where, text);
+    } else if (!is_said_before(kind, where, text)) {
         murk_message(kind, where, text);
     }
 }
 
-static void note_to_stderr(const char *where, const char *text)
-{
-    message_once("note: ", where, text);
-}
-
-static murk_warn_sink current = murk_warn_to_stderr;
-static _Thread_local bool is_quiet;
-
 void murk_warn(const char *where, const char *format, ...)
 {
-    if (!current || is_quiet) {
-        return;
-    }
-    char text[TEXT_SIZE];
     va_list args;
     va_start(args, format);
-    vsnprintf(text, sizeof text, format, args);
+    report("warning: ", where, format, args);
     va_end(args);
-    current(where ? where : "", text);
 }
 
 void murk_note(const char *where, const char *format, ...)
 {
-    if (!current || is_quiet) {
-        return;
-    }
-    char text[TEXT_SIZE];
     va_list args;
     va_start(args, format);
-    vsnprintf(text, sizeof text, format, args);
+    report("note: ", where, format, args);
     va_end(args);
-    const bool to_stderr = current == murk_warn_to_stderr;
-    (to_stderr ? note_to_stderr : current)(where ? where : "", text);
 }
 
 murk_warn_sink murk_warn_to(murk_warn_sink sink)
@@ -117,5 +111,7 @@ bool murk_warn_quiet(bool is_silent)
 
 void murk_warn_to_stderr(const char *where, const char *text)
 {
-    message_once("warning: ", where, text);
+    if (!is_said_before("warning: ", where, text)) {
+        murk_message("warning: ", where, text);
+    }
 }

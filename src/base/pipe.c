@@ -8,6 +8,7 @@
 
 #include <errno.h>
 #include <poll.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 bool murk_pipe_write(int fd, const void *bytes, size_t size)
@@ -25,6 +26,14 @@ bool murk_pipe_write(int fd, const void *bytes, size_t size)
         size -= (size_t)n;
     }
     return true;
+}
+
+bool murk_pipe_send(int fd, uint32_t kind, murk_status status,
+                    const void *bytes, size_t size)
+{
+    const murk_pipe_head head = {kind, (uint32_t)status, size};
+    return murk_pipe_write(fd, &head, sizeof head) &&
+           murk_pipe_write(fd, bytes, size);
 }
 
 murk_pipe_verdict murk_pipe_read(int fd, void *bytes, size_t size,
@@ -58,4 +67,12 @@ murk_pipe_verdict murk_pipe_read(int fd, void *bytes, size_t size,
         size -= (size_t)n;
     }
     return MURK_PIPE_RECEIVED;
+}
+
+int murk_pipe_wait(pid_t process)
+{
+    int ended = 0;
+    while (waitpid(process, &ended, 0) < 0 && errno == EINTR) {
+    }
+    return ended;
 }

@@ -2,11 +2,25 @@
 #ifndef MURK_BASE_PIPE_H
 #define MURK_BASE_PIPE_H
 
+#include "base/status.h"
+
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
+#include <sys/types.h>
 
 /* Writes all bytes. Returns false if the reading end is closed. */
 bool murk_pipe_write(int fd, const void *bytes, size_t size);
+
+/* A message is a header and `size` bytes. */
+typedef struct murk_pipe_head {
+    uint32_t kind, status; /* kind: a mark of the protocol; murk_status */
+    uint64_t size;
+} murk_pipe_head;
+
+/* Writes a message. Returns false if the reading end is closed. */
+bool murk_pipe_send(int fd, uint32_t kind, murk_status status,
+                    const void *bytes, size_t size);
 
 /* The result of reading. */
 typedef enum murk_pipe_verdict {
@@ -20,5 +34,8 @@ typedef enum murk_pipe_verdict {
  * The deadline is a time of murk_clock_s(); INFINITY means none. */
 murk_pipe_verdict murk_pipe_read(int fd, void *bytes, size_t size,
                                  double deadline_s);
+
+/* Waits for the end of a subprocess. Returns the status of waitpid(). */
+int murk_pipe_wait(pid_t process);
 
 #endif

@@ -15,7 +15,6 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
@@ -29,16 +28,6 @@
 #define MOVING  ".moving"
 #define TRIES   100 /* a try fails only if another run cleans at that moment */
 #define DECIMAL "0123456789"
-
-static char *join(const char *folder, const char *name)
-{
-    const size_t size = strlen(folder) + strlen(name) + 2;
-    char *path = malloc(size);
-    if (path) {
-        snprintf(path, size, "%s/%s", folder, name);
-    }
-    return path;
-}
 
 /* ---- locks ---- */
 
@@ -90,7 +79,7 @@ int murk_staging_file(const char *path, char **name)
  * leftover. */
 static bool lock_folder(murk_staging *staging, char *folder)
 {
-    char *name = join(folder, LOCK);
+    char *name = murk_path_join(folder, LOCK);
     staging->folder = NULL;
     staging->lock =
         name ? open(name, O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600) : -1;
@@ -107,7 +96,7 @@ murk_status murk_staging_begin(murk_staging *out, const char *parent,
                                murk_error *err)
 {
     for (int i = 0; i < TRIES; ++i) {
-        char *folder = join(parent, PREFIX "XXXXXX");
+        char *folder = murk_path_join(parent, PREFIX "XXXXXX");
         if (!folder) {
             return murk_fail(err, MURK_NO_MEMORY, parent, "no memory for it");
         }
@@ -129,7 +118,7 @@ murk_status murk_staging_begin(murk_staging *out, const char *parent,
 
 void murk_staging_moving(const murk_staging *staging)
 {
-    char *name = join(staging->folder, MOVING);
+    char *name = murk_path_join(staging->folder, MOVING);
     const int fd = name ? open(name, O_WRONLY | O_CREAT | O_CLOEXEC, 0600) : -1;
     if (fd >= 0) {
         (void)fsync(fd);
@@ -145,7 +134,7 @@ static void remove_folder(const char *folder)
     DIR *files = opendir(folder);
     const struct dirent *entry;
     while (files && (entry = readdir(files))) {
-        char *name = join(folder, entry->d_name);
+        char *name = murk_path_join(folder, entry->d_name);
         if (name && strcmp(entry->d_name, LOCK) != 0) {
             (void)unlink(name); /* fails for "." and ".." */
         }
@@ -155,7 +144,7 @@ static void remove_folder(const char *folder)
         closedir(files);
     }
     /* The lock goes last, so that the folder counts as staged until the end. */
-    char *lock = join(folder, LOCK);
+    char *lock = murk_path_join(folder, LOCK);
     if (lock) {
         (void)unlink(lock);
     }
@@ -176,7 +165,8 @@ void murk_staging_end(murk_staging *staging)
 static void clean_folder(const char *folder, bool all)
 {
     int fd = -1;
-    char *lock = join(folder, LOCK), *moving = join(folder, MOVING);
+    char *lock = murk_path_join(folder, LOCK),
+         *moving = murk_path_join(folder, MOVING);
     if (lock && moving && (all || access(moving, F_OK) != 0)) {
         if (is_left(lock, &fd)) {
             remove_folder(folder);
@@ -247,7 +237,7 @@ void murk_staging_clean(const char *parent, bool all)
         if (!is_ours && !is_old_leftover(entry->d_name)) {
             continue;
         }
-        char *path = join(parent, entry->d_name);
+        char *path = murk_path_join(parent, entry->d_name);
         if (path && is_ours && is_folder(path)) {
             clean_folder(path, all);
         } else if (path) {
@@ -267,8 +257,9 @@ void murk_staging_visit(const char *parent,
     DIR *folder = opendir(parent);
     const struct dirent *entry;
     while (folder && (entry = readdir(folder))) {
-        char *path =
-            is_staged(entry->d_name) ? join(parent, entry->d_name) : NULL;
+        char *path = is_staged(entry->d_name)
+                         ? murk_path_join(parent, entry->d_name)
+                         : NULL;
         if (path && is_folder(path)) {
             visit(context, path);
         }

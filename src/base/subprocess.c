@@ -54,11 +54,6 @@ typedef enum kind {
     END = 0x656e6421
 } kind;
 
-typedef struct head {
-    uint32_t kind, status;
-    uint64_t size;
-} head;
-
 struct murk_subprocess {
     int fd;
 };
@@ -66,9 +61,7 @@ struct murk_subprocess {
 murk_status murk_subprocess_send(murk_subprocess *process, const void *bytes,
                                  size_t size)
 {
-    const head h = {CHUNK, MURK_OK, size};
-    return murk_pipe_write(process->fd, &h, sizeof h) &&
-                   murk_pipe_write(process->fd, bytes, size)
+    return murk_pipe_send(process->fd, CHUNK, MURK_OK, bytes, size)
                ? MURK_OK
                : MURK_RUN_FAILED;
 }
@@ -127,17 +120,14 @@ static _Noreturn void run_and_exit(int fd, murk_subprocess_work work,
 #ifndef UNDER_SANITIZER
     set_limit(RLIMIT_AS, address_space_now() + limits->memory_bytes);
 #endif
-    const head unconfined = {UNCONFINED, MURK_OK, 0};
     if (!murk_confine(fd) &&
-        !murk_pipe_write(fd, &unconfined, sizeof unconfined)) {
+        !murk_pipe_send(fd, UNCONFINED, MURK_OK, NULL, 0)) {
         _exit(1);
     }
     murk_subprocess process = {fd};
     murk_error err = {0};
     const murk_status status = work(&process, context, &err);
-    const head h = {END, (uint32_t)status, sizeof err};
-    const bool sent = murk_pipe_write(fd, &h, sizeof h) &&
-                      murk_pipe_write(fd, &err, sizeof err);
+    const bool sent = murk_pipe_send(fd, END, status, &err, sizeof err);
     _exit(sent ? 0 : 1); /* no atexit handlers: the file may have damaged their
                           * data */
 }
@@ -193,7 +183,7 @@ static verdict receive(int fd, inbox *in, const murk_subprocess_limits *limits,
      * deadline. */
     const double deadline_s = murk_clock_s() + 2.0 * limits->seconds;
     for (;;) {
-        head h;
+        murk_pipe_head h;
         verdict v = (verdict)murk_pipe_read(fd, &h, sizeof h, deadline_s);
         if (v != RECEIVED) {
             return v;
@@ -293,9 +283,7 @@ murk_status murk_subprocess_run(unsigned char **out, size_t *size,
     if (v != RECEIVED && v != CUT_SHORT) {
         kill(pid, SIGKILL);
     }
-    int ended = 0;
-    while (waitpid(pid, &ended, 0) < 0 && errno == EINTR) {
-    }
+    const int ended = murk_pipe_wait(pid);
     /* Report a failure of the subprocess, or the error of the parser. */
     if (v != RECEIVED) {
         free(in.bytes);

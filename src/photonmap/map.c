@@ -32,79 +32,50 @@ static murk_status check(const murk_photon *photons, size_t n, murk_error *err)
     return MURK_OK;
 }
 
-static void put_box(murk_bounds *bounds, size_t box, const float min[3],
-                    const float max[3])
+/* Extends a box of the given minimum and maximum. */
+static void extend(float min[3], float max[3], const float low[3],
+                   const float high[3])
 {
-    murk_bounds *group = bounds + box / MURK_WIDE;
+    for (int a = 0; a < 3; ++a) {
+        min[a] = low[a] < min[a] ? low[a] : min[a];
+        max[a] = high[a] > max[a] ? high[a] : max[a];
+    }
+}
+
+/* The box around the photons of a leaf (level 0), or around a group of boxes of
+ * the level below. A box that is not in use is empty: nothing extends it. */
+static void set_box(murk_photon_map *map, unsigned level, size_t box)
+{
+    float min[3] = {INFINITY, INFINITY, INFINITY};
+    float max[3] = {-INFINITY, -INFINITY, -INFINITY};
+    if (level == 0) {
+        const size_t end = murk_first_of(map, 0, box + 1);
+        for (size_t i = murk_first_of(map, 0, box); i < end; ++i) {
+            const float *at = map->photons[i].position_m;
+            extend(min, max, at, at);
+        }
+    } else if (box < map->n_bounds[level]) {
+        const murk_bounds *group = map->bounds[level - 1] + box;
+        for (int i = 0; i < MURK_WIDE; ++i) {
+            extend(
+                min, max,
+                (float[]){group->min[0][i], group->min[1][i], group->min[2][i]},
+                (float[]){group->max[0][i], group->max[1][i],
+                          group->max[2][i]});
+        }
+    }
+    /* Store it in its group. */
+    murk_bounds *group = map->bounds[level] + box / MURK_WIDE;
     for (int a = 0; a < 3; ++a) {
         group->min[a][box % MURK_WIDE] = min[a];
         group->max[a][box % MURK_WIDE] = max[a];
     }
 }
 
-static void put_empty_box(murk_bounds *bounds, size_t box)
-{
-    const float maximum[3] = {INFINITY, INFINITY, INFINITY};
-    const float minimum[3] = {-INFINITY, -INFINITY, -INFINITY};
-    put_box(bounds, box, maximum, minimum);
-}
-
-static void box_of_photons(const murk_photon *photons, size_t n, float min[3],
-                           float max[3])
-{
-    for (int a = 0; a < 3; ++a) {
-        min[a] = INFINITY;
-        max[a] = -INFINITY;
-    }
-    for (size_t i = 0; i < n; ++i) {
-        for (int a = 0; a < 3; ++a) {
-            const float x = photons[i].position_m[a];
-            min[a] = x < min[a] ? x : min[a];
-            max[a] = x > max[a] ? x : max[a];
-        }
-    }
-}
-
-static void box_of_group(const murk_bounds *group, float min[3], float max[3])
-{
-    for (int a = 0; a < 3; ++a) {
-        min[a] = group->min[a][0];
-        max[a] = group->max[a][0];
-        for (int i = 1; i < MURK_WIDE; ++i) {
-            min[a] = fminf(min[a], group->min[a][i]);
-            max[a] = fmaxf(max[a], group->max[a][i]);
-        }
-    }
-}
-
 static void leaf_bounds_job(void *context, uint64_t group)
 {
-    const murk_photon_map *map = context;
-    for (size_t box = (size_t)group * MURK_WIDE; box < (group + 1) * MURK_WIDE;
-         ++box) {
-        if (box < map->n_bounds[0]) {
-            const size_t first = murk_first_of(map, 0, box);
-            float min[3], max[3];
-            box_of_photons(map->photons + first,
-                           murk_first_of(map, 0, box + 1) - first, min, max);
-            put_box(map->bounds[0], box, min, max);
-        } else {
-            put_empty_box(map->bounds[0], box);
-        }
-    }
-}
-
-static void upper_bounds(murk_photon_map *map, unsigned level)
-{
-    const size_t end = murk_groups_of(map->n_bounds[level]) * MURK_WIDE;
-    for (size_t box = 0; box < end; ++box) {
-        if (box < map->n_bounds[level]) {
-            float min[3], max[3];
-            box_of_group(map->bounds[level - 1] + box, min, max);
-            put_box(map->bounds[level], box, min, max);
-        } else {
-            put_empty_box(map->bounds[level], box);
-        }
+    for (size_t i = 0; i < MURK_WIDE; ++i) {
+        set_box(context, 0, (size_t)group * MURK_WIDE + i);
     }
 }
 
@@ -169,7 +140,10 @@ murk_status murk_photon_map_create(murk_photon_map **out, murk_photon *photons,
                       leaf_bounds_job, map);
     }
     for (unsigned level = 1; level < map->levels; ++level) {
-        upper_bounds(map, level);
+        const size_t end = murk_groups_of(map->n_bounds[level]) * MURK_WIDE;
+        for (size_t box = 0; box < end; ++box) {
+            set_box(map, level, box);
+        }
     }
     if (murk_interrupted()) { /* boxes may be missing then */
         status = murk_fail(err, MURK_INTERRUPTED, WHERE, "interrupted");

@@ -4,16 +4,13 @@
 #include "photonmap/map_file.h"
 
 #include "base/file.h"
-#include "base/inputs.h"
 #include "photonmap/photon.h"
 
 #include <assert.h>
 #include <errno.h>
-#include <fcntl.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 /* The structs below have the layout of the file on all supported machines. */
@@ -118,44 +115,6 @@ murk_status murk_map_file_write(const char *path, const murk_section *sections,
 
 /* ---- reading ---- */
 
-static murk_status read_bytes(int fd, void *out, size_t size, const char *path,
-                              murk_error *err)
-{
-    size_t got = 0;
-    while (got < size) {
-        const ssize_t n = read(fd, (char *)out + got, size - got);
-        if (n < 0 && errno == EINTR) {
-            continue;
-        }
-        if (n <= 0) {
-            return murk_fail(err, MURK_BAD_FILE, path, "cannot read: %s",
-                             n < 0 ? strerror(errno) : "it grew shorter");
-        }
-        got += (size_t)n;
-    }
-    return MURK_OK;
-}
-
-static murk_status open_regular(int *fd, uint64_t *size, const char *path,
-                                murk_error *err)
-{
-    struct stat info;
-    /* non-blocking, so that a pipe without a writer cannot block the run */
-    *fd = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-    if (*fd < 0 || fstat(*fd, &info) != 0) {
-        return murk_fail(err, MURK_BAD_FILE, path, "cannot read: %s",
-                         strerror(errno));
-    }
-    if (!S_ISREG(info.st_mode)) {
-        return murk_fail(err, MURK_BAD_FILE, path,
-                         "cannot read: %s, must be a regular file",
-                         S_ISDIR(info.st_mode) ? "a folder" : "not a file");
-    }
-    murk_inputs_add(&info);
-    *size = (uint64_t)info.st_size;
-    return MURK_OK;
-}
-
 static murk_status cut_short(const char *path, uint64_t size, uint64_t wanted,
                              murk_error *err)
 {
@@ -169,7 +128,7 @@ static murk_status read_header(header *head, int fd, uint64_t size,
 {
     *head = (header){0};
     const size_t there = size < sizeof *head ? (size_t)size : sizeof *head;
-    murk_status status = read_bytes(fd, head, there, path, err);
+    murk_status status = murk_file_read_bytes(fd, head, there, path, err);
     if (status) {
         return status;
     }
@@ -233,7 +192,8 @@ static murk_status read_table(entry table[MURK_MAP_FILE_SECTIONS], int fd,
     if (head->file_size < start) {
         return cut_short(path, head->file_size, start, err);
     }
-    murk_status status = read_bytes(fd, table, n * sizeof *table, path, err);
+    murk_status status =
+        murk_file_read_bytes(fd, table, n * sizeof *table, path, err);
     if (status) {
         return status;
     }
@@ -283,7 +243,8 @@ static murk_status read_section(murk_section *section, const entry *from,
                          "no memory for section %s, %.4g MB", from->name,
                          (double)size / 1e6);
     }
-    murk_status status = read_bytes(fd, section->bytes, size, path, err);
+    murk_status status =
+        murk_file_read_bytes(fd, section->bytes, size, path, err);
     if (!status && !is_checked(section->bytes, size, from->checksum)) {
         status = murk_fail(err, MURK_BAD_FILE, path,
                            "changed bytes in section %s", from->name);
@@ -304,7 +265,7 @@ static murk_status read_sections(murk_section **out, size_t *n,
     header head = {0};
     entry table[MURK_MAP_FILE_SECTIONS];
     murk_section *sections = NULL;
-    murk_status status = open_regular(&fd, &size, path, err);
+    murk_status status = murk_file_open(&fd, &size, path, err);
     if (status || (status = read_header(&head, fd, size, path, err)) ||
         (status = read_table(table, fd, &head, path, err)) ||
         (status = check_memory(size, path, err))) {
