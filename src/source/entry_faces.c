@@ -57,25 +57,18 @@ static void set_box_faces(murk_entry_faces *o, bool is_periodic)
                     z = {0, 0, b.z - a.z};
     /* Top, bottom, then the sides; a periodic domain is entered through the top
      * only. */
-    const entry_face face[FACES] = {
-        {.corner = {a.x, a.y, b.z},
-         .edge1 = x,
-         .edge2 = y,
-         .inward = {0, 0, -1}},
-        {.corner = a, .edge1 = x, .edge2 = y, .inward = {0, 0, 1}},
-        {.corner = a, .edge1 = y, .edge2 = z, .inward = {1, 0, 0}},
-        {.corner = {b.x, a.y, a.z},
-         .edge1 = y,
-         .edge2 = z,
-         .inward = {-1, 0, 0}},
-        {.corner = a, .edge1 = z, .edge2 = x, .inward = {0, 1, 0}},
-        {.corner = {a.x, b.y, a.z},
-         .edge1 = z,
-         .edge2 = x,
-         .inward = {0, -1, 0}}};
+    const murk_vec3 frame[FACES][4] = {{{a.x, a.y, b.z}, x, y, {0, 0, -1}},
+                                       {a, x, y, {0, 0, 1}},
+                                       {a, y, z, {1, 0, 0}},
+                                       {{b.x, a.y, a.z}, y, z, {-1, 0, 0}},
+                                       {a, z, x, {0, 1, 0}},
+                                       {{a.x, b.y, a.z}, z, x, {0, -1, 0}}};
     o->n = is_periodic ? 1 : FACES;
     for (size_t i = 0; i < o->n; ++i) {
-        o->entry_face[i] = face[i];
+        o->entry_face[i] = (entry_face){.corner = frame[i][0],
+                                        .edge1 = frame[i][1],
+                                        .edge2 = frame[i][2],
+                                        .inward = frame[i][3]};
     }
 }
 

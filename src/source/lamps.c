@@ -60,6 +60,19 @@ static murk_box ball_box(const murk_source *l)
 
 /* ---- sphere ---- */
 
+/* 1 - cos of half the angle under which a sphere appears, for the square of the
+ * ratio of radius and distance. */
+static double sphere_cone(double sine2)
+{
+    return sine2 / (1 + sqrt(1 - sine2));
+}
+
+static double sphere_radiance(const murk_source *l, int band)
+{
+    const double r2 = l->radius_m * l->radius_m;
+    return power_of(l, band) / (4 * MURK_PI * MURK_PI * r2);
+}
+
 static murk_status prepare_sphere(murk_source_state *s, murk_error *err)
 {
     const murk_source *l = &s->light;
@@ -90,9 +103,7 @@ static bool shine_sphere(const murk_source_state *s, int band, murk_vec3 place,
     if (!(d2 > r2)) {
         return false; /* inside: a sphere emits outwards only */
     }
-    const double sine2 = r2 / d2;
-    /* 1 - cos of the half angle */
-    const double cone = sine2 / (1 + sqrt(1 - sine2));
+    const double cone = sphere_cone(r2 / d2);
     const double part = cone * u[0];
     const double distance = sqrt(d2);
     const murk_vec3 sight =
@@ -102,8 +113,7 @@ static bool shine_sphere(const murk_source_state *s, int band, murk_vec3 place,
     shine->direction = murk_scale(-1, sight);
     shine->face = murk_unit(
         murk_sub(murk_along(place, shine->distance_m, sight), l->position));
-    const double radiance = power_of(l, band) / (4 * MURK_PI * MURK_PI * r2);
-    shine->irradiance_w_per_m2 = radiance * TWO_PI * cone;
+    shine->irradiance_w_per_m2 = sphere_radiance(l, band) * TWO_PI * cone;
     shine->per_sr = 1 / (TWO_PI * cone);
     return true;
 }
@@ -121,12 +131,9 @@ static murk_glare sphere_glare(const murk_source_state *s, int band,
     if (!(half > 0 && d2 > r2 && distance > 0)) {
         return (murk_glare){0};
     }
-    const double sine2 = r2 / d2;
-    const double cone = sine2 / (1 + sqrt(1 - sine2));
-    return (murk_glare){.radiance =
-                            power_of(l, band) / (4 * MURK_PI * MURK_PI * r2),
+    return (murk_glare){.radiance = sphere_radiance(l, band),
                         .distance_m = distance,
-                        .per_sr = 1 / (TWO_PI * cone)};
+                        .per_sr = 1 / (TWO_PI * sphere_cone(r2 / d2))};
 }
 
 /* ---- rectangle ---- */
@@ -149,11 +156,14 @@ static murk_ray emit_rect(const murk_source_state *s,
                       .direction = cosine_law(s->normal, u[2], u[3])};
 }
 
-/* The radiance of a rect. */
-static double rect_brightness(const murk_source *l, int band)
+static double rect_area(const murk_source *l)
 {
-    const double area = murk_length(murk_cross(l->edge1, l->edge2));
-    return power_of(l, band) / (MURK_PI * area);
+    return murk_length(murk_cross(l->edge1, l->edge2));
+}
+
+static double rect_radiance(const murk_source *l, int band)
+{
+    return power_of(l, band) / (MURK_PI * rect_area(l));
 }
 
 static bool shine_rect(const murk_source_state *s, int band, murk_vec3 place,
@@ -170,9 +180,8 @@ static bool shine_rect(const murk_source_state *s, int band, murk_vec3 place,
     if (!(cosine > 0)) {
         return false;
     }
-    shine->per_sr = sheet_per_sr(murk_length(murk_cross(l->edge1, l->edge2)),
-                                 shine->distance_m, cosine);
-    shine->irradiance_w_per_m2 = rect_brightness(l, band) / shine->per_sr;
+    shine->per_sr = sheet_per_sr(rect_area(l), shine->distance_m, cosine);
+    shine->irradiance_w_per_m2 = rect_radiance(l, band) / shine->per_sr;
     return true;
 }
 
@@ -189,10 +198,9 @@ static murk_glare rect_glare(const murk_source_state *s, int band,
         !(ahead_m < 0)) {
         return (murk_glare){0};
     }
-    const double area = murk_length(murk_cross(l->edge1, l->edge2));
-    return (murk_glare){.radiance = rect_brightness(l, band),
+    return (murk_glare){.radiance = rect_radiance(l, band),
                         .distance_m = -ahead_m,
-                        .per_sr = sheet_per_sr(area, ahead_m, cosine)};
+                        .per_sr = sheet_per_sr(rect_area(l), ahead_m, cosine)};
 }
 
 static murk_box rect_box(const murk_source *l)
@@ -238,6 +246,15 @@ static double rect_near(const murk_source *l, int band, murk_vec3 to_lamp,
 
 /* ---- beam ---- */
 
+/* A point of the disc of a beam, with the frame t, b of the beam. */
+static murk_vec3 disc_point(const murk_source *beam, murk_vec3 t, murk_vec3 b,
+                            const double u[2])
+{
+    const double rho = beam->radius_m * sqrt(u[0]), phi = TWO_PI * u[1];
+    return murk_along(murk_along(beam->position, rho * cos(phi), t),
+                      rho * sin(phi), b);
+}
+
 /* 1 - cos(half angle), with full precision for narrow beams. */
 static double cone_of(const murk_source *beam)
 {
@@ -262,7 +279,7 @@ static murk_status prepare_beam(murk_source_state *s, murk_error *err)
         return status;
     }
     /* The disc must lie in the domain: half of the size along each axis. */
-    s->cone = 2 * sin(half / 2) * sin(half / 2);
+    s->cone = cone_of(l);
     const murk_vec3 d = l->direction;
     const murk_vec3 reach = {r * sqrt(d.y * d.y + d.z * d.z),
                              r * sqrt(d.x * d.x + d.z * d.z),
@@ -279,9 +296,7 @@ static murk_ray emit_beam(const murk_source_state *s,
     murk_vec3 t, b;
     murk_frame(l->direction, &t, &b);
     if (l->radius_m > 0) {
-        const double rho = l->radius_m * sqrt(u[0]), phi = TWO_PI * u[1];
-        ray.origin = murk_along(ray.origin, rho * cos(phi), t);
-        ray.origin = murk_along(ray.origin, rho * sin(phi), b);
+        ray.origin = disc_point(l, t, b, u);
     }
     if (s->cone > 0) {
         /* By 1 - cos(angle), which keeps full precision in narrow beams. */
@@ -311,12 +326,9 @@ static bool shine_beam(const murk_source_state *s, int band, murk_vec3 place,
         return r > 0 && ahead > 0 && murk_dot(aside, aside) < r * r;
     }
     /* A divergent beam: sample the disc, uniformly. */
-    murk_vec3 t, b, from = l->position;
+    murk_vec3 t, b;
     murk_frame(l->direction, &t, &b);
-    const double rho = r * sqrt(u[0]), phi = TWO_PI * u[1];
-    from = murk_along(from, rho * cos(phi), t);
-    from = murk_along(from, rho * sin(phi), b);
-    if (!come_from(from, place, shine)) {
+    if (!come_from(disc_point(l, t, b, u), place, shine)) {
         return false;
     }
     shine->irradiance_w_per_m2 =
@@ -376,6 +388,7 @@ static double beam_near(const murk_source *l, int band, murk_vec3 to_lamp,
 static murk_status prepare_point(murk_source_state *s, murk_error *err)
 {
     const murk_vec3 none = {0, 0, 0};
+    s->light.radius_m = 0; /* a sphere without an extent */
     return murk_source_check_inside(s->domain, s->light.position, none,
                                     "the lamp", s->light.where, err);
 }
@@ -402,54 +415,35 @@ static bool shine_point(const murk_source_state *s, int band, murk_vec3 place,
     return true;
 }
 
-static murk_box point_box(const murk_source *l)
-{
-    return (murk_box){l->position, l->position};
-}
-
-static double no_extent(const murk_source *l)
-{
-    (void)l;
-    return 0;
-}
-
 /* ---- the rows ---- */
 
-static const murk_source_row SPHERE = {.prepare = prepare_sphere,
-                                       .emit = emit_sphere,
-                                       .shine = shine_sphere,
-                                       .glare = sphere_glare,
-                                       .box = ball_box,
-                                       .extent_m = radius_of};
-
-static const murk_source_row RECT = {.prepare = prepare_rect,
-                                     .emit = emit_rect,
-                                     .shine = shine_rect,
-                                     .glare = rect_glare,
-                                     .box = rect_box,
-                                     .extent_m = rect_extent,
-                                     .middle = rect_middle,
-                                     .normal = rect_normal,
-                                     .irradiance_near = rect_near};
-
-static const murk_source_row BEAM = {.prepare = prepare_beam,
-                                     .emit = emit_beam,
-                                     .shine = shine_beam,
-                                     .glare = beam_glare,
-                                     .can_shine = beam_can_shine,
-                                     .box = ball_box,
-                                     .extent_m = radius_of,
-                                     .irradiance_near = beam_near};
-
-static const murk_source_row POINT = {.prepare = prepare_point,
-                                      .emit = emit_point,
-                                      .shine = shine_point,
-                                      .box = point_box,
-                                      .extent_m = no_extent};
-
-const murk_source_row *const murk_source_lamp_rows[] = {
-    [MURK_SOURCE_SPHERE] = &SPHERE,
-    [MURK_SOURCE_RECT] = &RECT,
-    [MURK_SOURCE_POINT] = &POINT,
-    [MURK_SOURCE_BEAM] = &BEAM,
+const murk_source_row murk_source_lamp_rows[] = {
+    [MURK_SOURCE_SPHERE] = {.prepare = prepare_sphere,
+                            .emit = emit_sphere,
+                            .shine = shine_sphere,
+                            .glare = sphere_glare,
+                            .box = ball_box,
+                            .extent_m = radius_of},
+    [MURK_SOURCE_RECT] = {.prepare = prepare_rect,
+                          .emit = emit_rect,
+                          .shine = shine_rect,
+                          .glare = rect_glare,
+                          .box = rect_box,
+                          .extent_m = rect_extent,
+                          .middle = rect_middle,
+                          .normal = rect_normal,
+                          .irradiance_near = rect_near},
+    [MURK_SOURCE_POINT] = {.prepare = prepare_point,
+                           .emit = emit_point,
+                           .shine = shine_point,
+                           .box = ball_box,
+                           .extent_m = radius_of},
+    [MURK_SOURCE_BEAM] = {.prepare = prepare_beam,
+                          .emit = emit_beam,
+                          .shine = shine_beam,
+                          .glare = beam_glare,
+                          .can_shine = beam_can_shine,
+                          .box = ball_box,
+                          .extent_m = radius_of,
+                          .irradiance_near = beam_near},
 };

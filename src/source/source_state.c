@@ -95,7 +95,6 @@ murk_status murk_source_check_sheet(const murk_portal *sheet,
 {
     const murk_vec3 e = sheet->edge1, f = sheet->edge2;
     /* The edges must span an area. */
-    /* The edges must span an area. */
     const double minimum =
         CROSS_ROUNDINGS * DBL_EPSILON * murk_length(e) * murk_length(f);
     if (!(murk_length(murk_cross(e, f)) > minimum)) {
@@ -104,7 +103,6 @@ murk_status murk_source_check_sheet(const murk_portal *sheet,
                          "span no area, must not be zero or parallel",
                          what, e.x, e.y, e.z, f.x, f.y, f.z);
     }
-    /* All corners must lie in the domain. */
     /* All corners must lie in the domain. */
     const murk_vec3 none = {0, 0, 0};
     char corner_of[64];
@@ -124,7 +122,7 @@ murk_status murk_source_check_sheet(const murk_portal *sheet,
 const murk_source_row *murk_source_row_of(const murk_source *light)
 {
     return murk_source_is_distant(light) ? murk_source_distant_row(light)
-                                         : murk_source_lamp_rows[light->type];
+                                         : &murk_source_lamp_rows[light->type];
 }
 
 murk_status murk_source_state_prepare(murk_source_state *s, size_t bands,

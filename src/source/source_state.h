@@ -70,8 +70,8 @@ typedef struct murk_source_row {
                               murk_vec3 to_lamp, bool has_images);
 } murk_source_row;
 
-/* Indexed by murk_source_type; NULL for the types of the other file. */
-extern const murk_source_row *const murk_source_lamp_rows[];
+/* Indexed by murk_source_type; for lamps only. */
+extern const murk_source_row murk_source_lamp_rows[];
 
 /* The row of a light that is no lamp. */
 const murk_source_row *murk_source_distant_row(const murk_source *light);
