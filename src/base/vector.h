@@ -62,6 +62,17 @@ static inline murk_vec3 murk_unit(murk_vec3 a)
     return murk_scale(1 / murk_length(a), a);
 }
 
+/* A coordinate by axis: 0 x, 1 y, 2 z. */
+static inline double murk_component(murk_vec3 v, int axis)
+{
+    return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
+static inline void murk_component_set(murk_vec3 *v, int axis, double value)
+{
+    *(axis == 0 ? &v->x : axis == 1 ? &v->y : &v->z) = value;
+}
+
 static inline bool murk_is_finite(murk_vec3 a)
 {
     return isfinite(a.x) && isfinite(a.y) && isfinite(a.z);
@@ -114,6 +125,14 @@ static inline bool murk_box_contains(const murk_box *box, murk_vec3 p)
 {
     return p.x >= box->min.x && p.x <= box->max.x && p.y >= box->min.y &&
            p.y <= box->max.y && p.z >= box->min.z && p.z <= box->max.z;
+}
+
+/* True if p is inside the box or on a lower face: the upper faces belong to the
+ * neighbours, so that boxes that share a face never count a point twice. */
+static inline bool murk_box_holds(const murk_box *box, murk_vec3 p)
+{
+    return p.x >= box->min.x && p.x < box->max.x && p.y >= box->min.y &&
+           p.y < box->max.y && p.z >= box->min.z && p.z < box->max.z;
 }
 
 /* The largest magnitude of a coordinate of the corners of the box [m]. */

@@ -34,11 +34,6 @@ struct murk_chords {
 
 /* ---- building ---- */
 
-static double along_axis(murk_vec3 p, int axis)
-{
-    return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
-}
-
 /* Sort key of a receiver: position on the axis, then number. */
 typedef struct sorted {
     double at;
@@ -83,7 +78,8 @@ static void split(murk_chords *c, sorted *scratch, uint32_t first, uint32_t n)
                                                               : 2;
         for (uint32_t i = 0; i < n; ++i) {
             const uint32_t r = c->order[first + i];
-            scratch[i] = (sorted){along_axis(c->receiver[r].center, axis), r};
+            scratch[i] =
+                (sorted){murk_component(c->receiver[r].center, axis), r};
         }
         qsort(scratch, n, sizeof *scratch, compare);
         for (uint32_t i = 0; i < n; ++i) {

@@ -14,16 +14,6 @@ typedef struct murk_polygon {
     murk_vec3 corner[MURK_POLYGON_MAX];
 } murk_polygon;
 
-static inline double murk_component(murk_vec3 v, int axis)
-{
-    return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-}
-
-static inline void murk_component_set(murk_vec3 *v, int axis, double value)
-{
-    *(axis == 0 ? &v->x : axis == 1 ? &v->y : &v->z) = value;
-}
-
 /* The part of a triangle in a closed box. Points on a face of the box are
  * kept, so a flat box leaves segments and points. */
 murk_polygon murk_triangle_in_box(const murk_triangle *t, const murk_box *box);

@@ -162,8 +162,7 @@ static murk_flat flat_of(const murk_region_boundary *region_boundary, int axis,
                          double at, bool is_upper)
 {
     const murk_vec3 row = face_normal(region_boundary, axis);
-    const murk_vec3 s = region_boundary->to_local.shift;
-    const double shift = axis == 0 ? s.x : axis == 1 ? s.y : s.z;
+    const double shift = murk_component(region_boundary->to_local.shift, axis);
     return (murk_flat){.region = region_boundary->region,
                        .point =
                            murk_scale((at - shift) / murk_dot(row, row), row),

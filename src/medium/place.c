@@ -244,12 +244,6 @@ bool murk_place_clip_filling(const murk_place *place, const murk_vec3 *origin,
                           o, d, t0, t1);
 }
 
-static bool box_holds(const murk_box *box, murk_vec3 p)
-{
-    return p.x >= box->min.x && p.x < box->max.x && p.y >= box->min.y &&
-           p.y < box->max.y && p.z >= box->min.z && p.z < box->max.z;
-}
-
 /* True if p is inside the filling; *density is then the density there. */
 static bool filling_at(const murk_place *place, int band, murk_vec3 at,
                        murk_vec3 p, double *density)
@@ -282,7 +276,7 @@ static bool shape_holds(const murk_place *place, murk_vec3 at)
     case MURK_REGION_BELOW:
         return at.z < place->level;
     case MURK_REGION_BOX:
-        return box_holds(&place->box, at);
+        return murk_box_holds(&place->box, at);
     case MURK_REGION_SPHERE:
         return murk_dot(off, off) < place->radius * place->radius;
     }

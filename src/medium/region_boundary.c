@@ -17,22 +17,6 @@ double murk_region_boundary_near(const murk_box *domain)
     return MURK_INTERFACE_NEAR * murk_box_largest_coordinate(domain);
 }
 
-static double part(murk_vec3 v, int axis)
-{
-    return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-}
-
-static void set_part(murk_vec3 *v, int axis, double value)
-{
-    if (axis == 0) {
-        v->x = value;
-    } else if (axis == 1) {
-        v->y = value;
-    } else {
-        v->z = value;
-    }
-}
-
 /* The world axis that is parallel to an axis of the region's frame, or -1.
  * Tilts too small to move a face by near_m inside the domain are ignored. */
 static int world_axis_of(const murk_region_boundary *boundary, int local)
@@ -53,15 +37,17 @@ static bool open_face(murk_region_boundary *boundary, int local, int axis,
 {
     const double along = boundary->to_local.matrix[local][axis];
     const double face =
-        part(upper ? boundary->box.max : boundary->box.min, local);
-    const double at = (face - part(boundary->to_local.shift, local)) / along;
+        murk_component(upper ? boundary->box.max : boundary->box.min, local);
+    const double at =
+        (face - murk_component(boundary->to_local.shift, local)) / along;
     const double near = murk_region_boundary_near(domain);
     const bool faces_up = upper == (along > 0);
-    const bool is_open = faces_up ? at >= part(domain->max, axis) - near
-                                  : at <= part(domain->min, axis) + near;
+    const bool is_open = faces_up
+                             ? at >= murk_component(domain->max, axis) - near
+                             : at <= murk_component(domain->min, axis) + near;
     if (is_open) {
-        set_part(upper ? &boundary->box.max : &boundary->box.min, local,
-                 upper ? INFINITY : -INFINITY);
+        murk_component_set(upper ? &boundary->box.max : &boundary->box.min,
+                           local, upper ? INFINITY : -INFINITY);
     }
     return is_open;
 }
@@ -137,9 +123,7 @@ bool murk_region_boundary_holds(const murk_region_boundary *boundary,
         const murk_vec3 off = murk_sub(p, boundary->center);
         return murk_dot(off, off) < boundary->radius * boundary->radius;
     }
-    const murk_box *box = &boundary->box;
-    return p.x >= box->min.x && p.x < box->max.x && p.y >= box->min.y &&
-           p.y < box->max.y && p.z >= box->min.z && p.z < box->max.z;
+    return murk_box_holds(&boundary->box, p);
 }
 
 /* ---- intersection of two boundaries ---- */
@@ -173,9 +157,11 @@ static body body_of(const murk_region_boundary *boundary, double far)
         const double scale = murk_length(axis), limit = far / scale;
         b.radius = boundary->radius * scale;
         if (!b.is_sphere && !b.is_all) {
-            const double low = fmax(part(boundary->box.min, i), -limit);
-            const double high = fmin(part(boundary->box.max, i), limit);
-            set_part(&middle, i, (low + high) / 2);
+            const double low =
+                fmax(murk_component(boundary->box.min, i), -limit);
+            const double high =
+                fmin(murk_component(boundary->box.max, i), limit);
+            murk_component_set(&middle, i, (low + high) / 2);
             b.half[i] = murk_scale((high - low) / 2, axis);
         }
     }
@@ -322,7 +308,7 @@ static double far_of(const murk_region_boundary *boundaries, size_t n,
         for (size_t k = 0; k < sizeof corner_of / sizeof *corner_of; ++k) {
             double far = murk_length(to_world.shift);
             for (int axis = 0; axis < 3; ++axis) {
-                const double at = part(corner_of[k], axis);
+                const double at = murk_component(corner_of[k], axis);
                 const double *row = to_world.matrix[axis];
                 const double scale = hypot(row[0], hypot(row[1], row[2]));
                 far += isfinite(at) ? fabs(at) * scale : 0;

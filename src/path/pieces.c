@@ -42,13 +42,6 @@ static double jump_ahead(const murk_path_pieces *p)
                                                                            : 0;
 }
 
-static double wrapped(double x, const double side[2])
-{
-    const double period = side[1] - side[0];
-    return murk_path_side_hold(x - period * floor((x - side[0]) / period),
-                               side);
-}
-
 static void jump(murk_path_pieces *p, double run)
 {
     const murk_path_sides *sides = &p->tiling->space.sides;
@@ -56,8 +49,8 @@ static void jump(murk_path_pieces *p, double run)
     murk_path_piece *piece = &p->piece;
     piece->from = p->at;
     piece->to = murk_path_sides_hold(sides, murk_vec(p->at.x, p->at.y, end.z));
-    p->at = murk_vec(wrapped(end.x, sides->x), wrapped(end.y, sides->y),
-                     piece->to.z);
+    p->at = murk_vec(murk_path_side_wrap(end.x, sides->x),
+                     murk_path_side_wrap(end.y, sides->y), piece->to.z);
     piece->stretch = 1 / fabs(p->direction.z);
     p->left_m -= run;
     piece->leaves = p->direction.z > 0 ? piece->to.z >= sides->z[1]

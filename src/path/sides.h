@@ -65,6 +65,14 @@ static inline double murk_path_side_hold(double x, const double side[2])
     return x < side[0] ? side[0] : x > side[1] ? side[1] : x;
 }
 
+/* A coordinate moved by whole periods to between two periodic sides. */
+static inline double murk_path_side_wrap(double x, const double side[2])
+{
+    const double period = side[1] - side[0];
+    return murk_path_side_hold(x - period * floor((x - side[0]) / period),
+                               side);
+}
+
 /* p, or the nearest point between the sides. */
 static inline murk_vec3 murk_path_sides_hold(const murk_path_sides *sides,
                                              murk_vec3 p)
@@ -86,13 +94,8 @@ static inline bool murk_path_sides_contain(const murk_path_sides *sides,
 static inline void murk_path_sides_put(const murk_path_sides *sides, int axis,
                                        bool upper, murk_vec3 *p)
 {
-    if (axis == 0) {
-        p->x = sides->x[upper];
-    } else if (axis == 1) {
-        p->y = sides->y[upper];
-    } else {
-        p->z = sides->z[upper];
-    }
+    const double *side = axis == 0 ? sides->x : axis == 1 ? sides->y : sides->z;
+    murk_component_set(p, axis, side[upper]);
 }
 
 #endif

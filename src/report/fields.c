@@ -171,11 +171,6 @@ void murk_report_fields_release(murk_report_fields *fields)
 
 /* ---- data of the page ---- */
 
-static double along(murk_vec3 v, int axis)
-{
-    return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-}
-
 /* One slice: axes, ends, cells, where the slice lies. A line of cells has its
  * errors, too. */
 static void add_slice(murk_data *data, const murk_report_fields *all,
@@ -188,8 +183,8 @@ static void add_slice(murk_data *data, const murk_report_fields *all,
     const size_t n = s->size[0] * s->size[1];
     double ends[3][2];
     for (int k = 0; k < 3; ++k) {
-        ends[k][0] = along(box.min, axes[k]);
-        ends[k][1] = along(box.max, axes[k]);
+        ends[k][0] = murk_component(box.min, axes[k]);
+        ends[k][1] = murk_component(box.max, axes[k]);
     }
     /* the place of the slice, in the middle of its cells */
     char at[32];

@@ -92,13 +92,6 @@ double murk_jump_ahead(const murk_walker *w)
     return fmax(x, y) > MIN_PERIODS ? run : 0;
 }
 
-static double brought_back(double x, const double side[2])
-{
-    const double period = side[1] - side[0];
-    return murk_path_side_hold(x - period * floor((x - side[0]) / period),
-                               side);
-}
-
 void murk_jump(murk_walker *w, double length_m)
 {
     const murk_path_sides *sides = &w->setup->space.sides;
@@ -113,8 +106,8 @@ void murk_jump(murk_walker *w, double length_m)
         event.path_m = length_m;
         murk_walker_tell(w, &event);
     }
-    w->path.position = murk_vec(brought_back(end.x, sides->x),
-                                brought_back(end.y, sides->y), end.z);
+    w->path.position = murk_vec(murk_path_side_wrap(end.x, sides->x),
+                                murk_path_side_wrap(end.y, sides->y), end.z);
     w->probe = w->path.position;
     ++w->wraps;
 }

@@ -193,9 +193,9 @@ static murk_vec3 beyond_side(const murk_walker *w, int axis, bool upper)
 {
     const double step =
         upper ? w->setup->space.margin_m : -w->setup->space.margin_m;
-    return murk_add(w->path.position,
-                    murk_vec(axis == 0 ? step : 0, axis == 1 ? step : 0,
-                             axis == 2 ? step : 0));
+    murk_vec3 place = w->path.position;
+    murk_component_set(&place, axis, murk_component(place, axis) + step);
+    return place;
 }
 
 murk_fate murk_meet_side(murk_walker *w, double path_m)
@@ -203,7 +203,7 @@ murk_fate murk_meet_side(murk_walker *w, double path_m)
     const murk_path_sides *sides = &w->setup->space.sides;
     const murk_vec3 d = w->path.direction;
     const int axis = murk_path_sides_axis(sides, w->path.position, d);
-    const bool upper = (axis == 0 ? d.x : axis == 1 ? d.y : d.z) > 0;
+    const bool upper = murk_component(d, axis) > 0;
     const bool wraps = w->setup->world->domain.is_periodic && axis != 2;
     /* Move to the side. */
     const murk_vec3 from = w->path.position;

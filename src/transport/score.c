@@ -18,11 +18,6 @@ static uint32_t bin_at(double x, uint32_t bins)
     return x >= (double)bins ? bins - 1 : x > 0 ? (uint32_t)x : 0;
 }
 
-static double along_axis(murk_vec3 p, int axis)
-{
-    return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
-}
-
 /* Scores a crossing of a plane at the share t between two positions. */
 static void cross(murk_scorer *scorer, const murk_tally_plane *plane, double t,
                   murk_vec3 to, murk_vec3 direction, bool backward,
@@ -32,7 +27,7 @@ static void cross(murk_scorer *scorer, const murk_tally_plane *plane, double t,
     const murk_vec3 p = murk_along(from, t, murk_sub(to, from));
     uint32_t bin[2];
     for (int i = 0; i < 2; ++i) {
-        bin[i] = bin_at((along_axis(p, plane->axes[i]) - plane->low_m[i]) *
+        bin[i] = bin_at((murk_component(p, plane->axes[i]) - plane->low_m[i]) *
                             plane->bins_per_m[i],
                         plane->bins[i]);
     }

@@ -17,19 +17,14 @@ typedef struct polygon {
     murk_vec3 corner[CORNERS_MAX];
 } polygon;
 
-static double along(murk_vec3 v, int axis)
-{
-    return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-}
-
 /* Clips a polygon: keeps the part with sign * (x - bound) <= 0 on an axis. */
 static polygon cut(const polygon *p, int axis, double bound, double sign)
 {
     polygon out = {0};
     for (size_t i = 0; i < p->n && out.n + 2 <= CORNERS_MAX; ++i) {
         const murk_vec3 a = p->corner[i], b = p->corner[(i + 1) % p->n];
-        const double da = sign * (along(a, axis) - bound),
-                     db = sign * (along(b, axis) - bound);
+        const double da = sign * (murk_component(a, axis) - bound),
+                     db = sign * (murk_component(b, axis) - bound);
         if (da <= 0) {
             out.corner[out.n++] = a;
         }
@@ -59,8 +54,8 @@ double murk_plane_area(const murk_box *box, murk_vec3 point, murk_vec3 normal)
     }
     /* Clip by the two sides of the box on each axis. */
     for (int axis = 0; axis < 3; ++axis) {
-        p = cut(&p, axis, along(box->max, axis), 1);
-        p = cut(&p, axis, along(box->min, axis), -1);
+        p = cut(&p, axis, murk_component(box->max, axis), 1);
+        p = cut(&p, axis, murk_component(box->min, axis), -1);
     }
     /* Add twice the area vectors of the triangles of a fan. */
     murk_vec3 twice = murk_vec(0, 0, 0);
