@@ -6,7 +6,6 @@
 
 #include "medium/bricks.h"
 #include "medium/linear.h"
-#include "medium/nodes.h"
 
 #include <assert.h>
 #include <math.h>

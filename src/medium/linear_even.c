@@ -3,8 +3,6 @@
  * (medium/linear.h). */
 #include "medium/linear.h"
 
-#include "medium/nodes.h"
-
 #include <stddef.h>
 #include <string.h>
 

@@ -9,8 +9,6 @@
  * stall. */
 #include "medium/linear.h"
 
-#include "medium/nodes.h"
-
 #include <math.h>
 #include <stddef.h>
 

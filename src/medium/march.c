@@ -2,8 +2,6 @@
  * arithmetic of the crossings is that of medium/grid_ray.h. */
 #include "medium/march.h"
 
-#include "medium/nodes.h"
-
 #include <stddef.h>
 
 /* Crosses the segment that begins in the voxel at[]; returns true if the ray

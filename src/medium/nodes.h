@@ -3,8 +3,6 @@
 #ifndef MURK_MEDIUM_NODES_H
 #define MURK_MEDIUM_NODES_H
 
-#include "medium/tree.h"
-
 #define PNANOVDB_C
 #include <nanovdb/PNanoVDB.h>
 
@@ -70,43 +68,6 @@ static inline const float *murk_leaf_values(const unsigned char *node)
     const pnanovdb_address_t first = pnanovdb_leaf_get_table_address(
         PNANOVDB_GRID_TYPE_FLOAT, murk_node_buffer(node), leaf, 0);
     return (const float *)(const void *)(node + first.byte_offset);
-}
-
-static inline int murk_offset_in_leaf(const int32_t voxel[3])
-{
-    return (voxel[0] & 7) << 6 | (voxel[1] & 7) << 3 | (voxel[2] & 7);
-}
-
-/* The smallest node around a voxel: the 512 values of a leaf, or (leaf NULL)
- * one value for a cell of the tree with an edge of `size` voxels. */
-typedef struct murk_tree_node {
-    const float *leaf;
-    float value;
-    int32_t size;
-} murk_tree_node;
-
-/* Descends to the node that contains the voxel, from the node of 128 voxels
- * that the cursor visited last if that contains the voxel. */
-static inline murk_tree_node murk_tree_node_at(murk_tree_cursor *cursor,
-                                               const int32_t voxel[3])
-{
-    murk_tree_cursor *c = cursor;
-    if (!(c->lower && murk_cell_contains(c->lower_first, voxel, 128))) {
-        const murk_root_cell *root = murk_tree_root_cell(c->tree, voxel);
-        if (!root || !root->node) {
-            return (murk_tree_node){
-                NULL, root ? root->value : c->tree->elsewhere, MURK_ROOT_CELL};
-        }
-        const murk_cell cell = murk_upper_cell(root->node, voxel);
-        if (!cell.child) {
-            return (murk_tree_node){NULL, cell.value, 128};
-        }
-        c->lower = cell.child;
-        murk_cell_first(c->lower_first, voxel, 128);
-    }
-    const murk_cell cell = murk_lower_cell(c->lower, voxel);
-    return cell.child ? (murk_tree_node){murk_leaf_values(cell.child), 0, 8}
-                      : (murk_tree_node){NULL, cell.value, 8};
 }
 
 #endif

@@ -104,6 +104,28 @@ const murk_root_cell *murk_tree_root_cell(const murk_tree *tree,
                              : NULL;
 }
 
+murk_tree_node murk_tree_node_at(murk_tree_cursor *cursor,
+                                 const int32_t voxel[3])
+{
+    murk_tree_cursor *c = cursor;
+    if (!(c->lower && murk_cell_contains(c->lower_first, voxel, 128))) {
+        const murk_root_cell *root = murk_tree_root_cell(c->tree, voxel);
+        if (!root || !root->node) {
+            return (murk_tree_node){
+                NULL, root ? root->value : c->tree->elsewhere, MURK_ROOT_CELL};
+        }
+        const murk_cell cell = murk_upper_cell(root->node, voxel);
+        if (!cell.child) {
+            return (murk_tree_node){NULL, cell.value, 128};
+        }
+        c->lower = cell.child;
+        murk_cell_first(c->lower_first, voxel, 128);
+    }
+    const murk_cell cell = murk_lower_cell(c->lower, voxel);
+    return cell.child ? (murk_tree_node){murk_leaf_values(cell.child), 0, 8}
+                      : (murk_tree_node){NULL, cell.value, 8};
+}
+
 float murk_tree_value(const murk_tree *tree, const int32_t voxel[3])
 {
     murk_tree_cursor cursor = {.tree = tree};

@@ -29,7 +29,7 @@ typedef struct murk_tree {
     float elsewhere; /* value outside of all cells: 0, or MURK_VDB_NO_ALBEDO */
 } murk_tree;
 
-/* A position in the tree: the node of 128 voxels visited last (nodes.h). */
+/* A position in the tree: the node of 128 voxels visited last. */
 typedef struct murk_tree_cursor {
     const murk_tree *tree;
     const unsigned char *lower; /* NULL: none yet */
@@ -63,6 +63,25 @@ void murk_tree_close(murk_tree *tree);
 /* The root cell that contains the voxel; NULL if there is none. */
 const murk_root_cell *murk_tree_root_cell(const murk_tree *tree,
                                           const int32_t voxel[3]);
+
+/* The smallest node around a voxel: the 512 values of a leaf, or (leaf NULL)
+ * one value for a cell of the tree with an edge of `size` voxels. */
+typedef struct murk_tree_node {
+    const float *leaf;
+    float value;
+    int32_t size;
+} murk_tree_node;
+
+/* Descends to the node that contains the voxel, from the node of 128 voxels
+ * that the cursor visited last if that contains the voxel. */
+murk_tree_node murk_tree_node_at(murk_tree_cursor *cursor,
+                                 const int32_t voxel[3]);
+
+/* The index of a voxel in the values of the leaf that contains it. */
+static inline int murk_offset_in_leaf(const int32_t voxel[3])
+{
+    return (voxel[0] & 7) << 6 | (voxel[1] & 7) << 3 | (voxel[2] & 7);
+}
 
 /* The value of a voxel; `elsewhere` outside of the tree. */
 float murk_tree_value(const murk_tree *tree, const int32_t voxel[3]);
