@@ -38,16 +38,6 @@ typedef struct strict_run {
     bool is_closed; /* every count so far is excluded */
 } strict_run;
 
-/* The objective of a relocation: the strict weight, then V. */
-typedef struct objective {
-    uint64_t strict, sum;
-} objective;
-
-static bool is_greater(objective a, objective b)
-{
-    return a.strict != b.strict ? a.strict > b.strict : a.sum > b.sum;
-}
-
 /* ---- the problem ---- */
 
 static void binary_row(void *context, unsigned worker, size_t candidate,
@@ -129,17 +119,15 @@ static bool find_best(strict_run *r, uint32_t *present)
     murk_evaluator_gains(o, cover, r->open, n, threads, 0, r->sum);
     r->rows += 2 * n;
     r->run.result.evaluations += n;
+    /* The strict weight decides, then V; on ties the present sensor stays. */
     size_t best = n;
+    murk_objective_value max = {0};
     for (size_t k = 0; k < n; ++k) {
-        const objective w = {r->strict[k], r->sum[k]};
-        bool is_better = best == n;
-        if (!is_better) { /* on ties the present sensor stays */
-            const objective max = {r->strict[best], r->sum[best]};
-            is_better = is_greater(w, max) ||
-                        (!is_greater(max, w) && r->open[k] == *present);
-        }
-        if (is_better) {
+        const murk_objective_value now = {r->strict[k], r->sum[k]};
+        if (best == n || murk_objective_is_greater(now, max) ||
+            (!murk_objective_is_greater(max, now) && r->open[k] == *present)) {
             best = k;
+            max = now;
         }
     }
     if (best < n) {

@@ -81,22 +81,22 @@ void murk_bound_release(murk_bound *bound)
     *bound = (murk_bound){0};
 }
 
-/* Sets b->cover to the cover of plan[n]. */
-static void cover_plan(murk_bound *b, const uint32_t *plan, size_t n)
+static void add_to_cover(murk_bound *b, uint32_t candidate)
+{
+    const murk_row row = murk_evaluator_row(b->evaluator, 0, candidate);
+    b->queries += b->evaluator->matrix ? 0 : 1;
+    murk_cover_add(&b->cover, b->evaluator->layout, &row);
+}
+
+/* The multipliers start at the cover of plan[n]. */
+static void start_at_plan(murk_bound *b, const uint32_t *plan, size_t n)
 {
     const murk_layout *layout = b->evaluator->layout;
     murk_cover_clear(&b->cover, layout);
     for (size_t k = 0; k < n; ++k) {
-        const murk_row row = murk_evaluator_row(b->evaluator, 0, plan[k]);
-        b->queries += b->evaluator->matrix ? 0 : 1;
-        murk_cover_add(&b->cover, layout, &row);
+        add_to_cover(b, plan[k]);
     }
-}
-
-static void start_at_plan(murk_bound *b, const uint32_t *plan, size_t n)
-{
-    cover_plan(b, plan, n);
-    for (size_t i = 0; i < b->evaluator->layout->slots; ++i) {
+    for (size_t i = 0; i < layout->slots; ++i) {
         b->multiplier[i] = b->cover.best[i];
     }
 }
@@ -327,9 +327,7 @@ static uint64_t tighten_by_constraints(murk_bound *b, size_t n, uint64_t lower,
     murk_partial_plan_clear(&b->fixed, n);
     for (size_t k = 0; k < constraints->fixed_count; ++k) {
         const uint32_t j = (uint32_t)constraints->fixed[k];
-        const murk_row row = murk_evaluator_row(o, 0, j);
-        b->queries += o->matrix ? 0 : 1;
-        murk_cover_add(&b->cover, o->layout, &row);
+        add_to_cover(b, j);
         murk_partial_plan_add(&b->fixed, j);
     }
     b->partial = &b->fixed;

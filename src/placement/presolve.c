@@ -1,7 +1,7 @@
 /* Dominance between candidates: compares each pair of rows, in the order of
  * falling value, because a row of larger value cannot be dominated. With one
  * dominator needed the comparisons run in parallel; the result is the same for
- * any number of threads. Source of the rule: header. */
+ * any number of threads (placement/presolve.h). */
 #include "placement/presolve.h"
 
 #include "base/interrupt.h"

@@ -54,6 +54,17 @@ typedef struct murk_gain_scan {
     murk_arena arena;
 } murk_gain_scan;
 
+/* A lexicographic objective value: `first` decides, `second` breaks ties. */
+typedef struct murk_objective_value {
+    uint64_t first, second;
+} murk_objective_value;
+
+static inline bool murk_objective_is_greater(murk_objective_value a,
+                                             murk_objective_value b)
+{
+    return a.first != b.first ? a.first > b.first : a.second > b.second;
+}
+
 /* The number of rows that fit the limit on work (MURK_SEARCH_WORK); unlimited
  * in an unknown environment. */
 uint64_t murk_gain_scan_rows_max(const murk_evaluator *evaluator);

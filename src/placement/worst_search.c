@@ -36,11 +36,6 @@ murk_status murk_worst_search_init(murk_worst_search *out,
 
 /* ---- objective values ---- */
 
-static bool is_greater(murk_objective_value a, murk_objective_value b)
-{
-    return a.first != b.first ? a.first > b.first : a.second > b.second;
-}
-
 /* The objective value of the partial plan with gain[] added (NULL: as it is).
  */
 static murk_objective_value
@@ -100,9 +95,10 @@ static bool can_add(const murk_worst_search *s, uint32_t candidate)
 static int by_bound(const void *a, const void *b)
 {
     const murk_candidate_bound *x = a, *y = b;
-    if (is_greater(x->value_bound, y->value_bound) ||
-        is_greater(y->value_bound, x->value_bound)) {
-        return is_greater(x->value_bound, y->value_bound) ? -1 : 1;
+    if (murk_objective_is_greater(x->value_bound, y->value_bound) ||
+        murk_objective_is_greater(y->value_bound, x->value_bound)) {
+        return murk_objective_is_greater(x->value_bound, y->value_bound) ? -1
+                                                                         : 1;
     }
     return (x->candidate > y->candidate) - (x->candidate < y->candidate);
 }
@@ -122,7 +118,7 @@ static bool find_best(murk_worst_search *s,
         const uint32_t j = o->ranked[k].candidate;
         const murk_objective_value max =
             objective_with(s, objective, s->max + j * blocks);
-        if (is_greater(max, *value_bound) && can_add(s, j)) {
+        if (murk_objective_is_greater(max, *value_bound) && can_add(s, j)) {
             s->candidate_bound[n++] = (murk_candidate_bound){max, j};
         }
     }
@@ -132,7 +128,8 @@ static bool find_best(murk_worst_search *s,
         size_t gathered = 0;
         /* Gather candidates that may be the best, and evaluate them. */
         for (; k < n && gathered < MURK_SCAN_CHUNK &&
-               !is_greater(*value_bound, s->candidate_bound[k].value_bound);
+               !murk_objective_is_greater(*value_bound,
+                                          s->candidate_bound[k].value_bound);
              ++k) {
             s->scan->chunk[gathered++] = s->candidate_bound[k].candidate;
         }
@@ -146,8 +143,9 @@ static bool find_best(murk_worst_search *s,
             const uint32_t j = s->scan->chunk[i];
             const murk_objective_value now =
                 objective_with(s, objective, s->gain + i * blocks);
-            if (is_greater(now, *value_bound) ||
-                (is_found && !is_greater(*value_bound, now) && j < *best)) {
+            if (murk_objective_is_greater(now, *value_bound) ||
+                (is_found && !murk_objective_is_greater(*value_bound, now) &&
+                 j < *best)) {
                 *value_bound = now;
                 *best = j;
                 is_found = true;

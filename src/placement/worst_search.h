@@ -14,11 +14,6 @@
 #include "placement/blocks.h"
 #include "placement/search.h"
 
-/* A lexicographic objective value: `first` decides, `second` breaks ties. */
-typedef struct murk_objective_value {
-    uint64_t first, second;
-} murk_objective_value;
-
 #define MURK_NO_LEVEL UINT64_MAX
 
 /* The objective of a search: sum_c factor[c] min(share_c, level); or, with
