@@ -4,9 +4,9 @@
 #ifndef MURK_RESULTS_EXPORTS_H
 #define MURK_RESULTS_EXPORTS_H
 
-#include "placement/sparse_matrix.h"
 #include "results/fields.h"
 #include "results/session.h"
+#include "sparse/matrix.h"
 
 /* Of the problem, by murk place alone; the others are of a scene. */
 #define MURK_EXPORTS_OF_PROBLEM \

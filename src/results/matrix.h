@@ -3,9 +3,9 @@
 #ifndef MURK_RESULTS_MATRIX_H
 #define MURK_RESULTS_MATRIX_H
 
-#include "placement/sparse_matrix.h"
 #include "results/fields.h"
 #include "results/session.h"
+#include "sparse/matrix.h"
 
 /* What the chosen columns cover, in weight * clarity. */
 typedef struct murk_covering {

@@ -4,9 +4,9 @@
  * plan. */
 #include "results/plan_ply.h"
 
-#include "placement/sparse_matrix.h"
 #include "results/mark.h"
 #include "results/mesh_file.h"
+#include "sparse/matrix.h"
 
 #include <stdlib.h>
 #include <string.h>

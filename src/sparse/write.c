@@ -1,6 +1,6 @@
 /* Writes coverage matrices as text: sparse CSV for murk's own reader, and
  * OR-Library's set covering format. */
-#include "placement/sparse_matrix.h"
+#include "sparse/matrix.h"
 
 #include "base/file.h"
 #include "base/number.h"

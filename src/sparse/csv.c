@@ -1,7 +1,7 @@
 /* Reader of coverage matrices in CSV: dense, with one line a row and one cell a
  * column; or, under a header with `row` and `column`, sparse with one line an
  * entry. Cells may be quoted. The text is cut into cells in place. */
-#include "placement/sparse_read.h"
+#include "sparse/read.h"
 
 #include "base/number.h"
 

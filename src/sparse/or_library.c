@@ -5,7 +5,7 @@
  *
  * Source: Beasley, J. Oper. Res. Soc. 41 (1990) 1069,
  * doi:10.1057/jors.1990.166. */
-#include "placement/sparse_read.h"
+#include "sparse/read.h"
 
 #include "base/number.h"
 

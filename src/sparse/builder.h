@@ -1,9 +1,9 @@
 /* A sparse matrix under construction: entries in any order, weights as given in
  * the file. */
-#ifndef MURK_PLACEMENT_SPARSE_BUILDER_H
-#define MURK_PLACEMENT_SPARSE_BUILDER_H
+#ifndef MURK_SPARSE_BUILDER_H
+#define MURK_SPARSE_BUILDER_H
 
-#include "placement/sparse_matrix.h"
+#include "sparse/matrix.h"
 
 typedef struct murk_sparse_entry {
     uint32_t row, column; /* from 0 */

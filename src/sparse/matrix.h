@@ -5,8 +5,8 @@
  *
  * The matrix is stored by columns, in whole numbers as everywhere in placement.
  * It is immutable once made, so any number of threads may read it. */
-#ifndef MURK_PLACEMENT_SPARSE_MATRIX_H
-#define MURK_PLACEMENT_SPARSE_MATRIX_H
+#ifndef MURK_SPARSE_MATRIX_H
+#define MURK_SPARSE_MATRIX_H
 
 #include "placement/constraints.h"
 #include "placement/problem.h"

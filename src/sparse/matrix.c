@@ -2,7 +2,7 @@
  * all rows of a problem into a matrix. Collecting works in blocks: each block
  * of rows is computed over all threads and then appended in order, so memory
  * beyond the result stays small. */
-#include "placement/sparse_matrix.h"
+#include "sparse/matrix.h"
 
 #include "base/interrupt.h"
 #include "base/pool.h"

@@ -1,7 +1,7 @@
 /* Makes a sparse matrix from entries in any order: a sort by row, unless
  * the file is sorted, then a distribution to columns. Weights become whole
  * numbers. */
-#include "placement/sparse_builder.h"
+#include "sparse/builder.h"
 
 #include <math.h>
 #include <stdio.h>

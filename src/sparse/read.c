@@ -1,6 +1,6 @@
 /* Reads a coverage matrix from a file: checks that the file is text, tells the
  * format by the first line, and calls the reader of that format. */
-#include "placement/sparse_read.h"
+#include "sparse/read.h"
 
 #include "base/file.h"
 #include "base/number.h"

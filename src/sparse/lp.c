@@ -1,9 +1,9 @@
 /* Writes a placement problem as an integer program for other solvers
- * (formulation: placement/sparse_matrix.h). Rows with equal entries need one
+ * (formulation: sparse/matrix.h). Rows with equal entries need one
  * variable with the summed weight: they are found by a hash of 128 bits, built
  * column by column. A collision of hashes is neglected: among 1e7 rows the
  * probability is below 1e-24. */
-#include "placement/sparse_matrix.h"
+#include "sparse/matrix.h"
 
 #include "base/file.h"
 

@@ -1,10 +1,10 @@
 /* Readers of the formats of a coverage matrix. Each reads the text of a file,
  * which ends with '\0' and may be cut in place, and fills a builder; the caller
  * finishes or releases the builder. */
-#ifndef MURK_PLACEMENT_SPARSE_READ_H
-#define MURK_PLACEMENT_SPARSE_READ_H
+#ifndef MURK_SPARSE_READ_H
+#define MURK_SPARSE_READ_H
 
-#include "placement/sparse_builder.h"
+#include "sparse/builder.h"
 
 #include <stdbool.h>
 

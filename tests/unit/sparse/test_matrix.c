@@ -5,7 +5,7 @@
 #include "base/file.h"
 #include "base/rng.h"
 #include "check.h"
-#include "placement/sparse_matrix.h"
+#include "sparse/matrix.h"
 
 #include <stdlib.h>
 #include <unistd.h>
