@@ -227,43 +227,46 @@ static murk_status check_file(const char *path, uint64_t *size,
     return MURK_OK;
 }
 
+/* Reads a grid of densities or albedos, and warns if it has no effect. */
 static murk_status read_grid(murk_grid **out, const char *path,
                              const char *name, bool is_albedo,
                              const char *where, murk_error *err)
 {
+    char place[sizeof err->where];
     uint64_t size = 0;
-    const murk_status status = check_file(path, &size, where, err);
+    snprintf(place, sizeof place, "%s: %s", where, path);
+    murk_status status = check_file(path, &size, place, err);
     job j = {
-        .path = path, .name = name, .is_albedo = is_albedo, .where = where};
-    return status ? status : run(out, read_in_subprocess, &j, size, err);
+        .path = path, .name = name, .is_albedo = is_albedo, .where = place};
+    if (!status) {
+        status = run(out, read_in_subprocess, &j, size, err);
+    }
+    if (status) {
+        return status;
+    }
+    /* A grid without effect often means a mistake. */
+    const murk_grid_facts *facts = &(*out)->facts;
+    if (is_albedo && facts->active == 0) {
+        murk_warn(place, "grid %s is empty: the albedo is %g everywhere",
+                  facts->name, facts->background);
+    } else if (!is_albedo && facts->maximum == 0) {
+        murk_warn(place, "grid %s %s: there is nothing in the way of light",
+                  facts->name, facts->active ? "is 0 everywhere" : "is empty");
+    }
+    return MURK_OK;
 }
 
 murk_status murk_grid_read(murk_grid **out, const char *path, const char *name,
                            const char *where, murk_error *err)
 {
-    char place[sizeof err->where];
-    snprintf(place, sizeof place, "%s: %s", where, path);
-    const murk_status status = read_grid(out, path, name, false, place, err);
-    if (!status && (*out)->facts.maximum == 0) {
-        murk_warn(place, "grid %s %s: there is nothing in the way of light",
-                  (*out)->facts.name,
-                  (*out)->facts.active ? "is 0 everywhere" : "is empty");
-    }
-    return status;
+    return read_grid(out, path, name, false, where, err);
 }
 
 murk_status murk_grid_read_albedo(murk_grid **out, const char *path,
                                   const char *name, const char *where,
                                   murk_error *err)
 {
-    char place[sizeof err->where];
-    snprintf(place, sizeof place, "%s: %s", where, path);
-    const murk_status status = read_grid(out, path, name, true, place, err);
-    if (!status && (*out)->facts.active == 0) {
-        murk_warn(place, "grid %s is empty: the albedo is %g everywhere",
-                  (*out)->facts.name, (*out)->facts.background);
-    }
-    return status;
+    return read_grid(out, path, name, true, where, err);
 }
 
 murk_status murk_grid_check_size(const size_t size[3], size_t *voxels,
@@ -294,18 +297,9 @@ murk_status murk_grid_make(murk_grid **out, const size_t size[3],
     if (status) {
         return status;
     }
-    const murk_vec3 shift = index_to_world->shift;
-    job j = {.size = size,
-             .density = density,
-             .as_tiles = as_tiles,
-             .where = where,
-             .index_to_world = {[3] = shift.x, [7] = shift.y, [11] = shift.z}};
-    for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 3; ++column) {
-            j.index_to_world[4 * row + column] =
-                index_to_world->matrix[row][column];
-        }
-    }
+    job j = {
+        .size = size, .density = density, .as_tiles = as_tiles, .where = where};
+    murk_affine_rows(index_to_world, j.index_to_world);
     return run(out, make_in_subprocess, &j, voxels * sizeof *density, err);
 }
 

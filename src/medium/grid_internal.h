@@ -22,6 +22,18 @@ const murk_tree *murk_grid_tree(const struct murk_grid *grid);
 murk_status murk_grid_check_size(const size_t size[3], size_t *voxels,
                                  const char *where, murk_error *err);
 
+/* The three rows of four numbers of a map, in the form of the bridge to OpenVDB
+ * (medium/vdb_bridge.h). */
+static inline void murk_affine_rows(const murk_affine *map, double rows[12])
+{
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) {
+            rows[4 * row + column] = map->matrix[row][column];
+        }
+        rows[4 * row + 3] = murk_component(map->shift, row);
+    }
+}
+
 /* murk_grid_from_samples() with a choice: blocks of one value are stored as
  * tiles, or voxel by voxel. */
 murk_status murk_grid_make(struct murk_grid **out, const size_t size[3],

@@ -157,20 +157,11 @@ murk_status murk_grid_write(const char *path, const murk_grid_field *fields,
     if (status) {
         return status;
     }
-    const murk_vec3 shift = index_to_world->shift;
-    job j = {.where = path,
-             .n = n,
-             .size = size,
-             .index_to_world = {[3] = shift.x, [7] = shift.y, [11] = shift.z}};
+    job j = {.where = path, .n = n, .size = size};
+    murk_affine_rows(index_to_world, j.index_to_world);
     for (size_t i = 0; i < n; ++i) {
         j.field[i] =
             (murk_vdb_field){fields[i].name, fields[i].value, fields[i].notes};
-    }
-    for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 3; ++column) {
-            j.index_to_world[4 * row + column] =
-                index_to_world->matrix[row][column];
-        }
     }
     /* Limits: the trees, and the bytes of the file twice, each at most as
      * large as the trees. */

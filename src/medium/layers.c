@@ -3,6 +3,7 @@
  * advances by one layer. */
 #include "medium/layers.h"
 
+#include "base/interval.h"
 #include "medium/grid_ray.h"
 
 #include <float.h>
@@ -17,16 +18,7 @@ static double crossing(const murk_layers *m, double z_m)
 /* The last layer whose lower height is at most z. */
 static size_t layer_at(const murk_profile *profile, double z)
 {
-    size_t low = 0, high = profile->n - 1; /* the layer is in [low, high) */
-    while (high - low > 1) {
-        const size_t middle = low + (high - low) / 2;
-        if (profile->z_m[middle] <= z) {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    return low;
+    return murk_interval_of(profile->z_m, 1, profile->n, z);
 }
 
 /* The extinction of a layer at height z, clamped to the layer. */

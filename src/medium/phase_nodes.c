@@ -4,6 +4,8 @@
  * 163, doi:10.1080/05695557408974949) and the root of a quadratic. */
 #include "medium/phase_nodes.h"
 
+#include "base/interval.h"
+
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
@@ -122,16 +124,9 @@ static double mean_s(const murk_phase_table *table)
 /* The last node at or before s, or the first node. */
 static size_t node_before(const murk_phase_table *table, double s)
 {
-    size_t from = 0, to = table->nodes - 1;
-    while (to - from > 1) {
-        const size_t middle = from + (to - from) / 2;
-        if (table->node[middle].s <= s) {
-            from = middle;
-        } else {
-            to = middle;
-        }
-    }
-    return from;
+    return murk_interval_of(&table->node[0].s,
+                            sizeof *table->node / sizeof(double), table->nodes,
+                            s);
 }
 
 /* Share of the light scattered by less than s; s must not be before node 0. */

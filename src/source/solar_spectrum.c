@@ -3,6 +3,7 @@
  * two-stream cloud, and integrates them over bands. */
 #include "source/solar_spectrum.h"
 
+#include "base/interval.h"
 #include "base/vector.h"
 #include "source/clear_sky.h"
 #include "source/clear_spectrum.h"
@@ -132,28 +133,13 @@ void murk_solar_spectrum_make(murk_solar_spectrum *out,
     }
 }
 
-/* The last node at or below nm, except for the very last one. */
-static size_t node_below(const murk_solar_spectrum *spectrum, double nm)
-{
-    size_t low = 0, high = spectrum->nodes - 1;
-    while (high - low > 1) {
-        const size_t middle = low + (high - low) / 2;
-        if (spectrum->nm[middle] <= nm) {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    return low;
-}
-
 double murk_solar_spectrum_at(const void *spectrum, double wavelength_nm)
 {
     const murk_solar_spectrum *s = spectrum;
     if (!(wavelength_nm >= s->nm[0] && wavelength_nm <= s->nm[s->nodes - 1])) {
         return 0;
     }
-    const size_t i = node_below(s, wavelength_nm);
+    const size_t i = murk_interval_of(s->nm, 1, s->nodes, wavelength_nm);
     const double t = (wavelength_nm - s->nm[i]) / (s->nm[i + 1] - s->nm[i]);
     return s->w_per_m2_nm[i] + t * (s->w_per_m2_nm[i + 1] - s->w_per_m2_nm[i]);
 }
@@ -167,7 +153,7 @@ static double integral(const murk_solar_spectrum *s, double nm)
     if (nm >= s->nm[s->nodes - 1]) {
         return s->up_to[s->nodes - 1];
     }
-    const size_t i = node_below(s, nm);
+    const size_t i = murk_interval_of(s->nm, 1, s->nodes, nm);
     return s->up_to[i] +
            (nm - s->nm[i]) *
                (s->w_per_m2_nm[i] + murk_solar_spectrum_at(s, nm)) / 2;
