@@ -131,6 +131,7 @@ static murk_status make(parts *p, const cube *c, murk_error *err)
                               .direction = {0, 0, 1},
                               .power_w = {{1}},
                               .where = "beam"};
+    /* The density grid of the case, for murk and for the plain loop. */
     murk_status status = c->is_ramp ? make_ramp(p, c->is_linear, err) : MURK_OK;
     if (!status && c->is_ramp) {
         status = make_plain_ramp(p, c->is_linear, err);
@@ -140,6 +141,7 @@ static murk_status make(parts *p, const cube *c, murk_error *err)
         media[0].interpolation = c->is_linear ? MURK_LINEAR : MURK_NEAREST;
         regions[0].shape = MURK_REGION_GRID;
     }
+    /* Surfaces, media with their majorants, the light source, the ledger. */
     if (!status) {
         status = murk_surfaces_create(&p->surfaces, NULL, 0, &black, 1, err);
     }
@@ -262,12 +264,15 @@ static bool contest(const cube *c, parts *p, bool by_delta)
     uint64_t first = 0;
     count plain = {0, 0, 0};
     double ours[2][REPEATS], theirs[2][REPEATS];
+    /* Alternate the two programs, so that a drift of the clock rate meets
+     * both. */
     for (int i = 0; i < REPEATS; ++i) {
         for (unsigned t = 0; t < 2; ++t, first += n) {
             theirs[t][i] = plain_seconds(&box, &plain, n, first + 1, t + 1);
             ours[t][i] = murk_seconds(p, first, n, t + 1, by_delta);
         }
     }
+    /* Rates of photons and of collisions, for each number of threads. */
     const double photons = (double)first;
     const double absorbed =
         (double)(murk_tally_read(&p->ledger->absorbed_media[0]) / MURK_PACKET);
@@ -280,6 +285,7 @@ static bool contest(const cube *c, parts *p, bool by_delta)
         print(c->name, "-collisions", "collisions", rate * per_photon,
               reference * plain.collisions / photons, t + 1);
     }
+    /* Both follow the same physics: the absorbed shares must agree. */
     const double share = plain.absorbed / photons;
     const double off =
         (absorbed - plain.absorbed) / sqrt(2 * photons * share * (1 - share));

@@ -94,10 +94,12 @@ static bool fit(planted_field *field)
                                         .seed = 1};
     murk_calibration found;
     murk_error err = {0};
+    /* Time the fit, then one bare trace of the same number of photons. */
     const double begun_s = murk_clock_s();
     const murk_status status = murk_calibrate(&found, &desc, &err);
     const double seconds = murk_clock_s() - begun_s;
     const double bare_s = status ? -1 : trace_s(field, field->of->emit);
+    /* The ratio says how much a fit costs besides tracing. */
     if (status) {
         fprintf(stderr, "%s: %s\n", err.where, err.text);
     } else if (bare_s > 0) {

@@ -146,6 +146,7 @@ int main(int argc, char **argv)
 {
     static const char *const usual[] = {"media/smoke_r64_f50.vdb",
                                         "../shared/data/vdb/arnold_smoke.vdb"};
+    /* Options: the edge length of the majorant blocks, then the grids. */
     int32_t edge = 0;
     if (argc > 2 && strcmp(argv[1], "--edge") == 0) {
         edge = (int32_t)strtol(argv[2], NULL, 10);
@@ -154,6 +155,8 @@ int main(int argc, char **argv)
     }
     const char *const *files = argc > 1 ? (const char *const *)&argv[1] : usual;
     const int n = argc > 1 ? argc - 1 : 2;
+    /* Each grid at each optical depth, with nearest and with linear
+     * interpolation. */
     for (int i = 0; i < n; ++i) {
         murk_grid *grid = NULL;
         murk_error err = {0};

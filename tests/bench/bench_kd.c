@@ -204,6 +204,7 @@ static size_t prepare(contest *c)
 {
     double seconds, best_s = INFINITY;
     size_t best = 0, hits;
+    /* Positions of the photons, and query centres at some of them. */
     c->points = allocate(3 * c->n * sizeof *c->points);
     c->centers = allocate((size_t)3 * QUERIES * sizeof *c->centers);
     for (size_t i = 0; i < c->n; ++i) {
@@ -219,8 +220,11 @@ static size_t prepare(contest *c)
     for (int i = 0; i < WORKERS; ++i) {
         c->found[i] = allocate(c->n * sizeof *c->found[i]);
     }
+    /* The tree of murk, and the radius that finds the wanted number of
+     * photons. */
     c->map = build(c, 1, &seconds);
     find_radius(c);
+    /* The first timing of each leaf size only warms the caches. */
     for (size_t i = 0; i < LEAF_SIZES; ++i) {
         peer_kd *kept = c->peer;
         c->peer = peer_kd_create(c->points, c->n, leaf_sizes[i]);
@@ -306,6 +310,7 @@ static void build_case(contest *contests, size_t n, unsigned threads)
     for (size_t i = 0; i < n; ++i) {
         photons += (double)contests[i].n;
     }
+    /* Time all trees in turn, so that a drift of the clock rate meets all. */
     for (int repeat = 0; repeat < REPEATS; ++repeat) {
         for (size_t i = 0; i < n; ++i) {
             double seconds;
@@ -320,6 +325,7 @@ static void build_case(contest *contests, size_t n, unsigned threads)
             }
         }
     }
+    /* The peer competes with its fastest leaf size. */
     double best_s = INFINITY;
     size_t leaf = 0;
     for (size_t j = 0; j < LEAF_SIZES; ++j) {
@@ -337,6 +343,7 @@ int main(int argc, char **argv)
 {
     static contest contests[2];
     size_t n = 1, leaf = 0;
+    /* Points: the photon maps of a file, or uniform points. */
     if (argc > 1) {
         n = read_maps(contests, argv[1]);
     } else {
@@ -345,6 +352,8 @@ int main(int argc, char **argv)
     if (n == 0) {
         stop("both maps have fewer than 1000 photons");
     }
+    /* Both trees for each map, then queries and builds for each number of
+     * threads. */
     for (size_t i = 0; i < n; ++i) {
         leaf = prepare(&contests[i]);
     }

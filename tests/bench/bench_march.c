@@ -73,6 +73,7 @@ static double bare_integral(pnanovdb_buf_t buffer, const ray *r)
     pnanovdb_readaccessor_t accessor;
     pnanovdb_readaccessor_init(&accessor, root);
 
+    /* Clip the ray to the bounding box of the active voxels. */
     pnanovdb_vec3_t origin = vec3(r->origin, 0.5f);
     pnanovdb_vec3_t direction = vec3(r->direction, 0);
     const pnanovdb_coord_t first = pnanovdb_root_get_bbox_min(buffer, root);
@@ -87,6 +88,8 @@ static double bare_integral(pnanovdb_buf_t buffer, const ray *r)
         return 0;
     }
 
+    /* Step from leaf to leaf and voxel to voxel, and add value times
+     * length. */
     pnanovdb_vec3_t at = pnanovdb_hdda_ray_start(&origin, start, &direction);
     pnanovdb_coord_t voxel = pnanovdb_hdda_pos_to_ijk(&at);
     pnanovdb_hdda_t walk;
@@ -173,12 +176,15 @@ static void make_rays(contest *c)
 {
     const murk_grid_facts *facts = murk_grid_describe(c->grid);
     double low[3], size[3], radius = 0;
+    /* A sphere around the bounding box of the grid, in index space. */
     for (int a = 0; a < 3; ++a) {
         low[a] = (double)facts->index_min[a] - 0.5;
         size[a] = (double)(facts->index_max[a] - facts->index_min[a] + 1);
         radius += size[a] * size[a] / 4;
     }
     radius = 1.01 * sqrt(radius) + 1;
+    /* Each ray goes from a random point of the sphere to a random point in
+     * the box. */
     for (size_t i = 0; i < RAYS; ++i) {
         const murk_random4 at = murk_random(1, MURK_TEST, i, 0, 0);
         const murk_random4 aim = murk_random(1, MURK_TEST, i, 0, 1);
@@ -198,6 +204,7 @@ static void make_rays(contest *c)
         }
         r->length = (float)(2 * radius);
 
+        /* The same ray in world space, for murk. */
         const murk_affine *m = &facts->index_to_world;
         c->world_origin[i] = murk_affine_point(
             m, murk_vec(r->origin[0], r->origin[1], r->origin[2]));

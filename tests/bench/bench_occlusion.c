@@ -74,6 +74,7 @@ static size_t trace(const murk_surfaces *surfaces, uint32_t emitted,
         murk_about(murk_vec(0, 0, 1), 2 * r.u[0] - 1, 2 * MURK_PI * r.u[1]);
     size_t stored = 0;
     murk_hit hit;
+    /* Follow the photon from surface to surface until it is absorbed. */
     for (uint32_t event = 1;
          stored < room && murk_surfaces_hit(surfaces, at, way, INFINITY, &hit);
          ++event) {
@@ -82,6 +83,7 @@ static size_t trace(const murk_surfaces *surfaces, uint32_t emitted,
         if (r.u[0] > ALBEDO) {
             break;
         }
+        /* Store the record, and leave along a cosine-distributed direction. */
         photon[stored++] =
             (murk_photon){.position_m = {(float)at.x, (float)at.y, (float)at.z},
                           .direction = murk_direction_pack(way),
@@ -150,6 +152,7 @@ static void pack_rays(contest *c)
     const double trim_m =
         murk_length(murk_surfaces_leave(c->surfaces, zero, up));
     static murk_vec3 from[PHOTONS];
+    /* Sightlines start off the surface, as they do in murk. */
     for (size_t j = 0; j < CANDIDATES; ++j) {
         murk_sparse_row row;
         murk_sight_row(facing, 0, &c->pose[j], &row);

@@ -132,12 +132,15 @@ static house *house_create(const bench_case *what, unsigned threads)
     h->candidate = calloc(candidates, sizeof *h->candidate);
     h->seen = calloc(n * threads, sizeof *h->seen);
     h->clarity = calloc(n * threads, sizeof *h->clarity);
+    /* A fifth of the photons lie in the air and weigh more; order them in
+     * space. */
     for (size_t i = 0; i < n; ++i) {
         h->photon[i] = photon_at(i, i >= n - in_air);
         h->weight[i] = i >= n - in_air ? 4000 : 1000;
     }
     qsort(h->photon, n - in_air, sizeof *h->photon, by_place);
     qsort(h->photon + n - in_air, in_air, sizeof *h->photon, by_place);
+    /* Candidates on a regular grid. */
     for (size_t j = 0; j < candidates; ++j) {
         h->candidate[j] = (point){1.1 + 2.5 * (double)(j % size[0]),
                                   1.2 + 1.75 * (double)(j / size[0] % size[1]),
@@ -168,6 +171,8 @@ static double plain_weighing_s(const house *h)
     const size_t n = h->problem.photons, rows = 64;
     uint16_t *row = calloc(rows * n, sizeof *row);
     uint16_t *best = calloc(n, sizeof *best);
+    /* Dense rows of some candidates, and a partial plan that holds the
+     * first. */
     for (size_t j = 0; j < rows; ++j) {
         murk_sparse_row l;
         get_row((void *)(uintptr_t)h, 0, j * h->problem.candidates / rows, &l);
@@ -176,6 +181,7 @@ static double plain_weighing_s(const house *h)
         }
     }
     memcpy(best, row, n * sizeof *best);
+    /* The plain loop: the gain of each row over the partial plan. */
     volatile uint64_t keep = 0;
     const double begun_s = murk_clock_s();
     for (size_t j = 0; j < rows; ++j) {
@@ -202,6 +208,7 @@ static int run(const bench_case *what, unsigned threads)
     desc.count = what->count;
     desc.restarts = what->restarts;
     desc.with_curve = what->with_curve;
+    /* Time the coverage matrix and the search apart. */
     double begun_s = murk_clock_s();
     murk_status status =
         murk_matrix_create(&matrix, &h->problem, (uint64_t)1 << 34, &err);
@@ -211,6 +218,7 @@ static int run(const bench_case *what, unsigned threads)
         status = murk_place_sensors(&r, &h->problem, matrix, &desc, &err);
     }
     const double place_s = murk_clock_s() - begun_s;
+    /* The reference is the same number of gains by the plain loop. */
     if (status) {
         printf("%s: %s\n", what->name, err.text);
     } else {

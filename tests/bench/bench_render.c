@@ -34,6 +34,7 @@ int main(int argc, char **argv)
                                IMAGE,
                                "--quiet",
                                NULL};
+    /* Run the program as a user does, and time the whole process. */
     const double begun_s = murk_clock_s();
     pid_t child;
     int ended = -1;

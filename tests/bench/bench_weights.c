@@ -113,6 +113,8 @@ static void bench_slab(const slab *s)
                                  murk_vec(2 * wide, 2 * wide, s->tau));
         region.ior = s->index;
     }
+    /* One slab across a periodic domain, with air on both sides if it has
+     * an index. */
     test_world w = test_world_made(&(test_setup){
         .domain = {{{-wide, -wide, -air}, {wide, wide, s->tau + air}}, true},
         .lights = &light,
@@ -124,6 +126,8 @@ static void bench_slab(const slab *s)
     char name[96];
     snprintf(name, sizeof name, "slab n %g a %g g %g tau %g", s->index,
              s->albedo, s->g, s->tau);
+    /* Merit is 1 / (squared error * time), relative to that of plain
+     * roulette. */
     double roulette = 0;
     for (size_t k = 0; k < WEIGHTS; ++k) {
         const double seconds = traced(&w, least_weights[k], ends);
@@ -145,6 +149,7 @@ static void bench_maps(void)
     const murk_material paint = test_material(.5, 0, 0, 0);
     const murk_surface_desc room =
         test_box(murk_vec(0, 0, 0), murk_vec(10, 10, 4), 0);
+    /* A room with diffuse walls and thin fog, lit by one point source. */
     test_world w = test_world_made(
         &(test_setup){.domain = {{{-1, -1, -1}, {11, 11, 5}}, false},
                       .lights = &lamp,
@@ -157,6 +162,8 @@ static void bench_maps(void)
                       .n_media = 1,
                       .regions = &region,
                       .n_regions = 1});
+    /* Merit by time and by stored record, relative to that of plain
+     * roulette. */
     double by_time = 0, by_record = 0;
     for (size_t k = 0; k < WEIGHTS; ++k) {
         const double seconds = traced(&w, least_weights[k], stored);

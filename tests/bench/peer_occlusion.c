@@ -151,6 +151,7 @@ static void cast_batch(void *context, uint64_t batch)
     const size_t begin = (size_t)batch * BATCH;
     const size_t end =
         begin + BATCH < peer->packets ? begin + BATCH : peer->packets;
+/* The hint about coherence has another name in each version of Embree. */
 #if RTC_VERSION_MAJOR < 4
     struct RTCIntersectContext how;
     rtcInitIntersectContext(&how);
@@ -162,6 +163,7 @@ static void cast_batch(void *context, uint64_t batch)
     how.flags = c->is_coherent ? RTC_RAY_QUERY_FLAG_COHERENT
                                : RTC_RAY_QUERY_FLAG_INCOHERENT;
 #endif
+    /* Embree sets tfar of a blocked ray to minus infinity. */
     int64_t blocked = 0;
     for (size_t i = begin; i < end; ++i) {
         const packet *p = &peer->packet[i];

@@ -201,6 +201,7 @@ static inline read_out read_at(const lit *l, const double at[KEYS], double step,
                         malloc((batches * GROUPS + 1) * sizeof *out.batch)};
     optics here, low[KEYS], high[KEYS];
     murk_optics_sides sides[KEYS] = {{0}};
+    /* Media at the point, and at both sides of it for each parameter. */
     set_optics(&here, at);
     for (size_t k = 0; k < NOTHING; ++k) {
         double value[KEYS];
@@ -212,6 +213,7 @@ static inline read_out read_at(const lit *l, const double at[KEYS], double step,
         sides[k] = (murk_optics_sides){&low[k].optics, &high[k].optics,
                                        2 * step * at[k]};
     }
+    /* Re-weight the traced light, and sum coverage with slopes. */
     murk_reweighed reweighed =
         reweigh(l->followed, &l->traced->optics, &here.optics, sides);
     out.status = murk_covered_read(

@@ -36,9 +36,11 @@ static void write_scene(char *text, const char *water, double sun_zenith_deg,
                         uint64_t photons_a_band, uint32_t seed)
 {
     const double sun = sun_zenith_deg * PI / 180;
+    /* Header and bands. */
     size_t at =
         (size_t)snprintf(text, TEXT, "murk: 1\nseed: %u\nbands_nm: [", seed);
     for (size_t i = 0; i < n; ++i) {
+        /* Water below a level surface, sunlight from one direction. */
         at += (size_t)snprintf(text + at, TEXT - at, "%s%d", i ? ", " : "",
                                line_nm[i]);
     }
@@ -52,6 +54,7 @@ static void write_scene(char *text, const char *water, double sun_zenith_deg,
         "photons: {emit: %llu, maps: none, least_weight: 0.01}\ntallies:\n",
         -1.5 * depth[PLANES - 1], water, sin(sun), -cos(sun), n,
         (unsigned long long)photons_a_band * n);
+    /* A plane tally at each depth. */
     for (int k = 0; k < PLANES; ++k) {
         at += (size_t)snprintf(text + at, TEXT - at,
                                "  - {name: d%d, type: plane, point_m: [0, 0, "
@@ -102,6 +105,7 @@ void daylight_attenuation(murk_estimate *out, const char *water,
     murk_traced *traced = NULL;
     murk_error err = {0};
     murk_stage *stage = NULL;
+    /* Build and trace the scene. */
     lay(depth, n, about_per_m);
     if (text) {
         write_scene(text, water, sun_zenith_deg, n, line_nm, depth,
@@ -111,6 +115,7 @@ void daylight_attenuation(murk_estimate *out, const char *water,
     if (stage && murk_lightmap_trace(&traced, stage, 0, 2, &err)) {
         printf("%s: %s\n", err.where, err.text);
     }
+    /* The attenuation coefficient between the depths of the two shares. */
     for (size_t i = 0; i < n; ++i) {
         out[i] = (murk_estimate){NAN, NAN};
         if (traced) {

@@ -63,21 +63,26 @@ test_flights test_fly(const murk_media *media, const murk_box *box, size_t n,
         exit(1);
     }
     for (size_t i = 0; i < n; ++i) {
+        /* One ray, with random numbers of its own. */
         const line l = line_through(box, seed, i);
         const murk_address address = {seed, MURK_TEST, i, 101 + by_delta};
         const murk_random4 r = murk_random_at(&address, 0);
         murk_flight_randoms dice = {.address = &address};
         murk_collision c;
         const double tau = -log(r.u[0]);
+        /* One free flight, by delta tracking or by marching. */
         const bool hits = by_delta
                               ? murk_delta_fly(media, 0, 0, l.from, l.along,
                                                l.length, tau, r.u[1], &dice, &c)
                               : murk_media_fly(media, 0, 0, l.from, l.along,
                                                l.length, tau, r.u[1], &c);
+        /* Convert the distance by the exact transmittance into a uniform
+         * number. */
         const double length = hits ? c.distance_m : l.length;
         const double through = exp(
             -murk_media_optical_depth(media, 0, 0, l.from, l.along, length));
         f.y[i] = 1 - through * (hits ? 1 : r.u[2]);
+        /* Count what the flight met. */
         if (hits) {
             ++f.collided;
             ++f.partner[c.medium];

@@ -20,11 +20,13 @@ static void read_line(night_field *f, const murk_observer *at, const char *line,
     double magnitude = 0, utc_s = 0;
     bool has_zone;
     int zone;
+    /* Time and magnitude of the reading. */
     if (sscanf(line, "%23[^.].%*[^;];%*[^;];%*[^;];%*[^;];%lf", time,
                &magnitude) != 2 ||
         !murk_time_read(time, &utc_s, &has_zone, &zone)) {
         return;
     }
+    /* Leave out twilight. */
     const double date = murk_julian_date(utc_s + clock_error_s);
     murk_body sun, body;
     CHECK(murk_sun_at(&sun, at, date, NULL) == MURK_OK);
@@ -32,6 +34,7 @@ static void read_line(night_field *f, const murk_observer *at, const char *line,
         f->n == sizeof f->reading / sizeof *f->reading) {
         return;
     }
+    /* Moonlight scattered into the zenith. */
     CHECK(murk_moon_at(&body, at, date, NULL) == MURK_OK);
     const murk_moon moon = {body.phase_angle_deg, body.distance_m,
                             body.elevation_deg};

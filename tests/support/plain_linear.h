@@ -59,6 +59,7 @@ static inline double plain_linear_integral(const plain_grid *grid,
                                            murk_vec3 origin,
                                            murk_vec3 direction, double length)
 {
+    /* Densities fall to 0 one cell beyond the outermost samples. */
     const murk_box field = {
         {-1, -1, -1},
         {(double)grid->size[0], (double)grid->size[1], (double)grid->size[2]}};
@@ -66,6 +67,8 @@ static inline double plain_linear_integral(const plain_grid *grid,
     if (!murk_box_clip(&field, origin, direction, &t, &end)) {
         return 0;
     }
+    /* Up to the next plane of samples the field is a cubic along the ray,
+     * which two Gauss-Legendre points integrate exactly. */
     while (t < end) {
         double to = end;
         to = fmin(to, plain_next_plane(origin.x, direction.x, t));

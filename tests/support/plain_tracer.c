@@ -122,6 +122,8 @@ static inline plain_result trace(const plain_box *box, kinds kind,
 {
     plain_result out = {0};
     uint64_t state = seed * UINT64_C(0x9e3779b97f4a7c15) + 1;
+    /* Chances of a real collision and of absorption, in the box and in the
+     * ball. */
     const double majorant = box->majorant_per_m;
     const double real = extinction_of(&box->matter) / majorant;
     const double real_in_ball = extinction_of(&box->ball) / majorant;
@@ -130,6 +132,7 @@ static inline plain_result trace(const plain_box *box, kinds kind,
     const double absorbs_in_ball =
         kind == BALL ? box->ball.absorption_per_m / extinction_of(&box->ball)
                      : 0;
+    /* One photon after the other, from the same start. */
     for (uint64_t i = 0; i < photons; ++i) {
         double p[3], d[3];
         for (int k = 0; k < 3; ++k) {
@@ -137,6 +140,7 @@ static inline plain_result trace(const plain_box *box, kinds kind,
             d[k] = box->direction[k];
         }
         for (;;) {
+            /* Fly to the next collision, real or null. */
             const double step = -log(uniform(&state)) / majorant;
             for (int k = 0; k < 3; ++k) {
                 p[k] += step * d[k];
@@ -145,6 +149,7 @@ static inline plain_result trace(const plain_box *box, kinds kind,
                 count_side(box, p, d, &out);
                 break;
             }
+            /* Null collision: fly on unchanged. */
             const bool in_ball = kind == BALL && is_in_ball(box, p);
             const double share = in_ball          ? real_in_ball
                                  : kind == VOXELS ? real * density_at(box, p)
@@ -153,6 +158,7 @@ static inline plain_result trace(const plain_box *box, kinds kind,
             if (share < 1 && uniform(&state) > share) {
                 continue;
             }
+            /* Real collision: absorption or a new direction. */
             ++out.collisions;
             if (uniform(&state) < (in_ball ? absorbs_in_ball : absorbs)) {
                 ++out.absorbed;

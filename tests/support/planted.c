@@ -138,6 +138,7 @@ bool planted_light(planted_field *f, unsigned lights, unsigned emit,
     memset(f->truth, 0, rows * sizeof *f->truth);
     bool is_well = true;
     for (unsigned i = 0; i < lights && is_well; ++i) {
+        /* Light of one seed at the planted values. */
         murk_free_keys *keys = planted_keys(f, emit, TRUTH_SEED + i);
         if (!keys) {
             return false;
@@ -145,6 +146,7 @@ bool planted_light(planted_field *f, unsigned lights, unsigned emit,
         for (size_t k = 0; k < keys->n; ++k) {
             keys->key[k].start = f->of->truth[k];
         }
+        /* Predict all readings and add to the mean over seeds. */
         murk_calibration_desc desc = desc_of(f, keys, threads);
         desc.only_predicts = true;
         murk_calibration seen;
@@ -205,6 +207,7 @@ static bool plain_step(double *x, murk_certainty *certainty,
     double *jacobian = residual + rows;
     murk_error err = {0};
     bool is_well = residual && held(murk_fit_search_look(s, x, &err), &err);
+    /* Residuals, slopes and the covariance at x. */
     if (is_well) {
         murk_fit_search_residuals(s, residual, jacobian);
         murk_certainty_release(certainty);
@@ -212,6 +215,7 @@ static bool plain_step(double *x, murk_certainty *certainty,
                                              scale, INFINITY, &err),
                        &err);
     }
+    /* The Gauss-Newton step: minus covariance times gradient. */
     for (size_t k = 0; k < n * n && is_well; ++k) {
         information[k] = 0;
         for (size_t i = 0; i < rows; ++i) {
@@ -235,6 +239,8 @@ static bool judge(planted_fit *out, const murk_calibration *found,
     murk_certainty certainty = {0};
     murk_error err = {0};
     double information[PLANTED_KEYS_MAX * PLANTED_KEYS_MAX];
+    /* The state of the search at the found values, with the noise of its
+     * slopes. */
     bool is_well =
         held(murk_fit_search_create(&s, desc, found->model, &err), &err) &&
         held(murk_fit_search_look(&s, x, &err), &err) &&
@@ -243,6 +249,7 @@ static bool judge(planted_fit *out, const murk_calibration *found,
         out->off = off_of(x, truth, found->n, &found->certainty,
                           found->information, noise.bias);
     }
+    /* Plain least squares from there. */
     for (int i = 0; i < PLAIN_STEPS && is_well; ++i) {
         is_well = plain_step(x, &certainty, information, &s, found->scale);
     }
@@ -262,6 +269,7 @@ static bool tell(planted_fit *out, const murk_calibration *found,
 {
     const size_t n = found->n;
     double x[PLANTED_KEYS_MAX], truth[PLANTED_KEYS_MAX];
+    /* Values in the scale in which they were fitted. */
     for (size_t k = 0; k < n; ++k) {
         const bool is_log = desc->keys->key[k].is_log;
         x[k] = is_log ? log(found->value[k]) : found->value[k];
@@ -269,6 +277,7 @@ static bool tell(planted_fit *out, const murk_calibration *found,
         out->value[k] = found->value[k];
         out->standard_error[k] = found->standard_error[k];
     }
+    /* The verdict of the fit. */
     out->slope_noise = found->slope_noise;
     out->chi2 = found->chi2;
     out->effective_share = found->effective_share;
@@ -277,6 +286,7 @@ static bool tell(planted_fit *out, const murk_calibration *found,
     out->evaluations = found->evaluations;
     out->converged = found->converged;
     out->is_accepted = found->is_accepted;
+    /* Distance from the planted values, in standard errors. */
     for (size_t k = 0; k < n; ++k) {
         out->off.sigma[k] =
             (x[k] - truth[k]) / found->certainty.standard_error[k];

@@ -48,16 +48,20 @@ void scores_add(const void *context, const murk_event *before,
     const bool collides = event->kind == MURK_EVENT_MEDIUM;
     for (size_t i = 0; i < all->n; ++i) {
         const score_of *s = &all->of[i];
+        /* Power through a level, or fluence rate there: power over
+         * |cosine|. */
         if (s->kind == SCORE_POWER || s->kind == SCORE_FLUENCE) {
             if (passes(from, to, s->z_m) && counts(s, event, mu)) {
                 out[i] += event->weight *
                           (s->kind == SCORE_POWER ? 1 : over_cosine(mu));
             }
         } else if (s->kind == SCORE_ESCAPED) {
+            /* Power that leaves the world. */
             if (escapes && counts(s, event, mu)) {
                 out[i] += event->weight;
             }
         } else if (collides) {
+            /* Number of collisions, or power absorbed at them. */
             out[i] += s->kind == SCORE_COLLISIONS
                           ? 1
                           : event->weight - event->leaving;

@@ -107,6 +107,7 @@ static void trace_block(const validation *v, batch_sums *batch, uint64_t n,
         (size_t)((n + MURK_BATCH_PHOTONS - 1) / MURK_BATCH_PHOTONS);
     memset(batch, 0, batches * sizeof *batch);
     block k = {c, s->scored, batch};
+    /* The photons of the block, with the settings of the case. */
     murk_trace trace = murk_trace_defaults();
     trace.world = c->world;
     trace.seed = seed_of(v, c);
@@ -124,6 +125,7 @@ static void trace_block(const validation *v, batch_sums *batch, uint64_t n,
     }
     murk_trace_run(&trace, s->ledger);
     s->photons += n;
+    /* Add the sums in batch order, so that threads change no bit. */
     for (size_t i = 0; i < batches; ++i) {
         batch_sums *b = &batch[i];
         close_photon(b, s->scored);
@@ -258,15 +260,19 @@ static void trace_all(const validation *v, sums *s)
         fprintf(stderr, "no memory for the sums of %s\n", c->name);
         exit(1);
     }
+    /* Trace until the errors are small enough. A wrong twin ends as soon as
+     * it is far off. */
     double needed = (double)BLOCK_FIRST;
     while ((double)s->photons < fmin(needed, max) &&
            !(c->is_wrong && s->photons > 0 && is_plainly_off(s))) {
+        /* The next block: at most three times the photons traced so far. */
         const double left = fmin(needed, max) - (double)s->photons;
         const double batches = ceil(left / MURK_BATCH_PHOTONS);
         const double growth = fmax((double)BLOCK_FIRST, 3 * (double)s->photons);
         const double n =
             fmin(fmin(batches * MURK_BATCH_PHOTONS, growth), (double)BLOCK_MAX);
         trace_block(v, batch, (uint64_t)n, s);
+        /* How many photons the worst quantity needs by the errors so far. */
         needed = 0;
         for (size_t q = 0; q < c->quantities; ++q) {
             needed = fmax(needed, photons_needed(v, s, q));
@@ -297,11 +303,13 @@ void validation_trace(validation *v, const validation_case *c)
     if (!validation_wants(v, c->name)) {
         return;
     }
+    /* Trace the case and check its ledger. */
     const double begin = murk_clock_s();
     sums s;
     start(&s, v, c);
     trace_all(v, &s);
     const bool is_unsound = !is_sound(v, &s);
+    /* One row for each quantity. */
     for (size_t q = 0; q < c->quantities; ++q) {
         validation_row *row = validation_add_row(v, c->name, c->source,
                                                  c->is_wrong, &c->reference[q]);

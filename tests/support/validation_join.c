@@ -63,6 +63,7 @@ void validation_join(validation *v, const char *path)
         exit(1);
     }
     for (size_t i = 0; i < t->rows; ++i) {
+        /* Name, source and reference of the row. */
         const validation_reference reference = {text(t, i, "quantity"),
                                                 number(t, i, "reference"),
                                                 number(t, i, "uncertainty")};
@@ -71,6 +72,7 @@ void validation_join(validation *v, const char *path)
         validation_row *row =
             validation_add_row(v, text(t, i, "case"), text(t, i, "source"),
                                text(t, i, "wrong"), &reference);
+        /* The result, and the flags that the verdict needs. */
         row->murk.value = number(t, i, "murk");
         row->murk.standard_error = number(t, i, "standard_error");
         row->is_quick = read_is_quick(t, i);

@@ -89,6 +89,7 @@ static verdict verdict_of(const validation *v)
     for (size_t i = 0; i < v->rows; ++i) {
         out.unsound += v->row[i].is_unsound;
     }
+    /* A twin counts once for all its rows; other rows count singly. */
     for (size_t i = 0; i < v->rows;) {
         const validation_row *row = &v->row[i];
         if (is_twin(row)) {
@@ -207,6 +208,7 @@ static void markdown_notes(const validation *v, FILE *out)
 void validation_markdown(const validation *v, FILE *out)
 {
     const verdict all = verdict_of(v);
+    /* How the table was made, and the verdict; then the tables. */
     fprintf(out,
             "# murk against its references, %s form\n\n"
             "Seed %" PRIu32 ". Photons go on until each standard error is at "

@@ -22,6 +22,7 @@ static void make_boundary_meshes(test_world *made, const test_setup *setup,
     murk_boundary_mesh_desc desc[MURK_REGIONS_MAX];
     murk_error err = {0};
     size_t n = 0;
+    /* One boundary mesh for each region of that shape. */
     for (size_t i = 0; i < setup->n_regions; ++i) {
         regions[i] = setup->regions[i];
         if (regions[i].shape == MURK_REGION_MESH) {
@@ -35,6 +36,7 @@ static void make_boundary_meshes(test_world *made, const test_setup *setup,
         must(murk_boundary_meshes_create(&made->boundary_meshes, desc, n, &err),
              &err);
     }
+    /* The bounding box of a region comes from its mesh. */
     for (size_t i = 0; i < setup->n_regions; ++i) {
         if (regions[i].shape == MURK_REGION_MESH) {
             regions[i].box =
@@ -50,6 +52,7 @@ test_world test_world_made(const test_setup *setup)
     test_world made = {0};
     murk_error err = {0};
     murk_region regions[MURK_REGIONS_MAX];
+    /* Parts first, then the world that borrows them. */
     make_boundary_meshes(&made, setup, regions);
     must(
         murk_surfaces_create(&made.surfaces, setup->surfaces, setup->n_surfaces,
