@@ -91,6 +91,7 @@ static void read_columns(const murk_traced *light, double albedo,
 
 static lit_cloud light_up(const validation *v, const experiment *x)
 {
+    /* Photons, seed and the overrides of the experiment. */
     char emit[64], seed[64];
     snprintf(emit, sizeof emit, "photons.emit=%" PRIu64,
              validation_is_quick(v) ? PHOTONS_QUICK : PHOTONS);
@@ -105,6 +106,7 @@ static lit_cloud light_up(const validation *v, const experiment *x)
     murk_scene_desc *scene = NULL;
     murk_stage *stage = NULL;
     murk_traced *light = NULL;
+    /* Trace the scene, and score the columns of the cloud from the maps. */
     if (murk_scene_desc_read(&scene, SCENE, list, n, &err) ||
         murk_stage_create(&stage, scene, &err) ||
         murk_lightmap_trace(&light, stage, 0, validation_threads(v), &err)) {

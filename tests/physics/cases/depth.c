@@ -178,6 +178,7 @@ void cases_depth(validation *v)
     murk_table *t = reference_read("depth.csv");
     const bool is_quick = validation_is_quick(v);
     for (size_t row = 0; row < t->rows;) {
+        /* All levels of one medium, and only those that are bright. */
         profile p, bright;
         (void)read_profile(&bright, t, row, is_quick ? QUICK_BRIGHT : MIN);
         row = read_profile(&p, t, row, is_quick ? QUICK_MIN : MIN);
@@ -186,9 +187,11 @@ void cases_depth(validation *v)
         if (!is_quick || !is_thick) {
             trace(v, is_slow ? &bright : &p, NULL);
         }
+        /* Medium A is scored by the tallies of murk, too. */
         if (strncmp(p.name, "A,", 2) == 0) {
             trace_tallies(v, &bright);
         }
+        /* Two twins with a slightly wrong constant. */
         if (is_slow) {
             bright.of.index = 1.34;
             trace(v, &bright, "index 1.34");

@@ -115,6 +115,7 @@ static void trace(validation *v, const murk_table *t, size_t row,
     if (!validation_wants(v, p.name)) {
         return;
     }
+    /* One layer with the phase function of the problem. */
     murk_phase_table *table;
     const murk_phase phase =
         phase_of(reference_text(t, row, "phase"), max_moments, &table);
@@ -123,6 +124,7 @@ static void trace(validation *v, const murk_table *t, size_t row,
                             .phase = instead ? *instead : phase,
                             .tau = reference_number(t, row, "tau"),
                             .mu0 = reference_number(t, row, "mu0")});
+    /* Fluxes and intensities by the weights of passing photons. */
     const scores score = {p.of, p.n};
     validation_trace(v, &(validation_case){.name = p.name,
                                            .source = SOURCE,
@@ -145,6 +147,7 @@ static void trace_plane(validation *v, const murk_table *t, size_t row)
     if (!validation_wants(v, name)) {
         return;
     }
+    /* The layer of the problem, with a plane tally at the level. */
     murk_phase_table *table;
     const layer of = {
         .albedo = reference_number(t, row, "albedo"),
@@ -154,6 +157,7 @@ static void trace_plane(validation *v, const murk_table *t, size_t row)
         .half_width = HALF_WIDTH};
     const murk_tally_desc plane =
         layer_plane("level", reference_number(t, row, "level"), 1);
+    /* The reference adds direct and diffuse light. */
     const validation_cell cell[] = {{0, 1, 1}, {0, 0, 1}};
     const validation_reference down = share(t, row, "down");
     const validation_reference direct = share(t, row, "direct");

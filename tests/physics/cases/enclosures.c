@@ -63,6 +63,7 @@ static void score_face(const void *context, const murk_event *before,
 
 static void black_box(validation *v, const char *is_wrong, double height)
 {
+    /* A black box whose floor emits by the cosine law. */
     const murk_surface_desc walls =
         test_box(murk_vec(0, 0, 0), murk_vec(size.x, size.y, size.z), 0);
     const murk_source floor = {.type = MURK_SOURCE_RECT,
@@ -77,6 +78,7 @@ static void black_box(validation *v, const char *is_wrong, double height)
         .n_lights = 1,
         .surfaces = &walls,
         .n_surfaces = 1});
+    /* View factors of the box; a twin has another height. */
     const validation_reference reference[FACES] = {
         {"floor to ceiling", parallel(size.x / height, size.y / height), 1e-9},
         {"floor to two walls across x",
@@ -108,6 +110,7 @@ static void score_hits(const void *context, const murk_event *before,
 
 static void sphere(validation *v, const char *is_wrong, double diffuse)
 {
+    /* A white sphere around a point source; a twin has another albedo. */
     const double d = .8;
     const murk_surface_desc wall = test_sphere(murk_vec(0, 0, 0), RADIUS, 0);
     const murk_material white = test_material(diffuse, 0, 0, 0);
@@ -120,6 +123,7 @@ static void sphere(validation *v, const char *is_wrong, double diffuse)
                       .n_surfaces = 1,
                       .materials = &white,
                       .n_materials = 1});
+    /* Hits of a photon, and the fluence rate in a small ball in the middle. */
     const murk_tally_desc ball = {
         .name = "ball", .type = MURK_TALLY_SPHERE, .radius_m = BALL};
     const validation_cell cell = {0, 0, 0};

@@ -119,6 +119,7 @@ static void compare(validation *v, const view *of, const char *is_wrong,
     if (!validation_wants(v, of->name)) {
         return;
     }
+    /* Pictures of one view from many seeds. */
     const int seeds = validation_is_quick(v) ? SEEDS_QUICK : SEEDS;
     double of_pixels[SEEDS] = {NAN}, of_mean[SEEDS] = {NAN};
     murk_stage *stage = stage_text_create(of->yaml, NULL);
@@ -129,6 +130,8 @@ static void compare(validation *v, const view *of, const char *is_wrong,
         murk_image_destroy(p);
     }
     stage_text_destroy(stage);
+    /* The mean square of error over stated error is 1 if errors are stated
+     * rightly. */
     const uint64_t rays = (uint64_t)seeds * PIXELS * SAMPLES;
     const char *why = "a mean over as many pictures as seeds";
     validation_check(

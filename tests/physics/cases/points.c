@@ -163,6 +163,7 @@ static void trace_tallies(validation *v, const source_case *c)
     if (!validation_wants(v, name)) {
         return;
     }
+    /* Shells of the reference, and a point source in an infinite medium. */
     const point_table table = point_table_read(c->albedo, c->g);
     shells s;
     lay_shells(&s, &table, TALLY_STRETCH);
@@ -178,6 +179,7 @@ static void trace_tallies(validation *v, const source_case *c)
         .n_media = 1,
         .regions = &region,
         .n_regions = 1});
+    /* Two ball tallies for each shell, with the radii of its two surfaces. */
     const unsigned threads = validation_threads(v);
     murk_tallies *tallies = balls_made(&s, &w, threads);
     const uint64_t block =
@@ -188,6 +190,8 @@ static void trace_tallies(validation *v, const source_case *c)
     trace.seed = validation_seed(v) + c->seed;
     trace.threads = threads;
     trace.tallies = tallies;
+    /* Trace block by block; a shell has the track length of the larger ball
+     * less that of the smaller. */
     while (!are_done(v, c, &s, PHOTONS_MAX_TALLY)) {
         trace.first = s.photons;
         trace.last = s.photons + block;
@@ -221,6 +225,7 @@ static const char map_scene[] =
 static void read_map(const murk_traced *light, const murk_stage *stage,
                      const shells *s, double *f)
 {
+    /* Records within the outer radius of each shell. */
     const murk_vec3 lamp = {0, 0, 0};
     const murk_photon *photon = murk_photon_map_photons(light->volume);
     uint32_t *found =
@@ -229,6 +234,8 @@ static void read_map(const murk_traced *light, const murk_stage *stage,
         const size_t n =
             murk_photon_map_within(light->volume, lamp, s->to[i], found);
         const double inner2 = s->from[i] * s->from[i];
+        /* Power over the scattering coefficient estimates the track length;
+         * records within the inner radius are left out. */
         double sum = 0;
         for (size_t k = 0; k < n; ++k) {
             const murk_photon *p = &photon[found[k]];
@@ -259,10 +266,12 @@ static void trace_map(validation *v, const source_case *c)
     if (!validation_wants(v, name)) {
         return;
     }
+    /* Shells of the reference. */
     const point_table table = point_table_read(c->albedo, c->g);
     shells s;
     lay_shells(&s, &table, MAP_STRETCH);
     const uint64_t block = validation_is_quick(v) ? 20000 : 200000;
+    /* Trace maps block by block, each with a seed of its own. */
     while (!are_done(v, c, &s, PHOTONS_MAX_MAP)) {
         char text[1024];
         murk_error err = {0};

@@ -50,6 +50,8 @@ static size_t trace_case(validation *v, const murk_table *t, size_t row)
     score_of of[2];
     validation_reference reference[2];
     scores score = {of, 0};
+    /* Quantities of the case: the published value if it has three digits or
+     * more, otherwise the computed one. */
     const layer lit = layer_of(t, row);
     const char *source = reference_text(t, row, "source");
     for (; row < t->rows && score.n < 2 &&
@@ -63,6 +65,7 @@ static size_t trace_case(validation *v, const murk_table *t, size_t row)
         reference[score.n] = reference_value(
             t, row, is_published ? "published" : "computed", quantity);
     }
+    /* Trace the layer once for all of them. */
     trace_layer(v,
                 &(validation_case){.name = name,
                                    .source = source,
@@ -108,6 +111,7 @@ static void bins_of(const murk_table *t, const char *column,
     double angle[SPLINE_NODES_MAX], value[SPLINE_NODES_MAX];
     double angle2[SPLINE_NODES_MAX], value2[SPLINE_NODES_MAX];
     size_t n2 = 0;
+    /* All angles, and every other angle. */
     for (size_t i = 0; i < t->rows; ++i) {
         angle[i] = radian(reference_number(t, i, "angle_deg"));
         value[i] = reference_number(t, i, column);
@@ -116,6 +120,8 @@ static void bins_of(const murk_table *t, const char *column,
             value2[n2++] = value[i];
         }
     }
+    /* Power in each bin by both splines, and the uncertainty of the
+     * reference. */
     const spline all = spline_through(angle, value, t->rows);
     const spline half = spline_through(angle2, value2, n2);
     for (size_t k = 0; k < BINS; ++k) {

@@ -143,6 +143,7 @@ static void trace(validation *v, const murk_table *t, const water *w,
     if (!validation_wants(v, name)) {
         return;
     }
+    /* The depths of this stretch in the published table. */
     depths d = {0};
     for (size_t row = 0; row < t->rows; ++row) {
         const double tau = reference_number(t, row, "tau");
@@ -152,6 +153,7 @@ static void trace(validation *v, const murk_table *t, const water *w,
             add_depth(&d, t, row);
         }
     }
+    /* Trace the sea once for all depths. */
     test_world world = sea_made(w);
     validation_trace(
         v, &(validation_case){.name = name,

@@ -59,6 +59,7 @@ static measured measure(const validation *v, double fog_per_m, double range_m,
 {
     static const murk_pose pose[2] = {{.position = {OFFSET, 0, 0}},
                                       {.position = {-OFFSET, 0, 0}}};
+    /* The scene with this fog, range and seed. */
     char text[1200], seed_text[40];
     snprintf(text, sizeof text, SCENE, fog_per_m, photons, range_m);
     snprintf(seed_text, sizeof seed_text, "seed=%" PRIu32, seed);
@@ -68,6 +69,7 @@ static measured measure(const validation *v, double fog_per_m, double range_m,
     murk_traced *traced = NULL;
     murk_sight *sight = NULL;
     murk_coverage_result coverage = {0};
+    /* Trace, and measure the coverage of the sensors and the fluence rate. */
     murk_stage *stage = stage_text_create(text, overrides);
     if (stage &&
         !murk_lightmap_trace(&traced, stage, 0, validation_threads(v), &err) &&
