@@ -57,6 +57,7 @@ static double processor_s(void)
 
 static void try_bytes(const char *extension, const char *bytes, size_t size)
 {
+    /* Write the bytes to a file with the extension. */
     char path[96];
     snprintf(path, sizeof path, "%s/a.%s", folder, extension);
     FILE *f = fopen(path, "wb");
@@ -64,6 +65,7 @@ static void try_bytes(const char *extension, const char *bytes, size_t size)
     if (f) {
         fclose(f);
     }
+    /* Read the file: the reading ends within its limit of processor time. */
     murk_mesh *m = NULL;
     murk_error err = {0};
     const double start_s = processor_s();
@@ -71,6 +73,8 @@ static void try_bytes(const char *extension, const char *bytes, size_t size)
     CHECK(processor_s() - start_s <
           murk_subprocess_limits_for(size).seconds + SPARE_S);
     CHECK((status == MURK_OK) == (m != NULL));
+    /* A mesh that was read is usable; a refusal is a bad file with a
+     * message of one line. */
     if (m) {
         ++meshes;
         use(m);

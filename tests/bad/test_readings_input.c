@@ -138,9 +138,11 @@ static void test_too_large(void)
     free(text);
 }
 
-/* Paths of keys with parts dropped, doubled and changed. */
+/* Paths of keys with parts dropped, doubled and changed are found or
+ * refused. */
 static void test_names_of_keys(void)
 {
+    /* Paths that exist in the resolved scene. */
     static const char *const paths[] = {
         "media.fog.visibility_m", "media.a.b.extinction_per_m.1",
         "media.a.b.phase.0.hg", "regions.1.box.max_m.2", "lights.0.power_w.1"};
@@ -148,6 +150,8 @@ static void test_names_of_keys(void)
     int found = 0;
     CHECK(murk_yaml_parse(&root, scene->resolved, strlen(scene->resolved),
                           "resolved", NULL) == MURK_OK);
+    /* Cut a path, change one character or append a part of another path; a
+     * few of the first paths stay whole. */
     for (uint64_t i = 0; i < 20000; ++i) {
         char name[400];
         murk_key_place place;
@@ -164,6 +168,8 @@ static void test_names_of_keys(void)
         } else if (i >= 15) {
             snprintf(name + at, sizeof name - at, "%s", paths[word[1] % 5]);
         }
+        /* A path that is found has a finite value; any other is refused
+         * with a message. */
         const murk_status status =
             murk_key_place_find(&place, root, name, "--free", &err);
         if (status) {

@@ -74,11 +74,14 @@ static murk_estimate mean_of(const sums *s, double n)
                            sqrt((s->squares / n - mean * mean) / (n - 1))};
 }
 
-/* Scalar irradiance in each band from the pictures; and, as if pixels were
- * alike, from the plain mean of them. */
+/* Scalar irradiance in each band: of[] by the means of the pictures, which
+ * count each pixel by solid angle; by_pixels[] by the plain means of the
+ * pixels. */
 static void look_around(const murk_stage *stage, murk_estimate of[2],
                         murk_estimate by_pixels[2])
 {
+    /* Render a picture of the whole sphere of directions at each point,
+     * with a seed of its own. */
     sums whole[2] = {{0, 0}}, pixels[2] = {{0, 0}};
     for (uint64_t i = 0; i < POINTS; ++i) {
         murk_trace trace = murk_stage_trace(stage);
@@ -98,6 +101,7 @@ static void look_around(const murk_stage *stage, murk_estimate of[2],
             printf("%s: %s\n", err.where, err.text);
             exit(1);
         }
+        /* Radiance averaged over the sphere is scalar irradiance over 4 pi. */
         for (int b = 0; b < 2; ++b) {
             double plain = 0;
             for (size_t k = 0; k < WIDTH * HEIGHT; ++k) {

@@ -77,6 +77,7 @@ typedef struct run {
 
 static run run_of(const char *text, uint32_t seed)
 {
+    /* Trace the scene; note the cosines of scattering. */
     run r = {0};
     murk_error err = {0};
     murk_ledger *ledger = NULL;
@@ -92,6 +93,8 @@ static run run_of(const char *text, uint32_t seed)
     trace.sink = note;
     trace.context = &r.turns;
     murk_trace_run(&trace, ledger);
+    /* Each light emits the photons dealt to it in each band; every channel
+     * balances, and no energy is lost. */
     murk_sources_deal(stage->lights, PHOTONS, r.photons);
     for (size_t c = 0; c < LIGHTS * r.bands; ++c) {
         const int64_t all = ledger->emitted[c];
@@ -103,6 +106,8 @@ static run run_of(const char *text, uint32_t seed)
         r.share[1][c] = (double)ledger->absorbed_media[c] / (double)all;
         r.share[2][c] = (double)ledger->absorbed_surfaces[c] / (double)all;
     }
+    /* The mean cosine that the phase function states, for comparison with
+     * the scattered photons. */
     for (size_t band = 0; band < r.bands; ++band) {
         r.mean_cosine[band] =
             murk_phase_mean_cosine(&stage->phases->medium[0][band]);

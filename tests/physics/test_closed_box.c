@@ -68,6 +68,7 @@ static double error_of(const sums *s)
 
 static murk_image *taken(uint32_t seed, murk_render_method method)
 {
+    /* Trace the photon maps of the box. */
     char own[32];
     snprintf(own, sizeof own, "seed=%lu", (unsigned long)seed);
     const char *const overrides[] = {own, NULL};
@@ -79,6 +80,7 @@ static murk_image *taken(uint32_t seed, murk_render_method method)
         printf("%s: %s\n", err.where, err.text);
         exit(1);
     }
+    /* Render the same view from inside by the method. */
     const murk_trace trace = murk_stage_trace(stage);
     const murk_render render = {
         .trace = &trace,

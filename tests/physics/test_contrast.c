@@ -82,6 +82,8 @@ static void see(void *context, uint64_t batch, const murk_event *event)
 
 int main(int argc, char **argv)
 {
+    /* A long closed room of grey walls that shine equally, full of haze
+     * that absorbs nothing. */
     const uint32_t seed = argc > 1 ? (uint32_t)strtoul(argv[1], NULL, 10) : 1;
     const double limit = murk_sidak_limit(1e-6, Z_TESTS);
     murk_source lamps[TEST_WALLS];
@@ -103,11 +105,17 @@ int main(int argc, char **argv)
                       .n_media = 1,
                       .regions = &region,
                       .n_regions = 1});
+    /* Trace photons; the eye adds the radiance that each collision sends to
+     * it. */
     eye e = {.world = &w, .phase = &haze.phase[0]};
     test_world_trace(&w, PHOTONS, seed, see, &e);
     close_photon(&e);
+    /* The radiance of the horizon, which follows from the equilibrium of
+     * the room. */
     const double horizon = 1 / (MURK_PI * ROOM_AREA_M2 * (1 - WALLS));
     for (int i = 0; i < DISTANCES; ++i) {
+        /* The contrast of a black object at this distance follows the law
+         * of Koschmieder. */
         const double mean = e.sum[i] / PHOTONS;
         const double sigma =
             sqrt((e.square[i] / PHOTONS - mean * mean) / (PHOTONS - 1)) /
@@ -115,6 +123,8 @@ int main(int argc, char **argv)
         const double contrast = mean / horizon - 1;
         const double law = -exp(-extinction * distance_m[i]);
         CHECK_WITHIN(limit, contrast, law, sigma);
+        /* The comparison can fail: another extinction is refused, and so is
+         * the other of the two thresholds of contrast (5 and 2 %). */
         if (i > 0 && i < 3) {
             CHECK(sigmas_off(contrast, -exp(-1.1 * extinction * distance_m[i]),
                              sigma) > limit);

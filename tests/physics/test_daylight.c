@@ -71,12 +71,13 @@ static void test_types_fall_as_jerlov_says(uint32_t seed)
     }
 }
 
-/* Within 10 % of the law that is observed in the open ocean, at both ends of
- * what it is known for and between. Teeth: the absorption of particles and
- * dissolved matter by themselves (water/sea has the same particles) leaves the
- * water too clear from .3 mg/m3 on. */
+/* Attenuation is within 10 % of the law that is observed in the open ocean,
+ * at both ends of the range of the law and between. Teeth: the absorption
+ * of particles and dissolved matter alone (water/sea has the same
+ * particles) leaves the water too clear from .3 mg/m3 on. */
 static void test_case_1_falls_as_observed(uint32_t seed)
 {
+    /* Water by the preset, at each concentration and wavelength. */
     static const double chlorophyll[] = {.03, .3, 3, 10};
     static const int nm[] = {412, 443, 490, 555};
     for (int i = 0; i < 4; ++i) {
@@ -96,6 +97,8 @@ static void test_case_1_falls_as_observed(uint32_t seed)
                   .1 * about[b] + limit() * k[b].standard_error);
         }
     }
+    /* Water with a smaller absorption is clearer than the law by more than
+     * the tolerance. */
     const double about = murk_case_1_kd(490, 3);
     murk_estimate clear;
     daylight_attenuation(&clear,

@@ -127,12 +127,15 @@ typedef struct light {
 
 static light lit(const description *d, uint32_t seed, int photons)
 {
+    /* Complete the scene with the regions, the free flight and the photons
+     * of the description. */
     light out = {{{NAN, NAN}, {NAN, NAN}, {NAN, NAN}}};
     char text[4096], as_mesh[128];
     snprintf(as_mesh, sizeof as_mesh, "[{medium: fog, mesh: %s}]", mesh_path);
     const bool is_mesh = strcmp(d->regions, "mesh") == 0;
     snprintf(text, sizeof text, scene_text, seed, grid_path,
              is_mesh ? as_mesh : d->regions, d->flight, photons);
+    /* Trace the scene. */
     murk_error err = {0};
     murk_traced *traced = NULL;
     murk_stage *stage = stage_text_create(text, NULL);
@@ -141,6 +144,8 @@ static light lit(const description *d, uint32_t seed, int photons)
         stage_text_destroy(stage);
         return out;
     }
+    /* The absorbed share is binomial; the two tallies state their own
+     * errors. */
     const murk_ledger *ledger = traced->ledger;
     double absorbed = 0;
     for (size_t c = 0; c < ledger->channels; ++c) {

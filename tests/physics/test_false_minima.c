@@ -127,6 +127,7 @@ static void test_from_far_off(planted_field *field, unsigned fits)
 
 int main(int argc, char **argv)
 {
+    /* Number of fits and first seed. */
     const unsigned fits =
         argc > 1 ? (unsigned)strtoul(argv[1], NULL, 10) : FITS_QUICK;
     const unsigned first = argc > 2 ? (unsigned)strtoul(argv[2], NULL, 10) : 1;
@@ -138,6 +139,8 @@ int main(int argc, char **argv)
     for (unsigned i = 0; seed && i < fits; ++i) {
         seed[i] = first + i;
     }
+    /* Trace the truth once; fit with several starts, and in the nightly
+     * form with a single start, too. */
     bool is_well =
         seed && planted_open(&field, &tank) &&
         planted_light(&field, 5,
@@ -150,6 +153,8 @@ int main(int argc, char **argv)
     }
     planted_close(&field);
     free(seed);
+    /* None may be in a false minimum, and the errors must be spread as the
+     * standard errors state. */
     CHECK(is_well);
     if (is_well) {
         const double n = (double)(fits * tank.n);

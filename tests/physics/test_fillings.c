@@ -57,6 +57,7 @@ static answer traced(const murk_medium *media, size_t n_media,
                      const murk_region *regions, size_t n_regions,
                      uint32_t seed)
 {
+    /* Trace these media around one point source; scores are kept by photon. */
     const murk_source light = test_point(murk_vec(1.1, 0.4, 0.3));
     test_world w = test_world_made(
         &(test_setup){.domain = {{{-1, -1, -1}, {3, 2, 2}}, false},
@@ -72,6 +73,8 @@ static answer traced(const murk_medium *media, size_t n_media,
     }
     test_world_trace(&w, PHOTONS, seed, count, &c);
     CHECK(murk_ledger_imbalance(w.ledger) == 0);
+    /* Mean and standard error of each score; the ledger confirms the
+     * absorbed share. */
     answer out;
     for (int i = 0; i < MEASURES; ++i) {
         out.measure[i] = murk_mean_estimate(c.measure[i], PHOTONS);
@@ -126,6 +129,7 @@ static void write_halves(const char *path)
 
 static void test_two_halves(uint32_t seed)
 {
+    /* Write a grid with two fields, density and albedo, and read both. */
     char path[] = "/tmp/murk_halves_XXXXXX";
     const int fd = mkstemp(path);
     CHECK(fd >= 0);
@@ -139,6 +143,7 @@ static void test_two_halves(uint32_t seed)
     CHECK_TEXT(err.text, "");
     unlink(path);
 
+    /* The same light in one grid and in two boxes. */
     murk_medium one = test_medium(4, 0, 0.5);
     one.grid = grid;
     one.albedo_grid = albedo;
@@ -151,6 +156,7 @@ static void test_two_halves(uint32_t seed)
     const answer by_grid = traced(&one, 1, &lies, 1, seed);
     const answer by_boxes = traced(two, 2, boxes, 2, seed + 1000);
     check_same(&by_grid, &by_boxes);
+    /* Teeth: a wrong albedo in one half is seen. */
     two[1] = test_medium(4, 0.4, 0.5);
     const answer wrong = traced(two, 2, boxes, 2, seed + 1000);
     CHECK(apart(&by_grid, &wrong) > 2 * limit());
@@ -162,10 +168,12 @@ static void test_two_halves(uint32_t seed)
 
 #define LAYERS MURK_REGIONS_MAX
 
-/* Even layers of 1/64 m stand for the slope between: the depth through each is
- * the same, and a flight is off by less than such a layer, 1e-4 of a depth. */
+/* Layers of 1/64 m, each of one extinction, approximate the slopes of a
+ * profile: the optical depth through each layer is the same, and a free
+ * flight is off by less than one layer, some 1e-4 in optical depth. */
 static void test_layers(uint32_t seed)
 {
+    /* One medium with a profile that has a step. */
     const double z_m[] = {0, 0.5, 0.5, 1};
     const murk_spectrum per_m[] = {
         murk_spectrum_flat(0, 1), murk_spectrum_flat(8, 1),
@@ -174,6 +182,7 @@ static void test_layers(uint32_t seed)
     murk_medium layered = test_medium(1, 0.8, 0.2);
     layered.profile = &profile;
     murk_region box = test_box_region(0, murk_vec(0, 0, -1), murk_vec(2, 1, 2));
+    /* A stack of boxes, each with the extinction in its middle. */
     murk_medium media[LAYERS];
     murk_region regions[LAYERS];
     for (int i = 0; i < LAYERS; ++i) {
@@ -183,9 +192,11 @@ static void test_layers(uint32_t seed)
         regions[i] = test_box_region((size_t)i, murk_vec(0, 0, low),
                                      murk_vec(2, 1, high));
     }
+    /* Both give the same light. */
     const answer by_profile = traced(&layered, 1, &box, 1, seed);
     const answer by_boxes = traced(media, LAYERS, regions, LAYERS, seed + 1000);
     check_same(&by_profile, &by_boxes);
+    /* Teeth: the profile upside down is seen. */
     box.to_world = murk_affine_place(murk_vec(180, 0, 0), 1, murk_vec(0, 1, 1));
     const answer wrong = traced(&layered, 1, &box, 1, seed);
     CHECK(apart(&wrong, &by_boxes) > 2 * limit());
@@ -193,11 +204,12 @@ static void test_layers(uint32_t seed)
 
 /* ---- interpolation ---- */
 
-/* A Gaussian of 0.25 m in voxels of 0.02 m: nearest and linear are each off by
- * less than h^2/8 max|f''| = 1e-3 of it on average over a path, far below the
- * error of this many photons. */
+/* A Gaussian of 0.25 m in voxels of 0.02 m: nearest and linear are each off
+ * by less than h^2/8 max|f''| = 1e-3 of the peak on average over a path,
+ * far below the error of this many photons. */
 static void test_nearest_and_linear(uint32_t seed)
 {
+    /* Sample the Gaussian in the middle of the world. */
     enum { N = 80 };
     const size_t size[3] = {N, N, N};
     float *density = malloc((size_t)N * N * N * sizeof *density);
@@ -216,6 +228,7 @@ static void test_nearest_and_linear(uint32_t seed)
     CHECK(murk_grid_from_samples(&grid, size, density, &place, "test", &err) ==
           MURK_OK);
     free(density);
+    /* Both interpolations give the same light. */
     murk_medium puff = test_medium(6, 0.7, 0.5);
     puff.grid = grid;
     const murk_region lies = {.shape = MURK_REGION_GRID,
@@ -224,6 +237,7 @@ static void test_nearest_and_linear(uint32_t seed)
     puff.interpolation = MURK_LINEAR;
     const answer linear = traced(&puff, 1, &lies, 1, seed + 1000);
     check_same(&nearest, &linear);
+    /* Teeth: a wrong albedo is seen. */
     puff.albedo = murk_spectrum_flat(0.75, 1);
     const answer wrong = traced(&puff, 1, &lies, 1, seed + 1000);
     CHECK(apart(&nearest, &wrong) > 2 * limit());

@@ -71,10 +71,13 @@ static void add_up(sums *out, const parts *p, const double *weight)
     }
 }
 
-/* One light: its sums; and (off of truth)^T C^-1 (off of truth). */
+/* Traces light once: sums over the lit rows, and d^T C^-1 d with the
+ * deviation d from the truth and the covariance C. */
 static bool light_once(sums *out, double *square, planted_field *field,
                        unsigned emit, uint32_t seed)
 {
+    /* Trace the model at the true values with this seed, and predict the
+     * readings, their slopes, and their parts by runs of photons. */
     const size_t rows = field->measured->rows, n = field->of->n;
     murk_free_keys *keys = planted_keys(field, emit, seed);
     murk_model *model = keys ? planted_model(field, keys) : NULL;
@@ -96,11 +99,13 @@ static bool light_once(sums *out, double *square, planted_field *field,
                      &err) &&
         planted_held(
             murk_whitening_create(&whitening, covariance, p.lits, &err), &err);
+    /* Deviations from the truth; weights by the measurement errors. */
     for (size_t i = 0; i < p.lits && is_well; ++i) {
         const murk_measured_row *row = &field->measured->row[lit[i]];
         weight[i] = 1 / field->measured->reading[row->first].standard_error;
         off[i] = room[lit[i]] - field->truth[lit[i]];
     }
+    /* Sums by runs, and the square of the whitened deviations per row. */
     *square = 0;
     if (is_well) {
         if (seed == 1) {

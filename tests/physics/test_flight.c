@@ -128,6 +128,7 @@ static void add(scene *s, murk_region_shape shape, murk_grid *grid,
 
 static scene scene_made(int number, uint32_t seed)
 {
+    /* Each case adds grids and regions; a box is larger if its grid is. */
     static const murk_box box = {{0, 0, 0}, {40, 32, 24}};
     scene s = {.box = box};
     murk_affine own;
@@ -278,12 +279,15 @@ static double counts_apart(double a, double b)
 
 static void test_march_and_delta_follow_the_law(int number, uint32_t seed)
 {
+    /* Fly through the media of one scene by marching and by delta tracking. */
     scene s = scene_made(number, seed);
     murk_media *media = media_of(&s, 8 << seed % 3, 1);
     s.box = murk_media_bounds(media);
     const int failures = check_failures;
     test_flights march = test_fly(media, &s.box, FLIGHTS, seed, false);
     test_flights delta = test_fly(media, &s.box, FLIGHTS, seed, true);
+    /* Both follow the exponential law, and collide equally often with each
+     * medium. */
     CHECK(test_flights_off_law(&march) < distance_limit());
     CHECK(test_flights_off_law(&delta) < distance_limit());
     CHECK(test_flights_apart(&march, &delta) < distance_limit());
@@ -292,6 +296,8 @@ static void test_march_and_delta_follow_the_law(int number, uint32_t seed)
         CHECK(march.partner[i] > 0.002 * FLIGHTS);
         CHECK(counts_apart(march.partner[i], delta.partner[i]) < z_limit());
     }
+    /* No collision states values other than those of the media at the
+     * place, and the scene is neither too clear nor too dense for a test. */
     CHECK(march.wrong == 0 && delta.wrong == 0);
     CHECK(march.collided > 0.2 * FLIGHTS && march.collided < 0.95 * FLIGHTS);
     if (check_failures > failures) {
@@ -388,10 +394,11 @@ typedef struct slab_run {
     double absorbed, collisions;
 } slab_run;
 
-/* A beam into a slab of noise, periodic to the sides, from below. */
+/* Sends a beam from below into a slab of noise that is periodic sideways. */
 static slab_run run_slab(const murk_grid *grid, double extinction_per_m,
                          bool by_delta, uint32_t seed)
 {
+    /* The slab fills the periodic domain in x and y. */
     murk_medium smoke = test_medium(extinction_per_m, 0.9, 0.5);
     smoke.grid = grid;
     const murk_region region = {.shape = MURK_REGION_GRID,
@@ -407,6 +414,7 @@ static slab_run run_slab(const murk_grid *grid, double extinction_per_m,
         .n_media = 1,
         .regions = &region,
         .n_regions = 1});
+    /* Trace by the chosen kind of free flight. */
     murk_error err = {0};
     CHECK(murk_media_prepare_delta(w.media, &err) == MURK_OK);
     slab_run run = {{0}, 0, 0};
@@ -418,6 +426,7 @@ static slab_run run_slab(const murk_grid *grid, double extinction_per_m,
     trace.sink = count_end;
     trace.context = &run.ends;
     murk_trace_run(&trace, w.ledger);
+    /* Each photon is absorbed or leaves below or above. */
     CHECK(murk_ledger_imbalance(w.ledger) == 0);
     CHECK(test_photons(&w, w.ledger->lost) == 0);
     run.absorbed = test_photons(&w, w.ledger->absorbed_media);

@@ -70,9 +70,11 @@ static murk_region with_index(murk_region region, double ior)
     return region;
 }
 
-/* Fluence rates per W/m2 that the walls send into air. */
+/* Notes the chords that photons fly, for fluence rates per W/m2 that the
+ * walls send into air; `water` is the refractive index of the water. */
 static void heat(double water, chords *c, uint32_t seed)
 {
+    /* Shining walls around a glass sphere and a tilted glass box. */
     murk_source lamps[LAMPS];
     light_walls(lamps, WATER);
     const murk_material materials[] = {test_material(WALLS, 0, 0, 0),
@@ -82,6 +84,8 @@ static void heat(double water, chords *c, uint32_t seed)
         test_box(murk_vec(-.3, -.25, -.5), murk_vec(.3, .25, .6), 1)};
     surfaces[2].to_world =
         murk_affine_place(murk_vec(3, 5, 7), 1, murk_vec(2.9, 1, .9));
+    /* Water below 1 m, a tilted body of index 1.7 around a bubble, and two
+     * bodies that share a face. */
     const murk_medium media[] = {test_medium(0, 1, 0), test_medium(1, 1, .5)};
     murk_region regions[] = {
         with_index(test_everywhere(0), water),
@@ -99,6 +103,7 @@ static void heat(double water, chords *c, uint32_t seed)
     regions[0].below_z_m = 1;
     regions[1].to_world =
         murk_affine_place(murk_vec(20, 30, 40), 1, murk_vec(2, 2.3, .5));
+    /* Only the walls absorb: all photons end there. */
     test_world w = test_world_made(
         &(test_setup){.domain = {room, false},
                       .lights = lamps,

@@ -111,11 +111,14 @@ static void test_plate_reflects_and_bends(uint32_t seed)
                      sqrt(want * (1 - want) / PHOTONS)) > limit());
 }
 
-/* In a lossless cube the sizes of a direction's components never change. Light
- * leaves where one of them is above cos(critical angle), six cones that do not
- * meet; all else is trapped for ever, and counted as lost. */
+/* In a lossless cube the absolute values of the components of a direction
+ * never change. Light leaves if one of them is above cos(critical angle),
+ * within six cones that do not overlap; all other light is trapped for
+ * ever, and counted as lost. */
 static void test_cube_traps_light(uint32_t seed)
 {
+    /* A point source within a glass cube, and photons with a limit of
+     * events. */
     const murk_source lamp = test_point(murk_vec(0.1, 0.2, 0.3));
     const murk_material glass = test_material(0, 0.4, 0.6, INDEX);
     const murk_surface_desc cube =
@@ -134,6 +137,8 @@ static void test_cube_traps_light(uint32_t seed)
     trace.last = PHOTONS;
     trace.events_max = 400;
     murk_trace_run(&trace, w.ledger);
+    /* The lost share is the solid angle outside of the cones, and all of it
+     * is lost by the limit of events. */
     const double trapped = 1 - 3 * (1 - sqrt(1 - 1 / (INDEX * INDEX)));
     const double lost = test_photons(&w, w.ledger->lost);
     check_share(lost, trapped);

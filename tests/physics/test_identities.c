@@ -46,9 +46,12 @@ typedef struct contents {
 
 #define CONTENTS_MAX 4
 
-/* All walls shine alike; one watt in all. */
+/* All walls shine equally, with one watt in all; the chords of the photons
+ * are noted. */
 static void heat(const contents *in, chords *c, uint64_t photons, uint32_t seed)
 {
+    /* The walls of the room come first in the list of surfaces, the
+     * contents after them. */
     murk_source lamps[TEST_WALLS];
     test_wall_lamps(&room, lamps);
     const murk_material materials[] = {
@@ -59,6 +62,7 @@ static void heat(const contents *in, chords *c, uint64_t photons, uint32_t seed)
     for (size_t i = 0; i < in->n_surfaces; ++i) {
         surfaces[i + 1] = in->surfaces[i];
     }
+    /* Trace; no photon may be lost. */
     test_world w = test_world_made(
         &(test_setup){.domain = {{{-1, -1, -1}, {5, 4, 3}}, false},
                       .lights = lamps,

@@ -58,10 +58,11 @@ static void test_plates(uint32_t seed)
     }
 }
 
-/* Three layers that share their faces, turned together: a stack of four faces,
- * not of six. */
+/* Three layers that share faces, turned together, are a stack of four faces
+ * and not of six. */
 static void test_layers_share_faces(uint32_t seed)
 {
+    /* Layers with three refractive indices in a turned frame. */
     const murk_vec3 turn = {25, -40, 70}, shift = {0.1, 0.2, 0.3};
     const double z[] = {-0.9, -0.3, 0.1, 0.6}, ior[] = {1.6, 1.34, 2.2};
     murk_region layers[3];
@@ -71,6 +72,7 @@ static void test_layers_share_faces(uint32_t seed)
                                ior[i]);
         layers[i].to_world = murk_affine_place(turn, 1, shift);
     }
+    /* A beam along the normal of the layers. */
     const murk_affine *placed = &layers[0].to_world;
     const murk_source beam =
         test_beam(murk_affine_point(placed, murk_vec(0.1, 0.2, 2)),
@@ -84,6 +86,8 @@ static void test_layers_share_faces(uint32_t seed)
                              .regions = layers,
                              .n_regions = 3},
                seed);
+    /* The reflected share is that of four faces; six faces, with air
+     * between the layers, are refused. */
     const double r[] = {reflectance(0, 1, 2.2), reflectance(0, 2.2, 1.34),
                         reflectance(0, 1.34, 1.6), reflectance(0, 1.6, 1)};
     const double air = reflectance(0, 1, 1.34);
@@ -139,6 +143,8 @@ static void test_glass_holds_water(uint32_t seed)
 
 static void test_descriptions_agree(uint32_t seed)
 {
+    /* Water below z = 0 as a half space, two boxes, and a box that is
+     * turned, scaled and moved. */
     const murk_source lamp = test_point(murk_vec(0.2, 0.1, -0.6));
     const murk_medium water = test_medium(1.5, 0.9, 0.6);
     murk_region same[4] = {
@@ -152,6 +158,7 @@ static void test_descriptions_agree(uint32_t seed)
     same[3].to_world =
         murk_affine_place(murk_vec(90, 0, 90), 2, murk_vec(-2, 0, -2));
     same[3].box = (murk_box){{-3, 0, -3}, {3, 1, 3}};
+    /* Photons have the same random numbers, so the counts are equal. */
     tale t[4];
     for (int i = 0; i < 4; ++i) {
         t[i] =
@@ -167,13 +174,16 @@ static void test_descriptions_agree(uint32_t seed)
         CHECK(t[i].met[0] == t[0].met[0]);
         CHECK(t[i].mirrored[0] == t[0].mirrored[0]);
     }
+    /* The surface was met often enough. */
     CHECK(t[0].met[0] > PHOTONS / 4.);
 }
 
-/* Clear glass as a region and as a closed mesh, lit aslant: the same random
- * numbers, so nearly every photon fares alike. */
+/* A cube of clear glass as a region and as a closed mesh, lit by an oblique
+ * beam, with the same random numbers: nearly every photon has the same
+ * path. */
 static void test_region_is_like_a_solid(uint32_t seed)
 {
+    /* One cube by both descriptions. */
     const murk_source beam =
         test_beam(murk_vec(-2, 0.1, 2), murk_vec(1, 0.05, -0.9));
     const murk_vec3 min = {-1, -1, -1}, max = {1, 1, 1};
@@ -187,6 +197,7 @@ static void test_region_is_like_a_solid(uint32_t seed)
                         .n_media = 1,
                         .regions = &cube,
                         .n_regions = 1};
+    /* Trace the region, then the mesh instead of it. */
     const tale region = traced(&setup, seed);
     setup.n_regions = 0;
     setup.surfaces = &solid;
@@ -194,6 +205,8 @@ static void test_region_is_like_a_solid(uint32_t seed)
     setup.materials = &glass;
     setup.n_materials = 1;
     const tale mesh = traced(&setup, seed);
+    /* The same numbers of photons go up, down and sideways, and meet the
+     * faces. */
     CHECK(region.up == mesh.up && region.down == mesh.down);
     CHECK(region.lateral == mesh.lateral);
     CHECK(region.met[0] == mesh.at_surfaces && mesh.at_surfaces > PHOTONS);

@@ -96,6 +96,8 @@ static void moments_of(const murk_mixture *mixture, double moment[18])
 static answer ask(const char *name, const double shape[3], double droplets,
                   double nm)
 {
+    /* Unless the preset has droplets of its own, give the diameter and
+     * shape of the droplets. */
     answer out = {.extinction_per_m = NAN, .albedo = NAN, .moment = {NAN, NAN}};
     murk_preset *preset = NULL;
     murk_preset_result result = {0};
@@ -108,6 +110,7 @@ static answer ask(const char *name, const double shape[3], double droplets,
             words.value[MURK_WORD_DROPLET_SHAPE][k] = shape[k];
         }
     }
+    /* Evaluate the preset in one band of one wavelength. */
     const murk_preset_bands bands = {.n = 1, .line_nm = &nm};
     if (!murk_presets_read(&preset, name, name, NULL) &&
         !murk_preset_evaluate(&result, preset, &words, &bands, name, NULL)) {
@@ -150,6 +153,7 @@ static void compare_moments(murk_library *library)
 
 void murk_library_droplets(murk_library *library)
 {
+    /* Title and source of the reference. */
     const char *source = "fog_cloud_mie: independent Lorenz-Mie";
     murk_library_title(
         library, "Fog, cloud and haze of droplets",
@@ -157,6 +161,7 @@ void murk_library_droplets(murk_library *library)
         "water is 1.333, 1.329 and 1.317 with 1.1e-4 absorbed (told from its "
         "values); 1 - albedo goes with the imaginary part, which murk takes "
         "from Segelstein (1.34e-4 at 1550 nm).");
+    /* Extinction, albedo and mean cosine of each preset at each wavelength. */
     for (size_t i = 0; i < sizeof ROWS / sizeof *ROWS; ++i) {
         const row *r = &ROWS[i];
         const answer got = ask(r->preset, r->shape, r->droplets, r->nm);

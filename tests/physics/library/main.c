@@ -54,6 +54,8 @@ static const subject *find(const char *name)
 
 int main(int n, char **word)
 {
+    /* Check the words before the first comparison, since a misspelled
+     * subject would otherwise end a long run. */
     murk_library library = {.out = stdout};
     bool is_chosen = false;
     for (int i = 1; i < n; ++i) {
@@ -68,6 +70,7 @@ int main(int n, char **word)
         }
         is_chosen = true;
     }
+    /* Compare the subjects that are named, or all of them if none is. */
     printf("## Media and sky\n");
     for (const subject *s = SUBJECTS; s->name; ++s) {
         bool is_wanted = !is_chosen;
@@ -78,6 +81,7 @@ int main(int n, char **word)
             s->compare(&library);
         }
     }
+    /* Fail if a row is off, or if nothing was compared. */
     printf("\n%d rows, %d off.\n", library.rows, library.off);
     return library.off > 0 || library.rows == 0;
 }

@@ -106,6 +106,7 @@ static void compare_air(murk_library *library)
 
 static void compare_rain(murk_library *library)
 {
+    /* Each preset with the column of the reference that holds the same law. */
     static const struct {
         const char *preset, *source;
         int column;
@@ -114,6 +115,8 @@ static void compare_rain(murk_library *library)
         {"rain/itu-r", "ITU-R P.1814-1, shape 0 (second hand)", 4},
         {"rain/marshall-palmer", "Marshall & Palmer 1948", 7},
     };
+    /* A line of the reference holds a rain rate and the attenuation by each
+     * law. */
     FILE *file =
         open_reference(library, "tests/physics/reference/rain_models.csv");
     murk_library_title(library, "Rain", "Attenuation by rain rate.");
@@ -123,6 +126,7 @@ static void compare_rain(murk_library *library)
             char quantity[80];
             snprintf(quantity, sizeof quantity, "%s, %g mm/h", law[i].preset,
                      row[0]);
+            /* Turn the extinction per metre into dB/km. */
             murk_library_row(
                 library, quantity, "dB/km", row[law[i].column],
                 1e4 / log(10) *

@@ -109,9 +109,11 @@ static void compare_meeus(murk_library *library)
                      0.0001, "last digit printed", source);
 }
 
-/* clearsky_ineichen.csv */
+/* Irradiances of a clear sky against clearsky_ineichen.csv. */
 static void compare_clear_sky(murk_library *library)
 {
+    /* Apparent zenith angle, air mass, and global, direct and diffuse
+     * irradiance. */
     static const double published[][5] = {
         {10, 1, 1038.159219, 942.208186, 110.2652929},
         {46.0467599, 1.32355476, 704.6968125, 888.9014703, 87.73601277},
@@ -119,6 +121,7 @@ static void compare_clear_sky(murk_library *library)
         {34.86074109, 1.12008114, 853.020657, 922.0612471, 96.42909484},
         {72.41687122, 3.01614096, 251.9942769, 655.4492524, 53.9901349},
         {82.85457044, 6.97935524, 65.49426624, 321.1609218, 25.54562017}};
+    /* Compare the three irradiances at each zenith angle. */
     murk_library_title(library, "Clear sky",
                        "Ineichen and Perez, Linke turbidity 3, at the sea, "
                        "1364 W/m2 outside.");
@@ -139,9 +142,11 @@ static void compare_clear_sky(murk_library *library)
     }
 }
 
-/* solar_lux_photon.csv, in bands of 10 nm that are even within. */
+/* Against solar_lux_photon.csv, in bands of 10 nm with constant power per
+ * nanometre in each. */
 static void compare_lux(murk_library *library)
 {
+    /* Illuminance and photon flux of the three standard spectra. */
     static const struct {
         const char *name;
         double lux, photons;
@@ -150,6 +155,7 @@ static void compare_lux(murk_library *library)
                     {"AM 1.5 direct", 97142.3, 1.04496e21}};
     murk_library_title(library, "Lux and photons of sunlight",
                        "ASTM G173 in 372 bands, each even within.");
+    /* Sum both over the bands of each spectrum. */
     for (size_t i = 0; i < sizeof standard / sizeof *standard; ++i) {
         const murk_solar_spectrum s = astm_spectrum(i);
         double lux = 0, photons = 0;
@@ -171,6 +177,7 @@ static void compare_lux(murk_library *library)
                          1e-24 * standard[i].photons, ".1 %",
                          "solar_lux_photon.csv, computed");
     }
+    /* At one line the conversion is known without a spectrum. */
     const double photons = murk_quantity_per_watt(MURK_PHOTONS, 532, 532);
     const double lux = murk_quantity_per_watt(MURK_PHOTOMETRIC, 532, 532);
     murk_library_row(library, "V at 532 nm", "", 0.884426,

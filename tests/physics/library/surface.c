@@ -16,6 +16,7 @@
 
 static void compare_reflectance(murk_library *library)
 {
+    /* The nightly form has more photons. */
     static const double zenith_deg[] = {0, 30, 60, 70, 80, 85};
     static const double wind[] = {5, 10, 20};
     const uint64_t photons = library->is_nightly ? 400000 : 20000;
@@ -25,6 +26,9 @@ static void compare_reflectance(murk_library *library)
         "computed albedos of Cox and Munk's sea; of an even sky on level "
         "water. Models of the surface differ by 10 to 18 % among themselves "
         "(Mobley 2015).");
+    /* Direct light, by zenith angle of the sun and wind speed; the
+     * tolerance is wider for a low sun and for strong wind, for which
+     * models differ more. */
     for (int i = 0; i < 6; ++i) {
         for (int k = 0; k < 3; ++k) {
             const bool is_usual = zenith_deg[i] <= 70 && wind[k] <= 10;
@@ -45,6 +49,7 @@ static void compare_reflectance(murk_library *library)
                              "Jin et al. 2011, eq. 1, 2 and 4, at second hand");
         }
     }
+    /* Diffuse light on water that is nearly level. */
     const murk_estimate level =
         sea_reflected(1, SEA_INDEX, 1e-10, 0, 10 * photons, SEED);
     murk_library_row(library, "even sky, no wind", "",
@@ -77,6 +82,7 @@ static void compare_depth(murk_library *library, const murk_table *t,
 
 static void compare_mobley(murk_library *library)
 {
+    /* Photons, reference and title. */
     const uint64_t photons = library->is_nightly ? 2000000 : 60000;
     murk_table *t = reference_read("sea.csv");
     murk_library_title(
@@ -84,11 +90,13 @@ static void compare_mobley(murk_library *library)
         "Canonical problems 1 (Rayleigh) and 2 (Petzold) of Mobley et al. "
         "1993: a sun by place and time 30 degrees high, a half space of index "
         "1.34 without wind, water by a preset whose coefficients are said.");
+    /* Light each of the two seas once. */
     for (int problem = 1; problem <= 2; ++problem) {
         const mobley_sea sea = {problem, .9, 1.34, NULL};
         const mobley_light light = mobley_sea_lit(&sea, photons, SEED);
         const char *water =
             problem == 1 ? "Rayleigh, albedo .9" : "Petzold, albedo .9";
+        /* Compare both irradiances at the depths that the reference has. */
         for (size_t row = 0; row < t->rows; ++row) {
             const double tau = reference_number(t, row, "tau");
             for (int k = 0; k < MOBLEY_DEPTHS; ++k) {

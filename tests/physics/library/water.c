@@ -131,6 +131,7 @@ static void jerlov(murk_library *library)
 
 static void case_1(murk_library *library)
 {
+    /* The quick form takes every fifth concentration only. */
     static const double chlorophyll[] = {.03, .1, .3, 1, 3, 10};
     static const int nm[] = {412, 443, 490, 555};
     static const double share[2] = {1, .1};
@@ -150,14 +151,17 @@ static void case_1(murk_library *library)
         double observed[LINES];
         char water[100];
         murk_estimate k[LINES];
+        /* The attenuation that the law gives in each band. */
         for (int b = 0; b < LINES; ++b) {
             observed[b] = murk_case_1_kd(nm[b], chlorophyll[i]);
         }
+        /* Trace the preset at this concentration. */
         snprintf(water, sizeof water,
                  "preset: water/case-1, chlorophyll_mg_per_m3: %g",
                  chlorophyll[i]);
         daylight_attenuation(k, water, SUN_DEG, share, LINES, nm, observed,
                              library->is_nightly ? 50000 : 8000, 1);
+        /* One row for each band. */
         for (int b = 0; b < LINES; ++b) {
             char name[100];
             snprintf(name, sizeof name,
@@ -196,6 +200,7 @@ static double chlorophyll_of(double kd_per_m)
 
 static void compare_ocean(murk_library *library, const cells *c)
 {
+    /* Derive the chlorophyll from the attenuation at one wavelength. */
     char water[100];
     murk_estimate k[OCEAN_CELLS];
     double chlorophyll = NAN;
@@ -204,11 +209,15 @@ static void compare_ocean(murk_library *library, const cells *c)
             chlorophyll = chlorophyll_of(c->per_m[i]);
         }
     }
+    /* Trace the preset with this chlorophyll at all wavelengths of the
+     * table. */
     snprintf(water, sizeof water,
              "preset: water/case-1, chlorophyll_mg_per_m3: %.4g", chlorophyll);
     static const double share[2] = {1, .1};
     daylight_attenuation(k, water, SUN_DEG, share, c->n, c->nm, c->per_m,
                          library->is_nightly ? 50000 : 8000, 1);
+    /* Compare all other wavelengths: at the one that gave the chlorophyll,
+     * a comparison would prove nothing. */
     for (size_t i = 0; i < c->n; ++i) {
         char name[100];
         snprintf(name, sizeof name,
@@ -263,6 +272,7 @@ static double bricauds(double chlorophyll)
 
 static void ocean_absorption(murk_library *library)
 {
+    /* The laws of other authors. */
     static const double chlorophyll[] = {.03, .1, .3, 1, 3, 10};
     static const struct {
         double (*absorption)(double chlorophyll);
@@ -278,6 +288,8 @@ static void ocean_absorption(murk_library *library)
         "1981; of particles on filters, with dissolved matter derived from the "
         "colour of the sea. At one chlorophyll, waters differ by a factor of "
         "two.");
+    /* Compare the absorption by the preset with each law at each
+     * concentration. */
     for (size_t i = 0; i < sizeof chlorophyll / sizeof *chlorophyll; ++i) {
         const double murk = murk_case_1_absorption(440, chlorophyll[i]);
         for (size_t k = 0; k < sizeof other / sizeof *other; ++k) {
