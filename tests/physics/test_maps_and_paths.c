@@ -190,6 +190,7 @@ static murk_image *taken(const view *v, const murk_stage *stage,
                          const murk_traced *traced, murk_render_method method,
                          size_t samples, uint32_t seed)
 {
+    /* A camera of all directions, or one that looks at a point. */
     murk_trace trace = murk_stage_trace(stage);
     trace.seed = seed;
     const murk_camera camera =
@@ -197,6 +198,7 @@ static murk_image *taken(const view *v, const murk_stage *stage,
             ? murk_camera_around(v->from, murk_vec(1, 0, 0), WIDTH, HEIGHT)
             : murk_camera_aimed(v->from, v->to, murk_vec(0, 0, 1), 1, WIDTH,
                                 HEIGHT);
+    /* Render by the method; methods without maps have no traced light. */
     const murk_render render = {.trace = &trace,
                                 .camera = camera,
                                 .samples = samples,
@@ -241,11 +243,13 @@ static void add_lamp(char *yaml, size_t size, const double corner[3],
              edge2[0], edge2[1], edge2[2], area * bright);
 }
 
-/* Walls of a box of 4 m that shine inwards, water below z = 2 where n > 1: a
- * wall under water shines n^2 as much. In clear air: by maps shadow rays from
- * fog next to a lamp's face would have unbounded variance. */
+/* Writes the scene of a box of 4 m with walls that shine inwards. If n > 1,
+ * water lies below z = 2, and walls under water shine n^2 as much. The air
+ * is clear: shadow rays from fog next to the face of a light source would
+ * give the method by maps an unbounded variance. */
 static void furnace_of(char *yaml, size_t size, double n)
 {
+    /* The box, with the water as a second region. */
     snprintf(yaml, size,
              "murk: 1\n"
              "domain: {min_m: [0, 0, 0], max_m: [4, 4, 4]}\n"
@@ -260,6 +264,7 @@ static void furnace_of(char *yaml, size_t size, double n)
              "lights:\n",
              WALLS,
              n > 1 ? "  - {medium: clear, below_z_m: 2, ior: 1.34}\n" : "");
+    /* Five light sources in each half: floor or ceiling, and four walls. */
     for (int half = 0; half < 2; ++half) {
         const double z = 2 * half, bright = half == 0 ? n * n : 1;
         const double flat[3] = {0, 0, 4 * half};
@@ -466,18 +471,21 @@ static void test_paths_agree_with_other_seeds(void)
     check_seeds(&views[1], 700, BLOCK, 1.03);
 }
 
-/* Sixteen times the photons leave a quarter of the mean's error, what rays add
- * to it, and what chance does to so few groups of photons: two thirds at most.
- * What a mean is off by is within what it says. Pixels' errors fall more
- * slowly, as kernels become smaller at the same time. */
+/* Sixteen times the photons leave a quarter of the standard error of the
+ * mean, to which rays and the few groups of photons add noise: two thirds
+ * at most. The deviation of the mean is within the standard error stated.
+ * Errors of pixels fall more slowly, as kernels become smaller at the same
+ * time. */
 static void test_errors_fall_with_photons(void)
 {
+    /* Render one view from photon maps of more and more photons. */
     const view *room = &views[1];
     murk_stage *stage = made(room);
     double before = INFINITY, pixels_before = INFINITY;
     for (uint64_t photons = 500; photons <= 128000; photons *= 16) {
         murk_traced *traced = lit(stage, photons);
         murk_image *map = taken(room, stage, traced, MURK_BY_MAPS_ONLY, 24, 2);
+        /* Root mean square of the errors of the pixels. */
         double squares = 0;
         for (size_t i = 0; i < PIXELS; ++i) {
             squares += (double)map->error[0][i] * (double)map->error[0][i];
@@ -486,6 +494,8 @@ static void test_errors_fall_with_photons(void)
         printf("%6.0f photons: %+.4f +- %.4f, pixels +- %.4f\n",
                (double)photons, map->mean[0] / room->mean - 1,
                map->mean_error[0] / room->mean, pixels / room->mean);
+        /* The mean is right, and both errors are smaller than those with
+         * fewer photons. */
         CHECK_WITHIN(limit, map->mean[0], room->mean, map->mean_error[0]);
         CHECK(map->mean_error[0] < before / 1.5);
         CHECK(pixels < pixels_before);

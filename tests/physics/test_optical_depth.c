@@ -43,9 +43,12 @@ static float *samples_of(const probe *p)
     return value;
 }
 
-/* The whole is turned and moved, so that the path is skew in the world. */
+/* Optical depth along the path of the probe; grid and path are turned and
+ * moved together, so that the path is oblique to the axes of the world. */
 static double depth_through_grid(const probe *p, double factor)
 {
+    /* A grid with the samples of the probe, interpolated linearly, in a
+     * turned region. */
     float *value = samples_of(p);
     murk_affine to_field = murk_affine_identity();
     to_field.matrix[0][0] = p->step_m.x;
@@ -69,6 +72,7 @@ static double depth_through_grid(const probe *p, double factor)
     CHECK(murk_media_create(&media, &medium, 1, &region, 1, &WORLD, &err) ==
           MURK_OK);
     CHECK_TEXT(err.text, "");
+    /* Move the path with the region; transmittance and optical depth agree. */
     const murk_vec3 from = murk_affine_point(&region.to_world, p->from);
     const murk_vec3 to = murk_affine_point(&region.to_world, p->to);
     const double through = murk_media_transmittance(media, 0, 0, from, to);

@@ -37,10 +37,11 @@ static murk_source sun(double zenith_deg, double azimuth_deg)
                          .where = "sun"};
 }
 
-/* Power downwards through the level plane at z_m. */
+/* Returns the power that flows downwards through the level plane at z_m. */
 static murk_estimate down_at(const test_setup *setup, bool continues,
                              double z_m, uint32_t seed)
 {
+    /* A world whose media continue outside or not, with a plane tally. */
     test_world made = test_world_made(setup);
     made.world.continues = continues;
     murk_tallies *tallies = NULL;
@@ -53,6 +54,7 @@ static murk_estimate down_at(const test_setup *setup, bool continues,
                                    .angle_bins = 1};
     CHECK(!murk_tallies_create(&tallies, &plane, 1, &setup->domain,
                                setup->n_lights, 1, 1, INFINITY, &err));
+    /* Trace the photons; energy is conserved. */
     murk_trace trace = murk_trace_defaults();
     trace.world = &made.world;
     trace.seed = seed;
@@ -60,6 +62,7 @@ static murk_estimate down_at(const test_setup *setup, bool continues,
     trace.tallies = tallies;
     murk_trace_run(&trace, made.ledger);
     CHECK(murk_ledger_imbalance(made.ledger) == 0);
+    /* Read the forward side of the plane, which is the downward one. */
     const double packet_w = murk_sources_power_w(made.lights) / PHOTONS;
     const murk_estimate out =
         murk_tallies_read(tallies, 0, 0, 0, made.ledger->emitted, &packet_w);

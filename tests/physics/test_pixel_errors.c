@@ -107,6 +107,8 @@ typedef struct judged {
 static judged judge(const murk_image *truth, murk_image *const *picture,
                     size_t seeds, double larger)
 {
+    /* Deviation z of each pixel from the truth in units of the stated
+     * error, which a twin multiplies by `larger`. */
     judged j = {0};
     double stated = 0, spread = 0;
     const double count = (double)(PIXELS * seeds);
@@ -121,12 +123,15 @@ static judged judge(const murk_image *truth, murk_image *const *picture,
             j.within_one += (fabs(z) <= 1) / count;
             j.within_two += (fabs(z) <= 2) / count;
             j.too_low += (z < -2) / count;
+            /* Sums for the variance of a pixel between seeds. */
             stated += error * error / (double)seeds;
             sum += off;
             squares += off * off;
         }
+        /* Unbiased variance between seeds. */
         spread += (squares - sum * sum / (double)seeds) / (double)(seeds - 1);
     }
+    /* Stated variance over the variance between seeds. */
     j.rms = sqrt(j.rms);
     j.stated = stated / spread;
     return j;
@@ -141,6 +146,8 @@ static bool is_honest(judged j)
 static void test_errors_are_honest(const view *v, size_t seeds,
                                    size_t truth_samples)
 {
+    /* One picture of many samples is the truth; the pictures to be judged
+     * have a seed each. */
     murk_stage *stage = made(v);
     if (!stage) {
         exit(1);
@@ -152,12 +159,15 @@ static void test_errors_are_honest(const view *v, size_t seeds,
         picture[k] = taken(v, stage, SAMPLES, (uint32_t)k + 1);
         unsure += (double)picture[k]->unsure / PIXELS / (double)seeds;
     }
+    /* Judge the stated errors. */
     const judged j = judge(truth, picture, seeds, 1);
     printf("%s: rms of z %.3f; within one error %.3f, within two %.3f, more "
            "than two too low %.4f; stated variance %.3f of that between seeds; "
            "unsure %.3f\n",
            v->name, j.rms, j.within_one, j.within_two, j.too_low, j.stated,
            unsure);
+    /* The check can fail: errors that are 25 % smaller or larger are
+     * refused. */
     CHECK(is_honest(j));
     CHECK(!is_honest(judge(truth, picture, seeds, 0.75)));
     CHECK(!is_honest(judge(truth, picture, seeds, 1.25)));

@@ -103,6 +103,7 @@ typedef struct tried {
 
 static bool try_all(tried *t, const planted_case *of, unsigned seeds)
 {
+    /* Trace the true readings once, with more photons in the nightly form. */
     const bool is_quick = seeds < SEEDS_NIGHTLY;
     planted_field field;
     *t = (tried){.of = of, .n = seeds};
@@ -111,6 +112,8 @@ static bool try_all(tried *t, const planted_case *of, unsigned seeds)
         planted_light(&field, 5,
                       of->emit / 5 * (is_quick ? TRUTH_QUICK : TRUTH_NIGHTLY),
                       THREADS);
+    /* Fit once for each seed; every fit converges with enough effective
+     * photons. */
     for (unsigned i = 0; i < seeds && is_well; ++i) {
         planted_fit fit;
         is_well = planted_fit_once(&fit, &field, i + 1, THREADS);
@@ -119,9 +122,13 @@ static bool try_all(tried *t, const planted_case *of, unsigned seeds)
         }
         CHECK(fit.converged);
         CHECK(fit.effective_share >= MURK_MIN_SHARE);
+        /* Keep the deviation of each key in units of the standard error. */
         for (size_t k = 0; k < of->n; ++k) {
             t->sigma[i][k] = fit.off.sigma[k];
         }
+        /* Add up the sums over seeds: squares of deviations, their
+         * component along one direction if it is known, and residuals of
+         * the rows. */
         t->square += fit.off.square;
         if (isfinite(fit.off.along)) {
             t->along += fit.off.along;

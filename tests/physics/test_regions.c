@@ -117,9 +117,12 @@ typedef enum form { BELOW, BOX, MESH, LARGE_MESH, TWO_MESHES, FORMS } form;
 
 static layout lower_half(form how, double ior)
 {
+    /* Regions start as mesh regions without a mesh. */
     layout l = empty_layout();
     l.setup.n_regions = how == TWO_MESHES ? 2 : 1;
     l.region[0] = l.region[1] = test_mesh_region(0);
+    /* Describe z < 0 by a half space, a box, a mesh as large as the domain,
+     * a larger mesh, or two meshes side by side. */
     switch (how) {
     case BELOW:
         l.region[0].shape = MURK_REGION_BELOW;

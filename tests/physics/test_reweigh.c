@@ -301,10 +301,12 @@ static void test_slopes_are_differences_of_new_light(const followed_text *l)
 
 /* ---- nothing is lost ---- */
 
-/* Where nothing is absorbed, all comes out, at any extinction and asymmetry:
- * ratios have the mean 1 over photons, and slopes 0. */
+/* If nothing is absorbed, all light comes out at any extinction and
+ * asymmetry: ratios have the mean 1 over photons, and slopes the mean 0. */
 static void test_all_comes_out(void)
 {
+    /* Trace one white medium, and re-weigh the light to two other
+     * extinctions and another asymmetry. */
     const char *const white[] = {"seed=9", ALBEDO "1", NULL};
     followed_text l = lit_at(white);
     const char *const places[3][3] = {{ALBEDO "1", EXTINCTION "2.4"},
@@ -312,6 +314,7 @@ static void test_all_comes_out(void)
                                       {ALBEDO "1", HG "0.5"}};
     for (int i = 0; i < 3; ++i) {
         murk_optics *at = optics_text_create(scene_text, places[i]), *sides[2];
+        /* The slope is by the parameter that differs. */
         const bool is_hg = i == 2;
         const murk_optics_sides both = sides_at(is_hg ? HG : EXTINCTION,
                                                 is_hg ? 0.5
@@ -321,6 +324,8 @@ static void test_all_comes_out(void)
         murk_reweighed r;
         murk_error err = {0};
         CHECK(!murk_reweigh(&r, l.followed, l.optics, at, &both, 1, 2, &err));
+        /* Add up transmittance and reflectance in each batch, which is all
+         * light that comes out. */
         const sums value = sums_of(&l, r.ratio), slope = sums_of(&l, r.slope);
         sums out = {0};
         for (size_t b = 0; b < BATCHES; ++b) {
@@ -329,6 +334,7 @@ static void test_all_comes_out(void)
         }
         const murk_estimate all = estimate_of(&out, 0);
         const murk_estimate change = estimate_of(&out, 1);
+        /* The sum is one, and does not change. */
         CHECK_WITHIN(murk_sidak_limit(BUDGET, CHECKS), all.value, 1,
                      all.standard_error);
         CHECK_WITHIN(murk_sidak_limit(BUDGET, CHECKS), change.value, 0,

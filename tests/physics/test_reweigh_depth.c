@@ -65,10 +65,11 @@ static murk_optics *optics_at(double extinction, const char *phase)
     return optics_text_create(scene_text, overrides);
 }
 
-/* The slopes by extinction, in the mean over the lattice, with their errors. */
+/* Mean over the lattice of the slopes by extinction, with standard errors. */
 static void slopes_at(double extinction, const char *phase, int place,
                       murk_estimate slope[KINDS])
 {
+    /* The receivers, and the scene with this extinction. */
     static const size_t kept[1] = {0};
     static murk_receiver receiver[KINDS * RECEIVERS];
     static double batch[BATCHES][KINDS];
@@ -78,6 +79,8 @@ static void slopes_at(double extinction, const char *phase, int place,
     snprintf(seed, sizeof seed, "seed=%d", place + 1);
     const char *const overrides[] = {text, phase, seed, NULL};
     murk_stage *stage = stage_text_create(scene_text, overrides);
+    /* Follow the light; re-weighing to the traced optics itself gives
+     * slopes. */
     const double step = 1e-5 * extinction;
     murk_optics *traced = optics_at(extinction, phase);
     murk_optics *low = optics_at(extinction - step, phase);
@@ -97,6 +100,8 @@ static void slopes_at(double extinction, const char *phase, int place,
         printf("%s: %s\n", err.where, err.text);
         exit(1);
     }
+    /* Each contribution counts for the batch of the photon, as a mean over
+     * the volume of the sphere and over all spheres. */
     memset(batch, 0, sizeof batch);
     const double volume = 4. / 3 * MURK_PI * RADIUS_M * RADIUS_M * RADIUS_M;
     for (size_t i = 0; i < f->n; ++i) {
@@ -105,6 +110,7 @@ static void slopes_at(double extinction, const char *phase, int place,
              [c->receiver % KINDS] +=
             r.slope[i] * (double)c->value * f->packet_w[0] / volume / RECEIVERS;
     }
+    /* The standard error is that of the sum over batches. */
     for (int kind = 0; kind < KINDS; ++kind) {
         double total = 0, squares = 0;
         for (int b = 0; b < BATCHES; ++b) {
@@ -125,18 +131,20 @@ static void slopes_at(double extinction, const char *phase, int place,
     stage_text_destroy(stage);
 }
 
-/* rows: at optical depths 1 and 2; decay: how fast light falls deep inside, by
- * mean free path (Case's eigenvalue); teeth: a slope that is off by this share
- * would be seen. */
+/* `rows` are the values at optical depths 1 and 2; `decay` is the rate at
+ * which light falls deep inside, per mean free path (the eigenvalue of
+ * Case); `teeth` is the relative deviation of a slope that must be seen. */
 static void check_rows(const char *phase, double decay, double teeth,
                        const double rows[2][KINDS])
 {
+    /* Nodes and weights of Gauss and Legendre. */
     static const double place[PLACES] = {-.9061798459386640, -.5384693101056831,
                                          0, .5384693101056831,
                                          .9061798459386640};
     static const double weight[PLACES] = {.2369268850561891, .4786286704993665,
                                           .5688888888888889, .4786286704993665,
                                           .2369268850561891};
+    /* Integrate the slopes over extinctions from 1 to 2. */
     double sum[KINDS] = {0}, variance[KINDS] = {0};
     for (int p = 0; p < PLACES; ++p) {
         murk_estimate slope[KINDS];
@@ -149,6 +157,9 @@ static void check_rows(const char *phase, double decay, double teeth,
         }
     }
     for (int kind = 0; kind < KINDS; ++kind) {
+        /* Each row is averaged over a sphere, which adds a term of second
+         * order in the radius; the term grows with the square of the
+         * extinction. */
         const double spread = decay * decay * RADIUS_M * RADIUS_M / 10;
         const double want =
             rows[1][kind] * (1 + 4 * spread) - rows[0][kind] * (1 + spread);
@@ -157,6 +168,8 @@ static void check_rows(const char *phase, double decay, double teeth,
         printf("%-18s %-8s %9.6f +- %.6f  %9.6f  %5.2f\n", phase,
                kind_name[kind], sum[kind], error, want,
                sigmas_off(sum[kind], want, error));
+        /* The integral is the difference of the rows, and is known well
+         * enough. */
         CHECK_WITHIN(limit, sum[kind], want, error);
         CHECK(error * limit < teeth * fabs(want));
     }

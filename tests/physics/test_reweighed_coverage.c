@@ -96,11 +96,15 @@ static void slopes_of_weights(double slope[GROUPS][KEYS], const lit *l)
 
 static void test_light_traced_anew(double limit)
 {
+    /* Re-weigh one traced light: the coverage and the slopes as traced, and
+     * the part of the slopes that is due to weights alone. */
     const char *const emit[] = {"photons.emit=60000", NULL};
     lit l = lit_and_seen(emit);
     const read_out here = read_at(&l, as_traced, STEP, BATCHES);
     double of_weights[GROUPS][KEYS], worst = 0;
     slopes_of_weights(of_weights, &l);
+    /* Re-weigh to a smaller and a larger value of each key, and trace new
+     * light at both. */
     for (size_t i = 0; i < TURNED; ++i) {
         const key k = turned[i];
         double value[KEYS];
@@ -113,6 +117,8 @@ static void test_light_traced_anew(double limit)
         murk_estimate anew_low[GROUPS], anew_high[GROUPS];
         trace_anew(anew_low, lower[i], emit[0], 1);
         trace_anew(anew_high, higher[i], emit[0], 2);
+        /* Values, their difference, and the slope times the difference of
+         * the key agree with the new light. */
         for (size_t g = 0; g < GROUPS; ++g) {
             const double by_low = anew_low[g].standard_error;
             const double by_high = anew_high[g].standard_error;
@@ -136,6 +142,7 @@ static void test_light_traced_anew(double limit)
         free(low.batch);
         free(high.batch);
     }
+    /* Teeth: slopes that leave out the sightlines are refused. */
     CHECK(worst > 2 * limit);
     free(here.batch);
     put_out(&l);

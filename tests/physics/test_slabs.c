@@ -53,9 +53,10 @@ typedef struct set_up {
 
 static const set_up narrow = {.half_width_m = 0.5, .is_periodic = true};
 
-/* The slab is 1 m thick, so its extinction is tau. */
+/* The slab is 1 m thick, so the extinction per metre is tau. */
 static ends traced(const slab *s, set_up how, uint32_t seed)
 {
+    /* A beam along the normal, or diffuse light from the whole bottom. */
     const double w = how.half_width_m;
     murk_source light = test_beam(murk_vec(0.1, 0.2, 0), murk_vec(0, 0, 1));
     if (how.is_diffuse) {
@@ -64,6 +65,7 @@ static ends traced(const slab *s, set_up how, uint32_t seed)
         light.edge1 = murk_vec(2 * w, 0, 0);
         light.edge2 = murk_vec(0, 2 * w, 0);
     }
+    /* One medium, or two of half the extinction that lie over each other. */
     const int n = how.in_halves ? 2 : 1;
     const murk_medium medium = test_medium(s->tau / n, s->albedo, s->g);
     const murk_medium media[2] = {medium, medium};
@@ -78,6 +80,7 @@ static ends traced(const slab *s, set_up how, uint32_t seed)
                       .n_media = (size_t)n,
                       .regions = regions,
                       .n_regions = (size_t)n});
+    /* Each photon is absorbed or leaves below or above. */
     ends out = {0};
     test_world_trace(&world, PHOTONS, seed, count_end, &out);
     CHECK(test_photons(&world, world.ledger->lost) == 0);

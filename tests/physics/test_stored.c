@@ -29,11 +29,14 @@ static const char scene_text[] =
     "lights: [{type: point, position_m: [1, 1, 2.5], power_w: 8}]\n"
     "photons: {emit: 20000}\n";
 
-/* The irradiance (whole wall) and fluence (whole sphere) sums of each photon:
- * wall power / d, volume power / sigma_s; areas and volumes cancel. */
+/* Sums of each photon for the irradiance of the whole wall and the fluence
+ * rate of the whole sphere: power on the wall over the diffuse reflectance,
+ * power in the volume over the scattering coefficient; areas and volumes
+ * cancel. */
 static bool sums_by_photon(const char *store_when, const char *least_weight,
                            double *wall, double *fog)
 {
+    /* Trace the maps with this way of storing. */
     const char *const overrides[] = {store_when, least_weight, NULL};
     murk_error err = {0};
     murk_traced *traced = NULL;
@@ -44,6 +47,7 @@ static bool sums_by_photon(const char *store_when, const char *least_weight,
         printf("%s: %s\n", err.where, err.text);
         goto done;
     }
+    /* Add each record to the sum of the photon that was emitted. */
     const murk_photon_map *maps[2] = {traced->surface, traced->volume};
     for (int is_volume = 0; is_volume < 2; ++is_volume) {
         const murk_photon *p = murk_photon_map_photons(maps[is_volume]);

@@ -235,6 +235,7 @@ static void test_closed_sphere(double least_weight)
 
 static void test_absorbed_is_fluence(double least_weight)
 {
+    /* A grid tally of one cell that is the whole domain, filled with fog. */
     const double extinction = 2, albedo = 0.9;
     const murk_domain domain = {{{0, 0, 0}, {2, 2, 2}}, false};
     const murk_source light = test_point(murk_vec(0.5, 1, 1.2));
@@ -251,6 +252,8 @@ static void test_absorbed_is_fluence(double least_weight)
                                .type = MURK_TALLY_GRID,
                                .box = domain.box,
                                .size = {1, 1, 1}};
+    /* The fluence rate times volume and absorption coefficient is the
+     * absorbed power of the ledger, in each batch. */
     double off[BATCHES], slip[BATCHES];
     for (uint32_t i = 0; i < BATCHES; ++i) {
         measurement m = measured(&setup, &d, 1, 3000, 10 + i, least_weight);
@@ -263,6 +266,8 @@ static void test_absorbed_is_fluence(double least_weight)
         slip[i] = 1.06 * by_fluence - absorbed;
         done(&m);
     }
+    /* The mean deviation is zero; a fluence rate that is 6 % larger is
+     * refused. */
     const murk_estimate mean = murk_mean_estimate(off, BATCHES);
     const murk_estimate wrong = murk_mean_estimate(slip, BATCHES);
     CHECK_WITHIN(limit, mean.value, 0, mean.standard_error);

@@ -61,6 +61,7 @@ typedef struct measured {
 static measured measure(const murk_transport_world *world, uint64_t photons,
                         uint32_t seed, double least_weight)
 {
+    /* Trace with four tallies and a ledger. */
     measured out;
     murk_error err = {0};
     murk_tallies *tallies = NULL;
@@ -79,6 +80,7 @@ static measured measure(const murk_transport_world *world, uint64_t photons,
     trace.least_weight = least_weight;
     murk_trace_run(&trace, ledger);
 
+    /* Power of a packet of each light. */
     uint64_t dealt[LAMPS];
     double packet_w[LAMPS];
     murk_sources_deal(world->lights, photons, dealt);
@@ -86,6 +88,8 @@ static measured measure(const murk_transport_world *world, uint64_t photons,
         packet_w[c] =
             murk_sources_channel_power_w(world->lights, c) / (double)dealt[c];
     }
+    /* Read the chosen cells, and the error that the plane would have if
+     * passages were independent. */
     for (size_t i = 0; i < VALUES; ++i) {
         out.value[i] = murk_tallies_read(tallies, tally[i], 0, cell[i],
                                          ledger->emitted, packet_w);
@@ -132,6 +136,9 @@ static void test_errors(const murk_transport_world *world, double least_weight,
 
 int main(void)
 {
+    /* A room of fog with bright walls, so that a photon scores many times
+     * and scores of one photon depend on each other; two lights of
+     * different power. */
     const double limit = murk_sidak_limit(1e-6, CHECKS);
     murk_source lamps[LAMPS] = {test_point(murk_vec(1, 1, 1.5)),
                                 test_point(murk_vec(3.2, 2, 0.4))};
@@ -153,6 +160,7 @@ int main(void)
                                                  .n_media = 1,
                                                  .regions = &region,
                                                  .n_regions = 1});
+    /* With photons of full weight, and with weights down to 1e-3. */
     test_errors(&w.world, 1, limit);
     test_errors(&w.world, 1e-3, limit);
     test_world_unmade(&w);

@@ -44,6 +44,8 @@ typedef struct answer {
 
 static answer murk_answer(const plain_box *b, uint32_t seed)
 {
+    /* The box of the twin as a world of murk: coefficients become
+     * extinction and albedo, and the ball replaces the matter around it. */
     const double extinction =
         b->matter.absorption_per_m + b->matter.scattering_per_m;
     const murk_source beam =
@@ -65,6 +67,7 @@ static answer murk_answer(const plain_box *b, uint32_t seed)
                                     .replaces = true,
                                     .to_world = murk_affine_identity(),
                                     .where = "ball"}};
+    /* Without a radius there is no ball. */
     const size_t n = b->radius_m > 0 ? 2 : 1;
     test_world w = test_world_made(
         &(test_setup){.domain = {{{0, 0, 0}, {60, 60, 60}}, false},
@@ -74,6 +77,7 @@ static answer murk_answer(const plain_box *b, uint32_t seed)
                       .n_media = n,
                       .regions = regions,
                       .n_regions = n});
+    /* Count where photons end; every photon is absorbed or escapes. */
     answer out = {0};
     test_world_trace(&w, PHOTONS, seed, count_end, &out.ends);
     out.absorbed = test_photons(&w, w.ledger->absorbed_media);

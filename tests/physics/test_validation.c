@@ -54,13 +54,15 @@ static void test_digits(void)
     CHECK_NEAR(validation_half_digit_of("3"), .5, 0);
 }
 
-/* Half of the light comes through the fog unscattered, and nothing else does
- * where it is black or a photon has one event only. */
+/* Half of the light comes through the fog unscattered; no other light comes
+ * through if the albedo is 0 or a photon has one event only. */
 static void trace(validation *v, double albedo, uint32_t events_max)
 {
+    /* The case of one quantity. */
     static const score_of through = {.kind = SCORE_ESCAPED, .way = 1};
     const scores score = {&through, 1};
     const validation_reference half = {"through", .5, 0};
+    /* A beam through fog of optical depth ln 2. */
     const murk_source light = test_beam(murk_vec(0, 0, 0), murk_vec(0, 0, 1));
     const murk_medium fog = test_medium(log(2), albedo, 0);
     const murk_region region = test_everywhere(0);
@@ -93,6 +95,7 @@ static size_t read_all(FILE *file, char *text, size_t size)
 
 static void test_traced_and_joined(void)
 {
+    /* Trace a case, and write the report and the CSV file. */
     static char whole[8192], joined[8192];
     char path[] = "/tmp/murk-validation-XXXXXX";
     validation *v = validation_create(&quick);
@@ -109,6 +112,7 @@ static void test_traced_and_joined(void)
     CHECK_MENTIONS(whole, "| half | through | 0.5 | 0.");
     validation_destroy(v);
 
+    /* A report joined from the CSV file is the same. */
     v = validation_create(&quick);
     validation_join(v, path);
     unlink(path);
@@ -130,6 +134,7 @@ static void read_markdown(const validation *v, char *text, size_t size)
 
 static void test_short_rows_need_a_reason(void)
 {
+    /* In the quick form a row that is too uncertain is marked and passes. */
     static char text[8192];
     validation *v = validation_create(&quick);
     validation_group(v, "made");
@@ -142,6 +147,8 @@ static void test_short_rows_need_a_reason(void)
     CHECK(validation_passed(v));
     validation_destroy(v);
 
+    /* In the nightly form the row passes with a reason, and fails without
+     * one. */
     v = validation_create(&nightly);
     validation_group(v, "made");
     add(v, NULL, 1.02);

@@ -57,17 +57,20 @@ typedef bool (*meeting)(const murk_address *address, double n_from, double n_to,
                         double mean_square_slope, murk_vec3 direction,
                         murk_vec3 normal, murk_bounce *bounce);
 
-/* What one might take for right: the facet is drawn by the area seen, and light
- * that does not head for the mean surface leaves. */
+/* A wrong walk that looks right: the facet is drawn by the visible area,
+ * and light that does not go towards the mean surface leaves. */
 static bool meet_without_heights(const murk_address *address, double n_from,
                                  double n_to, double mean_square_slope,
                                  murk_vec3 direction, murk_vec3 normal,
                                  murk_bounce *bounce)
 {
+    /* The walk begins on the side from which the light comes. */
     const double width = sqrt(mean_square_slope);
     double n[2] = {n_from, n_to};
     double side = 1;
     for (uint32_t k = 0; k < 1000; ++k) {
+        /* Light that goes away from the mean surface leaves: no height can
+         * hide it. */
         const murk_vec3 up = murk_scale(side, normal);
         const double cosine = -murk_dot(direction, up);
         if (cosine < 0) {
@@ -75,6 +78,8 @@ static bool meet_without_heights(const murk_address *address, double n_from,
                                     direction};
             return true;
         }
+        /* Draw a facet by the slopes along and across the light, and
+         * refract or mirror at the facet. */
         const murk_random4 r = murk_random_at(address, k);
         const murk_slope slope = murk_facet_sample(width, cosine, r.u);
         const murk_vec3 over = murk_unit(murk_along(direction, cosine, up));
@@ -96,23 +101,27 @@ static int class_of(bool in_water, double cosine)
     return (in_water ? STEPS : 0) + (step < STEPS ? step : STEPS - 1);
 }
 
-/* Lambertian light of radiance n^2 from either side. */
+/* Counts ways of Lambertian light of radiance n^2 from either side. */
 static ways follow(meeting meet, double mean_square_slope, uint32_t seed)
 {
     ways w = {.lost = 0};
     const murk_vec3 up = {0, 0, 1};
     for (uint64_t i = 0; i < PHOTONS; ++i) {
+        /* A photon comes from the water with a chance of n^2 / (1 + n^2),
+         * by the cosine law. */
         const murk_random4 r = murk_random(seed, MURK_TEST, i, 1, 0);
         const bool in_water = r.u[0] > 1 / (1 + SEA_INDEX * SEA_INDEX);
         const double mu = sqrt(r.u[1]), side = in_water ? -1 : 1;
         const murk_vec3 in = murk_about(up, -side * mu, 2 * MURK_PI * r.u[2]);
         const murk_address address = {seed, MURK_TEST, i, 2};
+        /* Let the photon meet the surface. */
         murk_bounce out;
         if (!meet(&address, in_water ? SEA_INDEX : 1, in_water ? 1 : SEA_INDEX,
                   mean_square_slope, in, murk_scale(side, up), &out)) {
             w.lost += 1;
             continue;
         }
+        /* Count the way by class before, class after, and turn in azimuth. */
         const murk_vec3 d = out.direction;
         const double turned = fabs(
             atan2(in.x * d.y - in.y * d.x, in.x * d.x + in.y * d.y) / MURK_PI);
@@ -260,10 +269,13 @@ static void note_escape(void *context, uint64_t batch, const murk_event *event)
     }
 }
 
-/* Lambertian light from the top and n^2 of it from the bottom of a lossless
- * sea: murk in it, a ball of glass in that, a white island, mist above. */
+/* Lambertian light from the top, and n^2 of it from the bottom, of a
+ * lossless sea of murky water with a ball of glass, a white island, and
+ * mist above. Returns the largest deviation of a class of escaped light, in
+ * standard errors. */
 static double off_in_a_whole_sea(double water_ior, bool by_delta, uint32_t seed)
 {
+    /* Lights at the top and at the bottom. */
     const murk_vec3 x = {3, 0, 0}, y = {0, 3, 0};
     const murk_source lamps[] = {{.type = MURK_SOURCE_RECT,
                                   .position = {0, 0, 2},
@@ -277,6 +289,7 @@ static double off_in_a_whole_sea(double water_ior, bool by_delta, uint32_t seed)
                                   .edge2 = y,
                                   .power_w = {{SEA_INDEX * SEA_INDEX}},
                                   .where = "bottom"}};
+    /* The contents of the sea; `water_ior` may be a wrong index. */
     const murk_material materials[] = {test_material(1, 0, 0, 0),
                                        test_material(0, 0, 1, 1.5)};
     const murk_surface_desc surfaces[] = {
@@ -297,6 +310,7 @@ static double off_in_a_whole_sea(double water_ior, bool by_delta, uint32_t seed)
                                                  .n_media = 2,
                                                  .regions = regions,
                                                  .n_regions = 2});
+    /* Trace; no photon is lost or absorbed. */
     murk_error err = {0};
     CHECK(!murk_media_prepare_delta(w.media, &err));
     escapes e = {{0}};
@@ -312,6 +326,8 @@ static double off_in_a_whole_sea(double water_ior, bool by_delta, uint32_t seed)
     CHECK(test_photons(&w, w.ledger->lost) == 0);
     CHECK(test_photons(&w, w.ledger->escaped) == 40000);
     test_world_unmade(&w);
+    /* Escaped light must be spread over the classes as the light that
+     * enters. */
     double worst = 0;
     for (int c = 0; c < CLASSES; ++c) {
         const double air = 1 / (1 + SEA_INDEX * SEA_INDEX);
@@ -329,11 +345,12 @@ static void test_a_lossless_sea_keeps_its_light(uint32_t seed)
     CHECK(off_in_a_whole_sea(1.5, false, seed) > limit()); /* teeth */
 }
 
-/* Power that comes up out of a clear sea a metre deep, as a share of the sun's;
- * a plane in the surface must agree. */
+/* Power that comes up out of a clear sea of 1 m, as a share of the power of
+ * the sun; a plane tally in the surface must agree. */
 static murk_estimate from_a_bottom(double albedo, double mean_square_slope,
                                    uint32_t seed)
 {
+    /* The sun above a Lambertian bottom. */
     const uint64_t n = 50000;
     const murk_source sun = {.type = MURK_SOURCE_DIRECTIONAL,
                              .direction = {.6, 0, -.8},
@@ -355,6 +372,7 @@ static murk_estimate from_a_bottom(double albedo, double mean_square_slope,
                                                  .n_media = 1,
                                                  .regions = &region,
                                                  .n_regions = 1});
+    /* A plane tally in the mean surface. */
     const murk_tally_desc level = {.name = "level",
                                    .where = "level",
                                    .type = MURK_TALLY_PLANE,
@@ -366,6 +384,7 @@ static murk_estimate from_a_bottom(double albedo, double mean_square_slope,
     murk_error err = {0};
     CHECK(!murk_tallies_create(&tallies, &level, 1, &tile, 1, 1, 1, INFINITY,
                                &err));
+    /* Trace; no photon is lost. */
     murk_trace trace = murk_trace_defaults();
     trace.world = &w.world;
     trace.seed = seed;
@@ -374,6 +393,8 @@ static murk_estimate from_a_bottom(double albedo, double mean_square_slope,
     murk_trace_run(&trace, w.ledger);
     CHECK(murk_ledger_imbalance(w.ledger) == 0);
     CHECK(test_photons(&w, w.ledger->lost) == 0);
+    /* Downward less upward power at the surface is the power of the sun
+     * less the escaped power. */
     const double up = test_photons(&w, w.ledger->escaped);
     const double packet_w = 1 / (double)n;
     const murk_estimate forward =
@@ -383,6 +404,7 @@ static murk_estimate from_a_bottom(double albedo, double mean_square_slope,
     CHECK_NEAR(backward.value - forward.value, 1 - up / (double)n, 1e-9);
     murk_tallies_destroy(tallies);
     test_world_unmade(&w);
+    /* The escaped share is binomial. */
     const double share = up / (double)n;
     return (murk_estimate){share, sqrt(share * (1 - share) / (double)n)};
 }

@@ -107,9 +107,10 @@ typedef struct options {
     size_t words;
 } options;
 
-/* 0, or what to exit with. */
+/* Returns 0, or the exit status. */
 static int read_options(options *o, int argc, char **argv)
 {
+    /* Options come first; --join ends them. */
     bool names_seed = false;
     int i = 1;
     for (; i < argc && !o->joins && strncmp(argv[i], "--", 2) == 0; ++i) {
@@ -138,12 +139,14 @@ static int read_options(options *o, int argc, char **argv)
             return usage("no such option");
         }
     }
+    /* Remaining words are files to join, or cases. */
     o->word = (const char *const *)argv + i;
     o->words = (size_t)(argc - i);
     if (!o->joins) {
         o->settings.wanted = o->word;
         o->settings.n_wanted = o->words;
     }
+    /* Refuse options that joined files determine, and unknown cases. */
     if (o->joins && (o->settings.is_quick || names_seed)) {
         return usage("--join takes form and seed from its files");
     }

@@ -40,9 +40,11 @@ static double read_number(const char *from, const char *key)
     return strtod(value_of(from, key), NULL);
 }
 
-/* The file is flat enough to be scanned: each grid's keys follow "file". */
+/* Reads the figures of each grid. The file is regular enough for a search:
+ * the keys of a grid follow its key "file". */
 static size_t read_figures(figures *all, size_t max)
 {
+    /* Read the file. */
     static char text[65536];
     FILE *file = fopen(FOLDER "vdb_stats.json", "r");
     if (!file) {
@@ -50,6 +52,7 @@ static size_t read_figures(figures *all, size_t max)
     }
     text[fread(text, 1, sizeof text - 1, file)] = '\0';
     fclose(file);
+    /* Read each key behind the next "file". */
     size_t n = 0;
     const char *at = text;
     while (n < max && (at = strstr(at, "\"file\"")) != NULL) {
@@ -64,6 +67,7 @@ static size_t read_figures(figures *all, size_t max)
         f->line[0] = read_number(at, "max_line_x");
         f->line[1] = read_number(at, "max_line_y");
         f->line[2] = read_number(at, "max_line_z");
+        /* The bounding box is an array of six numbers. */
         const char *number = value_of(at, "bbox");
         for (int i = 0; i < 6; ++i) {
             char *end = NULL;
@@ -103,6 +107,8 @@ static double largest_line(const murk_grid *grid, int axis)
 
 static void check_grid(const figures *want, bool has_namesakes)
 {
+    /* Read the grid; grids of the same name in a file are told apart by
+     * index. */
     char path[160], name[96];
     snprintf(path, sizeof path, FOLDER "%s", want->file);
     snprintf(name, sizeof name, has_namesakes ? "%s[%d]" : "%s", want->grid,
@@ -114,6 +120,7 @@ static void check_grid(const figures *want, bool has_namesakes)
     if (!grid) {
         return;
     }
+    /* Facts and line integrals agree with the figures. */
     const murk_grid_facts *got = murk_grid_describe(grid);
     CHECK((double)got->active == want->active);
     CHECK_TEXT(got->name, name);

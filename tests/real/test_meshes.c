@@ -20,22 +20,26 @@ static murk_mesh *read_mesh(const char *path, double unit_m, char up)
     return m;
 }
 
-/* Every triangle, and height and length [m] to a centimetre. */
+/* Checks that every triangle is read, and height and length [m] to a
+ * centimetre. */
 static void check_mesh(const char *path, size_t triangles, double height_m,
                        double length_m)
 {
+    /* Read the mesh. */
     murk_mesh *m = read_mesh(path, 0, 0);
     murk_surfaces *s = NULL;
     murk_error err = {0};
     if (!m) {
         return;
     }
+    /* Number of triangles and extents. */
     const murk_vec3 size = murk_sub(m->bounds_m.max, m->bounds_m.min);
     printf("%s: %zu triangles and %zu degenerate, %.3f m high\n", path,
            m->triangles, m->degenerate, size.z);
     CHECK(m->triangles + m->degenerate == triangles);
     CHECK_NEAR(size.z, height_m, 0.01);
     CHECK_NEAR(fmax(size.x, size.y), length_m, 0.01);
+    /* The mesh makes surfaces with an area. */
     const murk_material plain = {.name = "default"};
     const murk_surface_desc desc = {.shape = MURK_SHAPE_MESH,
                                     .mesh = m,

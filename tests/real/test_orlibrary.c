@@ -37,6 +37,7 @@ static bool read_number(FILE *file, size_t *out)
 
 static bool read_cover(cover_problem *c, FILE *file)
 {
+    /* Number of rows and columns. */
     size_t cost = 0, n = 0, column = 0;
     if (!read_number(file, &c->rows) || !read_number(file, &c->columns) ||
         c->rows > 10000 || c->columns > 10000) {
@@ -44,11 +45,14 @@ static bool read_cover(cover_problem *c, FILE *file)
     }
     c->row = calloc(c->rows * c->columns, sizeof *c->row);
     c->seen = calloc(c->columns, sizeof *c->seen);
+    /* Costs of the columns are of no use here. */
     for (size_t j = 0; j < c->columns; ++j) {
         if (!read_number(file, &cost)) {
             return false;
         }
     }
+    /* Each row lists the columns that cover it, numbered from 1; keep the
+     * rows of each column instead. */
     for (size_t i = 0; i < c->rows; ++i) {
         if (!read_number(file, &n)) {
             return false;
@@ -67,6 +71,7 @@ static bool read_cover(cover_problem *c, FILE *file)
 
 int main(void)
 {
+    /* Read the published problem. */
     static const uint64_t covered[] = {21, 30, 39, 48};
     FILE *file = fopen(FILE_NAME, "r");
     if (!file) {
@@ -76,6 +81,7 @@ int main(void)
     CHECK(read_cover(&c, file));
     fclose(file);
     CHECK(c.rows == 200 && c.columns == 1000);
+    /* Columns are candidates, and rows are photons of weight 1. */
     uint32_t *weight = calloc(c.rows, sizeof *weight);
     for (size_t i = 0; i < c.rows; ++i) {
         weight[i] = 1;
@@ -89,6 +95,8 @@ int main(void)
     murk_matrix *matrix = NULL;
     murk_error err = {0};
     CHECK(murk_matrix_create(&matrix, &problem, 1 << 30, &err) == MURK_OK);
+    /* The best coverage by 2 to 5 columns is the known one, and the upper
+     * bound is valid. */
     for (size_t n = 2; n <= 5; ++n) {
         murk_place_desc desc = murk_place_defaults();
         murk_place_result r = {0};

@@ -40,6 +40,7 @@ typedef struct book {
 
 static book measured(const char *photons, const char *more, unsigned threads)
 {
+    /* Trace the scene with these overrides and threads. */
     const char *const overrides[] = {photons, more, NULL};
     book out = {.emitted = 0};
     murk_error err = {0};
@@ -47,6 +48,7 @@ static book measured(const char *photons, const char *more, unsigned threads)
     murk_stage *stage = stage_text_create(scene_text, overrides);
     CHECK(stage && !murk_lightmap_trace(&traced, stage, 0, threads, &err));
     if (traced) {
+        /* Read all cells of all tallies in both bands. */
         size_t n = 0;
         out.emitted = traced->emitted;
         CHECK(murk_tallies_count(traced->tallies) == 3);

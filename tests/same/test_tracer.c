@@ -50,10 +50,12 @@ static void keep(books *b, const murk_ledger *l)
     b->collisions = murk_tally_read(&l->collisions);
 }
 
-/* A room with glass that stands in water, a ball of water, fog in a part of it
- * and in a star of many facets, two lamps, periodic sides. */
+/* Traces a room with a glass ball partly in water, a ball of water, fog in
+ * a box and in a star of many facets, two light sources, and periodic
+ * sides. */
 static books traced(unsigned threads, uint32_t seed)
 {
+    /* Light sources and surfaces. */
     murk_source lights[2] = {test_point(murk_vec(1, 1, 2)),
                              test_beam(murk_vec(3, 3, 3), murk_vec(-1, 1, -2))};
     lights[1].power_w.band[0] = 0.4;
@@ -63,6 +65,8 @@ static books traced(unsigned threads, uint32_t seed)
         test_rect(murk_vec(0, 0, 0), murk_vec(4, 0, 0), murk_vec(0, 4, 0), 0),
         test_rect(murk_vec(0, 0, 4), murk_vec(4, 0, 0), murk_vec(0, 4, 0), 0),
         test_sphere(murk_vec(2, 2, 1), 0.8, 1)};
+    /* Regions: fog in a box, water below, a ball of water, and fog in the
+     * star. */
     const murk_medium fog = test_medium(0.8, 0.95, 0.8);
     murk_mesh *star = closed_star(murk_vec(1, 2.8, 2.5), 0.9, 0.4, 8, 3);
     murk_mesh *const mesh[4] = {NULL, NULL, NULL, star};
@@ -86,6 +90,8 @@ static books traced(unsigned threads, uint32_t seed)
                                       .regions = regions,
                                       .n_regions = 4,
                                       .mesh = mesh});
+    /* Trace with a hash of all events in each batch, and keep the counts of
+     * the ledger. */
     books b = {.collisions = 0};
     murk_trace trace = murk_trace_defaults();
     trace.world = &w.world;

@@ -43,6 +43,7 @@ static void test_days_go_both_ways(void)
 
 static void test_reading(void)
 {
+    /* Times of day, with and without seconds; 24:00 is allowed. */
     double s;
     int zone;
     bool has_zone;
@@ -53,14 +54,18 @@ static void test_reading(void)
     CHECK(murk_clock_read("00:00", &s) && s == 0);
     CHECK(murk_clock_read("00:59:59.5", &s) && s == 3599.5);
     CHECK(murk_clock_read("24:00:00", &s) && s == 86400);
+    /* Time zones, in minutes, and a time with a zone. */
     CHECK(murk_zone_read("z", &zone) && zone == 0);
     CHECK(murk_zone_read("+18:59", &zone) && zone == 1139);
     CHECK(murk_zone_read("-18", &zone) && zone == -1080);
     CHECK(murk_time_read("2024-02-29T00:00:00z", &s, &has_zone, &zone) &&
           has_zone && zone == 0);
+    /* Dates, with a leap day of a year that is a multiple of 400. */
     CHECK(murk_date_read("2000-02-29", &d) && d.month == 2 && d.day == 29);
     CHECK(murk_date_read("2026-12-31", &d) && d.month == 12 && d.day == 31);
     CHECK(murk_date_read("0001-01-01", &d) && d.year == 1);
+    /* Other forms of a zone, a time without a zone, and the last day of a
+     * short month. */
     CHECK(murk_zone_read("Z", &zone) && zone == 0);
     CHECK(murk_zone_read("+02:00", &zone) && zone == 120);
     CHECK(murk_zone_read("-0330", &zone) && zone == -210);
@@ -72,6 +77,7 @@ static void test_reading(void)
 
 static void test_refusals(void)
 {
+    /* Times with parts that are missing, out of range or too long. */
     static const char *const times[] = {
         "",
         "2026",
@@ -94,6 +100,7 @@ static void test_refusals(void)
     for (size_t i = 0; i < sizeof times / sizeof *times; ++i) {
         CHECK(!murk_time_read(times[i], &s, &has_zone, &zone));
     }
+    /* A refused date leaves the result as it was. */
     static const char *const dates[] = {
         "1900-02-29", "2026-04-31", "2026-00-01",  "2026-01-00",
         "2026-13-01", "2026-01-32", "2026/01-01",  "2026-01/01",
@@ -102,6 +109,7 @@ static void test_refusals(void)
         murk_date d = {-1, -1, -1};
         CHECK(!murk_date_read(dates[i], &d) && d.year == -1);
     }
+    /* Times of day. */
     static const char *const clocks[] = {
         "",         "06",     "06:",      "06.30",     "06:3",
         "06:60",    "06:30:", "06:30:60", "06:30:5",   "06:30:05.",
@@ -109,12 +117,14 @@ static void test_refusals(void)
     for (size_t i = 0; i < sizeof clocks / sizeof *clocks; ++i) {
         CHECK(!murk_clock_read(clocks[i], &s));
     }
+    /* Time zones. */
     static const char *const zones[] = {
         "",       "ZZ",    "+19", "+02:",    "+02:6",
         "+02:60", "+0260", "2",   "+02:000", "-x"};
     for (size_t i = 0; i < sizeof zones / sizeof *zones; ++i) {
         CHECK(!murk_zone_read(zones[i], &zone));
     }
+    /* Single cases; no refused time has changed the result. */
     CHECK(!murk_time_read("2026-06-21x12:00", &s, &has_zone, &zone));
     CHECK(!murk_clock_read("6:00", &s));
     CHECK(!murk_clock_read("06:00 ", &s));

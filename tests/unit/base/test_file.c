@@ -24,6 +24,8 @@ static size_t entries(void)
 
 static void test_write_and_read(const char *path)
 {
+    /* A file that is being written leaves the old one readable, and leaves
+     * nothing behind if it is discarded. */
     murk_error err = {0};
     CHECK(murk_file_write(path, "old", 3, &err) == MURK_OK);
     murk_file *file = NULL;
@@ -39,12 +41,15 @@ static void test_write_and_read(const char *path)
     murk_file_discard(file);
     CHECK(entries() == 1);
 
+    /* A finished file replaces the old one. */
     CHECK(murk_file_write(path, "new", 3, &err) == MURK_OK);
     CHECK(murk_file_read(&text, &size, path, 100, &err) == MURK_OK);
     CHECK_TEXT(text, "new");
     free(text);
     CHECK(entries() == 1);
 
+    /* The checksum of a file is that of the bytes, and a file that is too
+     * long is refused. */
     uint64_t whole[2], pieces[2];
     murk_checksum("new", 3, whole);
     CHECK(murk_file_checksum(path, 2, pieces, NULL) == MURK_BAD_FILE);

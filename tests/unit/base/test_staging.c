@@ -42,14 +42,17 @@ static void put(const char *name)
     CHECK(!murk_file_write(path_of(name), "x", 1, NULL));
 }
 
-/* A process that holds a staged folder with a file, and one staged file by
- * itself, and says so through the pipe; it lives until it is killed. */
+/* Starts a process that holds a staged folder with a file, and one staged
+ * file beside the folder, and reports so through the pipe; the process
+ * lives until it is killed. */
 static pid_t hold(bool is_moving)
 {
+    /* A pipe for the report. */
     int ends[2];
     char word = 0;
     CHECK(pipe(ends) == 0);
     const pid_t pid = fork();
+    /* The new process stages, reports, and waits. */
     if (pid == 0) {
         murk_staging staging = {0};
         char inner[96], *name = NULL;
@@ -69,6 +72,7 @@ static pid_t hold(bool is_moving)
             pause();
         }
     }
+    /* This process returns after the report. */
     close(ends[1]);
     CHECK(read(ends[0], &word, 1) == 1);
     close(ends[0]);

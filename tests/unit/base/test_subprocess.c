@@ -138,11 +138,13 @@ static void count_note(const char *where, const char *text)
     notes += strstr(text, "seccomp") != NULL;
 }
 
-/* Fails without the filter: each attempt then succeeds. A kernel without it is
- * told of, and the attempts are not judged. */
+/* Fails without the filter, since each attempt then succeeds. A kernel
+ * without the filter is mentioned in the output, and the attempts are not
+ * judged. */
 static void
 test_hostile_readers_are_confined(const murk_subprocess_limits *limits)
 {
+    /* A file that exists, and the path of one that does not. */
     char folder[] = "/tmp/murk_child_XXXXXX";
     CHECK(mkdtemp(folder) != NULL);
     attempt_context c = {0};
@@ -150,11 +152,15 @@ test_hostile_readers_are_confined(const murk_subprocess_limits *limits)
     snprintf(c.there, sizeof c.there, "%s/there", folder);
     c.fd = open(c.there, O_RDWR | O_CREAT, 0600);
     CHECK(c.fd >= 0 && write(c.fd, "abc", 3) == 3);
+    /* Make all attempts in a subprocess; a warning says that the kernel has
+     * no filter. */
     unsigned char *bytes;
     size_t size;
     murk_warn_to(count_note);
     const murk_error err = run(tries, &c, limits, &bytes, &size);
     murk_warn_to(murk_warn_to_stderr);
+    /* Every attempt failed, except those that a reader needs; the files are
+     * as before. */
     if (notes > 0) {
         printf("this kernel confines nothing: not judged\n");
     } else {
@@ -165,6 +171,7 @@ test_hostile_readers_are_confined(const murk_subprocess_limits *limits)
         CHECK(stat(c.there, &is) == 0 && is.st_size == 3);
         CHECK(stat(c.fresh, &is) != 0);
     }
+    /* Clean up. */
     free(bytes);
     close(c.fd);
     unlink(c.there);
@@ -174,6 +181,7 @@ test_hostile_readers_are_confined(const murk_subprocess_limits *limits)
 
 int main(void)
 {
+    /* The memory limit grows with the size of the file, from a minimum. */
     murk_subprocess_limits limits = murk_subprocess_limits_for(1000);
     CHECK(limits.memory_bytes == 2000000000);
     CHECK(murk_subprocess_limits_for(UINT64_C(1) << 40).memory_bytes ==
@@ -183,17 +191,20 @@ int main(void)
     unsigned char *bytes;
     size_t size;
 
+    /* A result comes back. */
     char hello[] = "hello";
     murk_error err = run(sends, hello, &limits, &bytes, &size);
     CHECK(err.status == MURK_OK);
     CHECK(size == 7 && bytes && strcmp((char *)bytes, "hello!") == 0);
     free(bytes);
 
+    /* An error of the work comes back with place and text. */
     err = run(fails, NULL, &limits, &bytes, &size);
     CHECK(err.status == MURK_BAD_VALUE && !bytes);
     CHECK_TEXT(err.where, "deep.vdb");
     CHECK_TEXT(err.text, "density is -1");
 
+    /* A crash and an exit are a bad file. */
     err = run(crashes, NULL, &limits, &bytes, &size);
     CHECK(err.status == MURK_BAD_FILE && !bytes);
     CHECK_TEXT(err.where, "a.vdb");
@@ -202,6 +213,7 @@ int main(void)
     CHECK(err.status == MURK_BAD_FILE && !bytes);
     CHECK_MENTIONS(err.text, "gave up");
 
+    /* Work that takes too long or sends too much is ended. */
     unsigned count = 0;
     err = run(spins, &count, &limits, &bytes, &size);
     CHECK(err.status == MURK_BAD_FILE && !bytes);

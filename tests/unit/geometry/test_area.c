@@ -23,6 +23,7 @@ static const murk_vec3 corner = {1000, 2000, 30}, edge1 = {3, 0, 0},
 
 static murk_surfaces *make(void)
 {
+    /* A rectangle, a sphere and a box, each of a material of its own. */
     const murk_affine still = murk_affine_identity();
     const murk_surface_desc desc[3] = {
         {.shape = MURK_SHAPE_RECT,
@@ -43,6 +44,7 @@ static murk_surfaces *make(void)
          .material = 2,
          .to_world = still,
          .where = "box"}};
+    /* The last material has no surface. */
     const murk_material material[4] = {
         {.name = "default"}, {.name = "ball"}, {.name = "box"}, {.name = "no"}};
     murk_surfaces *surfaces = NULL;

@@ -115,18 +115,24 @@ static void test_points_are_inside_as_the_twin_says(void)
     murk_mesh_destroy(nested);
 }
 
-/* The list of changes along a ray is the twin's list of crossings. */
+/* The list of changes along a ray is the list of crossings of the plain
+ * twin. */
 static void check_rays(murk_mesh *m)
 {
+    /* Rays of random origin and direction, around the mesh and within. */
     murk_boundary_meshes *b = create_one(m, murk_affine_identity());
     const double step = murk_boundary_meshes_tolerance_m(b);
     size_t wrong = 0, met = 0;
     for (uint64_t i = 0; i < 3000; ++i) {
         const murk_vec3 o = murk_scale(1.5, random_point(SEED + 1, i));
         const murk_vec3 d = random_direction(SEED + 2, i);
+        /* The twin gives all crossings; from the origin the ray is inside
+         * if they are odd in number. */
         double at[256];
         const size_t n = plain_crossings(m, o, d, at);
         uint64_t inside = murk_boundary_meshes_at(b, o);
+        /* Each crossing is the next of the twin, changes side, and has a
+         * normal against the ray. */
         murk_crossing c;
         size_t k = 0;
         for (double from = 0;
@@ -184,11 +190,12 @@ static void test_belief_is_corrected(void)
     murk_mesh_destroy(box);
 }
 
-/* Aimed at corners and edges, where a triangle more or less may be met, a ray
- * is known to start outside and to be outside in the end. One in a thousand of
- * such rays may slip out unseen, just at a corner, which Embree leaves open. */
+/* A ray aimed at corners and edges, at which a triangle more or less may be
+ * met, starts outside and is outside in the end. One in a thousand of these
+ * rays may slip out unseen, just at a corner, which Embree leaves open. */
 static void test_edges_and_corners_do_not_leak(void)
 {
+    /* A star whose triangles have mixed winding. */
     murk_mesh *m = closed_star(murk_vec(0, 0, 0), 1, 0.3, 8, SEED);
     closed_mesh_mix_winding(m, SEED);
     const murk_affine placed = PLACED;
@@ -196,6 +203,7 @@ static void test_edges_and_corners_do_not_leak(void)
     const double step = murk_boundary_meshes_tolerance_m(b);
     size_t wrong = 0, first_wrong = 0;
     for (uint64_t i = 0; i < 20000; ++i) {
+        /* Aim from far outside at a corner, or at a point of an edge. */
         const murk_random4 r = murk_random(SEED, MURK_TEST, i, 7, 0);
         const size_t t = (size_t)(r.u[0] * (double)m->triangles);
         const murk_vec3 p = vertex_of(m, m->corner[3 * t]);
@@ -206,6 +214,8 @@ static void test_edges_and_corners_do_not_leak(void)
         const murk_vec3 o = murk_affine_point(
             &placed, murk_scale(3, random_direction(SEED + 3, i)));
         const murk_vec3 d = murk_unit(murk_sub(aim, o));
+        /* Follow the ray to the end; the first crossing must find the ray
+         * outside. */
         uint64_t inside = 0;
         murk_crossing c;
         bool was_right = true;
@@ -224,10 +234,11 @@ static void test_edges_and_corners_do_not_leak(void)
     murk_mesh_destroy(m);
 }
 
-/* A walk of many short legs, each begun where the last ended, never loses
- * count. */
+/* A walk of many short segments, each begun at the end of the one before,
+ * always knows the regions around the point. */
 static void test_a_long_walk_keeps_count(void)
 {
+    /* A star and a box that overlap; the walk starts inside both. */
     murk_mesh *mesh[2] = {
         closed_star(murk_vec(0, 0, 0), 1, 0.3, 8, SEED),
         closed_box(murk_vec(-0.3, -0.3, -2), murk_vec(0.3, 0.3, 2))};
@@ -239,12 +250,15 @@ static void test_a_long_walk_keeps_count(void)
     CHECK(inside == 129);
     size_t wrong = 0, crossed = 0;
     for (uint64_t i = 0; i < 100000; ++i) {
+        /* A random direction, or back to the middle from far away. */
         murk_vec3 d = random_direction(SEED + 4, i);
         if (murk_length(murk_sub(p, placed.shift)) > 2) {
             d = murk_unit(murk_sub(placed.shift, p));
         }
         const double length =
             -0.5 * log(murk_random(SEED, MURK_TEST, i, 9, 0).u[0]);
+        /* Walk over all crossings of the segment, and compare with a query
+         * at the end. */
         murk_crossing c;
         for (double from = 0;
              murk_boundary_meshes_next(b, p, d, from, length, &inside, &c);
@@ -262,9 +276,10 @@ static void test_a_long_walk_keeps_count(void)
     murk_mesh_destroy(mesh[1]);
 }
 
-/* Regions that share a face change at once. */
+/* Regions that share a face change in one crossing. */
 static void test_shared_faces_are_one_crossing(void)
 {
+    /* Two boxes side by side, turned together. */
     murk_mesh *mesh[2] = {
         closed_box(murk_vec(0, 0, 0), murk_vec(1, 1, 1)),
         closed_box(murk_vec(1, 0, 0), murk_vec(2, 1, 1)),
@@ -274,12 +289,15 @@ static void test_shared_faces_are_one_crossing(void)
     const double step = murk_boundary_meshes_tolerance_m(b);
     size_t wrong = 0;
     for (uint64_t i = 0; i < 1000; ++i) {
+        /* A ray through both boxes. */
         const murk_random4 r = murk_random(SEED, MURK_TEST, i, 3, 0);
         const murk_vec3 from = murk_affine_point(
             &placed, murk_vec(-0.5, 0.1 + 0.8 * r.u[0], 0.1 + 0.8 * r.u[1]));
         const murk_vec3 to = murk_affine_point(
             &placed, murk_vec(2.5, 0.1 + 0.8 * r.u[2], 0.1 + 0.8 * r.u[3]));
         const murk_vec3 d = murk_unit(murk_sub(to, from));
+        /* Three crossings: into the first, from the first into the second,
+         * and out. */
         static const uint64_t after[3] = {1, 128, 0},
                               changed[3] = {1, 129, 128};
         uint64_t inside = 0;

@@ -31,11 +31,13 @@ static murk_surfaces *create(const murk_surface_desc *desc, size_t n)
     return s;
 }
 
-/* Diffuse bounces in a box; with `aimed`, every other ray starts afresh from
- * the middle and goes exactly at an edge (1) or a corner (2). */
+/* Counts escapes of diffuse bounces in a box; with `aimed`, every other ray
+ * starts from a point near the middle and goes exactly at an edge (1) or a
+ * corner (2). */
 static size_t escapes(const murk_surface_desc *room, uint64_t bounces,
                       int aimed)
 {
+    /* The first ray starts in the middle. */
     murk_surfaces *s = create(room, 1);
     const murk_box *b = &room->box;
     const murk_vec3 middle = murk_affine_point(
@@ -44,6 +46,7 @@ static size_t escapes(const murk_surface_desc *room, uint64_t bounces,
     size_t lost = 0;
     for (uint64_t i = 0; i < bounces; ++i) {
         const murk_random4 r = murk_random(SEED, MURK_TEST, i, 0, 0);
+        /* Aim at a corner, or at a point of the edge along x. */
         if (aimed > 0 && i % 2 == 0) {
             const murk_random4 q = murk_random(SEED, MURK_TEST, i, 1, 0);
             murk_vec3 to = {q.u[0] < 0.5 ? b->min.x : b->max.x,
@@ -55,6 +58,8 @@ static size_t escapes(const murk_surface_desc *room, uint64_t bounces,
             p = murk_along(middle, 0.3, random_point(SEED, i));
             d = murk_unit(murk_sub(murk_affine_point(&room->to_world, to), p));
         }
+        /* A ray that meets no wall has escaped; else bounce by the cosine
+         * law. */
         murk_hit hit;
         if (!murk_surfaces_hit(s, p, d, INFINITY, &hit)) {
             ++lost;
@@ -125,6 +130,7 @@ static void test_a_flat_wall_is_met_exactly_on_its_diagonal(void)
 
 static void test_solids_know_their_inside(void)
 {
+    /* Two solids, and two boxes of materials that make no solid. */
     const murk_surface_desc desc[4] = {
         box(murk_vec(0, 0, 0), murk_vec(1, 1, 1), 1),
         box(murk_vec(-9, -9, -9), murk_vec(9, 9, 9), 0),
@@ -137,11 +143,14 @@ static void test_solids_know_their_inside(void)
     murk_surfaces *s = create(desc, 4);
     CHECK(murk_surfaces_describe(s).solids == 2);
     CHECK(murk_surfaces_describe(s).sheets == 12);
+    /* Single points: in each solid, between them, and in a box that is no
+     * solid. */
     const uint16_t in_box = murk_surfaces_solid_at(s, murk_vec(0.5, 0.5, 0.5));
     const uint16_t in_ball = murk_surfaces_solid_at(s, murk_vec(-3, 0.1, 0));
     CHECK(in_box > 0 && in_ball > 0 && in_box != in_ball);
     CHECK(murk_surfaces_solid_at(s, murk_vec(1.5, 0.5, 0.5)) == 0);
     CHECK(murk_surfaces_solid_at(s, murk_vec(3.5, 0.5, 0.5)) == 0);
+    /* Random points against the formulas of box and ball. */
     size_t wrong = 0;
     for (uint64_t i = 0; i < 20000; ++i) {
         const murk_vec3 p = murk_scale(4, random_point(SEED, i));
@@ -154,6 +163,8 @@ static void test_solids_know_their_inside(void)
         wrong += murk_surfaces_solid_at(s, p) != want;
     }
     CHECK(wrong == 0);
+    /* A hit from within names the solid; a sightline through the solid is
+     * blocked. */
     murk_hit hit;
     CHECK(murk_surfaces_hit(s, murk_vec(0.5, 0.4, 0.3), murk_vec(0, 0, 1),
                             INFINITY, &hit) &&
@@ -223,6 +234,7 @@ static void test_open_and_hollow_shapes(void)
 
 static void test_near_is_the_distance_to_the_nearest_surface(void)
 {
+    /* A box and a sphere. */
     const murk_surface_desc desc[2] = {
         box(murk_vec(0, 0, 0), murk_vec(1, 1, 1), 0),
         {.shape = MURK_SHAPE_SPHERE,
@@ -231,6 +243,7 @@ static void test_near_is_the_distance_to_the_nearest_surface(void)
          .to_world = murk_affine_identity()}};
     murk_surfaces *s = create(desc, 2);
     for (uint64_t i = 0; i < 5000; ++i) {
+        /* Distance to the box, from outside or from inside. */
         const murk_vec3 p = murk_scale(4, random_point(SEED + 3, i));
         const double x = fmax(0, fmax(-p.x, p.x - 1));
         const double y = fmax(0, fmax(-p.y, p.y - 1));
@@ -240,9 +253,12 @@ static void test_near_is_the_distance_to_the_nearest_surface(void)
             to_box = fmin(fmin(fmin(p.x, 1 - p.x), fmin(p.y, 1 - p.y)),
                           fmin(p.z, 1 - p.z));
         }
+        /* Distance to the sphere. */
         const double to_ball =
             fabs(murk_length(murk_sub(p, murk_vec(3, 0, 0))) - 0.5);
         const double distance = fmin(to_box, to_ball);
+        /* A surface is near within slightly more than the distance, and not
+         * within slightly less. */
         CHECK(murk_surfaces_near(s, p, distance + 1e-9));
         CHECK(!murk_surfaces_near(s, p, distance - 1e-9));
     }

@@ -11,16 +11,19 @@ static double number(uint64_t i, uint32_t slot)
     return murk_random(1, MURK_TEST, i, 0, slot).u[0];
 }
 
-/* Against counting the middles of 400 x 400 cells: an edge may pass through
- * 1600 of these, which are counted whole or not at all. */
+/* Areas against a count of the middles of 400 x 400 cells; a cell at an
+ * edge counts whole or not at all. */
 static void test_areas_are_those_of_counting(void)
 {
+    /* Random triangles that overlap the disc, the edge, or nothing of it. */
     const int cells = 400;
     for (uint64_t k = 0; k < 40; ++k) {
         double corner[3][2];
         for (uint32_t i = 0; i < 6; ++i) {
             corner[i / 2][i % 2] = 3 * number(k, i) - 1.5;
         }
+        /* Count the middles in the disc and on the same side of all three
+         * edges. */
         int in = 0;
         for (int i = 0; i < cells * cells; ++i) {
             const double x = 2 * (i % cells + 0.5) / cells - 1;
@@ -35,6 +38,8 @@ static void test_areas_are_those_of_counting(void)
         CHECK_NEAR(murk_disc_area_in_triangle(corner, 1),
                    4.0 * in / cells / cells, 4.0 * 4 / cells / 4);
     }
+    /* A triangle with an edge through the centre, one around the disc, and
+     * one beside the disc. */
     double half[3][2] = {{0, -9}, {9, 0}, {0, 9}};
     CHECK_NEAR(murk_disc_area_in_triangle(half, 1), MURK_PI / 2, 1e-12);
     double around[3][2] = {{-9, -9}, {9, -9}, {0, 9}};

@@ -69,9 +69,11 @@ static void test_text_ply(void)
                NULL, 0, 0, 0);
 }
 
-/* Two vertices of a byte and three doubles, as this machine has them. */
+/* Two vertices, each of a byte and three doubles, in the byte order of this
+ * machine. */
 static void test_binary_ply(void)
 {
+    /* Write the file in memory. */
     static const char head[] =
         "ply\nformat binary_little_endian 1.0\nelement vertex 2\n"
         "property uchar red\nproperty double x\nproperty double y\n"
@@ -86,6 +88,8 @@ static void test_binary_ply(void)
         memcpy(file + at + 1, x[i], 24);
         at += 25;
     }
+    /* The shift is subtracted from the coordinates of each vertex; the head
+     * stays. */
     char *out = NULL;
     size_t size = 0;
     double shift[3];
@@ -100,6 +104,7 @@ static void test_binary_ply(void)
     }
     CHECK(shift[0] == 500000 && shift[1] == 5500000 && shift[2] == 0);
     free(out);
+    /* A file that is cut off is left alone. */
     CHECK(!murk_import_shift("b.ply", file, at - 1, &out, &size, shift));
 }
 

@@ -104,9 +104,11 @@ static void check_box(const murk_mesh *m, murk_vec3 min, murk_vec3 max)
     }
 }
 
-/* What the file says holds, unless the scene says otherwise. */
+/* Unit and up axis in the file hold, unless the scene gives others. */
 static void test_collada_unit_and_up_axis(void)
 {
+    /* A unit of 0.1 m with z up: by the file, by another unit, and with
+     * another axis. */
     char text[4096];
     murk_error err;
     collada(text, sizeof text, "0.1", "Z_UP");
@@ -120,6 +122,7 @@ static void test_collada_unit_and_up_axis(void)
     m = read_mesh(file, 1, 'y', &err);
     check_box(m, murk_vec(10, -3, 0), murk_vec(11, 0, 2));
     murk_mesh_destroy(m);
+    /* With y up: by the file, and with another axis. */
     collada(text, sizeof text, "1", "Y_UP");
     file = written("a.dae", text);
     m = read_mesh(file, 0, 0, &err);
@@ -128,6 +131,7 @@ static void test_collada_unit_and_up_axis(void)
     m = read_mesh(file, 0, 'z', &err);
     check_box(m, murk_vec(10, 0, 0), murk_vec(11, 2, 3));
     murk_mesh_destroy(m);
+    /* With x up: by the file, and by the scene. */
     collada(text, sizeof text, "1", "X_UP");
     file = written("a.dae", text);
     m = read_mesh(file, 0, 0, &err);

@@ -112,9 +112,11 @@ static double min_of_ball(const murk_mount_clearance *m,
     return min;
 }
 
-/* So it does of a sphere on which the mount does not stand. */
+/* The clearance to a sphere on which the mount does not stand is the
+ * minimum over points of the sphere above the given height. */
 static void test_balls_by_points_on_them(void)
 {
+    /* Several heights, and points around and within the sphere. */
     const murk_stored_sphere b = {.center = {0.5, -0.25, 1}, .radius = 1.5};
     const double above_m[] = {-1, -0.25, 0.25, 1, 1.75, 2.25};
     const murk_vec3 point[] = {{0, 0, 0},        {0.5, -0.25, 1}, {4, 2, 1},
@@ -128,8 +130,11 @@ static void test_balls_by_points_on_them(void)
             CHECK(fabs(got - min) < 0.025);
         }
     }
+    /* A sphere that is wholly below the height does not count. */
     const murk_mount_clearance over = upright(2.51, 1e-9);
     CHECK(isinf(murk_mount_clearance_to_sphere(&over, &b, point[0])));
+    /* A sphere through the site does not count, nor does a sphere that
+     * passes the site within the slack; beyond the slack a sphere counts. */
     const murk_stored_sphere own[] = {{.center = {0, 0, -2}, .radius = 2},
                                       {.center = {0, 0, -2}, .radius = 2.099},
                                       {.center = {0, 0, -2}, .radius = 2.101}};

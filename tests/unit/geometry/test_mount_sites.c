@@ -229,10 +229,12 @@ static void test_round_surfaces_are_laid_evenly(void)
     murk_mesh_destroy(m);
 }
 
-/* Two faces 5 cm apart, and shelves 20 cm apart, each get their own sites
- * though the spacing is a metre; a beam of 10 cm gets sites along it. */
+/* Two faces 5 cm apart, and shelves 20 cm apart, each get sites of their
+ * own although the spacing is 1 m; a beam of 10 cm gets sites along its
+ * length. */
 static void test_neighbours_and_small_parts_get_feet(void)
 {
+    /* Four sheets of 4 m. */
     const murk_vec3 x = {4, 0, 0}, z = {0, 0, 4}, y = {0, 4, 0};
     const murk_surface_desc desc[4] = {
         sheet(murk_vec(0, 0, 0), x, z), sheet(murk_vec(0, .05, 0), x, z),
@@ -241,6 +243,7 @@ static void test_neighbours_and_small_parts_get_feet(void)
     const murk_mount_search search = lay_of(1);
     size_t n;
     murk_mount_site *site = feet_of(s, &search, &n);
+    /* Count the sites of each sheet: about one per square metre. */
     size_t on[4] = {0};
     for (size_t i = 0; i < n; ++i) {
         on[0] += site[i].position.y == 0;
@@ -255,6 +258,7 @@ static void test_neighbours_and_small_parts_get_feet(void)
     free(site);
     murk_surfaces_destroy(s);
 
+    /* Count the sites on the lower side of the beam: about one per metre. */
     const murk_surface_desc beam =
         box_of(murk_vec(.31, .31, 3), murk_vec(8, .41, 3.1));
     s = create(&beam, 1);
@@ -304,10 +308,11 @@ static void test_what_is_not_wanted_gets_none(void)
     murk_surfaces_destroy(s);
 }
 
-/* Ground of a ten thousand square kilometres, of which a hundred metres squared
- * are asked; and too many sites. */
+/* Of ground of ten thousand square kilometres, a hundred square metres are
+ * searched; too many sites are refused. */
 static void test_great_surfaces_are_cut_off(void)
 {
+    /* A plane and a very large sphere. */
     const murk_surface_desc desc[2] = {sheet(murk_vec(-5e4, -5e4, 0),
                                              murk_vec(1e5, 0, 0),
                                              murk_vec(0, 1e5, 0)),
@@ -316,6 +321,7 @@ static void test_great_surfaces_are_cut_off(void)
                                         .radius_m = 9e4 + 20,
                                         .to_world = murk_affine_identity()}};
     murk_surfaces *s = create(desc, 2);
+    /* Search a small box on each. */
     murk_mount_search search = lay_of(2);
     search.within = (murk_box){{-5, -5, -1}, {5, 5, 1}};
     size_t n;
@@ -324,6 +330,7 @@ static void test_great_surfaces_are_cut_off(void)
     search.within = (murk_box){{-5, -5, 19}, {5, 5, 21}};
     free(feet_of(s, &search, &n));
     CHECK(n >= 9 && n <= 49);
+    /* Refuse all of the ground, and a maximum that is one site too low. */
     murk_mount_site *site = NULL;
     murk_error err = {0};
     search.within = EVERYWHERE;
@@ -344,6 +351,7 @@ static void test_great_surfaces_are_cut_off(void)
  * may stand for 7.4 times as many squares, which is 7 floors and not 8. */
 static void test_area_beyond_all_feet_is_refused(void)
 {
+    /* One triangle as eight floors in one place. */
     enum { FLOORS = 8 };
     murk_mesh *m = closed_mesh_empty(3, 1);
     closed_mesh_vertex(m, murk_vec(-50, -50, 0));
@@ -356,6 +364,7 @@ static void test_area_beyond_all_feet_is_refused(void)
                                       .mesh = m,
                                       .to_world = murk_affine_identity()};
     }
+    /* Seven floors get the sites of one; eight are refused. */
     for (size_t floors = FLOORS - 1; floors <= FLOORS; ++floors) {
         murk_surfaces *s = create(desc, floors);
         murk_mount_search search = lay_of(2);

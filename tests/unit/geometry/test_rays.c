@@ -53,11 +53,13 @@ static bool is_clear(const murk_mesh *m, murk_vec3 o, murk_vec3 d, size_t which)
 
 static void test_hits_are_those_of_the_plain_twin(void)
 {
+    /* Random triangles. */
     murk_mesh *m = random_mesh(TRIANGLES, 0.3, SEED);
     const murk_affine here = murk_affine_identity();
     murk_surfaces *s = surfaces_of(m, &here);
     size_t compared = 0, hits = 0;
     for (uint64_t i = 0; i < RAYS; ++i) {
+        /* Skip rays that pass close to an edge, for which rounding decides. */
         const murk_vec3 o = random_point(SEED + 5, i);
         const murk_vec3 d = random_direction(SEED + 6, i);
         size_t which = SIZE_MAX;
@@ -67,6 +69,8 @@ static void test_hits_are_those_of_the_plain_twin(void)
         if (!is_clear(m, o, d, which)) {
             continue;
         }
+        /* The hit is that of the twin: triangle, distance and a unit normal
+         * against the ray. */
         murk_hit hit;
         const bool met = murk_surfaces_hit(s, o, d, INFINITY, &hit);
         ++compared;
@@ -77,6 +81,8 @@ static void test_hits_are_those_of_the_plain_twin(void)
             CHECK(fabs(hit.distance_m - t) <= 1e-9 * (1 + t));
             CHECK(murk_dot(hit.normal, d) < 0);
             CHECK_NEAR(murk_length(hit.normal), 1, 1e-14);
+            /* A ray that ends before the hit meets nothing as far away; a
+             * sightline is blocked beyond the hit only. */
             CHECK(!murk_surfaces_hit(s, o, d, t - 1e-5, &hit) ||
                   hit.distance_m < t);
             CHECK(
@@ -86,6 +92,7 @@ static void test_hits_are_those_of_the_plain_twin(void)
                 edge < CLEAR);
         }
     }
+    /* Enough rays were compared. */
     CHECK(compared > RAYS * 9 / 10);
     CHECK(hits > compared / 5);
     murk_surfaces_destroy(s);
@@ -149,11 +156,13 @@ static void test_moving_all_together_changes_nothing(void)
 
 static void test_rays_from_far_outside_still_meet_exactly(void)
 {
+    /* Random triangles within about a metre. */
     murk_mesh *m = random_mesh(TRIANGLES, 0.3, SEED);
     const murk_affine here = murk_affine_identity();
     murk_surfaces *s = surfaces_of(m, &here);
     size_t hits = 0;
     for (uint64_t i = 0; i < 2000; ++i) {
+        /* Start 100 km away from a point near the triangles. */
         const murk_vec3 near = random_point(SEED + 11, i);
         const murk_vec3 d = random_direction(SEED + 12, i);
         const murk_vec3 o = murk_along(near, -1e5, d);
@@ -161,6 +170,7 @@ static void test_rays_from_far_outside_still_meet_exactly(void)
         double edge = 0;
         const double t = plain_hit(m->vertex_m, m->corner, m->triangles, o, d,
                                    &which, &edge);
+        /* The hit is that of the twin, to 1e-7 m. */
         murk_hit hit;
         const bool met = murk_surfaces_hit(s, o, d, INFINITY, &hit);
         if (is_clear(m, o, d, which)) {

@@ -61,6 +61,7 @@ static void shuffle(murk_vec3 *p, bool *with, size_t n, uint32_t seed)
 
 static void check_mesh(double size, size_t triangles, bool film)
 {
+    /* Random triangles and a sphere, of opaque material or of a film. */
     murk_mesh *m = random_mesh(triangles, size, SEED);
     const murk_surface_desc desc[2] = {{.shape = MURK_SHAPE_MESH,
                                         .mesh = m,
@@ -71,6 +72,7 @@ static void check_mesh(double size, size_t triangles, bool film)
                                         .radius_m = 0.2,
                                         .to_world = murk_affine_identity()}};
     murk_surfaces *s = create(desc, 2);
+    /* Points for each eye, and the answer for each sightline alone. */
     murk_vec3 *from = malloc(POINTS * sizeof *from);
     bool *single = malloc(POINTS), *many = malloc(POINTS);
     size_t differ = 0, blocked = 0;
@@ -81,6 +83,8 @@ static void check_mesh(double size, size_t triangles, bool film)
             single[i] = murk_surfaces_blocked(s, from[i], eye, e % 2 == 0);
             blocked += single[i];
         }
+        /* Ask for all points at once: in two orders, and for a part of
+         * them. */
         for (int turn = 0; turn < 3; ++turn) {
             const size_t n = turn == 2 ? POINTS / 3 : POINTS;
             murk_surfaces_blocked_many(s, from, n, eye, e % 2 == 0, many);
@@ -90,6 +94,7 @@ static void check_mesh(double size, size_t triangles, bool film)
             shuffle(from, single, POINTS, (uint32_t)(SEED + e));
         }
     }
+    /* Both answers are equal, and some sightlines are free. */
     CHECK(differ == 0);
     CHECK(blocked > EYES * POINTS / 50 && blocked < EYES * POINTS);
     free(many);

@@ -70,9 +70,12 @@ static void test_sphere_is_exact_from_inside(void)
     murk_surfaces_destroy(s);
 }
 
-/* Names of meshes: exactly, then by letters of any case, then by any blanks. */
+/* Names of meshes match exactly, else without regard to case, else without
+ * regard to blanks. */
 static void test_materials_are_found_by_name(void)
 {
+    /* Names, and the materials that they find; the default material is the
+     * answer for unknown names. */
     static const struct {
         const char *name;
         size_t material;
@@ -83,6 +86,7 @@ static void test_materials_are_found_by_name(void)
                 {"floor\t_1 ", 3, true}, {"floor_", 0, false},
                 {"floor_11", 0, false},  {"", 0, false},
                 {"default", 0, true},    {"Default", 0, true}};
+    /* Two names that differ in case only, and one with a blank at the end. */
     const murk_material material[] = {{.name = "default"},
                                       {.name = "wall paint"},
                                       {.name = "WALL PAINT"},
