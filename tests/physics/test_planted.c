@@ -126,9 +126,9 @@ static bool try_all(tried *t, const planted_case *of, unsigned seeds)
         for (size_t k = 0; k < of->n; ++k) {
             t->sigma[i][k] = fit.off.sigma[k];
         }
-        /* Add up the sums over seeds: squares of deviations, their
-         * component along one direction if it is known, and residuals of
-         * the rows. */
+        /* Add up over seeds: squares of deviations, deviations along the
+         * direction into which noise in slopes draws a plain fit (if all
+         * keys are known), and residuals of the rows. */
         t->square += fit.off.square;
         if (isfinite(fit.off.along)) {
             t->along += fit.off.along;

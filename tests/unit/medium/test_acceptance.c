@@ -140,10 +140,12 @@ static double depth(const murk_media *media, int band)
                                     murk_length(way));
 }
 
-/* Even fog, a profile and a grid over each other: the depth is the sum of each
- * alone, with its own share taken off in each band. */
+/* Homogeneous fog, a profile and a grid overlap: the optical depth is the
+ * sum over the media alone, less in each the accepted share of scattering
+ * in each band. */
 static void test_depths_are_extinction_less_accepted_scattering(void)
 {
+    /* A profile and a grid. */
     const double heights[2] = {-2, 3}, acceptance = 2 * DEGREE;
     const murk_spectrum layer[2] = {two(0.1, 0.3), two(0.5, 0.2)};
     const murk_profile profile = {2, heights, layer};
@@ -157,6 +159,8 @@ static void test_depths_are_extinction_less_accepted_scattering(void)
     murk_error err = {0};
     CHECK(murk_grid_from_samples(&grid, size, voxel, &place, "grid", &err) ==
           MURK_OK);
+    /* Three media; phase functions are a formula in one band and a table in
+     * the other. */
     murk_phase_table *water = forand(1.1, 3.5835);
     murk_medium medium[MEDIA] = {{.extinction_per_m = two(0.2, 0.4)},
                                  {.extinction_per_m = two(1, 1)},
@@ -169,10 +173,13 @@ static void test_depths_are_extinction_less_accepted_scattering(void)
         medium[i].phase[0] = murk_phase_hg(0.9 - 0.2 * i);
         medium[i].phase[1] = murk_phase_tabulated(water);
     }
+    /* Copies of the media with this acceptance, and with an acceptance of
+     * 0. */
     murk_media *all = media_of(medium, MEDIA), *seen = NULL, *none = NULL;
     CHECK(murk_media_accepting(&seen, all, acceptance, &err) == MURK_OK);
     CHECK(murk_media_accepting(&none, all, 0, &err) == MURK_OK);
     for (int band = 0; band < BANDS; ++band) {
+        /* Add up the media alone, once with shares that are slightly wrong. */
         double want = 0, off = 0;
         for (int i = 0; i < MEDIA; ++i) {
             murk_media *alone = media_of(&medium[i], 1);
@@ -183,6 +190,7 @@ static void test_depths_are_extinction_less_accepted_scattering(void)
             off += depth(alone, band) * (1 - 1.001 * share);
             murk_media_destroy(alone);
         }
+        /* The sum is exact, and an acceptance of 0 changes nothing. */
         CHECK_NEAR(depth(seen, band), want, 1e-12);
         CHECK(fabs(off - want) > 1e-9);
         CHECK(depth(none, band) == depth(all, band));

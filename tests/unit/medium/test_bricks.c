@@ -121,17 +121,22 @@ static murk_bricks *bricks_of(const murk_grid *grid, int edge, int below,
 
 static void test_bound_is_the_largest_value_seen(const murk_grid *grid)
 {
+    /* Reaches around a brick within which values count: none, one voxel on
+     * both sides, and one voxel above. */
     static const int reach[3][2] = {{0, 0}, {1, 1}, {0, 1}};
     for (int edge = MURK_BRICK_EDGE_MIN; edge <= MURK_BRICK_EDGE_MAX;
          edge *= 2) {
         for (int r = 0; r < 3; ++r) {
             const int below = reach[r][0], above = reach[r][1];
+            /* Compare each brick of the grid and around the grid with the
+             * twin. */
             murk_bricks *bricks = bricks_of(grid, edge, below, above);
             int wrong = 0, empty = 0;
             for (int32_t i = -edge; i < NX + edge; i += edge) {
                 for (int32_t j = -edge; j < NY + edge; j += edge) {
                     for (int32_t k = -edge; k < NZ + edge; k += edge) {
                         const int32_t at[3] = {i & -edge, j & -edge, k & -edge};
+                        /* Ask at a voxel within the brick. */
                         const int32_t in[3] = {at[0] + edge / 3,
                                                at[1] + edge - 1, at[2]};
                         const float bound = bound_at(bricks, in);
@@ -140,6 +145,7 @@ static void test_bound_is_the_largest_value_seen(const murk_grid *grid)
                     }
                 }
             }
+            /* All bounds are right, and some bricks are empty. */
             CHECK(wrong == 0);
             CHECK(empty > 0);
             murk_bricks_destroy(bricks);
@@ -147,11 +153,12 @@ static void test_bound_is_the_largest_value_seen(const murk_grid *grid)
     }
 }
 
-/* A ray from anywhere: its segments join, and in the middle of each lies the
- * bound that its place has. */
+/* The segments of a ray from anywhere join, and the middle of each has the
+ * bound of the brick there. */
 static void test_walk_meets_the_bounds_in_order(const murk_grid *grid,
                                                 uint32_t seed)
 {
+    /* Bricks of each size, and random rays to the grid. */
     const murk_tree *tree = murk_grid_tree(grid);
     for (int edge = MURK_BRICK_EDGE_MIN; edge <= 32; edge *= 2) {
         murk_bricks *bricks = bricks_of(grid, edge, 0, 0);
@@ -163,6 +170,7 @@ static void test_walk_meets_the_bounds_in_order(const murk_grid *grid,
                                     240 * a.u[2] - 40};
             murk_vec3 along =
                 murk_sub(murk_vec(NX * b.u[0], NY * b.u[1], NZ * b.u[2]), from);
+            /* Some rays lie in a plane or along an axis. */
             if (i % 5 == 0) {
                 along.x = 0;
             } else if (i % 5 == 1) {
@@ -172,6 +180,7 @@ static void test_walk_meets_the_bounds_in_order(const murk_grid *grid,
             if (!murk_grid_clip(tree, 0, from, along, &t0, &t1)) {
                 continue;
             }
+            /* Walk from where the ray enters the grid to where it leaves. */
             murk_brick_walk walk;
             murk_brick_walk_begin(&walk, bricks, from, along, t0, t1);
             double reached = t0;
@@ -182,6 +191,8 @@ static void test_walk_meets_the_bounds_in_order(const murk_grid *grid,
                 if (walk.ray.to - walk.ray.from < 1e-9) {
                     continue;
                 }
+                /* The bound is that of the brick, and no less than the
+                 * voxel. */
                 const double middle = (walk.ray.from + walk.ray.to) / 2;
                 const int32_t in[3] = {
                     (int32_t)floor(from.x + middle * along.x),
@@ -197,9 +208,10 @@ static void test_walk_meets_the_bounds_in_order(const murk_grid *grid,
     }
 }
 
-/* Single voxels 4096 and more apart: few bricks and few steps. */
+/* Single voxels 4096 and more apart take few bricks and few steps. */
 static void test_emptiness_costs_little(void)
 {
+    /* A row with one voxel in each cell of 4096 but one. */
     enum { CELLS = 72, GAP = 35, EDGE = 4096 };
     const size_t size[3] = {(size_t)CELLS * EDGE, 1, 1};
     float *row = calloc(size[0], sizeof *row);
@@ -218,10 +230,12 @@ static void test_emptiness_costs_little(void)
     if (!grid) {
         return;
     }
+    /* One brick of 512 voxels for each value, in less memory than the grid. */
     murk_bricks *bricks = bricks_of(grid, 8, 0, 0);
     const bricks_facts facts = describe_bricks(bricks);
     CHECK(facts.volume == (CELLS - 1) * 512. && facts.sum == facts.volume);
     CHECK(facts.memory_bytes < murk_grid_describe(grid)->memory_bytes);
+    /* A walk through all of the row meets each brick, in few steps. */
     murk_brick_walk walk;
     const murk_vec3 from = {(double)size[0], 0.5, 0.5}, along = {-1, 0, 0};
     murk_brick_walk_begin(&walk, bricks, from, along, 0, (double)size[0]);
@@ -237,10 +251,11 @@ static void test_emptiness_costs_little(void)
     murk_grid_destroy(grid);
 }
 
-/* A tile of 128 voxels is bounded as a whole, and from the cells beside it
- * where values are seen across. */
+/* A tile of 128 voxels is bounded as a whole, and so are the cells beside
+ * it if interpolation reaches across. */
 static void test_large_tiles(void)
 {
+    /* A constant cube and some slices of another value beside it. */
     enum { EDGE = 128 };
     const size_t size[3] = {EDGE + 9, EDGE, EDGE};
     const size_t n = size[0] * size[1] * size[2];
@@ -260,13 +275,17 @@ static void test_large_tiles(void)
     if (!grid) {
         return;
     }
+    /* Bricks for nearest and for linear interpolation. */
     murk_bricks *nearest = bricks_of(grid, 16, 0, 0);
     murk_bricks *linear = bricks_of(grid, 16, 1, 1);
     const int32_t in[3] = {5, 100, 64}, beside[3] = {EDGE + 3, 100, 64};
     const int32_t before[3] = {-1, 3, 3}, far[3] = {-EDGE - 1, 3, 3};
+    /* Nearest: each place has a bound of its own. */
     CHECK(bound_at(nearest, in) == 0.5f);
     CHECK(bound_at(nearest, beside) == 0.25f);
     CHECK(bound_at(nearest, before) == 0);
+    /* Linear: bricks next to the tile have the bound of the tile, far ones
+     * have 0. */
     CHECK(bound_at(linear, in) == 0.5f);
     CHECK(bound_at(linear, beside) == 0.5f);
     CHECK(bound_at(linear, before) == 0.5f);

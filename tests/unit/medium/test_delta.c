@@ -30,6 +30,7 @@ static float two_values(size_t i)
 
 static murk_media *media_of(float (*value)(size_t), murk_grid **grid)
 {
+    /* A grid of these values, kept as tiles where values are equal. */
     static float density[EDGE_VOXELS * EDGE_VOXELS * EDGE_VOXELS];
     const size_t size[3] = {EDGE_VOXELS, EDGE_VOXELS, EDGE_VOXELS};
     const murk_affine identity = murk_affine_identity();
@@ -38,6 +39,7 @@ static murk_media *media_of(float (*value)(size_t), murk_grid **grid)
     }
     CHECK(murk_grid_make(grid, size, density, &identity, true, "test", NULL) ==
           MURK_OK);
+    /* One medium with the grid, ready for delta tracking. */
     const murk_medium medium = {.extinction_per_m = {{PER_M}},
                                 .albedo = {{.5}},
                                 .grid = *grid,

@@ -213,6 +213,7 @@ static void test_albedos_have_a_background(void)
 
 static void test_what_is_no_density_is_refused(void)
 {
+    /* Values that are negative or not finite, in the grid or as background. */
     refuses("negative.vdb", NULL, MURK_BAD_VALUE,
             "grid density: 2 of 3 values are negative or not finite, the "
             "first is -0.5 at voxel (2, 1, 1), (2, 1, 1) m; density must be 0 "
@@ -231,6 +232,8 @@ static void test_what_is_no_density_is_refused(void)
     refuses("nan_background.vdb", NULL, MURK_BAD_VALUE,
             "grid density has the value nan everywhere outside (its "
             "background), must be 0");
+    /* Grids of other types, or with transforms or extents that cannot be
+     * used. */
     refuses("mask.vdb", NULL, MURK_BAD_VALUE,
             "grid mask holds bool, must be float, half or double");
     refuses("points.vdb", NULL, MURK_BAD_VALUE,
@@ -242,6 +245,8 @@ static void test_what_is_no_density_is_refused(void)
     refuses("far.vdb", NULL, MURK_BAD_FILE,
             "grid density reaches from voxel 2000000000 to 2000000000 along "
             "z, must be within 2^30");
+    /* Files without a grid or of another format, and paths that are no
+     * file. */
     refuses("none.vdb", NULL, MURK_BAD_FILE,
             "holds no grids: empty, or cut off in its header");
     refuses("make_grids.cpp", NULL, MURK_BAD_FILE,

@@ -58,6 +58,7 @@ static void check_values(const murk_grid *grid, const float *value)
 
 static void test_fields_come_back(void)
 {
+    /* Write two fields, the first with notes. */
     float *value = made_up(), *twice = made_up();
     const murk_affine place = placed();
     for (size_t i = 0; i < SIZE[0] * SIZE[1] * SIZE[2]; ++i) {
@@ -69,6 +70,8 @@ static void test_fields_come_back(void)
     murk_error err = {0};
     CHECK(murk_grid_write(path, fields, 2, SIZE, &place, &err) == MURK_OK);
     CHECK_TEXT(err.text, "");
+    /* Read both: values, number of active voxels (those that are not 0) and
+     * placement come back. */
     murk_grid *grid = read_back("fluence"), *other = read_back("fluence_error");
     if (grid && other) {
         check_values(grid, value);

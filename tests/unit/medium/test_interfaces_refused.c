@@ -202,9 +202,10 @@ static void test_relations_of_corners(void)
     check_relation(IN, below(1, 1.3), below(1.2, 1.4));
 }
 
-/* A turned cube meets the faces of another with one corner alone. */
+/* A turned cube meets a face of a larger cube with one corner alone. */
 static void test_relations_of_turned_cubes(void)
 {
+    /* Extent of the turned small cube along the axis of each face. */
     const murk_vec3 turn[] = {{20, -35, 50}, {-25, 30, 140}, {70, 15, -20}};
     for (size_t k = 0; k < sizeof turn / sizeof *turn; ++k) {
         const murk_affine turned =
@@ -214,6 +215,8 @@ static void test_relations_of_turned_cubes(void)
             const double sign = side % 2 ? -1 : 1;
             const double half =
                 0.4 * (fabs(row[0]) + fabs(row[1]) + fabs(row[2]));
+            /* Move the small cube until a corner is slightly on one or the
+             * other side of the face, from inside and from outside. */
             for (int is_off = 0; is_off < 2; ++is_off) {
                 const double off = is_off ? 0.001 : -0.001;
                 const murk_region big = cube(murk_vec(0, 0, 0), 1),

@@ -197,10 +197,11 @@ static void test_uniform_grid_is_its_chord(uint32_t seed)
     murk_grid_destroy(grid);
 }
 
-/* So many cells of 4096 voxels side by side that walking from cell to cell is
- * cheaper than trying all, with a gap to walk through. */
+/* Cells of 4096 voxels side by side, so many that a walk from cell to cell
+ * is cheaper than a test of all, with a gap in the walk. */
 static void test_many_root_cells_and_a_gap(void)
 {
+    /* A row with one voxel of value 1 in each cell but one. */
     enum { CELLS = 72, GAP = 35, EDGE = 4096 };
     const size_t size[3] = {(size_t)CELLS * EDGE, 1, 1};
     float *row = calloc(size[0], sizeof *row);
@@ -219,7 +220,9 @@ static void test_many_root_cells_and_a_gap(void)
     if (!grid) {
         return;
     }
+    /* The empty cell is not stored. */
     CHECK(murk_grid_tree(grid)->n_cells == CELLS - 1);
+    /* Both ways along the row all voxels count; within the gap none does. */
     const double length = (double)size[0] + 100;
     CHECK_NEAR(grid_line_integral(grid, murk_vec(-50, 0, 0), murk_vec(1, 0, 0),
                                   length),

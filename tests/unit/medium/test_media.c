@@ -313,13 +313,15 @@ static void test_bands_are_apart(void)
     murk_media_destroy(media);
 }
 
-/* Nothing to fear from rays that make no sense. */
+/* Rays of numbers that make no sense end, and give no number that is wrong. */
 static void test_odd_rays_end(void)
 {
+    /* One medium in three overlapping regions. */
     const murk_medium fog = even(1, 1);
     murk_region regions[] = {box(0, 0, 1), sphere(0, murk_vec(0, 0, 0), 1),
                              everywhere(0)};
     murk_media *media = build(&fog, 1, regions, 3);
+    /* Any result will do, if the calls return. */
     const double odd[] = {NAN, INFINITY, -INFINITY, 1e308, 0, 5e-324};
     murk_collision c;
     for (int i = 0; i < 6; ++i) {
@@ -332,6 +334,7 @@ static void test_odd_rays_end(void)
                                            murk_vec(1, odd[j], 0), 5);
         }
     }
+    /* A ray with a NaN has an optical depth of 0. */
     for (int i = 0; i < 7; ++i) {
         double number[7] = {0, 0, 0, 1, 0, 0, 5};
         number[i] = NAN;
@@ -339,6 +342,8 @@ static void test_odd_rays_end(void)
                   media, 0, 0, murk_vec(number[0], number[1], number[2]),
                   murk_vec(number[3], number[4], number[5]), number[6]) == 0);
     }
+    /* An endless ray through endless fog has an infinite optical depth; a
+     * ray of length 0 has none. */
     CHECK(murk_media_optical_depth(media, 0, 0, murk_vec(0, 0, 0),
                                    murk_vec(1, 0, 0), INFINITY) == INFINITY);
     CHECK(murk_media_optical_depth(media, 0, 0, murk_vec(0, 0, 0),

@@ -132,9 +132,11 @@ static double plain_depth(const murk_medium *m, const murk_region *where, int g,
                 : plain_line_integral(&plain, from, along, l->length));
 }
 
-/* Between heights a line has its mean in the middle. */
+/* Optical depth of the line through the profile: between heights the mean
+ * of the extinction is that in the middle. */
 static double plain_profile_depth(const line *l)
 {
+    /* Both ends of the line, and where the line passes a height. */
     double ends[7] = {0, l->length};
     for (int i = 0; i < 5; ++i) {
         const double t = (HEIGHTS[i] - l->from.z) / l->along.z;
@@ -142,11 +144,13 @@ static double plain_profile_depth(const line *l)
     }
     double sum = 0;
     for (int i = 0; i < 7; ++i) {
+        /* The next end after this one. */
         double next = INFINITY;
         for (int k = 0; k < 7; ++k) {
             next = ends[k] > ends[i] && ends[k] < next ? ends[k] : next;
         }
         if (isfinite(next) && next > ends[i]) {
+            /* Ends that coincide count once. */
             bool is_first = true;
             for (int k = 0; k < i; ++k) {
                 is_first &= ends[k] != ends[i];
@@ -185,9 +189,11 @@ static void check_flight(const murk_media *media, const line *l, uint32_t seed,
                           whole * (1 + 1e-9), r.u[1], &c));
 }
 
-/* Nearest and linear, moved, turned and scaled, haze and layers between. */
+/* Nearest and linear grids, moved, turned and scaled, add up with haze and
+ * layers. */
 static void test_all_fillings_add(uint32_t seed)
 {
+    /* Five media in one world; two regions are placed elsewhere. */
     const murk_medium media[] = {of_grid(0, MURK_LINEAR, 0.5),
                                  of_grid(1, MURK_NEAREST, 1.5), medium(0.01),
                                  of_grid(1, MURK_LINEAR, 0.25), of_profile(2)};
@@ -202,15 +208,18 @@ static void test_all_fillings_add(uint32_t seed)
     murk_media *together = build(media, 5, regions, 5);
     double max = 0;
     for (uint64_t i = 0; i < 300; ++i) {
+        /* Depth of a random line against the sum of the plain twins. */
         const line l = random_line(seed, i);
         const double clear = 0.01 * l.length + 2 * plain_profile_depth(&l);
         const double want = clear + plain_depth(&media[0], &regions[0], 0, &l) +
                             plain_depth(&media[1], &regions[1], 1, &l) +
                             plain_depth(&media[3], &regions[3], 1, &l);
         CHECK_NEAR(depth(together, &l), want, 1e-11);
+        /* Free flights along the line agree. */
         check_flight(together, &l, seed, i);
         max = fmax(max, want - clear);
     }
+    /* The grids counted on some line. */
     CHECK(max > 1);
     murk_media_destroy(together);
 }
@@ -336,9 +345,10 @@ static void test_a_profile_moves_with_its_region(void)
     murk_media_destroy(media);
 }
 
-/* Rising and falling layers that add up to an even sum. */
+/* A rising and a falling profile have a constant sum. */
 static void test_slopes_that_cancel(void)
 {
+    /* The rising medium scatters only, the falling one absorbs only. */
     const double z[] = {0, 10};
     const murk_spectrum up[] = {murk_spectrum_flat(0, 1),
                                 murk_spectrum_flat(1, 1)};
@@ -352,7 +362,11 @@ static void test_slopes_that_cancel(void)
     const murk_region regions[] = {region(0, MURK_REGION_EVERYWHERE),
                                    region(1, MURK_REGION_EVERYWHERE)};
     murk_media *both = build(media, 2, regions, 2);
+    /* At an extinction of 1, an optical depth of 7 is 7 m, and the rising
+     * medium has a share of 0.7 there. */
     murk_collision c;
+    /* A number below the share chooses the rising medium, and one above it
+     * the other. */
     CHECK(murk_media_fly(both, 0, 0, murk_vec(0, 0, 0), murk_vec(0, 0, 1), 20,
                          7, 0.69, &c));
     CHECK_NEAR(c.distance_m, 7, 1e-13);
@@ -422,6 +436,8 @@ static void refuses(const murk_medium *m, murk_region_shape shape,
 
 static void test_refusals(void)
 {
+    /* Heights that are not in order, not a number, equal too often, or too
+     * few. */
     const murk_spectrum per_m[3] = {{{0}}}, wrong[3] = {{{NAN}}, {{-1}}};
     const double z[][3] = {{0, 1, 0.5}, {0, NAN, 1}, {0, 0, 0}, {1, 1, 1}};
     murk_profile p = {3, z[0], per_m};
@@ -436,10 +452,12 @@ static void test_refusals(void)
     refuses(&m, MURK_REGION_BOX, "must span a layer");
     p.n = 1;
     refuses(&m, MURK_REGION_BOX, "a profile of 1 heights, must be 2 or more");
+    /* Extinctions that are not a number or negative. */
     p = (murk_profile){2, z[0], wrong};
     refuses(&m, MURK_REGION_BOX, "profile extinction 0 is nan");
     p.extinction_per_m = &wrong[1];
     refuses(&m, MURK_REGION_BOX, "profile extinction 0 is -1");
+    /* Media with two fillings, and regions that do not suit the filling. */
     m.grid = grid[0];
     refuses(&m, MURK_REGION_BOX, "has a grid and a profile");
     m.profile = NULL;

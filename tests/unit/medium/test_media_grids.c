@@ -104,9 +104,11 @@ static line random_line(uint32_t seed, uint64_t i)
     return (line){from, murk_unit(way), 2 * murk_length(way)};
 }
 
-/* One, two and three grids at once, haze in between: the sum of the twins. */
+/* One, two and three grids at once, with haze between: the sum of the
+ * twins. */
 static void test_overlapping_grids_add(uint32_t seed)
 {
+    /* Three grids, one of them turned, and haze. */
     const murk_medium media[] = {
         medium(all.grid[0], 0.5, 1), medium(all.grid[1], 1.5, 0.5),
         medium(NULL, 0.01, 0.25), medium(all.grid[2], 0.25, 0)};
@@ -117,6 +119,7 @@ static void test_overlapping_grids_add(uint32_t seed)
     murk_media *together = build(media, regions, 4);
     double maximum = 0;
     for (uint64_t i = 0; i < 200; ++i) {
+        /* Depth of a random line against the sum of the plain twins. */
         const line ray = random_line(seed, i);
         const double even = 0.01 * ray.length;
         double want = even;
@@ -131,6 +134,8 @@ static void test_overlapping_grids_add(uint32_t seed)
         CHECK_NEAR(got, want, 1e-12);
         maximum = fmax(maximum, got - even);
 
+        /* A free flight of part of this depth ends where the depth is
+         * reached, with the coefficients of that place. */
         const murk_random4 r = murk_random(seed, MURK_TEST, i, 12, 0);
         const double tau = r.u[0] * got;
         murk_collision c;
@@ -143,6 +148,8 @@ static void test_overlapping_grids_add(uint32_t seed)
         CHECK_NEAR(c.scattering_per_m,
                    murk_media_scattering(together, 0, 0, at), 1e-12);
         CHECK(murk_media_extinction(together, 0, 0, at) > 0);
+        /* A flight of slightly more than the depth does not collide;
+         * transmittance is exp(-depth). */
         CHECK(!murk_media_fly(together, 0, 0, ray.from, ray.along, ray.length,
                               got * (1 + 1e-9), r.u[1], &c));
         CHECK_NEAR(murk_media_transmittance(
@@ -154,9 +161,11 @@ static void test_overlapping_grids_add(uint32_t seed)
     murk_media_destroy(together);
 }
 
-/* A region that replaces hides the grid inside it, a later one does not. */
+/* A region that replaces hides the grid within the region; a later grid is
+ * not hidden. */
 static void test_a_box_replaces_a_grid(uint32_t seed)
 {
+    /* A grid, a box that replaces, and a later grid. */
     const murk_medium media[] = {medium(all.grid[0], 1, 1),
                                  medium(NULL, 0.125, 1),
                                  medium(all.grid[2], 1, 1)};
@@ -169,10 +178,13 @@ static void test_a_box_replaces_a_grid(uint32_t seed)
     double cut_off = 0;
     for (uint64_t i = 0; i < 100; ++i) {
         const line ray = random_line(seed, i);
+        /* The part of the line in the box; a line beside the box has none. */
         double t0 = 0, t1 = ray.length;
         if (!murk_box_clip(&regions[1].box, ray.from, ray.along, &t0, &t1)) {
             t0 = t1 = ray.length;
         }
+        /* The first grid counts before and behind the box, the last one
+         * everywhere. */
         const murk_vec3 leaves = murk_along(ray.from, t1, ray.along);
         const double inside = plain_depth(
             &media[0], &regions[0], all.density[0],
@@ -189,14 +201,16 @@ static void test_a_box_replaces_a_grid(uint32_t seed)
                    want, 1e-12);
         cut_off += inside;
     }
+    /* The box hid a part of the grid. */
     CHECK(cut_off > 10);
     murk_media_destroy(hidden);
 }
 
-/* Turning grid and ray together changes nothing; growing both by s makes the
- * way s times longer, and so the depth. */
+/* Turning grid and ray together changes nothing; growing both by s makes
+ * the path s times longer, and so the optical depth. */
 static void test_moves_with_its_placement(uint32_t seed)
 {
+    /* The same grid where it lies, and moved. */
     const murk_medium smoke = medium(all.grid[0], 2, 1);
     const murk_region still = lies(0, all.grid[0]);
     murk_region moved = still;
@@ -205,6 +219,7 @@ static void test_moves_with_its_placement(uint32_t seed)
         murk_affine_place(murk_vec(25, -130, 77), grown, murk_vec(-8, 3, 11));
     murk_media *a = build(&smoke, &still, 1), *b = build(&smoke, &moved, 1);
     for (uint64_t i = 0; i < 200; ++i) {
+        /* Depth of a line, and of the moved line in the moved grid. */
         const line ray = random_line(seed, i);
         const double want =
             murk_media_optical_depth(a, 0, 0, ray.from, ray.along, ray.length);
@@ -212,6 +227,8 @@ static void test_moves_with_its_placement(uint32_t seed)
             b, 0, 0, murk_affine_point(&moved.to_world, ray.from),
             murk_unit(murk_affine_direction(&moved.to_world, ray.along)),
             grown * ray.length);
+        /* Depth grows with the length; the extinction at the middle is the
+         * same. */
         CHECK_NEAR(got, grown * want, 1e-11);
         CHECK_NEAR(
             murk_media_extinction(
@@ -223,18 +240,20 @@ static void test_moves_with_its_placement(uint32_t seed)
                 a, 0, 0, murk_along(ray.from, ray.length / 2, ray.along)),
             0);
     }
+    /* Bounds are finite. */
     const murk_box box = murk_media_bounds(b);
     CHECK(box.min.x < box.max.x && isfinite(box.max.z));
     murk_media_destroy(a);
     murk_media_destroy(b);
 }
 
-/* One column of twelve voxels: densities 0..3 four times over. The share of
- * flights that collide in each, and of those that pass, is the exponential
- * law's. */
+/* Counts flights through one column of twelve voxels with the densities
+ * 0..3 four times over: the numbers of flights that collide in each voxel
+ * and that pass follow the exponential law. */
 static void count_flights(uint32_t seed, double extinction_per_m,
                           double *counts, int n)
 {
+    /* The column as a medium. */
     const size_t size[3] = {N, 1, 1};
     const float column[N] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
     const murk_affine identity = murk_affine_identity();
@@ -244,10 +263,12 @@ static void count_flights(uint32_t seed, double extinction_per_m,
     const murk_medium smoke = medium(grid, extinction_per_m, 1);
     const murk_region region = lies(0, grid);
     murk_media *media = build(&smoke, &region, 1);
+    /* counts[N] is of flights that pass. */
     for (int i = 0; i <= N; ++i) {
         counts[i] = 0;
     }
     for (int i = 0; i < n; ++i) {
+        /* Fly along the column from 1 m before the first voxel. */
         const murk_random4 r = murk_random(seed, MURK_TEST, (uint64_t)i, 20, 0);
         murk_collision c;
         const bool hits =

@@ -222,6 +222,7 @@ static void test_every_row_of_the_table(void)
 
 static void test_bad_members_are_refused(void)
 {
+    /* Parameters out of range, and a missing table. */
     static const struct {
         murk_phase phase;
         const char *text;
@@ -238,6 +239,7 @@ static void test_bad_members_are_refused(void)
         {{.kind = MURK_PHASE_TWO_HG, .value = {0, 0, 1.1}},
          "weight of g1 is 1.1 (band 3), must be 0..1"},
         {{.kind = MURK_PHASE_TABLE}, "phase function misses a table (band 3)"}};
+    /* Each is refused with band and place. */
     for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
         murk_error err = {0};
         CHECK(murk_phase_check(&bad[i].phase, 3, "haze", &err) ==

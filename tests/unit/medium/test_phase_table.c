@@ -116,14 +116,18 @@ static void test_rows_are_kept(void)
     murk_phase_table_destroy(table);
 }
 
-/* Mobley et al. 1993: bb/b = .0183, mean cosine .924. Their cumulative shares
- * are trapezoids in angle above .1 degrees: as such they come back. */
+/* Mobley et al. 1993 state bb/b = .0183 and a mean cosine of .924. The
+ * published cumulative shares are integrals by trapezoids in angle above .1
+ * degrees; integrated in the same way, the table gives them back. */
 static void test_petzold(void)
 {
+    /* Published cumulative shares by angle. */
     static const double below[][2] = {
         {.1, .051653}, {.50119, .149389}, {1, .231176},   {10, .665573},
         {30, .881199}, {90, .981908},     {140, .996303}, {180, 1}};
     murk_phase_table *table = must(PETZOLD, PETZOLD_ROWS, 0, 1);
+    /* Published mean cosine and backward share; the facts also agree with
+     * quadrature of the density. */
     const murk_phase_facts *facts = murk_phase_table_facts(table);
     CHECK_NEAR(facts->mean_cosine, .924, .0005);
     CHECK_NEAR(facts->backward, .0183, .00005);
@@ -132,6 +136,7 @@ static void test_petzold(void)
     CHECK_NEAR(facts->before_first,
                1 - turn_share(density, table, .1 * PI / 180, PI), 1e-6);
     CHECK(facts->behind_last == 0);
+    /* Trapezoids from the first row on; the part before counts as a whole. */
     double sum[PETZOLD_ROWS] = {facts->before_first};
     for (size_t i = 1; i < PETZOLD_ROWS; ++i) {
         const double from = PETZOLD[i - 1][0] * PI / 180;
@@ -140,6 +145,7 @@ static void test_petzold(void)
                                   (sin(from) * density(table, cos(from)) +
                                    sin(to) * density(table, cos(to)));
     }
+    /* Compare at the published angles. */
     for (size_t i = 0, k = 0; i < PETZOLD_ROWS; ++i) {
         if (PETZOLD[i][0] == below[k][0]) {
             CHECK_NEAR(sum[i] / sum[PETZOLD_ROWS - 1], below[k++][1], 5e-6);
@@ -355,6 +361,7 @@ static void refused(const double (*row)[2], size_t n, const char *where,
 
 static void test_refusals(void)
 {
+    /* Too few rows, and angles that do not grow. */
     const double nan = NAN;
     refused((const double[][2]){{0, 1}}, 1, "rows.csv",
             "1 rows, must be 2..1000000");
@@ -364,6 +371,8 @@ static void test_refusals(void)
     refused((const double[][2]){{0, 1}, {90, 1}, {90, 1}, {180, 1}}, 4,
             "rows.csv:12: angle_deg",
             "90, must be more than the 90 degrees before");
+    /* Angles out of range, and tables that begin or end too far from 0 or
+     * 180 degrees. */
     refused((const double[][2]){{-1, 1}, {180, 1}}, 2, "rows.csv:10: angle_deg",
             "-1, must be 0 or 1e-06..180 degrees");
     refused((const double[][2]){{0, 1}, {181, 1}}, 2, "rows.csv:11: angle_deg",
@@ -376,6 +385,7 @@ static void test_refusals(void)
             "begins at 20, must be 0..10 degrees");
     refused((const double[][2]){{0, 1}, {90, 1}}, 2, "rows.csv:11: angle_deg",
             "ends at 90, must be 150..180 degrees");
+    /* Densities out of range, none above 0, or without an integral. */
     refused((const double[][2]){{0, 1}, {90, -1e-9}, {180, 1}}, 3,
             "rows.csv:11: phase_per_sr",
             "-1e-09, must be 0 or 1e-30..1e+30 per sr");

@@ -114,11 +114,13 @@ static void test_extremes_are_drawn(void)
     }
 }
 
-/* Off what the mean and the variance of many should be, in sigmas, the worse.
- * The moments of the slope along are sums over facets; across it is normal. */
+/* Largest deviation of the mean and the mean squares of many drawn slopes,
+ * in standard errors. The moments of the slope along the ray are sums over
+ * facets; the slope across is normal. */
 static double off(double width, double cosine, double width_of_sums,
                   uint32_t seed, int ray)
 {
+    /* Draw slopes for this ray. */
     double sum = 0, squares = 0, across = 0;
     for (uint64_t i = 0; i < SAMPLES; ++i) {
         const murk_random4 r =
@@ -128,12 +130,15 @@ static double off(double width, double cosine, double width_of_sums,
         squares += s.along * s.along;
         across += s.across * s.across;
     }
+    /* Moments by summation, with a width that may be wrong. */
     double moment[5];
     for (int p = 0; p < 5; ++p) {
         moment[p] = summed(width_of_sums, cosine, p, 8) /
                     summed(width_of_sums, cosine, 0, 8) *
                     pow(-width_of_sums, p);
     }
+    /* Variances of the slope and of the squared slope give the standard
+     * errors. */
     const double variance = moment[2] - moment[1] * moment[1];
     const double of_squares = moment[4] - moment[2] * moment[2];
     const double w2 = width_of_sums * width_of_sums;

@@ -16,14 +16,17 @@ static bool is_inside(murk_vec3 p)
 
 static void test_pieces_lie_inside_and_add_up(void)
 {
+    /* Random pairs of points in the domain. */
     int pieces[4] = {0};
     for (uint32_t i = 0; i < 500; ++i) {
         const murk_random4 r = murk_random(1, MURK_TEST, i, 0, 0);
         const murk_random4 q = murk_random(1, MURK_TEST, i, 0, 1);
         const murk_vec3 a = {-1 + 10 * r.u[0], 2 + 6 * r.u[1], 4 * r.u[2]};
         const murk_vec3 b = {-1 + 10 * q.u[0], 2 + 6 * q.u[1], 4 * q.u[2]};
+        /* The nearest image is at most half a period away in x and y. */
         const murk_vec3 to = murk_path_nearest_image(&around, b, a);
         CHECK(fabs(to.x - a.x) <= 5 && fabs(to.y - a.y) <= 3 && to.z == b.z);
+        /* Each piece lies in the domain and along the path; lengths add up. */
         murk_path_segment piece[MURK_PATH_SEGMENTS_MAX];
         const int n = murk_path_cut(&around, a, to, 0, piece);
         const murk_vec3 way = murk_sub(to, a);
@@ -35,10 +38,13 @@ static void test_pieces_lie_inside_and_add_up(void)
             length += murk_length(part);
         }
         CHECK_NEAR(length, murk_length(way), 1e-12);
+        /* The first piece begins at one point, and the last ends at the
+         * other. */
         CHECK(murk_length(murk_sub(piece[0].from, a)) == 0);
         CHECK(murk_length(murk_sub(piece[n - 1].to, b)) < 1e-12);
         ++pieces[n];
     }
+    /* Paths crossed no side, one, and two. */
     CHECK(pieces[1] > 10 && pieces[2] > 10 && pieces[3] > 10);
 }
 

@@ -153,9 +153,11 @@ static void test_a_box_is_the_same_as_its_mesh(void)
     murk_mesh_destroy(mesh);
 }
 
-/* Water from side to side of a periodic domain has no edges. */
+/* Water from side to side of a periodic domain has no edges, as a box and
+ * as a mesh. */
 static void test_a_slab_across_a_periodic_domain(void)
 {
+    /* The slab by both descriptions. */
     const murk_box slab = {{-1, -1, -0.5}, {1, 1, 0.5}};
     murk_mesh *mesh = closed_box(slab.min, slab.max);
     place plain = place_of(NULL, slab, 1.33, &tiled);
@@ -163,12 +165,14 @@ static void test_a_slab_across_a_periodic_domain(void)
     size_t wrong = 0, bent = 0;
     double maximum = 0;
     for (uint64_t i = 0; i < PAIRS; ++i) {
+        /* Each sensor sees eight photons. */
         const murk_vec3 sensor = random_point(SEED + 4, i / 8);
         const murk_vec3 photon = random_point(SEED + 5, i);
         const murk_path_viewpoint a =
             murk_path_viewpoint_at(&plain.space, sensor);
         const murk_path_viewpoint b =
             murk_path_viewpoint_at(&meshed.space, sensor);
+        /* Both descriptions agree on refraction and on transmittance. */
         const bool bends = murk_path_bends_to(&a, photon);
         wrong += bends != murk_path_bends_to(&b, photon);
         bent += bends;
@@ -176,6 +180,8 @@ static void test_a_slab_across_a_periodic_domain(void)
             fmax(maximum, fabs(murk_path_transmittance_to(&a, 0, photon) -
                                murk_path_transmittance_to(&b, 0, photon)));
     }
+    /* Some paths bend and some do not; transmittances agree to single
+     * precision. */
     CHECK(wrong == 0);
     CHECK(bent > PAIRS / 4 && bent < PAIRS);
     CHECK(maximum < 2 * 2 * 16 * 0x1p-23);

@@ -22,10 +22,12 @@ typedef enum photon_set {
 static inline void place_photon(float p[3], photon_set set, uint64_t i,
                                 uint32_t seed)
 {
+    /* `r` belongs to the photon; `s` is one of seven places. */
     const murk_random4 r = murk_random(seed, MURK_TEST, i, 0, 0);
     const murk_random4 s = murk_random(seed, MURK_TEST, i % 7, 1, 0);
     const double size[3] = {8, 5, 3};
     for (int a = 0; a < 3; ++a) {
+        /* One coordinate of a random place, changed as the set demands. */
         double x = size[a] * r.u[a];
         switch (set) {
         case LATTICE_SET:

@@ -24,6 +24,7 @@ ssize_t read(int fd, void *out, size_t size)
 
 static void test_sections_come_back(void)
 {
+    /* Sections of many bytes, of none and of one. */
     static unsigned char first[100003], third[1];
     for (size_t i = 0; i < sizeof first; ++i) {
         first[i] = (unsigned char)(i * 7 + i / 256);
@@ -31,6 +32,7 @@ static void test_sections_come_back(void)
     const murk_section given[] = {{"surface", first, sizeof first},
                                   {"empty", NULL, 0},
                                   {"fifteen-letters", third, 1}};
+    /* Write and read the file. */
     murk_section *got = NULL;
     size_t n = 0;
     murk_error err = {0};
@@ -38,6 +40,7 @@ static void test_sections_come_back(void)
     CHECK(murk_map_file_read(&got, &n, path, &err) == MURK_OK);
     CHECK(n == 3);
     for (size_t i = 0; got && i < n; ++i) {
+        /* Names and bytes come back, aligned to 64 bytes. */
         CHECK_TEXT(got[i].name, given[i].name);
         CHECK(got[i].size == given[i].size);
         CHECK(got[i].size == 0 ||
@@ -45,6 +48,7 @@ static void test_sections_come_back(void)
         CHECK((uintptr_t)got[i].bytes % 64 == 0);
         CHECK(murk_map_file_find(got, n, given[i].name) == &got[i]);
     }
+    /* Names must match as a whole; to release nothing is allowed. */
     CHECK(murk_map_file_find(got, n, "surf") == NULL);
     CHECK(murk_map_file_find(got, n, "surfaces") == NULL);
     murk_map_file_release(got, n);

@@ -96,6 +96,7 @@ static bool is_same(murk_vec3 a, murk_vec3 b)
 
 static void test_values_come_back(void)
 {
+    /* Values at or near the limits of the fields. */
     const murk_photon_values stored = {.position_m = {1.5, -2.25, 3},
                                        .direction = {0, 0, -1},
                                        .normal = {0, 1, 0},
@@ -106,6 +107,7 @@ static void test_values_come_back(void)
                                        .material = 255,
                                        .event_class = 2};
     murk_photon p = murk_photon_make(&stored);
+    /* Each comes back exactly. */
     CHECK(is_same(murk_photon_place(&p), stored.position_m));
     CHECK(is_same(murk_photon_direction(&p), stored.direction));
     CHECK(is_same(murk_photon_normal(&p), stored.normal));
@@ -116,6 +118,7 @@ static void test_values_come_back(void)
     CHECK(murk_photon_emitted(&p) == 4000000000U);
     CHECK(murk_photon_band(&p) == 15 && murk_photon_light(&p) == 200);
     CHECK(murk_photon_material(&p) == 255 && murk_photon_class(&p) == 2);
+    /* A value that is set leaves the others as they were. */
     murk_photon_set_power_w(&p, 2);
     murk_photon_set_emitted(&p, 7);
     murk_photon_set_material(&p, 9);

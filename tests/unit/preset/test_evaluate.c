@@ -163,10 +163,11 @@ static void test_mor_has_the_range_of_visibility(void)
     CHECK_NEAR(words.value[MURK_WORD_VISIBILITY][0], 50 * factor, 1e-9);
 }
 
-/* A quarter of the way from 400 to 600 nm the columns
- * share as 3 to 1. */
+/* A quarter of the way from 400 to 600 nm, the columns have shares of 3 to
+ * 1. */
 static void test_phase_columns_are_shared_by_wavelength(void)
 {
+    /* A preset whose phase function is a table with two columns. */
     murk_preset p = two_parts();
     murk_preset_angles *angles = NULL;
     CHECK(!murk_preset_angles_create(&angles, 3, 2, true, NULL));
@@ -180,6 +181,7 @@ static void test_phase_columns_are_shared_by_wavelength(void)
         angles->phase_per_sr[i] = 1;
         angles->phase_per_sr[3 + i] = 2;
     }
+    /* Evaluate one part at 450 nm. */
     p.parts = 1;
     p.part[0].angles = angles;
     p.part[0].phase.kind = MURK_PHASE_TABLE;
@@ -187,6 +189,7 @@ static void test_phase_columns_are_shared_by_wavelength(void)
     const murk_preset_bands bands = {.n = 1, .line_nm = &line};
     const murk_words none = {{0}, {{0}}};
     murk_preset_result r = evaluated(&p, &none, &bands);
+    /* The mixture has both columns. */
     CHECK(r.mixture[0] && r.mixture[0]->n == 2);
     if (r.mixture[0] && r.mixture[0]->n == 2) {
         CHECK_NEAR(r.mixture[0]->part[0].share, .75, 1e-12);

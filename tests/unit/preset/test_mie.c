@@ -85,18 +85,20 @@ static void test_faint_absorption_keeps_its_digits(murk_mie *mie)
     CHECK(sphere(mie, 1.33, 0, 10).absorption == 0);
 }
 
-/* The phase function holds what the efficiencies say: its integral and mean
- * cosine; and the optical theorem holds forward of a sphere that is all there
- * is, |S|^2 >= (Q x^2 / 4)^2. Gauss-free: the midpoint rule on 1e5 cosines is
- * good to 2e-4 at x = 30. */
+/* The phase function agrees with the efficiencies in integral and mean
+ * cosine, and the optical theorem holds forward of a single sphere, |S|^2
+ * >= (Q x^2 / 4)^2. The midpoint rule on 1e5 cosines is good to 2e-4 at x =
+ * 30. */
 static void test_intensity_is_the_scattering(murk_mie *mie)
 {
+    /* Cosines in the middles of equal steps. */
     enum { N = 100000 };
     double *mu = calloc(N, sizeof *mu), *f = calloc(N, sizeof *f);
     for (int i = 0; i < N; ++i) {
         mu[i] = -1 + (i + .5) * 2 / N;
     }
     for (double x = .3; x < 40; x *= 10) {
+        /* Integrate the intensity and the mean cosine. */
         const murk_mie_sphere got = sphere(mie, 1.33, 1e-4, x);
         memset(f, 0, N * sizeof *f);
         murk_mie_add_intensity(mie, 1, N, mu, f);
@@ -107,6 +109,7 @@ static void test_intensity_is_the_scattering(murk_mie *mie)
         }
         CHECK_NEAR(2 * PI * sum / (PI * x * x * got.scattering), 1, 2e-4);
         CHECK_NEAR(turned / sum, got.mean_cosine, 2e-4);
+        /* The real part alone is a lower limit of the forward intensity. */
         double forward = 0;
         const double ahead = 1, real = got.extinction * x * x / 4;
         murk_mie_add_intensity(mie, 1, 1, &ahead, &forward);

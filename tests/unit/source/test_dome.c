@@ -200,15 +200,17 @@ static void test_power_is_by_projected_area(void)
     }
 }
 
-/* Photons start on the face that they fly in through, and each face has its
- * share: here the one that looks east. */
+/* Photons start on the face through which they fly in, and each face has a
+ * share of them: here of the face at the largest x. */
 static void test_photons_enter_through_their_face(uint32_t seed)
 {
+    /* A sky over an open domain. */
     const murk_source light = sky_of(13);
     murk_sources *lights = made(&light, &hall);
     double east = 0;
     bool on_face = true, downward = true;
     for (uint64_t i = 0; i < SAMPLES; ++i) {
+        /* Each photon starts on a side or the top, inwards and not upwards. */
         const murk_ray ray = murk_sources_emit(lights, seed, 0, i);
         const murk_vec3 p = ray.origin, d = ray.direction;
         on_face = on_face && murk_box_contains(&hall.box, p) &&
@@ -221,6 +223,8 @@ static void test_photons_enter_through_their_face(uint32_t seed)
     }
     CHECK(on_face);
     CHECK(downward);
+    /* The share of the face by quadrature over the sky; a share that is 10
+     * % larger is refused. */
     const double part =
         over_sky(&light.dome, onto_east) / over_sky(&light.dome, onto_box);
     const double limit = murk_sidak_limit(1e-6, Z_TESTS);

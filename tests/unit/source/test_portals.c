@@ -68,16 +68,20 @@ static bool is_on_boundary(murk_vec3 p)
             p.y == b->max.y || p.z == b->min.z || p.z == b->max.z);
 }
 
-/* Evenly over the window, from the boundary on. Half of the even sky's E falls
- * on an upright plane, 2/3 of this sun's. */
+/* Light is uniform over the window and starts at the boundary. An upright
+ * plane receives half of the irradiance E of a uniform sky, and 2/3 of that
+ * of this sun. */
 static void test_light_comes_through_its_portal(uint32_t seed)
 {
+    /* The same window for sky and sun. */
     const murk_source light[2] = {aimed(MURK_SOURCE_SKY, &window, 1),
                                   aimed(MURK_SOURCE_DIRECTIONAL, &window, 1)};
     const double share[2] = {1. / 2, 2. / 3};
     for (int k = 0; k < 2; ++k) {
+        /* The power is irradiance times area times this share. */
         murk_sources *lights = made(&light[k]);
         CHECK_NEAR(murk_sources_power_w(lights), 100 * 2 * share[k], 1e-12);
+        /* Each photon starts at the boundary and passes the window. */
         double sum_s = 0, sum_t = 0, product = 0;
         bool right = true;
         for (uint64_t i = 0; i < SAMPLES; ++i) {
@@ -92,6 +96,7 @@ static void test_light_comes_through_its_portal(uint32_t seed)
             product += s * t;
         }
         CHECK(right);
+        /* Both coordinates are uniform and independent. */
         const double n = (double)SAMPLES, sigma = sqrt(1 / (12 * n));
         CHECK_WITHIN(limit, sum_s / n, 0.5, sigma);
         CHECK_WITHIN(limit, sum_t / n, 0.5, sigma);

@@ -179,10 +179,12 @@ static void test_power_is_what_arrives(void)
     CHECK(got == 0);
 }
 
-/* Half of an even sky enters through a window: what a place sees of it is the
- * same by draws on the window and by looking everywhere. */
+/* Half of a uniform sky enters through a window: the fluence rate at a
+ * place is the same by draws on the window and by directions over the whole
+ * sphere. */
 static void test_a_window_lets_in_its_own_sky(void)
 {
+    /* A window to one side of the place. */
     const murk_portal window = {{1, -2, 0}, {0, 0, 3}, {0, 4, 0}};
     murk_source light = {.type = MURK_SOURCE_SKY,
                          .portal = &window,
@@ -190,7 +192,9 @@ static void test_a_window_lets_in_its_own_sky(void)
                          .power_w = {{100}}};
     const murk_vec3 here = {-1, 0.3, 0.5};
     double error;
+    /* By draws on the window. */
     const double drawn = irradiance(&light, here, murk_vec(0, 0, 0), &error);
+    /* By random directions: the mean radiance times 4 pi. */
     murk_sources *lights = one(&light);
     double seen = 0, squares = 0;
     const int n = 100000;
@@ -206,6 +210,7 @@ static void test_a_window_lets_in_its_own_sky(void)
         squares += radiance * radiance / n;
     }
     murk_sources_destroy(lights);
+    /* Both agree within the standard errors. */
     CHECK(drawn > 0);
     CHECK_WITHIN(murk_sidak_limit(1e-6, ZTESTS), drawn, seen,
                  sqrt(error * error + (squares - seen * seen) / n));

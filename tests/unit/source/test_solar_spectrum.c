@@ -154,11 +154,12 @@ static void test_the_beam_is_the_standards(void)
     }
 }
 
-/* Luminous efficacies as measured: clear sky 120..150 lm/W, overcast 105..125,
- * sun and sky 95..115 (Littlefair, Light. Res. Technol. 17 (1985) 162, at
- * second hand); a low sun's beam is red. */
+/* Luminous efficacies as measured: clear sky 120..150 lm/W, overcast
+ * 105..125, sun and sky 95..115 (Littlefair, Light. Res. Technol. 17 (1985)
+ * 162, at second hand); the beam of a low sun is red. */
 static void test_colours(void)
 {
+    /* Luminous efficacy of each spectrum at each height of the sun. */
     murk_spectrum_air air = murk_spectrum_air_defaults();
     for (double zenith = 0; zenith <= 75; zenith += 5) {
         air.apparent_zenith_deg = zenith;
@@ -169,6 +170,7 @@ static void test_colours(void)
             efficacy[i] = murk_quantity_per_watt_of(MURK_PHOTOMETRIC, 300, 4000,
                                                     murk_solar_spectrum_at, &s);
         }
+        /* Within the measured ranges; the beam has less than the clear sky. */
         CHECK(efficacy[MURK_SPECTRUM_CLEAR_SKY] > 120 &&
               efficacy[MURK_SPECTRUM_CLEAR_SKY] < 150);
         CHECK(efficacy[MURK_SPECTRUM_OVERCAST] > 105 &&
@@ -178,6 +180,7 @@ static void test_colours(void)
         CHECK(efficacy[MURK_SPECTRUM_DIRECT] <
               efficacy[MURK_SPECTRUM_CLEAR_SKY]);
     }
+    /* The lower the sun, the less blue the beam. */
     double before = 2;
     for (double zenith = 0; zenith <= 88; zenith += 4) {
         air.apparent_zenith_deg = zenith;
@@ -190,23 +193,30 @@ static void test_colours(void)
     }
 }
 
-/* Any sun, any air: shares are 0..1, add up, and make the whole. */
+/* At any zenith angle and in any air, shares are 0..1, add up, and make the
+ * whole. */
 static void test_shares_add(void)
 {
     for (int i = MURK_SPECTRUM_EXTRATERRESTRIAL; i <= MURK_SPECTRUM_OVERCAST;
          ++i) {
         for (double zenith = 0; zenith <= 180; zenith += 30) {
             for (double linke = 1; linke <= 10; linke += 3) {
+                /* One spectrum for each zenith angle and turbidity; the
+                 * pressure falls with turbidity. */
                 murk_spectrum_air air = murk_spectrum_air_defaults();
                 air.apparent_zenith_deg = zenith;
                 air.linke_turbidity = linke;
                 air.pressure_hpa = 1050 - 60 * linke;
                 murk_solar_spectrum s;
                 murk_solar_spectrum_make(&s, (murk_spectrum_source)i, &air);
+                /* All wavelengths make the whole; a part of the
+                 * extraterrestrial spectrum lies beyond the table. */
                 const double whole = murk_solar_spectrum_share(&s, 0, 1e5);
                 CHECK_NEAR(whole,
                            i == MURK_SPECTRUM_EXTRATERRESTRIAL ? 0.98670 : 1,
                            1e-5);
+                /* Neighbouring bands add up to the whole; there is no light
+                 * outside of the table. */
                 double sum = 0;
                 for (double from = 100; from < 5000; from += 77.7) {
                     const double share =
@@ -221,6 +231,7 @@ static void test_shares_add(void)
             }
         }
     }
+    /* A known share of the standard spectrum. */
     const murk_solar_spectrum global = am15_spectrum(false);
     CHECK_NEAR(murk_solar_spectrum_share(&global, 400, 700), 429.831 / 1000.371,
                1e-4);

@@ -87,13 +87,15 @@ static void test_refraction_is_fresnels_roulette(void)
     CHECK(b.outcome == MURK_MIRRORED);
 }
 
-/* Through the water's surface to a black floor: the bottom of the water lies in
- * the floor, which single precision puts elsewhere. */
+/* A beam through the surface of water to a black floor: the bottom of the
+ * water coincides with the floor, which single precision puts elsewhere. */
 static void test_floor_under_water_is_wet(void)
 {
+    /* The bottom lies in the floor, just above and just below. */
     const murk_source beam =
         test_beam(murk_vec(0.3, 0.5, 0.9), murk_vec(0.2, 0, -1));
     const murk_vec3 x = {1, 0, 0}, y = {0, 1, 0};
+    /* Trace each, and note the events of all photons. */
     const double bottoms[] = {0.1, 0.1 + 1e-7, 0.1 - 1e-7};
     for (int i = 0; i < 3; ++i) {
         const double bottom = bottoms[i];
@@ -111,12 +113,15 @@ static void test_floor_under_water_is_wet(void)
                            .n_regions = 1});
         int wet = 0;
         for (int k = 0; k < PHOTONS; ++k) {
+            /* After emission, each photon meets the surface of the water. */
             const story *s = &told[k];
             CHECK(s->n == 3);
             CHECK(s->event[1].kind == MURK_EVENT_INTERFACE);
             CHECK(s->event[1].material_or_medium == 0);
             CHECK(s->event[1].normal.z == 1);
             CHECK_NEAR(s->event[1].position.z, 0.6, 1e-16);
+            /* Transmitted light is absorbed by the floor; mirrored light
+             * escapes. */
             if (s->event[1].outcome == MURK_TRANSMITTED) {
                 ++wet;
                 CHECK(is(&s->event[2], MURK_EVENT_SURFACE, MURK_ABSORBED));
@@ -130,16 +135,18 @@ static void test_floor_under_water_is_wet(void)
     }
 }
 
-/* A film on the water: through the film, then at the water's surface, and what
- * is mirrored there meets the film again. */
+/* A film on water: light passes the film, then meets the surface of the
+ * water; light that is mirrored there meets the film again. */
 static void test_sheet_on_the_water(void)
 {
+    /* The film coincides with the surface of the water. */
     const murk_material film = test_material(0, 0, 0.6, 0);
     const murk_vec3 x = {1, 0, 0}, y = {0, 1, 0};
     const murk_surface_desc sheet = test_rect(murk_vec(0, 0, 0.3), x, y, 0);
     const murk_region sea = below(0, 0.3, 3);
     const murk_vec3 from[] = {{0.3, 0.5, 0.8}, {0.3, 0.5, 0.1}};
     for (int i = 0; i < 2; ++i) {
+        /* From above and from below. */
         const murk_source beam =
             test_beam(from[i], murk_vec(0.1, 0, i == 0 ? -1 : 1));
         tell(&(test_setup){.domain = cell,
@@ -155,6 +162,8 @@ static void test_sheet_on_the_water(void)
                            .n_regions = 1});
         int through = 0, mirrored = 0;
         for (int k = 0; k < PHOTONS; ++k) {
+            /* The film comes first; light through the surface escapes, and
+             * mirrored light meets the film. */
             const story *s = &told[k];
             CHECK(s->event[1].kind == MURK_EVENT_SURFACE);
             for (size_t e = 1; e + 1 < s->n; ++e) {
@@ -283,9 +292,11 @@ static void test_equal_indices_are_silent(void)
     }
 }
 
-/* Lamps in water start there; light through a side is in what reaches it. */
+/* Light sources in water start there; light that enters through a side
+ * under water does not pass the surface. */
 static void test_where_light_starts(void)
 {
+    /* A point source just below the surface of black water. */
     const murk_medium ink = test_medium(1e4, 0, 0);
     const murk_region sea = below(0, 0.5, WATER);
     murk_source light = test_point(murk_vec(0.5, 0.5, 0.4999));
@@ -296,6 +307,7 @@ static void test_where_light_starts(void)
                         .n_media = 1,
                         .regions = &sea,
                         .n_regions = 1};
+    /* Photons are absorbed first, or meet the surface from below. */
     tell(&setup);
     int first = 0;
     for (int k = 0; k < PHOTONS; ++k) {
@@ -311,6 +323,8 @@ static void test_where_light_starts(void)
     }
     CHECK(first > 0 && first < PHOTONS);
 
+    /* A sun from the side: photons that enter under water are absorbed
+     * without a boundary before; those from above are refracted first. */
     light.type = MURK_SOURCE_DIRECTIONAL;
     light.direction = murk_vec(1, 0, -0.1);
     tell(&setup);

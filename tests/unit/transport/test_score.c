@@ -278,16 +278,18 @@ static void ways_of(const scored *s, double *forward, double *backward)
     }
 }
 
-/* To and fro: each passage counts, and what a photon brings is one number for
- * its error. A slanted plane, ends upon it. */
+/* Each passage of a photon to and fro through a slanted plane counts; some
+ * paths have a corner in the plane. */
 static void test_every_passage_counts(uint32_t seed)
 {
+    /* An undivided plane. */
     const murk_tally_desc d =
         plane_at(murk_vec(1, 1, 0.5), murk_vec(1, -2, 0.5));
     const murk_vec3 unit = murk_unit(d.normal);
     const scored s = begun(&d, 1);
     double up = 0, down = 0;
     for (uint64_t n = 0; n < 200; ++n) {
+        /* A random path of eleven segments; some corners lie in the plane. */
         murk_vec3 p[12];
         for (uint32_t i = 0; i < 12; ++i) {
             const murk_random4 a = murk_random(seed, MURK_TEST, n, 4 + i, 0);
@@ -297,6 +299,8 @@ static void test_every_passage_counts(uint32_t seed)
             }
         }
         for (size_t i = 1; i < 12; ++i) {
+            /* Count the changes of side; a point in the plane is on the
+             * side of the normal. */
             const bool from = murk_dot(unit, murk_sub(p[i - 1], d.point)) >= 0;
             const bool to = murk_dot(unit, murk_sub(p[i], d.point)) >= 0;
             up += 5.0 * (to && !from);
@@ -304,16 +308,19 @@ static void test_every_passage_counts(uint32_t seed)
         }
         fly(&s, p, 12, 5);
     }
+    /* The scores are the same. */
     double forward, backward;
     ways_of(&s, &forward, &backward);
     CHECK(forward == up && backward == down && up > 2000);
     murk_tallies_destroy(s.tallies);
 }
 
-/* A surface near to a plane is in it, on the side that the normal points to:
- * light that comes back from it never passed; light through it did. */
+/* A surface within the tolerance of a plane lies on the side to which the
+ * normal of the plane points: light that comes back from the surface has
+ * not passed the plane, and light through the surface has. */
 static void test_a_plane_in_a_surface(void)
 {
+    /* The surface just below, in, and just above the plane; both normals. */
     const double off[] = {-1e-7, 0, 1e-7};
     for (int i = 0; i < 3; ++i) {
         for (int side = -1; side <= 1; side += 2) {
@@ -321,6 +328,8 @@ static void test_a_plane_in_a_surface(void)
                 plane_at(murk_vec(0, 0, 0), murk_vec(0, 0, side));
             const scored s = begun(&d, 1);
             const murk_vec3 down = {0, 0, -1};
+            /* Down to the surface, back, down again, and through the
+             * surface, with less weight after each meeting. */
             murk_score_start(s.scorer, 0, open_at(0, 0, 1));
             murk_score_segment(s.scorer, murk_vec(0, 0, 1), down, 1, 100,
                                (murk_station){{0, 0, off[i]}, 2e-7});
@@ -331,6 +340,9 @@ static void test_a_plane_in_a_surface(void)
             murk_score_segment(s.scorer, murk_vec(0, 0, -4e-7), down, 1, 10,
                                open_at(0, 0, -1));
             murk_score_end(s.scorer, false);
+            /* With the normal up only the transmitted light has passed;
+             * with the normal down all light to the surface has, and the
+             * light that comes back. */
             double forward, backward;
             ways_of(&s, &forward, &backward);
             if (side > 0) {

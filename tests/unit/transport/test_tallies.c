@@ -113,12 +113,15 @@ static void test_planes_and_wraps(void)
     }
 }
 
-/* A mirror floor under a beam: what a plane counts above it, in it with the
- * normal into the floor, and in it with the normal out of it. */
+/* A mirror floor under a beam: counts of a plane in the floor with the
+ * normal into the floor, in the floor with the normal out of it, and above
+ * the floor. */
 static void test_planes_in_a_floor(void)
 {
     const double floors[] = {0, 0.3, 0.7};
     for (int i = 0; i < 3; ++i) {
+        /* The floor at several heights, one of them the bottom of the
+         * domain. */
         const murk_source beam =
             test_beam(murk_vec(0.9, 0.7, 1.9), murk_vec(0.1, 0.3, -1));
         const murk_material mirror = test_material(0, 1, 0, 0);
@@ -131,6 +134,8 @@ static void test_planes_in_a_floor(void)
                                   .n_surfaces = 1,
                                   .materials = &mirror,
                                   .n_materials = 1};
+        /* Each photon passes twice, or not at all if the normal points out
+         * of the floor. */
         double ways[2];
         murk_tally_desc d = plane(floors[i], -1);
         measured(&setup, &d, 20, 2, ways);
@@ -401,6 +406,8 @@ static void test_each_face_of_the_domain_bounds(void)
 
 static void test_bad_tallies_are_named(void)
 {
+    /* Planes without a normal, outside of the domain, or with too many or
+     * no bins. */
     murk_tally_desc d[MURK_TALLIES_MAX + 1] = {plane(1, 1)};
     d[0].normal = murk_vec(0, 0, 0);
     refuses(d, 1, "normal is [0, 0, 0], must point somewhere");
@@ -418,6 +425,8 @@ static void test_bad_tallies_are_named(void)
     d[0].bins[0] = 0;
     refuses(d, 1, "0 bins");
 
+    /* Grids outside of the domain, without a volume, or with too many or no
+     * cells. */
     d[0] = grid_tally();
     d[0].box.max.z = 2.1;
     refuses(d, 1, "reaches outside the domain");
@@ -431,6 +440,7 @@ static void test_bad_tallies_are_named(void)
     d[0].size[1] = 0;
     refuses(d, 1, "0 cells");
 
+    /* Spheres without a radius or beyond the domain. */
     d[0] = probe();
     d[0].radius_m = 0;
     refuses(d, 1, "radius_m is 0, must be more than 0 m");
@@ -439,6 +449,7 @@ static void test_bad_tallies_are_named(void)
     d[0].radius_m = 1.001;
     refuses(d, 1, "reaches outside the domain");
 
+    /* Names that cannot be file names, or that two tallies share. */
     const char *const names[] = {"",   "a b", "../x",    ".x",
                                  "-x", "a/b", "\xc3\xa9"};
     for (size_t i = 0; i < sizeof names / sizeof *names; ++i) {
@@ -453,6 +464,7 @@ static void test_bad_tallies_are_named(void)
     refuses(d, 2,
             "name \"grid_error\": its files are also those of the tally "
             "\"grid\"");
+    /* Too many cells in all, and too many tallies. */
     d[1].size[0] = (size_t)1 << 31;
     d[1].size[1] = d[1].size[2] = 1;
     strcpy(d[1].name, "huge");

@@ -31,9 +31,10 @@ static story told(const test_setup *setup, uint64_t photons)
 static const murk_domain cell = {{{0, 0, 0}, {1, 1, 1}}, false};
 static const murk_domain tile = {{{0, 0, 0}, {1, 1, 1}}, true};
 
-/* A mirror, then a sheet, then a black wall. */
+/* A beam meets a sheet, a mirror, the sheet again, and a black wall. */
 static void test_events_and_classes_in_order(void)
 {
+    /* The wall at 0, the sheet at 0.4 and the mirror at 0.9. */
     const murk_source beam =
         test_beam(murk_vec(0.1, 0.5, 0.5), murk_vec(1, 0, 0));
     const murk_material materials[3] = {test_material(0, 0, 0, 0),
@@ -52,6 +53,7 @@ static void test_events_and_classes_in_order(void)
                                        .materials = materials,
                                        .n_materials = 3},
                          1);
+    /* Expected outcome, place, path length and normal of each event. */
     CHECK(s.n == 5);
     const murk_outcome outcomes[5] = {0, MURK_TRANSMITTED, MURK_MIRRORED,
                                       MURK_TRANSMITTED, MURK_ABSORBED};
@@ -68,6 +70,8 @@ static void test_events_and_classes_in_order(void)
         CHECK_NEAR(e->path_m, path[i], 2e-6);
         CHECK_NEAR(e->normal.x, facing[i], 1e-12);
     }
+    /* An emission has no incoming direction, and an absorption no outgoing
+     * one. */
     CHECK(murk_length(s.event[0].direction_in) == 0);
     CHECK(murk_length(s.event[4].direction_out) == 0);
 }
@@ -227,10 +231,11 @@ static void test_no_medium_inside_solids(void)
     test_world_unmade(&w);
 }
 
-/* Light that enters where a black roof lies in the domain's own top is stopped
- * by it; a wall in a periodic side is met from both sides. */
+/* A black roof in the top of the domain stops light that enters there; a
+ * wall in a periodic side is met from both sides. */
 static void test_surfaces_in_the_sides_count(void)
 {
+    /* A sun above the roof. */
     murk_source sun = test_beam(murk_vec(0, 0, 0), murk_vec(0.2, 0.1, -1));
     sun.type = MURK_SOURCE_DIRECTIONAL;
     const murk_vec3 x = {1, 0, 0}, y = {0, 1, 0}, z = {0, 0, 1};
@@ -244,6 +249,7 @@ static void test_surfaces_in_the_sides_count(void)
     CHECK(test_photons(&w, w.ledger->absorbed_surfaces) == 500);
     test_world_unmade(&w);
 
+    /* A wall in one side, and beams both ways. */
     const murk_surface_desc wall = test_rect(murk_vec(0, 0, 0), y, z, 0);
     for (int way = -1; way <= 1; way += 2) {
         const murk_source beam =
@@ -279,9 +285,10 @@ static bool same_event(const murk_event *a, const murk_event *b)
                   sizeof a->direction_out) == 0;
 }
 
-/* Fog of extinction 0 changes no bit of any path. */
+/* Fog of extinction 0 does not change any bit of a path. */
 static void test_no_extinction_is_clear_air(void)
 {
+    /* A room with and without such a medium. */
     const murk_source lamp = test_point(murk_vec(0.4, 0.5, 0.6));
     const murk_material white = test_material(0.6, 0.2, 0.1, 0);
     const murk_surface_desc room =
@@ -300,6 +307,7 @@ static void test_no_extinction_is_clear_air(void)
     setup.n_media = setup.n_regions = 1;
     setup.regions = &region;
     const story foggy = told(&setup, 20);
+    /* All noted events are equal. */
     CHECK(clear.n == NOTED && foggy.n == NOTED);
     bool same = true;
     for (size_t i = 0; i < clear.n; ++i) {
@@ -308,9 +316,11 @@ static void test_no_extinction_is_clear_air(void)
     CHECK(same);
 }
 
-/* Any photon alone does what it does among others; other streams do not. */
+/* The path of a photon does not depend on how many others are traced;
+ * photons of another stream differ. */
 static void test_photons_are_addressed(void)
 {
+    /* Eight photons of two streams. */
     const murk_source lamp = test_point(murk_vec(0.4, 0.5, 0.6));
     test_world w = test_world_made(
         &(test_setup){.domain = cell, .lights = &lamp, .n_lights = 1});
@@ -328,9 +338,11 @@ static void test_photons_are_addressed(void)
         trace.last = 8;
         murk_trace_run(&trace, w.ledger);
     }
+    /* Each photon has two events, and the streams differ. */
     CHECK(t.n == 16 && other.n == 16);
     CHECK(t.event[6].photon == 3 && t.event[7].number == 1);
     CHECK(!same_event(&t.event[7], &other.event[7]));
+    /* Four photons of the first stream are the same as among eight. */
     trace.stream = 0;
     trace.context = &s;
     trace.last = 4;
