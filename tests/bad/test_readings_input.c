@@ -150,8 +150,8 @@ static void test_names_of_keys(void)
     int found = 0;
     CHECK(murk_yaml_parse(&root, scene->resolved, strlen(scene->resolved),
                           "resolved", NULL) == MURK_OK);
-    /* Cut a path, change one character or append a part of another path; a
-     * few of the first paths stay whole. */
+    /* Cut a path, change one character, or put another path in place of the
+     * rest; a few of the first paths stay whole. */
     for (uint64_t i = 0; i < 20000; ++i) {
         char name[400];
         murk_key_place place;

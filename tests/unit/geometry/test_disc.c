@@ -15,7 +15,7 @@ static double number(uint64_t i, uint32_t slot)
  * edge counts whole or not at all. */
 static void test_areas_are_those_of_counting(void)
 {
-    /* Random triangles that overlap the disc, the edge, or nothing of it. */
+    /* Random triangles around the unit disc. */
     const int cells = 400;
     for (uint64_t k = 0; k < 40; ++k) {
         double corner[3][2];

@@ -346,9 +346,10 @@ static void test_great_surfaces_are_cut_off(void)
     murk_surfaces_destroy(s);
 }
 
-/* Floors that lie in one place share their sites. Each floor is 10 m squared of
- * a larger triangle, so 25 squares of the spacing, and gets 25 sites; 25 sites
- * may stand for 7.4 times as many squares, which is 7 floors and not 8. */
+/* Floors in one place share sites. Each floor is 10 m x 10 m of a larger
+ * triangle, or 25 squares of the spacing, and gets 25 sites; 25 sites may
+ * represent at most 7.4 times as many squares, which is enough for 7 floors
+ * and not for 8. */
 static void test_area_beyond_all_feet_is_refused(void)
 {
     /* One triangle as eight floors in one place. */

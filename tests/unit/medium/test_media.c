@@ -313,7 +313,7 @@ static void test_bands_are_apart(void)
     murk_media_destroy(media);
 }
 
-/* Rays of numbers that make no sense end, and give no number that is wrong. */
+/* Rays of numbers that make no sense end. */
 static void test_odd_rays_end(void)
 {
     /* One medium in three overlapping regions. */

@@ -365,13 +365,13 @@ static void test_slopes_that_cancel(void)
     /* At an extinction of 1, an optical depth of 7 is 7 m, and the rising
      * medium has a share of 0.7 there. */
     murk_collision c;
-    /* A number below the share chooses the rising medium, and one above it
-     * the other. */
     CHECK(murk_media_fly(both, 0, 0, murk_vec(0, 0, 0), murk_vec(0, 0, 1), 20,
                          7, 0.69, &c));
     CHECK_NEAR(c.distance_m, 7, 1e-13);
     CHECK_NEAR(c.scattering_per_m, 0.7, 1e-13);
     CHECK(c.medium == 0);
+    /* A number below this share has chosen the rising medium; a number above
+     * the share chooses the falling one. */
     CHECK(murk_media_fly(both, 0, 0, murk_vec(0, 0, 0), murk_vec(0, 0, 1), 20,
                          7, 0.71, &c) &&
           c.medium == 1);

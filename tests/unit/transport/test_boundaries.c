@@ -91,13 +91,13 @@ static void test_refraction_is_fresnels_roulette(void)
  * water coincides with the floor, which single precision puts elsewhere. */
 static void test_floor_under_water_is_wet(void)
 {
-    /* The bottom lies in the floor, just above and just below. */
     const murk_source beam =
         test_beam(murk_vec(0.3, 0.5, 0.9), murk_vec(0.2, 0, -1));
     const murk_vec3 x = {1, 0, 0}, y = {0, 1, 0};
-    /* Trace each, and note the events of all photons. */
+    /* The bottom lies in the floor, just above and just below. */
     const double bottoms[] = {0.1, 0.1 + 1e-7, 0.1 - 1e-7};
     for (int i = 0; i < 3; ++i) {
+        /* Trace each, and note the events of all photons. */
         const double bottom = bottoms[i];
         const murk_surface_desc floor = test_rect(murk_vec(0, 0, 0.1), x, y, 0);
         const murk_region pool =

@@ -342,7 +342,8 @@ static void test_photons_are_addressed(void)
     CHECK(t.n == 16 && other.n == 16);
     CHECK(t.event[6].photon == 3 && t.event[7].number == 1);
     CHECK(!same_event(&t.event[7], &other.event[7]));
-    /* Four photons of the first stream are the same as among eight. */
+    /* The fourth photon of the first stream is the same among four as among
+     * eight. */
     trace.stream = 0;
     trace.context = &s;
     trace.last = 4;
