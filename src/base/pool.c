@@ -1,5 +1,6 @@
-/* A thread pool on POSIX threads. The workers of a run take the next batch from
- * an atomic counter, the calling thread included. Threads are started for each
+/* A thread pool on POSIX threads. The workers of a run take the next items from
+ * an atomic counter, the calling thread included; a batch is an item that is
+ * taken alone. Threads are started for each
  * run and joined at its end. */
 #include "base/pool.h"
 
@@ -27,7 +28,7 @@ typedef struct pool {
     murk_job job;
     murk_worker_job worker_job;
     void *context;
-    uint64_t batches;
+    uint64_t items, each; /* a worker takes `each` items at a time */
     atomic_uint_fast64_t next;
 } pool;
 
@@ -41,14 +42,16 @@ static void *work(void *argument)
     const worker *me = argument;
     pool *c = me->pool;
     while (!murk_interrupted()) {
-        const uint64_t batch = atomic_fetch_add(&c->next, 1);
-        if (batch >= c->batches) {
+        const uint64_t first = atomic_fetch_add(&c->next, c->each);
+        if (first >= c->items) {
             break;
         }
-        if (c->job) {
-            c->job(c->context, batch);
-        } else {
-            c->worker_job(c->context, me->number, batch);
+        for (uint64_t i = first; i < c->items && i - first < c->each; ++i) {
+            if (c->job) {
+                c->job(c->context, i);
+            } else {
+                c->worker_job(c->context, me->number, i);
+            }
         }
     }
     return NULL;
@@ -124,8 +127,8 @@ static void run(unsigned threads, pool *c)
     if (threads > threads_allowed) {
         threads = threads_allowed;
     }
-    if (threads > c->batches) {
-        threads = c->batches > 0 ? (unsigned)c->batches : 1;
+    if (threads > c->items) {
+        threads = c->items > 0 ? (unsigned)c->items : 1;
     }
     for (unsigned i = 0; i < threads; ++i) {
         workers[i] = (worker){c, i};
@@ -176,14 +179,28 @@ murk_status murk_pool_allow(unsigned threads, murk_error *err)
 void murk_pool_run(unsigned threads, uint64_t batches, murk_job job,
                    void *context)
 {
-    pool c = {.job = job, .context = context, .batches = batches};
-    run(threads, &c);
+    murk_pool_run_items(threads, batches, 1, job, context);
 }
 
 void murk_pool_run_workers(unsigned threads, uint64_t batches,
                            murk_worker_job job, void *context)
 {
-    pool c = {.worker_job = job, .context = context, .batches = batches};
+    murk_pool_run_items_of_workers(threads, batches, 1, job, context);
+}
+
+void murk_pool_run_items(unsigned threads, uint64_t items, uint64_t each,
+                         murk_job job, void *context)
+{
+    pool c = {.job = job, .context = context, .items = items, .each = each};
+    run(threads, &c);
+}
+
+void murk_pool_run_items_of_workers(unsigned threads, uint64_t items,
+                                    uint64_t each, murk_worker_job job,
+                                    void *context)
+{
+    pool c = {
+        .worker_job = job, .context = context, .items = items, .each = each};
     run(threads, &c);
 }
 

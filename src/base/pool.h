@@ -33,6 +33,14 @@ void murk_pool_run(unsigned threads, uint64_t batches, murk_job job,
 void murk_pool_run_workers(unsigned threads, uint64_t batches,
                            murk_worker_job job, void *context);
 
+/* Like these two, with the number of an item in place of the batch. A worker
+ * takes `each` items at a time, for items that are short. */
+void murk_pool_run_items(unsigned threads, uint64_t items, uint64_t each,
+                         murk_job job, void *context);
+void murk_pool_run_items_of_workers(unsigned threads, uint64_t items,
+                                    uint64_t each, murk_worker_job job,
+                                    void *context);
+
 /* Runs task(context) to its end on a stack of at least 1 MB, the stack size of
  * all threads of the functions above. A new thread is used if `ulimit -s` gives
  * the calling thread less. Threads of a host program that call the library need
