@@ -29,69 +29,7 @@
 #ifndef MURK_SENSING_CANDIDATES_H
 #define MURK_SENSING_CANDIDATES_H
 
-#include "base/status.h"
-#include "base/vector.h"
-#include "geometry/mount_sites.h"
-#include "geometry/surfaces.h"
-#include "geometry/zones.h"
-
-#include <stddef.h>
-#include <stdint.h>
-
-typedef struct murk_candidate_grid {
-    murk_vec3 min, max; /* first and last point along each axis */
-    size_t size[3]; /* points along each axis, >= 1; a single point lies in the
-                       middle */
-    double clearance_m;
-} murk_candidate_grid;
-
-/* A grid of about `points` points in the middles of equal cells of the box, as
- * close to cubes as the box allows; no clearance. */
-murk_candidate_grid murk_candidate_grid_fill(const murk_box *box,
-                                             size_t points);
-
-/* The position of grid point `index`, which is below the product of the sizes.
- * Order: x fastest, then y, z. */
-murk_vec3 murk_candidate_grid_point(const murk_candidate_grid *grid,
-                                    size_t index);
-
-/* The places from which free space is reached. */
-typedef struct murk_reach {
-    const murk_vec3 *lamps; /* [n_lamps] points from which light starts. A point
-                               on a surface counts for both sides; if the lit
-                               side is known, move the point off to that side */
-    size_t n_lamps;
-    bool from_sides; /* distant light: also from the domain's open sides */
-    murk_domain domain;
-} murk_reach;
-
-/* Mounting points on surfaces. A sensor can be on either side of each, as far
- * as the limits on the normal allow. */
-typedef struct murk_candidate_mount {
-    const murk_mount_site *site; /* [sites] */
-    size_t sites;
-    double offset_m;       /* distance from the surface along the normal, > 0 */
-    double min_up, max_up; /* limits of normal.z: -1 and 1 allow all */
-} murk_candidate_mount;
-
-/* The request for candidates. */
-typedef struct murk_candidate_desc {
-    murk_candidate_grid
-        grid; /* the clearance_m of the grid holds for all candidates */
-    bool
-        is_reach_grid; /* the grid only carries reach and gives no candidates */
-    const murk_vec3 *point; /* [points] inside the domain */
-    size_t points;
-    const murk_candidate_mount *mount; /* [mounts] */
-    size_t mounts;
-    const murk_zones
-        *avoid; /* candidates lie in none of these zones; NULL: no such zones */
-    const murk_zones
-        *within; /* candidates lie in one of these zones; NULL: anywhere */
-} murk_candidate_desc;
-
-/* A limit on memory and time: ten million candidates. */
-#define MURK_CANDIDATES_MAX 10000000
+#include "sensing/candidate_request.h"
 
 typedef enum murk_candidate_kind {
     MURK_CANDIDATE_GRID,

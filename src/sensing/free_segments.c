@@ -46,27 +46,15 @@ bool murk_free_segment_is_open(const murk_free_segments *w, murk_vec3 from,
  * of the side closes it. */
 bool murk_free_segment_leads_out(const murk_free_segments *w, murk_vec3 point)
 {
-    const murk_domain *domain = w->domain;
+    const murk_box *box = &w->domain->box;
     const double beyond = 2 * w->tolerance_m;
-    const double x[2] = {domain->box.min.x - beyond,
-                         domain->box.max.x + beyond};
-    const double y[2] = {domain->box.min.y - beyond,
-                         domain->box.max.y + beyond};
-    const double z[2] = {domain->box.min.z - beyond,
-                         domain->box.max.z + beyond};
-    /* Top and bottom; without periods also the four other sides. */
-    for (int i = 0; i < 2; ++i) {
-        if (murk_free_segment_is_open(w, murk_vec(point.x, point.y, z[i]),
-                                      point)) {
-            return true;
-        }
-        if (domain->is_periodic) {
-            continue;
-        }
-        if (murk_free_segment_is_open(w, murk_vec(x[i], point.y, point.z),
-                                      point) ||
-            murk_free_segment_is_open(w, murk_vec(point.x, y[i], point.z),
-                                      point)) {
+    for (int side = w->domain->is_periodic ? 4 : 0; side < 6; ++side) {
+        const int axis = side / 2;
+        murk_vec3 outside = point;
+        murk_component_set(&outside, axis,
+                           side % 2 ? murk_component(box->max, axis) + beyond
+                                    : murk_component(box->min, axis) - beyond);
+        if (murk_free_segment_is_open(w, outside, point)) {
             return true;
         }
     }

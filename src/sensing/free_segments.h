@@ -10,7 +10,6 @@
 #define MURK_SENSING_FREE_SEGMENTS_H
 
 #include "geometry/mount_sites.h"
-#include "sensing/candidates.h"
 
 typedef enum murk_closeness {
     MURK_CLEAR_OF_SURFACES,

@@ -4,7 +4,7 @@
 
 #include "base/pool.h"
 
-/* Photons of a task (a choice). */
+/* Photons that a thread takes at a time (a choice). */
 #define BATCH_PHOTONS 4096
 
 static bool is_of_kind(const murk_interest_region *region,
@@ -82,30 +82,22 @@ typedef struct work {
     uint64_t *member;
     const murk_interest *interest;
     const murk_photon *photon;
-    size_t n;
     double slack_m;
 } work;
 
-static void find_members(void *context, uint64_t batch)
+static void find_members(void *context, uint64_t i)
 {
     const work *w = context;
-    const size_t begin = (size_t)batch * BATCH_PHOTONS;
-    for (size_t i = begin; i < w->n && i < begin + BATCH_PHOTONS; ++i) {
-        w->member[i] = murk_interest_at(w->interest, &w->photon[i], w->slack_m);
-    }
+    w->member[i] = murk_interest_at(w->interest, &w->photon[i], w->slack_m);
 }
 
 void murk_interest_members(uint64_t *member, const murk_interest *interest,
                            const murk_photon_map *map, double slack_m,
                            unsigned threads)
 {
-    work w = {.member = member,
-              .interest = interest,
-              .photon = murk_photon_map_photons(map),
-              .n = murk_photon_map_count(map),
-              .slack_m = slack_m};
-    murk_pool_run(threads, (w.n + BATCH_PHOTONS - 1) / BATCH_PHOTONS,
-                  find_members, &w);
+    work w = {member, interest, murk_photon_map_photons(map), slack_m};
+    murk_pool_run_items(threads, murk_photon_map_count(map), BATCH_PHOTONS,
+                        find_members, &w);
 }
 
 double murk_interest_factor(const murk_interest *interest, uint64_t regions)

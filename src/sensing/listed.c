@@ -9,11 +9,10 @@
 #include "base/pool.h"
 #include "base/progress.h"
 #include "path/segment.h"
-#include "sensing/lamp.h"
 
 #include <stdlib.h>
 
-/* Sites of a task (a choice). */
+/* Sites that a thread takes at a time (a choice). */
 #define BATCH_SITES 256
 /* Limits of the search for an open segment: reached points tried, and grid
  * points examined (documented in candidates.h). */
@@ -24,31 +23,7 @@
  * them is open as a rule; testing all others at once is faster. */
 #define FIRST_TRIES 27
 
-bool murk_site_is_forbidden(const murk_candidate_desc *desc, murk_vec3 point)
-{
-    return (desc->avoid && murk_zones_contain(desc->avoid, point)) ||
-           (desc->within && !murk_zones_contain(desc->within, point));
-}
-
 /* ---- listing ---- */
-
-static bool faces_so(const murk_candidate_mount *m, double up)
-{
-    return up >= m->min_up && up <= m->max_up;
-}
-
-static size_t count_all(const murk_candidate_desc *desc)
-{
-    size_t n = desc->points;
-    for (size_t i = 0; i < desc->mounts; ++i) {
-        const murk_candidate_mount *m = &desc->mount[i];
-        for (size_t k = 0; k < m->sites; ++k) {
-            const double up = m->site[k].normal.z;
-            n += (size_t)faces_so(m, up) + (size_t)faces_so(m, -up);
-        }
-    }
-    return n;
-}
 
 static double wrapped(double x, double min, double max)
 {
@@ -74,7 +49,7 @@ static size_t list_mount(murk_listed *site, const murk_candidate_mount *m,
     for (size_t k = 0; k < m->sites; ++k) {
         for (int side = 1; side >= -1; side -= 2) {
             const murk_vec3 normal = murk_scale(side, m->site[k].normal);
-            if (faces_so(m, normal.z)) {
+            if (normal.z >= m->min_up && normal.z <= m->max_up) {
                 site[n++] = (murk_listed){
                     mount_position(&m->site[k], normal, m->offset_m, domain),
                     normal, m->offset_m};
@@ -89,7 +64,12 @@ murk_status murk_listed_all(murk_listed **out, size_t *n,
                             const murk_domain *domain, const char *where,
                             murk_error *err)
 {
-    const size_t all = count_all(desc);
+    /* Each mounting point has two sides, of which the limits may exclude one.
+     */
+    size_t all = desc->points;
+    for (size_t i = 0; i < desc->mounts; ++i) {
+        all += 2 * desc->mount[i].sites;
+    }
     murk_listed *site = malloc((all + 1) * sizeof *site);
     if (!site) {
         return murk_fail(err, MURK_NO_MEMORY, where,
@@ -172,13 +152,10 @@ static murk_status find_duplicates(uint8_t *verdict, const murk_listed *site,
 typedef struct classification {
     const murk_candidate_desc *desc;
     const murk_free_space *space;
-    const murk_reach *reach;
-    murk_free_segments segments;
+    const murk_free_segments *segments; /* those of space */
+    const murk_domain *domain;
     const murk_listed *site;
-    size_t n;
     uint8_t *verdict;
-    murk_vec3 *lamp; /* [lamps] places from which light starts */
-    size_t lamps;
 } classification;
 
 /* Reached grid points around a site, collected for testing. */
@@ -196,38 +173,23 @@ static void examine(const classification *j, neighbours *near, size_t index)
     }
 }
 
-static size_t min_of(size_t at, size_t r)
-{
-    return at > r ? at - r : 0;
-}
-
-static size_t max_of(size_t at, size_t r, size_t n)
-{
-    return n - 1 - at > r ? at + r : n - 1;
-}
-
 /* Examines the grid points at distance r in steps, along the axis of the
- * largest distance. */
+ * largest distance. Indices below 0 wrap to large numbers. */
 static void examine_ring(const classification *j, neighbours *near,
                          const size_t at[3], size_t r)
 {
     const size_t *n = j->desc->grid.size;
-    for (size_t z = min_of(at[2], r); z <= max_of(at[2], r, n[2]); ++z) {
-        for (size_t y = min_of(at[1], r); y <= max_of(at[1], r, n[1]); ++y) {
-            const size_t row = n[0] * (y + n[1] * z);
-            if (z + r == at[2] || z == at[2] + r || y + r == at[1] ||
-                y == at[1] + r) {
-                for (size_t x = min_of(at[0], r); x <= max_of(at[0], r, n[0]);
-                     ++x) {
+    for (size_t k = 0; k <= 2 * r; ++k) {
+        const size_t z = at[2] + k - r;
+        for (size_t i = 0; z < n[2] && i <= 2 * r; ++i) {
+            const size_t y = at[1] + i - r, row = n[0] * (y + n[1] * z);
+            const bool is_edge = k == 0 || k == 2 * r || i == 0 || i == 2 * r;
+            for (size_t h = 0; y < n[1] && h <= 2 * r;
+                 h += is_edge ? 1 : 2 * r) {
+                const size_t x = at[0] + h - r;
+                if (x < n[0]) {
                     examine(j, near, row + x);
                 }
-                continue;
-            }
-            if (at[0] >= r) {
-                examine(j, near, row + at[0] - r);
-            }
-            if (r > 0 && at[0] + r < n[0]) {
-                examine(j, near, row + at[0] + r);
             }
         }
     }
@@ -239,17 +201,17 @@ static bool is_any_open(const classification *j, neighbours *near,
                         murk_vec3 point)
 {
     bool blocked[NEAREST_MAX] = {false};
-    const bool is_periodic = j->reach->domain.is_periodic;
+    const bool is_periodic = j->domain->is_periodic;
     if (!is_periodic) {
-        murk_surfaces_blocked_many(j->segments.surfaces, near->point, near->n,
+        murk_surfaces_blocked_many(j->segments->surfaces, near->point, near->n,
                                    point, true, blocked);
     }
     bool is_open = false;
     for (size_t i = 0; i < near->n && !is_open; ++i) {
         const murk_vec3 to =
-            murk_path_nearest_image(&j->reach->domain, point, near->point[i]);
+            murk_path_nearest_image(j->domain, point, near->point[i]);
         is_open = !blocked[i] &&
-                  murk_free_segment_is_open(&j->segments, near->point[i], to);
+                  murk_free_segment_is_open(j->segments, near->point[i], to);
     }
     near->tried += near->n;
     near->n = 0;
@@ -283,50 +245,45 @@ static bool is_joined(const classification *j, murk_vec3 point)
     if (joins_grid(j, point)) {
         return true;
     }
-    for (size_t i = 0; i < j->lamps; ++i) {
-        const murk_vec3 to =
-            murk_path_nearest_image(&j->reach->domain, point, j->lamp[i]);
-        if (murk_free_segment_is_open(&j->segments, j->lamp[i], to)) {
+    for (size_t i = 0; i < j->space->places; ++i) {
+        const murk_vec3 light = j->space->place[i];
+        const murk_vec3 to = murk_path_nearest_image(j->domain, point, light);
+        if (murk_free_segment_is_open(j->segments, light, to)) {
             return true;
         }
     }
-    return j->reach->from_sides &&
-           murk_free_segment_leads_out(&j->segments, point);
+    return j->space->reach->from_sides &&
+           murk_free_segment_leads_out(j->segments, point);
 }
 
 /* ---- classification ---- */
-
-static bool is_mounted(const murk_listed *site)
-{
-    return site->offset_m > 0;
-}
 
 /* True if another surface lies between a mount and its mounting point. */
 static bool is_cut_off(const classification *j, const murk_listed *site,
                        const murk_mount_site *foot)
 {
-    const murk_surfaces *s = j->segments.surfaces;
+    const murk_surfaces *s = j->segments->surfaces;
     return murk_surfaces_blocked(
         s, murk_surfaces_leave(s, foot->position, foot->normal), site->position,
         true);
 }
 
-static murk_verdict classify(const classification *j, const murk_listed *site)
+static murk_verdict verdict_on(const classification *j, const murk_listed *site)
 {
     /* The surface that carries a mount does not count. */
     const murk_mount_site foot = {
         murk_along(site->position, -site->offset_m, site->normal),
         site->normal};
-    const murk_mount_site *mounted_on = is_mounted(site) ? &foot : NULL;
-    if (!murk_box_contains(&j->reach->domain.box, site->position)) {
+    const murk_mount_site *mounted_on = site->offset_m > 0 ? &foot : NULL;
+    if (!murk_box_contains(&j->domain->box, site->position)) {
         return MURK_SITE_UNREACHED;
     }
-    if (murk_site_is_forbidden(j->desc, site->position)) {
+    if (murk_candidate_is_forbidden(j->desc, site->position)) {
         return MURK_SITE_FORBIDDEN;
     }
     /* Clearance and reach. */
     const murk_closeness closeness = murk_free_segments_closeness(
-        &j->segments, site->position, j->desc->grid.clearance_m, mounted_on);
+        j->segments, site->position, j->desc->grid.clearance_m, mounted_on);
     if (closeness == MURK_ON_SURFACE) {
         return MURK_SITE_TOO_CLOSE;
     }
@@ -339,66 +296,34 @@ static murk_verdict classify(const classification *j, const murk_listed *site)
                                             : MURK_SITE_USABLE;
 }
 
-static void classify_batch(void *context, uint64_t batch)
+static void classify(void *context, uint64_t i)
 {
     classification *j = context;
-    const size_t begin = (size_t)batch * BATCH_SITES;
-    const size_t end = begin + BATCH_SITES < j->n ? begin + BATCH_SITES : j->n;
-    for (size_t i = begin; i < end; ++i) {
-        if (j->verdict[i] != MURK_SITE_DUPLICATE) {
-            j->verdict[i] = (uint8_t)classify(j, &j->site[i]);
-        }
+    if (j->verdict[i] != MURK_SITE_DUPLICATE) {
+        j->verdict[i] = (uint8_t)verdict_on(j, &j->site[i]);
     }
-    murk_progress_add(end - begin);
-}
-
-static murk_status place_lamps(classification *j, const char *where,
-                               murk_error *err)
-{
-    const murk_reach *reach = j->reach;
-    j->lamp =
-        malloc((reach->n_lamps * MURK_LAMP_PLACES_MAX + 1) * sizeof *j->lamp);
-    if (!j->lamp) {
-        return murk_fail(err, MURK_NO_MEMORY, where, "no memory for %zu lamps",
-                         reach->n_lamps);
-    }
-    for (size_t i = 0; i < reach->n_lamps; ++i) {
-        j->lamps += murk_lamp_places(j->segments.surfaces, &reach->domain,
-                                     reach->lamps[i], j->lamp + j->lamps);
-    }
-    return MURK_OK;
+    murk_progress_add(1);
 }
 
 murk_status murk_listed_judge(uint8_t *verdict, const murk_listed *sites,
                               size_t n, const murk_candidate_desc *desc,
-                              const murk_free_space *space,
-                              const murk_surfaces *surfaces,
-                              const murk_reach *reach, unsigned threads,
-                              const char *where, murk_error *err)
+                              const murk_free_space *space, unsigned threads,
+                              murk_error *err)
 {
-    /* Duplicates, lamps, then all sites over threads. */
     classification j = {.desc = desc,
                         .space = space,
-                        .reach = reach,
-                        .segments =
-                            murk_free_segments_of(surfaces, &reach->domain),
+                        .segments = &space->segments,
+                        .domain = &space->reach->domain,
                         .site = sites,
-                        .n = n,
                         .verdict = verdict};
-    murk_status status =
-        find_duplicates(verdict, sites, n, desc, j.segments.tolerance_m, err);
-    if (!status) {
-        status = place_lamps(&j, where, err);
-    }
-    if (!status) {
+    const murk_status status = find_duplicates(
+        verdict, sites, n, desc, space->segments.tolerance_m, err);
+    if (!status && n > 0) {
         murk_progress_begin("sites", n, "sites");
-        murk_pool_run(threads, (n + BATCH_SITES - 1) / BATCH_SITES,
-                      classify_batch, &j);
+        murk_pool_run_items(threads, n, BATCH_SITES, classify, &j);
         murk_progress_end();
-        if (murk_interrupted()) {
-            status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
-        }
     }
-    free(j.lamp);
-    return status;
+    return !status && murk_interrupted()
+               ? murk_fail(err, MURK_INTERRUPTED, "", "interrupted")
+               : status;
 }

@@ -12,7 +12,8 @@ typedef enum murk_verdict {
     MURK_SITE_FORBIDDEN,
     MURK_SITE_TOO_CLOSE,
     MURK_SITE_UNREACHED,
-    MURK_SITE_BARELY_UNREACHED /* a diagonal step would reach it */
+    MURK_SITE_BARELY_UNREACHED, /* a diagonal step would reach it */
+    MURK_SITE_VERDICTS
 } murk_verdict;
 
 typedef struct murk_listed {
@@ -29,16 +30,11 @@ murk_status murk_listed_all(murk_listed **out, size_t *n,
                             const murk_domain *domain, const char *where,
                             murk_error *err);
 
-/* Fills verdict[n] for sites[n]. `space` is the free space of desc->grid. Fails
- * with MURK_NO_MEMORY or MURK_INTERRUPTED. */
+/* Fills verdict[n] for sites[n], n may be 0. `space` is the free space of
+ * desc->grid. Fails with MURK_NO_MEMORY or MURK_INTERRUPTED. */
 murk_status murk_listed_judge(uint8_t *verdict, const murk_listed *sites,
                               size_t n, const murk_candidate_desc *desc,
-                              const murk_free_space *space,
-                              const murk_surfaces *surfaces,
-                              const murk_reach *reach, unsigned threads,
-                              const char *where, murk_error *err);
-
-/* True if the zones of the request exclude the point. */
-bool murk_site_is_forbidden(const murk_candidate_desc *desc, murk_vec3 point);
+                              const murk_free_space *space, unsigned threads,
+                              murk_error *err);
 
 #endif

@@ -4,41 +4,17 @@
 #include "sensing/open_space.h"
 
 #include "path/segment.h"
-#include "sensing/free_segments.h"
-#include "sensing/lamp.h"
 #include "sensing/reach.h"
 
 #include <assert.h>
 #include <stdlib.h>
 
 struct murk_open_space {
-    murk_domain domain;
-    murk_free_segments segments;
-    size_t n_grids, n_places;
+    murk_reach reach; /* the lamps are not used after creation */
+    size_t n_grids;
     murk_candidate_grid grid[MURK_OPEN_SPACE_GRIDS];
-    murk_free_space reached[MURK_OPEN_SPACE_GRIDS];
-    murk_vec3 *place; /* [n_places] places from which light starts */
+    murk_free_space free[MURK_OPEN_SPACE_GRIDS];
 };
-
-static murk_status find_places(murk_open_space *space,
-                               const murk_surfaces *surfaces,
-                               const murk_reach *reach, const char *where,
-                               murk_error *err)
-{
-    space->place = malloc((reach->n_lamps * MURK_LAMP_PLACES_MAX + 1) *
-                          sizeof *space->place);
-    if (!space->place) {
-        return murk_fail(err, MURK_NO_MEMORY, where,
-                         "no memory for the places of %zu lamps",
-                         reach->n_lamps);
-    }
-    for (size_t i = 0; i < reach->n_lamps; ++i) {
-        space->n_places +=
-            murk_lamp_places(surfaces, &space->domain, reach->lamps[i],
-                             space->place + space->n_places);
-    }
-    return MURK_OK;
-}
 
 murk_status murk_open_space_create(murk_open_space **out,
                                    const murk_candidate_grid *grid,
@@ -53,16 +29,15 @@ murk_status murk_open_space_create(murk_open_space **out,
         return murk_fail(err, MURK_NO_MEMORY, where,
                          "no memory for the free space");
     }
-    /* The places of light, then the free space of each grid. */
-    space->domain = reach->domain;
-    space->segments = murk_free_segments_of(surfaces, &space->domain);
-    murk_status status = find_places(space, surfaces, reach, where, err);
+    space->reach = *reach;
+    space->n_grids = n_grids;
+    murk_status status = MURK_OK;
     for (size_t i = 0; i < n_grids && !status; ++i) {
         space->grid[i] = grid[i];
         space->grid[i].clearance_m = 0;
-        status = murk_free_space_find(&space->reached[i], &space->grid[i],
-                                      surfaces, reach, threads, where, err);
-        space->n_grids += !status;
+        status =
+            murk_free_space_find(&space->free[i], &space->grid[i], surfaces,
+                                 &space->reach, threads, where, err);
     }
     if (status) {
         murk_open_space_destroy(space);
@@ -74,13 +49,9 @@ murk_status murk_open_space_create(murk_open_space **out,
 
 void murk_open_space_destroy(murk_open_space *space)
 {
-    if (!space) {
-        return;
+    for (size_t i = 0; space && i < space->n_grids; ++i) {
+        murk_free_space_release(&space->free[i]);
     }
-    for (size_t i = 0; i < space->n_grids; ++i) {
-        murk_free_space_release(&space->reached[i]);
-    }
-    free(space->place);
     free(space);
 }
 
@@ -95,11 +66,12 @@ static bool leads_to(const murk_open_space *space, const start *from,
                      murk_vec3 to)
 {
     const murk_vec3 near =
-        murk_path_nearest_image(&space->domain, to, from->point);
+        murk_path_nearest_image(&space->reach.domain, to, from->point);
     const murk_vec3 way = murk_sub(near, from->point);
     const bool is_free = murk_dot(from->normal, from->normal) == 0;
     return (is_free || murk_dot(from->normal, way) > 0) &&
-           murk_free_segment_is_open(&space->segments, from->point, near);
+           murk_free_segment_is_open(&space->free[0].segments, from->point,
+                                     near);
 }
 
 /* The indices of the grid points of the cell around x and of the cells beside
@@ -127,7 +99,7 @@ static bool leads_to_grid(const murk_open_space *space, size_t number,
         for (size_t j = first[1]; j <= last[1]; ++j) {
             for (size_t i = first[0]; i <= last[0]; ++i) {
                 const size_t index = i + n[0] * (j + n[1] * k);
-                if (space->reached[number].is_reached[index] &&
+                if (space->free[number].is_reached[index] &&
                     leads_to(space, from,
                              murk_candidate_grid_point(grid, index))) {
                     return true;
@@ -147,8 +119,8 @@ bool murk_open_space_holds(const murk_open_space *space, murk_vec3 point,
             return true;
         }
     }
-    for (size_t i = 0; i < space->n_places; ++i) {
-        if (leads_to(space, &from, space->place[i])) {
+    for (size_t i = 0; i < space->free[0].places; ++i) {
+        if (leads_to(space, &from, space->free[0].place[i])) {
             return true;
         }
     }

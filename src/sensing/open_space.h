@@ -10,7 +10,7 @@
 #ifndef MURK_SENSING_OPEN_SPACE_H
 #define MURK_SENSING_OPEN_SPACE_H
 
-#include "sensing/candidates.h"
+#include "sensing/candidate_request.h"
 
 /* One grid over the domain, and the grid of candidates of the scene. */
 #define MURK_OPEN_SPACE_GRIDS 2

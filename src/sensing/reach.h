@@ -9,12 +9,16 @@
 #define MURK_SENSING_REACH_H
 
 #include "base/status.h"
-#include "sensing/candidates.h"
+#include "sensing/candidate_request.h"
 #include "sensing/free_segments.h"
 
 #include <stdint.h>
 
 typedef struct murk_free_space {
+    murk_free_segments segments; /* the tests that decide on reach */
+    const murk_reach *reach;     /* borrowed */
+    murk_vec3 *place; /* [places] from which light starts (sensing/lamp.h) */
+    size_t places;
     uint8_t *closeness;   /* [points] murk_closeness */
     uint8_t *is_reached;  /* [points] */
     uint8_t *is_doubtful; /* [points] unreached, although a diagonal step from a
@@ -22,7 +26,8 @@ typedef struct murk_free_space {
 } murk_free_space;
 
 /* Finds the free space of a grid that has been checked. Fails with
- * MURK_NO_MEMORY or MURK_INTERRUPTED, and then leaves nothing to release. */
+ * MURK_NO_MEMORY or MURK_INTERRUPTED. Call murk_free_space_release() also after
+ * a failure. */
 murk_status murk_free_space_find(murk_free_space *out,
                                  const murk_candidate_grid *grid,
                                  const murk_surfaces *surfaces,
