@@ -2,7 +2,7 @@
  * views of several sensors combine.
  *
  * One list for all rooms. How the transmittance of a sightline becomes a
- * clarity is one row in sensing/sight.c; detection by power is
+ * clarity is one row in sensing/sight_create.c; detection by power is
  * sensing/power.h. */
 #ifndef MURK_BASE_DETECTION_H
 #define MURK_BASE_DETECTION_H

@@ -156,6 +156,22 @@ typedef struct murk_domain {
     bool is_periodic;
 } murk_domain;
 
+/* A point has 3 x 3 images around a periodic domain, and one in any other. */
+static inline int murk_domain_images(const murk_domain *domain)
+{
+    return domain->is_periodic ? 9 : 1;
+}
+
+/* Image k of a point; in a periodic domain image 4 is the point itself. */
+static inline murk_vec3 murk_domain_image(const murk_domain *domain,
+                                          murk_vec3 p, int k)
+{
+    const murk_vec3 a = domain->box.min, b = domain->box.max;
+    return domain->is_periodic ? murk_vec(p.x + (k % 3 - 1) * (b.x - a.x),
+                                          p.y + (k / 3 - 1) * (b.y - a.y), p.z)
+                               : p;
+}
+
 /* The map x -> matrix x + shift; matrix[row][column]. */
 typedef struct murk_affine {
     double matrix[3][3];

@@ -1,9 +1,7 @@
-/* Computes the density paths of sightlines in chunks (sensing/depths.h), drops
- * those with negligible transmittance, and merges the sightlines of several
- * sensors by a counting sort. */
+/* Computes the density paths of sightlines in chunks (murk_sight_depths()),
+ * drops those with negligible transmittance, and merges the sightlines of
+ * several sensors by a counting sort. */
 #include "calibrate/sightlines.h"
-
-#include "sensing/depths.h"
 
 #include <stdlib.h>
 #include <string.h>

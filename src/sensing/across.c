@@ -16,9 +16,11 @@ static void count_lost(const murk_across *a, const murk_side *facing,
     const murk_vec3 way = murk_sub(image, p->position);
     if (murk_dot(way, way) <= a->range_m * a->range_m &&
         murk_field_contains(a->field, way) &&
-        (!facing ||
-         murk_side_faces(facing, image, p->position, a->position_error_m))) {
-        murk_tally_add(is_reflected ? a->reflected : a->blocked, 1);
+        (!facing || murk_side_faces(facing, image, p->position,
+                                    a->sight->position_error_m))) {
+        murk_tally_add(is_reflected ? &a->sight->totally_reflected
+                                    : &a->sight->blocked_by_interfaces,
+                       1);
     }
 }
 
@@ -32,7 +34,7 @@ static bool is_open(const murk_across *a, const murk_photon *photon,
     if (!(s->apparent_m <= a->range_m) ||
         !murk_field_contains(a->field, apparent) ||
         (facing && !murk_side_faces(facing, way->photon, s->crossing,
-                                    a->position_error_m))) {
+                                    a->sight->position_error_m))) {
         return false;
     }
     if (a->field->toward &&
@@ -40,9 +42,9 @@ static bool is_open(const murk_across *a, const murk_photon *photon,
                           murk_photon_direction(photon))) {
         return false;
     }
-    murk_tally_add(a->shadow_rays, 1);
-    return !murk_refracted_path_blocked(way, a->sensor, a->surfaces,
-                                        a->through_sheets);
+    murk_tally_add(&a->sight->shadow_rays, 1);
+    return !murk_refracted_path_blocked(way, a->sensor, a->sight->desc.surfaces,
+                                        a->sight->desc.through_sheets);
 }
 
 size_t murk_across_sightlines(const murk_across *a, const murk_photon *photon,
@@ -53,8 +55,8 @@ size_t murk_across_sightlines(const murk_across *a, const murk_photon *photon,
     const murk_path_viewpoint *p = a->sensor;
     murk_refracted_path way[MURK_REFRACTED_PATHS_MAX];
     bool is_reflected;
-    const size_t paths = murk_refracted_paths_find(a->interfaces, p, from,
-                                                   index, way, &is_reflected);
+    const size_t paths = murk_refracted_paths_find(
+        a->sight->interfaces, p, from, index, way, &is_reflected);
     /* Without a path the photon is lost. */
     if (paths == 0) {
         count_lost(a, facing, from, is_reflected);
@@ -73,7 +75,7 @@ size_t murk_across_sightlines(const murk_across *a, const murk_photon *photon,
         line[lines++] = (murk_sightline){
             .transmittance =
                 s->transmittance *
-                murk_refracted_path_sheets(&way[i], p, a->surfaces,
+                murk_refracted_path_sheets(&way[i], p, a->sight->desc.surfaces,
                                            murk_photon_band(photon)) *
                 murk_refracted_path_transmittance(&way[i], p,
                                                   murk_photon_band(photon)),

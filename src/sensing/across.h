@@ -8,33 +8,15 @@
 #ifndef MURK_SENSING_ACROSS_H
 #define MURK_SENSING_ACROSS_H
 
-#include "base/tally.h"
-#include "photonmap/map.h"
 #include "sensing/facing.h"
-#include "sensing/refract.h"
-#include "sensing/sensor.h"
+#include "sensing/sight_parts.h"
 
 typedef struct murk_across {
-    const murk_interfaces *interfaces;
+    murk_sight *sight; /* settings, and counters of tests and losses */
     const murk_path_viewpoint *sensor;
-    const murk_surfaces *surfaces;
     const murk_field *field;
-    bool through_sheets;
-    double range_m, position_error_m;
-    murk_tally *shadow_rays; /* paths tested against surfaces */
-    murk_tally *blocked;     /* photons without a path, lost to boundaries */
-    murk_tally
-        *reflected; /* photons without a path, lost to total reflection */
+    double range_m;
 } murk_across;
-
-/* A path of light from photon to sensor. */
-typedef struct murk_sightline {
-    double transmittance;
-    murk_vec3 way; /* from the sensor to the apparent position of the photon */
-    murk_vec3 leaving; /* unit direction in which light leaves the photon */
-    double gain;       /* factor on radiance across the boundary: (n sensor / n
-                          photon)^2 */
-} murk_sightline;
 
 /* Writes the open sightlines and returns their number. `from` is the photon's
  * position, moved off the surface, in a medium of index `index`; facing is NULL

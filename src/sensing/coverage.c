@@ -7,13 +7,12 @@
  * of two such ratios, so the residual is the same mix of both residuals;
  * photons without records have residual 0. Then se^2 = N / (N - 1) sum r_e^2
  * (Cochran, Sampling Techniques, 1977, ch. 6). */
-#include "sensing/sight.h"
-
 #include "base/interrupt.h"
 #include "base/pool.h"
 #include "base/position.h"
 #include "sensing/combined_rows.h"
 #include "sensing/region_coverage.h"
+#include "sensing/sight_parts.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -23,17 +22,18 @@
 #define ROWS_EACH 4
 
 typedef struct stored_row {
-    murk_sparse_row row; /* owns the arrays */
-    bool has_failed;
+    size_t seen;
+    uint32_t *photon;  /* [seen]; NULL: memory ran out */
+    uint16_t *clarity; /* [seen]; NULL: all are MURK_CLEAR */
 } stored_row;
 
 typedef struct measure {
     murk_sight *sight;
     const murk_pose *pose;
-    size_t sensors, photons, surface_photons;
-    const uint32_t *weight;
+    size_t sensors, surface_photons;
     murk_combined_rows combined;
     stored_row *block;             /* [ROWS_EACH * threads] */
+    size_t capacity;               /* of block */
     size_t first;                  /* sensor of block[0] */
     uint64_t *single_value, *only; /* [sensors] weight * clarity: alone, and
                                       lost without the sensor */
@@ -54,77 +54,70 @@ typedef struct share {
 
 /* ---- rows ---- */
 
-static void *copy(const void *from, size_t bytes)
-{
-    void *out = malloc(bytes + 1);
-    if (out && bytes) {
-        memcpy(out, from, bytes);
-    }
-    return out;
-}
-
 static void find_row(void *context, unsigned worker, uint64_t batch)
 {
     measure *m = context;
     stored_row *s = &m->block[batch];
     murk_sparse_row row;
     murk_sight_row(m->sight, worker, &m->pose[m->first + batch], &row);
-    s->row.seen = row.seen;
-    s->row.photon = copy(row.photon, row.seen * sizeof *row.photon);
-    s->row.clarity =
-        row.clarity ? copy(row.clarity, row.seen * sizeof *row.clarity) : NULL;
-    s->has_failed = !s->row.photon || (row.clarity && !s->row.clarity);
-}
-
-static void add_row(measure *m, uint32_t sensor, const murk_sparse_row *row)
-{
-    if (m->is_second_pass) {
-        m->only[sensor] =
-            murk_combined_rows_only_of(&m->combined, m->weight, row);
+    s->seen = row.seen;
+    s->photon = malloc(row.seen * sizeof *s->photon + 1);
+    s->clarity = row.clarity ? malloc(row.seen * sizeof *s->clarity + 1) : NULL;
+    if (!s->photon || (row.clarity && !s->clarity)) {
+        free(s->photon);
+        s->photon = NULL;
         return;
     }
-    for (size_t k = 0; k < row->seen; ++k) {
-        m->single_value[sensor] +=
-            (uint64_t)m->weight[row->photon[k]] *
-            (row->clarity ? row->clarity[k] : MURK_CLEAR);
+    memcpy(s->photon, row.photon, row.seen * sizeof *s->photon);
+    if (row.clarity) {
+        memcpy(s->clarity, row.clarity, row.seen * sizeof *s->clarity);
     }
-    murk_combined_rows_add(&m->combined, sensor, row);
 }
 
-static void release_block(stored_row *block, size_t n)
+static void add_row(measure *m, uint32_t sensor, const stored_row *stored)
 {
-    for (size_t i = 0; block && i < n; ++i) {
-        free((void *)(uintptr_t)block[i].row.photon);
-        free((void *)(uintptr_t)block[i].row.clarity);
-        block[i] = (stored_row){0};
+    const uint32_t *weight = m->sight->weight;
+    const murk_sparse_row row = {stored->seen, stored->photon, stored->clarity};
+    if (m->is_second_pass) {
+        m->only[sensor] =
+            murk_combined_rows_only_of(&m->combined, weight, &row);
+        return;
+    }
+    for (size_t k = 0; k < row.seen; ++k) {
+        m->single_value[sensor] += (uint64_t)weight[row.photon[k]] *
+                                   (row.clarity ? row.clarity[k] : MURK_CLEAR);
+    }
+    murk_combined_rows_add(&m->combined, sensor, &row);
+}
+
+static void release_block(measure *m)
+{
+    for (size_t i = 0; m->block && i < m->capacity; ++i) {
+        free(m->block[i].photon);
+        free(m->block[i].clarity);
+        m->block[i] = (stored_row){0};
     }
 }
 
 static murk_status find_rows(measure *m, murk_error *err)
 {
-    const unsigned threads = murk_sight_described(m->sight)->threads;
-    const size_t capacity = (size_t)ROWS_EACH * threads;
-    for (m->first = 0; m->first < m->sensors; m->first += capacity) {
+    for (m->first = 0; m->first < m->sensors; m->first += m->capacity) {
         const size_t left = m->sensors - m->first;
-        const size_t n = left < capacity ? left : capacity;
+        const size_t n = left < m->capacity ? left : m->capacity;
         /* One block of rows over threads, then added in the order of the
          * sensors. */
-        murk_pool_run_workers(threads, n, find_row, m);
-        bool has_failed = false;
-        for (size_t i = 0; i < n; ++i) {
-            has_failed = has_failed || m->block[i].has_failed;
-        }
+        murk_pool_run_workers(m->sight->desc.threads, n, find_row, m);
         if (murk_interrupted()) {
             return murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
         }
-        if (has_failed) {
-            return murk_fail(err, MURK_NO_MEMORY, "",
-                             "no memory to look from %zu sensors", n);
-        }
         for (size_t i = 0; i < n; ++i) {
-            add_row(m, (uint32_t)(m->first + i), &m->block[i].row);
+            if (!m->block[i].photon) {
+                return murk_fail(err, MURK_NO_MEMORY, "",
+                                 "no memory to look from %zu sensors", n);
+            }
+            add_row(m, (uint32_t)(m->first + i), &m->block[i]);
         }
-        release_block(m->block, n);
+        release_block(m);
     }
     return MURK_OK;
 }
@@ -135,7 +128,7 @@ static murk_status find_only(measure *m, murk_error *err)
     if (m->is_second_pass) {
         return find_rows(m, err);
     }
-    murk_combined_rows_only(&m->combined, m->weight, m->only);
+    murk_combined_rows_only(&m->combined, m->sight->weight, m->only);
     return MURK_OK;
 }
 
@@ -167,7 +160,7 @@ static share add_up(const measure *m, const murk_photon_map *map, size_t first)
         const double power_w = murk_sight_power_w(m->sight, i);
         sum.seen_w += power_w * worth;
         sum.whole_w += power_w * full_of(m);
-        const uint64_t w = m->weight[i];
+        const uint64_t w = m->sight->weight[i];
         sum.seen += w * worth;
         sum.whole += w * full_of(m);
     }
@@ -188,8 +181,8 @@ static double own_fraction(const share *s)
 static void fill(murk_coverage_result *out, const measure *m, uint64_t whole)
 {
     uint64_t seen = 0;
-    for (size_t i = 0; i < m->photons; ++i) {
-        m->seen_by[m->combined.sensors[i]] += m->weight[i];
+    for (size_t i = 0; i < m->sight->photons; ++i) {
+        m->seen_by[m->combined.sensors[i]] += m->sight->weight[i];
     }
     for (size_t k = m->sensors; k-- > 0;) {
         seen += m->seen_by[k + 1];
@@ -242,7 +235,7 @@ typedef struct residuals {
 static residuals square_residuals(const measure *m, const uint64_t *key,
                                   const share part[2], double c_total)
 {
-    const murk_sight_desc *desc = murk_sight_described(m->sight);
+    const murk_sight_desc *desc = &m->sight->desc;
     double c_weight[2], c_power[2];
     for (int p = 0; p < 2; ++p) {
         c_weight[p] = desc->weights.balanced
@@ -251,19 +244,19 @@ static residuals square_residuals(const measure *m, const uint64_t *key,
         c_power[p] = own_fraction(&part[p]);
     }
     residuals sum = {0};
-    for (size_t k = 0; k < m->photons;) {
+    for (size_t k = 0; k < m->sight->photons;) {
         const uint64_t emitted = key[k] >> 32;
         double own[2] = {0, 0}, of_map[2] = {0, 0};
         /* All records of one emitted photon. */
-        for (; k < m->photons && key[k] >> 32 == emitted; ++k) {
+        for (; k < m->sight->photons && key[k] >> 32 == emitted; ++k) {
             const size_t i = (size_t)(key[k] & UINT32_MAX);
             const int p = i >= m->surface_photons;
             const double power_w = murk_sight_power_w(m->sight, i);
             const double worth = worth_of(m, i);
             own[p] += power_w * (worth - c_power[p] * full_of(m));
-            if (m->weight[i] > 0) {
-                const double x = (double)m->weight[i] * worth;
-                const double y = (double)m->weight[i] * full_of(m);
+            if (m->sight->weight[i] > 0) {
+                const double x = (double)m->sight->weight[i] * worth;
+                const double y = (double)m->sight->weight[i] * full_of(m);
                 of_map[p] += x - c_weight[p] * y;
             }
         }
@@ -289,7 +282,7 @@ static double error_of(double squares, double whole, double emitted)
 static void find_at_least(murk_coverage_result *out, const measure *m,
                           const uint64_t *sorted)
 {
-    const murk_sight_desc *desc = murk_sight_described(m->sight);
+    const murk_sight_desc *desc = &m->sight->desc;
     out->at_least = (murk_estimate){NAN, NAN};
     if (desc->at_least == 0) {
         return;
@@ -316,27 +309,23 @@ static double seen_of(const void *context, size_t i)
 static murk_status find_errors(murk_coverage_result *out, const measure *m,
                                const share part[2], murk_error *err)
 {
-    const murk_sight_desc *desc = murk_sight_described(m->sight);
-    const murk_photon *s = murk_photon_map_photons(desc->surface_map);
-    const murk_photon *v = murk_photon_map_photons(desc->volume_map);
-    uint64_t *keys = malloc(m->photons * sizeof *keys);
-    uint64_t *other = malloc(m->photons * sizeof *other);
+    const murk_sight_desc *desc = &m->sight->desc;
+    uint64_t *keys = malloc(m->sight->photons * sizeof *keys);
+    uint64_t *other = malloc(m->sight->photons * sizeof *other);
     murk_status status = MURK_OK;
     if (!keys || !other) {
         status = murk_fail(err, MURK_NO_MEMORY, "",
-                           "no memory to sort %zu photons", m->photons);
+                           "no memory to sort %zu photons", m->sight->photons);
         goto done;
     }
     /* Sort the records by emitted photon, then sum. */
-    for (size_t i = 0; i < m->photons; ++i) {
+    for (size_t i = 0; i < m->sight->photons; ++i) {
         const uint64_t emitted =
-            i < m->surface_photons
-                ? murk_photon_emitted(&s[i])
-                : murk_photon_emitted(&v[i - m->surface_photons]);
+            murk_photon_emitted(murk_sight_photon(m->sight, i));
         keys[i] = emitted << 32 | i;
     }
     const uint64_t *sorted =
-        sort_by_emitted(keys, other, m->photons, desc->photons_emitted);
+        sort_by_emitted(keys, other, m->sight->photons, desc->photons_emitted);
     const residuals sum = square_residuals(m, sorted, part, out->total.value);
     const double emitted = (double)desc->photons_emitted;
     out->surface.standard_error =
@@ -355,7 +344,7 @@ static murk_status find_errors(murk_coverage_result *out, const measure *m,
     }
     find_at_least(out, m, sorted);
     out->map[0].photons = m->surface_photons;
-    out->map[1].photons = m->photons - m->surface_photons;
+    out->map[1].photons = m->sight->photons - m->surface_photons;
     if (out->region) {
         murk_region_coverage_measure(out->region, m->sight, sorted, seen_of, m);
     }
@@ -399,25 +388,23 @@ bool murk_coverage_result_create(murk_coverage_result *out, size_t n,
 static murk_status allocate(measure *m, murk_coverage_result *out,
                             murk_error *err)
 {
-    const size_t n = m->sensors;
-    const size_t capacity =
-        (size_t)ROWS_EACH * murk_sight_described(m->sight)->threads;
+    const murk_sight_desc *desc = &m->sight->desc;
+    const size_t n = m->sensors, photons = m->sight->photons;
     /* Rows, sums by sensor, and the arrays of the result. */
-    m->block = calloc(capacity, sizeof *m->block);
+    m->block = calloc(m->capacity, sizeof *m->block);
     m->single_value = calloc(n + 1, sizeof *m->single_value);
     m->only = calloc(n + 1, sizeof *m->only);
     m->seen_by = calloc(n + 1, sizeof *m->seen_by);
-    const murk_sight_desc *desc = murk_sight_described(m->sight);
     if (murk_coverage_result_create(out, n,
                                     desc->interest ? desc->interest->n : 0) &&
-        murk_combined_rows_init(&m->combined, m->photons, desc->combining,
+        murk_combined_rows_init(&m->combined, photons, desc->combining,
                                 desc->redundancy > 1 ? desc->redundancy : 1) &&
         m->block && m->single_value && m->only && m->seen_by) {
         return MURK_OK;
     }
     return murk_fail(err, MURK_NO_MEMORY, "",
                      "no memory to measure %zu sensors over %zu photons", n,
-                     m->photons);
+                     photons);
 }
 
 murk_status murk_coverage_result_measure(murk_coverage_result *out,
@@ -425,47 +412,41 @@ murk_status murk_coverage_result_measure(murk_coverage_result *out,
                                          const murk_pose *pose, size_t n,
                                          murk_error *err)
 {
-    const murk_sight_desc *desc = murk_sight_described(sight);
+    const murk_sight_desc *desc = &sight->desc;
     measure m = {.sight = sight,
                  .pose = pose,
                  .sensors = n,
-                 .photons = murk_sight_photons(sight),
                  .surface_photons = murk_photon_map_count(desc->surface_map),
-                 .weight = murk_sight_weights(sight)};
+                 .capacity = (size_t)ROWS_EACH * desc->threads};
     murk_coverage_result coverage = {0};
     murk_status status = check(desc, pose, n, err);
-    if (status) {
-        goto done;
-    }
-    status = allocate(&m, &coverage, err);
-    if (status) {
-        goto done;
+    if (!status) {
+        status = allocate(&m, &coverage, err);
     }
     /* Rows of all sensors, then the sums. */
-    status = find_rows(&m, err);
+    if (!status) {
+        status = find_rows(&m, err);
+    }
     if (!status) {
         status = find_only(&m, err);
     }
-    if (status) {
-        goto done;
-    }
     /* Values and errors. */
-    const share part[2] = {add_up(&m, desc->surface_map, 0),
-                           add_up(&m, desc->volume_map, m.surface_photons)};
-    const uint64_t whole = part[0].whole + part[1].whole;
-    fill(&coverage, &m, whole);
-    coverage.surface.value = own_fraction(&part[0]);
-    coverage.volume.value = own_fraction(&part[1]);
-    coverage.total.value = ratio(part[0].seen + part[1].seen, whole);
-    status = find_errors(&coverage, &m, part, err);
-    if (status) {
-        goto done;
+    if (!status) {
+        const share part[2] = {add_up(&m, desc->surface_map, 0),
+                               add_up(&m, desc->volume_map, m.surface_photons)};
+        const uint64_t whole = part[0].whole + part[1].whole;
+        fill(&coverage, &m, whole);
+        coverage.surface.value = own_fraction(&part[0]);
+        coverage.volume.value = own_fraction(&part[1]);
+        coverage.total.value = ratio(part[0].seen + part[1].seen, whole);
+        status = find_errors(&coverage, &m, part, err);
     }
-    *out = coverage;
-    coverage = (murk_coverage_result){0};
-done:
-    murk_coverage_result_release(&coverage);
-    release_block(m.block, (size_t)ROWS_EACH * desc->threads);
+    if (status) {
+        murk_coverage_result_release(&coverage);
+    } else {
+        *out = coverage;
+    }
+    release_block(&m);
     murk_combined_rows_release(&m.combined);
     free(m.block);
     free(m.single_value);

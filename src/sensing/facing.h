@@ -14,8 +14,17 @@ typedef struct murk_side {
     double tilt2;  /* squared sine of the largest error of a stored normal */
 } murk_side;
 
-/* Unpacks a normal. */
-murk_side murk_side_of(const murk_surfaces *surfaces, uint32_t packed);
+/* Unpacks a normal. Normals along an axis are stored exactly; all others have
+ * the error of the packing (photonmap/photon.h). */
+static inline murk_side murk_side_of(const murk_surfaces *surfaces,
+                                     uint32_t packed)
+{
+    const murk_vec3 n = murk_direction_unpack(packed), zero = {0, 0, 0};
+    const bool is_along_axis = (n.x == 0) + (n.y == 0) + (n.z == 0) == 2;
+    const double tilt = is_along_axis ? 0 : MURK_DIRECTION_ERROR_RAD;
+    return (murk_side){packed, n, murk_surfaces_leave(surfaces, zero, n),
+                       tilt * tilt};
+}
 
 /* A cache of unpacked normals, because buildings have few distinct normals. The
  * entry is chosen by the upper bits of the hash (Fibonacci hashing, Knuth, The
@@ -35,6 +44,21 @@ static inline const murk_side *murk_side_recall(murk_side sides[MURK_SIDES],
         *s = murk_side_of(surfaces, packed);
     }
     return s;
+}
+
+/* The point from which sightlines to a photon start: off the surface of a
+ * surface photon. *side: the side of the surface, NULL for a volume photon. */
+static inline murk_vec3 murk_side_start(const murk_photon *photon,
+                                        const murk_surfaces *surfaces,
+                                        murk_side sides[MURK_SIDES],
+                                        const murk_side **side)
+{
+    const murk_vec3 at = murk_photon_place(photon);
+    *side = murk_photon_is_volume(photon)
+                ? NULL
+                : murk_side_recall(sides, surfaces,
+                                   murk_photon_packed_normal(photon));
+    return *side ? murk_add(at, (*side)->off) : at;
 }
 
 /* True if normal . (sensor - photon) exceeds the possible error of storage. */

@@ -6,15 +6,6 @@
 
 #include <stdlib.h>
 
-static bool reaches(const murk_box *box, murk_vec3 center, double range_m)
-{
-    const double x =
-        fmax(0, fmax(box->min.x - center.x, center.x - box->max.x));
-    const double y =
-        fmax(0, fmax(box->min.y - center.y, center.y - box->max.y));
-    return x <= range_m && y <= range_m;
-}
-
 static int by_number(const void *a, const void *b)
 {
     const uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
@@ -41,32 +32,21 @@ static size_t keep_nearest(uint32_t *found, size_t n, const murk_photon *photon,
     return kept;
 }
 
-static size_t find_periodic(const murk_photon_map *map,
-                            const murk_domain *domain, murk_vec3 sensor,
-                            double range_m, uint32_t *found)
-{
-    const murk_vec3 period = murk_sub(domain->box.max, domain->box.min);
-    const murk_photon *photon = murk_photon_map_photons(map);
-    size_t kept = 0;
-    for (int k = 0; k < 9; ++k) {
-        const murk_vec3 image = {sensor.x + (k % 3 - 1) * period.x,
-                                 sensor.y + (k / 3 - 1) * period.y, sensor.z};
-        if (reaches(&domain->box, image, range_m)) {
-            const size_t n =
-                murk_photon_map_within(map, image, range_m, found + kept);
-            kept +=
-                keep_nearest(found + kept, n, photon, domain, sensor, image);
-        }
-    }
-    qsort(found, kept, sizeof *found, by_number);
-    return kept;
-}
-
 size_t murk_photons_nearby(const murk_photon_map *map,
                            const murk_domain *domain, murk_vec3 sensor,
                            double range_m, uint32_t *found)
 {
-    return domain->is_periodic
-               ? find_periodic(map, domain, sensor, range_m, found)
-               : murk_photon_map_within(map, sensor, range_m, found);
+    if (!domain->is_periodic) {
+        return murk_photon_map_within(map, sensor, range_m, found);
+    }
+    const murk_photon *photon = murk_photon_map_photons(map);
+    size_t kept = 0;
+    for (int k = 0; k < murk_domain_images(domain); ++k) {
+        const murk_vec3 image = murk_domain_image(domain, sensor, k);
+        const size_t n =
+            murk_photon_map_within(map, image, range_m, found + kept);
+        kept += keep_nearest(found + kept, n, photon, domain, sensor, image);
+    }
+    qsort(found, kept, sizeof *found, by_number);
+    return kept;
 }

@@ -7,8 +7,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#define IMAGES 9 /* images of a place in a periodic domain: 3 x 3 */
-
 /* Photons queried, as multiples of k: at first, and at most. The maximum bounds
  * the work if many photons of other bands or sides lie near. */
 #define FIRST_QUERY 2
@@ -22,7 +20,7 @@ typedef struct near_one {
 struct murk_neighbours_workspace {
     uint32_t *found;
     double *distance2_m2;
-    near_one *nearest; /* photons of all images */
+    near_one *nearest; /* photons of the nine images */
 };
 
 murk_neighbours_workspace *murk_neighbours_workspace_create(size_t k)
@@ -34,7 +32,7 @@ murk_neighbours_workspace *murk_neighbours_workspace_create(size_t k)
     }
     workspace->found = calloc(capacity, sizeof *workspace->found);
     workspace->distance2_m2 = calloc(capacity, sizeof *workspace->distance2_m2);
-    workspace->nearest = calloc(IMAGES * capacity, sizeof *workspace->nearest);
+    workspace->nearest = calloc(9 * capacity, sizeof *workspace->nearest);
     if (!workspace->found || !workspace->distance2_m2 || !workspace->nearest) {
         murk_neighbours_workspace_destroy(workspace);
         return NULL;
@@ -67,15 +65,11 @@ static size_t nearest_of_images(const murk_neighbours *neighbours,
                                 murk_neighbours_workspace *workspace,
                                 murk_vec3 place, size_t m)
 {
-    const murk_domain *domain = neighbours->domain;
-    const murk_vec3 period = murk_sub(domain->box.max, domain->box.min);
-    const int images = domain->is_periodic ? IMAGES : 1;
+    const int images = murk_domain_images(neighbours->domain);
     size_t all = 0;
     for (int image = 0; image < images; ++image) {
-        const double i = images > 1 ? image % 3 - 1 : 0;
-        const double j = images > 1 ? image / 3 - 1 : 0;
-        const murk_vec3 center = {place.x + i * period.x,
-                                  place.y + j * period.y, place.z};
+        const murk_vec3 center =
+            murk_domain_image(neighbours->domain, place, image);
         /* The nearest photons of this image. */
         const size_t n =
             murk_photon_map_nearest(neighbours->map, center, m,

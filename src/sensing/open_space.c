@@ -29,6 +29,7 @@ murk_status murk_open_space_create(murk_open_space **out,
         return murk_fail(err, MURK_NO_MEMORY, where,
                          "no memory for the free space");
     }
+    /* The free space of each grid. */
     space->reach = *reach;
     space->n_grids = n_grids;
     murk_status status = MURK_OK;

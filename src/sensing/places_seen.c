@@ -9,7 +9,6 @@
 #include "base/progress.h"
 #include "medium/rescaled.h"
 #include "sensing/combined_rows.h"
-#include "sensing/depths.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -39,11 +39,7 @@
 #ifndef MURK_SENSING_POWER_H
 #define MURK_SENSING_POWER_H
 
-#include "medium/media.h"
-#include "photonmap/map.h"
-#include "sensing/across.h"
-#include "sensing/power_settings.h"
-#include "sensing/sensor.h"
+#include "sensing/sight.h"
 
 /* Maximum mean number of photons in an estimate with a fixed radius. Volume
  * estimates depend on the direction, so their photons are stored, and fewer are
@@ -56,24 +52,24 @@
 
 typedef struct murk_power murk_power;
 
-typedef struct murk_power_desc {
-    /* Places to be judged: the maps of the light itself, or others. All members
-     * are borrowed. */
-    const murk_photon_map *surface_map, *volume_map;
-    murk_power_light light;
-    const murk_media *media;
-    const murk_domain *domain;
-    double radius_m;   /* checked by murk_power_check_radius() */
-    size_t neighbours; /* 0: all photons within radius_m; otherwise, at least 2,
-                          the radius of so many photons, radius_m at most */
-    unsigned threads;
-} murk_power_desc;
+/* A path of light from photon to sensor. */
+typedef struct murk_sightline {
+    double transmittance;
+    murk_vec3 way; /* from the sensor to the apparent position of the photon */
+    murk_vec3 leaving; /* unit direction in which light leaves the photon */
+    double gain;       /* factor on radiance across the boundary: (n sensor / n
+                          photon)^2 */
+} murk_sightline;
 
-/* Needs up to 550 bytes a place of the volume map, 4 a place of the surface
+/* For a description with desc->power.radius_m > 0, all members of which are
+ * borrowed. The places to be judged are desc's maps; the light is that of
+ * desc->power.light, or that of the places.
+ *
+ * Needs up to 550 bytes a place of the volume map, 4 a place of the surface
  * map, and 40 a photon of the light. Runs over threads, with progress. Fails
- * with MURK_BAD_VALUE (radius), MURK_BAD_FILE (a record without a medium),
- * MURK_NO_MEMORY or MURK_INTERRUPTED. */
-murk_status murk_power_create(murk_power **out, const murk_power_desc *desc,
+ * with MURK_BAD_VALUE (radius, sensor types), MURK_BAD_FILE (a record without a
+ * medium), MURK_NO_MEMORY or MURK_INTERRUPTED. */
+murk_status murk_power_create(murk_power **out, const murk_sight_desc *desc,
                               murk_error *err);
 void murk_power_destroy(murk_power *power); /* accepts NULL */
 
@@ -93,11 +89,6 @@ double murk_power_signal_w(const murk_power *power,
                            const murk_sensor_type *type,
                            const murk_field *field, const murk_photon *photon,
                            size_t i, const murk_sightline *line);
-
-/* Fails with MURK_BAD_VALUE if aperture, efficiency, exposure or targets are
- * out of range. */
-murk_status murk_power_check_type(const murk_sensor_type *type,
-                                  murk_error *err);
 
 /* The detection probability p of a signal at a wavelength. */
 double murk_power_chance(const murk_sensor_type *type, double signal_w,

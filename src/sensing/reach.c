@@ -234,6 +234,7 @@ murk_status murk_free_space_find(murk_free_space *out,
                                  const char *where, murk_error *err)
 {
     const size_t *size = grid->size, n = size[0] * size[1] * size[2];
+    /* Allocate the result and the buffers of the search. */
     *out = (murk_free_space){
         .segments = murk_free_segments_of(surfaces, &reach->domain),
         .reach = reach,
@@ -260,6 +261,7 @@ murk_status murk_free_space_find(murk_free_space *out,
                            "no memory for %zu candidates", n);
         goto done;
     }
+    /* List the places of light, and explore. */
     for (size_t i = 0; i < reach->n_lamps; ++i) {
         out->places +=
             murk_lamp_places(surfaces, &reach->domain, reach->lamps[i],

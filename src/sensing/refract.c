@@ -58,6 +58,17 @@ static bool is_in_domain(const murk_interfaces *at,
     return murk_box_contains(&box, inside_domain(v, point));
 }
 
+/* The first of n segments along which the index changes; n if there is none. */
+static int changing_segment(murk_path *segment, int n, murk_path_change *change)
+{
+    int i = 0;
+    while (i < n && !(segment[i].length_m > 0 &&
+                      murk_path_next_change(&segment[i], change))) {
+        ++i;
+    }
+    return i;
+}
+
 /* Walks the first part of a path. True if the first change of index is the
  * crossing; *inside is then the set of regions beyond it. */
 static bool reaches_crossing(const murk_interfaces *at,
@@ -69,18 +80,12 @@ static bool reaches_crossing(const murk_interfaces *at,
     murk_path segment[MURK_PATH_SEGMENTS_MAX];
     murk_path_change change;
     const int segments = murk_path_to(v, path->crossing, segment);
-    /* No change of index before the last segment. */
-    for (int i = 0; i + 1 < segments; ++i) {
-        if (segment[i].length_m > 0 &&
-            murk_path_next_change(&segment[i], &change)) {
-            return false;
-        }
-    }
-    /* The last segment ends at the crossing; extended a little, it must meet
-     * the expected change there. */
     murk_path *last = &segment[segments - 1];
     const double end = last->length_m;
-    if (!(end > 0)) {
+    /* No change of index before the last segment, which ends at the crossing;
+     * extended a little, it must meet the expected change there. */
+    if (changing_segment(segment, segments - 1, &change) < segments - 1 ||
+        !(end > 0)) {
         return false;
     }
     last->length_m += at->near_m / path->cosine[0] + 3 * tolerance;
@@ -107,13 +112,7 @@ static bool goes_on(const murk_path_viewpoint *v, const murk_snell *path,
     const int segments = murk_path_to(&beyond, to, segment);
     segment[0].inside = inside;
     segment[0].skip_m = v->space->mesh_tolerance_m;
-    for (int i = 0; i < segments; ++i) {
-        if (segment[i].length_m > 0 &&
-            murk_path_next_change(&segment[i], &change)) {
-            return false;
-        }
-    }
-    return true;
+    return changing_segment(segment, segments, &change) == segments;
 }
 
 /* Adds the path through a plane, if there is a valid one that has not been
@@ -152,17 +151,17 @@ static bool first_change(const murk_path_viewpoint *v, murk_vec3 photon,
 {
     murk_path segment[MURK_PATH_SEGMENTS_MAX];
     const int segments = murk_path_to(v, photon, segment);
+    const int at = changing_segment(segment, segments, change);
+    if (at == segments) {
+        return false;
+    }
     double gone = 0;
-    for (int i = 0; i < segments; ++i) {
-        if (segment[i].length_m > 0 &&
-            murk_path_next_change(&segment[i], change)) {
-            *place = murk_along(v->position, gone + change->distance_m,
-                                direction_of(v->position, photon));
-            return true;
-        }
+    for (int i = 0; i < at; ++i) {
         gone += segment[i].length_m;
     }
-    return false;
+    *place = murk_along(v->position, gone + change->distance_m,
+                        direction_of(v->position, photon));
+    return true;
 }
 
 static bool is_beyond_critical(const murk_path_change *change,

@@ -4,7 +4,7 @@
  * pass over the sorted photons computes the residuals of all regions. */
 #include "sensing/region_coverage.h"
 
-#include <string.h>
+#include "sensing/sight_parts.h"
 
 /* One region: covered and whole power, by map. */
 typedef struct share {
@@ -19,31 +19,28 @@ typedef struct share {
 
 typedef struct sums {
     const murk_sight *sight;
-    const murk_sight_desc *desc;
-    const murk_photon *photon[2];
-    size_t first[2]; /* first photon of each map */
-    size_t photons;
+    size_t n; /* regions */
+    size_t surface_photons;
     share part[MURK_INTERESTS_MAX];
 } sums;
 
 static int map_of(const sums *s, size_t i)
 {
-    return i >= s->first[1];
+    return i >= s->surface_photons;
 }
 
 static double power_w(const sums *s, size_t i)
 {
-    const int p = map_of(s, i);
-    return murk_photon_power_w(&s->photon[p][i - s->first[p]]);
+    return murk_photon_power_w(murk_sight_photon(s->sight, i));
 }
 
 static void add_up(sums *s, murk_photon_view seen, const void *context)
 {
-    for (size_t i = 0; i < s->photons; ++i) {
-        const uint64_t regions = murk_sight_regions(s->sight, i);
+    for (size_t i = 0; i < s->sight->photons; ++i) {
+        const uint64_t regions = s->sight->regions[i];
         const double worth = regions ? seen(context, i) : 0;
         const int p = map_of(s, i);
-        for (size_t r = 0; r < s->desc->interest->n; ++r) {
+        for (size_t r = 0; r < s->n; ++r) {
             if (regions >> r & 1) {
                 share *part = &s->part[r];
                 part->seen_w[p] += power_w(s, i) * worth;
@@ -83,7 +80,7 @@ static double set_coverage(share *part, const murk_map_weights *weights)
 
 static void add_squares(sums *s, uint64_t touched)
 {
-    for (size_t r = 0; r < s->desc->interest->n; ++r) {
+    for (size_t r = 0; r < s->n; ++r) {
         if (touched >> r & 1) {
             share *part = &s->part[r];
             part->squares += part->residual * part->residual;
@@ -96,18 +93,18 @@ static void square_residuals(sums *s, const uint64_t *key,
                              murk_photon_view seen, const void *context)
 {
     uint64_t touched = 0;
-    for (size_t k = 0; k < s->photons; ++k) {
+    for (size_t k = 0; k < s->sight->photons; ++k) {
         /* A new emitted photon: square the residuals of the last one. */
         if (k > 0 && key[k] >> 32 != key[k - 1] >> 32) {
             add_squares(s, touched);
             touched = 0;
         }
         const size_t i = (size_t)(key[k] & UINT32_MAX);
-        const uint64_t regions = murk_sight_regions(s->sight, i);
+        const uint64_t regions = s->sight->regions[i];
         const double worth = regions ? seen(context, i) : 0;
         const int p = map_of(s, i);
         touched |= regions;
-        for (size_t r = 0; r < s->desc->interest->n; ++r) {
+        for (size_t r = 0; r < s->n; ++r) {
             if (regions >> r & 1) {
                 share *part = &s->part[r];
                 part->residual +=
@@ -122,23 +119,19 @@ void murk_region_coverage_measure(murk_region_coverage *out,
                                   const murk_sight *sight, const uint64_t *key,
                                   murk_photon_view seen, const void *context)
 {
-    const murk_sight_desc *desc = murk_sight_described(sight);
+    const murk_sight_desc *desc = &sight->desc;
     sums s = {.sight = sight,
-              .desc = desc,
-              .photon = {murk_photon_map_photons(desc->surface_map),
-                         murk_photon_map_photons(desc->volume_map)},
-              .first = {0, murk_photon_map_count(desc->surface_map)},
-              .photons = murk_sight_photons(sight)};
-    memset(out, 0, desc->interest->n * sizeof *out);
+              .n = desc->interest->n,
+              .surface_photons = murk_photon_map_count(desc->surface_map)};
     /* Coverage of each region, then the errors. */
     add_up(&s, seen, context);
-    for (size_t r = 0; r < desc->interest->n; ++r) {
+    for (size_t r = 0; r < s.n; ++r) {
         out[r].photons = s.part[r].photons;
         out[r].coverage.value = set_coverage(&s.part[r], &desc->weights);
     }
     square_residuals(&s, key, seen, context);
     const double emitted = (double)desc->photons_emitted;
-    for (size_t r = 0; r < desc->interest->n; ++r) {
+    for (size_t r = 0; r < s.n; ++r) {
         out[r].coverage.standard_error =
             isfinite(out[r].coverage.value) && emitted > 1
                 ? sqrt(emitted / (emitted - 1) * s.part[r].squares)

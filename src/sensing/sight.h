@@ -21,6 +21,7 @@
 #ifndef MURK_SENSING_SIGHT_H
 #define MURK_SENSING_SIGHT_H
 
+#include "base/bands.h"
 #include "base/stats.h"
 #include "base/status.h"
 #include "base/tally.h"
@@ -30,7 +31,6 @@
 #include "photonmap/map.h"
 #include "placement/problem.h"
 #include "sensing/interest.h"
-#include "sensing/power_settings.h"
 #include "sensing/sensor.h"
 
 typedef enum murk_visibility {
@@ -48,6 +48,30 @@ typedef struct murk_map_weights {
     bool balanced;
     double surface, volume; /* a, b >= 0, not both 0 */
 } murk_map_weights;
+
+/* A place with fewer photons in the estimate is judged badly: the relative
+ * error is 1 / sqrt(10 - 2), a third, or more. */
+#define MURK_POWER_FEW 10
+
+/* The stored light, and the number of emitted photons. */
+typedef struct murk_power_light {
+    const murk_photon_map *surface_map, *volume_map;
+    uint64_t photons_emitted;
+} murk_power_light;
+
+/* Settings of detection by power (sensing/power.h). */
+typedef struct murk_power_settings {
+    double radius_m;   /* 0: not by power; else murk_power_check_radius() */
+    size_t neighbours; /* 0: all photons within radius_m; otherwise, at least 2,
+                          the radius of so many photons, radius_m at most */
+    double band_nm[MURK_BANDS_MAX];
+    murk_power_light light; /* maps NULL: those of the sight */
+} murk_power_settings;
+
+/* Fails with MURK_BAD_VALUE at `where` unless the radius is above 0 and, in a
+ * periodic domain, at most half a period. */
+murk_status murk_power_check_radius(double radius_m, const murk_domain *domain,
+                                    const char *where, murk_error *err);
 
 typedef struct murk_sight_desc {
     const murk_surfaces *surfaces;
@@ -103,6 +127,16 @@ void murk_sight_own_maps(murk_sight *sight, murk_photon_map *surface,
  * call. worker is in [0, threads), pose->type below types. */
 void murk_sight_row(murk_sight *sight, unsigned worker, const murk_pose *pose,
                     murk_sparse_row *row);
+
+/* Optical depths along sightlines, unrounded: in any media that occupy the
+ * regions of the sight's media, and the transmittance of sheets. A clarity is
+ * the product of both rounded to 1/65535. Not for sightlines that bend.
+ * For photon[n], indices of a row seen from pose: depth[n][count] in
+ * media[count], in the band of the photon, and sheets[n], 0..1 (1 if the sight
+ * does not look through sheets). */
+void murk_sight_depths(double *depth, double *sheets, const murk_sight *sight,
+                       const murk_pose *pose, const uint32_t *photon, size_t n,
+                       const murk_media *const *media, size_t count);
 
 /* The placement problem of these candidates. Borrows candidates and sight. */
 typedef struct murk_sight_problem {

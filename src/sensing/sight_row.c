@@ -2,7 +2,8 @@
  * photons within range, tests field of view, band and normal, tests the
  * sightlines against surfaces in blocks, and computes the clarity. Photons
  * beyond an interface are found by sensing/across.h. Writes to the worker's
- * scratch buffers only. */
+ * scratch buffers only. Optical depths along the sightlines of a row are
+ * computed with the same routines, without rounding. */
 #include "sensing/across.h"
 #include "sensing/nearby.h"
 #include "sensing/sight_parts.h"
@@ -122,6 +123,14 @@ static uint16_t clarity_of(const row_search *l, const murk_photon *p, size_t i,
     return clarity_along(l, p, i, &line, 1);
 }
 
+/* Adds a photon to the row. */
+static void add_seen(row_search *l, uint32_t photon, uint16_t clarity)
+{
+    l->clarity[l->seen] = clarity;
+    l->is_binary = l->is_binary && clarity == MURK_CLEAR;
+    l->photon[l->seen++] = photon;
+}
+
 /* Adds n photons (indices in their map, sightlines from `from`) if they are
  * visible. Works in place: the write position never passes the read position.
  */
@@ -135,16 +144,15 @@ static void add_visible(row_search *l, const murk_photon *photon,
         if (blocked[i]) {
             continue;
         }
-        if (l->clarity) {
-            const uint16_t clarity =
-                clarity_of(l, &photon[number[i]], number[i], from[i]);
-            if (clarity == 0) {
-                continue;
-            }
-            l->clarity[l->seen] = clarity;
-            l->is_binary = l->is_binary && clarity == MURK_CLEAR;
+        if (!l->clarity) {
+            l->photon[l->seen++] = first + number[i];
+            continue;
         }
-        l->photon[l->seen++] = first + number[i];
+        const uint16_t clarity =
+            clarity_of(l, &photon[number[i]], number[i], from[i]);
+        if (clarity > 0) {
+            add_seen(l, first + number[i], clarity);
+        }
     }
 }
 
@@ -182,9 +190,7 @@ static void add_across(row_search *l, const murk_photon *p,
             : 0;
     const uint16_t clarity = clarity_along(l, p, number, line, lines);
     if (clarity > 0) {
-        l->clarity[l->seen] = clarity;
-        l->is_binary = l->is_binary && clarity == MURK_CLEAR;
-        l->photon[l->seen++] = first + number;
+        add_seen(l, first + number, clarity);
     }
 }
 
@@ -210,13 +216,10 @@ static void search_map(row_search *l, const murk_photon_map *map,
                         : l->sensor;
         /* A photon in another index is handled alone, after the block before
          * it, so the order stays. */
-        if (l->across.interfaces) {
-            const murk_side *facing =
-                murk_photon_is_volume(p)
-                    ? NULL
-                    : murk_side_recall(sides, desc->surfaces,
-                                       murk_photon_packed_normal(p));
-            const murk_vec3 start = facing ? murk_add(at, facing->off) : at;
+        if (l->sight->interfaces) {
+            const murk_side *facing;
+            const murk_vec3 start =
+                murk_side_start(p, desc->surfaces, sides, &facing);
             const double index = murk_path_index_at(&l->space, start);
             if (index != l->viewpoint.index) {
                 add_visible(l, photon, first, number, from, filled);
@@ -251,26 +254,6 @@ static void search_map(row_search *l, const murk_photon_map *map,
     add_visible(l, photon, first, number, from, filled);
 }
 
-/* Prepares the search through interfaces. At grazing angles objects may appear
- * farther than any real distance, so range_m may be infinite. */
-static void prepare_across(row_search *l, double range_m)
-{
-    murk_sight *sight = l->sight;
-    l->across = (murk_across){.interfaces = sight->interfaces,
-                              .sensor = &l->viewpoint,
-                              .surfaces = sight->desc.surfaces,
-                              .field = &l->field,
-                              .through_sheets = sight->desc.through_sheets,
-                              .range_m = range_m,
-                              .position_error_m = sight->position_error_m,
-                              .shadow_rays = &sight->shadow_rays,
-                              .blocked = &sight->blocked_by_interfaces,
-                              .reflected = &sight->totally_reflected};
-    l->query_m =
-        fmin(sight->max_m, murk_refracted_paths_range(sight->interfaces,
-                                                      &l->viewpoint, range_m));
-}
-
 void murk_sight_row(murk_sight *sight, unsigned worker, const murk_pose *pose,
                     murk_sparse_row *out)
 {
@@ -299,11 +282,53 @@ void murk_sight_row(murk_sight *sight, unsigned worker, const murk_pose *pose,
     l.viewpoint = murk_path_viewpoint_at(&l.space, pose->position);
     /* Search both maps; volume photons are numbered after surface photons. */
     if (sight->interfaces) {
-        prepare_across(&l, type->range_m);
+        /* At grazing angles objects may appear farther than any real distance,
+         * so this range may be infinite. */
+        l.across = (murk_across){sight, &l.viewpoint, &l.field, type->range_m};
+        l.query_m = fmin(sight->max_m,
+                         murk_refracted_paths_range(
+                             sight->interfaces, &l.viewpoint, type->range_m));
     }
     murk_tally_add(&sight->queries, 1);
     search_map(&l, desc->surface_map, 0);
     search_map(&l, desc->volume_map,
                (uint32_t)murk_photon_map_count(desc->surface_map));
     *out = (murk_sparse_row){l.seen, l.photon, l.is_binary ? NULL : l.clarity};
+}
+
+void murk_sight_depths(double *depth, double *sheets, const murk_sight *sight,
+                       const murk_pose *pose, const uint32_t *photon, size_t n,
+                       const murk_media *const *media, size_t count)
+{
+    const murk_sight_desc *desc = &sight->desc;
+    murk_side sides[MURK_SIDES] = {{0}};
+    for (size_t i = 0; i < n; ++i) {
+        /* The transmittance of the sheets on each sightline. */
+        sheets[i] = 1;
+        if (sight->has_sheets) {
+            const murk_photon *p = murk_sight_photon(sight, photon[i]);
+            const murk_side *side;
+            const murk_vec3 from =
+                murk_side_start(p, desc->surfaces, sides, &side);
+            const murk_vec3 to =
+                murk_path_nearest_image(&desc->domain, pose->position, from);
+            sheets[i] = murk_path_sheets(desc->surfaces, &desc->domain, from,
+                                         to, murk_photon_band(p));
+        }
+    }
+    /* The optical depth in each of the media. */
+    for (size_t m = 0; m < count; ++m) {
+        const murk_path_space space = murk_path_space_of(
+            desc->surfaces, media[m], desc->boundary_meshes, &desc->domain);
+        const murk_path_viewpoint viewpoint =
+            murk_path_viewpoint_at(&space, pose->position);
+        for (size_t i = 0; i < n; ++i) {
+            const murk_photon *p = murk_sight_photon(sight, photon[i]);
+            const murk_side *side;
+            const murk_vec3 from =
+                murk_side_start(p, desc->surfaces, sides, &side);
+            depth[i * count + m] =
+                murk_path_depth_to(&viewpoint, murk_photon_band(p), from);
+        }
+    }
 }

@@ -4,12 +4,10 @@
  * chosen by the number of photons within the radius in the full map. */
 #include "sensing/vicinity.h"
 
-#include "path/segment.h"
 #include "sensing/nearby.h"
 
 #include <assert.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* Each level holds at most three quarters of the one before: after 78 levels
  * 2^32 records are reduced to one. */
@@ -30,58 +28,35 @@ struct murk_vicinity {
     size_t max;
 };
 
-/* A thinning step: the first emitted photons, or every second record. */
-typedef struct thinning {
-    uint64_t emitted;
-    bool by_record;
-} thinning;
-
-static bool is_in_part(const thinning *t, const murk_photon *photon, size_t i)
+/* Adds the next level: the records of the first half of the emitted photons, or
+ * every second record. */
+static murk_status halve(murk_vicinity *v, unsigned threads, murk_error *err)
 {
-    return t->by_record ? i % 2 == 0
-                        : murk_photon_emitted(&photon[i]) < t->emitted;
-}
-
-static size_t count_part(const murk_photon_map *map, const thinning *t)
-{
-    const murk_photon *photon = murk_photon_map_photons(map);
-    size_t kept = 0;
-    for (size_t i = 0; i < murk_photon_map_count(map); ++i) {
-        kept += is_in_part(t, photon, i);
+    const int level = v->levels;
+    const murk_photon *photon = murk_photon_map_photons(v->map[level - 1]);
+    const size_t n = murk_photon_map_count(v->map[level - 1]);
+    const uint64_t half = (v->emitted[level - 1] + 1) / 2;
+    size_t of_half = 0, kept = 0;
+    for (size_t i = 0; i < n; ++i) {
+        of_half += murk_photon_emitted(&photon[i]) < half;
     }
-    return kept;
-}
-
-static murk_status thin(murk_photon_map **out, const murk_photon_map *map,
-                        const thinning *t, unsigned threads, murk_error *err)
-{
-    const murk_photon *photon = murk_photon_map_photons(map);
-    const size_t n = murk_photon_map_count(map);
-    murk_photon *copy = malloc(count_part(map, t) * sizeof *copy + 1);
+    const bool by_record = (double)of_half > SHARE_MAX * (double)n;
+    v->emitted[level] = by_record ? v->emitted[level - 1] : half;
+    v->each[level] = v->each[level - 1] * (by_record ? 2 : 1);
+    /* Copy the records of the level into a map of their own. */
+    murk_photon *copy =
+        malloc((by_record ? (n + 1) / 2 : of_half) * sizeof *copy + 1);
     if (!copy) {
         return murk_fail(err, MURK_NO_MEMORY, "",
                          "no memory for half of %zu photons", n);
     }
-    size_t kept = 0;
     for (size_t i = 0; i < n; ++i) {
-        if (is_in_part(t, photon, i)) {
+        if (by_record ? i % 2 == 0 : murk_photon_emitted(&photon[i]) < half) {
             copy[kept++] = photon[i];
         }
     }
-    return murk_photon_map_create(out, copy, kept, threads, err);
-}
-
-/* Adds the next level. */
-static murk_status halve(murk_vicinity *v, unsigned threads, murk_error *err)
-{
-    const int level = v->levels;
-    const murk_photon_map *map = v->map[level - 1];
-    thinning t = {.emitted = (v->emitted[level - 1] + 1) / 2};
-    const double maximum = SHARE_MAX * (double)murk_photon_map_count(map);
-    t.by_record = (double)count_part(map, &t) > maximum;
-    v->emitted[level] = t.by_record ? v->emitted[level - 1] : t.emitted;
-    v->each[level] = v->each[level - 1] * (t.by_record ? 2 : 1);
-    const murk_status status = thin(&v->half[level], map, &t, threads, err);
+    const murk_status status =
+        murk_photon_map_create(&v->half[level], copy, kept, threads, err);
     if (!status) {
         v->map[level] = v->half[level];
         ++v->levels;
@@ -143,15 +118,10 @@ const murk_photon *murk_vicinity_photons(const murk_vicinity *v, int level)
  * counted as well; then the photons are thinned once more than necessary. */
 static size_t count(const murk_vicinity *v, murk_vec3 center)
 {
-    const murk_vec3 period = murk_sub(v->domain->box.max, v->domain->box.min);
     size_t n = 0;
-    for (int k = 0; k < 9; ++k) {
-        const murk_vec3 image = {center.x + (k % 3 - 1) * period.x,
-                                 center.y + (k / 3 - 1) * period.y, center.z};
-        if (k == 4 || v->domain->is_periodic) {
-            n += murk_photon_map_count_within(
-                v->map[0], k == 4 ? center : image, v->radius_m);
-        }
+    for (int k = 0; k < murk_domain_images(v->domain); ++k) {
+        n += murk_photon_map_count_within(
+            v->map[0], murk_domain_image(v->domain, center, k), v->radius_m);
     }
     return n;
 }

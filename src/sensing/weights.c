@@ -26,15 +26,13 @@ static double power_of(const powers *p, size_t i)
                : power_w;
 }
 
-static powers add_up(const murk_photon_map *map,
-                     const murk_photon_factors *factors, size_t first)
+static powers add_up(const murk_photon_map *map, const murk_interest *interest,
+                     const uint64_t *regions)
 {
     powers p = {.photon = murk_photon_map_photons(map),
-                .n = murk_photon_map_count(map)};
-    if (factors && factors->regions) {
-        p.interest = factors->interest;
-        p.regions = factors->regions + first;
-    }
+                .n = murk_photon_map_count(map),
+                .interest = interest,
+                .regions = regions};
     for (size_t i = 0; i < p.n; ++i) {
         const double power_w = power_of(&p, i);
         p.sum += power_w;
@@ -82,8 +80,8 @@ static void balance(double *factor_surface, double *factor_volume,
 murk_status
 murk_photon_weights(uint32_t *weight, const murk_photon_map *surface,
                     const murk_photon_map *volume, const murk_map_weights *maps,
-                    const murk_photon_factors *factors, unsigned combined,
-                    const char *where, murk_error *err)
+                    const murk_interest *interest, const uint64_t *regions,
+                    unsigned combined, const char *where, murk_error *err)
 {
     /* Refuse weights of the maps without a positive sum. */
     const double a = maps->surface, b = maps->volume,
@@ -95,8 +93,8 @@ murk_photon_weights(uint32_t *weight, const murk_photon_map *surface,
                          "both 0",
                          a, b);
     }
-    const powers s = add_up(surface, factors, 0);
-    const powers v = add_up(volume, factors, s.n);
+    const powers s = add_up(surface, interest, regions);
+    const powers v = add_up(volume, interest, regions ? regions + s.n : NULL);
     /* One factor for each map, as large as both limits allow. */
     double factor_surface, factor_volume;
     if (maps->balanced) {

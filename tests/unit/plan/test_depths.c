@@ -1,7 +1,7 @@
 /* Depths and sheets of seen sightlines are what looks round. */
 #include "check.h"
 #include "plan/plan.h"
-#include "sensing/depths.h"
+#include "sensing/sight.h"
 #include "stage_text.h"
 
 #include <stdlib.h>

@@ -51,12 +51,12 @@ static place place_of(const murk_photon *photon, size_t n, uint64_t emitted,
     place p = {.media = cloud_of(g),
                .surface = map_of(photon, is_volume ? 0 : n),
                .volume = map_of(photon, is_volume ? n : 0)};
-    const murk_power_desc desc = {.surface_map = p.surface,
+    const murk_sight_desc desc = {.surface_map = p.surface,
                                   .volume_map = p.volume,
-                                  .light = {p.surface, p.volume, emitted},
+                                  .photons_emitted = emitted,
                                   .media = p.media,
-                                  .domain = domain,
-                                  .radius_m = radius_m,
+                                  .domain = *domain,
+                                  .power = {.radius_m = radius_m},
                                   .threads = threads};
     murk_error err = {0};
     CHECK(murk_power_create(&p.power, &desc, &err) == MURK_OK);
@@ -254,13 +254,13 @@ static void test_places_that_are_no_photons(void)
                .surface = map_of(light, 2),
                .volume = map_of(NULL, 0)};
     murk_photon_map *places = map_of(at, 2);
-    const murk_power_desc desc = {.surface_map = places,
-                                  .volume_map = p.volume,
-                                  .light = {p.surface, p.volume, 2},
-                                  .media = p.media,
-                                  .domain = &room,
-                                  .radius_m = 0.5,
-                                  .threads = 1};
+    const murk_sight_desc desc = {
+        .surface_map = places,
+        .volume_map = p.volume,
+        .media = p.media,
+        .domain = room,
+        .power = {.radius_m = 0.5, .light = {p.surface, p.volume, 2}},
+        .threads = 1};
     murk_error err = {0};
     CHECK(murk_power_create(&p.power, &desc, &err) == MURK_OK);
     const size_t lit =
@@ -316,11 +316,11 @@ static void test_bad_radii_are_refused(void)
     const double radius[] = {0, -1, NAN, 5.1};
     for (int i = 0; i < 4; ++i) {
         place p = {.surface = map_of(NULL, 0), .volume = map_of(NULL, 0)};
-        const murk_power_desc desc = {.surface_map = p.surface,
+        const murk_sight_desc desc = {.surface_map = p.surface,
                                       .volume_map = p.volume,
-                                      .light = {p.surface, p.volume, 1},
-                                      .domain = domain[i],
-                                      .radius_m = radius[i],
+                                      .photons_emitted = 1,
+                                      .domain = *domain[i],
+                                      .power = {.radius_m = radius[i]},
                                       .threads = 1};
         murk_error err = {0};
         CHECK(murk_power_create(&p.power, &desc, &err) == MURK_BAD_VALUE);

@@ -56,7 +56,7 @@ static result weigh(murk_photon_map *s, murk_photon_map *v,
                 .volume = murk_photon_map_count(v)};
     r.weight = malloc((r.surface + r.volume) * sizeof *r.weight + 1);
     murk_error err = {0};
-    CHECK(murk_photon_weights(r.weight, s, v, &maps, NULL, 1, "", &err) ==
+    CHECK(murk_photon_weights(r.weight, s, v, &maps, NULL, NULL, 1, "", &err) ==
           MURK_OK);
     CHECK_TEXT(err.text, "");
     for (size_t i = 0; i < r.surface + r.volume; ++i) {

@@ -2,10 +2,6 @@
  * by acceptance angle, refracting boundaries, weights, regions of interest and
  * detection by power, and allocates the scratch buffers of the workers. Rows
  * are computed in sight_row.c, coverage in coverage.c. */
-#include "sensing/sight.h"
-
-#include "base/bands.h"
-#include "medium/interfaces.h"
 #include "medium/rescaled.h"
 #include "sensing/sight_parts.h"
 #include "sensing/weights.h"
@@ -112,27 +108,28 @@ static murk_status check(const murk_sight_desc *desc, murk_error *err)
                               desc->photons_emitted, err);
 }
 
-/* Photons found through several images are distinguished only after the query,
- * so the buffers need twice the space. */
-static size_t scratch_photons(const murk_sight *sight)
+static murk_status no_memory(murk_error *err)
 {
-    return sight->photons * (sight->desc.domain.is_periodic ? 2 : 1);
+    return murk_fail(err, MURK_NO_MEMORY, "", "no memory for a sight");
 }
 
 static murk_status allocate(murk_sight *sight, murk_error *err)
 {
-    const size_t n = sight->photons, found = scratch_photons(sight);
-    const unsigned threads = sight->desc.threads;
+    const murk_sight_desc *desc = &sight->desc;
+    const size_t n = sight->photons;
+    /* Photons found through several images are distinguished only after the
+     * query, so the buffers need twice the space. */
+    const size_t found = n * (desc->domain.is_periodic ? 2 : 1);
     const bool attenuates = sight->has_media || sight->has_sheets ||
-                            sight->interfaces || sight->desc.power.radius_m > 0;
+                            sight->interfaces || desc->power.radius_m > 0;
+    const bool has_regions = desc->interest && desc->interest->n;
     sight->weight = malloc(n * sizeof *sight->weight + 1);
-    sight->worker = calloc(threads, sizeof *sight->worker);
-    const bool has_regions = sight->desc.interest && sight->desc.interest->n;
+    sight->worker = calloc(desc->threads, sizeof *sight->worker);
     sight->regions =
         has_regions ? malloc(n * sizeof *sight->regions + 1) : NULL;
     bool has_memory =
         sight->weight && sight->worker && (sight->regions || !has_regions);
-    for (unsigned i = 0; has_memory && i < threads; ++i) {
+    for (unsigned i = 0; has_memory && i < desc->threads; ++i) {
         murk_scratch *s = &sight->worker[i];
         s->photon = malloc(found * sizeof *s->photon + 1);
         s->clarity = attenuates ? malloc(n * sizeof *s->clarity + 1) : NULL;
@@ -142,7 +139,7 @@ static murk_status allocate(murk_sight *sight, murk_error *err)
                       : murk_fail(err, MURK_NO_MEMORY, "",
                                   "no memory to look at %zu photons with %u "
                                   "threads",
-                                  n, threads);
+                                  n, desc->threads);
 }
 
 static void find_regions(murk_sight *sight)
@@ -158,13 +155,18 @@ static void find_regions(murk_sight *sight)
     }
 }
 
-static murk_status find_accepting_media(murk_sight *sight, murk_error *err)
+/* Copies the sensor types, and prepares the media of those that accept light
+ * scattered forward. */
+static murk_status prepare_types(murk_sight *sight, murk_error *err)
 {
-    const murk_sight_desc *desc = &sight->desc;
+    murk_sight_desc *desc = &sight->desc;
     sight->accepting = calloc(desc->types + 1, sizeof *sight->accepting);
-    if (!sight->accepting) {
-        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for a sight");
+    sight->type = malloc(desc->types * sizeof *sight->type + 1);
+    if (!sight->accepting || !sight->type) {
+        return no_memory(err);
     }
+    memcpy(sight->type, desc->type, desc->types * sizeof *sight->type);
+    desc->type = sight->type;
     murk_status status = MURK_OK;
     for (size_t k = 0; k < desc->types && !status; ++k) {
         if (desc->type[k].acceptance_rad > 0) {
@@ -175,109 +177,73 @@ static murk_status find_accepting_media(murk_sight *sight, murk_error *err)
     return status;
 }
 
-/* Creates sight->power if the description asks for it. */
-static murk_status create_power(murk_sight *sight, murk_error *err)
+/* Finds the sheets, media and boundaries that sightlines may meet. */
+static murk_status prepare_optics(murk_sight *sight, murk_error *err)
 {
     const murk_sight_desc *desc = &sight->desc;
-    if (!(desc->power.radius_m > 0)) {
-        return MURK_OK;
+    const bool by_rays = desc->visibility == MURK_VISIBILITY_RAY;
+    sight->has_media = murk_media_any(desc->media);
+    sight->has_sheets = desc->through_sheets && by_rays &&
+                        murk_surfaces_describe(desc->surfaces).sheets > 0;
+    sight->has_interfaces = murk_media_bends(desc->media);
+    if (desc->refracts && sight->has_interfaces && by_rays) {
+        sight->interfaces = malloc(sizeof *sight->interfaces);
+        if (!sight->interfaces) {
+            return no_memory(err);
+        }
+        const murk_path_space space = murk_path_space_of(
+            desc->surfaces, desc->media, desc->boundary_meshes, &desc->domain);
+        murk_interfaces_find(sight->interfaces, &space);
     }
-    const murk_power_light own = {desc->surface_map, desc->volume_map,
-                                  desc->photons_emitted};
-    const bool is_own = !desc->power.light.surface_map;
-    const murk_power_desc settings = {.surface_map = desc->surface_map,
-                                      .volume_map = desc->volume_map,
-                                      .light = is_own ? own : desc->power.light,
-                                      .media = desc->media,
-                                      .domain = &sight->desc.domain,
-                                      .radius_m = desc->power.radius_m,
-                                      .neighbours = desc->power.neighbours,
-                                      .threads = desc->threads};
-    murk_status status = MURK_OK;
-    for (size_t k = 0; k < desc->types && !status; ++k) {
-        status = murk_power_check_type(&desc->type[k], err);
-    }
-    return status ? status : murk_power_create(&sight->power, &settings, err);
+    return MURK_OK;
 }
 
 murk_status murk_sight_create(murk_sight **out, const murk_sight_desc *desc,
                               murk_error *err)
 {
     assert(out && desc && desc->threads >= 1);
-    murk_sight *sight = NULL;
-    murk_status status = check(desc, err);
-    if (status) {
-        goto done;
-    }
-    sight = calloc(1, sizeof *sight);
-    if (!sight) {
-        status = murk_fail(err, MURK_NO_MEMORY, "", "no memory for a sight");
-        goto done;
-    }
     const murk_box *box = &desc->domain.box;
+    murk_sight *sight = calloc(1, sizeof *sight);
+    if (!sight) {
+        return no_memory(err);
+    }
     sight->desc = *desc;
     sight->detect = DETECT[desc->detection];
-    /* Types and media. */
     if (murk_length(desc->north) == 0) {
         sight->desc.north = murk_vec(0, 1, 0);
     }
-    sight->type = malloc(desc->types * sizeof *sight->type + 1);
-    if (!sight->type) {
-        status = murk_fail(err, MURK_NO_MEMORY, "", "no memory for a sight");
-        goto done;
-    }
     /* twice the diagonal contains every image, and its square is finite */
     sight->max_m = 2 * murk_length(murk_sub(box->max, box->min));
-    memcpy(sight->type, desc->type, desc->types * sizeof *sight->type);
-    sight->desc.type = sight->type;
-    status = find_accepting_media(sight, err);
-    if (status) {
-        goto done;
-    }
-    sight->position_error_m =
-        POSITION_ERROR * murk_box_largest_coordinate(&desc->domain.box);
-    /* Sheets, media and boundaries that sightlines may meet. */
-    sight->has_media = murk_media_any(desc->media);
-    sight->has_sheets = desc->through_sheets &&
-                        desc->visibility == MURK_VISIBILITY_RAY &&
-                        murk_surfaces_describe(desc->surfaces).sheets > 0;
-    sight->has_interfaces = murk_media_bends(desc->media);
-    if (desc->refracts && sight->has_interfaces &&
-        desc->visibility == MURK_VISIBILITY_RAY) {
-        sight->interfaces = malloc(sizeof *sight->interfaces);
-        if (!sight->interfaces) {
-            status =
-                murk_fail(err, MURK_NO_MEMORY, "", "no memory for a sight");
-            goto done;
-        }
-        const murk_path_space space = murk_path_space_of(
-            desc->surfaces, desc->media, desc->boundary_meshes, &desc->domain);
-        murk_interfaces_find(sight->interfaces, &space);
-    }
+    sight->position_error_m = POSITION_ERROR * murk_box_largest_coordinate(box);
     sight->photons = murk_photon_map_count(desc->surface_map) +
                      murk_photon_map_count(desc->volume_map);
-    status = allocate(sight, err);
-    if (status) {
-        goto done;
+    /* Check, then prepare one part after the other. */
+    murk_status status = check(desc, err);
+    if (!status) {
+        status = prepare_types(sight, err);
     }
-    /* Weights, and detection by power. */
-    find_regions(sight);
-    const murk_photon_factors factors = {desc->interest, sight->regions};
-    status = murk_photon_weights(
-        sight->weight, desc->surface_map, desc->volume_map, &desc->weights,
-        &factors, max_layers(desc), desc->where ? desc->where : "", err);
-    if (status) {
-        goto done;
+    if (!status) {
+        status = prepare_optics(sight, err);
     }
-    status = create_power(sight, err);
+    if (!status) {
+        status = allocate(sight, err);
+    }
+    if (!status) {
+        find_regions(sight);
+        status = murk_photon_weights(
+            sight->weight, desc->surface_map, desc->volume_map, &desc->weights,
+            desc->interest, sight->regions, max_layers(desc),
+            desc->where ? desc->where : "", err);
+    }
+    if (!status && desc->power.radius_m > 0) {
+        status = murk_power_create(&sight->power, &sight->desc, err);
+    }
     if (status) {
-        goto done;
+        murk_sight_destroy(sight);
+        return status;
     }
     *out = sight;
-    sight = NULL;
-done:
-    murk_sight_destroy(sight);
-    return status;
+    return MURK_OK;
 }
 
 void murk_sight_destroy(murk_sight *sight)
