@@ -28,12 +28,6 @@ static double area_of(const murk_soup *soup, size_t i)
     return 4 * MURK_PI * radius * radius;
 }
 
-static uint8_t material_of(const murk_soup *soup, size_t i)
-{
-    return i < soup->triangles ? soup->material[i]
-                               : soup->sphere[i - soup->triangles].material;
-}
-
 murk_status murk_area_create(murk_area **out, const murk_surfaces *surfaces,
                              const bool *wanted, const char *where,
                              murk_error *err)
@@ -57,7 +51,8 @@ murk_status murk_area_create(murk_area **out, const murk_surfaces *surfaces,
      * never selects it. */
     double sum = 0;
     for (size_t i = 0; i < area->n; ++i) {
-        sum += !wanted || wanted[material_of(soup, i)] ? area_of(soup, i) : 0;
+        sum += !wanted || wanted[murk_soup_material(soup, i)] ? area_of(soup, i)
+                                                              : 0;
         area->up_to_m2[i] = sum;
     }
     /* No selected material has any area: sampling would be undefined. */
@@ -141,6 +136,6 @@ murk_area_point murk_area_at(const murk_area *area, const double u[3])
         point = on_sphere(&soup->sphere[i - soup->triangles], u[1], u[2]);
     }
     point.place = murk_add(point.place, soup->anchor);
-    point.material = material_of(soup, i);
+    point.material = murk_soup_material(soup, i);
     return point;
 }

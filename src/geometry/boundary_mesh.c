@@ -68,19 +68,24 @@ void murk_boundary_mesh_gather(const murk_boundary_mesh *b, murk_vec3 origin,
 
 /* ---- inside by counting crossings ---- */
 
+typedef struct parity {
+    double beyond_m;
+    bool is_odd;
+} parity;
+
 static void add_one(void *context, size_t triangle, double distance_m)
 {
-    bool *is_odd = context;
+    parity *p = context;
     (void)triangle;
-    *is_odd ^= distance_m > 0;
+    p->is_odd ^= distance_m > p->beyond_m;
 }
 
-static bool is_odd(const murk_boundary_mesh *b, murk_vec3 point,
-                   murk_vec3 direction)
+bool murk_boundary_mesh_is_odd(const murk_boundary_mesh *b, murk_vec3 point,
+                               murk_vec3 direction, double beyond_m)
 {
-    bool odd = false;
-    murk_boundary_mesh_gather(b, point, direction, 0, INFINITY, add_one, &odd);
-    return odd;
+    parity p = {.beyond_m = beyond_m};
+    murk_boundary_mesh_gather(b, point, direction, 0, INFINITY, add_one, &p);
+    return p.is_odd;
 }
 
 /* ---- inside by the sides of the triangles ---- */
@@ -219,7 +224,7 @@ bool murk_boundary_mesh_holds(const murk_boundary_mesh *b, murk_vec3 point)
                 return c.leaves;
             }
         }
-        votes += is_odd(b, point, d) ? 1 : -1;
+        votes += murk_boundary_mesh_is_odd(b, point, d, 0) ? 1 : -1;
     }
     return votes > 0;
 }

@@ -7,7 +7,6 @@
 #define MURK_GEOMETRY_BOUNDARY_MESH_H
 
 #include "geometry/closed.h"
-#include "geometry/plain_shape.h"
 #include "geometry/walk.h"
 
 typedef struct murk_boundary_mesh {
@@ -37,6 +36,12 @@ void murk_boundary_mesh_gather(const murk_boundary_mesh *boundary_mesh,
                                double from_m, double to_m, murk_meet meet,
                                void *context);
 
+/* True if the ray from a point crosses the mesh an odd number of times beyond a
+ * distance. */
+bool murk_boundary_mesh_is_odd(const murk_boundary_mesh *boundary_mesh,
+                               murk_vec3 point, murk_vec3 direction,
+                               double beyond_m);
+
 /* True if the mesh encloses the point. */
 bool murk_boundary_mesh_holds(const murk_boundary_mesh *boundary_mesh,
                               murk_vec3 point);
@@ -49,14 +54,15 @@ bool murk_boundary_mesh_next(const murk_boundary_mesh *boundary_mesh,
                              bool *inside, double *distance_m,
                              murk_vec3 *normal);
 
-/* murk_boundary_meshes_meet() for two meshes. */
-bool murk_boundary_mesh_meets(const murk_boundary_mesh *one,
-                              const murk_boundary_mesh *other,
-                              double tolerance_m, murk_vec3 *place);
+struct murk_boundary_meshes {
+    size_t n;
+    double tolerance_m;
+    murk_boundary_mesh boundary_mesh[]; /* [n] */
+};
 
-/* murk_boundary_meshes_meet_plain() for one mesh. */
-bool murk_boundary_mesh_meets_plain(const murk_boundary_mesh *boundary_mesh,
-                                    const murk_plain_shape *shape,
-                                    double tolerance_m, murk_vec3 *place);
+/* The mesh of a region, which must have one. */
+const murk_boundary_mesh *
+murk_boundary_mesh_of(const struct murk_boundary_meshes *boundary_meshes,
+                      int region);
 
 #endif

@@ -16,12 +16,6 @@
  * sides of a boundary may be off by one step. */
 #define TOLERANCE_LEAVES 2
 
-struct murk_boundary_meshes {
-    size_t n;
-    murk_boundary_mesh boundary_mesh[MURK_BOUNDARY_MESHES_MAX];
-    double tolerance_m;
-};
-
 static murk_status make_one(murk_boundary_mesh *b,
                             const murk_boundary_mesh_desc *d, murk_error *err)
 {
@@ -47,7 +41,8 @@ murk_status murk_boundary_meshes_create(murk_boundary_meshes **out,
                                         size_t n, murk_error *err)
 {
     assert(out && n <= MURK_BOUNDARY_MESHES_MAX);
-    murk_boundary_meshes *made = calloc(1, sizeof *made);
+    murk_boundary_meshes *made =
+        calloc(1, sizeof *made + n * sizeof *made->boundary_mesh);
     if (!made) {
         return murk_fail(err, MURK_NO_MEMORY, "regions",
                          "no memory for %zu meshes", n);
@@ -155,8 +150,8 @@ double murk_boundary_meshes_tolerance_m(const murk_boundary_meshes *b)
     return b->tolerance_m;
 }
 
-static const murk_boundary_mesh *of_region(const murk_boundary_meshes *b,
-                                           int region)
+const murk_boundary_mesh *murk_boundary_mesh_of(const murk_boundary_meshes *b,
+                                                int region)
 {
     size_t i = 0;
     while (i < b->n && b->boundary_mesh[i].region != region) {
@@ -166,25 +161,10 @@ static const murk_boundary_mesh *of_region(const murk_boundary_meshes *b,
     return &b->boundary_mesh[i];
 }
 
-bool murk_boundary_meshes_meet(const murk_boundary_meshes *b, int region,
-                               int other, murk_vec3 *place)
-{
-    return murk_boundary_mesh_meets(of_region(b, region), of_region(b, other),
-                                    b->tolerance_m, place);
-}
-
-bool murk_boundary_meshes_meet_plain(const murk_boundary_meshes *b, int region,
-                                     const murk_plain_shape *shape,
-                                     murk_vec3 *place)
-{
-    return murk_boundary_mesh_meets_plain(of_region(b, region), shape,
-                                          b->tolerance_m, place);
-}
-
 murk_boundary_mesh_facts
 murk_boundary_meshes_describe(const murk_boundary_meshes *b, int region)
 {
-    const murk_boundary_mesh *one = of_region(b, region);
+    const murk_boundary_mesh *one = murk_boundary_mesh_of(b, region);
     const murk_surfaces_facts facts = murk_surfaces_describe(one->shape);
     return (murk_boundary_mesh_facts){
         .triangles = facts.triangles,

@@ -24,10 +24,10 @@
 #ifndef MURK_GEOMETRY_BOUNDARY_MESHES_H
 #define MURK_GEOMETRY_BOUNDARY_MESHES_H
 
+#include "base/shape.h"
 #include "base/status.h"
 #include "base/vector.h"
 #include "geometry/mesh.h"
-#include "geometry/plain_shape.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -93,6 +93,16 @@ murk_boundary_meshes_tolerance_m(const murk_boundary_meshes *boundary_meshes);
  * ignored. */
 bool murk_boundary_meshes_meet(const murk_boundary_meshes *boundary_meshes,
                                int region, int other, murk_vec3 *place);
+
+/* A convex shape: a half space, box or sphere. */
+typedef struct murk_plain_shape {
+    murk_region_shape shape; /* BELOW (the points with z < box.max.z, in world
+                                coordinates), BOX or SPHERE */
+    murk_box box;            /* finite, except for half spaces */
+    murk_vec3 center;
+    double radius_m;
+    murk_affine to_world; /* a similarity; not used for half spaces */
+} murk_plain_shape;
 
 /* murk_boundary_meshes_meet() for a mesh and a convex shape; exact. False if
  * to_world cannot be inverted. */

@@ -87,87 +87,47 @@ static void list_edges(edge *edges, const uint32_t *corner,
     qsort(edges, 3 * n, sizeof *edges, order_edges);
 }
 
-/* Representative of a set; shortens the path by halving. */
-static uint32_t root(uint32_t *parent, uint32_t i)
-{
-    while (parent[i] != i) {
-        parent[i] = parent[parent[i]];
-        i = parent[i];
-    }
-    return i;
-}
+/* The vertices and edges of a mesh, and a union-find of the triangles, in which
+ * each triangle stores whether the winding is opposite to that of the parent.
+ */
+typedef struct topology {
+    uint32_t *same;   /* [vertices] representative of the vertices at a place */
+    edge *edges;      /* [3 * triangles] sorted */
+    uint32_t *parent; /* [triangles] */
+    bool *against;    /* [triangles] winding opposite to the parent's */
+} topology;
 
-/* Joins the triangles around each edge, and sets odd[] for one triangle of
- * each edge with an odd number of triangles. An even number closes the
- * surface, also if four triangles meet at the edge. */
-static void join(uint32_t *parent, bool *odd, const edge *edges, size_t n_edges)
+/* Each triangle starts as a set of its own. False when out of memory; call
+ * topology_release() also then. */
+static bool topology_init(topology *t, const float *vertex, size_t vertices,
+                          const uint32_t *corner, size_t n)
 {
-    for (size_t i = 0; i < n_edges;) {
-        size_t around = 0;
-        const size_t first = i;
-        for (; i < n_edges && edges[i].low == edges[first].low &&
-               edges[i].high == edges[first].high;
-             ++i) {
-            const bool is_copy =
-                i > first && edges[i].opposite == edges[i - 1].opposite;
-            around += !is_copy;
-            const uint32_t a = root(parent, edges[first].triangle);
-            const uint32_t b = root(parent, edges[i].triangle);
-            parent[a > b ? a : b] = a > b ? b : a;
-        }
-        odd[edges[first].triangle] |= around % 2 == 1;
-    }
-}
-
-murk_status murk_closed_parts(const float *vertex, size_t vertices,
-                              const uint32_t *corner, size_t n, bool *is_closed,
-                              murk_error *err)
-{
-    murk_status status = MURK_OK;
-    uint32_t *same = malloc((vertices + 1) * sizeof *same);
-    uint32_t *parent = malloc((n + 1) * sizeof *parent);
-    bool *odd = calloc(n + 1, sizeof *odd);
-    edge *edges = malloc((3 * n + 1) * sizeof *edges);
-    if (!same || !parent || !odd || !edges || !weld(same, vertex, vertices)) {
-        status = murk_fail(err, MURK_NO_MEMORY, "geometry",
-                           "no memory to look for closed parts of %zu "
-                           "triangles",
-                           n);
-        goto done;
-    }
-    /* Each triangle starts as a part of its own; then edges join parts. */
-    for (size_t i = 0; i < n; ++i) {
-        parent[i] = (uint32_t)i;
-        is_closed[i] = true;
-    }
-    list_edges(edges, corner, same, n);
-    join(parent, odd, edges, 3 * n);
-    for (size_t i = 0; i < n; ++i) {
-        /* One edge with an odd number of triangles makes the whole part
-         * open. */
-        if (odd[i]) {
-            is_closed[root(parent, (uint32_t)i)] = false;
-        }
+    *t = (topology){.same = malloc((vertices + 1) * sizeof *t->same),
+                    .edges = malloc((3 * n + 1) * sizeof *t->edges),
+                    .parent = malloc((n + 1) * sizeof *t->parent),
+                    .against = calloc(n + 1, sizeof *t->against)};
+    if (!t->same || !t->edges || !t->parent || !t->against ||
+        !weld(t->same, vertex, vertices)) {
+        return false;
     }
     for (size_t i = 0; i < n; ++i) {
-        is_closed[i] = is_closed[root(parent, (uint32_t)i)];
+        t->parent[i] = (uint32_t)i;
     }
-done:
-    free(edges);
-    free(odd);
-    free(parent);
-    free(same);
-    return status;
+    list_edges(t->edges, corner, t->same, n);
+    return true;
 }
 
-/* Union-find in which each triangle stores whether the winding is opposite
- * to that of the parent. */
-typedef struct turns {
-    uint32_t *parent;
-    bool *against; /* winding opposite to the parent's */
-} turns;
+static void topology_release(topology *t)
+{
+    free(t->same);
+    free(t->edges);
+    free(t->parent);
+    free(t->against);
+}
 
-static uint32_t root_turned(const turns *t, uint32_t i, bool *turned)
+/* Representative of a set, the lowest triangle; *turned: the winding of i is
+ * opposite to that of the representative. */
+static uint32_t root(const topology *t, uint32_t i, bool *turned)
 {
     *turned = false;
     while (t->parent[i] != i) {
@@ -181,6 +141,76 @@ static uint32_t root_turned(const turns *t, uint32_t i, bool *turned)
     }
     return i;
 }
+
+/* Joins the sets of two triangles whose windings are opposite or not. False if
+ * both are already in one set and this contradicts it. */
+static bool join(const topology *t, uint32_t a, uint32_t b, bool turned)
+{
+    bool turned_a, turned_b;
+    const uint32_t i = root(t, a, &turned_a), j = root(t, b, &turned_b);
+    const bool between = turned ^ turned_a ^ turned_b;
+    if (i == j) {
+        return !between;
+    }
+    t->parent[i > j ? i : j] = i > j ? j : i;
+    t->against[i > j ? i : j] = between;
+    return true;
+}
+
+static bool is_same_edge(const edge *a, const edge *b)
+{
+    return a->low == b->low && a->high == b->high;
+}
+
+murk_status murk_closed_parts(const float *vertex, size_t vertices,
+                              const uint32_t *corner, size_t n, bool *is_closed,
+                              murk_error *err)
+{
+    topology t;
+    bool turned;
+    bool *odd = calloc(n + 1, sizeof *odd);
+    murk_status status = MURK_OK;
+    if (!topology_init(&t, vertex, vertices, corner, n) || !odd) {
+        status = murk_fail(err, MURK_NO_MEMORY, "geometry",
+                           "no memory to look for closed parts of %zu "
+                           "triangles",
+                           n);
+        goto done;
+    }
+    /* Join the triangles around each edge, and mark one triangle of each edge
+     * with an odd number of triangles. An even number closes the surface, also
+     * if four triangles meet at the edge. Copies of a triangle do not count. */
+    for (size_t i = 0, first = 0, around = 0; i < 3 * n; ++i) {
+        const edge *e = &t.edges[i];
+        if (!is_same_edge(e, &t.edges[first])) {
+            first = i;
+            around = 0;
+        }
+        around += i == first || e->opposite != t.edges[i - 1].opposite;
+        join(&t, t.edges[first].triangle, e->triangle, false);
+        if (i + 1 == 3 * n || !is_same_edge(e, e + 1)) {
+            odd[t.edges[first].triangle] |= around % 2 == 1;
+        }
+    }
+    /* One odd edge makes the whole part open. */
+    for (size_t i = 0; i < n; ++i) {
+        is_closed[i] = true;
+    }
+    for (size_t i = 0; i < n; ++i) {
+        if (odd[i]) {
+            is_closed[root(&t, (uint32_t)i, &turned)] = false;
+        }
+    }
+    for (size_t i = 0; i < n; ++i) {
+        is_closed[i] = is_closed[root(&t, (uint32_t)i, &turned)];
+    }
+done:
+    topology_release(&t);
+    free(odd);
+    return status;
+}
+
+/* ---- patches ---- */
 
 /* True if the winding of the triangle runs along the edge from the low to
  * the high vertex. */
@@ -197,44 +227,30 @@ static bool rises(const edge *e, const uint32_t *corner, const uint32_t *same)
 
 /* Joins the patches of two triangles at an edge. Neighbours have the same
  * orientation if their windings run along the edge in opposite directions;
- * copies of one triangle if the windings run in the same direction. Returns
- * false if the two are already in one patch and the orientations contradict
- * each other. */
-static bool unite(const turns *t, const edge *a, const edge *b, bool are_copies,
-                  const uint32_t *corner, const uint32_t *same)
+ * copies of one triangle if the windings run in the same direction. */
+static void unite(murk_patches *p, const topology *t, const edge *a,
+                  const edge *b, bool are_copies, const uint32_t *corner)
 {
     const bool same_direction =
-        rises(a, corner, same) == rises(b, corner, same);
-    const bool turned = same_direction != are_copies;
-    bool turned_a, turned_b;
-    const uint32_t i = root_turned(t, a->triangle, &turned_a);
-    const uint32_t j = root_turned(t, b->triangle, &turned_b);
-    const bool between = turned ^ turned_a ^ turned_b;
-    if (i == j) {
-        return !between;
-    }
-    const uint32_t high = i > j ? i : j, low = i > j ? j : i;
-    t->parent[high] = low;
-    t->against[high] = between;
-    return true;
+        rises(a, corner, t->same) == rises(b, corner, t->same);
+    p->are_orientable &=
+        join(t, a->triangle, b->triangle, same_direction != are_copies);
 }
 
-static void join_patches(murk_patches *p, const turns *t, const edge *edges,
-                         size_t n_edges, const uint32_t *corner)
+static void join_patches(murk_patches *p, const topology *t, size_t n_edges,
+                         const uint32_t *corner)
 {
+    const edge *edges = t->edges;
     p->are_orientable = true;
     for (size_t i = 0; i < n_edges;) {
         const size_t first = i;
         size_t around = 0, last_other = i;
         /* Go through the triangles around one edge: copies join their
          * original, the others are counted. */
-        for (; i < n_edges && edges[i].low == edges[first].low &&
-               edges[i].high == edges[first].high;
-             ++i) {
+        for (; i < n_edges && is_same_edge(&edges[i], &edges[first]); ++i) {
             if (i > first && edges[i].opposite == edges[i - 1].opposite) {
                 p->is_copy[edges[i].triangle] = true;
-                p->are_orientable &=
-                    unite(t, &edges[i - 1], &edges[i], true, corner, p->same);
+                unite(p, t, &edges[i - 1], &edges[i], true, corner);
             } else {
                 ++around;
                 last_other = i;
@@ -243,19 +259,8 @@ static void join_patches(murk_patches *p, const turns *t, const edge *edges,
         /* Only an edge of exactly two triangles continues the patch. */
         p->open_edges += around % 2;
         if (around == 2) {
-            p->are_orientable &= unite(t, &edges[first], &edges[last_other],
-                                       false, corner, p->same);
+            unite(p, t, &edges[first], &edges[last_other], false, corner);
         }
-    }
-}
-
-/* Numbers the patches. A root is the lowest triangle of the patch, so the
- * root has a number before all others. */
-static void number_patches(murk_patches *p, const turns *t, size_t n)
-{
-    for (size_t i = 0; i < n; ++i) {
-        const uint32_t top = root_turned(t, (uint32_t)i, &p->is_turned[i]);
-        p->patch[i] = top == i ? (uint32_t)p->patches++ : p->patch[top];
     }
 }
 
@@ -265,31 +270,27 @@ murk_status murk_patches_find(murk_patches *p, const float *vertex,
 {
     *p = (murk_patches){.patch = malloc((n + 1) * sizeof *p->patch),
                         .is_turned = calloc(n + 1, sizeof *p->is_turned),
-                        .is_copy = calloc(n + 1, sizeof *p->is_copy),
-                        .same = malloc((vertices + 1) * sizeof *p->same)};
-    const turns t = {malloc((n + 1) * sizeof *t.parent),
-                     calloc(n + 1, sizeof *t.against)};
-    edge *edges = malloc((3 * n + 1) * sizeof *edges);
+                        .is_copy = calloc(n + 1, sizeof *p->is_copy)};
+    topology t;
     murk_status status = MURK_OK;
-    if (!p->patch || !p->is_turned || !p->is_copy || !p->same || !t.parent ||
-        !t.against || !edges || !weld(p->same, vertex, vertices)) {
+    if (!topology_init(&t, vertex, vertices, corner, n) || !p->patch ||
+        !p->is_turned || !p->is_copy) {
         status =
             murk_fail(err, MURK_NO_MEMORY, "geometry",
                       "no memory to look for the sides of %zu triangles", n);
         goto done;
     }
-    /* Each triangle starts as a patch of its own. */
+    /* Join patches along the sorted edges, then number them. A root is the
+     * lowest triangle of the patch, so it has a number before all others. */
+    join_patches(p, &t, 3 * n, corner);
     for (size_t i = 0; i < n; ++i) {
-        t.parent[i] = (uint32_t)i;
+        const uint32_t top = root(&t, (uint32_t)i, &p->is_turned[i]);
+        p->patch[i] = top == i ? (uint32_t)p->patches++ : p->patch[top];
     }
-    /* Join patches along the sorted edges, then number the patches. */
-    list_edges(edges, corner, p->same, n);
-    join_patches(p, &t, edges, 3 * n, corner);
-    number_patches(p, &t, n);
+    p->same = t.same;
+    t.same = NULL;
 done:
-    free(edges);
-    free(t.parent);
-    free(t.against);
+    topology_release(&t);
     return status;
 }
 

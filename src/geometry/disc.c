@@ -3,13 +3,11 @@
  * The area of the intersection of a triangle and a circle is the sum over
  * the three edges of a signed area: the triangle between the circle's centre
  * and the part of the edge inside the circle, and circular sectors for the
- * parts outside. Embree's point query finds all primitives near the disc. */
+ * parts outside. A point query finds all primitives near the disc. */
 #include "geometry/disc.h"
 
 #include "geometry/ray_scene.h"
 #include "geometry/triangle.h"
-
-#include <float.h>
 
 /* Allowed relative error of the covered area: rounding of vertices in the
  * plane stays well below it. */
@@ -69,13 +67,12 @@ typedef struct filling {
     bool is_crowded; /* another surface is near */
 } filling;
 
-/* Embree's point query: adds the area of a triangle in the plane of the
- * disc, and notes any other surface within the radius. */
-static bool visit_primitive(struct RTCPointQueryFunctionArguments *args)
+/* Adds the area of a triangle in the plane of the disc, and notes any other
+ * surface within the radius, which ends the search. A callback of
+ * murk_ray_scene_visit(). */
+static bool visit_primitive(void *context, murk_primitive p)
 {
-    filling *f = args->userPtr;
-    const struct RTCHit hit = {.geomID = args->geomID, .primID = args->primID};
-    const murk_primitive p = murk_primitive_of(&f->s->soup, &hit);
+    filling *f = context;
     if (p.is_sphere) {
         const murk_stored_sphere *b = &f->s->soup.sphere[p.index];
         const double off = murk_length(murk_sub(f->center, b->center));
@@ -101,9 +98,6 @@ static bool visit_primitive(struct RTCPointQueryFunctionArguments *args)
                 murk_triangle_distance2(&t, f->center) < f->radius * f->radius;
         }
     }
-    if (f->is_crowded) {
-        args->query->radius = 0; /* ends the query */
-    }
     return f->is_crowded;
 }
 
@@ -121,18 +115,7 @@ bool murk_surfaces_fill_disc(const murk_surfaces *s, murk_vec3 center,
                  .radius = radius_m,
                  .slack = s->leave_m};
     murk_frame(normal, &f.across[0], &f.across[1]);
-    /* The query is in single precision: enlarge the radius so that rounding
-     * loses no surface at the rim. */
-    const double size =
-        fabs(f.center.x) + fabs(f.center.y) + fabs(f.center.z) + radius_m;
-    struct RTCPointQuery query = {
-        .x = (float)f.center.x,
-        .y = (float)f.center.y,
-        .z = (float)f.center.z,
-        .radius = (float)(radius_m + s->leave_m + size * (double)FLT_EPSILON)};
-    struct RTCPointQueryContext context;
-    rtcInitPointQueryContext(&context);
-    rtcPointQuery(s->scene, &query, &context, visit_primitive, &f);
+    murk_ray_scene_visit(s, f.center, radius_m, visit_primitive, &f);
     /* Covered once: the sum of the areas equals the area of the disc. */
     const double whole = MURK_PI * radius_m * radius_m;
     return !f.is_crowded && fabs(f.area - whole) < FILLED * whole;

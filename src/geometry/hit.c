@@ -49,14 +49,12 @@ typedef struct corner_search {
     bool is_corner;
 } corner_search;
 
-/* Embree's point query: finds an opaque or solid triangle near the point
- * that is tilted against the hit triangle. */
-static bool find_corner(struct RTCPointQueryFunctionArguments *args)
+/* Finds an opaque or solid triangle near the point that is tilted against the
+ * hit triangle. A callback of murk_ray_scene_visit(). */
+static bool find_corner(void *context, murk_primitive p)
 {
-    corner_search *search = args->userPtr;
-    const struct RTCHit hit = {.geomID = args->geomID, .primID = args->primID};
-    const murk_primitive p = murk_primitive_of(search->soup, &hit);
-    if (p.is_sphere || search->is_corner) {
+    corner_search *search = context;
+    if (p.is_sphere) {
         return false;
     }
     const murk_triangle t = murk_soup_triangle(search->soup, p.index);
@@ -67,7 +65,7 @@ static bool find_corner(struct RTCPointQueryFunctionArguments *args)
                                 murk_dot(search->normal, search->normal) &&
                         murk_triangle_distance2(&t, search->point) <
                             search->radius_m * search->radius_m;
-    return false;
+    return search->is_corner;
 }
 
 /* True if a tilted triangle is within twice EDGE_UNITS of the point. */
@@ -77,13 +75,7 @@ static bool is_in_corner(const murk_walk *w, murk_vec3 point, murk_vec3 normal)
                             .point = point,
                             .normal = normal,
                             .radius_m = 2 * EDGE_UNITS * w->s->unit_m};
-    struct RTCPointQuery query = {.x = (float)point.x,
-                                  .y = (float)point.y,
-                                  .z = (float)point.z,
-                                  .radius = (float)(2 * search.radius_m)};
-    struct RTCPointQueryContext context;
-    rtcInitPointQueryContext(&context);
-    rtcPointQuery(w->s->scene, &query, &context, find_corner, &search);
+    murk_ray_scene_visit(w->s, point, search.radius_m, find_corner, &search);
     return search.is_corner;
 }
 
@@ -131,15 +123,12 @@ bool murk_surfaces_hit(const murk_surfaces *s, murk_vec3 origin,
     }
     /* The reported normal points against the ray. */
     const double side = murk_dot(normal, direction) > 0 ? -1 : 1;
+    const size_t number = murk_primitive_number(&s->soup, p);
     *hit = (murk_hit){.distance_m = drawn_back(&w, p, normal, distance),
                       .normal = murk_scale(side / murk_length(normal), normal),
-                      .triangle = p.is_sphere
-                                      ? (uint32_t)s->soup.triangles + p.index
-                                      : p.index,
-                      .material = p.is_sphere ? s->soup.sphere[p.index].material
-                                              : s->soup.material[p.index],
-                      .solid = p.is_sphere ? s->soup.sphere[p.index].solid
-                                           : s->soup.solid[p.index]};
+                      .triangle = (uint32_t)number,
+                      .material = murk_soup_material(&s->soup, number),
+                      .solid = murk_soup_solid(&s->soup, number)};
     return true;
 }
 

@@ -1,8 +1,8 @@
 /* Import of a mesh file by Assimp, inside the subprocess.
  *
  * Assimp's scene is a tree of nodes that place meshes. The tree is traversed
- * four times (count, vertices, triangles, materials) and the arrays are sent in
- * blocks, so that nothing is in memory twice.
+ * three times (count, vertices, triangles) and the arrays are sent in blocks,
+ * so that nothing is in memory twice.
  *
  * Axes and units, as Assimp 5.2 delivers them: Collada, IFC, 3DS, ASE and
  * DXF scenes are rotated to y up by Assimp; glTF and X3D are y up by format;
@@ -27,8 +27,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define BLOCK \
-    4096 /* vertices or triangles sent at a time: blocks of some 50 kB */
+/* Bytes sent at a time: few calls of the system, little memory (a choice). */
+#define BLOCK 65536
 
 /* ---- axes and units ---- */
 
@@ -151,12 +151,7 @@ static murk_affine to_metres(const struct aiScene *scene,
 
 /* ---- traversing the tree ---- */
 
-typedef enum purpose {
-    COUNT,
-    SEND_VERTICES,
-    SEND_CORNERS,
-    SEND_MATERIALS
-} purpose;
+typedef enum purpose { COUNT, SEND_VERTICES, SEND_TRIANGLES } purpose;
 
 typedef struct traversal {
     murk_subprocess *subprocess;
@@ -167,52 +162,54 @@ typedef struct traversal {
     uint64_t first_vertex; /* number of the current mesh's first vertex among
                               all vertices */
     uint64_t bad_vertices, bad_indices, bad_vertex_at, bad_index_at;
-    float vertex[3 * BLOCK];
-    uint32_t index[3 * BLOCK];
+    size_t filled; /* bytes of the block that are not sent yet */
+    unsigned char block[BLOCK];
 } traversal;
+
+static murk_status send_block(traversal *t)
+{
+    const size_t n = t->filled;
+    t->filled = 0;
+    return murk_subprocess_send(t->subprocess, t->block, n);
+}
+
+static murk_status send(traversal *t, const void *bytes, size_t size)
+{
+    const murk_status status =
+        t->filled + size > sizeof t->block ? send_block(t) : MURK_OK;
+    memcpy(t->block + t->filled, bytes, size);
+    t->filled += size;
+    return status;
+}
 
 static murk_status send_vertices(traversal *t, const struct aiMesh *mesh,
                                  const murk_affine *place)
 {
     murk_status status = MURK_OK;
-    for (unsigned i = 0; i < mesh->mNumVertices && !status;) {
-        size_t n = 0;
-        for (; n < BLOCK && i < mesh->mNumVertices; ++n, ++i) {
-            const struct aiVector3D *v = &mesh->mVertices[i];
-            const murk_vec3 p = murk_affine_point(
-                place, murk_vec((double)v->x, (double)v->y, (double)v->z));
-            t->vertex[3 * n] = (float)p.x;
-            t->vertex[3 * n + 1] = (float)p.y;
-            t->vertex[3 * n + 2] = (float)p.z;
-        }
-        status = murk_subprocess_send(t->subprocess, t->vertex,
-                                      n * 3 * sizeof(float));
+    for (unsigned i = 0; i < mesh->mNumVertices && !status; ++i) {
+        const struct aiVector3D *v = &mesh->mVertices[i];
+        const murk_vec3 p = murk_affine_point(
+            place, murk_vec((double)v->x, (double)v->y, (double)v->z));
+        const float vertex[3] = {(float)p.x, (float)p.y, (float)p.z};
+        status = send(t, vertex, sizeof vertex);
     }
     return status;
 }
 
 static murk_status send_triangles(traversal *t, const struct aiMesh *mesh)
 {
-    const size_t each = t->purpose == SEND_CORNERS ? 3 : 1;
+    const uint32_t first = (uint32_t)t->first_vertex;
     murk_status status = MURK_OK;
-    for (unsigned i = 0; i < mesh->mNumFaces && !status;) {
-        size_t n = 0;
-        for (; n < BLOCK && i < mesh->mNumFaces; ++i) {
-            const struct aiFace *face = &mesh->mFaces[i];
-            if (face->mNumIndices != 3) {
-                continue; /* points and lines have no area */
-            }
-            for (size_t k = 0; k < each; ++k) {
-                t->index[each * n + k] =
-                    t->purpose == SEND_MATERIALS
-                        ? mesh->mMaterialIndex
-                        : (uint32_t)t->first_vertex + face->mIndices[k];
-            }
-            ++n;
+    for (unsigned i = 0; i < mesh->mNumFaces && !status; ++i) {
+        const struct aiFace *face = &mesh->mFaces[i];
+        if (face->mNumIndices == 3) { /* points and lines have no area */
+            const uint32_t triangle[4] = {
+                first + face->mIndices[0], first + face->mIndices[1],
+                first + face->mIndices[2], mesh->mMaterialIndex};
+            status = send(t, triangle, sizeof triangle);
         }
-        status = murk_subprocess_send(t->subprocess, t->index,
-                                      n * each * sizeof(uint32_t));
     }
+    t->first_vertex += mesh->mNumVertices;
     return status;
 }
 
@@ -257,10 +254,8 @@ static murk_status visit(traversal *t, const struct aiNode *node,
         case SEND_VERTICES:
             status = send_vertices(t, mesh, &place);
             break;
-        case SEND_CORNERS:
-        case SEND_MATERIALS:
+        case SEND_TRIANGLES:
             status = send_triangles(t, mesh);
-            t->first_vertex += mesh->mNumVertices;
             break;
         }
     }
@@ -303,7 +298,7 @@ static murk_status check_counts(const traversal *t, murk_error *err)
     return MURK_OK;
 }
 
-static murk_status send_names(const traversal *t)
+static murk_status send_names(traversal *t)
 {
     murk_status status = MURK_OK;
     for (unsigned i = 0; i < t->scene->mNumMaterials && !status; ++i) {
@@ -313,7 +308,7 @@ static murk_status send_names(const traversal *t)
                                 &own) == aiReturn_SUCCESS) {
             memcpy(name, own.data, strnlen(own.data, MURK_NAME_SIZE - 1));
         }
-        status = murk_subprocess_send(t->subprocess, name, sizeof name);
+        status = send(t, name, sizeof name);
     }
     return status;
 }
@@ -381,23 +376,22 @@ murk_status murk_import_work(murk_subprocess *subprocess, void *context,
     /* Origin of the vertices in metres: the shift that was subtracted from
      * the file's vertices. */
     const murk_affine place = to_metres(scene, &request->import);
-    const murk_vec3 origin = murk_affine_direction(
+    t->head.origin_m = murk_affine_direction(
         &place, murk_vec(source.shift[0], source.shift[1], source.shift[2]));
-    t->head.origin_m[0] = origin.x;
-    t->head.origin_m[1] = origin.y;
-    t->head.origin_m[2] = origin.z;
     /* First traversal: count and check. Then send the header and, in one
      * traversal each, the arrays. */
     visit(t, scene->mRootNode, &place);
     t->head.materials = scene->mNumMaterials;
     murk_status status = check_counts(t, err);
     if (!status) {
-        status = murk_subprocess_send(subprocess, &t->head, sizeof t->head);
+        status = send(t, &t->head, sizeof t->head);
     }
-    for (int p = SEND_VERTICES; p <= SEND_MATERIALS && !status; ++p) {
+    for (int p = SEND_VERTICES; p <= SEND_TRIANGLES && !status; ++p) {
         t->purpose = (purpose)p;
-        t->first_vertex = 0;
         status = visit(t, scene->mRootNode, &place);
     }
-    return status ? status : send_names(t);
+    if (!status) {
+        status = send_names(t);
+    }
+    return status ? status : send_block(t);
 }

@@ -1,8 +1,8 @@
 /* The part of reading a mesh that runs in a subprocess: the only file of murk
  * that calls Assimp.
  *
- * The subprocess sends, in this order: murk_import_head, float[3 *
- * vertices], uint32_t[3 * triangles], uint32_t[triangles] (material),
+ * The subprocess sends, in this order: murk_import_head, float[vertices][3],
+ * uint32_t[triangles][4] (three corners and the material),
  * char[materials][MURK_NAME_SIZE]. */
 #ifndef MURK_GEOMETRY_IMPORT_H
 #define MURK_GEOMETRY_IMPORT_H
@@ -12,7 +12,7 @@
 
 typedef struct murk_import_head {
     uint64_t vertices, triangles, materials;
-    double origin_m[3]; /* origin of the vertices */
+    murk_vec3 origin_m; /* origin of the vertices */
 } murk_import_head;
 
 typedef struct murk_import_request {

@@ -5,6 +5,7 @@
  * the allowed folders. */
 #include "geometry/import_files.h"
 
+#include "base/file.h"
 #include "base/inputs.h"
 #include "geometry/import_shift.h"
 
@@ -19,7 +20,7 @@
 typedef struct source {
     struct aiFile file;
     FILE *stream;
-    size_t size; /* size of a source in memory, otherwise 0 */
+    size_t size;
     unsigned empty_reads;
 } source;
 
@@ -61,12 +62,7 @@ static size_t file_tell(struct aiFile *file)
 
 static size_t file_size(struct aiFile *file)
 {
-    struct stat is;
-    const size_t size = ((source *)(void *)file->UserData)->size;
-    if (size > 0) {
-        return size;
-    }
-    return fstat(fileno(stream_of(file)), &is) == 0 ? (size_t)is.st_size : 0;
+    return ((source *)(void *)file->UserData)->size;
 }
 
 static enum aiReturn file_seek(struct aiFile *file, size_t to,
@@ -85,7 +81,7 @@ static void file_flush(struct aiFile *file)
 }
 
 /* Opens a regular file; NULL for anything else. */
-static FILE *open_regular(const char *path)
+static FILE *open_regular(const char *path, size_t *size)
 {
     struct stat is;
     FILE *stream = NULL;
@@ -94,6 +90,7 @@ static FILE *open_regular(const char *path)
         stream = fdopen(fd, "rb");
     }
     if (stream) {
+        *size = (size_t)is.st_size;
         murk_inputs_add(&is);
     } else if (fd >= 0) {
         close(fd);
@@ -152,11 +149,13 @@ static void access_of(murk_import_access *out, const char *mesh,
 
 /* Opens a file that a mesh names; NULL if it does not exist or is not
  * allowed. */
-static FILE *open_named(murk_import_access *access, const char *path)
+static FILE *open_named(murk_import_access *access, const char *path,
+                        size_t *size)
 {
     char real[PATH_MAX];
-    return realpath(path, real) && may_open(access, real) ? open_regular(real)
-                                                          : NULL;
+    return realpath(path, real) && may_open(access, real)
+               ? open_regular(real, size)
+               : NULL;
 }
 
 static struct aiFile *file_open(struct aiFileIO *io, const char *path,
@@ -170,9 +169,9 @@ static struct aiFile *file_open(struct aiFileIO *io, const char *path,
     if (!from) {
         return NULL;
     }
+    from->size = own->size;
     from->stream = is_own ? fmemopen(own->bytes, own->size, "rb")
-                          : open_named(&own->access, path);
-    from->size = is_own ? own->size : 0;
+                          : open_named(&own->access, path, &from->size);
     if (!from->stream) {
         free(from);
         return NULL;
@@ -195,37 +194,17 @@ static void file_close(struct aiFileIO *io, struct aiFile *file)
     free(file->UserData);
 }
 
-/* Reads a whole regular file; NULL if that fails. */
-static char *read_whole(const char *path, size_t *size)
-{
-    struct stat is;
-    FILE *stream = open_regular(path);
-    char *bytes = NULL;
-    if (stream && fstat(fileno(stream), &is) == 0 && is.st_size > 0) {
-        *size = (size_t)is.st_size;
-        bytes = malloc(*size);
-    }
-    if (bytes && fread(bytes, 1, *size, stream) != *size) {
-        free(bytes);
-        bytes = NULL;
-    }
-    if (stream) {
-        fclose(stream);
-    }
-    return bytes;
-}
-
 void murk_import_source_of(murk_import_source *out, const char *path,
                            const char *allow)
 {
     *out = (murk_import_source){.path = path};
     access_of(&out->access, path, allow);
+    char *bytes = NULL;
     size_t size = 0;
-    char *bytes = murk_import_may_shift(path) ? read_whole(path, &size) : NULL;
-    if (bytes && !murk_import_shift(path, bytes, size, &out->bytes, &out->size,
-                                    out->shift)) {
-        out->bytes = NULL;
-        out->size = 0;
+    if (murk_import_may_shift(path) &&
+        murk_file_read(&bytes, &size, path, SIZE_MAX, NULL) == MURK_OK &&
+        !murk_import_shift(path, bytes, size, &out->bytes, &out->size,
+                           out->shift)) {
         memset(out->shift, 0, sizeof out->shift);
     }
     free(bytes);

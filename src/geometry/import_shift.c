@@ -20,10 +20,6 @@
  * for scenes (scene/origin.h). */
 #define FAR 32
 
-/* A number with nine significant digits, enough for single precision, and a
- * blank. */
-#define NUMBER_BYTES 24
-
 /* Properties of a PLY vertex that are read; usual files have some ten. */
 #define PROPERTIES_MAX 64
 
@@ -66,31 +62,6 @@ static bool choose(const extent *e, double shift[3])
 }
 
 /* ---- text ---- */
-
-/* A growing text. */
-typedef struct text {
-    char *bytes;
-    size_t n, room;
-    bool failed;
-} text;
-
-static void put(text *t, const char *bytes, size_t n)
-{
-    if (t->n + n > t->room) {
-        const size_t room = 2 * (t->n + n) + 4096;
-        char *grown = realloc(t->bytes, room);
-        if (grown) {
-            t->bytes = grown;
-            t->room = room;
-        } else {
-            t->failed = true;
-        }
-    }
-    if (!t->failed) {
-        memcpy(t->bytes + t->n, bytes, n);
-        t->n += n;
-    }
-}
 
 static const char *line_end(const char *at, const char *end)
 {
@@ -140,42 +111,50 @@ static bool numbers(const char *at, const char *end, const size_t columns[3],
     return true;
 }
 
-/* Writes the line with the shift subtracted from those three numbers. */
-static void put_shifted(text *out, const char *at, const char *end,
+/* Writes the line with the shift subtracted from those three numbers, which get
+ * nine significant digits, enough for single precision. */
+static void put_shifted(FILE *out, const char *at, const char *end,
                         const size_t columns[3], const double shift[3])
 {
     double x[3] = {0};
     (void)numbers(at, end, columns, x);
-    const char *from = at;
-    for (size_t c = 0;; ++c) {
-        const char *first = NULL;
-        const char *behind = column(at, end, c, &first);
-        if (!behind) {
-            break;
-        }
+    const char *from = at, *first = NULL, *behind;
+    for (size_t c = 0; (behind = column(at, end, c, &first)); ++c) {
         for (int k = 0; k < 3; ++k) {
             if (columns[k] == c) {
-                char number[NUMBER_BYTES];
-                const int n =
-                    snprintf(number, sizeof number, "%.9g", x[k] - shift[k]);
-                put(out, from, (size_t)(first - from));
-                put(out, number, (size_t)n);
+                fwrite(from, 1, (size_t)(first - from), out);
+                fprintf(out, "%.9g", x[k] - shift[k]);
                 from = behind;
             }
         }
     }
-    put(out, from, (size_t)(end - from));
+    fwrite(from, 1, (size_t)(end - from), out);
 }
 
-/* ---- OBJ ---- */
+/* The vertices in a file. In a PLY file they are the first items behind the
+ * header: lines, or binary records. */
+typedef struct layout {
+    bool is_obj, is_ascii, is_big;
+    uint64_t vertices;    /* of a PLY file */
+    size_t header, bytes; /* bytes of the header and of one binary vertex */
+    size_t column[3];     /* of x, y and z in a text vertex */
+    size_t offset[3];     /* offset of x, y and z in a binary vertex */
+    bool is_double[3];
+    unsigned found; /* one bit for each of x, y and z */
+} layout;
 
-static bool is_vertex(const char *at, const char *end)
+/* True if the line is a vertex; `before` vertices lie before it. */
+static bool is_vertex(const layout *l, const char *bytes, const char *at,
+                      const char *end, uint64_t before)
 {
-    return end - at > 2 && at[0] == 'v' && (at[1] == ' ' || at[1] == '\t');
+    return l->is_obj
+               ? end - at > 2 && at[0] == 'v' && (at[1] == ' ' || at[1] == '\t')
+               : at >= bytes + l->header && before < l->vertices;
 }
 
-/* False for a vertex with a weight (a fourth number without a fifth) and for
- * a line that continues on the next: such files are not rewritten. */
+/* False for a vertex of an OBJ file with a weight (a fourth number without a
+ * fifth) and for a line that continues on the next: such files are not
+ * rewritten. */
 static bool is_plain(const char *at, const char *end)
 {
     const char *first = NULL;
@@ -184,51 +163,42 @@ static bool is_plain(const char *at, const char *end)
     return has_fourth == has_fifth && !memchr(at, '\\', (size_t)(end - at));
 }
 
-static bool shift_obj(const char *bytes, size_t size, text *out,
-                      double shift[3])
+static bool shift_text(const layout *l, const char *bytes, size_t size,
+                       FILE *out, double shift[3])
 {
-    /* Words of a vertex line: `v` is word 0, then x, y and z. */
-    static const size_t columns[3] = {1, 2, 3};
-    const char *end = bytes + size;
+    const char *end = bytes + size, *stop;
     extent e = {.n = 0};
     /* First pass: the bounding box of the vertices. */
-    for (const char *at = bytes; at < end; at = line_end(at, end)) {
-        const char *stop = line_end(at, end);
+    for (const char *at = bytes; at < end; at = stop) {
         double x[3];
-        if (!is_vertex(at, stop)) {
+        stop = line_end(at, end);
+        if (!is_vertex(l, bytes, at, stop, e.n)) {
             continue;
         }
-        if (!is_plain(at, stop) || !numbers(at, stop, columns, x)) {
+        if ((l->is_obj && !is_plain(at, stop)) ||
+            !numbers(at, stop, l->column, x)) {
             return false;
         }
         take(&e, x);
     }
-    /* Second pass: copy the file, with the vertices shifted. */
-    if (!choose(&e, shift)) {
+    if (e.n < l->vertices || !choose(&e, shift)) {
         return false;
     }
-    for (const char *at = bytes; at < end; at = line_end(at, end)) {
-        const char *stop = line_end(at, end);
-        if (is_vertex(at, stop)) {
-            put_shifted(out, at, stop, columns, shift);
+    /* Second pass: copy the file, with the vertices shifted. */
+    uint64_t n = 0;
+    for (const char *at = bytes; at < end; at = stop) {
+        stop = line_end(at, end);
+        if (is_vertex(l, bytes, at, stop, n)) {
+            put_shifted(out, at, stop, l->column, shift);
+            ++n;
         } else {
-            put(out, at, (size_t)(stop - at));
+            fwrite(at, 1, (size_t)(stop - at), out);
         }
     }
     return true;
 }
 
 /* ---- PLY ---- */
-
-typedef struct ply {
-    bool is_ascii, is_big;
-    uint64_t vertices;
-    size_t header, bytes; /* bytes of the header and of one binary vertex */
-    size_t column[3];     /* of x, y and z in a text vertex */
-    size_t offset[3];     /* offset of x, y and z in a binary vertex */
-    bool is_double[3];
-    unsigned found; /* one bit for each of x, y and z */
-} ply;
 
 static size_t type_bytes(const char *name)
 {
@@ -247,7 +217,7 @@ static size_t type_bytes(const char *name)
     return 0;
 }
 
-static bool add_property(ply *p, size_t *columns, const char *type,
+static bool add_property(layout *p, size_t *columns, const char *type,
                          const char *name)
 {
     const size_t bytes = type_bytes(type);
@@ -268,7 +238,7 @@ static bool add_property(ply *p, size_t *columns, const char *type,
 
 /* Reads the header. The vertices must be the first element, else the file is
  * not rewritten. */
-static bool read_ply_header(ply *p, const char *bytes, size_t size)
+static bool read_ply_header(layout *p, const char *bytes, size_t size)
 {
     const char *end = bytes + size;
     bool is_of_vertex = false, is_past = false;
@@ -304,30 +274,19 @@ static bool read_ply_header(ply *p, const char *bytes, size_t size)
     return false;
 }
 
-static double swapped(const char *from, bool is_big)
+/* Copies the bytes of a number, turned around in a big-endian file. */
+static void copy_double(void *to, const void *from, bool is_big)
 {
-    unsigned char at[8];
-    double value;
     for (int k = 0; k < 8; ++k) {
-        at[k] = (unsigned char)from[is_big ? 7 - k : k];
-    }
-    memcpy(&value, at, sizeof value);
-    return value;
-}
-
-static void put_swapped(char *to, double value, bool is_big)
-{
-    char at[8];
-    memcpy(at, &value, sizeof at);
-    for (int k = 0; k < 8; ++k) {
-        to[is_big ? 7 - k : k] = at[k];
+        ((char *)to)[is_big ? 7 - k : k] = ((const char *)from)[k];
     }
 }
 
-static bool shift_binary(const ply *p, const char *bytes, size_t size,
-                         text *out, double shift[3])
+static bool shift_binary(const layout *p, const char *bytes, size_t size,
+                         FILE *out, double shift[3])
 {
     extent e = {.n = 0};
+    const char *first = bytes + p->header;
     /* Only doubles can hold coordinates that lose digits in single
      * precision. */
     const bool fits = p->vertices <= (size - p->header) / p->bytes;
@@ -336,10 +295,9 @@ static bool shift_binary(const ply *p, const char *bytes, size_t size,
     }
     /* First pass: the bounding box of the vertices. */
     for (uint64_t i = 0; i < p->vertices; ++i) {
-        const char *at = bytes + p->header + i * p->bytes;
         double x[3];
         for (int k = 0; k < 3; ++k) {
-            x[k] = swapped(at + p->offset[k], p->is_big);
+            copy_double(&x[k], first + i * p->bytes + p->offset[k], p->is_big);
             if (!isfinite(x[k])) {
                 return false;
             }
@@ -349,77 +307,55 @@ static bool shift_binary(const ply *p, const char *bytes, size_t size,
     if (!choose(&e, shift)) {
         return false;
     }
-    /* Second pass: copy the file and shift the vertices in place. */
-    put(out, bytes, size);
-    for (uint64_t i = 0; i < p->vertices && !out->failed; ++i) {
-        char *at = out->bytes + p->header + i * p->bytes;
+    /* Second pass: copy the file, with the vertices shifted. */
+    fwrite(bytes, 1, p->header, out);
+    for (uint64_t i = 0; i < p->vertices; ++i) {
+        char vertex[PROPERTIES_MAX * sizeof(double)];
+        memcpy(vertex, first + i * p->bytes, p->bytes);
         for (int k = 0; k < 3; ++k) {
-            put_swapped(at + p->offset[k],
-                        swapped(at + p->offset[k], p->is_big) - shift[k],
-                        p->is_big);
+            double x;
+            copy_double(&x, vertex + p->offset[k], p->is_big);
+            x -= shift[k];
+            copy_double(vertex + p->offset[k], &x, p->is_big);
         }
+        fwrite(vertex, 1, p->bytes, out);
     }
+    const size_t copied = p->header + p->vertices * p->bytes;
+    fwrite(bytes + copied, 1, size - copied, out);
     return true;
 }
 
-static bool shift_ascii(const ply *p, const char *bytes, size_t size, text *out,
-                        double shift[3])
+static bool has_ending(const char *path, const char *ending)
 {
-    const char *end = bytes + size, *at = bytes + p->header;
-    extent e = {.n = 0};
-    for (uint64_t i = 0; i < p->vertices; ++i, at = line_end(at, end)) {
-        double x[3];
-        if (at >= end || !numbers(at, line_end(at, end), p->column, x)) {
-            return false;
-        }
-        take(&e, x);
-    }
-    if (!choose(&e, shift)) {
-        return false;
-    }
-    put(out, bytes, p->header);
-    at = bytes + p->header;
-    for (uint64_t i = 0; i < p->vertices; ++i, at = line_end(at, end)) {
-        put_shifted(out, at, line_end(at, end), p->column, shift);
-    }
-    put(out, at, (size_t)(end - at));
-    return true;
-}
-
-static bool shift_ply(const char *bytes, size_t size, text *out,
-                      double shift[3])
-{
-    ply p = {.is_ascii = false};
-    if (!read_ply_header(&p, bytes, size)) {
-        return false;
-    }
-    return p.is_ascii ? shift_ascii(&p, bytes, size, out, shift)
-                      : shift_binary(&p, bytes, size, out, shift);
+    const char *dot = strrchr(path, '.');
+    return dot && strcasecmp(dot, ending) == 0;
 }
 
 bool murk_import_may_shift(const char *path)
 {
-    const char *dot = strrchr(path, '.');
-    return dot &&
-           (strcasecmp(dot, ".obj") == 0 || strcasecmp(dot, ".ply") == 0);
+    return has_ending(path, ".obj") || has_ending(path, ".ply");
 }
 
 bool murk_import_shift(const char *path, const char *bytes, size_t size,
                        char **out, size_t *out_size, double shift[3])
 {
-    const char *dot = strrchr(path, '.');
-    text made = {.bytes = NULL};
-    bool is_shifted = false;
-    if (dot && strcasecmp(dot, ".obj") == 0) {
-        is_shifted = shift_obj(bytes, size, &made, shift);
-    } else if (dot && strcasecmp(dot, ".ply") == 0) {
-        is_shifted = shift_ply(bytes, size, &made, shift);
-    }
-    if (!is_shifted || made.failed) {
-        free(made.bytes);
+    /* Words of a vertex line of an OBJ file: `v` is word 0, then x, y and z. */
+    layout l = {.is_obj = has_ending(path, ".obj"), .column = {1, 2, 3}};
+    if (!l.is_obj &&
+        !(has_ending(path, ".ply") && read_ply_header(&l, bytes, size))) {
         return false;
     }
-    *out = made.bytes;
-    *out_size = made.n;
-    return true;
+    FILE *stream = open_memstream(out, out_size);
+    if (!stream) {
+        return false;
+    }
+    bool is_shifted = (l.is_obj || l.is_ascii ? shift_text : shift_binary)(
+        &l, bytes, size, stream, shift);
+    is_shifted = !ferror(stream) && is_shifted;
+    is_shifted = fclose(stream) == 0 && is_shifted;
+    if (!is_shifted) {
+        free(*out);
+        *out = NULL;
+    }
+    return is_shifted;
 }

@@ -7,6 +7,7 @@
  * and do not count. If two surfaces intersect, an edge of one of them passes
  * through a triangle of the other, so each mesh is tested against the other. */
 #include "geometry/boundary_mesh.h"
+#include "geometry/boundary_meshes.h"
 
 #include "geometry/triangle.h"
 
@@ -101,10 +102,7 @@ static bool has_parts_on_both_sides(const murk_boundary_mesh *one,
     const murk_soup *soup = &one->shape->soup;
     sampling s = {.other = other, .tolerance_m = tolerance_m};
     for (size_t i = 0; i < soup->triangles && !is_decided(&s); ++i) {
-        murk_triangle t = murk_soup_triangle(soup, i);
-        t = (murk_triangle){murk_add(t.a, soup->anchor),
-                            murk_add(t.b, soup->anchor),
-                            murk_add(t.c, soup->anchor)};
+        const murk_triangle t = murk_soup_placed_triangle(soup, i);
         sample(&s, t.a);
         sample(&s, murk_scale(1.0 / 3, murk_add(t.a, murk_add(t.b, t.c))));
         sample_edge(&s, t.a, t.b);
@@ -115,13 +113,14 @@ static bool has_parts_on_both_sides(const murk_boundary_mesh *one,
     return is_decided(&s);
 }
 
-bool murk_boundary_mesh_meets(const murk_boundary_mesh *one,
-                              const murk_boundary_mesh *other,
-                              double tolerance_m, murk_vec3 *place)
+bool murk_boundary_meshes_meet(const murk_boundary_meshes *b, int region,
+                               int other, murk_vec3 *place)
 {
-    const murk_box a = murk_surfaces_describe(one->shape).bounds_m;
-    const murk_box b = murk_surfaces_describe(other->shape).bounds_m;
-    return overlaps(&a, &b) &&
-           (has_parts_on_both_sides(one, other, tolerance_m, place) ||
-            has_parts_on_both_sides(other, one, tolerance_m, place));
+    const murk_boundary_mesh *one = murk_boundary_mesh_of(b, region);
+    const murk_boundary_mesh *two = murk_boundary_mesh_of(b, other);
+    const murk_box box = murk_surfaces_describe(one->shape).bounds_m;
+    const murk_box box2 = murk_surfaces_describe(two->shape).bounds_m;
+    return overlaps(&box, &box2) &&
+           (has_parts_on_both_sides(one, two, b->tolerance_m, place) ||
+            has_parts_on_both_sides(two, one, b->tolerance_m, place));
 }

@@ -163,11 +163,12 @@ static murk_status unpack(murk_mesh *mesh, const unsigned char *bytes,
                          mesh->triangles, path);
     }
     take(mesh->vertex_m, 3 * mesh->vertices * sizeof(float), &bytes);
-    take(mesh->corner, 3 * mesh->triangles * sizeof(uint32_t), &bytes);
-    take(mesh->material, mesh->triangles * sizeof(uint32_t), &bytes);
+    for (size_t i = 0; i < mesh->triangles; ++i) {
+        take(mesh->corner + 3 * i, 3 * sizeof(uint32_t), &bytes);
+        take(mesh->material + i, sizeof(uint32_t), &bytes);
+    }
     take(mesh->material_name, mesh->materials * MURK_NAME_SIZE, &bytes);
-    mesh->origin_m =
-        murk_vec(head.origin_m[0], head.origin_m[1], head.origin_m[2]);
+    mesh->origin_m = head.origin_m;
     if (!is_sound(mesh) || !murk_is_finite(mesh->origin_m)) {
         return murk_fail(err, MURK_BAD_FILE, where,
                          "%s: coordinates or indices out of range", path);
@@ -193,7 +194,6 @@ murk_status murk_mesh_read(murk_mesh **out, const char *path,
     uint64_t file_bytes = 0;
     unsigned char *bytes = NULL;
     size_t size = 0;
-    murk_mesh *mesh = NULL;
     /* Check the request and the file. */
     murk_status status = check_import(&request.import, where, err);
     if (!status) {
@@ -208,25 +208,20 @@ murk_status murk_mesh_read(murk_mesh **out, const char *path,
                                      &limits, where, err);
     }
     if (status) {
-        goto done;
+        return status;
     }
     /* Unpack and check the result. */
-    mesh = calloc(1, sizeof *mesh);
-    if (!mesh) {
-        status =
-            murk_fail(err, MURK_NO_MEMORY, where, "no memory for %s", path);
-        goto done;
-    }
-    status = unpack(mesh, bytes, size, path, where, err);
+    murk_mesh *mesh = calloc(1, sizeof *mesh);
+    status =
+        mesh ? unpack(mesh, bytes, size, path, where, err)
+             : murk_fail(err, MURK_NO_MEMORY, where, "no memory for %s", path);
+    free(bytes);
     if (status) {
-        goto done;
+        murk_mesh_destroy(mesh);
+        return status;
     }
     *out = mesh;
-    mesh = NULL;
-done:
-    murk_mesh_destroy(mesh);
-    free(bytes);
-    return status;
+    return MURK_OK;
 }
 
 void murk_mesh_destroy(murk_mesh *mesh)

@@ -36,15 +36,4 @@ void murk_mount_builder_offer(murk_mount_builder *builder, murk_vec3 place,
 /* The failure for more sites than allowed. */
 murk_status murk_mount_builder_refuse(const murk_mount_builder *builder);
 
-/* Sites on spheres: whether any sphere is searched; sites at the six poles
- * of each; and sites in the gaps between them. */
-bool murk_mount_builder_any_sphere(const murk_mount_builder *builder);
-void murk_mount_builder_poles(murk_mount_builder *builder);
-void murk_mount_builder_spheres(murk_mount_builder *builder);
-
-static inline murk_vec3 murk_middle(murk_vec3 a, murk_vec3 b)
-{
-    return murk_scale(0.5, murk_add(a, b));
-}
-
 #endif

@@ -1,11 +1,12 @@
-/* Finds candidate sites on triangles (geometry/mount_sites.h).
+/* Finds candidate sites on triangles and spheres (geometry/mount_sites.h).
  *
  * Lattice: each face is intersected with the lines of a square lattice along
  * the axis closest to the face's normal. The sites then depend on the place of
  * the face, not on the triangles it is cut into. On slanting faces they are up
  * to sqrt(3) times too far apart. Gaps: all faces are halved into small pieces,
  * and the middle of a piece becomes a site if no other site of the surface is
- * near.
+ * near. A sphere has its six poles in place of the lattice, and its octants are
+ * halved in the same way.
  *
  * Thinning by distance alone would take the far face of a thin wall for the
  * near one; geometry/mount_builder.c therefore compares planes, too. */
@@ -37,6 +38,11 @@ double murk_mount_spacing_min_m(const murk_surfaces *surfaces)
     return MIN_LEAVES * surfaces->leave_m;
 }
 
+static bool is_searched(const murk_mount_builder *l, uint8_t material)
+{
+    return !l->search->materials || l->search->materials[material];
+}
+
 /* Triangle i in world coordinates, its normal, and the part inside the box;
  * false if the triangle is not searched or nothing is inside. */
 static bool searched_face(const murk_mount_builder *l, size_t i,
@@ -44,13 +50,10 @@ static bool searched_face(const murk_mount_builder *l, size_t i,
                           murk_polygon *part)
 {
     const murk_soup *soup = &l->surfaces->soup;
-    if (l->search->materials && !l->search->materials[soup->material[i]]) {
+    if (!is_searched(l, soup->material[i])) {
         return false;
     }
-    *t = murk_soup_triangle(soup, i);
-    t->a = murk_add(t->a, soup->anchor);
-    t->b = murk_add(t->b, soup->anchor);
-    t->c = murk_add(t->c, soup->anchor);
+    *t = murk_soup_placed_triangle(soup, i);
     *normal = murk_unit(murk_triangle_normal(t));
     const double rise = fabs(normal->z);
     if (!(rise >= l->search->min_rise && rise <= l->search->max_rise)) {
@@ -135,29 +138,70 @@ static void add_pattern(murk_mount_builder *l, const murk_triangle *t,
     }
 }
 
-/* Halves the longest side of a triangle recursively until all sides are
- * short; the middle of each piece is offered as a site. */
-static void fill_gaps(murk_mount_builder *l, murk_vec3 a, murk_vec3 b,
-                      murk_vec3 c, murk_vec3 normal)
+/* Distance from a point to a box. */
+static double distance_to(const murk_box *box, murk_vec3 p)
 {
+    return murk_length(
+        murk_vec(fmax(0, fmax(box->min.x - p.x, p.x - box->max.x)),
+                 fmax(0, fmax(box->min.y - p.y, p.y - box->max.y)),
+                 fmax(0, fmax(box->min.z - p.z, p.z - box->max.z))));
+}
+
+/* A piece of a surface to be halved: a flat triangle, or the part of a sphere
+ * between three directions, at most an octant. */
+typedef struct piece {
+    murk_mount_builder *l;
+    murk_vec3 normal; /* of a triangle */
+    bool is_sphere;
+    murk_vec3 center; /* of a sphere */
+    double radius;    /* 1 for a triangle */
+} piece;
+
+static murk_vec3 halfway(const piece *p, murk_vec3 a, murk_vec3 b)
+{
+    const murk_vec3 middle = murk_scale(0.5, murk_add(a, b));
+    return p->is_sphere ? murk_unit(middle) : middle;
+}
+
+/* Halves the longest side of a piece recursively until all sides are short; the
+ * middle of each piece is offered as a site. Parts of a sphere out of reach of
+ * the box are skipped. */
+static void fill_gaps(const piece *p, murk_vec3 a, murk_vec3 b, murk_vec3 c)
+{
+    murk_mount_builder *l = p->l;
     const double ab = murk_length(murk_sub(b, a)),
                  bc = murk_length(murk_sub(c, b)),
                  ca = murk_length(murk_sub(a, c));
+    const murk_vec3 sum = murk_add(a, murk_add(b, c));
+    murk_vec3 place = murk_scale(1.0 / 3, sum), normal = p->normal;
     if (l->status) {
         return;
     }
-    if (!(fmax(ab, fmax(bc, ca)) > MURK_MOUNT_PIECE * l->search->spacing_m)) {
-        const murk_vec3 sum = murk_add(a, murk_add(b, c));
-        murk_mount_builder_offer(l, murk_scale(1.0 / 3, sum), normal);
+    if (p->is_sphere) {
+        /* The middle of the part, and the largest distance of a corner. */
+        normal = murk_unit(sum);
+        place = murk_along(p->center, p->radius, normal);
+        const double far = fmax(murk_length(murk_sub(a, normal)),
+                                fmax(murk_length(murk_sub(b, normal)),
+                                     murk_length(murk_sub(c, normal))));
+        if (distance_to(&l->search->within, place) >
+            p->radius * far + l->slack_m) {
+            return;
+        }
+    }
+    /* A small piece offers a site; otherwise halve the longest side. */
+    if (!(p->radius * fmax(ab, fmax(bc, ca)) >
+          MURK_MOUNT_PIECE * l->search->spacing_m)) {
+        murk_mount_builder_offer(l, place, normal);
     } else if (ab >= bc && ab >= ca) {
-        fill_gaps(l, a, murk_middle(a, b), c, normal);
-        fill_gaps(l, murk_middle(a, b), b, c, normal);
+        fill_gaps(p, a, halfway(p, a, b), c);
+        fill_gaps(p, halfway(p, a, b), b, c);
     } else if (bc >= ca) {
-        fill_gaps(l, b, murk_middle(b, c), a, normal);
-        fill_gaps(l, murk_middle(b, c), c, a, normal);
+        fill_gaps(p, b, halfway(p, b, c), a);
+        fill_gaps(p, halfway(p, b, c), c, a);
     } else {
-        fill_gaps(l, c, murk_middle(c, a), b, normal);
-        fill_gaps(l, murk_middle(c, a), a, b, normal);
+        fill_gaps(p, c, halfway(p, c, a), b);
+        fill_gaps(p, halfway(p, c, a), a, b);
     }
 }
 
@@ -166,13 +210,52 @@ static void fill_gaps(murk_mount_builder *l, murk_vec3 a, murk_vec3 b,
 static void fill_part(murk_mount_builder *l, const murk_polygon *p,
                       murk_vec3 normal)
 {
+    const piece flat = {.l = l, .normal = normal, .radius = 1};
     if (p->n < 3) {
-        fill_gaps(l, p->corner[0], p->corner[0], p->corner[p->n - 1], normal);
+        fill_gaps(&flat, p->corner[0], p->corner[0], p->corner[p->n - 1]);
     }
     for (size_t k = 2; k < p->n; ++k) {
-        fill_gaps(l, p->corner[0], p->corner[k - 1], p->corner[k], normal);
+        fill_gaps(&flat, p->corner[0], p->corner[k - 1], p->corner[k]);
     }
 }
+
+/* ---- spheres ---- */
+
+typedef enum sphere_part { NOTHING, POLES, GAPS } sphere_part;
+
+/* Offers the points of the spheres on the six half axes, or fills the gaps
+ * between them octant by octant. True if any sphere is searched. */
+static bool search_spheres(murk_mount_builder *l, sphere_part part)
+{
+    const murk_soup *soup = &l->surfaces->soup;
+    bool any = false;
+    for (size_t i = 0; i < soup->spheres && !l->status; ++i) {
+        const murk_stored_sphere *b = &soup->sphere[i];
+        const piece round = {.l = l,
+                             .is_sphere = true,
+                             .center = murk_add(b->center, soup->anchor),
+                             .radius = b->radius};
+        if (!is_searched(l, b->material)) {
+            continue;
+        }
+        any = true;
+        /* The six poles, or the eight octants. */
+        for (int k = 0; part == POLES && k < 6; ++k) {
+            murk_vec3 pole = {0, 0, 0};
+            murk_component_set(&pole, k / 2, k % 2 ? 1 : -1);
+            murk_mount_builder_offer(
+                l, murk_along(round.center, b->radius, pole), pole);
+        }
+        for (int k = 0; part == GAPS && k < 8; ++k) {
+            fill_gaps(&round, murk_vec(k & 1 ? 1 : -1, 0, 0),
+                      murk_vec(0, k & 2 ? 1 : -1, 0),
+                      murk_vec(0, 0, k & 4 ? 1 : -1));
+        }
+    }
+    return any;
+}
+
+/* ---- the search ---- */
 
 /* Advances the progress and checks for an interrupt; false if the search has
  * ended. */
@@ -215,7 +298,7 @@ static bool measure(murk_mount_builder *l)
             min[axis] +
             (max[axis] - min[axis] - (lines - 1) * l->search->spacing_m) / 2;
     }
-    return box.min.x <= box.max.x || murk_mount_builder_any_sphere(l);
+    return box.min.x <= box.max.x || search_spheres(l, NOTHING);
 }
 
 static void add_all_sites(murk_mount_builder *l)
@@ -231,13 +314,13 @@ static void add_all_sites(murk_mount_builder *l)
     }
     /* Lattice points on triangles come first, then poles of spheres, then
      * the gaps. */
-    murk_mount_builder_poles(l);
+    search_spheres(l, POLES);
     for (size_t i = 0; i < soup->triangles && goes_on(l, i); ++i) {
         if (searched_face(l, i, &t, &normal, &part)) {
             fill_part(l, &part, normal);
         }
     }
-    murk_mount_builder_spheres(l);
+    search_spheres(l, GAPS);
 }
 
 murk_status murk_surfaces_mount_sites(murk_mount_site **out, size_t *n,

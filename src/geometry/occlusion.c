@@ -4,10 +4,13 @@
  * Embree is asked one ray at a time, since its wide occlusion queries change
  * a few grazing answers with the other rays of a packet. Many sightlines to
  * one point use an occlusion cache: the shadows of the last occluding
- * triangles (geometry/shadow.h). A point inside a cached shadow is certainly
- * occluded; every other point is left to Embree, so that the answers are
- * those of the single query. */
-#include "geometry/shadow.h"
+ * triangles, because neighbouring sightlines to one sensor are mostly blocked
+ * by the same few triangles. Four dot products then answer a question for which
+ * Embree takes some hundred nanoseconds. A shadow is reduced by margins well
+ * above Embree's own rounding, so Embree would report any point inside as
+ * occluded too, whichever of Embree's kernels runs. Every other point is left
+ * to Embree, so that the answers are those of the single query. */
+#include "geometry/triangle.h"
 #include "geometry/walk.h"
 
 #include <string.h>
@@ -15,6 +18,13 @@
 /* Shadows in the cache, tested side by side in one wide register. Four was
  * the fastest number in a furnished interior. */
 #define SHADOWS 4
+
+/* Margin in float steps by which a ray must miss every edge, and by which
+ * eye and point must be away from the plane. A ray's float origin and
+ * direction move it by at most 4 units anywhere in the scene, its ends are
+ * moved inwards by 8, and Embree's own arithmetic adds at most some 8. Cost:
+ * only that rays which pass within the margin are left to Embree. */
+#define MARGIN_UNITS 64
 
 /* Compiles the function for wider registers, too; the program selects a
  * version when it starts. Products are not fused (-ffp-contract=off), so all
@@ -102,6 +112,54 @@ bool murk_surfaces_blocked(const murk_surfaces *s, murk_vec3 from, murk_vec3 to,
                       through_sheets ? MURK_MASK_BLOCKS : MURK_MASK_ALL);
 }
 
+/* Four planes: a point is inside if normal . point + offset > 0 for all of
+ * them. Three planes pass through the eye and an edge; the fourth is the
+ * plane of the triangle. */
+typedef struct shadow {
+    murk_vec3 normal[4];
+    double offset[4];
+} shadow;
+
+/* Computes the shadow; false if the triangle has none that is certain.
+ * unit_m: spacing of floats in the scene; farthest_m: the largest distance
+ * of any queried point from the eye. */
+static bool make_shadow(shadow *s, const murk_triangle *triangle, murk_vec3 eye,
+                        double unit_m, double farthest_m)
+{
+    /* Orient the normal away from the eye. */
+    const double margin = MARGIN_UNITS * unit_m;
+    const double nearest = sqrt(murk_triangle_distance2(triangle, eye));
+    murk_vec3 normal = murk_unit(murk_triangle_normal(triangle));
+    double height = murk_dot(murk_sub(triangle->a, eye), normal);
+    const bool is_turned = height < 0;
+    if (is_turned) {
+        normal = murk_scale(-1, normal);
+        height = -height;
+    }
+    if (!(height > margin)) {
+        return false;
+    }
+    /* The plane of the triangle: points behind it by more than the margin. */
+    s->normal[3] = normal;
+    s->offset[3] = -murk_dot(normal, triangle->a) - margin;
+    /* The planes through the eye and each edge. A ray that is d off such a
+     * plane at the far end is at least d * nearest / farthest off where it
+     * passes the edge. */
+    const double side_margin = margin * farthest_m / nearest;
+    const murk_vec3 corner[3] = {
+        murk_sub(triangle->a, eye),
+        murk_sub(is_turned ? triangle->c : triangle->b, eye),
+        murk_sub(is_turned ? triangle->b : triangle->c, eye)};
+    for (int i = 0; i < 3; ++i) {
+        const murk_vec3 side =
+            murk_unit(murk_cross(corner[i], corner[(i + 1) % 3]));
+        s->normal[i] = side; /* not finite if the eye is on the line of the
+                                edge: then is_occluded_by_cached() is false */
+        s->offset[i] = -murk_dot(side, eye) - side_margin;
+    }
+    return true;
+}
+
 /* The occlusion cache: shadows of triangles that have blocked rays to one
  * point, stored plane by plane, so that one point is tested against all of
  * them in a few wide operations. */
@@ -143,7 +201,7 @@ static inline bool is_occluded_by_cached(const occlusion_cache *cache,
 static void cache_occluder(occlusion_cache *cache, const murk_surfaces *s,
                            const sightline *line)
 {
-    murk_shadow shadow;
+    shadow of_triangle;
     /* Spheres have no shadow planes. */
     if (line->geometry >= MURK_FACES) {
         return;
@@ -157,17 +215,17 @@ static void cache_occluder(occlusion_cache *cache, const murk_surfaces *s,
     }
     /* Replace the oldest shadow. */
     const murk_triangle t = murk_soup_triangle(&s->soup, index);
-    if (!murk_shadow_make(&shadow, &t, cache->eye, s->unit_m,
-                          cache->farthest_m)) {
+    if (!make_shadow(&of_triangle, &t, cache->eye, s->unit_m,
+                     cache->farthest_m)) {
         return;
     }
     const size_t k = cache->oldest;
     cache->oldest = (k + 1) % SHADOWS;
     for (int i = 0; i < 4; ++i) {
-        cache->x[i][k] = shadow.normal[i].x;
-        cache->y[i][k] = shadow.normal[i].y;
-        cache->z[i][k] = shadow.normal[i].z;
-        cache->offset[i][k] = shadow.offset[i];
+        cache->x[i][k] = of_triangle.normal[i].x;
+        cache->y[i][k] = of_triangle.normal[i].y;
+        cache->z[i][k] = of_triangle.normal[i].z;
+        cache->offset[i][k] = of_triangle.offset[i];
     }
 }
 
@@ -228,9 +286,8 @@ double murk_surfaces_sheet_transmittance(const murk_surfaces *s, murk_vec3 from,
         murk_vec3 normal;
         const double distance = murk_walk_locate(&w, p, &normal);
         if (distance > last && distance < length - s->leave_m) {
-            const uint8_t material = p.is_sphere
-                                         ? soup->sphere[p.index].material
-                                         : soup->material[p.index];
+            const uint8_t material =
+                murk_soup_material(soup, murk_primitive_number(soup, p));
             transmittance *= s->material[material].transmit.band[band];
             last = distance + s->leave_m;
         }

@@ -104,14 +104,9 @@ static void count_shape(const murk_surface_desc *d, murk_placed_shapes *g)
 static murk_status allocate(murk_placed_shapes *g, murk_error *err)
 {
     g->vertex = malloc((g->vertices + 1) * sizeof *g->vertex);
-    g->corner = malloc((3 * g->triangles + 1) * sizeof *g->corner);
-    g->item = malloc((g->triangles + 1) * sizeof *g->item);
-    g->material = malloc(g->triangles + 1);
-    g->solid = calloc(g->triangles + 1, sizeof *g->solid);
-    g->face = calloc(g->triangles + 1, 1);
+    g->triangle = malloc((g->triangles + 1) * sizeof *g->triangle);
     g->sphere = malloc((g->spheres + 1) * sizeof *g->sphere);
-    if (!g->vertex || !g->corner || !g->item || !g->material || !g->solid ||
-        !g->face || !g->sphere) {
+    if (!g->vertex || !g->triangle || !g->sphere) {
         return murk_fail(err, MURK_NO_MEMORY, "geometry",
                          "no memory for %zu triangles", g->triangles);
     }
@@ -119,53 +114,44 @@ static murk_status allocate(murk_placed_shapes *g, murk_error *err)
     return MURK_OK;
 }
 
-static bool is_blank(char c)
+/* 0 if the names are equal but for blanks and the case of letters. */
+static int compare_letters(const char *a, const char *b)
 {
-    return c == ' ' || c == '\t';
-}
-
-/* True if the names are equal but for blanks and the case of letters. */
-static bool is_alike(const char *a, const char *b)
-{
-    for (;;) {
-        while (is_blank(*a)) {
-            ++a;
+    for (;; ++a, ++b) {
+        a += strspn(a, " \t");
+        b += strspn(b, " \t");
+        if (!*a || tolower((unsigned char)*a) != tolower((unsigned char)*b)) {
+            return *a || *b;
         }
-        while (is_blank(*b)) {
-            ++b;
-        }
-        if (tolower((unsigned char)*a) != tolower((unsigned char)*b)) {
-            return false;
-        }
-        if (!*a) {
-            return true;
-        }
-        ++a;
-        ++b;
     }
 }
 
 size_t murk_material_named(const char *name, const murk_material *materials,
                            size_t n, bool *is_named)
 {
+    static int (*const compare[])(const char *, const char *) = {
+        strcmp, strcasecmp, compare_letters};
     *is_named = true;
-    for (size_t i = 0; i < n; ++i) {
-        if (strcmp(materials[i].name, name) == 0) {
-            return i;
-        }
-    }
-    for (size_t i = 0; i < n; ++i) {
-        if (strcasecmp(materials[i].name, name) == 0) {
-            return i;
-        }
-    }
-    for (size_t i = 0; i < n; ++i) {
-        if (is_alike(materials[i].name, name)) {
-            return i;
+    for (size_t k = 0; k < sizeof compare / sizeof *compare; ++k) {
+        for (size_t i = 0; i < n; ++i) {
+            if (compare[k](materials[i].name, name) == 0) {
+                return i;
+            }
         }
     }
     *is_named = false;
     return 0;
+}
+
+/* Adds a triangle with corners that are numbered from `first` on. */
+static void add_triangle(murk_placed_shapes *g, uint32_t first,
+                         const uint32_t *corner, uint32_t item,
+                         uint8_t material)
+{
+    g->triangle[g->triangles++] = (murk_placed_triangle){
+        .corner = {first + corner[0], first + corner[1], first + corner[2]},
+        .item = item,
+        .material = material};
 }
 
 static murk_status add_mesh(murk_placed_shapes *g, const murk_surface_desc *d,
@@ -197,14 +183,7 @@ static murk_status add_mesh(murk_placed_shapes *g, const murk_surface_desc *d,
         g->vertex[g->vertices++] = murk_affine_point(&to_world, p);
     }
     for (size_t i = 0; i < m->triangles; ++i) {
-        const size_t k = g->triangles++;
-        for (size_t j = 0; j < 3; ++j) {
-            assert(m->corner[3 * i + j] < m->vertices);
-            g->corner[3 * k + j] = base + m->corner[3 * i + j];
-        }
-        g->item[k] = item;
-        assert(m->material[i] < m->materials);
-        g->material[k] = own[m->material[i]];
+        add_triangle(g, base, m->corner + 3 * i, item, own[m->material[i]]);
     }
     free(own);
     return MURK_OK;
@@ -219,12 +198,8 @@ static void add_flat(murk_placed_shapes *g, const murk_surface_desc *d,
         g->vertex[g->vertices++] = murk_affine_point(&d->to_world, point[i]);
     }
     for (size_t i = 0; i < triangles; ++i) {
-        const size_t k = g->triangles++;
-        for (size_t j = 0; j < 3; ++j) {
-            g->corner[3 * k + j] = base + corner[3 * i + j];
-        }
-        g->item[k] = item;
-        g->material[k] = (uint8_t)(d->material > 0 ? d->material : 0);
+        add_triangle(g, base, corner + 3 * i, item,
+                     (uint8_t)(d->material > 0 ? d->material : 0));
     }
 }
 
@@ -361,10 +336,6 @@ murk_status murk_placed_shapes_build(murk_placed_shapes *g,
 void murk_placed_shapes_release(murk_placed_shapes *g)
 {
     free(g->vertex);
-    free(g->corner);
-    free(g->item);
-    free(g->material);
-    free(g->solid);
-    free(g->face);
+    free(g->triangle);
     free(g->sphere);
 }

@@ -24,15 +24,18 @@ typedef struct murk_stored_sphere {
     murk_face face;
 } murk_stored_sphere;
 
+typedef struct murk_placed_triangle {
+    uint32_t corner[3];
+    uint32_t item; /* index of the description that the triangle comes from */
+    uint16_t solid;
+    uint8_t material, face;
+} murk_placed_triangle;
+
 typedef struct murk_placed_shapes {
     murk_vec3 *vertex;
-    uint32_t *corner,
-        *item; /* item: index of the description that the triangle comes from */
-    uint8_t *material;
-    uint16_t *solid;
-    uint8_t *face;
-    size_t vertices, triangles, spheres, degenerate;
+    murk_placed_triangle *triangle;
     murk_stored_sphere *sphere;
+    size_t vertices, triangles, spheres, degenerate;
 } murk_placed_shapes;
 
 static inline const char *murk_place_of(const murk_surface_desc *d)

@@ -8,8 +8,6 @@
 #include "geometry/triangle.h"
 #include "geometry/walk.h"
 
-#include <float.h>
-
 /* Solids that a ray may be inside of at the same time. More would need 64
  * nested solids; those beyond are ignored. */
 #define OPEN_SOLIDS_MAX 64
@@ -49,9 +47,9 @@ static uint16_t solid_along(const murk_surfaces *s, murk_vec3 point,
         const murk_primitive p = murk_primitive_of(&s->soup, &w.ray.hit);
         murk_vec3 normal;
         if (murk_walk_locate(&w, p, &normal) > 0) {
-            n = toggle(open, n,
-                       p.is_sphere ? s->soup.sphere[p.index].solid
-                                   : s->soup.solid[p.index]);
+            n = toggle(
+                open, n,
+                murk_soup_solid(&s->soup, murk_primitive_number(&s->soup, p)));
         }
     }
     return n > 0 ? open[0] : 0;
@@ -85,13 +83,12 @@ typedef struct nearness {
     bool is_near;
 } nearness;
 
-/* Embree's point query: computes the exact distance to a primitive. */
-static bool visit_near(struct RTCPointQueryFunctionArguments *args)
+/* Computes the exact distance to a primitive. A callback of
+ * murk_ray_scene_visit(). */
+static bool visit_near(void *context, murk_primitive p)
 {
-    nearness *near = args->userPtr;
+    nearness *near = context;
     const murk_soup *soup = &near->s->soup;
-    const struct RTCHit hit = {.geomID = args->geomID, .primID = args->primID};
-    const murk_primitive p = murk_primitive_of(soup, &hit);
     double distance;
     if (p.is_sphere) {
         const murk_stored_sphere *b = &soup->sphere[p.index];
@@ -107,18 +104,13 @@ static bool visit_near(struct RTCPointQueryFunctionArguments *args)
                 ? murk_mount_clearance_to_face(near->clearance, &t, near->point)
                 : sqrt(murk_triangle_distance2(&t, near->point));
     }
-    if (!near->is_near && distance < near->radius_m) {
-        near->is_near = true;
-        args->query->radius = 0; /* ends the query */
-        return true;
-    }
-    return false;
+    near->is_near = distance < near->radius_m;
+    return near->is_near;
 }
 
 static bool any_near(const murk_surfaces *s, murk_vec3 point, double radius_m,
                      const murk_mount_clearance *clearance)
 {
-    const double radius = fmin(radius_m, MURK_RAY_MAX_M);
     if (!s->scene || !(radius_m > 0) ||
         !murk_ray_is_sound(point, murk_vec(0, 0, 1))) {
         return false;
@@ -127,18 +119,8 @@ static bool any_near(const murk_surfaces *s, murk_vec3 point, double radius_m,
                      .point = murk_sub(point, s->soup.anchor),
                      .radius_m = radius_m,
                      .clearance = clearance};
-    /* The query is in single precision: enlarge the radius so that rounding
-     * loses no surface at the rim. */
-    const double size =
-        fabs(near.point.x) + fabs(near.point.y) + fabs(near.point.z) + radius;
-    struct RTCPointQuery query = {
-        .x = (float)near.point.x,
-        .y = (float)near.point.y,
-        .z = (float)near.point.z,
-        .radius = (float)(radius + s->leave_m + size * (double)FLT_EPSILON)};
-    struct RTCPointQueryContext context;
-    rtcInitPointQueryContext(&context);
-    rtcPointQuery(s->scene, &query, &context, visit_near, &near);
+    murk_ray_scene_visit(s, near.point, fmin(radius_m, MURK_RAY_MAX_M),
+                         visit_near, &near);
     return near.is_near;
 }
 

@@ -7,6 +7,8 @@
 
 #include "geometry/triangle.h"
 
+#include <float.h>
+
 /* One thread and no pinning: Embree must not start threads, because murk
  * forks and has a thread pool of its own. */
 #define DEVICE_SETTINGS "threads=1,user_threads=1,set_affinity=0"
@@ -189,4 +191,45 @@ void murk_ray_scene_release(murk_surfaces *s)
     }
     s->scene = NULL;
     s->device = NULL;
+}
+
+/* ---- neighbours of a point ---- */
+
+typedef struct visiting {
+    const murk_soup *soup;
+    murk_visit visit;
+    void *context;
+    bool has_ended; /* Embree may still call for primitives of the same leaf */
+} visiting;
+
+/* Embree's point query. */
+static bool visit_one(struct RTCPointQueryFunctionArguments *args)
+{
+    visiting *v = args->userPtr;
+    const struct RTCHit hit = {.geomID = args->geomID, .primID = args->primID};
+    if (v->has_ended ||
+        !v->visit(v->context, murk_primitive_of(v->soup, &hit))) {
+        return false;
+    }
+    v->has_ended = true;
+    args->query->radius = 0; /* ends the query */
+    return true;
+}
+
+void murk_ray_scene_visit(const murk_surfaces *s, murk_vec3 point,
+                          double radius_m, murk_visit visit, void *context)
+{
+    visiting v = {.soup = &s->soup, .visit = visit, .context = context};
+    /* The query is in single precision: enlarge the radius so that rounding
+     * loses no surface at the rim. */
+    const double size =
+        fabs(point.x) + fabs(point.y) + fabs(point.z) + radius_m;
+    struct RTCPointQuery query = {
+        .x = (float)point.x,
+        .y = (float)point.y,
+        .z = (float)point.z,
+        .radius = (float)(radius_m + s->leave_m + size * (double)FLT_EPSILON)};
+    struct RTCPointQueryContext of_embree;
+    rtcInitPointQueryContext(&of_embree);
+    rtcPointQuery(s->scene, &query, &of_embree, visit_one, &v);
 }

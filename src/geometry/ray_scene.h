@@ -68,6 +68,13 @@ static inline murk_primitive murk_primitive_of(const murk_soup *soup,
     return (murk_primitive){is_sphere, (uint32_t)first + hit->primID};
 }
 
+/* The number of a primitive: triangles come first, then spheres. */
+static inline size_t murk_primitive_number(const murk_soup *soup,
+                                           murk_primitive p)
+{
+    return p.is_sphere ? soup->triangles + p.index : p.index;
+}
+
 /* Largest coordinate of a ray. Embree's own limit is 1.8e18; beyond it, and
  * for values that are not finite, some builds of Embree stop the program. */
 #define MURK_RAY_MAX_M 1e17
@@ -107,5 +114,12 @@ static inline void murk_ray_set(struct RTCRay *ray, murk_vec3 origin,
  * The caller calls murk_ray_scene_release() also after a failure. */
 murk_status murk_ray_scene_commit(murk_surfaces *surfaces, murk_error *err);
 void murk_ray_scene_release(murk_surfaces *surfaces);
+
+/* Calls visit() for the primitives within radius_m of a point, and possibly for
+ * some slightly beyond, in no particular order, until visit() returns true. The
+ * point is relative to the anchor, and the scene is not empty. */
+typedef bool (*murk_visit)(void *context, murk_primitive p);
+void murk_ray_scene_visit(const murk_surfaces *surfaces, murk_vec3 point,
+                          double radius_m, murk_visit visit, void *context);
 
 #endif

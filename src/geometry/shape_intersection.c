@@ -6,6 +6,7 @@
  * test (Akenine-Moeller, J. Graph. Tools 6 (2001) 29,
  * doi:10.1080/10867651.2001.10487535). */
 #include "geometry/boundary_mesh.h"
+#include "geometry/boundary_meshes.h"
 
 #include "geometry/triangle.h"
 
@@ -65,16 +66,15 @@ static bool reaches_in(const murk_plain_shape *s, const murk_triangle *t,
     const murk_vec3 middle = middle_of(&s->box);
     const murk_triangle from_middle = {
         murk_sub(t->a, middle), murk_sub(t->b, middle), murk_sub(t->c, middle)};
-    switch (s->plain) {
-    case MURK_PLAIN_BELOW:
+    switch (s->shape) {
+    case MURK_REGION_BELOW:
         return fmin(t->a.z, fmin(t->b.z, t->c.z)) < s->box.max.z - tolerance;
-    case MURK_PLAIN_BOX:
+    case MURK_REGION_BOX:
         return reaches_box(&from_middle, half_of(&s->box, -tolerance));
-    case MURK_PLAIN_SPHERE:
+    default: /* a sphere */
         return radius > 0 &&
                murk_triangle_distance2(t, s->center) < radius * radius;
     }
-    return false;
 }
 
 /* True if the point is outside of the shape by more than the tolerance. */
@@ -82,47 +82,44 @@ static bool is_out(const murk_plain_shape *s, murk_vec3 p, double tolerance)
 {
     const murk_vec3 half = half_of(&s->box, tolerance);
     const murk_vec3 off = murk_sub(p, middle_of(&s->box));
-    switch (s->plain) {
-    case MURK_PLAIN_BELOW:
+    switch (s->shape) {
+    case MURK_REGION_BELOW:
         return p.z > s->box.max.z + tolerance;
-    case MURK_PLAIN_BOX:
+    case MURK_REGION_BOX:
         return fabs(off.x) > half.x || fabs(off.y) > half.y ||
                fabs(off.z) > half.z;
-    case MURK_PLAIN_SPHERE:
+    default: /* a sphere */
         return murk_length(murk_sub(p, s->center)) > s->radius_m + tolerance;
     }
-    return false;
 }
 
-bool murk_boundary_mesh_meets_plain(const murk_boundary_mesh *boundary_mesh,
-                                    const murk_plain_shape *shape,
-                                    double tolerance_m, murk_vec3 *place)
+bool murk_boundary_meshes_meet_plain(const murk_boundary_meshes *b, int region,
+                                     const murk_plain_shape *shape,
+                                     murk_vec3 *place)
 {
-    const murk_soup *soup = &boundary_mesh->shape->soup;
+    const murk_soup *soup = &murk_boundary_mesh_of(b, region)->shape->soup;
     /* Work in the coordinates of the shape; the tolerance is scaled to them. */
     murk_affine to_local = murk_affine_identity();
-    if (shape->plain != MURK_PLAIN_BELOW &&
+    if (shape->shape != MURK_REGION_BELOW &&
         !murk_affine_invert(&shape->to_world, &to_local)) {
         return false;
     }
     const double *row = to_local.matrix[0];
     const double tolerance =
-        tolerance_m * murk_length(murk_vec(row[0], row[1], row[2]));
+        b->tolerance_m * murk_length(murk_vec(row[0], row[1], row[2]));
     bool any_in = false, any_out = false;
     for (size_t i = 0; i < soup->triangles && !(any_in && any_out); ++i) {
-        const murk_triangle t = murk_soup_triangle(soup, i);
-        const murk_vec3 a = murk_add(t.a, soup->anchor);
-        const murk_triangle local = {
-            murk_affine_point(&to_local, a),
-            murk_affine_point(&to_local, murk_add(t.b, soup->anchor)),
-            murk_affine_point(&to_local, murk_add(t.c, soup->anchor))};
+        const murk_triangle t = murk_soup_placed_triangle(soup, i);
+        const murk_triangle local = {murk_affine_point(&to_local, t.a),
+                                     murk_affine_point(&to_local, t.b),
+                                     murk_affine_point(&to_local, t.c)};
         /* Look for a part inside and a corner outside. */
         const bool in = reaches_in(shape, &local, tolerance);
         const bool out = is_out(shape, local.a, tolerance) ||
                          is_out(shape, local.b, tolerance) ||
                          is_out(shape, local.c, tolerance);
         if ((in && !any_in) || (out && !any_out)) {
-            *place = a;
+            *place = t.a;
         }
         any_in |= in;
         any_out |= out;

@@ -81,18 +81,6 @@ static void count_crossings(murk_boundary_mesh *b, const uint32_t *same,
 
 /* ---- outer sides ---- */
 
-typedef struct tally {
-    double beyond_m;
-    bool is_odd;
-} tally;
-
-static void add_one(void *context, size_t triangle, double distance_m)
-{
-    tally *t = context;
-    (void)triangle;
-    t->is_odd ^= distance_m > t->beyond_m;
-}
-
 /* True if the winding's normal of a triangle points into the mesh: the
  * majority of three rays that start on that side, in irregular directions
  * that are unlikely to hit an edge. */
@@ -108,12 +96,10 @@ static bool points_inside(const murk_boundary_mesh *b, size_t triangle)
     murk_frame(normal, &side, &other);
     int odd = 0;
     for (int i = 0; i < 3; ++i) {
-        tally count = {.beyond_m = OWN_UNITS * b->shape->unit_m};
         const murk_vec3 d = murk_unit(murk_along(
             murk_along(normal, tilt[i][0], side), tilt[i][1], other));
-        murk_boundary_mesh_gather(b, murk_add(middle, soup->anchor), d, 0,
-                                  INFINITY, add_one, &count);
-        odd += count.is_odd;
+        odd += murk_boundary_mesh_is_odd(b, murk_add(middle, soup->anchor), d,
+                                         OWN_UNITS * b->shape->unit_m);
     }
     return odd >= 2;
 }

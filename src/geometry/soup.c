@@ -17,17 +17,14 @@
  * of 24 bits of precision are lost to the distance. */
 #define FAR_AWAY 4.0
 
-static murk_box bounds(const murk_placed_shapes *g)
+static murk_box box_with_spheres(murk_box box, const murk_stored_sphere *sphere,
+                                 size_t n)
 {
-    murk_box box = murk_box_empty();
-    for (size_t i = 0; i < g->vertices; ++i) {
-        box = murk_box_with(box, g->vertex[i]);
-    }
-    for (size_t i = 0; i < g->spheres; ++i) {
-        const murk_stored_sphere *b = &g->sphere[i];
-        const murk_vec3 r = murk_vec(b->radius, b->radius, b->radius);
-        box = murk_box_with(murk_box_with(box, murk_add(b->center, r)),
-                            murk_sub(b->center, r));
+    for (size_t i = 0; i < n; ++i) {
+        const double radius = sphere[i].radius;
+        const murk_vec3 r = murk_vec(radius, radius, radius);
+        box = murk_box_with(box, murk_add(sphere[i].center, r));
+        box = murk_box_with(box, murk_sub(sphere[i].center, r));
     }
     return box;
 }
@@ -56,8 +53,13 @@ static murk_vec3 choose_anchor(const murk_box *box)
 static murk_status store_vertices(murk_soup *soup, const murk_placed_shapes *g,
                                   murk_error *err)
 {
-    const murk_box box = bounds(g);
+    murk_box box = murk_box_empty();
+    for (size_t i = 0; i < g->vertices; ++i) {
+        box = murk_box_with(box, g->vertex[i]);
+    }
+    box = box_with_spheres(box, g->sphere, g->spheres);
     soup->anchor = choose_anchor(&box);
+    /* Round the vertices once. */
     soup->vertices = g->vertices;
     soup->vertex = malloc(3 * (g->vertices + 1) * sizeof *soup->vertex);
     if (!soup->vertex) {
@@ -84,27 +86,25 @@ static void drop_degenerate(murk_soup *soup, murk_placed_shapes *g)
     soup->degenerate = g->degenerate;
     for (size_t i = 0; i < g->triangles; ++i) {
         const murk_triangle t =
-            murk_triangle_at(soup->vertex, g->corner + 3 * i);
+            murk_triangle_at(soup->vertex, g->triangle[i].corner);
         if (murk_triangle_is_degenerate(&t)) {
             ++soup->degenerate;
             continue;
         }
-        memmove(g->corner + 3 * kept, g->corner + 3 * i, 3 * sizeof *g->corner);
-        g->item[kept] = g->item[i];
-        g->material[kept] = g->material[i];
-        ++kept;
+        g->triangle[kept++] = g->triangle[i];
     }
     g->triangles = kept;
 }
 
-static bool transmits(const murk_material *material)
+/* The face of a surface that is not the boundary of a solid. */
+static murk_face face_of(const murk_material *material)
 {
     for (int i = 0; i < MURK_BANDS_MAX; ++i) {
         if (material->transmit.band[i] > 0) {
-            return true;
+            return MURK_FACE_SHEET;
         }
     }
-    return false;
+    return MURK_FACE_OPAQUE;
 }
 
 static murk_status number_solid(murk_soup *soup, const char *where,
@@ -141,8 +141,8 @@ static murk_status find_solid(murk_soup *soup, murk_placed_shapes *g,
      * the lowest one used. */
     uint32_t low = UINT32_MAX, high = 0;
     for (size_t i = first; i < last; ++i) {
-        if (g->material[i] == material) {
-            memcpy(corner + 3 * n, g->corner + 3 * i, 3 * sizeof *corner);
+        if (g->triangle[i].material == material) {
+            memcpy(corner + 3 * n, g->triangle[i].corner, 3 * sizeof *corner);
             index[n++] = (uint32_t)i;
         }
     }
@@ -168,8 +168,8 @@ static murk_status find_solid(murk_soup *soup, murk_placed_shapes *g,
     }
     for (size_t i = 0; i < n; ++i) {
         if (is_closed[i]) {
-            g->solid[index[i]] = (uint16_t)soup->solids;
-            g->face[index[i]] = MURK_FACE_SOLID;
+            g->triangle[index[i]].solid = (uint16_t)soup->solids;
+            g->triangle[index[i]].face = MURK_FACE_SOLID;
         }
     }
     /* The open rest does not refract. */
@@ -193,22 +193,22 @@ static murk_status classify(murk_soup *soup, murk_placed_shapes *g,
 {
     /* Without an index of refraction a face is opaque or a sheet. */
     for (size_t i = 0; i < g->triangles; ++i) {
-        g->face[i] = transmits(&materials[g->material[i]]) ? MURK_FACE_SHEET
-                                                           : MURK_FACE_OPAQUE;
+        g->triangle[i].face = face_of(&materials[g->triangle[i].material]);
     }
     /* Each description and each of its materials with an index of refraction
      * may form a solid. */
     for (size_t first = 0, last; first < g->triangles; first = last) {
         bool has[MURK_MATERIALS_MAX] = {false};
+        const uint32_t item = g->triangle[first].item;
         for (last = first;
-             last < g->triangles && g->item[last] == g->item[first]; ++last) {
-            has[g->material[last]] = true;
+             last < g->triangles && g->triangle[last].item == item; ++last) {
+            has[g->triangle[last].material] = true;
         }
         for (size_t m = 0; m < n_materials; ++m) {
             if (has[m] && materials[m].ior > 0) {
-                const murk_status status = find_solid(
-                    soup, g, first, last, (uint8_t)m, &surfaces[g->item[first]],
-                    materials[m].name, err);
+                const murk_status status =
+                    find_solid(soup, g, first, last, (uint8_t)m,
+                               &surfaces[item], materials[m].name, err);
                 if (status) {
                     return status;
                 }
@@ -219,7 +219,7 @@ static murk_status classify(murk_soup *soup, murk_placed_shapes *g,
     for (size_t i = 0; i < g->spheres; ++i) {
         murk_stored_sphere *b = &g->sphere[i];
         const murk_material *m = &materials[b->material];
-        b->face = transmits(m) ? MURK_FACE_SHEET : MURK_FACE_OPAQUE;
+        b->face = face_of(m);
         if (m->ior > 0) {
             const murk_status status = number_solid(soup, "geometry", err);
             if (status) {
@@ -249,17 +249,17 @@ static murk_status store_faces(murk_soup *soup, const murk_placed_shapes *g,
     for (int face = 0; face < MURK_FACES; ++face) {
         soup->first_triangle[face] = soup->triangles;
         for (size_t i = 0; i < g->triangles; ++i) {
-            if (g->face[i] == face) {
+            const murk_placed_triangle *t = &g->triangle[i];
+            if (t->face == face) {
                 const size_t k = soup->triangles++;
-                memcpy(soup->corner + 3 * k, g->corner + 3 * i,
-                       3 * sizeof *soup->corner);
-                soup->material[k] = g->material[i];
-                soup->solid[k] = g->solid[i];
+                memcpy(soup->corner + 3 * k, t->corner, sizeof t->corner);
+                soup->material[k] = t->material;
+                soup->solid[k] = t->solid;
             }
         }
         soup->first_sphere[face] = soup->spheres;
         for (size_t i = 0; i < g->spheres; ++i) {
-            if ((int)g->sphere[i].face == face) {
+            if (g->sphere[i].face == (murk_face)face) {
                 soup->sphere[soup->spheres++] = g->sphere[i];
             }
         }
@@ -276,15 +276,10 @@ static void measure(murk_soup *soup)
         soup->box = murk_box_with(soup->box,
                                   murk_vertex(soup->vertex, soup->corner[i]));
     }
-    for (size_t i = 0; i < soup->spheres; ++i) {
-        const murk_stored_sphere *b = &soup->sphere[i];
-        const murk_vec3 r = murk_vec(b->radius, b->radius, b->radius);
-        soup->box = murk_box_with(soup->box, murk_add(b->center, r));
-        soup->box = murk_box_with(soup->box, murk_sub(b->center, r));
-    }
+    soup->box = box_with_spheres(soup->box, soup->sphere, soup->spheres);
     soup->extent = soup->triangles + soup->spheres == 0
                        ? 0
-                       : fmax(largest(soup->box.min), largest(soup->box.max));
+                       : murk_box_largest_coordinate(&soup->box);
 }
 
 murk_status murk_soup_build(murk_soup *soup, const murk_surface_desc *surfaces,

@@ -36,6 +36,29 @@ static inline murk_triangle murk_soup_triangle(const murk_soup *soup, size_t i)
     return murk_triangle_at(soup->vertex, soup->corner + 3 * i);
 }
 
+/* The triangle in world coordinates. */
+static inline murk_triangle murk_soup_placed_triangle(const murk_soup *soup,
+                                                      size_t i)
+{
+    const murk_triangle t = murk_soup_triangle(soup, i);
+    return (murk_triangle){murk_add(t.a, soup->anchor),
+                           murk_add(t.b, soup->anchor),
+                           murk_add(t.c, soup->anchor)};
+}
+
+/* Material, and solid, of triangle i or of sphere i - triangles. */
+static inline uint8_t murk_soup_material(const murk_soup *soup, size_t i)
+{
+    return i < soup->triangles ? soup->material[i]
+                               : soup->sphere[i - soup->triangles].material;
+}
+
+static inline uint16_t murk_soup_solid(const murk_soup *soup, size_t i)
+{
+    return i < soup->triangles ? soup->solid[i]
+                               : soup->sphere[i - soup->triangles].solid;
+}
+
 size_t murk_soup_bytes(const murk_soup *soup);
 
 #endif

@@ -138,10 +138,10 @@ void murk_surfaces_triangle(const murk_surfaces *s, size_t i,
                             murk_vec3 corner[3])
 {
     assert(i < s->soup.triangles);
-    const murk_triangle t = murk_soup_triangle(&s->soup, i);
-    corner[0] = murk_add(t.a, s->soup.anchor);
-    corner[1] = murk_add(t.b, s->soup.anchor);
-    corner[2] = murk_add(t.c, s->soup.anchor);
+    const murk_triangle t = murk_soup_placed_triangle(&s->soup, i);
+    corner[0] = t.a;
+    corner[1] = t.b;
+    corner[2] = t.c;
 }
 
 void murk_surfaces_sphere(const murk_surfaces *s, size_t i, murk_vec3 *center,
@@ -154,10 +154,8 @@ void murk_surfaces_sphere(const murk_surfaces *s, size_t i, murk_vec3 *center,
 
 uint8_t murk_surfaces_material_of(const murk_surfaces *s, size_t i)
 {
-    const murk_soup *soup = &s->soup;
-    assert(i < soup->triangles + soup->spheres);
-    return i < soup->triangles ? soup->material[i]
-                               : soup->sphere[i - soup->triangles].material;
+    assert(i < s->soup.triangles + s->soup.spheres);
+    return murk_soup_material(&s->soup, i);
 }
 
 size_t murk_surfaces_material_named(const murk_surfaces *s, const char *name,

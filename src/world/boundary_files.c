@@ -51,7 +51,7 @@ static bool crosses_plain(const murk_boundary_meshes *boundary_meshes, int mesh,
                           const murk_scene_region *r, const murk_box *domain,
                           murk_vec3 *place)
 {
-    murk_plain_shape shape = {.plain = MURK_PLAIN_SPHERE,
+    murk_plain_shape shape = {.shape = r->shape,
                               .box = r->solid.box,
                               .center = r->solid.center,
                               .radius_m = r->solid.radius_m,
@@ -59,11 +59,9 @@ static bool crosses_plain(const murk_boundary_meshes *boundary_meshes, int mesh,
     const murk_box bounds =
         murk_boundary_meshes_describe(boundary_meshes, mesh).bounds_m;
     if (r->shape == MURK_REGION_BOX) {
-        shape.plain = MURK_PLAIN_BOX;
         open_faces(&shape, r, domain,
                    FAR_TIMES * fmax(largest(domain), largest(&bounds)));
     } else if (r->shape == MURK_REGION_BELOW) {
-        shape.plain = MURK_PLAIN_BELOW;
         shape.box.max.z = r->below_z_m;
     } else if (r->shape != MURK_REGION_SPHERE) {
         return false; /* everywhere holds all; grids have no index */

@@ -434,14 +434,14 @@ static void test_crossing_boundaries_are_told_from_nested_ones(void)
     CHECK(meet(box(0, 0, 0, 1, 1, 1), box(1 - 1e-3, 0, 0, 2, 1, 1)));
 }
 
-static bool meets_plain(murk_mesh *mesh, murk_plain plain, murk_box box,
+static bool meets_plain(murk_mesh *mesh, murk_region_shape plain, murk_box box,
                         double radius_m)
 {
     const murk_affine still = murk_affine_identity(), placed = PLACED;
     const murk_plain_shape shape = {
-        .plain = plain, .box = box, .radius_m = radius_m, .to_world = placed};
-    const murk_plain_shape below = {.plain = plain, .box = box};
-    const bool is_below = plain == MURK_PLAIN_BELOW;
+        .shape = plain, .box = box, .radius_m = radius_m, .to_world = placed};
+    const murk_plain_shape below = {.shape = plain, .box = box};
+    const bool is_below = plain == MURK_REGION_BELOW;
     murk_boundary_meshes *b = create_one(mesh, is_below ? still : placed);
     murk_vec3 place;
     const bool they_do = murk_boundary_meshes_meet_plain(
@@ -459,8 +459,8 @@ static murk_box cube(double half)
 static void test_crossings_with_other_shapes(void)
 {
     const murk_box level = {{0, 0, 0}, {0, 0, 0.5}};
-    const murk_plain below = MURK_PLAIN_BELOW, in_box = MURK_PLAIN_BOX,
-                     in_ball = MURK_PLAIN_SPHERE;
+    const murk_region_shape below = MURK_REGION_BELOW, in_box = MURK_REGION_BOX,
+                            in_ball = MURK_REGION_SPHERE;
     CHECK(meets_plain(ball(0, 1), below, level, 0));
     CHECK(!meets_plain(ball(0, 0.5), below, level, 0)); /* touches */
     CHECK(!meets_plain(box(0, 0, 0.5, 1, 1, 1), below, level, 0));
