@@ -7,15 +7,10 @@ murk_camera murk_camera_aimed(murk_vec3 from, murk_vec3 to, murk_vec3 up,
 {
     const murk_vec3 forward = murk_unit(murk_sub(to, from));
     const murk_vec3 right = murk_unit(murk_cross(forward, up));
-    const double step = 2 * tan(vfov_rad / 2) / (double)height;
-    return (murk_camera){.projection = MURK_PERSPECTIVE,
-                         .from = from,
-                         .forward = forward,
-                         .right = right,
-                         .up = murk_cross(right, forward),
-                         .step = {step, step},
-                         .width = width,
-                         .height = height};
+    murk_camera camera =
+        murk_camera_view(from, forward, right, 0, vfov_rad, width, height);
+    camera.step[0] = camera.step[1];
+    return camera;
 }
 
 murk_camera murk_camera_view(murk_vec3 from, murk_vec3 forward, murk_vec3 right,

@@ -42,21 +42,21 @@ static murk_vec3 to_nearest_image(const murk_domain *domain, murk_vec3 way)
 }
 
 static double weight_of(const murk_scenery *scenery,
-                        const murk_shadow_origin *outlook, size_t light)
+                        const murk_shading_point *place, size_t light)
 {
     const murk_transport_world *world = scenery->world;
     const murk_source *l = murk_sources_get(world->lights, light);
     murk_vec3 middle;
     if (!murk_sources_place(world->lights, light, &middle)) {
-        return l->power_w.band[outlook->band]; /* irradiance */
+        return l->power_w.band[place->band]; /* irradiance */
     }
     const bool has_images = world->domain.is_periodic;
     const murk_vec3 way =
-        to_nearest_image(&world->domain, murk_sub(middle, outlook->position));
+        to_nearest_image(&world->domain, murk_sub(middle, place->position));
     double weight =
-        murk_source_irradiance_near(l, outlook->band, way, has_images);
-    if (outlook->is_surface && !has_images) {
-        const double above = murk_dot(outlook->normal, way) +
+        murk_source_irradiance_near(l, place->band, way, has_images);
+    if (!place->phase && !has_images) {
+        const double above = murk_dot(place->normal, way) +
                              murk_source_extent_m(l) + scenery->margin_m;
         const double distance = murk_length(way);
         weight *= above < distance ? fmax(0, above) / distance : 1;
@@ -65,17 +65,16 @@ static double weight_of(const murk_scenery *scenery,
 }
 
 void murk_choice_rays(const murk_scenery *scenery,
-                      const murk_shadow_origin *outlook,
+                      const murk_shading_point *place,
                       double rays[MURK_SOURCES_MAX])
 {
-    const size_t n = scenery->n_lit[outlook->band];
-    const size_t *lit = scenery->lit[outlook->band];
-    const double *chance = scenery->chance[outlook->band];
+    const size_t n = scenery->n_lit[place->band];
+    const size_t *lit = scenery->lit[place->band];
+    const double *chance = scenery->chance[place->band];
     double sum = 0;
     for (size_t i = 0; i < n; ++i) {
-        rays[i] = n > MURK_LIGHTMAPS_AT_ONCE
-                      ? weight_of(scenery, outlook, lit[i])
-                      : 1;
+        rays[i] =
+            n > MURK_LIGHTMAPS_AT_ONCE ? weight_of(scenery, place, lit[i]) : 1;
         sum += rays[i];
     }
     for (size_t i = 0; n > MURK_LIGHTMAPS_AT_ONCE && i < n; ++i) {

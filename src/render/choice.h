@@ -3,25 +3,36 @@
 #ifndef MURK_RENDER_CHOICE_H
 #define MURK_RENDER_CHOICE_H
 
+#include "medium/phase.h"
 #include "render/scenery.h"
 
 /* The number of shadow rays from a point if there are more lights than this. */
 #define MURK_LIGHTMAPS_AT_ONCE 4
 
-/* The start of shadow rays. */
-typedef struct murk_shadow_origin {
+/* A point at which light is scattered or reflected towards the viewer. */
+typedef struct murk_shading_point {
     int band;
     murk_vec3 position;
-    bool is_surface;
-    murk_vec3 normal; /* unit normal of a surface, to the lit side */
-} murk_shadow_origin;
+    murk_vec3 sight;  /* unit direction of the viewing ray that arrives at the
+                       * point */
+    double index;     /* refractive index at the point */
+    bool is_in_solid; /* inside a solid, where no shadow ray is sent */
+    /* a surface: */
+    murk_vec3 normal; /* unit normal towards the viewer */
+    double diffuse;   /* diffuse reflectance */
+    /* a medium, if phase is not NULL: */
+    const murk_phase *phase;
+    double albedo;
+    double cone; /* cosine: light that is scattered by a smaller angle is found
+                  * by continuing the ray, not from the maps; -1 all, 1 none */
+} murk_shading_point;
 
 /* Fills rays[scenery->n_lit[band]] with the mean number of shadow rays to each
  * light that has power in the band. The sum is MURK_LIGHTMAPS_AT_ONCE, or each
  * number is 1 if there are no more lights than that. The number is 0 only for a
  * lamp that cannot light the point. */
 void murk_choice_rays(const murk_scenery *scenery,
-                      const murk_shadow_origin *outlook,
+                      const murk_shading_point *place,
                       double rays[MURK_SOURCES_MAX]);
 
 /* The images of a lamp in a periodic domain as seen from a point. */

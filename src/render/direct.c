@@ -4,7 +4,6 @@
  * and Guibas (1995, doi:10.1145/218380.218498). */
 #include "render/direct.h"
 
-#include "render/choice.h"
 #include "source/shine.h"
 
 /* Slots of the random numbers for images, different from those for lights. */
@@ -23,14 +22,6 @@ static double answer(const murk_shading_point *place, murk_vec3 arriving)
            fmax(0, -murk_dot(arriving, place->normal));
 }
 
-static murk_shadow_origin outlook_of(const murk_shading_point *place)
-{
-    return (murk_shadow_origin){.band = place->band,
-                                .position = place->position,
-                                .is_surface = place->phase == NULL,
-                                .normal = place->normal};
-}
-
 /* The weight of shadow rays for light that arrives in this direction, sampled
  * with density per_sr. `density`: the response of the point, which is also the
  * density with which the ray continues. */
@@ -44,10 +35,9 @@ double murk_direct_rest(const murk_scenery *scenery,
                         murk_vec3 arriving, double per_sr, murk_vec3 wrapped)
 {
     /* The number of shadow rays to this light, */
-    const murk_shadow_origin outlook = outlook_of(place);
     const size_t *lit = scenery->lit[place->band];
     double all[MURK_SOURCES_MAX];
-    murk_choice_rays(scenery, &outlook, all);
+    murk_choice_rays(scenery, place, all);
     double rays = 0;
     for (size_t i = 0; i < scenery->n_lit[place->band]; ++i) {
         rays = lit[i] == light ? all[i] : rays;
@@ -131,9 +121,8 @@ double murk_direct_light(const murk_scenery *scenery,
 {
     const int band = place->band;
     const size_t n = scenery->n_lit[band];
-    const murk_shadow_origin outlook = outlook_of(place);
     double rays[MURK_SOURCES_MAX];
-    murk_choice_rays(scenery, &outlook, rays);
+    murk_choice_rays(scenery, place, rays);
     double sum = 0;
     if (n <= MURK_LIGHTMAPS_AT_ONCE) {
         for (uint32_t k = 0; k < n; ++k) {

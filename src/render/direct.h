@@ -5,26 +5,7 @@
 #define MURK_RENDER_DIRECT_H
 
 #include "base/rng.h"
-#include "medium/phase.h"
-#include "render/scenery.h"
-
-/* A point at which light is scattered or reflected towards the viewer. */
-typedef struct murk_shading_point {
-    int band;
-    murk_vec3 position;
-    murk_vec3 sight;  /* unit direction of the viewing ray that arrives at the
-                       * point */
-    double index;     /* refractive index at the point */
-    bool is_in_solid; /* inside a solid, where no shadow ray is sent */
-    /* a surface: */
-    murk_vec3 normal; /* unit normal towards the viewer */
-    double diffuse;   /* diffuse reflectance */
-    /* a medium, if phase is not NULL: */
-    const murk_phase *phase;
-    double albedo;
-    double cone; /* cosine: light that is scattered by a smaller angle is found
-                  * by continuing the ray, not from the maps; -1 all, 1 none */
-} murk_shading_point;
+#include "render/choice.h"
 
 /* How direct light is combined with light that the viewing ray itself finds
  * after the point. Each of the two is weighted by the density with which it

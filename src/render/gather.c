@@ -11,7 +11,7 @@
 #include "render/kernel.h"
 #include "source/shine.h"
 
-#define RECORDS_AT_ONCE 1024 /* in a batch, the unit of work of a thread */
+#define RECORDS_AT_ONCE 1024 /* that a thread takes at a time (a choice) */
 
 /* Of the domain's diagonal: records that lie on one spot, as those of a beam
  * without width do, are spread at least so far. */
@@ -102,43 +102,34 @@ static murk_ball_extent extent_of(const murk_scenery *scenery,
     murk_ball_extent e = {.radius = (float)r};
     const murk_vec3 n = murk_photon_normal(p);
     const murk_vec3 center = murk_photon_place(p);
-    const double along[3] = {n.x, n.y, n.z};
-    const double at[3] = {center.x, center.y, center.z};
     /* A disc on a plane is flat, to rounding of places and normals. */
     const bool is_flat = !murk_photon_is_volume(p) && !kernel->is_cut;
     for (int axis = 0; axis < 3; ++axis) {
-        const double flat = r * sqrt(fmax(0, 1 - along[axis] * along[axis])) +
-                            1e-3 * r + scenery->margin_m;
-        e.center[axis] = (float)at[axis];
+        const double along = murk_component(n, axis);
+        const double flat =
+            r * sqrt(fmax(0, 1 - along * along)) + 1e-3 * r + scenery->margin_m;
+        e.center[axis] = (float)murk_component(center, axis);
         e.reach[axis] = (float)(is_flat ? fmin(flat, r) : r);
     }
     return e;
 }
 
-static void lay(void *context, uint64_t batch)
+static void lay(void *context, uint64_t i)
 {
     const laying *l = context;
     const murk_photon_map *map = l->layer->map;
-    const murk_photon *photons = murk_photon_map_photons(map);
-    const size_t n = murk_photon_map_count(map);
-    const size_t k = murk_gather_nearest(n) + 1; /* itself is one of them */
+    const murk_photon *p = murk_photon_map_photons(map) + i;
+    /* The radius reaches the k-th nearest other record. */
+    const size_t k = murk_gather_nearest(murk_photon_map_count(map)) + 1;
     uint32_t found[MURK_GATHER_MAX + 1];
     double square_m2[MURK_GATHER_MAX + 1];
-    /* Each batch lays the kernels of as many records. */
-    const size_t first = (size_t)batch * RECORDS_AT_ONCE;
-    const size_t end =
-        n < first + RECORDS_AT_ONCE ? n : first + RECORDS_AT_ONCE;
-    for (size_t i = first; i < end; ++i) {
-        const murk_photon *p = &photons[i];
-        const size_t there = murk_photon_map_nearest(map, murk_photon_place(p),
-                                                     k, found, square_m2);
-        const double radius =
-            fmax(l->min_m, there > 0 ? sqrt(square_m2[there - 1]) : 0);
-        murk_kernel *kernel = &l->layer->kernel[i];
-        *kernel = murk_kernel_of(&l->probing, p, radius, i);
-        l->extent[i] = extent_of(l->desc->scenery, p, kernel);
-    }
-    murk_progress_add(end - first);
+    const size_t n =
+        murk_photon_map_nearest(map, murk_photon_place(p), k, found, square_m2);
+    const double radius = fmax(l->min_m, n > 0 ? sqrt(square_m2[n - 1]) : 0);
+    murk_kernel *kernel = &l->layer->kernel[i];
+    *kernel = murk_kernel_of(&l->probing, p, radius, i);
+    l->extent[i] = extent_of(l->desc->scenery, p, kernel);
+    murk_progress_add(1);
 }
 
 static murk_status make(layer *out, const murk_gathering_desc *desc,
@@ -164,7 +155,7 @@ static murk_status make(layer *out, const murk_gathering_desc *desc,
         status = murk_fail(err, MURK_NO_MEMORY, "render",
                            "no memory for the kernels of %zu photons", n);
     } else {
-        murk_pool_run(desc->threads, n / RECORDS_AT_ONCE + 1, lay, &l);
+        murk_pool_run_items(desc->threads, n, RECORDS_AT_ONCE, lay, &l);
         status = murk_balls_create(&out->balls, l.extent, n, err);
     }
     free(l.extent);

@@ -88,47 +88,34 @@ static double share_met(const murk_sampler *s, size_t light, murk_vec3 sight)
                             glare.per_sr, s->wrapped);
 }
 
-static void meet_lamps(murk_sampler *s, const murk_trace_leg *leg)
+/* Adds the lights that the ray meets on the last segment: the lamps on it; or
+ * the sun and the sky behind the end of it. */
+static void meet_lights(murk_sampler *s, bool is_distant, murk_vec3 from,
+                        murk_vec3 sight, double weight)
 {
     const murk_sources *lights = s->scenery->world->lights;
-    const murk_vec3 sight = leg->direction;
-    for (size_t i = 0; i < s->scenery->n_lit[s->band]; ++i) {
-        const size_t light = s->scenery->lit[s->band][i];
-        const murk_source *l = murk_sources_get(lights, light);
-        if (murk_source_is_distant(l)) {
-            continue;
-        }
-        const murk_glare glare =
-            murk_sources_glare(lights, light, s->band, leg->from, sight);
-        if (glare.radiance > 0 &&
-            glare.distance_m <=
-                leg->length_m + slack_at(s->scenery, l, sight)) {
-            add_met(s, leg->weight * glare.radiance /
-                           (leg->index * leg->index) *
-                           share_met(s, light, sight));
-        }
-    }
-}
-
-static void meet_sky(murk_sampler *s, const murk_event *event)
-{
-    const murk_sources *lights = s->scenery->world->lights;
-    const murk_vec3 sight = event->direction_out;
     const double square = s->leg.index * s->leg.index;
     for (size_t i = 0; i < s->scenery->n_lit[s->band]; ++i) {
         const size_t light = s->scenery->lit[s->band][i];
-        if (!murk_source_is_distant(murk_sources_get(lights, light))) {
+        const murk_source *l = murk_sources_get(lights, light);
+        if (murk_source_is_distant(l) != is_distant) {
             continue;
         }
         const murk_glare glare =
-            murk_sources_glare(lights, light, s->band, event->position, sight);
-        if (glare.radiance > 0) {
-            const double outside =
-                murk_outside_straight(s->scenery->world, s->band,
-                                      event->position, murk_scale(-1, sight));
-            add_met(s, event->weight * glare.radiance * outside / square *
-                           share_met(s, light, sight));
+            murk_sources_glare(lights, light, s->band, from, sight);
+        if (!(glare.radiance > 0) ||
+            (!is_distant &&
+             !(glare.distance_m <=
+               s->leg.length_m + slack_at(s->scenery, l, sight)))) {
+            continue;
         }
+        /* Light from the sun or sky has passed the media outside. */
+        const double outside =
+            is_distant ? murk_outside_straight(s->scenery->world, s->band, from,
+                                               murk_scale(-1, sight))
+                       : 1;
+        add_met(s, weight * glare.radiance * outside / square *
+                       share_met(s, light, sight));
     }
 }
 
@@ -145,7 +132,7 @@ static void receive_segment(void *context, uint64_t batch,
         s->wrapped = murk_add(s->wrapped, murk_sub(s->left, leg->from));
         s->has_wrapped = false;
     }
-    meet_lamps(s, leg);
+    meet_lights(s, false, leg->from, leg->direction, leg->weight);
 }
 
 /* ---- events ---- */
@@ -262,7 +249,8 @@ static void receive_event(void *context, uint64_t batch,
         s->is_connected = false;
         break;
     case MURK_EVENT_ESCAPED:
-        meet_sky(s, event);
+        meet_lights(s, true, event->position, event->direction_out,
+                    event->weight);
         break;
     case MURK_EVENT_LOST:
         s->lost += !s->is_stopped;

@@ -136,6 +136,7 @@ static murk_status add_lights(murk_scenery *scenery, int band, murk_error *err)
         const double power =
             murk_sources_channel_power_w(lights, i * bands + (size_t)band);
         if (power > 0) {
+            chance[n_lit] = power;
             lit[n_lit++] = i;
             all += power;
         }
@@ -143,9 +144,7 @@ static murk_status add_lights(murk_scenery *scenery, int band, murk_error *err)
     /* Cumulative chances of them. */
     double sum = 0;
     for (size_t i = 0; i < n_lit; ++i) {
-        const double power =
-            murk_sources_channel_power_w(lights, lit[i] * bands + (size_t)band);
-        sum += 0.5 * power / all + 0.5 / (double)n_lit;
+        sum += 0.5 * chance[i] / all + 0.5 / (double)n_lit;
         chance[i] = sum;
     }
     scenery->n_lit[band] = n_lit;

@@ -119,8 +119,7 @@ static void test_rays_go_to_lamps_that_light_the_place(void)
                       .lights = lamp,
                       .n_lights = 10});
     murk_scenery scenery = scenery_of_world(&world);
-    murk_shadow_origin outlook = {
-        .position = {5, 2, 1}, .is_surface = true, .normal = {0, 0, 1}};
+    murk_shading_point outlook = {.position = {5, 2, 1}, .normal = {0, 0, 1}};
     double rays[MURK_SOURCES_MAX], sum = 0;
     murk_choice_rays(&scenery, &outlook, rays);
     for (int i = 0; i < 10; ++i) {
@@ -162,7 +161,9 @@ static void test_rays_to_points_go_by_distance(bool is_periodic)
                       .lights = point,
                       .n_lights = POINTS});
     murk_scenery scenery = scenery_of_world(&world);
-    const murk_shadow_origin outlook = {.position = {here, 2, 1}};
+    const murk_phase haze = murk_phase_hg(0);
+    const murk_shading_point outlook = {.position = {here, 2, 1},
+                                        .phase = &haze};
     double rays[MURK_SOURCES_MAX];
     murk_choice_rays(&scenery, &outlook, rays);
     for (int i = 0; i < POINTS; ++i) {
@@ -192,7 +193,9 @@ static void test_images_light_what_lies_behind(void)
     test_setup setup = {.domain = {{{0, 0, 0}, {4, 4, 6}}, true},
                         .lights = lamp,
                         .n_lights = 6};
-    const murk_shadow_origin behind = {.position = {2.7, 2, 2.3}};
+    const murk_phase haze = murk_phase_hg(0);
+    const murk_shading_point behind = {.position = {2.7, 2, 2.3},
+                                       .phase = &haze};
     const double blind = 0.25 * MURK_LIGHTMAPS_AT_ONCE / 6;
     double rays[MURK_SOURCES_MAX];
     for (int is_periodic = 1; is_periodic >= 0; --is_periodic) {
