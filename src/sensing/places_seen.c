@@ -39,12 +39,6 @@ typedef struct piece {
     size_t first, n;
 } piece;
 
-static void piece_release(piece *p)
-{
-    murk_photon_map_destroy(p->surface);
-    murk_photon_map_destroy(p->volume);
-}
-
 static murk_status no_memory(murk_error *err)
 {
     return murk_fail(err, MURK_NO_MEMORY, "", "no memory to look at places");
@@ -129,20 +123,7 @@ static murk_status see(const work *w, const piece *p, murk_error *err)
     return status;
 }
 
-/* The optical depths of the unblocked sightlines of one sensor. */
-static void take_depths(const work *w, const piece *p, murk_sight *sight,
-                        const murk_pose *pose, double *depth, double *sheets)
-{
-    murk_sparse_row row;
-    murk_sight_row(sight, 0, pose, &row);
-    murk_sight_depths(depth, sheets, sight, pose, row.photon, row.seen,
-                      &w->media, 1);
-    for (size_t i = 0; i < row.seen; ++i) {
-        murk_place_seen *place = place_of(w, p, sight, row.photon[i]);
-        place->depth = fminf(place->depth, (float)depth[i]);
-    }
-}
-
+/* The optical depths of the unblocked sightlines of all sensors. */
 static murk_status measure_depths(const work *w, const piece *p,
                                   murk_error *err)
 {
@@ -154,7 +135,14 @@ static murk_status measure_depths(const work *w, const piece *p,
         w->out[p->first + i].depth = INFINITY;
     }
     for (size_t k = 0; k < w->sensors && !status; ++k) {
-        take_depths(w, p, sight, &w->pose[k], depth, depth + p->n);
+        murk_sparse_row row;
+        murk_sight_row(sight, 0, &w->pose[k], &row);
+        murk_sight_depths(depth, depth + p->n, sight, &w->pose[k], row.photon,
+                          row.seen, &w->media, 1);
+        for (size_t i = 0; i < row.seen; ++i) {
+            murk_place_seen *place = place_of(w, p, sight, row.photon[i]);
+            place->depth = fminf(place->depth, (float)depth[i]);
+        }
     }
     murk_sight_destroy(sight);
     free(depth);
@@ -176,7 +164,8 @@ static void see_piece(void *context, uint64_t number)
     if (!status && w->places->wants_depth) {
         status = measure_depths(w, &p, error);
     }
-    piece_release(&p);
+    murk_photon_map_destroy(p.surface);
+    murk_photon_map_destroy(p.volume);
     if (w->is_shown) {
         murk_progress_add(p.n);
     }

@@ -252,12 +252,13 @@ double murk_refracted_path_transmittance(const murk_refracted_path *way,
            murk_path_transmittance_to(&back, band, crossing);
 }
 
-/* The crossing, moved along `direction`, at most to the end of the part ahead.
- */
-static murk_vec3 beyond(murk_vec3 crossing, murk_vec3 direction,
-                        double tolerance_m, double length_m)
+/* The end of a part of a path that starts at `from`: a little beyond the
+ * crossing, at most to the end of the part ahead. */
+static murk_vec3 beyond(murk_vec3 from, murk_vec3 crossing, double tolerance_m,
+                        double length_m)
 {
-    return murk_along(crossing, fmin(tolerance_m, length_m), direction);
+    return murk_along(crossing, fmin(tolerance_m, length_m),
+                      direction_of(from, crossing));
 }
 
 bool murk_refracted_path_blocked(const murk_refracted_path *way,
@@ -273,14 +274,13 @@ bool murk_refracted_path_blocked(const murk_refracted_path *way,
     /* each part is tested a little beyond the crossing, so that neither misses
      * a surface that lies in the boundary */
     return murk_path_blocked(surfaces, v->space->domain, v->position,
-                             beyond(s->crossing,
-                                    direction_of(v->position, s->crossing),
-                                    sight_tolerance, s->length_m[1]),
+                             beyond(v->position, s->crossing, sight_tolerance,
+                                    s->length_m[1]),
                              through_sheets) ||
-           murk_path_blocked(surfaces, v->space->domain, photon,
-                             beyond(crossing, direction_of(photon, crossing),
-                                    sight_tolerance, s->length_m[0]),
-                             through_sheets);
+           murk_path_blocked(
+               surfaces, v->space->domain, photon,
+               beyond(photon, crossing, sight_tolerance, s->length_m[0]),
+               through_sheets);
 }
 
 double murk_refracted_path_sheets(const murk_refracted_path *way,
@@ -294,8 +294,7 @@ double murk_refracted_path_sheets(const murk_refracted_path *way,
     const murk_vec3 crossing = crossing_near(way, photon);
     double through = murk_path_sheets(
         surfaces, v->space->domain, v->position,
-        beyond(s->crossing, direction_of(v->position, s->crossing),
-               sight_tolerance, s->length_m[1]),
+        beyond(v->position, s->crossing, sight_tolerance, s->length_m[1]),
         band);
     if (s->length_m[1] > sight_tolerance) {
         through *= murk_path_sheets(surfaces, v->space->domain, photon,

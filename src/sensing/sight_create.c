@@ -251,15 +251,15 @@ void murk_sight_destroy(murk_sight *sight)
     if (!sight) {
         return;
     }
+    murk_power_destroy(sight->power);
+    free(sight->interfaces);
+    free(sight->regions);
+    free(sight->weight);
     for (unsigned i = 0; sight->worker && i < sight->desc.threads; ++i) {
         free(sight->worker[i].photon);
         free(sight->worker[i].clarity);
     }
     free(sight->worker);
-    murk_power_destroy(sight->power);
-    free(sight->interfaces);
-    free(sight->regions);
-    free(sight->weight);
     for (size_t k = 0; sight->accepting && k < sight->desc.types; ++k) {
         murk_media_destroy(sight->accepting[k]);
     }
