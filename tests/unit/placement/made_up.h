@@ -34,18 +34,22 @@ static void made_up_row(void *context, unsigned worker, size_t candidate,
     *row = (murk_sparse_row){seen, photon, m->is_binary ? NULL : clarity};
 }
 
-/* share: seen pairs of all; levels: distinct clarities (1: all clear);
- * weights: distinct weights. */
+/* Makes a random problem. share: fraction of all pairs that are seen;
+ * levels: number of distinct clarities (1: all clear); weights: number of
+ * distinct weights. */
 static made_up *made_up_create(uint32_t seed, size_t photons, size_t candidates,
                                double share, uint32_t levels, uint32_t weights,
                                unsigned threads)
 {
+    /* Allocate the coverage of all candidates, the weights, and a scratch
+     * row for each thread. */
     made_up *m = calloc(1, sizeof *m);
     m->clarity = calloc(photons * candidates + 1, sizeof *m->clarity);
     m->weight = calloc(photons + 1, sizeof *m->weight);
     m->photon = calloc(photons * threads + 1, sizeof *m->photon);
     m->seen_clarity = calloc(photons * threads + 1, sizeof *m->seen_clarity);
     m->is_binary = levels == 1;
+    /* Draw the seen pairs, each with one of the clarity levels. */
     for (size_t j = 0; j < candidates; ++j) {
         for (size_t i = 0; i < photons; ++i) {
             uint32_t word[4];
@@ -56,6 +60,7 @@ static made_up *made_up_create(uint32_t seed, size_t photons, size_t candidates,
             }
         }
     }
+    /* Draw the weights. */
     for (size_t i = 0; i < photons; ++i) {
         uint32_t word[4];
         murk_random_words(seed, MURK_TEST, i, 0, 1, word);

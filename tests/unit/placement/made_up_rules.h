@@ -132,9 +132,12 @@ static bool made_up_excludes(const made_up_constraints *m, size_t a, size_t b)
            (m->kinds & LIST && m->is_listed[a][b]);
 }
 
-/* Whether the set (bit j: candidate j) keeps the rules; count apart. */
+/* Whether the set (bit j: candidate j) meets all constraints except the
+ * number of sensors, which the caller compares. */
 static bool made_up_keeps(const made_up_constraints *m, uint32_t set)
 {
+    /* Count the members of each class, add up costs, and refuse pairs that
+     * exclude each other. */
     size_t class_count[3] = {0};
     int64_t cost = 0;
     for (size_t j = 0; j < m->candidates; ++j) {
@@ -149,12 +152,14 @@ static bool made_up_keeps(const made_up_constraints *m, uint32_t set)
             }
         }
     }
+    /* Minimum and maximum of each class. */
     for (size_t c = 0; c < 3; ++c) {
         if ((m->kinds & MIN && class_count[c] < m->min[c]) ||
             (m->kinds & CAPS && class_count[c] > m->max[c])) {
             return false;
         }
     }
+    /* All fixed sensors are in the set, and the cost is within the budget. */
     for (size_t k = 0; k < m->constraints.fixed_count; ++k) {
         if (!(set >> m->fixed[k] & 1)) {
             return false;

@@ -114,12 +114,15 @@ static void check_plan(const made_up *m, const made_up_constraints *r,
                        const murk_place_result *plan, const uint64_t *best,
                        tally *t)
 {
+    /* The plan meets the constraints, and the value is that of the set. */
     const uint64_t optimum = optimum_of(r, best, desc->count);
     const uint32_t set = set_of(plan);
     CHECK(made_up_keeps(r, set));
     CHECK(r->kinds & BUDGET ? desc->count == 0 || plan->count <= desc->count
                             : plan->count == desc->count);
     CHECK(plan->value == made_up_set_value(m, set));
+    /* The optimum lies between value and upper bound, and the promised
+     * share of the optimum is reached. */
     CHECK(plan->value <= optimum);
     CHECK(plan->upper >= optimum);
     CHECK(!plan->proven_optimal || plan->value == optimum);
@@ -127,11 +130,14 @@ static void check_plan(const made_up *m, const made_up_constraints *r,
           share_promised(plan->guarantee, plan->count) * (double)optimum *
               (1 - 1e-15));
     check_curve(r, plan, best);
+    /* The cost is the sum over all sensors of the plan. */
     uint64_t cost = 0;
     for (size_t k = 0; k < plan->count && r->kinds & BUDGET; ++k) {
         cost += (uint64_t)r->cost[plan->sensor[k]];
     }
     CHECK(plan->cost == cost);
+    /* Methods that prove find the optimum in a known environment, and the
+     * best plan has no better neighbour. */
     const bool proves =
         desc->method == MURK_PLACE_BEST || desc->method == MURK_PLACE_EXACT;
     if (known && proves) {
@@ -140,6 +146,7 @@ static void check_plan(const made_up *m, const made_up_constraints *r,
     if (desc->method == MURK_PLACE_BEST) {
         check_certificate(m, r, plan, desc->count);
     }
+    /* Count plans for the checks of the caller. */
     ++t->plans;
     t->not_best += plan->value < optimum;
     t->proven += plan->proven_optimal;

@@ -8,16 +8,22 @@
 static void test_every_rule(uint32_t seed)
 {
     for (unsigned kinds = 0; kinds < 1u << KINDS; ++kinds) {
+        /* Every set of kinds is tried; single kinds and pairs get more
+         * problems. */
         const int bits = __builtin_popcount(kinds);
         const uint32_t problems = bits == 1 ? 12 : bits == 2 ? 6 : 1;
         tally t = {0};
         for (uint32_t k = 0; k < problems; ++k) {
+            /* Vary coverage, clarity levels, weights and dominance from
+             * problem to problem. */
             const uint32_t own = seed + 1000 * kinds + k;
             made_up *m = made_up_create(own, 60, 10, k % 3 ? .25 : .07,
                                         k % 2 ? 1 : 40, 1 + k % 4, 1);
             if (k % 2 == k / 2 % 2) {
                 let_half_see_no_more(m, own);
             }
+            /* With a budget, some problems limit the cost alone and not the
+             * count. */
             made_up_constraints r;
             made_up_constraints_fill(&r, own, kinds, 10);
             const size_t count =
@@ -25,6 +31,7 @@ static void test_every_rule(uint32_t seed)
             try_all_ways(m, &r, own, count, &t);
             made_up_destroy(m);
         }
+        /* A single kind must lead to plans, not only to refusals. */
         if (bits <= 1) {
             printf("kinds %u: %d plans, %d refusals, %d short of the best, "
                    "%d proven\n",
@@ -97,6 +104,7 @@ static void check_refusal(const murk_constraints *constraints, size_t count,
 
 static void test_contradictions_are_refused(void)
 {
+    /* Classes, costs, sites and positions that the cases below share. */
     const uint32_t class_of[] = {0, 0, 1, 1, 1, 1};
     const uint32_t bad_class[] = {0, 0, 1, 2, 1, 1};
     const size_t two[] = {2, 0}, three[] = {3, 0}, ones[] = {1, 1};
@@ -107,6 +115,8 @@ static void test_contradictions_are_refused(void)
     const double place[6][3] = {{0}, {.5}, {1}, {1.5}, {2}, {2.5}};
     const size_t first[] = {0, 1, 1, 1, 1, 1, 1};
     const uint32_t one_way[] = {3};
+    /* Each case has one contradiction or one bad value, and a message that
+     * names it. */
     const struct {
         murk_constraints constraints;
         size_t count;
@@ -225,6 +235,7 @@ static void test_contradictions_are_refused(void)
          "conflict of candidate 0 with 3: must name another one below 6, "
          "once, rising, and be named there, too"},
     };
+    /* Every case is refused with that message. */
     for (size_t k = 0; k < sizeof bad / sizeof bad[0]; ++k) {
         check_refusal(&bad[k].constraints, bad[k].count, bad[k].target,
                       bad[k].text);
@@ -397,11 +408,14 @@ static void test_who_may_be_dropped(void)
     murk_constraint_set_release(&set);
 }
 
-/* Threads, rules of every kind, and more candidates than brute force can try:
- * the same plan, and the same bound. */
+/* Under constraints of every kind, and with more candidates than brute
+ * force can try, the number of threads changes neither the plan nor the
+ * bound. */
 static void test_threads_change_nothing_under_constraints(void)
 {
     enum { CANDIDATES = 80 };
+    /* Three classes, two candidates for each site, and five different
+     * costs. */
     uint32_t class_of[CANDIDATES], site[CANDIDATES];
     int64_t cost[CANDIDATES];
     for (uint32_t j = 0; j < CANDIDATES; ++j) {
@@ -409,6 +423,8 @@ static void test_threads_change_nothing_under_constraints(void)
         site[j] = j / 2;
         cost[j] = 2 + j % 5;
     }
+    /* All constraints but the budget hold in the first round, and the
+     * budget as well in the second. */
     const size_t min[] = {1, 0, 0}, max[] = {2, 2, 1}, fixed[] = {17};
     for (int with_budget = 0; with_budget < 2; ++with_budget) {
         const murk_constraints constraints = {.classes = 3,
@@ -420,6 +436,8 @@ static void test_threads_change_nothing_under_constraints(void)
                                               .fixed = fixed,
                                               .fixed_count = 1,
                                               .site = site};
+        /* Place with one thread and with four, and compare plan, upper
+         * bound and numbers of steps. */
         murk_place_result was = {0};
         for (unsigned threads = 1; threads <= 4; threads += 3) {
             made_up *m = made_up_create(3, 700, CANDIDATES, .12, 9, 2, threads);

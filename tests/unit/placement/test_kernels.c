@@ -30,6 +30,7 @@ static uint32_t largest_weight(size_t photons)
 
 static arrays arrays_create(size_t words, bool is_extreme)
 {
+    /* Aligned arrays, with some spare words at the end. */
     const size_t n = 64 * words;
     arrays a = {aligned_alloc(64, (words / 8 + 1) * 64),
                 aligned_alloc(64, (words / 8 + 1) * 64),
@@ -37,6 +38,8 @@ static arrays arrays_create(size_t words, bool is_extreme)
                 aligned_alloc(64, 2 * n + 128),
                 aligned_alloc(64, 2 * n + 64),
                 aligned_alloc(64, 4 * n + 64)};
+    /* Bits: random with every third word of the row empty, or all bits set
+     * against none. */
     for (size_t k = 0; k < words; ++k) {
         a.row[k] = (uint64_t)word_at(k, 0) << 32 | word_at(k, 1);
         a.full[k] = (uint64_t)word_at(k, 2) << 32 | word_at(k, 3);
@@ -47,6 +50,8 @@ static arrays arrays_create(size_t words, bool is_extreme)
             a.row[k] = 0;
         }
     }
+    /* Clarities and weights: random, or the largest that may occur, over an
+     * empty cover. */
     memset(a.packed, 0, 2 * n + 128);
     for (size_t i = 0; i < n; ++i) {
         a.dense[i] = is_extreme ? MURK_CLEAR : (uint16_t)word_at(i, 4);

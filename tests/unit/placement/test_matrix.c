@@ -66,10 +66,11 @@ static void row_then_interrupt(void *context, unsigned worker, size_t candidate,
     }
 }
 
-/* Ctrl-C inside the bounds: no further evaluation is made, and what is returned
- * still bounds every plan. */
+/* After Ctrl-C, neither bound makes a further evaluation, and each returns
+ * a value that still bounds every plan. */
 static void check_bounds_stop(made_up *m, murk_matrix *matrix)
 {
+    /* Both bounds, of the sum and of the worst of two blocks. */
     const uint32_t plan[] = {0, 1, 2};
     const murk_blocks blocks = {.n = 2, .first = {0, 32, 64}};
     murk_evaluator evaluator;
@@ -83,6 +84,8 @@ static void check_bounds_stop(made_up *m, murk_matrix *matrix)
     CHECK(!murk_bound_init(&bound, &evaluator, &err));
     CHECK(!murk_block_layouts_init(&views, &evaluator, &blocks, &err));
     CHECK(!murk_worst_bound_init(&worst, &views, &err));
+    /* After a request to stop, both return the bound that needs no
+     * evaluation. */
     murk_interrupt_request();
     CHECK(murk_bound_tighten(&bound, 3, 0, plan, 3, 400) == evaluator.ceiling);
     CHECK(bound.evaluations == 0);

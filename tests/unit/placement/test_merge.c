@@ -46,6 +46,8 @@ static bool same(const murk_place_result *a, const murk_place_result *b)
 
 static void check_methods(const made_up *m)
 {
+    /* Two matrices of one problem; merging leaves fewer photons, and the
+     * same pairs. */
     murk_matrix *apart = NULL, *merged = NULL;
     murk_error err = {0};
     CHECK(murk_matrix_make(&apart, &m->problem, UINT64_MAX, MURK_MERGE_NEVER,
@@ -54,6 +56,8 @@ static void check_methods(const made_up *m)
                            &err) == MURK_OK);
     CHECK(merged->layout.photons < apart->layout.photons);
     CHECK(merged->pairs == apart->pairs);
+    /* Each method finds the same plan from both, also where branch and
+     * bound is cut short. */
     for (int method = 0; method < 4; ++method) {
         for (int is_cut = 0; is_cut < 2; ++is_cut) {
             murk_place_desc desc = murk_place_defaults();
@@ -114,7 +118,9 @@ static void test_as_few_stay_as_possible(void)
 
 int main(void)
 {
+    /* Merging itself. */
     test_as_few_stay_as_possible();
+    /* Plans with and without merging, for each way of combining views. */
     static const struct {
         uint32_t levels, weights;
         murk_combining combining;
@@ -139,6 +145,7 @@ int main(void)
             made_up_destroy(m);
         }
     }
+    /* Different photons with equal hashes stay apart. */
     test_prints_are_checked();
     return check_done();
 }

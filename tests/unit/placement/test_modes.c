@@ -120,11 +120,14 @@ static void test_covers(uint32_t seed)
     CHECK(less > 0); /* the slack is needed */
 }
 
-/* For any thresholds, whatever stands and whoever joins, the two sums are not
- * less than the worth. How near they come shows that a hundredth less would be
- * too little. */
+/* For any thresholds, any partial plan and any sensors that join, the sum
+ * over thresholds and the sum over gains together are not less than the
+ * value of the plan. The test counts cases in which a bound lower by a
+ * hundredth would be wrong. */
 static void check_multipliers(const made_up *m, uint32_t seed, int *too_low)
 {
+    /* A cover for the partial plan, and room for one threshold for each
+     * photon. */
     murk_matrix *matrix = matrix_of(m);
     murk_evaluator evaluator;
     murk_multipliers t;
@@ -137,6 +140,7 @@ static void check_multipliers(const made_up *m, uint32_t seed, int *too_low)
     CHECK(murk_cover_init(&stand, layout, false));
     float *threshold = calloc(layout->slots + 1, sizeof *threshold);
     for (uint32_t k = 0; k < 30; ++k) {
+        /* Draw a plan: up to three sensors stand, up to three more join. */
         size_t plan[6], stands = made_up_draw(seed, 40, k, 4);
         const size_t n = stands + made_up_draw(seed, 41, k, 4);
         uint32_t joins[6];
@@ -149,6 +153,8 @@ static void check_multipliers(const made_up *m, uint32_t seed, int *too_low)
                 murk_cover_add(&stand, layout, &matrix->row[plan[i]]);
             }
         }
+        /* Draw thresholds from the floor upward, some of them all at the
+         * floor. */
         murk_multipliers_set_partial_plan(&t, stands > 0 ? &stand : NULL);
         for (size_t i = 0; i < layout->slots; ++i) {
             const uint32_t at = made_up_draw(seed, 42, (uint32_t)i + 1000 * k,
@@ -157,6 +163,7 @@ static void check_multipliers(const made_up *m, uint32_t seed, int *too_low)
                                                           : MURK_CLEAR + 1);
             threshold[i] = (float)at > t.floor[i] ? (float)at : t.floor[i];
         }
+        /* The sum over thresholds and gains bounds the value of the plan. */
         uint64_t sum = murk_multipliers_set(&t, threshold);
         murk_multipliers_gains(&t, joins + stands, n - stands, gain);
         for (size_t i = 0; i < n - stands; ++i) {
@@ -273,13 +280,14 @@ static void test_every_rule_in_every_mode(uint32_t seed)
     }
 }
 
-/* Plans without rules: all counts, and bounds that a hundredth less would
- * break. */
+/* Plans without constraints at all counts of sensors, with bounds that
+ * would be wrong if they were lower by a hundredth. */
 static void test_curves(uint32_t seed)
 {
     for (size_t mode = 0; mode < MODES; ++mode) {
         int too_low = 0, points = 0;
         for (uint32_t k = 0; k < 16; ++k) {
+            /* Problems of several kinds, each for all methods. */
             made_up *m = create(seed + k, k, 80, 10, 2);
             set_mode(m, &modes[mode]);
             for (int method = 0; method < METHODS; ++method) {
@@ -291,6 +299,8 @@ static void test_curves(uint32_t seed)
                 murk_place_result plan = {0};
                 murk_error err = {0};
                 CHECK(place_any(&plan, m, &desc, true, &err) == MURK_OK);
+                /* The optimum by brute force lies between value and upper
+                 * bound at every count. */
                 for (size_t i = 0; i < plan.curve_points; ++i) {
                     const uint64_t optimum = made_up_optimum(m, i + 1);
                     CHECK(plan.curve[i].upper >= optimum);
@@ -299,11 +309,14 @@ static void test_curves(uint32_t seed)
                         (double)plan.curve[i].upper * .99 < (double)optimum;
                     ++points;
                 }
+                /* The value is that of the set; methods that prove find the
+                 * optimum. */
                 CHECK(plan.value == made_up_value(m, plan.sensor, plan.count));
                 CHECK(method == MURK_PLACE_SPOQ ||
                       method == MURK_PLACE_GREEDY ||
                       (plan.proven_optimal &&
                        plan.value == made_up_optimum(m, 4)));
+                /* The whole is the value of full coverage in all layers. */
                 uint64_t whole = 0;
                 for (size_t i = 0; i < 80; ++i) {
                     whole += (uint64_t)m->weight[i] * MURK_CLEAR *
@@ -314,6 +327,8 @@ static void test_curves(uint32_t seed)
             }
             made_up_destroy(m);
         }
+        /* The bounds are tight enough that a hundredth less would be wrong
+         * somewhere. */
         printf("%s: bounds lower by a hundredth fail %d times of %d\n",
                modes[mode].name, too_low, points);
         CHECK(too_low > 0);
@@ -350,17 +365,20 @@ static int by_number(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Scans skip many, and still find all that a plain scan finds. Faint views
- * need the slack: some add more later than alone. */
+/* Scans skip many candidates and still find the plan of a plain greedy
+ * search. Faint views need the slack of the scans: some candidates gain
+ * more beside a plan than alone. */
 static void test_scans_against_plain_ones(uint32_t seed)
 {
     int grew = 0;
     for (uint32_t k = 0; k < 60; ++k) {
+        /* A plan by a greedy search that looks at all candidates. */
         made_up *m = made_up_create(seed + k, 40, 300, .5, 1000, 1 + k % 3, 1);
         set_mode(m, &modes[k % MODES]);
         make_faint(m);
         size_t plan[6];
         plain_greedy(m, plan, 6);
+        /* Count candidates that gain more next to the plan than alone. */
         for (size_t j = 0; j < 300; ++j) {
             size_t with[7];
             memcpy(with, plan, sizeof plan);
@@ -368,6 +386,7 @@ static void test_scans_against_plain_ones(uint32_t seed)
             grew += made_up_value(m, with, 7) - made_up_value(m, with, 6) >
                     made_up_value(m, &j, 1);
         }
+        /* The scans find the same plan, in known and unknown environments. */
         qsort(plan, 6, sizeof *plan, by_number);
         murk_place_desc desc = {
             .method = MURK_PLACE_GREEDY, .count = 6, .restarts = 1};
@@ -392,18 +411,22 @@ static void check_same(const murk_place_result *a, const murk_place_result *b)
     CHECK(a->evaluations == b->evaluations && a->restarts == b->restarts);
 }
 
-/* Each set of inner loops, and each number of threads, leads to one plan. */
+/* Every set of kernels and every number of threads lead to the same plan. */
 static void test_kernels_and_threads_change_nothing(uint32_t seed)
 {
     for (uint32_t k = 0; k < 2 * MODES; ++k) {
         murk_place_result first = {0};
         size_t sets = 0;
         for (size_t set = 0; murk_kernels_number(set); ++set, ++sets) {
+            /* The first kernel set runs with one thread, the others with
+             * three. */
             made_up *m = made_up_create(seed, 700, 60, .12, k < MODES ? 9 : 1,
                                         3, 1 + 2 * (set > 0));
             set_mode(m, &modes[k % MODES]);
             murk_matrix *matrix = matrix_of(m);
             matrix->layout.kernels = murk_kernels_number(set);
+            /* Place with these kernels; all later plans must equal the
+             * first. */
             murk_place_desc desc = murk_place_defaults();
             desc.count = 4;
             desc.restarts = 30;

@@ -347,6 +347,8 @@ static void test_threads_change_nothing(void)
     murk_place_result first[2] = {{0}};
     for (size_t k = 0; k < 3; ++k) {
         for (size_t weighted = 0; weighted < 2; ++weighted) {
+            /* A problem with clear views, and one with nine levels of
+             * clarity. */
             made_up *m = made_up_create(3, 700, 60, 0.12, weighted ? 9 : 1, 2,
                                         threads[k]);
             murk_place_desc desc = murk_place_defaults();
@@ -354,6 +356,8 @@ static void test_threads_change_nothing(void)
             desc.restarts = 40;
             murk_place_result r = place_known(m, &desc);
             murk_place_result *was = &first[weighted];
+            /* One thread gives the plan, bound, numbers of steps and curve
+             * that other numbers of threads must repeat. */
             if (k == 0) {
                 *was = r;
             } else {

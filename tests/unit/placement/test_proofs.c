@@ -94,11 +94,12 @@ static size_t members_of(uint32_t set, uint32_t *plan)
     return n;
 }
 
-/* Branch and bound from `from`, with so many evaluations of the bound before
- * it, must find a plan worth `optimum` and prove it. */
+/* Branch and bound from the plan `from`, after `rounds` evaluations of the
+ * bound, must find a plan of value `optimum` and prove it. */
 static void prove_from(const made_up *m, const ranked_plan *from, size_t rounds,
                        uint64_t optimum)
 {
+    /* Tighten the bound from the given plan. */
     murk_matrix *matrix = NULL;
     murk_evaluator evaluator;
     murk_bound bound;
@@ -114,10 +115,12 @@ static void prove_from(const made_up *m, const ranked_plan *from, size_t rounds,
     const uint64_t upper =
         murk_bound_tighten(&bound, n, from->value, plan, n, rounds);
     CHECK(upper >= optimum);
+    /* The search runs to its end and closes the gap at the optimum. */
     CHECK(murk_exact_search(&exact, &bound, plan, n, n, from->value, upper,
                             1000000, NULL, &err) == MURK_OK);
     CHECK(!exact.is_cut);
     CHECK(exact.value == optimum && exact.upper == optimum);
+    /* The plan found has the value that the search reports. */
     uint32_t found = 0;
     for (size_t k = 0; k < n; ++k) {
         found |= 1u << plan[k];

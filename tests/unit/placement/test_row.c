@@ -69,6 +69,8 @@ static void check_walk(const sample *s, const murk_layout *l,
 static void check_cover(const sample *s, const murk_layout *l,
                         const murk_row *row, bool as_bits)
 {
+    /* Fill a cover with the sample, and compute the gain and the joined
+     * value photon by photon. */
     murk_cover cover = {0};
     CHECK(murk_cover_init(&cover, l, as_bits));
     uint64_t gain = 0, value = 0;
@@ -87,8 +89,11 @@ static void check_cover(const sample *s, const murk_layout *l,
         value += (uint64_t)joined * s->weight[i];
         is_within = is_within && s->clarity[i] <= best;
     }
+    /* Gain, and whether the cover contains the row. */
     CHECK(murk_row_gain(l, row, &cover) == gain);
     CHECK(murk_row_is_covered(l, row, &cover) == is_within);
+    /* With clarities, the row counts photons that it sees more clearly than
+     * the cover. */
     if (!as_bits) {
         uint16_t count[2 * PHOTONS] = {0};
         murk_row_count_above(l, row, cover.best, count);
@@ -99,6 +104,7 @@ static void check_cover(const sample *s, const murk_layout *l,
         }
         CHECK(mismatches == 0);
     }
+    /* The cover with the row has the joined value and contains the row. */
     murk_cover_add(&cover, l, row);
     CHECK(murk_cover_value(&cover, l) == value);
     CHECK(murk_row_is_covered(l, row, &cover));

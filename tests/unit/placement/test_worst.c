@@ -184,12 +184,16 @@ static void check_plan(const made_up *m, const murk_blocks *blocks,
                        const murk_place_result *plan, const uint64_t *best,
                        tally *t)
 {
+    /* The plan meets the constraints, and the value is that of the worst
+     * block. */
     const uint64_t optimum = optimum_of(r, best, desc->count);
     const uint32_t set = set_of(plan);
     CHECK(made_up_keeps(r, set));
     CHECK(r->kinds & BUDGET ? desc->count == 0 || plan->count <= desc->count
                             : plan->count == desc->count);
     CHECK(plan->value == min_share(m, blocks, set));
+    /* The optimum lies between value and upper bound, in the plan and at
+     * each count of the curve. */
     CHECK(plan->value <= optimum);
     CHECK(plan->upper >= optimum);
     CHECK(!plan->proven_optimal || plan->value == optimum);
@@ -200,9 +204,11 @@ static void check_plan(const made_up *m, const murk_blocks *blocks,
         CHECK(best[at->count] != UINT64_MAX);
         CHECK(at->value <= best[at->count] && at->upper >= best[at->count]);
     }
+    /* Methods that prove find the optimum. */
     if (desc->method == MURK_PLACE_BEST || desc->method == MURK_PLACE_EXACT) {
         CHECK(plan->value == optimum && plan->proven_optimal);
     }
+    /* Count plans for the checks of the caller. */
     ++t->plans;
     t->not_best += plan->value < optimum;
     t->proven += plan->proven_optimal;
@@ -415,11 +421,13 @@ static void test_one_block_is_plain(uint32_t seed)
     made_up_destroy(m);
 }
 
-/* The fewest sensors that reach a target in every condition. */
+/* A target in the worst condition is reached with the smallest possible
+ * number of sensors. */
 static void test_target(uint32_t seed)
 {
     int reached = 0, missed = 0;
     for (uint32_t k = 0; k < 12; ++k) {
+        /* The optimum for each count by brute force. */
         made_up *m = made_up_create(seed + k, 90, 10, .2, 1, 2, 1);
         const murk_blocks blocks = blocks_of(m, 3);
         set_apart(m, &blocks);
@@ -427,6 +435,8 @@ static void test_target(uint32_t seed)
         made_up_constraints_fill(&none, seed, 0, 10);
         uint64_t best[MADE_UP_MAX + 1];
         find_optima(m, &blocks, &none, best);
+        /* Set targets at an optimum or just above one, and find the
+         * smallest count that reaches the target. */
         murk_place_desc desc = murk_place_defaults();
         desc.count = 6;
         desc.target = best[1 + k % 3 * 3] + (k % 2);
@@ -434,6 +444,8 @@ static void test_target(uint32_t seed)
         while (fewest <= 6 && best[fewest] < desc.target) {
             ++fewest;
         }
+        /* The solver needs as many sensors, or says that the target cannot
+         * be reached. */
         murk_error err = {0};
         murk_place_result plan = {0};
         const murk_status status = place(&plan, m, &blocks, &desc, &err);
@@ -452,11 +464,12 @@ static void test_target(uint32_t seed)
     CHECK(reached > 3 && missed > 1);
 }
 
-/* Any number of threads, the same plan and bound. */
+/* The number of threads changes neither the plan nor the bound. */
 static void test_threads(uint32_t seed)
 {
     murk_place_result first = {0};
     for (unsigned threads = 1; threads <= 5; threads += 2) {
+        /* A problem in which no candidate sees all three blocks well. */
         made_up *m = made_up_create(seed, 3000, 60, .3, 40, 2, threads);
         const murk_blocks blocks = blocks_of(m, 3);
         set_apart(m, &blocks);
@@ -464,6 +477,7 @@ static void test_threads(uint32_t seed)
         desc.count = 3;
         desc.nodes = 3000;
         desc.with_curve = false;
+        /* Plan, bound and number of evaluations equal those of one thread. */
         murk_place_result plan = {0};
         murk_error err = {0};
         CHECK(place(&plan, m, &blocks, &desc, &err) == MURK_OK);

@@ -153,6 +153,7 @@ static void get_row(void *context, unsigned worker, size_t candidate,
 
 static void test_what_is_written_reads_back(void)
 {
+    /* A matrix with weights survives CSV, and has no OR-Library form. */
     murk_error err = {0};
     murk_sparse_matrix *m = read_text("a,b,weight\n1,0,.125\n.3,1,7\n0,0,2\n");
     check_comes_back(m, murk_sparse_matrix_write_csv);
@@ -160,15 +161,19 @@ static void test_what_is_written_reads_back(void)
           MURK_RUN_FAILED);
     CHECK_MENTIONS(err.text, "0 and 1 only");
     murk_sparse_matrix_destroy(m);
+    /* Matrices of ones and zeros survive both formats. */
     m = read_text("1,0,0\n1,0,1\n0,0,0\n");
     check_comes_back(m, murk_sparse_matrix_write_csv);
     check_comes_back(m, murk_sparse_matrix_write_or_library);
     murk_sparse_matrix_destroy(m);
+    /* So do matrices that were read from the OR-Library format. */
     m = read_text("2 3 1 1 1\n1 2\n2 1 3\n.5 3\n");
     check_comes_back(m, murk_sparse_matrix_write_csv);
     check_comes_back(m, murk_sparse_matrix_write_or_library);
     murk_sparse_matrix_destroy(m);
 
+    /* A matrix from a placement problem divides weights by their common
+     * factor. */
     uint32_t *weight = malloc(MURK_CLEAR * sizeof *weight);
     for (uint32_t i = 0; i < MURK_CLEAR; ++i) {
         weight[i] = 6 * (1 + i % 5);
@@ -183,6 +188,7 @@ static void test_what_is_written_reads_back(void)
     CHECK(m->weight[0] == 1 && m->weight[4] == 5 && !m->is_clear);
     check_comes_back(m, murk_sparse_matrix_write_csv);
     murk_sparse_matrix_destroy(m);
+    /* More photons than the limit are refused. */
     m = NULL;
     err = (murk_error){0};
     CHECK(murk_sparse_matrix_collect(&m, &problem, MURK_CLEAR - 1, &err) ==
