@@ -52,10 +52,12 @@ static void covariance_of_rows(double *covariance, double factor)
     }
 }
 
-/* The worst of the sample covariances, in sigmas: of N products of normals the
- * mean has a variance of 1 / N, of N squares 2 / N. */
+/* The largest deviation of the sample covariances in standard errors: the
+ * mean of N products of independent normals has a variance of 1 / N, that
+ * of N squares has 2 / N. */
 static double worst_off(double factor)
 {
+    /* Whitening by the covariance of the rows, times a factor. */
     double covariance[ROWS * ROWS], sum[ROWS * ROWS] = {0}, worst = 0;
     covariance_of_rows(covariance, factor);
     murk_whitening *whitening = NULL;
@@ -64,6 +66,7 @@ static double worst_off(double factor)
     if (!whitening) {
         return INFINITY;
     }
+    /* Sample covariances of whitened rows. */
     for (uint64_t s = 0; s < SAMPLES; ++s) {
         double row[ROWS];
         draw(row, s);
@@ -74,6 +77,7 @@ static double worst_off(double factor)
             }
         }
     }
+    /* Covariances of white noise are 1 in the diagonal, otherwise 0. */
     for (size_t i = 0; i < ROWS; ++i) {
         for (size_t j = 0; j <= i; ++j) {
             const double off = sigmas_off(sum[i * ROWS + j], i == j,

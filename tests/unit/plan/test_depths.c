@@ -26,10 +26,11 @@ static const char scene_text[] =
     "photons: {emit: 1000}\n"
     "sensors: {types: [{name: node, range_m: 5}]}\n";
 
-/* Clarity is a whole number of 1/65535, the depths' product not: they agree
- * within the rounding. */
+/* Clarity is a whole multiple of 1/65535, and the transmittance from depths
+ * and sheets is not rounded: both agree within the rounding. */
 static void check_looks(const char *override, bool has_sheets)
 {
+    /* The row of one sensor in the traced scene. */
     const char *const overrides[] = {override, NULL};
     const murk_pose pose = {.position = {4.5, 1.5, 1}};
     murk_stage *stage = stage_text_create(scene_text, overrides);
@@ -40,18 +41,23 @@ static void check_looks(const char *override, bool has_sheets)
           !murk_plan_sight(&sight, stage, traced, 1, NULL));
     murk_sight_row(sight, 0, &pose, &row);
     CHECK(row.seen > 50 && row.clarity);
+    /* Depths along the same sightlines, for the same media twice. */
     const murk_media *const media[2] = {stage->media, stage->media};
     double *depth = malloc(row.seen * 2 * sizeof *depth);
     double *sheets = malloc(row.seen * sizeof *sheets);
     size_t behind = 0;
     murk_sight_depths(depth, sheets, sight, &pose, row.photon, row.seen, media,
                       2);
+    /* Both depths are equal, and with the sheets they give the clarity of
+     * the row. */
     for (size_t i = 0; i < row.seen; ++i) {
         CHECK(depth[2 * i] == depth[2 * i + 1]);
         CHECK_NEAR(sheets[i] * exp(-depth[2 * i]) * MURK_CLEAR, row.clarity[i],
                    0.5 + 1e-9);
         behind += sheets[i] < 1;
     }
+    /* The pane dims some sightlines only where the settings let sight
+     * through sheets. */
     CHECK((behind > 0) == has_sheets);
     free(depth);
     free(sheets);

@@ -117,19 +117,24 @@ static bool is_outside(murk_vec3 a, murk_vec3 b)
     return true;
 }
 
-/* From the corner nodes go down the first leg, (1, 6), (1, 3), then to (4, 9),
- * which is not in sight: the shortest way there is over (2, 9). */
+/* From the corner, stations go down the first leg, (1, 6) and (1, 3), and
+ * then to (4, 9), which is out of straight reach: the shortest path there
+ * leads over (2, 9). */
 static void test_ways_go_round_corners(void)
 {
+    /* Nodes that see 3.5 m must walk along both legs. */
     const char *const list[] = {NEAR, "placement.start_m=[1, 9, 1]", NULL};
     made m = explore_with(CORRIDOR, list, 2);
     const murk_explore *e = &m.plan.explore;
+    /* No part of the path leads through the inner block. */
     double length_m = 0;
     size_t turns = 0;
     for (size_t k = 1; k < e->stops; ++k) {
         length_m += murk_length(murk_sub(e->stop[k], e->stop[k - 1]));
         CHECK(is_outside(e->stop[k - 1], e->stop[k]));
     }
+    /* A station out of straight reach adds two stops, once, at the corner;
+     * all others add one at most. */
     for (size_t k = 1; k < e->steps; ++k) {
         const bool is_straight = is_outside(station(&m, k - 1), station(&m, k));
         const size_t passed = e->step[k].stops - e->step[k - 1].stops;
@@ -137,6 +142,8 @@ static void test_ways_go_round_corners(void)
         turns += !is_straight;
     }
     CHECK(turns == 1);
+    /* The fourth station and the path length there are known, and path
+     * lengths are the lengths of the stops. */
     if (e->steps > 3) {
         CHECK(is_at(station(&m, 3), 4, 9));
         CHECK(is_at(e->stop[3], 2, 9));

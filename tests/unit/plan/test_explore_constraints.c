@@ -4,6 +4,8 @@
 
 static void test_targets_end_it(void)
 {
+    /* A target of half ends the exploration as soon as the target is
+     * reached. */
     const char *const list[] = {
         "sensors={types: [{name: node, range_m: 3.5}], target: 0.5, " SITED "}",
         NULL};
@@ -13,10 +15,13 @@ static void test_targets_end_it(void)
     CHECK(m.plan.explore.end == MURK_EXPLORE_TARGET);
     CHECK(2 * place->value >= place->whole && place->count > 1);
     CHECK(2 * m.plan.explore.step[place->count - 2].value < place->whole);
+    /* The curve counts the stations of the exploration. */
     CHECK(place->fewest >= 1 && place->fewest <= place->count);
     CHECK(place->curve_points == place->count &&
           place->curve[0].value == m.plan.explore.step[0].value);
     unmake(&m);
+    /* Behind a pane, nothing can be explored, and a target of all light is
+     * not reached. */
     const char *const apart[] = {
         "geometry=[" WALLS PANE "]",
         "sensors={types: [{name: node, range_m: 30}], target: 1, " SITED "}",
@@ -77,10 +82,13 @@ static void test_constraints_are_kept(void)
     unmake(&m);
 }
 
-/* One behind the pane sees the rest; nobody gets there from the start. Where
- * the path begins at it, nobody gets to the first leg. */
+/* A fixed sensor behind the pane sees the places there, yet no path from
+ * the start leads to them. If the path begins at the fixed sensor, no path
+ * leads to the first leg. */
 static void test_fixed_sensors_see_but_do_not_walk(void)
 {
+    /* A fixed sensor behind the pane sees all places there, but every
+     * station stays before the pane. */
     const char *const list[] = {
         "geometry=[" WALLS PANE "]",
         "sensors.fixed=[{position_m: [1.01, 8.7, 1.5]}]", NULL};
@@ -96,6 +104,7 @@ static void test_fixed_sensors_see_but_do_not_walk(void)
         CHECK(station(&m, k).y <= 5);
     }
     unmake(&m);
+    /* A path that begins at the fixed sensor stays behind the pane. */
     const char *const from_it[] = {
         "geometry=[" WALLS PANE "]",
         "sensors.fixed=[{position_m: [1.01, 8.7, 1.5]}]",

@@ -26,12 +26,13 @@ static double between(const murk_random4 *r, int k, double a, double b)
     return a + (b - a) * r->u[k];
 }
 
-/* Crates are 2.3 m high, so that all of the air is reached over them. In every
- * other pair of rooms only the first crate reflects, so that most views add
+/* Crates are 2.3 m high, so that all air above them can be reached. In two
+ * of four rooms only the first crate reflects, so that most poses gain
  * nothing. */
 static room make_room(uint32_t seed)
 {
     room m = {.has_fixed = seed % 2 == 0};
+    /* Walls, lights and materials. */
     int at = snprintf(
         m.text, sizeof m.text,
         "murk: 1\n"
@@ -45,6 +46,7 @@ static room make_room(uint32_t seed)
         "geometry:\n"
         "  - {box: {min_m: [0, 0, 0], max_m: [8, 6, 3]}, material: other}\n",
         seed % 4 < 2 ? 0.5 : 0.0);
+    /* Random crates, of which the first always reflects. */
     for (int k = 0; k < CRATES; ++k) {
         const murk_random4 r = murk_random(seed, MURK_EMIT, (uint64_t)k, 0, 0);
         const double x = between(&r, 0, 0, 6.5), y = between(&r, 1, 0, 4.5);
@@ -59,9 +61,11 @@ static room make_room(uint32_t seed)
                        c->min.x, c->min.y, c->min.z, c->max.x, c->max.y,
                        c->max.z, k == 0 ? "lit" : "other");
     }
+    /* Random positions of the start and of the fixed sensor. */
     const murk_random4 r = murk_random(seed, MURK_EMIT, CRATES, 0, 0);
     m.start = murk_vec(between(&r, 0, 0.5, 7.5), between(&r, 1, 0.5, 5.5), 2.8);
     m.fixed = murk_vec(between(&r, 2, 0.5, 7.5), between(&r, 3, 0.5, 5.5), 2.6);
+    /* Sensor types and candidates, every second time with the fixed sensor. */
     at += snprintf(
         m.text + at, sizeof m.text - (size_t)at,
         "sensors:\n"
@@ -198,15 +202,19 @@ static void stand(twin *t, size_t j)
     join(t);
 }
 
-/* The next pose; false: none. */
+/* Finds the next pose; returns false if no pose gains or opens anything. */
 static bool next_of(const twin *t, bool is_first, size_t *next)
 {
+    /* First the largest gain; if no pose gains, the most places that a pose
+     * would open. */
     const murk_poses *poses = t->plan->poses;
     uint64_t max_gain = 0;
     size_t max_opened = 0;
     bool has_any = false;
     for (int by_gain = 1; by_gain >= 0 && !has_any; --by_gain) {
         for (size_t j = 0; j < poses->count - poses->fixed; ++j) {
+            /* The first pose stands at the start, later ones at seen places
+             * that can be reached. */
             const size_t place = poses->site[j];
             if (t->stands[j] ||
                 (is_first ? place != t->plan->start
@@ -215,6 +223,7 @@ static bool next_of(const twin *t, bool is_first, size_t *next)
             }
             const uint64_t gain = by_gain ? gain_of(t, j) : 0;
             const size_t opened = by_gain ? 0 : opens_of(t, j);
+            /* The lowest number wins a tie. */
             if (gain > max_gain || opened > max_opened) {
                 max_gain = gain;
                 max_opened = opened;
@@ -226,9 +235,12 @@ static bool next_of(const twin *t, bool is_first, size_t *next)
     return has_any;
 }
 
-/* Bellman and Ford: the shortest way over seen places. */
+/* The length of the shortest path over seen places, by the algorithm of
+ * Bellman and Ford. */
 static double way_of(const twin *t, size_t from, size_t to)
 {
+    /* Distances from the place `from`, and pairs of seen places in straight
+     * reach. */
     static double gone[MAX];
     static bool open[MAX][MAX];
     for (size_t a = 0; a < t->places; ++a) {
@@ -238,6 +250,7 @@ static double way_of(const twin *t, size_t from, size_t to)
                                       is_open(t, t->place[a], t->place[b]);
         }
     }
+    /* Shorten distances by all steps until none becomes shorter. */
     for (bool is_better = true; is_better;) {
         is_better = false;
         for (size_t a = 0; a < t->places; ++a) {

@@ -57,10 +57,13 @@ static size_t records_below(const murk_photon_map *map, uint64_t n)
     return found;
 }
 
-/* `store N` is the first photons of a longer run, cut where N is reached: the
- * last photon is whole, and without it there are fewer than N. */
+/* `store N` gives the first photons of a longer run, up to the photon that
+ * reaches N records: the last photon is complete, and without it there are
+ * fewer than N records. */
 static void test_store_is_a_prefix(void)
 {
+    /* A run that stops at a number of records, and a longer run with the
+     * same seed. */
     murk_traced *stored, *longer;
     murk_stage *stage, *longer_stage;
     murk_error err = {0};
@@ -69,12 +72,15 @@ static void test_store_is_a_prefix(void)
     CHECK(
         !trace(&longer, &longer_stage, "photons.emit=9000", "seed=1", 2, &err));
     if (stored && longer) {
+        /* The last photon brings the number of records to the limit. */
         const uint64_t n = stored->emitted;
         CHECK(n < 9000);
         CHECK(records(stored) >= wanted);
         CHECK(records_below(stored->surface, n - 1) +
                   records_below(stored->volume, n - 1) <
               wanted);
+        /* Both runs have the same number of records of the shared photons,
+         * and the ledger counts just these photons. */
         CHECK(records_below(longer->surface, n) ==
               murk_photon_map_count(stored->surface));
         CHECK(records_below(longer->volume, n) ==
@@ -212,10 +218,13 @@ static void keep_warning(const char *where, const char *text)
     snprintf(warning, sizeof warning, "%s", text);
 }
 
-/* One beam of so many watts leaves, one of a watt meets a black wall: photons
- * are dealt by power, but their shares are known for each light. */
+/* One beam of the given power leaves the domain, and one of 1 W meets a
+ * black floor. Photons are drawn by power, but the escaped shares are known
+ * for each light. */
 static void check_escape(const char *watts, double share, const char *said)
 {
+    /* Two beams in clear air, the first upward to the open side, the second
+     * down to a black floor. */
     char beam[100];
     snprintf(beam, sizeof beam, "lights.0.power_w=%s", watts);
     const char *const overrides[] = {
@@ -228,11 +237,13 @@ static void check_escape(const char *watts, double share, const char *said)
         "media.fog.extinction_per_m=0",
         beam,
         NULL};
+    /* The forecast knows the share of power that leaves the domain. */
     murk_stage *stage = stage_text_create(scene_text, overrides);
     murk_forecast forecast = {0};
     murk_error err = {0};
     CHECK(stage && !murk_lightmap_forecast(&forecast, stage, 0, 2, &err));
     CHECK_NEAR(forecast.escaped_share, share, 1e-12);
+    /* A warning is given only where one is expected. */
     const murk_warn_sink before = murk_warn_to(keep_warning);
     warning[0] = 0;
     murk_warn_of_escape(stage, forecast.escaped_share);

@@ -48,15 +48,19 @@ static bool is_angle(double rad, double deg)
 
 static void test_every_type_heading_and_tilt_at_every_site(void)
 {
+    /* Three types: one without direction, one with four headings and two
+     * tilts, one with a given heading. */
     made m = make("  types:\n"
                   "    - {name: node, range_m: 2}\n"
                   "    - {name: cam, range_m: 9, view: {cone_deg: 40}, "
                   "headings: 4, tilts_deg: [0, -30]}\n"
                   "    - {name: spot, range_m: 9, view: {hfov_deg: 40, "
                   "vfov_deg: 20}, headings_deg: [15]}\n");
+    /* Ten poses at each of three sites, and no constraints. */
     CHECK_TEXT(m.err.text, "");
     CHECK(m.poses && m.poses->count == 3 * (1 + 4 * 2 + 1));
     CHECK(m.poses && murk_poses_constraints(m.poses) == NULL);
+    /* Poses of a site are in the order of types, headings and tilts. */
     for (size_t s = 0; m.poses && s < 3; ++s) {
         const murk_pose *pose = m.poses->pose + 10 * s;
         for (size_t k = 0; k < 10; ++k) {
@@ -75,6 +79,7 @@ static void test_every_type_heading_and_tilt_at_every_site(void)
 
 static void test_constraints_are_the_scenes(void)
 {
+    /* A scene with every kind of constraint. */
     made m = make("  types:\n"
                   "    - {name: node, range_m: 2, cost: 0.1, least_count: 1}\n"
                   "    - {name: cam, range_m: 9, cost: 3, max_count: 2, view: "
@@ -88,11 +93,14 @@ static void test_constraints_are_the_scenes(void)
     const murk_constraints *r =
         m.poses ? murk_poses_constraints(m.poses) : NULL;
     CHECK(r && m.poses->count == 3 * 3 + 2);
+    /* Classes are types; costs and budget are in millionths. */
     if (r) {
         CHECK(r->classes == 2 && r->min[0] == 1 && r->min[1] == 0);
         CHECK(r->max[0] == 11 && r->max[1] == 2);
         CHECK(r->cost[0] == 100000 && r->cost[1] == 3000000);
         CHECK(r->budget == 6300000 && r->spacing_m == 0.5);
+        /* Fixed sensors follow the candidates, cost nothing, and have the
+         * site number of their place, or a new one. */
         CHECK(r->fixed_count == 2 && r->fixed[0] == 9 && r->fixed[1] == 10);
         CHECK(r->cost[9] == 0 && r->cost[10] == 0);
         CHECK(r->site[3] == 1 && r->site[9] == 1 && r->site[10] > 2);

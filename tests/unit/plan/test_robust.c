@@ -26,8 +26,10 @@ static void build(world *w, const murk_sensor_type *type,
                   const murk_photon *photon, size_t n, double jitter_m,
                   double jitter_rad, unsigned threads)
 {
+    /* Volume records alone, in an empty hall with clear air. */
     *w = (world){.surface_map = map_of(NULL, 0),
                  .volume_map = map_of(photon, n)};
+    /* The jitter of poses that the test asks for. */
     w->scene.seed = 11;
     w->scene.north = murk_vec(0, 1, 0);
     w->scene.placement.jitter_m = jitter_m;
@@ -37,6 +39,7 @@ static void build(world *w, const murk_sensor_type *type,
                             .world.domain = hall,
                             .surfaces = surfaces_of(NULL, 0),
                             .media = clear_air(&hall)};
+    /* A sight of all records. */
     const murk_sight_desc desc = {.surfaces = w->stage.surfaces,
                                   .media = w->stage.media,
                                   .domain = hall,

@@ -173,11 +173,12 @@ static void test_bad_mounts_are_named(void)
                   "none of the 12 candidates is usable: 7 out of reach");
 }
 
-/* A room whose one window is above the candidates' plane: no way along an axis
- * leads out, but light that is aimed at the window comes in by it. By night,
- * too: the lights are dark there. */
+/* A room with one window above the plane of the candidates: no straight
+ * path along an axis leads out, but light that is aimed at the window comes
+ * in through it. This holds for lights that are off, too. */
 static void test_a_window_lets_reach_in(void)
 {
+    /* A closed room, lit through the window by light from outside. */
     static const char text[] =
         "murk: 1\n"
         "domain: {min_m: [-2, -1, -1], max_m: [5, 4, 4]}\n"
@@ -203,6 +204,8 @@ static void test_a_window_lets_reach_in(void)
         "sensors: {types: [{name: node, range_m: 1}], count: 1, candidates: "
         "{grid: {min_m: [0.5, 0.5, 0.5], max_m: [3.5, 2.5, 1.5], size: [3, 3, "
         "2]}}}\n";
+    /* Without an aim no candidate is usable; with one all are, also if the
+     * light is off. */
     const char *const aim =
         "lights.0.aim=[{corner_m: [0, 0, 2], edge1_m: [0, 3, 0], edge2_m: [0, "
         "0, 1]}]";
@@ -210,6 +213,7 @@ static void test_a_window_lets_reach_in(void)
         {NULL}, {aim, NULL}, {aim, "lights.0.schedule=never", NULL}};
     const size_t want[3] = {0, 18, 18};
     for (int i = 0; i < 3; ++i) {
+        /* Candidates are found, or the search fails. */
         murk_stage *stage = stage_text_create(text, overrides[i]);
         murk_candidates *sites = NULL;
         murk_error err = {0};

@@ -146,14 +146,18 @@ static void test_a_medium_by_its_band(void)
                16 - 4 / 3.0 * MURK_PI * 0.064, 32);
 }
 
-/* Normals face free space, and what is listed of a record is what is there. */
+/* Normals point into free space, and each record has the band, number and
+ * material of the point that it stands for. */
 static void test_records(void)
 {
+    /* Points on all surfaces and in all free air, in the second band. */
     murk_error err = {0};
     murk_targets t = {0};
     murk_stage *stage = stage_with("{surfaces: {points: 3000}, volume: "
                                    "{points: 3000}, band_nm: 650}");
     CHECK(murk_targets_create(&t, stage, 0, 2, &err) == MURK_OK);
+    /* Normals of the walls point into the room, those of the crate away
+     * from the crate. */
     size_t walls = 0, soot = 0, mist = 0;
     const murk_photon *p = murk_photon_map_photons(t.surface);
     for (size_t i = 0; i < t.facts.surface; ++i) {
@@ -172,6 +176,8 @@ static void test_records(void)
             CHECK(murk_dot(n, out) > 0);
         }
     }
+    /* Points in the air name the medium: soot in the box, and never none
+     * within the mist. */
     p = murk_photon_map_photons(t.volume);
     for (size_t i = 0; i < t.facts.volume; ++i) {
         CHECK(p[i].band == 1 && murk_photon_is_volume(&p[i]));
@@ -184,14 +190,17 @@ static void test_records(void)
         soot += is_soot;
         mist += p[i].material == 2;
     }
+    /* Enough points of each kind were checked. */
     CHECK(walls > 2000 && soot > 20 && mist > 500);
     murk_targets_release(&t);
     stage_text_destroy(stage);
 }
 
-/* Other streams, other points; other threads, the same. */
+/* Another stream gives other points; another number of threads gives the
+ * same points. */
 static void test_streams_and_threads(void)
 {
+    /* The same targets with one thread, with five, and with another stream. */
     murk_error err = {0};
     murk_targets t[3] = {{0}};
     murk_stage *stage = stage_with("{surfaces: {points: 30000}, volume: "
@@ -200,8 +209,10 @@ static void test_streams_and_threads(void)
         CHECK(murk_targets_create(&t[k], stage, k == 2 ? 1 : 0, k == 1 ? 5 : 1,
                                   &err) == MURK_OK);
     }
+    /* The number of threads changes nothing. */
     const size_t n = t[0].facts.surface;
     CHECK(memcmp(&t[0].facts, &t[1].facts, sizeof t[0].facts) == 0);
+    /* Another stream changes the points. */
     CHECK(memcmp(murk_photon_map_photons(t[0].surface),
                  murk_photon_map_photons(t[1].surface),
                  n * sizeof(murk_photon)) == 0);

@@ -23,6 +23,7 @@ static void see(void *context, size_t ball, double square)
 
 static void test_as_looking_at_each(size_t n)
 {
+    /* Random balls of many sizes. */
     murk_ball_extent *ball = calloc(n + 1, sizeof *ball);
     for (size_t i = 0; i < n; ++i) {
         const murk_random4 u = murk_random(1, MURK_TEST, i, 0, 0);
@@ -36,6 +37,8 @@ static void test_as_looking_at_each(size_t n)
     murk_balls *balls = NULL;
     murk_error err = {0};
     CHECK(murk_balls_create(&balls, ball, n, &err) == MURK_OK);
+    /* At random points, the tree finds the balls that a test of each ball
+     * finds, in rising order. */
     size_t all = 0;
     for (uint64_t k = 0; k < 200; ++k) {
         const murk_random4 u = murk_random(2, MURK_TEST, k, 0, 0);
@@ -58,6 +61,7 @@ static void test_as_looking_at_each(size_t n)
         CHECK_NEAR(s.squares, squares, 1e-5 * (double)n);
         all += want;
     }
+    /* Enough balls were found, and none at a point that is not a number. */
     CHECK(n < 16 || all > n);
     seen none = {.is_ordered = true};
     murk_balls_at(balls, murk_vec(NAN, 0, 0), see, &none);

@@ -139,12 +139,14 @@ static void test_rays_go_to_lamps_that_light_the_place(void)
     test_world_unmade(&world);
 }
 
-/* Rays to point sources in the open air, in closed form: a quarter is shared
- * out blindly, the rest by 1 / distance^2, in a periodic domain to the nearest
- * image. */
+/* Shadow rays to point sources in clear air, in closed form: a quarter is
+ * spread evenly, the rest by 1 / distance^2, in a periodic domain to the
+ * nearest image. */
 static void test_rays_to_points_go_by_distance(bool is_periodic)
 {
     enum { POINTS = 7 };
+    /* Point sources in a row, and 1 / distance^2 to each source or to the
+     * nearest image of the source. */
     const double width = 20, here = 2;
     murk_source point[POINTS];
     double due[POINTS], sum = 0;
@@ -156,6 +158,7 @@ static void test_rays_to_points_go_by_distance(bool is_periodic)
         due[i] = 1 / (away * away + 4);
         sum += due[i];
     }
+    /* Shadow rays from one point among the sources. */
     test_world world = test_world_made(
         &(test_setup){.domain = {{{0, 0, 0}, {width, 4, 5}}, is_periodic},
                       .lights = point,
@@ -166,6 +169,7 @@ static void test_rays_to_points_go_by_distance(bool is_periodic)
                                         .phase = &haze};
     double rays[MURK_SOURCES_MAX];
     murk_choice_rays(&scenery, &outlook, rays);
+    /* A quarter of the rays is spread evenly, the rest by distance. */
     for (int i = 0; i < POINTS; ++i) {
         CHECK_NEAR(rays[i],
                    MURK_LIGHTMAPS_AT_ONCE *

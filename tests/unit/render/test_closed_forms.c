@@ -106,12 +106,13 @@ static void test_a_floor_below_many_lamps(void)
                floor_radiance(lamp, 12, murk_vec(0.3, 0.2, 0)), ALLOWED);
 }
 
-/* Water up to `level` in a box of 8 m with a floor at z = 0 that reflects
- * `diffuse`, seen from a camera, by the light of one lamp. */
+/* Checks the radiance in a box of 8 m with water up to `level` over a floor
+ * at z = 0 that reflects `diffuse`, by the light of one lamp. */
 static void check_water(const char *name, murk_source lamp, double level,
                         double diffuse, murk_camera camera, size_t samples,
                         double want)
 {
+    /* The floor, and clear water of index 1.34 up to the level. */
     const murk_surface_desc floor =
         test_rect(murk_vec(-3, -3, 0), murk_vec(6, 0, 0), murk_vec(0, 6, 0), 0);
     const murk_material paint = test_material(diffuse, 0, 0, 0);
@@ -121,6 +122,7 @@ static void check_water(const char *name, murk_source lamp, double level,
                                .ior = 1.34,
                                .replaces = true,
                                .where = "water"};
+    /* The radiance in the view of the camera. */
     check_case(name,
                &(test_setup){.domain = {{{-4, -4, -1}, {4, 4, 5}}, false},
                              .lights = &lamp,
@@ -168,17 +170,20 @@ static void test_the_square_of_the_index(void)
                 floor_radiance(&middle, 1, at));
 }
 
-/* A patch below a shining ball beside a mirror: the ball's image shines, too,
- * and only a path that goes on finds it. Of a ball all in view the irradiance
- * is that of a point in its middle. */
+/* A patch below a shining ball beside a mirror: the image of the ball
+ * lights the patch, too, and only paths that continue find it. A ball that
+ * is all in view gives the irradiance of a point in its middle. */
 static void test_a_mirror_doubles_the_lamp(void)
 {
+    /* The ball, and two points in place of the ball and of its mirror
+     * image. */
     const murk_source ball = {.type = MURK_SOURCE_SPHERE,
                               .position = {0, 0, 2.5},
                               .radius_m = 1,
                               .power_w = {{1}}};
     const murk_source both[2] = {test_point(murk_vec(0, 0, 2.5)),
                                  test_point(murk_vec(4, 0, 2.5))};
+    /* The patch, and a mirror at x = 2 m. */
     const murk_surface_desc surface[2] = {
         test_rect(murk_vec(0.28, 0.18, 0), murk_vec(0.04, 0, 0),
                   murk_vec(0, 0.04, 0), 0),
@@ -186,6 +191,7 @@ static void test_a_mirror_doubles_the_lamp(void)
                   1)};
     const murk_material material[2] = {test_material(DIFFUSE, 0, 0, 0),
                                        test_material(0, 1, 0, 0)};
+    /* The patch is as bright as below both points. */
     const murk_vec3 at = {0.3, 0.2, 0};
     check_case("a ball and its mirror image",
                &(test_setup){.domain = {{{-4, -4, -1}, {4, 4, 5}}, false},
@@ -223,12 +229,13 @@ static void test_sheets_dim_one_after_the_other(void)
                0.25 * floor_radiance(&point, 1, at), ALLOWED);
 }
 
-/* Through soot a ray meets the lamp behind it with chance q, so the variance of
- * a sample is q (1 - q) of the lamp's radiance squared. Known from 4 samples of
- * each of 4096 pixels to some 1 %; 5 % are told apart from dividing by 4 in
- * place of 3. */
+/* A ray through soot meets the lamp behind it with chance q, so the
+ * variance of a sample is q (1 - q) times the square of the radiance of the
+ * lamp. With 4 samples in each of 4096 pixels this is known to some 1 %;
+ * the allowed 5 % exclude a division by 4 in place of 3. */
 static void test_the_mean_knows_its_error(void)
 {
+    /* A lamp behind soot, which absorbs a ray or lets it pass. */
     const double q = exp(-0.7);
     const murk_source sheet = {.type = MURK_SOURCE_RECT,
                                .position = {2, -1, -1},
@@ -245,9 +252,11 @@ static void test_the_mean_knows_its_error(void)
                       .n_media = 1,
                       .regions = &all,
                       .n_regions = 1});
+    /* Four samples in each of 4096 pixels. */
     const murk_camera camera = murk_camera_aimed(
         murk_vec(0, 0, 0), murk_vec(1, 0, 0), murk_vec(0, 0, 1), 0.01, 64, 64);
     murk_image *p = taken(&world, camera, 4);
+    /* The standard error of the mean is that of as many independent rays. */
     const double want = sqrt(q * (1 - q) / (4 * 64 * 64));
     printf("error of the mean: %.4g, is %.4g\n", p->mean_error[0], want);
     CHECK(fabs(p->mean_error[0] / want - 1) < 0.05);
@@ -283,10 +292,12 @@ static void test_light_scattered_once(void)
                1000 * albedo * p * exp(-s) * (1 - exp(-3 * s)), albedo);
 }
 
-/* A lamp beside a line of sight of 6 m, all in water that scatters little and
- * evenly: the integral over the line, by the middles of short steps. */
+/* A lamp beside a line of sight of 6 m, all in water that scatters little
+ * and evenly. The reference is the integral over the line of sight by the
+ * midpoint rule. */
 static void test_light_scattered_once_under_water(void)
 {
+    /* Water with an albedo so small that light scatters once at most. */
     const double s = 0.3, albedo = 1e-3;
     const murk_source point = test_point(murk_vec(1, 1.5, 2));
     const murk_medium murky = test_medium(s, albedo, 0);
@@ -295,11 +306,14 @@ static void test_light_scattered_once_under_water(void)
                                .ior = 1.34,
                                .replaces = true,
                                .where = "water"};
+    /* Light that is scattered once on the line of sight, in steps of a
+     * millimetre. */
     double sum = 0;
     for (int i = 0; i < 6000; ++i) {
         const double x = (i + 0.5) * 1e-3, r = hypot(x - 3, 1.5);
         sum += 1e-3 * exp(-s * (x + r)) / (4 * MURK_PI * r * r);
     }
+    /* Light that is scattered twice is within a share of the albedo. */
     check_case("scattered once, under water",
                &(test_setup){.domain = {{{-4, -4, -1}, {4, 4, 5}}, false},
                              .lights = &point,
@@ -456,11 +470,14 @@ static void test_a_periodic_furnace(void)
     CHECK(share * sqrt((double)samples) < 0.0707);
 }
 
-/* A thousand kilometres high, with a period of 50 m: the lamp under the top is
- * seen through haze by Beer's law along the slant, and lights the floor, which
- * is seen from 2 m, as the endless sheet that it is with its images. */
+/* A domain 1000 km high with a period of 50 m. The lamp under the top is
+ * seen through haze by the law of Beer along the slant. The lamp and its
+ * periodic images are an endless sheet that lights the floor, which is seen
+ * from 2 m. */
 static void test_a_tall_domain_is_done_soon(void)
 {
+    /* A periodic domain with a lamp 1 km below the top, thin haze and a
+     * floor. */
     const double side = 50, top = 1e6, haze = 3e-7;
     const murk_source sheet = {.type = MURK_SOURCE_RECT,
                                .position = {0, 0, top - 1000},
@@ -483,9 +500,12 @@ static void test_a_tall_domain_is_done_soon(void)
                         .n_media = 1,
                         .regions = &all,
                         .n_regions = 1};
+    /* The lamp through haze, aslant. */
     check_case("a lamp far up, aslant", &setup,
                tolerance(murk_vec(3, 4, 2), murk_vec(6, 8, 7)), 400,
                exp(-haze * (top - 1002) * sqrt(2)), 5e-4);
+    /* Distance and optical depth of a pixel are those of the slant through the
+     * domain. */
     test_world world = test_world_made(&setup);
     murk_image *p =
         taken(&world, tolerance(murk_vec(3, 4, 2), murk_vec(6, 8, 7)), 1);
@@ -494,6 +514,7 @@ static void test_a_tall_domain_is_done_soon(void)
     CHECK_NEAR((double)p->depth[0][20] / (haze * slant), 1, 2e-3);
     murk_image_destroy(p);
     test_world_unmade(&world);
+    /* The floor, in clear air. */
     air = test_medium(0, 0, 0);
     check_case("a floor far below its lamp", &setup,
                tolerance(murk_vec(3, 4, 2), murk_vec(3, 4, 0)), 2000, DIFFUSE,

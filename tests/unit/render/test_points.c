@@ -40,10 +40,11 @@ static size_t found(const test_world *world, murk_camera camera,
     return all;
 }
 
-/* A floor below, sky above: the lower half of the globe is on it, each pixel
- * by its own number, with normals up. */
+/* A floor below and sky above: the lower half of the globe has points on
+ * the floor, each with the number of its pixel and a normal that points up. */
 static void test_sky_has_no_points(void)
 {
+    /* A floor, and a camera that sees the whole globe. */
     const murk_surface_desc floor =
         test_rect(murk_vec(-4, -4, 0), murk_vec(8, 0, 0), murk_vec(0, 8, 0), 0);
     test_world world =
@@ -54,8 +55,11 @@ static void test_sky_has_no_points(void)
                                              murk_vec(0, 1, 0), COLUMNS, ROWS);
     murk_photon point[ROWS * COLUMNS];
     const size_t n = found(&world, c, point);
+    /* The lower half of the pixels has points. */
     CHECK(n == ROWS * COLUMNS / 2);
     for (size_t i = 0; i < n; ++i) {
+        /* Each point lies on the floor, faces up, and has the number of the
+         * pixel that shows it. */
         const murk_photon *p = &point[i];
         CHECK(p->emitted == ROWS * COLUMNS / 2 + i);
         CHECK(fabsf(p->position_m[2]) < 1e-6F);
@@ -70,9 +74,10 @@ static void test_sky_has_no_points(void)
     test_world_unmade(&world);
 }
 
-/* Where the index changes one looks at the change, not at what lies beyond. */
+/* Points are found up to an interface between two indices, not beyond it. */
 static void test_water_hides_its_ground(void)
 {
+    /* A floor 1 m under water. */
     const murk_surface_desc floor = test_rect(
         murk_vec(-4, -4, -1), murk_vec(8, 0, 0), murk_vec(0, 8, 0), 0);
     const murk_medium water = test_medium(0, 0, 0);
@@ -89,11 +94,13 @@ static void test_water_hides_its_ground(void)
                           .n_media = 1,
                           .regions = &sea,
                           .n_regions = 1});
+    /* A camera above the water has no points on the floor. */
     murk_photon point[ROWS * COLUMNS];
     const murk_vec3 down = {0, 0, -1}, north = {0, 1, 0};
     const murk_camera above =
         murk_camera_aimed(murk_vec(0, 0, 1), down, north, 1, COLUMNS, ROWS);
     CHECK(found(&world, above, point) == 0);
+    /* A camera under water has points in all pixels. */
     const murk_camera below =
         murk_camera_aimed(murk_vec(0, 0, -0.5), down, north, 1, COLUMNS, ROWS);
     CHECK(found(&world, below, point) == ROWS * COLUMNS);

@@ -69,10 +69,11 @@ static void test_a_closed_ball_glows_evenly(void)
     test_world_unmade(&world);
 }
 
-/* Under water an even sky of radiance L is seen straight up as n^2 (1 - F) L,
- * F = ((n - 1) / (n + 1))^2. */
+/* Under water, an even sky of radiance L is seen straight up as n^2 (1 - F)
+ * L, F = ((n - 1) / (n + 1))^2. */
 static void test_radiance_grows_by_the_square_of_the_index(void)
 {
+    /* An even sky over water. */
     const double limit = murk_sidak_limit(1e-6, ZTESTS), n = 1.34;
     const murk_source sky = {.type = MURK_SOURCE_SKY, .power_w = {{MURK_PI}}};
     const murk_medium water = test_medium(0, 0, 0);
@@ -89,13 +90,17 @@ static void test_radiance_grows_by_the_square_of_the_index(void)
                       .n_media = 1,
                       .regions = &sea,
                       .n_regions = 1});
+    /* A camera 1 m under water looks straight up. */
     const murk_camera camera = murk_camera_aimed(
         murk_vec(0, 0, -1), murk_vec(0, 0, 1), murk_vec(0, 1, 0), 0.01, 8, 8);
     murk_image *p = taken(&world, camera, 256, 1);
+    /* The radiance is right, and the radiance for an index of 1.33 would be
+     * refused. */
     const double back = (n - 1) / (n + 1) * (n - 1) / (n + 1);
     CHECK_WITHIN(limit, p->mean[0], n * n * (1 - back), p->mean_error[0]);
     CHECK(sigmas_off(p->mean[0], 1.33 * 1.33 * (1 - back), p->mean_error[0]) >
           2 * limit);
+    /* The distance is that to the surface of the water. */
     CHECK_NEAR((double)p->distance_m[0], 1, 1e-4);
     murk_image_destroy(p);
     test_world_unmade(&world);

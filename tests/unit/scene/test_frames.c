@@ -56,6 +56,7 @@ static void holds(const char *pattern, const char *want)
 
 static void test_lists(void)
 {
+    /* Files of three sequences, and names that are close to a sequence. */
     static const char *const names[] = {
         "s.0001.vdb",  "s.0002.vdb",     "s.0003.vdb",
         "s.0007.vdb",  "s.00011.vdb",    "s.x.vdb",
@@ -69,6 +70,8 @@ static void test_lists(void)
     for (size_t i = 0; i < n; ++i) {
         put(names[i]);
     }
+    /* Each pattern lists the frames of the matching files as ranges, and
+     * cuts off a long list. */
     holds("s.####.vdb", "1..3, 7, 12345");
     holds("s.%04d.vdb", "1..3, 7, 12345");
     holds("t#.vdb", "9..10");
@@ -77,6 +80,7 @@ static void test_lists(void)
     holds("v#.vdb", "none");
     holds("s.vdb", "none");
     holds("nowhere/s#.vdb", "none");
+    /* Remove the files. */
     for (size_t i = 0; i < n; ++i) {
         char path[128];
         snprintf(path, sizeof path, "%s/%s", folder, names[i]);

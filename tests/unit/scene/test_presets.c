@@ -31,10 +31,11 @@ static void check_result(const murk_preset_result *result, const char *name)
     }
 }
 
-/* By their defaults, as lines at the ends of the wavelengths and as two bands
- * over all of them. */
+/* Every built-in preset with default words, at lines on the ends of the
+ * wavelengths and in two bands over all of them. */
 static void test_all_that_are_built_in(void)
 {
+    /* Read each preset without problem. */
     CHECK(murk_presets_count() > 10);
     for (size_t i = 0; i < murk_presets_count(); ++i) {
         char name[MURK_PRESET_NAME_SIZE];
@@ -46,6 +47,8 @@ static void test_all_that_are_built_in(void)
         if (!preset) {
             continue;
         }
+        /* Evaluate the preset at both ends of the wavelengths, and in two
+         * bands over all of them. */
         const double *range = preset->wavelength_nm;
         const double edges[3] = {range[0], (range[0] + range[1]) / 2, range[1]};
         murk_words words = {{0}, {{0}}};
@@ -270,6 +273,8 @@ static void test_what_is_resolved_can_be_turned(void)
 
 static void test_refusals(void)
 {
+    /* Values outside of the limits of all words, and outside of the limits
+     * of the preset. */
     CHECK_REFUSED(SCENE(LINES, "preset: fog/kim, visibility_m: 0"),
                   MURK_BAD_VALUE, "fog.yaml:4:40: media.fog.visibility_m",
                   "0, must be more than 0 and at most 1e9 m");
@@ -279,6 +284,8 @@ static void test_refusals(void)
     CHECK_REFUSED(SCENE(LINES, "preset: fog/kim, visibility_m: 5"),
                   MURK_BAD_VALUE, "fog.yaml:4:40: media.fog.visibility_m",
                   "5, must be 10..200000 m for fog/kim");
+    /* Two words for one quantity, a misspelt preset, and a word of other
+     * presets. */
     CHECK_REFUSED(SCENE(LINES, "preset: fog/kim, visibility_m: 50, mor_m: 5"),
                   MURK_BAD_VALUE, "fog.yaml:4:3: media.fog",
                   "has visibility_m and mor_m, must have one of them");
@@ -289,6 +296,7 @@ static void test_refusals(void)
                   MURK_BAD_VALUE, "fog.yaml:4:26: media.fog.rain_mm_per_h",
                   "fog/kim does not know it, must be one of visibility_m, "
                   "mor_m");
+    /* A band outside of the wavelengths, and a list in place of a name. */
     CHECK_REFUSED(SCENE("bands_nm: [350]", "preset: air/haze"), MURK_BAD_VALUE,
                   "fog.yaml:4:17: media.fog.preset",
                   "a band at 350 nm, must be within 400..1550 nm for air/haze "
@@ -299,9 +307,11 @@ static void test_refusals(void)
                   "no preset , must be one of those that `murk media` lists");
 }
 
-/* Files of presets are ours, yet what is wrong with one is named. */
+/* Preset files come with murk, and still an error in one is reported with
+ * its place. */
 static void test_files_that_are_wrong(void)
 {
+    /* Each file is right except for one key. */
     static const char HEAD[] = "murk_preset: 1\nabout: x\n"
                                "sources: [{what: a, from: b}]\n";
     static const struct {
@@ -322,6 +332,7 @@ static void test_files_that_are_wrong(void)
         {"wavelength_nm: [400, 500]\nparts: [{table: none.csv}]\n",
          "x.yaml:5:17", "no file none.csv in media"},
     };
+    /* The message names line, column and fault. */
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; ++i) {
         char text[400];
         murk_preset *preset = NULL;

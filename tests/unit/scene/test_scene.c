@@ -21,6 +21,7 @@ static murk_scene_desc *must_read(const char *text,
 
 static void test_surfaces_and_materials(const murk_scene_desc *scene)
 {
+    /* The default material and two of the scene, with values for each band. */
     CHECK(scene->n_materials == 3);
     CHECK_TEXT(scene->materials[0].name, "default");
     CHECK(scene->materials[0].diffuse.band[1] == 0.7);
@@ -29,6 +30,7 @@ static void test_surfaces_and_materials(const murk_scene_desc *scene)
     CHECK(scene->materials[2].transmit.band[1] == 0.91);
     CHECK(scene->materials[2].transmit.band[2] == 0);
 
+    /* A mesh file with unit, axis and pose. */
     CHECK(scene->geometries == 4);
     const murk_scene_geometry *file = &scene->geometry[0];
     CHECK(file->shape == MURK_SHAPE_MESH && file->solid.unit_m == 0.01);
@@ -37,6 +39,7 @@ static void test_surfaces_and_materials(const murk_scene_desc *scene)
     CHECK(file->solid.rotate_deg.z == 90 && file->solid.translate_m.y == 2);
     CHECK_TEXT(file->solid.mesh, "m/yard.dae");
     CHECK_TEXT(file->where, "fog.yaml:7:5: geometry.0");
+    /* A box, a rectangle without material and a sphere. */
     const murk_scene_geometry *box = &scene->geometry[1];
     CHECK(box->shape == MURK_SHAPE_BOX && box->solid.box.max.z == 3);
     CHECK(box->solid.scale == 1 && box->solid.mesh == NULL &&
@@ -51,6 +54,7 @@ static void test_surfaces_and_materials(const murk_scene_desc *scene)
 
 static void test_media_and_regions(const murk_scene_desc *scene)
 {
+    /* Media with constant coefficients, and a medium from a grid. */
     CHECK(scene->n_media == 5);
     CHECK_TEXT(scene->media[0].name, "haze");
     CHECK_TEXT(scene->media[0].where, "fog.yaml:18:3: media.haze");
@@ -62,6 +66,7 @@ static void test_media_and_regions(const murk_scene_desc *scene)
     CHECK(scene->media[2].extinction_per_m.band[0] == 1e-3);
     CHECK(scene->media[2].phase[0].mean_cosine.band[0] == 0);
 
+    /* A medium from one frame of a sequence of grids. */
     const murk_scene_medium *plume = &scene->media[3];
     CHECK_TEXT(plume->vdb, "plume.0012.vdb");
     CHECK_TEXT(plume->vdb_frames, "plume.%04d.vdb");
@@ -70,6 +75,7 @@ static void test_media_and_regions(const murk_scene_desc *scene)
     CHECK(plume->has_frame && plume->frame == 12 && plume->is_linear);
     CHECK(!scene->media[1].is_linear && !scene->media[1].has_frame);
 
+    /* A medium with a vertical profile. */
     const murk_scene_medium *layer = &scene->media[4];
     CHECK(layer->profile_z_m.n == 4 && layer->profile_per_m.n == 4);
     CHECK(layer->profile_z_m.value[3] == 5);
@@ -79,6 +85,7 @@ static void test_media_and_regions(const murk_scene_desc *scene)
     CHECK_TEXT(layer->albedo_vdb, "a/ssa.vdb");
     CHECK(layer->vdb == NULL && scene->media[0].profile_z_m.n == 0);
 
+    /* Regions of every shape. */
     CHECK(scene->n_regions == 6);
     CHECK(scene->regions[0].shape == MURK_REGION_EVERYWHERE);
     CHECK(scene->regions[0].solid.scale == 1 && scene->regions[0].medium == 0);
@@ -133,6 +140,7 @@ static void test_tallies(const murk_scene_desc *scene)
 
 static void test_the_rest(const murk_scene_desc *scene)
 {
+    /* The file, bands, seed and domain. */
     CHECK_TEXT(scene->path, "fog.yaml");
     CHECK(strlen(scene->sha256) == 64);
     CHECK(scene->bands == 2 && scene->band_nm[1] == 532 && !scene->has_edges);
@@ -140,10 +148,12 @@ static void test_the_rest(const murk_scene_desc *scene)
     CHECK(scene->domain.box.max.x == 30);
     CHECK_TEXT(scene->domain_where, "fog.yaml:5:1: domain");
 
+    /* Settings of photons. */
     CHECK(scene->photons.store == 5000 && scene->photons.emit == 0);
     CHECK(scene->photons.store_hits && scene->photons.max_stored == 1000000);
     CHECK(scene->photons.maps == MURK_SCENE_MAPS_VOLUME);
 
+    /* Sensors and candidate sites of every kind. */
     const murk_scene_sensors *sensors = &scene->sensors;
     CHECK(sensors->given && sensors->candidates.has_grid &&
           sensors->count == 3);
@@ -176,6 +186,7 @@ static void test_the_rest(const murk_scene_desc *scene)
     CHECK(settings->avoid[1].shape == MURK_REGION_SPHERE &&
           settings->avoid[1].solid.radius_m == 2);
 
+    /* Settings of the placement. */
     const murk_scene_placement *placement = &scene->placement;
     CHECK(placement->method == MURK_PLACE_SPOQ && placement->restarts == 20);
     CHECK(placement->by_normal);
@@ -223,10 +234,12 @@ static void test_band_edges(void)
     murk_scene_desc_destroy(scene);
 }
 
-/* One band of what is one value for all: of bands as lines and by edges; not of
- * a total, which spreads by a spectrum. */
+/* An override may change one band of a single value that holds for all
+ * bands, for lines and for bands between edges, but not of a total power,
+ * which a spectrum spreads over the bands. */
 static void test_one_band_by_override(void)
 {
+    /* Two scenes, whose bands are lines or lie between edges. */
     static const char *const bands[] = {"bands_nm: [450, 550]",
                                         "band_edges_nm: [400, 500, 700]"};
     const murk_override overrides[] = {{.text = "media.fog.albedo.1=0.25"},
@@ -241,10 +254,13 @@ static void test_one_band_by_override(void)
                  "0.5}}, lights: [{type: point, position_m: [0, 0, 0], "
                  "power_w: 3}]}",
                  bands[i]);
+        /* An override of one band turns a single value into a list. */
         scene = must_read(text, overrides, 1);
         CHECK(scene->media[0].albedo.band[0] == .5);
         CHECK(scene->media[0].albedo.band[1] == .25);
         murk_scene_desc_destroy(scene);
+        /* A band that the scene does not have is refused, and so is a band
+         * of a total power. */
         CHECK(scene_of(&scene, text, overrides + 1, 1, &err) != MURK_OK);
         CHECK_TEXT(err.text, "item 2 of a list of 2, must be 0..1");
         err = (murk_error){0};
@@ -280,16 +296,18 @@ static void test_fillings_by_override(void)
     murk_scene_desc_destroy(scene);
 }
 
-/* Each kind of phase function, for all bands and by band; a table's file lies
- * beside the scene, and belongs to what the light depends on. */
+/* Each kind of phase function, for all bands and by band. The file of a
+ * table lies in the folder of the scene, and is part of the light key. */
 static void test_phases(void)
 {
+    /* Phase functions for all bands, and one for each band. */
     const murk_override phases[] = {
         {.text = "media.haze.phase={fournier_forand: [1.1, 3.5835]}"},
         {.text = "media.smoke.phase={two_hg: [0.9, -0.4, 0.8]}"},
         {.text = "media.thin.phase=[rayleigh, {table: t/water.csv}]"}};
     murk_scene_desc *scene = must_read(FULL_SCENE, phases, 3);
     const murk_scene_medium *m = scene->media;
+    /* Kinds, values and files as given. */
     CHECK(m[0].n_phases == 1);
     CHECK(m[0].phase[0].kind == MURK_PHASE_FOURNIER_FORAND);
     CHECK(m[0].phase[0].value[0] == 1.1);
@@ -302,6 +320,8 @@ static void test_phases(void)
     CHECK(m[2].phase[0].table == NULL);
     CHECK(m[2].phase[1].kind == MURK_PHASE_TABLE);
     CHECK_TEXT(m[2].phase[1].table, "t/water.csv");
+    /* The light key names the file without folders; the resolved scene
+     * reads back the same, with the full path. */
     CHECK_MENTIONS(scene->light_key, "[rayleigh, {table: water.csv}]");
     murk_scene_desc *again = must_read(scene->resolved, NULL, 0);
     CHECK_TEXT(again->resolved, scene->resolved);
@@ -386,6 +406,8 @@ static bool has_same_light(const char *option)
 
 static void test_light_key(void)
 {
+    /* Changes of sensors and placement, and the same values in another
+     * spelling. */
     static const char *const sensors[] = {"sensors.count=5",
                                           "sensors.types.0.range_m=3",
                                           "placement.method=best",
@@ -394,6 +416,7 @@ static void test_light_key(void)
                                           "photons.store=5e3",
                                           "materials.wood.diffuse=3.5e-1",
                                           "media.haze.albedo=[.99, .99]"};
+    /* Changes of the scene that change the light. */
     static const char *const light[] = {"seed=8",
                                         "lights.0.power_w=101",
                                         "materials.wood.diffuse=0.3",
@@ -405,6 +428,7 @@ static void test_light_key(void)
                                         "geometry.1.material=glass",
                                         "photons.maps=both",
                                         "media.smoke.vdb=other.vdb"};
+    /* Only changes of the light change the key. */
     for (size_t i = 0; i < sizeof sensors / sizeof *sensors; ++i) {
         CHECK(has_same_light(sensors[i]));
     }
@@ -461,6 +485,7 @@ static void test_broken_bytes(void)
 
 int main(void)
 {
+    /* One scene with all keys is read once for the tests of each part. */
     if (!folder_enter()) {
         check_skip("no folder for temporary files");
     }
@@ -471,12 +496,14 @@ int main(void)
     test_tallies(scene);
     test_the_rest(scene);
     murk_scene_desc_destroy(scene);
+    /* Defaults, overrides and phase functions. */
     test_defaults();
     test_band_edges();
     test_fillings_by_override();
     test_one_band_by_override();
     test_phases();
     test_spacing_fills_the_grid();
+    /* The resolved scene, paths and the light key. */
     test_resolved_reads_back(FULL_SCENE);
     test_resolved_reads_back("{murk: 1, band_edges_nm: [1, 2, 3, 5.5], lights: "
                              "[{type: point, position_m: [0, 0, 0], "
@@ -485,6 +512,7 @@ int main(void)
     test_paths();
     test_light_key();
     test_light_key_knows_no_folders();
+    /* Broken files. */
     test_broken_bytes();
     folder_leave((const char *const[]){"fog.yaml", NULL});
     return check_done();

@@ -13,6 +13,8 @@
 
 static void test_the_sky(void)
 {
+    /* A sun without a complete place, or without a valid time with an offset
+     * from UTC. */
     CHECK_REFUSED(HEAD EDGES SUN "latitude_deg: 5}\n", VALUE,
                   "fog.yaml:4:5: lights.0",
                   "misses longitude_deg, must be here or in site");
@@ -26,12 +28,15 @@ static void test_the_sky(void)
                   "fog.yaml:4:59: lights.0.time",
                   "2026-06-21T12:00 without its offset from UTC, must end in "
                   "Z or in one such as +02:00 (or site.time_zone be given)");
+    /* A spectrum needs bands with edges. */
     CHECK_REFUSED(HEAD SUN PLACE ", time: 2026-06-21T12:00Z, "
                                  "irradiance_w_per_m2: 5}\n"
                                  "bands_nm: [400, 500]\n",
                   VALUE, "fog.yaml:3:5: lights.0",
                   "needs bands with edges (band_edges_nm) to spread its "
                   "spectrum over, or irradiance_w_per_m2 for each line");
+    /* A site whose time is incomplete or given twice, or whose time zone is no
+     * offset. */
     CHECK_REFUSED(HEAD "site: {date: 2026-06-21, clock: 06:00}\n" LAMP, VALUE,
                   "fog.yaml:2:1: site",
                   "misses time_zone, must have date, clock and time_zone "
@@ -43,6 +48,7 @@ static void test_the_sky(void)
     CHECK_REFUSED(HEAD "site: {time_zone: CET}\n" LAMP, VALUE,
                   "fog.yaml:2:19: site.time_zone",
                   "CET, must be an offset from UTC, such as +02:00 or Z");
+    /* An aim without area. */
     CHECK_REFUSED(HEAD EDGES "lights:\n  - {type: night_sky, aim: [{corner_m: "
                              "[0, 0, 0], edge1_m: [1, 0, 0], edge2_m: [2, 0, "
                              "0]}]}\n",

@@ -218,6 +218,7 @@ static void test_versions(void)
 
 static void test_largest(void)
 {
+    /* Most axes, rows and cells. */
     murk_study_file *study;
     murk_error err;
     CHECK(study_of(&study,
@@ -232,6 +233,7 @@ static void test_largest(void)
           study->fluence_size[1] == 4096 && study->fluence_size[2] == 128);
     murk_study_file_destroy(study);
 
+    /* Most outputs: 128 are read, and one more is refused. */
     char text[1000] = HEAD "axes: {}\noutputs: [o0";
     for (int i = 1; i < 128; ++i) {
         snprintf(text + strlen(text), sizeof text - strlen(text), ", o%d", i);

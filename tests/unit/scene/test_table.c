@@ -27,6 +27,8 @@ static murk_table *read_table(const char *text, size_t size, murk_error *err)
 
 static void test_cells(void)
 {
+    /* A byte-order mark, comments, empty lines, both line ends, and quoted
+     * cells with quotes and line ends. */
     static const char text[] =
         "\xEF\xBB\xBF# sensors\r\n\r\n type , x_m,\"a \"\"b\"\", c\"\r\n"
         "node,1e3,\r\n# none\n\"two\nlines\", -.5 ,\"\" \n"
@@ -37,12 +39,15 @@ static void test_cells(void)
     if (!table) {
         return;
     }
+    /* Columns by name, cells, and the line of each row. */
     CHECK(murk_table_column(table, "type") == 0);
     CHECK(murk_table_column(table, "a \"b\", c") == 2);
     CHECK(murk_table_column(table, "y_m") == -1);
     CHECK_TEXT(table->cell[0], "node");
     CHECK_TEXT(table->cell[3], "two\nlines");
     CHECK(table->line[0] == 4 && table->line[1] == 6 && table->line[2] == 8);
+    /* Numbers, defaults of empty cells and of missing columns, and refused
+     * cells. */
     double x = 0;
     CHECK(murk_table_number(table, 0, 1, NAN, &x, &err) == MURK_OK && x == 1e3);
     CHECK(murk_table_number(table, 1, 1, NAN, &x, &err) == MURK_OK && x == -.5);

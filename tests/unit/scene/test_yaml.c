@@ -72,6 +72,7 @@ static void test_booleans_and_nulls(void)
 
 static void test_refusals(void)
 {
+    /* Empty files, and constructs of YAML that are not allowed. */
     CHECK_REFUSES("", "a.yaml", "empty, must be YAML");
     CHECK_REFUSES("# nothing\n", "a.yaml", "empty, must be YAML");
     CHECK_REFUSES("a: 1\nb: 2\na: 3\n", "a.yaml:3:1",
@@ -84,6 +85,7 @@ static void test_refusals(void)
                   "a second document, must be only one");
     CHECK_REFUSES("a: &x [*x]\n", "a.yaml:1:8",
                   "an alias inside its own anchor");
+    /* Text that is not plain UTF-8. */
     CHECK_REFUSES("a: 1\nb: \"\\0\"\n", "a.yaml:2:4",
                   "a NUL character, must be text");
     CHECK_REFUSES("a: 1\nb: \xC0\xAF\n", "a.yaml:2:4",
@@ -92,11 +94,13 @@ static void test_refusals(void)
                   "byte 0xED, must be UTF-8 text");
     CHECK_REFUSES("a: \x01\n", "a.yaml:1:4",
                   "control character 0x01, must be text");
+    /* Keys that are lists, and broken syntax. */
     CHECK_REFUSES("? [a]\n: 1\n", "a.yaml:1:3",
                   "not a key, must be a plain text");
     CHECK_REFUSES("a: [1, 2\nb: 3\n", "a.yaml:2:2",
                   "not YAML: did not find expected ',' or ']'");
 
+    /* A NUL byte in the file. */
     murk_error err = {0};
     murk_yaml *root = NULL;
     CHECK(murk_yaml_parse(&root, "a: 1\nb: \0c\n", 11, "a.yaml", &err) ==
