@@ -95,10 +95,12 @@ static void test_units_and_ways(void)
     }
 }
 
-/* Through the file, in a medium: straight down, slanting, and voxel by voxel.
- */
+/* A profile through the written file, as a medium: optical depth straight
+ * down, along a slant, and voxel by voxel. */
 static void test_depth_through_the_grid(void)
 {
+    /* Write the layers of the profile as a grid, and read the grid as a
+     * medium. */
     murk_profile_layers l;
     murk_error err;
     CHECK(!layers_of(&l, CAST, NULL, NULL, 0.7, &err));
@@ -111,6 +113,8 @@ static void test_depth_through_the_grid(void)
                                 .to_world = murk_affine_identity()};
     const murk_box box = {{-400, -400, -20}, {400, 400, 20}};
     CHECK(!murk_media_create(&media, &medium, 1, &region, 1, &box, &err));
+    /* Straight down and along a slant, the optical depth is the integral of
+     * the profile. */
     const murk_vec3 down = {0, 0, -1}, slant = {.6, 0, -.8};
     CHECK_NEAR(
         murk_media_optical_depth(media, 0, 0, murk_vec(1, 2, 9), down, 30),
@@ -118,6 +122,7 @@ static void test_depth_through_the_grid(void)
     CHECK_NEAR(
         murk_media_optical_depth(media, 0, 0, murk_vec(1, 2, 8), slant, 30),
         CAST_DEPTH / .8, 1e-6);
+    /* Each voxel has the extinction of the layer. */
     for (size_t i = 0; i < l.n; ++i) {
         CHECK_NEAR(murk_media_optical_depth(
                        media, 0, 0, murk_vec(-3, 4, -.7 * (double)i), down, .7),
@@ -136,6 +141,8 @@ typedef struct refusal {
 
 static void test_refusals(void)
 {
+    /* Files with too few rows, places out of order, cells that are no
+     * numbers, values out of limits, and missing columns. */
     static const refusal bad[] = {
         {"", NULL, NULL, 0, "", ""},
         {"depth_m,c_per_m\n", NULL, NULL, 0, "cast.csv", "0 rows"},
@@ -173,6 +180,8 @@ static void test_refusals(void)
         {"depth_m,c_per_m\n1,2\n2,2\n", NULL, "c_per_m=7", 0, "cast.csv",
          "0 rows of a profile where c_per_m=7"},
         {CAST, NULL, NULL, 1e-9, "cast.csv", "1e+10 voxels of 1e-09 m"}};
+    /* Each is refused with a message of one line that names file, row and
+     * column. */
     for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
         murk_profile_layers l;
         murk_error err;

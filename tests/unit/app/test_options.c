@@ -60,6 +60,8 @@ static void test_defaults(void)
 
 static void test_whole_numbers_and_their_limits(void)
 {
+    /* Numbers at the limits are read, and overrides keep whole numbers
+     * without an exponent. */
     murk_options o = taken("place s.yaml -j 3 --repeat 10000 --emit 1e6");
     CHECK(o.threads == 3 && murk_option_number(&o, "--repeat", 0) == 10000 &&
           o.n_overrides == 1);
@@ -80,6 +82,7 @@ static void test_whole_numbers_and_their_limits(void)
           murk_option_number(&o, "--traces", 0) == 1 &&
           murk_option_number(&o, "--next", 0) == 100);
     murk_options_release(&o);
+    /* Numbers outside of the limits and other spellings are refused. */
     refused("trace s.yaml -j 0", "--threads", "0, must be a whole number 1..");
     refused("trace s.yaml -j 257", "--threads", "whole number 1..256");
     refused("trace s.yaml --seed 4294967296", "--seed", "0..4294967295");
@@ -96,6 +99,8 @@ static void test_whole_numbers_and_their_limits(void)
 
 static void test_order_and_spelling(void)
 {
+    /* Options stand before and after the command, and overrides keep their
+     * order. */
     murk_options o = taken("-q --out=x place --set a.b=1 s.yaml --set c=2");
     CHECK_TEXT(o.input, "s.yaml");
     CHECK_TEXT(o.out, "x");
@@ -104,6 +109,8 @@ static void test_order_and_spelling(void)
     CHECK_TEXT(o.overrides[1].text, "c=2");
     CHECK(o.overrides[0].option == NULL);
     murk_options_release(&o);
+    /* After -- every word is an input, a single - is the standard input,
+     * and help takes a command. */
     o = taken("check -- --format");
     CHECK_TEXT(o.input, "--format");
     CHECK(!o.json);
@@ -115,12 +122,14 @@ static void test_order_and_spelling(void)
     o = taken("help place");
     CHECK(o.wants_help);
     murk_options_release(&o);
+    /* Two inputs, and bad or missing values. */
     refused("check s.yaml t.yaml", "", "one scene at a time, s.yaml is named");
     refused("check --quiet=yes s.yaml", "--quiet", "takes no value");
     refused("check s.yaml --format xml", "--format", "must be text | json");
     refused("check s.yaml --set =1", "--set", "must be KEY=VALUE");
     refused("check s.yaml --set a", "--set", "must be KEY=VALUE");
     refused("check s.yaml --emit", "--emit", "needs a value");
+    /* Options of other commands, and a missing input or command. */
     refused("trace s.yaml --light f", "--light", "not an option of murk trace");
     refused("check s.yaml -j2 --light f", "--light",
             "not an option of murk check");
@@ -169,6 +178,7 @@ static void test_losses_and_words(void)
 
 static void test_pictures(void)
 {
+    /* All options of a picture. */
     murk_options o = taken("render s.yaml --pixels 640x480 --samples 65536 "
                            "--png --exposure -2.5 --false-colour Z "
                            "--range 1e-3:2 --scale log --method path");
@@ -179,12 +189,14 @@ static void test_pictures(void)
     CHECK(murk_option_number(&o, "--scale", 0) == 1 &&
           murk_option_number(&o, "--method", 0) == 1);
     murk_options_release(&o);
+    /* Options that need another option, or exclude a value of another. */
     refused("render s.yaml --false-colour Z --range 0:2 --scale log", "--range",
             "must be above 0 with --scale log");
     refused("render s.yaml --exposure 1", "--exposure", "--png");
     refused("render s.yaml --range 1:2", "--range", "--false-colour");
     refused("render s.yaml --scale log", "--scale", "--false-colour");
     refused("render s.yaml --from-sensor 1", "--from-sensor", "--sensors");
+    /* Values that are malformed or out of limits. */
     refused("render s.yaml --pixels 640", "--pixels", "must be WIDTHxHEIGHT");
     refused("render s.yaml --pixels 0x3", "--pixels", "must be WIDTHxHEIGHT");
     refused("render s.yaml --pixels 65537x1", "--pixels", "each 1..65536");

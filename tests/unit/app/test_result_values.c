@@ -84,6 +84,7 @@ static void test_quanta_become_watts(const murk_stage *stage)
 
 static void test_numbers_that_json_has_not(void)
 {
+    /* Numbers that are not finite, and empty boxes, become null. */
     cJSON *root = cJSON_CreateObject();
     murk_json_number(root, "nan", NAN);
     murk_json_number(root, "inf", -INFINITY);
@@ -97,12 +98,14 @@ static void test_numbers_that_json_has_not(void)
     CHECK(cJSON_IsNull(cJSON_GetObjectItem(root, "empty")));
     CHECK_NEAR(at(root, "box", "min_m", 2), 3, 0);
     CHECK_NEAR(at(root, "box", "max_m", 0), 4, 0);
+    /* The text ends with the facts of the run, and parses as YAML. */
     const murk_run_facts run = {.threads = 3, .trace_s = 1.5, .total_s = 2};
     char *text = murk_json_end(root, &run);
     CHECK(text != NULL && strchr(text, '\t') == NULL);
     CHECK(text && text[strlen(text) - 1] == '\n');
     murk_yaml *read = NULL;
     CHECK(text && !murk_yaml_parse(&read, text, strlen(text), "x.json", NULL));
+    /* Reading gives the numbers, and NaN for null and for missing keys. */
     CHECK_NEAR(murk_result_number(read, "run.threads"), 3, 0);
     CHECK_NEAR(murk_result_number(read, "run.seconds.trace"), 1.5, 0);
     CHECK_NEAR(murk_result_number(read, "run.seconds.total"), 2, 0);
@@ -110,6 +113,7 @@ static void test_numbers_that_json_has_not(void)
     CHECK(isnan(murk_result_number(read, "nan")));
     CHECK(isnan(murk_result_number(read, "run.none")));
     CHECK(isnan(murk_result_number(read, "run")));
+    /* Texts, counts and comparisons of missing values. */
     CHECK(murk_result_text(read, "inf") == NULL);
     CHECK(murk_result_count(read, "box.min_m") == 3);
     CHECK(murk_result_count(read, "one") == 0);

@@ -213,13 +213,15 @@ static void test_regret_is_the_min_of_all(bool is_relative)
     unmake(&m);
 }
 
-/* One condition that changes nothing is the scene as it stands: to the bit,
- * held-out light and all. */
+/* A plan over one condition that changes nothing equals the plan of the
+ * plain scene to the bit, including the estimate with held-out light. */
 static void test_one_condition_is_the_plain_plan(void)
 {
     static const char *const overs[] = {"placement.over=mean",
                                         "placement.over=worst"};
     for (int k = 0; k < 2; ++k) {
+        /* A plan over one condition, and a plan of the stage of the same
+         * condition. */
         made one;
         murk_plan_result plain = {0};
         murk_traced *traced = NULL;
@@ -230,11 +232,14 @@ static void test_one_condition_is_the_plain_plan(void)
               !murk_lightmap_trace(&traced, stage, 0, 2, &err) &&
               !murk_plan_result_make(&plain, stage, traced, 2, &err));
         CHECK_TEXT(err.text, "");
+        /* Sensors and coverage are equal to the bit. */
         CHECK(plain.place.count == one.plan.place.count);
         for (size_t i = 0; i < plain.place.count; ++i) {
             CHECK(plain.place.sensor[i] == one.plan.place.sensor[i]);
             CHECK(plain.in_sample.covers[i] == one.plan.in_sample.covers[i]);
         }
+        /* So are the estimates with the light of the plan and with held-out
+         * light. */
         CHECK(plain.in_sample.total.value == one.plan.in_sample.total.value);
         CHECK(plain.in_sample.total.standard_error ==
               one.plan.in_sample.total.standard_error);

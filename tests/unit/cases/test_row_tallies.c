@@ -179,15 +179,17 @@ static murk_traced *traced_row(murk_study_row *row, murk_row_tallies *g,
     return traced;
 }
 
-/* A lamp of 3 and 1 W in the middle of empty space. What passes a level plane
- * 0.5 m below it goes down, through -z: with the plane's normal up, backward.
- * The mean fluence rate of the domain is that of the grid of one cell over it,
- * and of three quarters by its first band. The share of the power that goes
- * through the rectangle of 4 x 3 m at distance d = .5 is its solid angle over
- * 4 pi: 4 atan(2 * 1.5 / (.5 sqrt(4 + 2.25 + .25))) / (4 pi) = .372; 4000
- * photons know it to .008, of which 5 are allowed. */
+/* A lamp of 3 and 1 W in the middle of empty space. Light that passes a
+ * level plane 0.5 m below the lamp goes down, through -z, which is backward
+ * as the normal of the plane points up. The mean fluence rate of the domain
+ * is that of a grid of one cell over the domain, and three quarters are in
+ * the first band. The share of the power that goes through the rectangle of
+ * 4 x 3 m at distance d = .5 is the solid angle over 4 pi: 4 atan(2 * 1.5 /
+ * (.5 sqrt(4 + 2.25 + .25))) / (4 pi) = .372; 4000 photons know it to .008,
+ * of which 5 are allowed. */
 static void test_values(void)
 {
+    /* Trace a row of the study with four outputs. */
     static const char *const watts[] = {"placement.interest=[]", NULL};
     murk_stage *stage = stage_text_create(text, watts);
     murk_study_file study = study_of(4);
@@ -204,6 +206,8 @@ static void test_values(void)
     }
     murk_traced *traced = traced_row(&row, &g, stage);
     if (traced) {
+        /* The mean fluence rate is the sum over bands, and equals that of a
+         * grid of one cell. */
         const double all = value_of(&row, "density", "W/m2"),
                      green = value_of(&row, "density_500nm", "W/m2"),
                      red = value_of(&row, "density_600nm", "W/m2");
@@ -211,6 +215,8 @@ static void test_values(void)
         CHECK_NEAR(green + red, all, 1e-9 * all);
         CHECK_NEAR(green / all, .75, .02);
         CHECK_NEAR(value_of(&row, "cells", "W/m2"), all, 1e-9 * all);
+        /* The light through the level rectangle goes backward, by the solid
+         * angle. */
         const double share =
             atan(2 * 1.5 / (.5 * sqrt(4 + 2.25 + .25))) / MURK_PI;
         CHECK_NEAR(value_of(&row, "level_backward", "W/m2") * 12 / 4, share,
@@ -281,9 +287,11 @@ static char *sign_of(const murk_scene_desc *scene, const murk_outputs *outputs)
     return sign;
 }
 
-/* Whatever changes what is measured changes the sign. */
+/* Every change of a tally or of a region of interest changes the sign. */
 static void test_signs(void)
 {
+    /* The seed, which is no part of the tallies, and all keys that the
+     * outputs depend on. */
     static const char *const change[] = {
         "seed=5",
         "tallies.0.point_m=[2, 1, 0.6]",
@@ -300,10 +308,12 @@ static void test_signs(void)
         "placement.interest.2.sphere.center_m=[1, 1, 1.1]",
         "placement.interest.2.sphere.radius_m=0.45",
     };
+    /* The sign with five outputs and no change. */
     const murk_study_file study = study_of(5), fewer = study_of(4);
     const murk_outputs outputs = outputs_of(&study), less = outputs_of(&fewer);
     murk_scene_desc *scene = scene_text_create(text, NULL);
     char *sign = scene ? sign_of(scene, &outputs) : NULL;
+    /* Each change but the seed gives another sign. */
     for (size_t i = 0; sign && i < sizeof change / sizeof *change; ++i) {
         const char *const overrides[] = {change[i], NULL};
         murk_scene_desc *turned = scene_text_create(text, overrides);
@@ -315,6 +325,7 @@ static void test_signs(void)
         free(other);
         murk_scene_desc_destroy(turned);
     }
+    /* Fewer outputs give another sign. */
     char *other = scene ? sign_of(scene, &less) : NULL;
     CHECK(sign && other && strcmp(sign, other) != 0);
     free(other);

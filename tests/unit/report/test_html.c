@@ -75,6 +75,7 @@ static void test_hash(void)
 
 static void test_numbers(void)
 {
+    /* Plain numbers with five digits, and a dash for a missing one. */
     WRITTEN(murk_html_number(to, 30423));
     CHECK_TEXT(kept, "30423");
     WRITTEN(murk_html_number(to, 0.123456789));
@@ -83,6 +84,7 @@ static void test_numbers(void)
     CHECK_TEXT(kept, "\xe2\x80\x93");
     WRITTEN(murk_html_estimate(to, 1.23456, 0.0234));
     CHECK_TEXT(kept, "1.235 \xc2\xb1 0.023");
+    /* Large and small numbers, and estimates with errors, as powers of ten. */
     WRITTEN(murk_html_number(to, 2.30024e13));
     CHECK_TEXT(kept, "2.3002\xc2\xb7"
                      "10\xc2\xb9\xc2\xb3");
@@ -94,10 +96,12 @@ static void test_numbers(void)
     WRITTEN(murk_html_estimate(to, 890420387029321.25, 15429865000838.934));
     CHECK_TEXT(kept, "(8.90 \xc2\xb1 0.15)\xc2\xb7"
                      "10\xc2\xb9\xe2\x81\xb4");
+    /* Errors have two digits, and values end at the same digit. */
     WRITTEN(murk_html_estimate(to, 10397, 213));
     CHECK_TEXT(kept, "10400 \xc2\xb1 210");
     WRITTEN(murk_html_estimate(to, 0.5, 0.0998));
     CHECK_TEXT(kept, "0.50 \xc2\xb1 0.10");
+    /* Extreme values stay short, and an error of 0 is left out. */
     WRITTEN(murk_html_estimate(to, 0, 3e-320));
     CHECK_TEXT(kept, "(0.0 \xc2\xb1 3.0)\xc2\xb7"
                      "10\xe2\x81\xbb\xc2\xb3\xc2\xb2\xe2\x81\xb0");

@@ -14,9 +14,10 @@ static double height(double x, double y)
     return 0.2 * sin(3 * x) * cos(2 * y);
 }
 
-/* A sheet over 0..4 by 0..4 as a mesh of 2 WAVE^2 triangles. */
+/* A wavy sheet over 0..4 by 0..4 as a mesh of 2 WAVE^2 triangles. */
 static murk_surfaces *wave(void)
 {
+    /* Vertices on a regular grid, at the heights of the wave. */
     static char name[1][MURK_NAME_SIZE] = {"default"};
     const size_t along = WAVE + 1, triangles = 2 * WAVE * WAVE;
     float *vertex = calloc(3 * along * along, sizeof *vertex);
@@ -31,12 +32,14 @@ static murk_surfaces *wave(void)
         vertex[3 * i + 1] = (float)y;
         vertex[3 * i + 2] = (float)height(x, y);
     }
+    /* Two triangles for each cell of the grid. */
     for (size_t i = 0; i < (size_t)WAVE * WAVE; ++i) {
         const uint32_t a = (uint32_t)(i % WAVE + i / WAVE * along);
         const uint32_t b = a + 1, c = a + (uint32_t)along, d = c + 1;
         const uint32_t two[6] = {a, b, c, b, d, c};
         memcpy(corner + 6 * i, two, sizeof two);
     }
+    /* The mesh as the one surface, without a transform. */
     const murk_mesh mesh = {.vertices = along * along,
                             .triangles = triangles,
                             .materials = 1,

@@ -10,6 +10,7 @@
 
 static murk_surfaces *make_world(void)
 {
+    /* A box, a tilted rectangle and two spheres of another material. */
     const murk_material materials[2] = {{.name = "default"}, {.name = "ball"}};
     const murk_affine as_is = murk_affine_identity();
     const murk_surface_desc shapes[4] = {{.shape = MURK_SHAPE_BOX,
@@ -34,6 +35,7 @@ static murk_surfaces *make_world(void)
                                           .material = 1,
                                           .to_world = as_is,
                                           .where = "sphere"}};
+    /* The surfaces without a scene file. */
     murk_surfaces *surfaces = NULL;
     murk_error err = {0};
     CHECK(!murk_surfaces_create(&surfaces, shapes, 4, materials, 2, &err));

@@ -72,9 +72,12 @@ static const murk_mesh_column number = {"number", MURK_MESH_UINT8,
                                         .components = 1};
 static const uint8_t first_alone[] = {0};
 
-/* Offsets name where each array begins, with its length before it. */
+/* The offsets in the header name the beginning of each array, where the
+ * length in bytes stands. */
 static void check_mesh(bool has_triangles, size_t points)
 {
+    /* Write points, or triangles of three points each, with one column,
+     * into memory. */
     const double y = 2.5;
     const murk_scene_desc scene = hostile_scene();
     const murk_vtp vtp = {.scene = &scene,
@@ -93,10 +96,14 @@ static void check_mesh(bool has_triangles, size_t points)
     FILE *to = open_memstream(&text, &size);
     CHECK(to != NULL && !murk_vtp_write(to, &vtp, &err));
     CHECK(!fclose(to));
+    /* Positions, connectivity, offsets of cells and the column follow each
+     * other, each after the length in bytes. */
     const char *raw = strstr(text, "\n_") + 2;
     const size_t items = has_triangles ? points / 3 : points;
     const size_t cells = has_triangles ? points / 3 : points > 0;
     const uint64_t want[4] = {12 * points, 8 * points, 8 * cells, items};
+    /* The header names the offset of each array; the column holds the
+     * values of all items. */
     for (int k = 0; k < 4; ++k) {
         char offset[40];
         uint64_t bytes = 0;
@@ -111,13 +118,15 @@ static void check_mesh(bool has_triangles, size_t points)
         }
         raw += sizeof bytes + bytes;
     }
+    /* Nothing but the end of the file follows the arrays. */
     CHECK(strcmp(raw, "\n  </AppendedData>\n</VTKFile>\n") == 0);
     free(text);
 }
 
-/* The same columns in a PLY file: places in floats, then the record. */
+/* The same columns in a PLY file: positions as floats, then the columns. */
 static void test_ply(void)
 {
+    /* Write two vertices and a face, each with one column, into memory. */
     const murk_scene_desc scene = hostile_scene();
     char *text = NULL;
     size_t size = 0;
@@ -132,6 +141,7 @@ static void test_ply(void)
     }
     murk_mesh_put_face(&ply, 0, 1, 1, &(uint8_t){9});
     CHECK(!fclose(to));
+    /* The header lists the elements and columns. */
     static const char header[] =
         "ply\nformat binary_little_endian 1.0\ncomment two points\n"
         "element vertex 2\nproperty float x\nproperty float y\n"
@@ -140,8 +150,10 @@ static void test_ply(void)
         "property uchar number\nend_header\n";
     const char *raw = text + sizeof header - 1;
     float xyz[3];
+    /* Records have no padding: 13 bytes for a vertex, 14 for a face. */
     CHECK(size == sizeof header - 1 + 2 * 13 + 14);
     CHECK(strncmp(text, header, sizeof header - 1) == 0);
+    /* Position and column of the second vertex, and the face. */
     memcpy(xyz, raw + 13, sizeof xyz);
     CHECK(xyz[0] == 1 && xyz[1] == 2 && xyz[2] == -1 && raw[25] == 1);
     CHECK(raw[26] == 3 && raw[31] == 1 && raw[39] == 9);

@@ -36,14 +36,17 @@ static murk_surfaces *surfaces_of(const murk_mesh *mesh)
     return surfaces;
 }
 
-/* From random places inside, half of the rays toward random places on the
- * twelve edges of the box [0, size], where seams would be. Counts those that
- * meet nothing and do not leave through the window in the plane x = size.x. */
+/* Rays from random positions inside the box [0, size], half of them toward
+ * random points on the twelve edges, where gaps between surfaces would be.
+ * Counts rays that meet no surface and do not leave through the window in
+ * the plane x = size.x. */
 static size_t escapes(const murk_surfaces *surfaces, murk_vec3 size,
                       const murk_box *window)
 {
     size_t count = 0;
     for (uint64_t i = 0; i < RAYS; ++i) {
+        /* A random origin inside the box, and a random target inside the
+         * box or on an edge. */
         const murk_random4 a = murk_random(1, MURK_TEST, i, 0, 0);
         const murk_random4 b = murk_random(1, MURK_TEST, i, 0, 1);
         const murk_vec3 from = murk_vec(size.x * (0.01 + 0.98 * a.u[0]),
@@ -57,6 +60,7 @@ static size_t escapes(const murk_surfaces *surfaces, murk_vec3 size,
         }
         const murk_vec3 d = murk_unit(murk_sub(
             murk_vec(to[0] * size.x, to[1] * size.y, to[2] * size.z), from));
+        /* Count rays that meet no surface, except those through the window. */
         murk_hit hit;
         if (murk_surfaces_hit(surfaces, from, d, INFINITY, &hit)) {
             continue;

@@ -81,6 +81,7 @@ static void test_frames_and_albedo(void)
 
 static void refuses(const char *media, const char *override, const char *part)
 {
+    /* Write a scene with these media. */
     char path[128];
     snprintf(path, sizeof path, "%s/s.yaml", folder);
     FILE *file = fopen(path, "w");
@@ -93,6 +94,8 @@ static void refuses(const char *media, const char *override, const char *part)
             "lights: [{type: point, position_m: [0, 0, 0], power_w: 1}]\n%s",
             media);
     fclose(file);
+    /* The scene can be read, but no stage can be made of it: the message
+     * names the medium. */
     const murk_override option = {.text = override};
     murk_scene_desc *scene = NULL;
     murk_stage *stage = NULL;

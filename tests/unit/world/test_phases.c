@@ -68,9 +68,12 @@ static void test_other_tables_are_not_shared(void)
     }
 }
 
-/* Each kind in one band or the other, as medium/phase.h makes it. */
+/* Each kind of phase function in one band or the other equals the function
+ * that medium/phase.h makes. */
 static void test_kinds_and_bands(void)
 {
+    /* Phase functions for both bands or for each band, and the expected
+     * functions. */
     static const struct {
         const char *text;
         murk_phase want[2];
@@ -88,12 +91,14 @@ static void test_kinds_and_bands(void)
         {SCENE("[{two_hg: [.9, -.4, .8]}, isotropic]"),
          {{.kind = MURK_PHASE_TWO_HG, .value = {.9, -.4, .8}}, {0}},
          {"two_hg", "isotropic"}}};
+    /* Make the stage of each scene. */
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         murk_scene_desc *scene;
         murk_stage *stage;
         murk_error err;
         CHECK(stage_of(&scene, &stage, cases[i].text, &err) == MURK_OK);
         CHECK_TEXT(err.text, "");
+        /* Kind and density of the phase function of each band. */
         for (int band = 0; stage && band < 2; ++band) {
             const murk_phase *want = &cases[i].want[band];
             const murk_phase *got = &stage->phases->medium[0][band];
@@ -112,6 +117,7 @@ static void test_kinds_and_bands(void)
 
 static void test_tables(void)
 {
+    /* A table in the first band, and Fournier-Forand in the second. */
     murk_scene_desc *scene;
     murk_stage *stage;
     murk_error err;
@@ -120,6 +126,8 @@ static void test_tables(void)
                    SCENE("[{table: p.csv}, {fournier_forand: [1.1, 3.58]}]"),
                    &err) == MURK_OK);
     CHECK_TEXT(err.text, "");
+    /* Densities follow the table, and the light key holds name and checksum
+     * of the file. */
     if (stage) {
         const murk_phase *phase = stage->phases->medium[0];
         CHECK(stage->phases->n == 2);
@@ -132,6 +140,7 @@ static void test_tables(void)
         CHECK_MENTIONS(stage->light_key, "{table: p.csv}");
         CHECK_MENTIONS(stage->light_key, "checksum: ");
     }
+    /* Another content of the file gives another light key. */
     char before[4000] = "";
     snprintf(before, sizeof before, "%s", stage ? stage->light_key : "");
     murk_stage_destroy(stage);
@@ -160,6 +169,7 @@ static void refused(const char *csv, const char *where, const char *text)
 
 static void test_bad_tables(void)
 {
+    /* Missing columns, and too few rows. */
     refused("", "p.csv", "empty, must begin with a row of column names");
     refused("angle,phase_per_sr\n0,1\n", "p.csv",
             "misses column angle_deg, must have angle_deg and phase_per_sr");
@@ -168,6 +178,8 @@ static void test_bad_tables(void)
             "phase_per_sr");
     refused(HEAD, "p.csv", "0 rows, must be 2..1000000");
     refused(HEAD "0,1\n", "p.csv", "1 rows, must be 2..1000000");
+    /* Angles out of order, and cells that are empty, no numbers or out of
+     * limits. */
     refused(HEAD "0,1\n20,1\n\n10,1\n180,1\n", "p.csv:5: angle_deg",
             "10, must be more than the 20 degrees before");
     refused(HEAD "0,1\n,1\n180,1\n", "p.csv:3: angle_deg",
@@ -178,11 +190,13 @@ static void test_bad_tables(void)
             "-1, must be 0 or 1e-30..1e+30 per sr");
     refused(HEAD "0,1\n20\n180,1\n", "p.csv:3",
             "1 cells, must be 2: one for each column of the header");
+    /* Angles that end too early, and a table without light. */
     refused(HEAD "0,1\n20,1\n140,1\n", "p.csv:4: angle_deg",
             "ends at 140, must be 150..180 degrees");
     refused(HEAD "0,0\n20,0\n180,0\n", "p.csv",
             "no light anywhere, the integral over the sphere must be more "
             "than 0");
+    /* A missing file is reported with its key in the scene. */
     murk_scene_desc *scene;
     murk_stage *stage;
     murk_error err;
