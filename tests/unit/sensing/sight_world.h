@@ -16,11 +16,14 @@ typedef struct world {
     murk_sight *sight;
 } world;
 
-/* Photons with a normal go to the surface map. Takes over media. */
+/* Makes a world with a sight. Photons with a normal go to the surface map.
+ * Takes over media. */
 static inline world build(const murk_surface_desc *desc, size_t n_desc,
                           murk_media *media, const murk_photon *photons,
                           size_t n, murk_sight_desc sight)
 {
+    /* Sort the photons by map: surface records first, volume records after
+     * them. */
     murk_photon *split = malloc(n * sizeof *split + 1);
     size_t surface = 0, volume = 0;
     for (size_t i = 0; i < n; ++i) {
@@ -33,10 +36,12 @@ static inline world build(const murk_surface_desc *desc, size_t n_desc,
             split[surface + volume++] = photons[i];
         }
     }
+    /* Surfaces and both maps of the world. */
     world w = {.surfaces = surfaces_of(desc, n_desc), .media = media};
     w.surface_map = map_of(split, surface);
     w.volume_map = map_of(split + surface, volume);
     free(split);
+    /* A sight of this world, otherwise as the caller describes. */
     sight.surfaces = w.surfaces;
     sight.media = media;
     sight.surface_map = w.surface_map;

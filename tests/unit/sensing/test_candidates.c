@@ -63,9 +63,12 @@ static void test_inside_an_open_crate_on_the_floor_is_dropped(void)
     murk_candidates_destroy(c);
 }
 
-/* A cube as twelve loose triangles, every second one turned. */
+/* A cube of twelve separate triangles, in which every second triangle has
+ * the opposite winding. */
 static void test_winding_means_nothing(void)
 {
+    /* Two triangles for each side of the cube, with opposite orders of the
+     * corners and no shared vertices. */
     static const int quad[6][4] = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4},
                                    {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
     float vertex[12 * 9];
@@ -82,6 +85,7 @@ static void test_winding_means_nothing(void)
             corner[3 * t + k] = (uint32_t)(3 * t + k);
         }
     }
+    /* The cube stands in the room. */
     const murk_mesh mesh = {
         .vertices = 36,
         .triangles = 12,
@@ -97,6 +101,7 @@ static void test_winding_means_nothing(void)
                                  .mesh = &mesh,
                                  .to_world = murk_affine_identity(),
                                  .where = "crate"};
+    /* Candidates inside the cube are out of reach. */
     const murk_candidate_grid grid = half_metres();
     const murk_reach reach = by_lamp();
     murk_candidates *c = candidates_of(d, n, &grid, &reach, 1);
@@ -124,11 +129,12 @@ static void test_nothing_slips_in_through_a_corner(void)
 }
 
 /* A tilted wall of three pieces: a corner of two lies on the edge of the third,
- * where rounding leaves cracks. Behind it a row of candidates, and before it a
- * lamp for each of them, which it sees exactly through that corner. */
+ * where rounding leaves cracks. A row of candidates lies behind the wall, and
+ * for each candidate a lamp lies before the wall, in line with that corner. */
 #define ROW 64
 static void check_seam(uint32_t number)
 {
+    /* A wall of three rectangles with a seam of random direction. */
     const murk_random4 r = murk_random(1, MURK_TEST, number, 0, 0);
     const murk_random4 q = murk_random(1, MURK_TEST, number, 0, 1);
     const murk_vec3 from = {5 + r.u[0], 5 + r.u[1], r.u[2]};
@@ -140,6 +146,8 @@ static void check_seam(uint32_t number)
         a_rect(from, seam, murk_scale(-1, edge), WALL),
         a_rect(from, murk_scale(share, seam), edge, WALL),
         a_rect(corner, murk_scale(1 - share, seam), edge, WALL)};
+    /* A row of candidates behind the wall, and a lamp for each on the line
+     * through the corner. */
     const murk_vec3 behind = murk_unit(murk_cross(seam, edge));
     const murk_vec3 middle = murk_along(corner, -1.1, behind);
     const murk_candidate_grid grid = {
@@ -152,6 +160,7 @@ static void check_seam(uint32_t number)
         lamps[i] = murk_along(at, 2, murk_sub(corner, at));
     }
     const murk_reach reach = {.lamps = lamps, .n_lamps = ROW, .domain = room};
+    /* All candidates are out of reach. */
     murk_surfaces *surfaces = surfaces_of(d, 3);
     murk_candidates *c = NULL;
     murk_error err = {0};

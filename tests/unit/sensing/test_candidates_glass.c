@@ -20,11 +20,12 @@ static murk_surface_desc a_globe(murk_vec3 center, double radius_m,
                                .where = "globe"};
 }
 
-/* How many of the points of half_metres() are reached in a room with these
- * solids; -1 when none is usable. */
+/* How many of the points of half_metres() are usable in a room with these
+ * solids; -1 if none is. */
 static long usable_in_glass(const murk_surface_desc *more, size_t n_more,
                             double specular, double transmit, murk_vec3 place)
 {
+    /* The room, and solids of glass with these properties. */
     const murk_material materials[2] = {
         {.name = "default", .diffuse = murk_spectrum_flat(0.5, 2)},
         {.name = "glass",
@@ -40,12 +41,14 @@ static long usable_in_glass(const murk_surface_desc *more, size_t n_more,
     murk_candidates *c = NULL;
     murk_error err = {0};
     CHECK(murk_surfaces_create(&surfaces, d, n, materials, 2, &err) == MURK_OK);
+    /* Candidates on a grid, reached from the lamp. */
     const murk_candidate_grid grid = half_metres();
     const murk_reach reach = by_lamp_at(&place);
     const murk_status status =
         murk_candidates_create(&c, &(murk_candidate_desc){.grid = grid},
                                surfaces, &reach, 1, "here", &err);
     CHECK(status == MURK_OK || status == MURK_BAD_VALUE);
+    /* The number of usable candidates. */
     const long usable = c ? (long)c->usable : -1;
     murk_candidates_destroy(c);
     murk_surfaces_destroy(surfaces);
@@ -83,9 +86,10 @@ static void test_a_lamp_in_glass_lights_what_is_around(void)
     CHECK(usable_in_glass(crated, 2, 0, 0.9, at) == -1);
 }
 
-/* Two shells of one mesh. */
+/* The globe is one mesh of two closed boundary surfaces. */
 static void test_a_lamp_in_a_hollow_globe_too(void)
 {
+    /* Two cubes around the lamp, one inside the other. */
     static const int quad[6][4] = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4},
                                    {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
     const murk_vec3 at = {5.25, 5.25, 2.25};
@@ -104,6 +108,7 @@ static void test_a_lamp_in_a_hollow_globe_too(void)
             corner[3 * t + k] = (uint32_t)(t / 12 * 8 + quad[t % 12 / 2][pick]);
         }
     }
+    /* Both are one mesh of glass. */
     const murk_mesh mesh = {
         .vertices = 16,
         .triangles = 24,
@@ -118,6 +123,7 @@ static void test_a_lamp_in_a_hollow_globe_too(void)
                                      .material = GLASS,
                                      .to_world = murk_affine_identity(),
                                      .where = "globe"};
+    /* Clear glass lets the lamp reach all points, black glass none. */
     CHECK(usable_in_glass(&globe, 1, 0, 0.9, at) == all_points);
     CHECK(usable_in_glass(&globe, 1, 0, 0, at) == -1);
 }

@@ -45,10 +45,12 @@ typedef struct world {
 
 static world *build(const struct mode *mode, double per_m, bool is_balanced)
 {
+    /* A hall with a floor. */
     world *w = calloc(1, sizeof *w);
     const murk_surface_desc below =
         a_rect(none, murk_vec(10, 0, 0), murk_vec(0, 8, 0), WALL);
     const murk_sensor_type far = all_round(6);
+    /* Random records on a level plane, of equal or of different power. */
     for (uint32_t i = 0; i < SURFACE + VOLUME; ++i) {
         const murk_random4 r = murk_random(3, MURK_TEST, i, 0, 0);
         const murk_vec3 p = {10 * r.u[0], 8 * r.u[1], 1};
@@ -56,10 +58,12 @@ static world *build(const struct mode *mode, double per_m, bool is_balanced)
             a_photon(p, i < SURFACE ? up : none, (uint32_t)(EMITTED * r.u[2]));
         w->photon[i].power_w = is_balanced ? 0.5f + (float)(i % 7) : 1;
     }
+    /* Surfaces, mist or clear air, and both maps. */
     w->surfaces = surfaces_of(&below, 1);
     w->media = per_m > 0 ? mist(&hall, per_m, per_m) : clear_air(&hall);
     w->surface_map = map_of(w->photon, SURFACE);
     w->volume_map = map_of(w->photon + SURFACE, VOLUME);
+    /* A sight that combines views in the given mode. */
     const murk_sight_desc desc = {
         .surfaces = w->surfaces,
         .media = w->media,
@@ -238,12 +242,13 @@ static void test_clear_air_is_a_count(void)
     }
 }
 
-/* What placement says a plan is worth is what is measured of it, to the last
- * bit; and what each sensor covers alone, and none but it, are differences of
- * such totals. */
+/* The value of a plan in placement is the coverage that is measured, to the
+ * last bit. The coverage by each sensor alone, and the coverage by no other
+ * sensor, are differences of such totals. */
 static void test_a_plans_value_is_its_coverage(void)
 {
     for (size_t k = 0; k < MODES; ++k) {
+        /* A plan of three sensors in each mode. */
         world *w = build(&modes[k], PER_M, true);
         const murk_pose *pose = partial_at(sensor, SENSORS);
         murk_sight_problem seen;
@@ -254,6 +259,7 @@ static void test_a_plans_value_is_its_coverage(void)
         murk_error err = {0};
         CHECK(murk_place_sensors(&plan, &seen.problem, NULL, &desc, &err) ==
               MURK_OK);
+        /* The coverage of the same sensors is the value of the plan. */
         murk_pose chosen[3], others[2];
         for (size_t i = 0; i < 3; ++i) {
             chosen[i] = pose[plan.sensor[i]];
@@ -261,6 +267,8 @@ static void test_a_plans_value_is_its_coverage(void)
         murk_coverage_result c = measure(w, chosen, 3);
         CHECK(c.total.value == (double)plan.value / (double)plan.whole);
         for (size_t i = 0; i < 3; ++i) {
+            /* Coverage by one sensor alone, and loss without this sensor,
+             * are differences of such totals. */
             others[0] = chosen[(i + 1) % 3];
             others[1] = chosen[(i + 2) % 3];
             murk_coverage_result alone = measure(w, &chosen[i], 1);

@@ -30,12 +30,14 @@ static world build(const murk_photon *surface, size_t n_surface,
                    const murk_photon *volume, size_t n_volume, uint64_t emitted,
                    murk_map_weights weights, double per_m, unsigned threads)
 {
+    /* A wall, mist and both maps. */
     const murk_surface_desc wall =
         a_rect(murk_vec(5, 0, 0), murk_vec(0, 8, 0), murk_vec(0, 0, 4), WALL);
     world w = {.surfaces = surfaces_of(&wall, 1),
                .media = mist(&hall, per_m, per_m),
                .surface_map = map_of(surface, n_surface),
                .volume_map = map_of(volume, n_volume)};
+    /* A sight of one sensor type that sees far in all directions. */
     const murk_sensor_type far = all_round(100);
     const murk_sight_desc desc = {.surfaces = w.surfaces,
                                   .media = w.media,
@@ -227,6 +229,7 @@ static double pull2(double got, double want, double error)
 
 static spread repeat(void)
 {
+    /* Independent samples of records, seen by one sensor. */
     static sample s;
     spread out = {0};
     const murk_vec3 sensor = {1, 4, 3};
@@ -235,11 +238,15 @@ static spread repeat(void)
         world w = build(s.surface, s.n_surface, s.volume, s.n_volume, EMITTED,
                         balanced, 0, 1);
         murk_coverage_result c = measure(&w, &sensor, 1);
+        /* Squared deviations in standard errors, for the total and both
+         * maps under balanced weights. */
         const double total = (SURFACE + VOLUME) / 2;
         const murk_estimate a = c.surface, b = c.volume;
         out.total += pull2(c.total.value, total, c.total.standard_error);
         out.surface += pull2(a.value, SURFACE, a.standard_error);
         out.volume += pull2(b.value, VOLUME, b.standard_error);
+        /* The same with wrong errors: of independent records, and of
+         * independent maps. */
         out.binomial +=
             pull2(b.value, VOLUME,
                   sqrt(b.value * (1 - b.value) / (double)s.n_volume));
@@ -248,6 +255,7 @@ static spread repeat(void)
         murk_coverage_result_release(&c);
         tear_down(&w);
 
+        /* The same where all records have one weight. */
         w = build(s.surface, s.n_surface, s.volume, s.n_volume, EMITTED,
                   plain_count, 0, 1);
         c = measure(&w, &sensor, 1);
@@ -334,9 +342,11 @@ static void test_the_error_is_the_formula(void)
     tear_down(&w);
 }
 
-/* The plan's own sum over looks, in whole numbers. */
+/* The total coverage is the sum over the rows of the placement problem, in
+ * whole numbers. */
 static void test_total_is_the_plans_value(void)
 {
+    /* Three sensors in mist. */
     static sample s;
     draw(&s, 500, 2000);
     const murk_vec3 sensor[3] = {{1, 4, 3}, {9, 1, 3}, {4, 7, 2}};
@@ -344,6 +354,7 @@ static void test_total_is_the_plans_value(void)
                     0.2, 1);
     murk_sight_problem problem;
     murk_sight_problem_init(&problem, w.sight, partial_at(sensor, 3), 3);
+    /* The largest clarity of each record over all rows of the problem. */
     const murk_problem *p = &problem.problem;
     CHECK(p->candidates == 3 && p->photons == s.n_surface + s.n_volume);
     int best[2 * RECORDS] = {0};
@@ -355,6 +366,7 @@ static void test_total_is_the_plans_value(void)
             *b = row.clarity[k] > *b ? row.clarity[k] : *b;
         }
     }
+    /* The sum of weights times clarity is the measured coverage. */
     uint64_t value = 0, whole = 0;
     for (size_t i = 0; i < p->photons; ++i) {
         value += (uint64_t)p->weight[i] * (uint64_t)best[i];

@@ -56,10 +56,12 @@ static void test_shapes_are_closed(void)
     CHECK(regions_of(r, 2, NULL, a_photon(out, up, 0)) == 0);
 }
 
-/* A cube's own faces lie in it, on whichever side light came; so does what it
- * stands on, and nothing a little further. */
+/* The faces of a cube lie in the region of the cube, whichever side the
+ * light came from. The floor under the cube does, too, but no surface a
+ * little farther away. */
 static void test_a_mesh_holds_its_own_faces(void)
 {
+    /* A cube as a mesh that stands on z = 0. */
     const double square[4][2] = {{1, 1}, {2, 1}, {2, 2}, {1, 2}};
     const uint32_t cut[6] = {0, 1, 2, 0, 2, 3};
     murk_mesh *mesh = closed_prism(square, 4, cut, 0, 1);
@@ -75,17 +77,21 @@ static void test_a_mesh_holds_its_own_faces(void)
     if (!boundary_meshes) {
         return;
     }
+    /* Bit 0 stands for everywhere, bit 1 for the mesh. */
     const murk_interest_region r[2] = {a_region(MURK_REGION_EVERYWHERE),
                                        a_region(MURK_REGION_MESH)};
     const murk_vec3 top = {1.3, 1.6, 1}, side = {2, 1.3, 0.4},
                     floor = {1.3, 1.6, 0}, beside = {2.1, 1.3, 0},
                     down = {0, 0, -1}, middle = {1.4, 1.6, 0.5},
                     above = {1.4, 1.6, 1.01};
+    /* Records on the faces are in the mesh, records on the floor only under
+     * the cube. */
     CHECK(regions_of(r, 2, boundary_meshes, a_photon(top, up, 0)) == 3);
     CHECK(regions_of(r, 2, boundary_meshes, a_photon(top, down, 0)) == 3);
     CHECK(regions_of(r, 2, boundary_meshes, a_photon(side, east, 0)) == 3);
     CHECK(regions_of(r, 2, boundary_meshes, a_photon(floor, up, 0)) == 3);
     CHECK(regions_of(r, 2, boundary_meshes, a_photon(beside, up, 0)) == 1);
+    /* Volume records are in the mesh only between the faces. */
     CHECK(regions_of(r, 2, boundary_meshes, a_photon(middle, none, 0)) == 3);
     CHECK(regions_of(r, 2, boundary_meshes, a_photon(above, none, 0)) == 1);
     murk_boundary_meshes_destroy(boundary_meshes);
@@ -146,12 +152,14 @@ static world build(const murk_photon *surface, size_t n_surface,
                    murk_map_weights weights, const murk_interest *interest,
                    unsigned threads)
 {
+    /* A wall, clear air and both maps. */
     const murk_surface_desc wall =
         a_rect(murk_vec(5, 0, 0), murk_vec(0, 8, 0), murk_vec(0, 0, 4), WALL);
     world w = {.surfaces = surfaces_of(&wall, 1),
                .media = clear_air(&hall),
                .surface_map = map_of(surface, n_surface),
                .volume_map = map_of(volume, n_volume)};
+    /* A sight with the regions of interest. */
     const murk_sensor_type far = all_round(100);
     const murk_sight_desc desc = {.surfaces = w.surfaces,
                                   .media = w.media,

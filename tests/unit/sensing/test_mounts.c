@@ -36,11 +36,12 @@ static asking asking_of(bool has_crate)
     return a;
 }
 
-/* With spacing_m: mounts on all surfaces. NULL and a message, or NULL and no
- * message expected, where err is given. */
+/* Makes candidates, with mounts on all surfaces if spacing_m is above 0. If
+ * err is given, a refusal is expected: returns NULL and the error. */
 static murk_candidates *candidates_of(const asking *a, unsigned threads,
                                       murk_error *err)
 {
+    /* The surfaces, and a lamp from which candidates are reached. */
     murk_surfaces *surfaces = surfaces_of(a->surface, a->surfaces);
     const murk_reach reach = {
         .lamps = &LAMP, .n_lamps = 1, .domain = a->domain};
@@ -48,6 +49,7 @@ static murk_candidates *candidates_of(const asking *a, unsigned threads,
     murk_candidate_mount mount = {
         .offset_m = a->offset_m, .min_up = a->min_up, .max_up = a->max_up};
     murk_mount_site *foot = NULL;
+    /* Mount sites on all surfaces, if a spacing is asked for. */
     if (a->spacing_m > 0) {
         const murk_mount_search lay = {.spacing_m = a->spacing_m,
                                        .within = a->domain.box,
@@ -59,6 +61,7 @@ static murk_candidates *candidates_of(const asking *a, unsigned threads,
         desc.mount = &mount;
         desc.mounts = 1;
     }
+    /* Candidates, or a refusal if the caller expects one. */
     murk_candidates *out = NULL;
     murk_error told = {0};
     const murk_status status = murk_candidates_create(
@@ -70,6 +73,7 @@ static murk_candidates *candidates_of(const asking *a, unsigned threads,
         CHECK(status == MURK_OK);
         CHECK_TEXT(told.text, "");
     }
+    /* Every candidate is usable or left out for one reason. */
     if (out) {
         CHECK(out->usable + out->duplicates + out->forbidden + out->too_close +
                   out->unreached ==
@@ -228,16 +232,19 @@ static void test_mounts_face_as_asked(void)
     murk_candidates_destroy(c);
 }
 
-/* A screen a hand before the wall: what is mounted on the wall but farther off
- * than the screen hangs in nothing. An open sheet is mounted on both sides. */
+/* A screen a hand before the wall: mounts on the wall that would lie beyond
+ * the screen are not usable. An open sheet has mounts on both sides. */
 static void test_mounts_do_not_pass_through(void)
 {
+    /* A screen 0.08 m before a wall, and mounts 0.1 m before each surface. */
     asking a = asking_of(false);
     a.surface[a.surfaces++] =
         a_rect(murk_vec(.08, 0, 0), murk_vec(0, 3, 0), murk_vec(0, 0, 2), 0);
     a.desc.is_reach_grid = true;
     a.spacing_m = .5;
     murk_candidates *c = candidates_of(&a, 1, NULL);
+    /* Mounts of the screen are usable; those of the wall would be beyond
+     * the screen. */
     size_t before = 0, beyond = 0;
     for (size_t i = 0; i < c->usable; ++i) {
         const bool is_low = c->position[i].z < 2;
@@ -246,8 +253,10 @@ static void test_mounts_do_not_pass_through(void)
     }
     CHECK(before == 6 * 4 && beyond == 0);
     murk_candidates_destroy(c);
+    /* The same screen in the middle of the room. */
     a.surface[1].corner.x = 2;
     c = candidates_of(&a, 1, NULL);
+    /* Mounts are on both sides of the screen. */
     size_t side[2] = {0, 0};
     for (size_t i = 0; i < c->usable; ++i) {
         side[0] += fabs(c->position[i].x - 1.9) < 1e-6;
@@ -349,6 +358,7 @@ static void test_zones_forbid(void)
 
 static void test_threads_change_nothing(void)
 {
+    /* Listed points, a grid, mounts and a forbidden zone. */
     asking a = asking_of(true);
     murk_vec3 point[700];
     for (size_t i = 0; i < 700; ++i) {
@@ -361,9 +371,11 @@ static void test_threads_change_nothing(void)
     a.spacing_m = .2;
     murk_zones *zone = box_zone(murk_vec(1, 0, 1), murk_vec(1.5, 3, 2));
     a.desc.avoid = zone;
+    /* With one thread, candidates are left out for every reason. */
     murk_candidates *one = candidates_of(&a, 1, NULL);
     CHECK(one->forbidden > 0 && one->duplicates > 0 && one->too_close > 0 &&
           one->unreached > 0);
+    /* More threads give the same candidates. */
     for (unsigned threads = 2; threads <= 5; threads += 3) {
         murk_candidates *c = candidates_of(&a, threads, NULL);
         CHECK(c->usable == one->usable && c->doubtful == one->doubtful);

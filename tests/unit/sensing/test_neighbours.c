@@ -61,12 +61,15 @@ static bool tells(const murk_photon *of, const murk_photon *p)
 
 static void check_against_all(const murk_domain *domain, double max_m)
 {
+    /* Random photons in two bands with normals up or down. */
     enum { N = 600 };
     murk_photon_map *map = crowd_of(N, 0);
     const murk_photon *photon = murk_photon_map_photons(map);
     const murk_neighbours neighbours = {map, domain, K, max_m};
     murk_neighbours_workspace *workspace = murk_neighbours_workspace_create(K);
     for (size_t i = 0; i < N; ++i) {
+        /* The search finds as many neighbours as are nearer than the
+         * radius. */
         uint32_t found[K];
         double radius_m;
         const size_t n =
@@ -79,7 +82,10 @@ static void check_against_all(const murk_domain *domain, double max_m)
                           radius_m * (1 - 1e-5);
         }
         CHECK(n == nearer);
+        /* Fewer than K - 1 neighbours are found only within the largest radius.
+         */
         CHECK(n < K && (n == K - 1 || radius_m == max_m));
+        /* Each neighbour counts for the photon, and lies within the radius. */
         for (size_t k = 0; k < n; ++k) {
             CHECK(tells(&photon[i], &photon[found[k]]));
             CHECK(distance(domain, &photon[i], &photon[found[k]]) <=

@@ -59,15 +59,17 @@ static murk_sight_desc usual(void)
                              .threads = 1};
 }
 
-/* A hall with a floor, a wall and a pane; the sight is onto photons where the
- * places are. Takes over media. */
+/* A hall with a floor, a wall and a pane, and a sight of photons at the
+ * places. Takes over media. */
 static scene build(murk_media *media, murk_sight_desc desc)
 {
+    /* The hall. */
     const murk_surface_desc walls[3] = {
         a_rect(murk_vec(0, 0, 0.1), murk_vec(10, 0, 0), murk_vec(0, 8, 0),
                WALL),
         a_rect(murk_vec(3, 2, 0), murk_vec(0, 3, 0), murk_vec(0, 0, 3), WALL),
         a_rect(murk_vec(6, 0, 0), murk_vec(0, 8, 0), murk_vec(0, 0, 2), GLASS)};
+    /* A photon at each place, in the map of surfaces or of volume. */
     murk_photon *split = malloc(2 * PLACES * sizeof *split);
     size_t on = 0, in = 0;
     for (size_t i = 0; i < PLACES; ++i) {
@@ -80,6 +82,7 @@ static scene build(murk_media *media, murk_sight_desc desc)
                .surface = map_of(split, on),
                .volume = map_of(split + PLACES, in)};
     free(split);
+    /* The sight of these photons. */
     desc.surfaces = s.surfaces;
     desc.media = media;
     desc.surface_map = s.surface;

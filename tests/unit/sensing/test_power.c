@@ -120,10 +120,12 @@ static void test_a_plate_of_known_radiance(void)
     check_plate(20000, 1);
 }
 
-/* Photons all over a cube, all going along +x, scattered by Henyey-Greenstein:
- * j is their density times the phase function. */
+/* Photons all over a cube fly along +x and scatter by the function of
+ * Henyey and Greenstein: the source is the density of power times the phase
+ * function. */
 static void test_a_cloud_of_known_source(void)
 {
+    /* Photons with one direction, spread over a cube. */
     enum { N = 40000 };
     const double radius_m = 0.5, g = 0.7;
     murk_photon *photon = malloc(N * sizeof *photon);
@@ -135,6 +137,8 @@ static void test_a_cloud_of_known_source(void)
         photon[i].direction = murk_direction_pack(murk_vec(1, 0, 0));
         photon[i].power_w = (float)(1000. / N);
     }
+    /* The source in two directions at known angles to the flight, averaged over
+     * photons away from the sides. */
     place p = place_of(photon, N, N, radius_m, &room, g, 2);
     const murk_photon *stored = murk_photon_map_photons(p.volume);
     const murk_vec3 toward[2] = {murk_unit(murk_vec(3, 4, 0)),
@@ -150,6 +154,8 @@ static void test_a_cloud_of_known_source(void)
                 ++places;
             }
         }
+        /* The mean is right within the error from the number of independent
+         * places; another mean cosine is refused. */
         const double q = 4 / 3. * MURK_PI * pow(radius_m, 3) * N / 1000;
         const double want = murk_hg_density(g, mu[k]);
         const double error = want * relative_error(places, q);
@@ -187,20 +193,24 @@ static void test_what_counts_as_light_of_a_place(void)
     leave(&p);
 }
 
-/* Twenty thousand in one spot: halves stand for all, and exactly. */
+/* Twenty thousand photons in one spot: the search halves the set until few
+ * are left, and a part stands for all photons exactly. */
 static void test_a_spot_is_looked_at_in_part(void)
 {
+    /* Photons on one point of a surface. */
     enum { N = 20000 };
     murk_photon *photon = malloc(N * sizeof *photon);
     for (uint32_t i = 0; i < N; ++i) {
         photon[i] = a_photon(murk_vec(1, 2, 0), murk_vec(0, 0, 1), i);
     }
+    /* The radiance is that of all photons. */
     place p = place_of(photon, N, N, 0.1, &room, 0, 1);
     for (size_t i = 0; i < N; i += 97) {
         CHECK_NEAR(murk_power_radiance(p.power, i) * MURK_PI * MURK_PI * 0.01 /
                        N,
                    1, 1e-6);
     }
+    /* The search visits only a part of them. */
     murk_vicinity *v = NULL;
     murk_error err = {0};
     CHECK(murk_vicinity_create(&v, p.surface, &room, N, 0.1, 100, 1, &err) ==
@@ -242,14 +252,17 @@ static void test_few_paths_with_many_records(void)
     free(photon);
 }
 
-/* Places of another map are judged by all paths of the light. */
+/* Places in a map of their own are lit by all photons of the light. */
 static void test_places_that_are_no_photons(void)
 {
+    /* Two photons of light, and two places in another map: one near the
+     * photons, one far away. */
     const murk_vec3 up = {0, 0, 1};
     const murk_photon light[] = {a_photon(murk_vec(0, 0, 0), up, 0),
                                  a_photon(murk_vec(.2, 0, 0), up, 1)};
     const murk_photon at[] = {a_photon(murk_vec(.1, 0, 0), up, 0),
                               a_photon(murk_vec(3, 0, 0), up, 1)};
+    /* Radiances of the places by the photons. */
     place p = {.media = cloud_of(0),
                .surface = map_of(light, 2),
                .volume = map_of(NULL, 0)};
@@ -263,6 +276,7 @@ static void test_places_that_are_no_photons(void)
         .threads = 1};
     murk_error err = {0};
     CHECK(murk_power_create(&p.power, &desc, &err) == MURK_OK);
+    /* The near place has the power of both photons, the far place none. */
     const size_t lit =
         murk_photon_map_photons(places)[0].position_m[0] > 1 ? 1 : 0;
     CHECK_NEAR(murk_power_radiance(p.power, lit) * MURK_PI * MURK_PI * .25, 2,

@@ -104,15 +104,18 @@ static murk_vec3 on_face(const murk_box *box, int face, double u, double v)
     return murk_vec(p[0], p[1], p[2]);
 }
 
-/* The least optical length over a face; false when it lies on the rim. In the
- * box's own frame, which a rotation has moved. */
+/* The least optical length over a face, found by search; false if the
+ * minimum lies on the rim. All points are in the frame of the box, without
+ * rotation. */
 static bool min_on_face(const murk_box *box, int face, murk_vec3 outside,
                         murk_vec3 inside, double n_inside, murk_vec3 *at)
 {
+    /* Search on the face by steps along both edges. */
     double best[2] = {0.5, 0.5}, minimum = INFINITY;
     for (double step = 0.25; step > 1e-12;) {
         bool moved = false;
         for (int k = -1; k < 4; ++k) {
+            /* Take a step that shortens the optical length. */
             double to[2] = {best[0], best[1]};
             if (k >= 0) {
                 to[k / 2] += k % 2 ? step : -step;
@@ -128,8 +131,10 @@ static bool min_on_face(const murk_box *box, int face, murk_vec3 outside,
                 moved = true;
             }
         }
+        /* Halve the step if none does. */
         step = moved ? step : step / 2;
     }
+    /* A minimum on the rim is not a path through the face. */
     *at = on_face(box, face, best[0], best[1]);
     return fmin(fmin(best[0], 1 - best[0]), fmin(best[1], 1 - best[1])) > 1e-6;
 }
@@ -304,9 +309,12 @@ static void test_a_box_of_triangles_is_a_box(void)
     murk_mesh_destroy(mesh);
 }
 
-/* Two tanks side by side in an open domain are one in a periodic one. */
+/* Paths in a periodic domain are those in an open domain that holds copies
+ * of the block. */
 static void test_periodic_ways_are_those_to_the_nearest_image(void)
 {
+    /* A periodic domain with a sea and a block of glass, and an open domain
+     * of three by three periods. */
     const murk_domain tiled = {.box = {{0, 0, -2}, {4, 4, 2}},
                                .is_periodic = true};
     const murk_domain wide = {.box = {{-4, -4, -2}, {8, 8, 2}}};
@@ -318,6 +326,7 @@ static void test_periodic_ways_are_those_to_the_nearest_image(void)
     const murk_path_space space = murk_path_space_of(NULL, small, NULL, &tiled);
     size_t across = 0;
     for (uint64_t i = 0; i < PAIRS; ++i) {
+        /* Random pairs in media of different index. */
         const murk_vec3 sensor = point_in(&tiled.box, i, 0);
         const murk_vec3 photon = point_in(&tiled.box, i, 1);
         const murk_vec3 image = murk_path_nearest_image(&tiled, photon, sensor);
@@ -327,6 +336,8 @@ static void test_periodic_ways_are_those_to_the_nearest_image(void)
         if (p.index == q.index) {
             continue;
         }
+        /* In the open domain, copies of the block stand up to the nearest
+         * image of the photon. */
         murk_region all[5] = {one[0], one[1], one[1], one[1], one[1]};
         size_t n = 2;
         for (int k = 1; k < 4; ++k) {
@@ -336,6 +347,8 @@ static void test_periodic_ways_are_those_to_the_nearest_image(void)
                 all[n++].box.max = murk_add(one[1].box.max, by);
             }
         }
+        /* Paths to the image in the open domain are those in the periodic
+         * one. */
         murk_media *large = media_of(all, n, NULL, &wide);
         const answer got = ask(small, NULL, &tiled, sensor, photon);
         const answer want = ask(large, NULL, &wide, sensor, image);
@@ -347,6 +360,7 @@ static void test_periodic_ways_are_those_to_the_nearest_image(void)
         across += murk_length(shift) > 0 && got.n > 0;
         murk_media_destroy(large);
     }
+    /* Enough paths crossed a side. */
     CHECK(across > PAIRS / 20);
     murk_media_destroy(small);
 }
@@ -355,12 +369,14 @@ static void test_periodic_ways_are_those_to_the_nearest_image(void)
 
 static void test_media_attenuate_along_both_legs(void)
 {
+    /* Absorbing air over absorbing water. */
     const double per_m[2] = {0.7, 0.3};
     murk_region two[2] = {region_of(MURK_REGION_EVERYWHERE, 0),
                           region_of(MURK_REGION_BELOW, WATER)};
     murk_media *media = media_of(two, 2, per_m, &cube);
     const murk_path_space space = murk_path_space_of(NULL, media, NULL, &cube);
     for (uint64_t i = 0; i < 100; ++i) {
+        /* A random sensor above the water, and a photon below. */
         murk_vec3 sensor = point_in(&cube.box, i, 0);
         murk_vec3 photon = point_in(&cube.box, i, 1);
         sensor.z = fabs(sensor.z);
@@ -370,6 +386,8 @@ static void test_media_attenuate_along_both_legs(void)
         CHECK(there.n == 1 && back.n == 1);
         const murk_path_viewpoint p = murk_path_viewpoint_at(&space, sensor);
         const murk_path_viewpoint q = murk_path_viewpoint_at(&space, photon);
+        /* The transmittance is that of both legs, and the same on the way
+         * back. */
         const double got =
             murk_refracted_path_transmittance(&there.way[0], &p, 0);
         const double *leg = there.way[0].snell.length_m;
@@ -377,15 +395,18 @@ static void test_media_attenuate_along_both_legs(void)
         CHECK_NEAR(got, want, 1e-14);
         CHECK_NEAR(murk_refracted_path_transmittance(&back.way[0], &q, 0), got,
                    1e-14);
+        /* Another extinction of the water would be noticed. */
         CHECK(fabs(exp(-0.7 * leg[0] - 0.301 * leg[1]) - got) > 1e-14);
     }
     murk_media_destroy(media);
 }
 
-/* Walls on either leg block though the straight line is open, and one on the
- * straight line alone does not; glass dims, in the boundary itself once. */
+/* A wall on either leg blocks the path although the straight line is open,
+ * and a wall on the straight line alone does not. Glass dims the path, and
+ * only once if it lies in the boundary. */
 static void test_surfaces_count_along_both_legs(void)
 {
+    /* A path from air into water that bends away from the straight line. */
     murk_region water = region_of(MURK_REGION_BELOW, WATER);
     murk_media *media = media_of(&water, 1, NULL, &cube);
     const murk_path_space space = murk_path_space_of(NULL, media, NULL, &cube);
@@ -395,12 +416,14 @@ static void test_surfaces_count_along_both_legs(void)
     const murk_refracted_path *way = &a.way[0];
     const murk_vec3 x = way->snell.crossing;
     const murk_path_viewpoint p = murk_path_viewpoint_at(&space, sensor);
+    /* Positions on both legs, on the crossing, and on the straight line. */
     const murk_vec3 at[4] = {murk_scale(0.5, murk_add(sensor, x)),
                              murk_scale(0.5, murk_add(photon, x)), x,
                              murk_scale(0.5, murk_add(sensor, photon))};
     CHECK(murk_length(murk_sub(x, at[3])) > 0.3);
     for (int k = 0; k < 4; ++k) {
         for (int material = WALL; material <= GLASS; ++material) {
+            /* A small wall or pane at one position. */
             const murk_surface_desc rect =
                 k == 2
                     ? a_rect(murk_vec(x.x - 0.1, -1, 0), murk_vec(0.2, 0, 0),
@@ -408,6 +431,7 @@ static void test_surfaces_count_along_both_legs(void)
                     : a_rect(murk_vec(at[k].x, -1, at[k].z - 0.1),
                              murk_vec(0, 2, 0), murk_vec(0, 0, 0.2), material);
             murk_surfaces *s = surfaces_of(&rect, 1);
+            /* A wall on the bent path blocks, and a pane dims once. */
             const bool in_way = k < 3;
             CHECK(murk_refracted_path_blocked(way, &p, s, false) == in_way);
             CHECK(murk_refracted_path_blocked(way, &p, s, true) ==

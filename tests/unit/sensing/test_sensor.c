@@ -50,10 +50,12 @@ static murk_vec3 direction(uint32_t k)
                                                sqrt(1 - z * z) * sin(a), z));
 }
 
-/* By azimuth and elevation for a level picture: the horizontal angle is the
- * azimuth's, the vertical slope is over what lies ahead. */
+/* The fields of view by azimuth and elevation. In a level frustum, the
+ * horizontal angle is the azimuth, and the vertical slope is taken over the
+ * distance along the heading. */
 static void test_fields_hold_what_their_angles_say(void)
 {
+    /* A narrow and a wide cone, both tilted, and a level frustum. */
     const murk_sensor_type cone = {.view = MURK_VIEW_CONE,
                                    .cone_rad = 70 * MURK_PI / 180};
     const murk_sensor_type wide = {.view = MURK_VIEW_CONE,
@@ -67,12 +69,15 @@ static void test_fields_hold_what_their_angles_say(void)
     const murk_field level = murk_field_of(&frustum, &pose, north);
     size_t in[3] = {0};
     for (uint32_t k = 0; k < 20000; ++k) {
+        /* Cones contain directions within half the angle of the axis. */
         const murk_vec3 way = direction(k);
         const double off =
             acos(murk_dot(way, narrow.frame.axis) / murk_length(way)) * 180 /
             MURK_PI;
         CHECK(murk_field_contains(&narrow, way) == (off < 35));
         CHECK(murk_field_contains(&broad, way) == (off < 125));
+        /* The frustum compares the azimuth, and the vertical slope over the
+         * distance ahead. */
         const double azimuth =
             remainder(atan2(way.x, way.y) * 180 / MURK_PI - 30, 360);
         const double ahead = hypot(way.x, way.y) * cos(azimuth * MURK_PI / 180);
@@ -83,6 +88,7 @@ static void test_fields_hold_what_their_angles_say(void)
         in[1] += off < 125;
         in[2] += is_in;
     }
+    /* Enough directions lie in each field. */
     CHECK(in[0] > 1000 && in[1] > 10000 && in[2] > 500);
 }
 
@@ -116,10 +122,12 @@ static void test_arrival(void)
     CHECK(!murk_field_takes(&r, way, along));
 }
 
-/* Looks of a sight with several types are what the field says of each photon
- * that an all-round sensor sees. */
+/* The rows of a sight with several sensor types hold the photons that
+ * range, field of view, band and direction allow. */
 static void test_looks_keep_to_the_field(void)
 {
+    /* Three types: one without limits, a frustum with a least range, and a type
+     * for one band that takes only light toward the sensor. */
     const murk_domain hall = {.box = {{0, 0, 0}, {10, 8, 4}}};
     const murk_sensor_type types[3] = {
         {.range_m = 100},
@@ -129,6 +137,7 @@ static void test_looks_keep_to_the_field(void)
          .vfov_rad = 0.9,
          .least_range_m = 1},
         {.range_m = 7, .bands = 2, .toward = true}};
+    /* Random photons with directions and bands. */
     enum { N = 4000 };
     static murk_photon photon[N];
     for (uint32_t i = 0; i < N; ++i) {
@@ -139,6 +148,7 @@ static void test_looks_keep_to_the_field(void)
         photon[i].direction = murk_direction_pack(murk_unit(direction(i)));
         photon[i].band = i % 2;
     }
+    /* A sight with all types, in clear air. */
     murk_surfaces *surfaces = surfaces_of(NULL, 0);
     murk_media *media = clear_air(&hall);
     murk_photon_map *empty = map_of(NULL, 0), *map = map_of(photon, N);
@@ -157,6 +167,7 @@ static void test_looks_keep_to_the_field(void)
     CHECK(murk_sight_create(&sight, &desc, &err) == MURK_OK);
     const murk_photon *stored = murk_photon_map_photons(map);
     for (uint32_t type = 0; type < 3; ++type) {
+        /* The row of each type. */
         murk_pose pose = looking(140, -20);
         pose.type = type;
         pose.position = murk_vec(4, 5, 2);
@@ -165,6 +176,8 @@ static void test_looks_keep_to_the_field(void)
         murk_sight_row(sight, 0, &pose, &row);
         size_t at = 0;
         for (uint32_t i = 0; i < N; ++i) {
+            /* A photon is in the row if range, field, band and direction
+             * allow it. */
             const murk_photon *p = &stored[i];
             const murk_vec3 way = murk_sub(murk_vec((double)p->position_m[0],
                                                     (double)p->position_m[1],

@@ -6,6 +6,7 @@
 
 static void test_a_wall_hides_what_is_behind(void)
 {
+    /* A lattice of photons, and a wall across the middle of the hall. */
     murk_photon photon[1000];
     for (uint32_t i = 0; i < 1000; ++i) {
         const murk_vec3 p = {0.5 + i % 10, 0.4 + 0.8 * (i / 10 % 10),
@@ -15,6 +16,7 @@ static void test_a_wall_hides_what_is_behind(void)
     const murk_surface_desc wall =
         a_rect(murk_vec(5, 0, 0), murk_vec(0, 8, 0), murk_vec(0, 0, 4), WALL);
     world w = build(&wall, 1, clear_air(&hall), photon, 1000, plain(&hall));
+    /* Each sensor sees the half on the same side. */
     const murk_vec3 sensors[2] = {{2.1, 4.1, 1.9}, {9.9, 0.1, 3.9}};
     for (int s = 0; s < 2; ++s) {
         murk_sparse_row row;
@@ -26,6 +28,7 @@ static void test_a_wall_hides_what_is_behind(void)
             CHECK((p->position_m[0] < 5) == (s == 0));
         }
     }
+    /* Each photon takes one shadow ray from each sensor. */
     CHECK(murk_sight_queries(w.sight) == 2);
     CHECK(murk_sight_shadow_rays(w.sight) == 2000);
     tear_down(&w);
@@ -145,9 +148,10 @@ static void test_mist_dims_by_band_and_distance(void)
 }
 
 /* Two boxes that overlap: 1 m of the first alone, 1 m of both, 2 m of the
- * second alone, clear air around. */
+ * second alone, and clear air around. */
 static void test_regions_dim_where_they_are(void)
 {
+    /* Two media, and two boxes that overlap. */
     const murk_medium media[2] = {
         {.extinction_per_m = {{0.5, 0.5}}, .where = "thin"},
         {.extinction_per_m = {{0.25, 0.25}}, .where = "thinner"}};
@@ -165,9 +169,12 @@ static void test_regions_dim_where_they_are(void)
     murk_error err = {0};
     CHECK(murk_media_create(&m, media, 2, regions, 2, &hall.box, &err) ==
           MURK_OK);
+    /* One photon behind both boxes, and one before them. */
     const murk_photon photon[2] = {a_photon(murk_vec(9, 4, 2), none, 0),
                                    a_photon(murk_vec(1.5, 4, 2), none, 1)};
     world w = build(NULL, 0, m, photon, 2, plain(&hall));
+    /* The first is dimmed by the sum of optical depths, the second not at
+     * all. */
     CHECK(seen_from(&w, murk_vec(1, 4, 2), 0) ==
           clarity(exp(-(0.5 * 2 + 0.25 * 3))));
     CHECK(seen_from(&w, murk_vec(1, 4, 2), 1) == MURK_CLEAR);
@@ -274,6 +281,7 @@ static void check_refused(murk_sight_desc desc, murk_photon photon,
 
 static void test_bad_input_is_refused(void)
 {
+    /* Sensor types with a bad range. */
     const murk_photon good = a_photon(murk_vec(1, 1, 1), none, 0);
     murk_sight_desc desc = plain(&hall);
     murk_sensor_type type = all_round(0);
@@ -283,6 +291,7 @@ static void test_bad_input_is_refused(void)
     check_refused(desc, good, MURK_BAD_VALUE, "range_m");
     type = (murk_sensor_type){.range_m = 2, .least_range_m = 2};
     check_refused(desc, good, MURK_BAD_VALUE, "least_range_m, 2 m");
+    /* Weights of maps that are negative, all 0, or leave nothing to see. */
     desc = plain(&hall);
     desc.weights = (murk_map_weights){false, -1, 2};
     check_refused(desc, good, MURK_BAD_VALUE, "surface -1 and volume 2");
@@ -293,6 +302,7 @@ static void test_bad_input_is_refused(void)
     desc.where = "hall.yaml:7: placement";
     check_refused(desc, good, MURK_RUN_FAILED, "nothing to see");
     desc = plain(&hall);
+    /* Records with a bad power, band or number, or without power. */
     murk_photon bad = good;
     bad.power_w = NAN;
     check_refused(desc, bad, MURK_BAD_FILE, "record 0");
@@ -310,9 +320,11 @@ static void test_bad_input_is_refused(void)
     check_refused(desc, bad, MURK_RUN_FAILED, "nothing to see");
 }
 
-/* The ends of what is allowed are allowed, and a hundredth beyond is not. */
+/* Values at the ends of their ranges are allowed, and values a hundredth
+ * beyond are not. */
 static void test_ends_of_ranges(void)
 {
+    /* Settings at the ends of their ranges, and beyond. */
     const murk_photon photon = a_photon(murk_vec(1, 1, 1), none, 0);
     const struct {
         double threshold, acceptance_rad, least_range_m;
@@ -333,6 +345,7 @@ static void test_ends_of_ranges(void)
         {0, 0, 0, MURK_COMBINE_INDEPENDENT, 2, false},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        /* A sight with these settings. */
         const murk_sensor_type type = {.range_m = 2,
                                        .least_range_m = cases[i].least_range_m,
                                        .acceptance_rad =
@@ -344,6 +357,7 @@ static void test_ends_of_ranges(void)
         desc.threshold = cases[i].threshold;
         desc.combining = cases[i].combining;
         desc.redundancy = cases[i].redundancy;
+        /* The sight is made, or refused with a message. */
         if (cases[i].is_allowed) {
             world w = build(NULL, 0, clear_air(&hall), &photon, 1, desc);
             tear_down(&w);

@@ -50,6 +50,7 @@ static scene scene_of(murk_media *media, const murk_photon *photon, size_t n,
                       const murk_sensor_type *type, size_t types, bool refracts,
                       double power_radius_m)
 {
+    /* Sort the photons by map. */
     murk_photon *part[2] = {malloc(n * sizeof *photon + 1),
                             malloc(n * sizeof *photon + 1)};
     size_t count[2] = {0, 0};
@@ -57,11 +58,13 @@ static scene scene_of(murk_media *media, const murk_photon *photon, size_t n,
         const int k = murk_photon_is_volume(&photon[i]);
         part[k][count[k]++] = photon[i];
     }
+    /* Both maps, without surfaces. */
     scene s = {.surfaces = surfaces_of(NULL, 0), .media = media};
     for (int k = 0; k < 2; ++k) {
         s.map[k] = map_of(part[k], count[k]);
         free(part[k]);
     }
+    /* A sight that bends paths or not, with radiance if a radius is given. */
     const murk_sight_desc desc = {
         .surfaces = s.surfaces,
         .media = media,
@@ -134,6 +137,7 @@ static way way_through(murk_vec3 above, murk_vec3 below, double n)
 
 static void test_clarity_is_fermats_way_times_fresnel(void)
 {
+    /* Random photons in two bands, above and below a water surface. */
     murk_photon photon[PHOTONS];
     murk_vec3 place[PHOTONS];
     for (uint32_t i = 0; i < PHOTONS; ++i) {
@@ -147,6 +151,7 @@ static void test_clarity_is_fermats_way_times_fresnel(void)
     }
     const murk_sensor_type all = {.range_m = INFINITY};
     scene s = scene_of(pond(0.05, 0.1), photon, PHOTONS, &all, 1, true, 0);
+    /* A sensor in air and one in water see all photons. */
     const murk_vec3 eye[2] = {{1, -2, 0.75}, {-2, 1, -1.5}};
     size_t across = 0, noticed = 0;
     for (int e = 0; e < 2; ++e) {
@@ -160,12 +165,15 @@ static void test_clarity_is_fermats_way_times_fresnel(void)
                 &murk_photon_map_photons(s.map[1])[row.photon[k]];
             const murk_vec3 at = place[p->emitted];
             const double water = 0.1 * (1 + p->band);
+            /* On the side of the sensor, the path is straight. */
             if ((at.z < 0) == (eye[e].z < 0)) {
                 const double d = murk_length(murk_sub(at, eye[e]));
                 const double want = exp(-d * (at.z < 0 ? water : 0.05));
                 CHECK_NEAR(row.clarity[k], want * MURK_CLEAR, 0.51);
                 continue;
             }
+            /* Across the surface, the reference is the path of least
+             * optical length; another index would be noticed. */
             double want[2];
             for (int k2 = 0; k2 < 2; ++k2) {
                 const way w = e == 0
@@ -185,6 +193,7 @@ static void test_clarity_is_fermats_way_times_fresnel(void)
     CHECK(murk_sight_blocked_by_interfaces(s.sight) == 0);
     leave(&s);
 
+    /* Without refraction, the surface of the water blocks all paths across. */
     s = scene_of(pond(0.05, 0.1), photon, PHOTONS, &all, 1, false, 0);
     const murk_pose pose = {.position = eye[0]};
     murk_sparse_row row;
@@ -266,6 +275,7 @@ static void test_side_and_arrival_are_those_of_the_leg(void)
 
 static void test_acceptance_is_of_the_type(void)
 {
+    /* Fog with another phase function in each band. */
     const double acceptance = 2 * MURK_PI / 180;
     murk_medium fog = {.extinction_per_m = {{0.3, 0.6}},
                        .albedo = {{0.9, 0.4}},
@@ -279,6 +289,8 @@ static void test_acceptance_is_of_the_type(void)
     murk_error err = {0};
     CHECK(murk_media_create(&media, &fog, 1, &region, 1, &pool.box, &err) ==
           MURK_OK);
+    /* A photon in each band, and two types: one accepts scattered light
+     * within 2 degrees. */
     const murk_vec3 eye = {-2, 0, 0}, at = {2, 0, 0}, none = {0, 0, 0};
     murk_photon photon[] = {a_photon(at, none, 0), a_photon(at, none, 1)};
     photon[1].band = 1;
@@ -286,6 +298,8 @@ static void test_acceptance_is_of_the_type(void)
         {.range_m = 9}, {.range_m = 9, .acceptance_rad = acceptance}};
     scene s = scene_of(media, photon, 2, type, 2, false, 0);
     for (uint32_t band = 0; band < 2; ++band) {
+        /* Light that is scattered forward within this angle does not dim,
+         * by the integral of the phase function. */
         const double extinction = fog.extinction_per_m.band[band];
         const double scattered = extinction * fog.albedo.band[band];
         const double g = band ? 0.9 : 0.95, c = cos(acceptance);

@@ -164,9 +164,11 @@ static void test_periodic_sightlines_go_to_the_nearest_image(void)
     tear_down(&w);
 }
 
-/* A range past half a period: every photon once, at its nearest image. */
+/* With a range beyond half a period, every photon is seen once, at the
+ * nearest image. */
 static void test_periodic_photons_are_found_once(void)
 {
+    /* Random records in a periodic hall. */
     static murk_photon photon[MANY];
     scatter(photon, 5);
     murk_domain around = hall;
@@ -176,10 +178,13 @@ static void test_periodic_photons_are_found_once(void)
     desc.type = &type;
     world w = build(NULL, 0, clear_air(&around), photon, MANY, desc);
     for (int s = 0; s < 8; ++s) {
+        /* The row of a sensor at a random position. */
         const murk_random4 r = murk_random(8, MURK_TEST, 0, 1, (uint32_t)s);
         const murk_vec3 o = {10 * r.u[0], 8 * r.u[1], 4 * r.u[2]};
         murk_sparse_row row;
         murk_sight_row(w.sight, 0, partial_at(&o, 1), &row);
+        /* As many records are in range at the nearest image and face the
+         * sensor. */
         size_t want = 0;
         for (size_t i = 0; i < MANY; ++i) {
             const float *x = photon[i].position_m;
@@ -193,6 +198,7 @@ static void test_periodic_photons_are_found_once(void)
                 murk_length(way) <= 5.5 && (is_volume || murk_dot(n, way) > 0);
         }
         CHECK(row.seen == want && want > 100);
+        /* No record is in the row twice. */
         for (size_t k = 1; k < row.seen; ++k) {
             CHECK(row.photon[k - 1] < row.photon[k]);
         }
