@@ -256,9 +256,12 @@ static void write_cube(const char *path)
     }
 }
 
-/* A region that is a mesh: the way within it counts, with an index it bends. */
+/* A region that is a mesh: the length within the mesh counts. A mesh with
+ * an index bends the path, which is refused. */
 static void test_in_a_mesh(void)
 {
+    /* A scene with a cube as a mesh, and the same scene with a denser
+     * medium. */
     static const char *const dense[] = {"media.m.extinction_per_m=0.7", NULL};
     char folder[] = "/tmp/murk_beams_XXXXXX", path[64], text[512];
     CHECK(mkdtemp(folder) != NULL);
@@ -273,6 +276,8 @@ static void test_in_a_mesh(void)
              path);
     murk_stage *stage = stage_text_create(text, NULL);
     murk_stage *other = stage_text_create(text, dense);
+    /* Only the length within the cube attenuates, also from a position
+     * inside. */
     const murk_reading across = segment(-3, 0.1, 0.2, 3, 0.1, 0.2);
     const murk_reading from_within = segment(0.5, 0.1, 0.2, 3, 0.1, 0.2);
     if (stage && other) {
@@ -285,6 +290,7 @@ static void test_in_a_mesh(void)
     stage_text_destroy(stage);
     stage_text_destroy(other);
     CHECK_TEXT(refusal(text, across).text, "");
+    /* With an index of refraction, a segment through the mesh is refused. */
     char *end = strstr(text, "obj}");
     CHECK(end != NULL);
     snprintf(end, sizeof text - (size_t)(end - text), "%s",

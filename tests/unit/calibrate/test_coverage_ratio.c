@@ -60,6 +60,8 @@ static double slope_at(size_t g, size_t b, size_t map, size_t k,
 static void make(case_of *c, const murk_map_weights *weights,
                  const double x[KEYS])
 {
+    /* Sums of each batch: of all power, and of the power that each group
+     * sees. */
     double whole[MAPS] = {0};
     memset(c, 0, sizeof *c);
     for (size_t b = 0; b < BATCHES; ++b) {
@@ -70,6 +72,7 @@ static void make(case_of *c, const murk_map_weights *weights,
             for (size_t g = 0; g < GROUPS; ++g) {
                 c->seen[(g * BATCHES + b) * MAPS + map] = seen_at(g, b, map, x);
             }
+            /* Slopes are sums over the batches of a run. */
             for (size_t k = 0; k < KEYS; ++k) {
                 const size_t at = (run * MAPS + map) * KEYS + k;
                 c->all_slope[at] += slope_at(SIZE_MAX, b, map, k, x);
@@ -80,6 +83,7 @@ static void make(case_of *c, const murk_map_weights *weights,
             }
         }
     }
+    /* The case refers to these arrays, and mixes the maps by the weights. */
     c->sums = (murk_coverage_sums){.batches = BATCHES,
                                    .runs = RUNS,
                                    .keys = KEYS,
@@ -109,6 +113,7 @@ static double coverage_at(const murk_map_weights *weights, size_t group,
 
 static void check_slopes(const murk_map_weights *weights)
 {
+    /* Coverage, the slopes, and the parts of the slopes by runs. */
     const double x[KEYS] = {.4, -.7};
     static case_of c;
     for (size_t g = 0; g < GROUPS; ++g) {
@@ -117,6 +122,7 @@ static void check_slopes(const murk_map_weights *weights)
         murk_coverage_ratio(&value, slope, NULL, 1, g, &c.sums, &c.mix);
         murk_coverage_slope_parts(part, KEYS, slope, g, &c.sums, &c.mix);
         for (size_t k = 0; k < KEYS; ++k) {
+            /* Each slope is the central difference of the coverage. */
             double low[KEYS], high[KEYS], down[RUNS], up[RUNS], sum = 0;
             memcpy(low, x, sizeof low);
             memcpy(high, x, sizeof high);
@@ -126,6 +132,8 @@ static void check_slopes(const murk_map_weights *weights)
                                coverage_at(weights, g, low, down)) /
                               (2 * STEP);
             CHECK_NEAR(slope[k], by, 1e-8);
+            /* The parts are differences of the parts, and add up to the
+             * slope. */
             for (size_t run = 0; run < RUNS; ++run) {
                 CHECK_NEAR(part[run * KEYS + k],
                            (up[run] - down[run]) / (2 * STEP), 1e-8);

@@ -31,6 +31,7 @@ static murk_photon_map *reweighed_map(const murk_photon_map *map, const lit *l,
 static void measure(murk_estimate out[GROUPS], const lit *l,
                     const char *const *overrides, const double at[KEYS])
 {
+    /* The stage, with maps of records that are reweighed to the optics. */
     optics here;
     set_optics(&here, at);
     murk_stage *stage = stage_text_create(scene_text, overrides);
@@ -38,8 +39,10 @@ static void measure(murk_estimate out[GROUPS], const lit *l,
         .surface = reweighed_map(l->followed->surface, l, &here.optics),
         .volume = reweighed_map(l->followed->volume, l, &here.optics),
         .emitted = l->followed->emitted};
+    /* The sight of these maps. */
     murk_sight *sight = NULL;
     CHECK(stage && !murk_plan_sight(&sight, stage, &traced, 1, NULL));
+    /* The coverage by the poses of each group. */
     for (size_t g = 0, first = 0; g < GROUPS; ++g) {
         size_t n = 0;
         while (first + n < POSES && group_of[first + n] == g) {
@@ -72,6 +75,7 @@ static const char *const ways[] = {
 
 static void test_is_what_sensing_measures(void)
 {
+    /* Each scene as traced, and the same scene with other media. */
     const double thicker[KEYS] = {1.2, 0.7, 0.5, 0.6, 0};
     for (size_t w = 0; w < WAYS; ++w) {
         const char *const here[] = {ways[w], NULL};
@@ -81,6 +85,7 @@ static void test_is_what_sensing_measures(void)
                                      "media.smoke.extinction_per_m=0.7",
                                      "media.smoke.albedo=0.5",
                                      NULL};
+        /* The coverage of the light as traced. */
         murk_estimate want[GROUPS];
         lit l = lit_and_seen(here);
         read_out got = read_at(&l, as_traced, STEP, 0);
@@ -90,6 +95,7 @@ static void test_is_what_sensing_measures(void)
             CHECK(want[g].value > 0.02);
         }
         free(got.batch);
+        /* The coverage of the light that is reweighed to the other media. */
         got = read_at(&l, thicker, STEP, 0);
         measure(want, &l, there, thicker);
         for (size_t g = 0; g < GROUPS; ++g) {
@@ -161,11 +167,14 @@ static double variance(const read_out *r, size_t batches, size_t g)
     return square * (double)batches / ((double)batches - 1);
 }
 
-/* Each photon a batch: the ratio estimator's error as sensing has it, but for
- * clarity's rounding of X and of C, which moves an error by no more. A hundred
- * batches: the same within the spread of a variance of as many. */
+/* With one photon in each batch, the error of the ratio estimator is that
+ * of sensing, except for the rounding of clarity in numerator and
+ * denominator, which moves an error by no more. With a hundred batches it
+ * is the same within the spread of a variance of a hundred values. */
 static void test_batches_tell_the_error(void)
 {
+    /* Batches of one photon each, a hundred batches, and the error by
+     * sensing. */
     enum { FEW = 100 };
     const double limit = murk_sidak_limit(1e-6, 3 * GROUPS);
     for (size_t w = 0; w < 3; ++w) {
@@ -177,12 +186,17 @@ static void test_batches_tell_the_error(void)
         read_out few = read_at(&l, as_traced, STEP, FEW);
         measure(want, &l, here, as_traced);
         for (size_t g = 0; g < GROUPS; ++g) {
+            /* Parts of batches add up to the coverage, however many batches
+             * there are. */
             double sum = 0;
             for (size_t b = 0; b < FEW; ++b) {
                 sum += few.batch[b * GROUPS + g];
             }
             CHECK_NEAR(sum, few.value[g], 1e-13);
             CHECK_NEAR(few.value[g], each.value[g], 1e-13);
+            /* The variance over photons is the square of the error by
+             * sensing, and the variance over few batches agrees within chance.
+             */
             CHECK_NEAR(sqrt(variance(&each, all, g)), want[g].standard_error,
                        2 * ROUNDING * want[g].standard_error);
             CHECK_WITHIN(limit, variance(&few, FEW, g), variance(&each, all, g),
@@ -196,12 +210,15 @@ static void test_batches_tell_the_error(void)
 
 /* ---- the rest ---- */
 
-/* Teeth: with parameters that leave sightlines as they are (or turn them the
- * other way), the same check fails by a thousand times its limit. */
+/* Teeth: with sides that leave sightlines as they are, or exchange the two
+ * sides, the check of slopes fails by a thousand times its limit. */
 static void test_slopes_need_sightlines(void)
 {
+    /* Slopes as they should be, from the light as traced. */
     lit l = lit_and_seen(NULL);
     const read_out got = read_at(&l, as_traced, STEP, 0);
+    /* Optics at both sides of the extinction of the fog; the same
+     * exchanged, and the same without a difference. */
     optics here, low, high;
     double value[KEYS];
     murk_optics_sides sides[KEYS] = {{0}}, turned[KEYS] = {{0}}, still[KEYS];
@@ -215,10 +232,13 @@ static void test_slopes_need_sightlines(void)
     turned[FOG] = (murk_optics_sides){&high.optics, &low.optics, 2 * STEP};
     memcpy(still, sides, sizeof still);
     still[FOG].low = still[FOG].high = &here.optics;
+    /* Records are reweighed in the right way. */
     murk_reweighed reweighed =
         reweigh(l.followed, &l.traced->optics, &here.optics, sides);
     const murk_optics_sides *const wrong[] = {turned, still};
     for (size_t i = 0; i < 2; ++i) {
+        /* Wrong sightlines leave the coverage, but not the slope by the
+         * fog. */
         read_out off;
         CHECK(!murk_covered_read(off.value, off.slope[0], NULL, 0, NULL, 0,
                                  l.covered, &reweighed, &l.traced->optics,

@@ -119,6 +119,7 @@ static void receive_segment(void *context, uint64_t batch,
 
 static void hear_record(told *t, const murk_event *event)
 {
+    /* Find the next contribution that is a record. */
     const murk_followed *f = t->followed;
     while (t->next < f->n &&
            !murk_contribution_is_record(&f->contribution[t->next])) {
@@ -128,6 +129,8 @@ static void hear_record(told *t, const murk_event *event)
         ++t->wrong_place;
         return;
     }
+    /* The contribution belongs to the photon, band, light and map of the event,
+     * and has the same value. */
     const size_t i = t->next++;
     const murk_contribution *c = &f->contribution[i];
     const bool is_volume = event->kind == MURK_EVENT_MEDIUM;
@@ -138,6 +141,8 @@ static void hear_record(told *t, const murk_event *event)
                                                 : MURK_RECORD_OF_SURFACE) ||
                       (is_volume && c->medium != event->material_or_medium) ||
                       c->value != (float)event->leaving;
+    /* Optical depth, collisions in each medium and turns are those of the
+     * path. */
     t->wrong_depth +=
         !(fabs(kept_depth(t, i, c->band) - t->depth) <= 1e-6 * t->depth);
     for (size_t m = 0; m < MEDIA; ++m) {
@@ -401,6 +406,7 @@ static void test_store_says_how_many(void)
 
 static void test_refusals(const murk_stage *stage)
 {
+    /* Less memory than the light needs. */
     murk_followed_desc desc = desc_of(stage);
     murk_followed *f = NULL;
     murk_error err = {0};
@@ -408,12 +414,14 @@ static void test_refusals(const murk_stage *stage)
     CHECK(murk_followed_trace(&f, &desc, &err) == MURK_BAD_VALUE && !f);
     CHECK_MENTIONS(err.text, "must be at most 0.0001 GB");
 
+    /* Fewer photons than the smallest number. */
     desc = desc_of(stage);
     desc.photons = 3;
     err = (murk_error){0};
     CHECK(murk_followed_trace(&f, &desc, &err) == MURK_BAD_VALUE && !f);
     CHECK_MENTIONS(err.text, "must be at least 4");
 
+    /* A scene in which all lights are dark. */
     const char *const dark[] = {"lights.0.power_w=0", "lights.1.power_w=0",
                                 NULL};
     murk_stage *night = stage_text_create(scene_text, dark);

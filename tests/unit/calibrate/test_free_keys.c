@@ -37,6 +37,7 @@ static void check_key(const expected *want)
 
 static void test_keys_are_what_they_turn(void)
 {
+    /* Keys of the optics of media, for which light is reweighed. */
     static const expected medium[] = {
         {"media.fog.visibility_m", MURK_FREE_MEDIUM, 80, true, false},
         {"media.rain.rain_mm_per_h", MURK_FREE_MEDIUM, 10, true, false},
@@ -52,12 +53,14 @@ static void test_keys_are_what_they_turn(void)
         {"media.layer.albedo", MURK_FREE_MEDIUM, .9, false, false},
         {"media.sea.chlorophyll_mg_per_m3", MURK_FREE_MEDIUM, .5, true, true},
     };
+    /* Keys of powers, for which light is scaled. */
     static const expected light[] = {
         {"lights.0.power_w", MURK_FREE_LIGHT, 100, true, false},
         {"lights.1.power_w.1", MURK_FREE_LIGHT, 2, true, false},
         {"lights.2.irradiance_w_per_m2", MURK_FREE_LIGHT, 10, true, false},
         {"lights.3.irradiance_w_per_m2.0", MURK_FREE_LIGHT, 5, true, false},
     };
+    /* Keys of the world, for which light is traced again. */
     static const expected world[] = {
         {"media.layer.profile.extinction_per_m.0", MURK_FREE_WORLD, .2, true,
          false},
@@ -79,6 +82,7 @@ static void test_keys_are_what_they_turn(void)
         {"lights.2.direction.1", MURK_FREE_WORLD, .1, false, false},
         {"site.latitude_deg", MURK_FREE_WORLD, 52, false, false},
     };
+    /* Kind, start and logarithmic scale of each key. */
     for (size_t i = 0; i < sizeof medium / sizeof *medium; ++i) {
         check_key(&medium[i]);
     }
@@ -206,20 +210,25 @@ static void test_values_out_of_range_are_named(void)
 
 static void test_each_condition_has_its_own(void)
 {
+    /* One key for each condition, and one for all. */
     static const char *const asked[] = {"media.fog.visibility_m@each",
                                         "media.two.albedo.0"};
     field f;
     make_field(&f, AS_IT_STANDS | 1);
     murk_free_keys *keys = made(&f, asked, 2, NULL);
+    /* The first stands for two parameters, with names and starts of the
+     * conditions. */
     CHECK(keys->conditions == 2 && keys->n == 3);
     CHECK(keys->condition[0] == SIZE_MAX && keys->condition[1] == 0);
     CHECK_TEXT(keys->condition_name[1], "dawn");
     CHECK_TEXT(keys->key[0].name, "media.fog.visibility_m@scene");
     CHECK_TEXT(keys->key[1].name, "media.fog.visibility_m@dawn");
     CHECK(keys->key[0].start == 80 && keys->key[1].start == 50);
+    /* Each parameter is in its own condition, and the common one in both. */
     CHECK(murk_free_key_is_in(keys, 0, 0) && !murk_free_key_is_in(keys, 0, 1));
     CHECK(!murk_free_key_is_in(keys, 1, 0) && murk_free_key_is_in(keys, 1, 1));
     CHECK(murk_free_key_is_in(keys, 2, 0) && murk_free_key_is_in(keys, 2, 1));
+    /* The scene of a condition has the values of these parameters. */
     const double value[] = {60, 40, .7};
     for (size_t c = 0; c < 2; ++c) {
         murk_scene_desc *at = NULL;
@@ -324,6 +333,7 @@ static void test_differences_are_the_laws_slopes(void)
 
 int main(void)
 {
+    /* Write the scene to a file, and read it once for all tests. */
     murk_error err = {0};
     const int handle = mkstemp(path);
     CHECK(handle >= 0);
@@ -334,11 +344,13 @@ int main(void)
         printf("%s: %s\n", err.where, err.text);
         return 1;
     }
+    /* Keys and values. */
     test_keys_are_what_they_turn();
     test_ranges_are_natural();
     test_a_scene_has_the_values();
     test_a_band_of_one_value_is_its_own();
     test_values_out_of_range_are_named();
+    /* Conditions, gains and differences. */
     test_each_condition_has_its_own();
     test_one_value_wins_over_a_condition();
     test_gains_are_of_readings();

@@ -30,6 +30,7 @@ static void refused(const char *asked, const char *why)
 
 static void test_keys_are_refused(void)
 {
+    /* Keys of other parts of the scene, and misspelt keys. */
     refused("", "nothing, must be of media, regions, lights or site");
     refused("medi.fog.visibility_m",
             "no medi in the scene, did you mean media");
@@ -38,6 +39,8 @@ static void test_keys_are_refused(void)
     refused("media.fgo.visibility_m", "no fgo in media, did you mean fog?");
     refused("media.fog.visiblity_m",
             "no visiblity_m in media.fog, did you mean visibility_m?");
+    /* Keys without a value to start from, and words that the preset does
+     * not know. */
     refused("media.fog.mor_m", "media.fog has no mor_m to start from");
     refused("media.fog.albedo", "media.fog has no albedo to start from");
     refused("media.fog.chlorophyll_mg_per_m3",
@@ -47,6 +50,7 @@ static void test_keys_are_refused(void)
             "changes nothing, so it cannot be free: water/case-1 does not");
     refused("media.plain.chlorophyll_mg_per_m3",
             "a word of presets, and the medium has none");
+    /* Keys that are not one number. */
     refused("media.fog", "a map, must be one number");
     refused("media", "a map, must be one number");
     refused("media.fog.", "an empty part of a key");
@@ -62,6 +66,7 @@ static void test_keys_are_refused(void)
     refused("regions.0.scale", "to start from");
     refused("regions.1.replace", "false, must be a number");
     refused("lights.0.schedule", "must be a number");
+    /* Bad names of conditions and gains, and keys that change nothing. */
     refused("media.plain.albedo@dawn", "must be @each");
     refused("gain.prob", "did you mean probe?");
     refused("media.black.albedo",

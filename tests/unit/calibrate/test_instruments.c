@@ -15,10 +15,11 @@ static void keep_note(const char *where, const char *text)
     snprintf(noted + used, sizeof noted - used, "%s: %s\n", where, text);
 }
 
-/* What is said of receivers at those x in a room from 0 to 4 m that a wall at
- * x = 2 divides; all are .25 m. */
+/* Keeps the warning about receivers at the given x in a room from 0 to 4 m
+ * that a wall at x = 2 divides; all have a radius of .25 m. */
 static void look_at(const double *x, size_t n)
 {
+    /* A room with a wall across. */
     const murk_material stuff = {.name = "default"};
     const murk_surface_desc desc[2] = {{.shape = MURK_SHAPE_BOX,
                                         .box = {{0, 0, 0}, {4, 4, 4}},
@@ -30,6 +31,7 @@ static void look_at(const double *x, size_t n)
                                         .edge2 = {0, 0, 4},
                                         .to_world = murk_affine_identity(),
                                         .where = "wall"}};
+    /* A receiver of fluence at each position. */
     murk_reading reading[ROWS_MAX];
     murk_measured_row row[ROWS_MAX];
     for (size_t i = 0; i < n; ++i) {
@@ -44,6 +46,7 @@ static void look_at(const double *x, size_t n)
                                   .readings = n,
                                   .row = row,
                                   .rows = n};
+    /* Keep the warning that the receivers cause. */
     murk_surfaces *surfaces = NULL;
     murk_instruments instruments = {0};
     murk_error err = {0};

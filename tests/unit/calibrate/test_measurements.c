@@ -71,6 +71,7 @@ static void refused(const char *text, const char *place, const char *why)
 
 static void test_each_kind_is_read(void)
 {
+    /* A file with a reading of each kind, a comment and an empty line. */
     murk_measurements *m = read_text(
         "# by hand\n"
         "use,standard_error,value,unit,kind,x_m,y_m,z_m,x2_m,y2_m,z2_m,"
@@ -87,6 +88,7 @@ static void test_each_kind_is_read(void)
     CHECK(m->readings == 5 && m->rows == 5 && m->held_out == 1);
     CHECK(strlen(m->sha256) == 64);
 
+    /* Coverage, with the pose of the sensor. */
     CHECK(r[0].kind == MURK_READ_COVERAGE && r[0].line == 3);
     CHECK(r[0].condition == 0 && r[0].pose.type == 1);
     CHECK(r[0].pose.position.x == 1 && r[0].pose.position.z == 3);
@@ -96,17 +98,21 @@ static void test_each_kind_is_read(void)
     CHECK(r[0].standard_error == .02 && r[0].gain == SIZE_MAX);
     CHECK_TEXT(m->group[0], "A");
 
+    /* Fluence, held out, in one band. */
     CHECK(r[1].kind == MURK_READ_FLUENCE && r[1].line == 5);
     CHECK(r[1].is_held_out && !r[0].is_held_out && !r[2].is_held_out);
     CHECK(r[1].band == 1 && r[1].radius_m == .5);
     CHECK(r[1].condition == SIZE_MAX && r[1].unit == MURK_UNIT_LUX);
     CHECK(isnan(r[1].acceptance_rad));
 
+    /* Irradiance, with the direction at unit length. */
     CHECK(r[2].kind == MURK_READ_IRRADIANCE && r[2].condition == 1);
     CHECK(r[2].direction.z == -1 && r[2].direction.x == 0);
     CHECK_NEAR(r[2].acceptance_rad, MURK_PI / 3, 1e-15);
     CHECK(r[2].band == -1 && r[2].unit == MURK_UNIT_W_PER_M2);
 
+    /* Transmittance in the unit of transmissometers, and a reading with a
+     * gain. */
     CHECK(r[3].kind == MURK_READ_TRANSMITTANCE && r[3].to.z == 4);
     CHECK(r[3].unit == MURK_UNIT_TRANSMISSION_PERCENT_PER_M);
     CHECK(r[4].gain == 0 && m->gains == 1);
@@ -114,10 +120,12 @@ static void test_each_kind_is_read(void)
     murk_measurements_destroy(m);
 }
 
-/* A group's lines need not stand together; rows are in order of first lines,
- * and another condition is another reading of the same plan. */
+/* Lines of a group may stand apart. Rows are in the order of their first
+ * lines, and another condition is another reading of the same plan. */
 static void test_a_group_of_coverage_is_one_row(void)
 {
+    /* Lines of two groups in turn, without a group, and of another
+     * condition. */
     murk_measurements *m =
         read_text("kind,x_m,y_m,z_m,sensor,group,condition,value,"
                   "standard_error\n"
@@ -128,6 +136,7 @@ static void test_a_group_of_coverage_is_one_row(void)
                   "coverage,5,1,1,node,,,.7,.1\n"
                   "coverage,6,1,1,node,B,dawn,.3,.1\n"
                   "coverage,7,1,1,node,A,,.6,.1\n");
+    /* Readings are sorted by row. */
     static const size_t want_first[] = {0, 2, 4, 5, 6},
                         want_n[] = {2, 2, 1, 1, 1};
     static const double want_x[] = {1, 3, 2, 7, 4, 5, 6};
@@ -138,6 +147,7 @@ static void test_a_group_of_coverage_is_one_row(void)
     for (size_t i = 0; i < 7; ++i) {
         CHECK(m->reading[i].position.x == want_x[i]);
     }
+    /* Groups are named in the order of rows. */
     CHECK_TEXT(m->group[0], "B");
     CHECK_TEXT(m->group[1], "A");
     CHECK_TEXT(m->group[2], "");
@@ -285,6 +295,8 @@ static void test_numbers_are_refused(void)
 
 static void test_places_are_refused(void)
 {
+    /* Segments that leave the domain, have no length or no end, and
+     * misspelt kinds. */
     refused(BEAM "transmittance,1,1,11,1,1,3,,.5,.1,,\n", ":2: x_m",
             "[1, 1, 11] m is outside the domain, [0, 0, 0] to [30, 20, 10] m");
     refused(BEAM "transmittance,1,1,1,1,1,-3,,.5,.1,,\n", ":2: x2_m",
@@ -299,6 +311,8 @@ static void test_places_are_refused(void)
 #define LIGHT                                                        \
     "kind,x_m,y_m,z_m,direction_x,direction_y,direction_z,radius_m," \
     "acceptance_deg,band_nm,unit,value,standard_error\n"
+    /* Receivers without a valid radius, or with a direction that the kind does
+     * not take. */
     refused(LIGHT "fluence,1,1,1,,,,,,,lux,1,1\n", ":2: radius_m", "needs it");
     refused(LIGHT "fluence,1,1,1,,,,0,,,lux,1,1\n", ":2: radius_m",
             "more than 0 m");
@@ -310,6 +324,7 @@ static void test_places_are_refused(void)
             "no length");
     refused(LIGHT "irradiance,1,1,1,0,,0,.1,,,lux,1,1\n", ":2: direction_y",
             "needs it");
+    /* Bad angles, bands and units. */
     refused(LIGHT "irradiance,1,1,1,0,0,1,.1,91,,lux,1,1\n",
             ":2: acceptance_deg", "at most 90 degrees");
     refused(LIGHT "fluence,1,1,1,,,,.1,,533,lux,1,1\n", ":2: band_nm",
@@ -327,6 +342,7 @@ static void test_places_are_refused(void)
 
 static void test_sensors_and_groups_are_refused(void)
 {
+    /* Unknown sensors, and poses that are incomplete or out of limits. */
     refused(COVER "coverage,1,1,1,nod,,,A,,.5,.1,\n", ":2: sensor",
             "did you mean node?");
     refused(COVER "coverage,1,1,1,,,,A,,.5,.1,\n", ":2: sensor",
@@ -335,12 +351,15 @@ static void test_sensors_and_groups_are_refused(void)
             "needs it");
     refused(COVER "coverage,1,1,1,cam,10,95,A,,.5,.1,\n", ":2: tilt_deg",
             "-90..90 degrees");
+    /* Unknown conditions and uses. */
     refused(COVER "coverage,1,1,1,node,,,A,dusk,.5,.1,\n", ":2: condition",
             "dusk, must be one of dawn, noon");
     refused(COVER "coverage,1,1,1,node,,,A,dwan,.5,.1,\n", ":2: condition",
             "did you mean dawn?");
     refused(COVER "coverage,1,1,1,node,,,A,,.5,.1,never\n", ":2: use",
             "must be one of fit, hold_out");
+    /* Lines of one group that differ in value, use or unit, and names that
+     * are too long. */
     refused(COVER "coverage,1,1,1,node,,,A,,.5,.1,\n"
                   "coverage,2,1,1,node,,,A,,.6,.1,\n",
             ":3: value", "differs from line 2 of this group");
@@ -359,6 +378,7 @@ static void test_sensors_and_groups_are_refused(void)
 
 int main(void)
 {
+    /* The scene that the measurements belong to, and a file for their text. */
     murk_error err = {0};
     if (murk_scene_desc_parse(&scene, SCENE, "s.yaml", NULL, 0, &err)) {
         printf("%s: %s\n", err.where, err.text);
@@ -368,12 +388,14 @@ int main(void)
     CHECK(handle >= 0);
     close(handle);
     murk_warn_to(keep_note);
+    /* Kinds, groups and units. */
     test_each_kind_is_read();
     test_a_group_of_coverage_is_one_row();
     test_derived_units_are_told_once();
     test_units_compare_with_a_transmittance();
     test_units_are_finite_everywhere();
     test_light_counts_by_band();
+    /* Refused files. */
     test_columns_are_refused();
     test_other_files_are_refused();
     test_numbers_are_refused();

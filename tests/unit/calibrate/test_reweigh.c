@@ -72,12 +72,13 @@ static murk_optics *varied_at(const char *key, double value)
     return optics_text_create(scene_text, overrides);
 }
 
-/* Sums over receivers and maps, and their slopes by one key where there are
- * sides. */
+/* Sums over receivers and over the records of each map, and the slopes by
+ * one key if there is a key. */
 static void read_sums(const followed_text *l, const murk_optics *at,
                       const murk_optics_sides *sides, size_t keys,
                       double sum[SUMS], double slope[SUMS])
 {
+    /* Reweigh the light, and read the receivers. */
     murk_reweighed r;
     murk_error err = {0};
     murk_spectrum per_watt[RECEIVERS * LIGHTS];
@@ -88,6 +89,7 @@ static void read_sums(const followed_text *l, const murk_optics *at,
     CHECK(!murk_reweigh(&r, l->followed, l->optics, at, sides, keys, 2, &err));
     murk_receivers_read(sum, slope, batch, BATCHES, NULL, 0, receivers,
                         per_watt, RECEIVERS, l->followed, &r, 2);
+    /* Add up the records of each map, times their ratios and slopes. */
     for (size_t map = 0; map < 2; ++map) {
         sum[RECEIVERS + map] = slope[RECEIVERS + map] = 0;
         for (size_t i = 0; i < r.n; ++i) {
@@ -111,21 +113,24 @@ static void read_sums(const followed_text *l, const murk_optics *at,
     3e-4 /* of the value: differences by five points, which are off by \
             h^4 / 30 times the fifth power of 50 scatterings: 4e-8 */
 
-/* At a value other than that traced, so that ratios are not 1. */
+/* Checks slopes at a value that was not traced, so that ratios are not 1. */
 static void check_slope(const followed_text *l, const char *key, double value)
 {
+    /* Sums and slopes, by optics at both sides of the value. */
     murk_optics *at = varied_at(key, value);
     murk_optics *low = varied_at(key, value * (1 - SIDE));
     murk_optics *high = varied_at(key, value * (1 + SIDE));
     const murk_optics_sides sides = {low, high, 2 * SIDE * value};
     double sum[SUMS], slope[SUMS], other[4][SUMS], none[SUMS];
     read_sums(l, at, &sides, 1, sum, slope);
+    /* Sums at four values nearby. */
     const double steps[4] = {-2, -1, 1, 2};
     for (int s = 0; s < 4; ++s) {
         murk_optics *beside = varied_at(key, value * (1 + steps[s] * SHARE));
         read_sums(l, beside, NULL, 0, other[s], none);
         murk_optics_destroy(beside);
     }
+    /* Slopes are the differences of fourth order. */
     for (size_t i = 0; i < SUMS; ++i) {
         const double difference =
             (8 * (other[2][i] - other[1][i]) - (other[3][i] - other[0][i])) /

@@ -23,6 +23,8 @@ typedef struct fit {
 
 static void make(fit *f)
 {
+    /* Three keys, one of them logarithmic and one without bounds, and four
+     * readings, one of them held out. */
     *f = (fit){
         .key = {{.is_log = true, .start = 2, .lower = 0, .upper = 1e6},
                 {.start = 3, .lower = 1, .upper = 9},
@@ -37,9 +39,11 @@ static void make(fit *f)
              .standard_error = 4,
              .is_held_out = true},
             {.kind = MURK_READ_IRRADIANCE, .value = 30, .standard_error = 5}}};
+    /* A row for each reading. */
     for (size_t i = 0; i < ROWS; ++i) {
         f->row[i] = (murk_measured_row){.first = i};
     }
+    /* Create the search of this fit. */
     f->keys = (murk_free_keys){.n = KEYS, .key = f->key};
     f->measured = (murk_measurements){
         .reading = f->reading, .readings = ROWS, .row = f->row, .rows = ROWS};
