@@ -180,8 +180,7 @@ static void test_refusals(void)
         {"depth_m,c_per_m\n1,2\n2,2\n", NULL, "c_per_m=7", 0, "cast.csv",
          "0 rows of a profile where c_per_m=7"},
         {CAST, NULL, NULL, 1e-9, "cast.csv", "1e+10 voxels of 1e-09 m"}};
-    /* Each is refused with a message of one line that names file, row and
-     * column. */
+    /* Each is refused with a message of one line and the place in the file. */
     for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
         murk_profile_layers l;
         murk_error err;

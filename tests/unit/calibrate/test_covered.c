@@ -194,9 +194,8 @@ static void test_batches_tell_the_error(void)
             }
             CHECK_NEAR(sum, few.value[g], 1e-13);
             CHECK_NEAR(few.value[g], each.value[g], 1e-13);
-            /* The variance over photons is the square of the error by
-             * sensing, and the variance over few batches agrees within chance.
-             */
+            /* The variance over photons is the square of the error by sensing;
+             * that over few batches agrees within chance. */
             CHECK_NEAR(sqrt(variance(&each, all, g)), want[g].standard_error,
                        2 * ROUNDING * want[g].standard_error);
             CHECK_WITHIN(limit, variance(&few, FEW, g), variance(&each, all, g),

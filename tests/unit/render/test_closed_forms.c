@@ -170,9 +170,9 @@ static void test_the_square_of_the_index(void)
                 floor_radiance(&middle, 1, at));
 }
 
-/* A patch below a shining ball beside a mirror: the image of the ball
- * lights the patch, too, and only paths that continue find it. A ball that
- * is all in view gives the irradiance of a point in its middle. */
+/* A patch below a shining ball beside a mirror: the image of the ball lights
+ * the patch, too, and only paths that continue find the image. A ball that is
+ * all in view gives the irradiance of a point in its middle. */
 static void test_a_mirror_doubles_the_lamp(void)
 {
     /* The ball, and two points in place of the ball and of its mirror

@@ -35,7 +35,7 @@ static void check_result(const murk_preset_result *result, const char *name)
  * wavelengths and in two bands over all of them. */
 static void test_all_that_are_built_in(void)
 {
-    /* Read each preset without problem. */
+    /* Each preset can be read. */
     CHECK(murk_presets_count() > 10);
     for (size_t i = 0; i < murk_presets_count(); ++i) {
         char name[MURK_PRESET_NAME_SIZE];
@@ -311,7 +311,7 @@ static void test_refusals(void)
  * its place. */
 static void test_files_that_are_wrong(void)
 {
-    /* Each file is right except for one key. */
+    /* A head that is right, followed by a rest with an error. */
     static const char HEAD[] = "murk_preset: 1\nabout: x\n"
                                "sources: [{what: a, from: b}]\n";
     static const struct {

@@ -67,8 +67,8 @@ static void test_inside_an_open_crate_on_the_floor_is_dropped(void)
  * the opposite winding. */
 static void test_winding_means_nothing(void)
 {
-    /* Two triangles for each side of the cube, with opposite orders of the
-     * corners and no shared vertices. */
+    /* Two triangles for each side of the cube, with opposite winding and no
+     * shared vertices. */
     static const int quad[6][4] = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4},
                                    {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
     float vertex[12 * 9];

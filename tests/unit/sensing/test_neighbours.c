@@ -82,8 +82,7 @@ static void check_against_all(const murk_domain *domain, double max_m)
                           radius_m * (1 - 1e-5);
         }
         CHECK(n == nearer);
-        /* Fewer than K - 1 neighbours are found only within the largest radius.
-         */
+        /* Fewer than K - 1 neighbours: the radius is the largest allowed. */
         CHECK(n < K && (n == K - 1 || radius_m == max_m));
         /* Each neighbour counts for the photon, and lies within the radius. */
         for (size_t k = 0; k < n; ++k) {
