@@ -1,6 +1,6 @@
-/* Sets of photons for the tests of the map: all coordinates are multiples of
- * 2^-6 m in a box of some metres where `lattice` is asked for, so that ties and
- * photons exactly on a ball's surface are common. */
+/* Sets of photons for the tests of the map, in a box of 8 x 5 x 3 m. The
+ * coordinates of LATTICE_SET are multiples of 1/4 m, so that ties and photons
+ * exactly on the surface of a query ball are common. */
 #ifndef MURK_TESTS_PHOTON_SETS_H
 #define MURK_TESTS_PHOTON_SETS_H
 

@@ -316,39 +316,68 @@ static void test_no_extinction_is_clear_air(void)
     CHECK(same);
 }
 
-/* The path of a photon does not depend on how many others are traced;
- * photons of another stream differ. */
+/* Keeps the events of one photon. */
+typedef struct path_of_one {
+    uint64_t photon;
+    story path;
+} path_of_one;
+
+static void note_one(void *context, uint64_t batch, const murk_event *event)
+{
+    (void)batch;
+    path_of_one *one = context;
+    if (event->photon == one->photon && one->path.n < NOTED) {
+        one->path.event[one->path.n++] = *event;
+    }
+}
+
+/* The events of one photon, if photons [first, last) of a stream are traced. */
+static story path_among(const test_world *w, uint64_t photon, uint64_t first,
+                        uint64_t last, uint32_t stream)
+{
+    path_of_one one = {.photon = photon};
+    murk_trace trace = murk_trace_defaults();
+    trace.world = &w->world;
+    trace.sink = note_one;
+    trace.context = &one;
+    trace.first = first;
+    trace.last = last;
+    trace.stream = stream;
+    murk_trace_run(&trace, w->ledger);
+    return one.path;
+}
+
+static bool same_path(const story *a, const story *b)
+{
+    bool same = a->n == b->n;
+    for (size_t i = 0; same && i < a->n; ++i) {
+        same = same_event(&a->event[i], &b->event[i]);
+    }
+    return same;
+}
+
+/* The path of a photon depends on its index and stream alone: it is the same
+ * among few, among many and in another batch. */
 static void test_photons_are_addressed(void)
 {
-    /* Eight photons of two streams. */
     const murk_source lamp = test_point(murk_vec(0.4, 0.5, 0.6));
     test_world w = test_world_made(
         &(test_setup){.domain = cell, .lights = &lamp, .n_lights = 1});
-    murk_trace trace = murk_trace_defaults();
-    story s = {0}, t = {0}, other = {0};
-    trace.world = &w.world;
-    trace.sink = note;
-    trace.context = &s;
-    trace.first = MURK_BATCH_PHOTONS;
-    trace.last = MURK_BATCH_PHOTONS + 4;
-    for (int stream = 0; stream < 2; ++stream) {
-        trace.stream = (uint32_t)stream;
-        trace.context = stream ? &other : &t;
-        trace.first = 0;
-        trace.last = 8;
-        murk_trace_run(&trace, w.ledger);
+    const uint64_t photons[] = {3, MURK_BATCH_PHOTONS + 2};
+    for (size_t i = 0; i < sizeof photons / sizeof *photons; ++i) {
+        const uint64_t k = photons[i], all = MURK_BATCH_PHOTONS + 8;
+        const story alone = path_among(&w, k, k, k + 1, 0);
+        const story among = path_among(&w, k, 0, all, 0);
+        CHECK(alone.n == 2); /* emitted, escaped */
+        CHECK(same_path(&alone, &among));
+        /* Another stream and another photon have another path. */
+        const story other = path_among(&w, k, k, k + 1, 1);
+        const story next = path_among(&w, k + 1, 0, all, 0);
+        CHECK(other.n == 2 && !same_event(&alone.event[1], &other.event[1]));
+        CHECK(next.n == 2 &&
+              murk_length(murk_sub(next.event[1].position,
+                                   alone.event[1].position)) > 0);
     }
-    /* Each photon has two events, and the streams differ. */
-    CHECK(t.n == 16 && other.n == 16);
-    CHECK(t.event[6].photon == 3 && t.event[7].number == 1);
-    CHECK(!same_event(&t.event[7], &other.event[7]));
-    /* The fourth photon of the first stream is the same among four as among
-     * eight. */
-    trace.stream = 0;
-    trace.context = &s;
-    trace.last = 4;
-    murk_trace_run(&trace, w.ledger);
-    CHECK(same_event(&s.event[7], &t.event[7]));
     test_world_unmade(&w);
 }
 
