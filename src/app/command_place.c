@@ -187,8 +187,8 @@ static murk_status place(murk_session *session, const murk_options *options,
         status = murk_session_light(session, err);
     }
     if (!status) {
-        status = murk_plan_result_make(plan, session->stage, session->traced,
-                                       threads, err);
+        status = murk_plan_for_scene(plan, session->stage, session->traced,
+                                     threads, err);
     }
     return status;
 }

@@ -178,21 +178,38 @@ static murk_status choose_all(choosing *ch, murk_error *err)
     return status;
 }
 
+/* Over several conditions: joins them and chooses. */
+static murk_status choose_over(choosing *ch, murk_error *err)
+{
+    const murk_conditions *all = ch->plans->conditions;
+    murk_status status = join(ch, err);
+    const double begun_s = murk_clock_s();
+    if (!status) {
+        status = choose_all(ch, err);
+    }
+    if (!status) {
+        status = murk_plan_take_sensors(ch->plan, ch->scene, err);
+    }
+    ch->plan->place_s = murk_clock_s() - begun_s;
+    murk_scenarios_destroy(ch->scenarios);
+    for (size_t c = 0; !status && c < all->n; ++c) {
+        murk_plan_add_work(ch->plan, all->condition[c].sight);
+    }
+    if (status && err && !err->where[0]) {
+        snprintf(err->where, sizeof err->where, "%s", ch->scene->sensors.where);
+    }
+    return status;
+}
+
 murk_status murk_condition_plans_choose(murk_condition_plans *plans,
                                         murk_plan_result *plan, murk_error *err)
 {
-    choosing ch = {
-        .plans = plans, .plan = plan, .scene = plans->conditions->scene};
-    murk_status status = join(&ch, err);
-    const double begun_s = murk_clock_s();
-    if (!status) {
-        status = choose_all(&ch, err);
+    const murk_conditions *all = plans->conditions;
+    choosing ch = {.plans = plans, .plan = plan, .scene = all->scene};
+    if (!all->is_scene) {
+        return choose_over(&ch, err);
     }
-    plan->place_s = murk_clock_s() - begun_s;
-    murk_scenarios_destroy(ch.scenarios);
-    if (status && err && !err->where[0]) {
-        snprintf(err->where, sizeof err->where, "%s",
-                 plans->conditions->scene->sensors.where);
-    }
-    return status;
+    const murk_status status = murk_plan_choose(plan, all->condition[0].stage,
+                                                all->condition[0].sight, err);
+    return status ? status : keep(&ch, "", &plan->place, err);
 }

@@ -1,4 +1,5 @@
-/* Makes the plans over conditions: lights every condition, chooses the plans,
+/* Makes the plan of a scene as it stands, which is one condition, and the plans
+ * over several conditions: lights every condition, chooses the plans,
  * and measures each plan in each condition, on the light that chose it and on
  * held-out light. The figures of one plan over all conditions are the mean, or
  * the figures of the condition that the objective looks at: the worst one, or
@@ -77,16 +78,14 @@ static murk_status measure_plan(const murk_condition_plans *plans, size_t p,
                                 murk_coverage_result *keep_it,
                                 murk_estimate *total, murk_error *err)
 {
-    murk_coverage_result coverage = {0};
     const murk_condition_plan *plan = &plans->plan[p];
-    const murk_status status = murk_coverage_result_measure(
-        &coverage, sight, plan->sensor, plan->count, err);
-    *total = coverage.total;
-    if (!status && keep_it && p == plans->chosen) {
-        *keep_it = coverage;
-    } else {
-        murk_coverage_result_release(&coverage);
+    if (p != plans->chosen) {
+        return murk_coverage_total_measure(total, sight, plan->sensor,
+                                           plan->count, err);
     }
+    const murk_status status = murk_coverage_result_measure(
+        keep_it, sight, plan->sensor, plan->count, err);
+    *total = keep_it->total;
     return status;
 }
 
@@ -126,30 +125,40 @@ static murk_status measure_all(murk_condition_plans *plans, size_t c,
 
 /* ---- jitter ---- */
 
-/* The chosen plan's draws in condition c, set down in the first one's world, so
- * that they are the same in all. */
-static murk_status shake(murk_condition_plans *plans,
-                         const murk_plan_result *plan, size_t c,
+/* Draws of the chosen plan; a plan without sensors has none. */
+static size_t draws_of(const murk_condition_plans *plans)
+{
+    return plans->plan[plans->chosen].count > 0
+               ? murk_robust_draws(plans->conditions->scene)
+               : 0;
+}
+
+/* The draws of the chosen plan in condition c. Sensors are displaced in the
+ * world of the first condition, so that the draws are the same in all. */
+static murk_status shake(murk_condition_plans *plans, size_t c,
                          murk_sight *sight, murk_error *err)
 {
-    const murk_stage *stage = plans->conditions->condition[0].stage;
-    const size_t draws = murk_robust_draws(stage->scene);
+    const murk_condition_plan *chosen = &plans->plan[plans->chosen];
+    const size_t draws = draws_of(plans);
     return draws == 0
                ? MURK_OK
                : murk_robust_draw(plans->shaken + c * draws, &plans->unmoved,
-                                  stage, sight, plan->sensor,
-                                  plans->plan[plans->chosen].count, err);
+                                  plans->conditions->condition[0].stage, sight,
+                                  chosen->sensor, chosen->count, err);
+}
+
+static murk_status no_memory_for_draws(const murk_condition_plans *plans,
+                                       murk_error *err)
+{
+    return murk_fail(err, MURK_NO_MEMORY, plans->conditions->scene->path,
+                     "no memory for %zu draws of jitter", draws_of(plans));
 }
 
 static murk_status allocate_jitter(murk_condition_plans *plans, murk_error *err)
 {
-    const murk_scene_desc *scene = plans->conditions->scene;
-    const size_t n = murk_robust_draws(scene) * plans->conditions->n;
+    const size_t n = draws_of(plans) * plans->conditions->n;
     plans->shaken = n ? calloc(n, sizeof *plans->shaken) : NULL;
-    return plans->shaken || n == 0
-               ? MURK_OK
-               : murk_fail(err, MURK_NO_MEMORY, scene->path,
-                           "no memory for %zu draws of jitter", n);
+    return plans->shaken || n == 0 ? MURK_OK : no_memory_for_draws(plans, err);
 }
 
 /* Each draw over conditions is the mean or the worst, as plans are. */
@@ -157,11 +166,10 @@ static murk_status sum_up_jitter(murk_condition_plans *plans,
                                  murk_plan_result *plan, murk_error *err)
 {
     const murk_conditions *all = plans->conditions;
-    const size_t draws = murk_robust_draws(all->scene);
+    const size_t draws = draws_of(plans);
     murk_estimate *covered = malloc(draws * sizeof *covered + 1);
     if (!covered) {
-        return murk_fail(err, MURK_NO_MEMORY, all->scene->path,
-                         "no memory for %zu draws of jitter", draws);
+        return no_memory_for_draws(plans, err);
     }
     /* One figure of all conditions for each draw, by the objective. */
     for (size_t d = 0; d < draws; ++d) {
@@ -185,33 +193,69 @@ static murk_status sum_up_jitter(murk_condition_plans *plans,
     return status;
 }
 
-/* The chosen plan alone, or all, in other light of a condition. */
-static murk_status measure_on(murk_condition_plans *plans,
-                              murk_plan_result *plan, size_t c, uint32_t stream,
-                              murk_estimate *confirmed,
-                              murk_coverage_result *held_out, unsigned threads,
-                              murk_error *err)
+/* ---- other light ---- */
+
+/* Traces other light of condition c and builds the sight onto it. The caller
+ * destroys both. */
+static murk_status light_again(const murk_condition_plans *plans,
+                               murk_plan_result *plan, size_t c,
+                               uint32_t stream, murk_traced **traced,
+                               murk_sight **sight, unsigned threads,
+                               murk_error *err)
 {
     const murk_stage *stage = plans->conditions->condition[c].stage;
+    const murk_status status = murk_plan_trace_stream(
+        traced, stage, stream + STREAMS_EACH * (uint32_t)c, threads, err);
+    if (status) {
+        return status;
+    }
+    plan->trace_s += (*traced)->trace_s;
+    plan->map_s += (*traced)->map_s;
+    return murk_plan_sight(sight, stage, *traced, threads, err);
+}
+
+/* All plans, and the jitter of the chosen one, in held-out light of a
+ * condition. */
+static murk_status hold_out(murk_condition_plans *plans, murk_plan_result *plan,
+                            size_t c, murk_coverage_result *held_out,
+                            unsigned threads, murk_error *err)
+{
     murk_traced *other = NULL;
     murk_sight *sight = NULL;
-    /* Trace other light of the condition and build the sight onto it. */
-    murk_status status = murk_lightmap_trace(
-        &other, stage, stream + STREAMS_EACH * (uint32_t)c, threads, err);
+    murk_status status = light_again(plans, plan, c, MURK_HELD_OUT_STREAM,
+                                     &other, &sight, threads, err);
     if (!status) {
-        plan->trace_s += other->trace_s;
-        plan->map_s += other->map_s;
-        status = murk_plan_sight(&sight, stage, other, threads, err);
+        status = measure_all(plans, c, sight, true, held_out, err);
     }
-    /* Measure the chosen plan alone, or all plans and the jitter. */
     if (!status) {
-        status = confirmed ? measure_plan(plans, plans->chosen, sight, NULL,
-                                          confirmed, err)
-                           : measure_all(plans, c, sight, true, held_out, err);
+        status = shake(plans, c, sight, err);
     }
-    if (!status && !confirmed) {
-        status = shake(plans, plan, c, sight, err);
+    murk_sight_destroy(sight);
+    murk_traced_destroy(other);
+    return status;
+}
+
+/* The chosen plan in light that confirms a target; with at_least the strict
+ * share. */
+static murk_status confirm_one(const murk_condition_plans *plans,
+                               murk_plan_result *plan, size_t c,
+                               murk_estimate *confirmed, unsigned threads,
+                               murk_error *err)
+{
+    const murk_condition_plan *chosen = &plans->plan[plans->chosen];
+    murk_traced *other = NULL;
+    murk_sight *sight = NULL;
+    murk_coverage_result coverage = {0};
+    murk_status status = light_again(plans, plan, c, MURK_CONFIRM_STREAM,
+                                     &other, &sight, threads, err);
+    if (!status) {
+        status = murk_coverage_result_measure(&coverage, sight, chosen->sensor,
+                                              chosen->count, err);
     }
+    *confirmed = murk_plan_at_least(plans->conditions->scene)
+                     ? coverage.at_least
+                     : coverage.total;
+    murk_coverage_result_release(&coverage);
     murk_sight_destroy(sight);
     murk_traced_destroy(other);
     return status;
@@ -230,8 +274,8 @@ static murk_status sum_up(murk_coverage_result *out,
     double weight[MURK_SCENE_CONDITIONS_MAX];
     size_t worst;
     /* Find the condition that the objective looks at. */
-    murk_conditions_weights(all, weight);
     for (size_t c = 0; c < all->n; ++c) {
+        weight[c] = all->condition[c].settings->weight;
         total[c] = of[c].total;
     }
     murk_conditions_estimate(all, total, all->scene->placement.over, true,
@@ -259,8 +303,7 @@ static murk_status measure_held_out(murk_condition_plans *plans,
     murk_status status = MURK_OK;
     /* Measure all plans in the held-out light of each condition. */
     for (size_t c = 0; !status && c < plans->conditions->n; ++c) {
-        status = measure_on(plans, plan, c, MURK_HELD_OUT_STREAM, NULL,
-                            &held_out[c], threads, err);
+        status = hold_out(plans, plan, c, &held_out[c], threads, err);
     }
     /* Sum the conditions up and hand the result to the plan. */
     if (!status) {
@@ -288,8 +331,7 @@ static murk_status confirm(murk_condition_plans *plans, murk_plan_result *plan,
     murk_estimate of[MURK_SCENE_CONDITIONS_MAX];
     murk_status status = MURK_OK;
     for (size_t c = 0; !status && c < plans->conditions->n; ++c) {
-        status = measure_on(plans, plan, c, MURK_CONFIRM_STREAM, &of[c], NULL,
-                            threads, err);
+        status = confirm_one(plans, plan, c, &of[c], threads, err);
     }
     size_t worst;
     if (!status) {
@@ -349,10 +391,10 @@ static void read_in_sample(murk_condition_plans *plans, murk_plan_result *plan)
     if (plans->conditions->scene->placement.over ==
         MURK_SCENE_OBJECTIVE_REGRET) {
         read_regret(plans, plan);
-        return;
+    } else if (!plans->conditions->is_scene) {
+        plan->in_sample.total.value =
+            (double)plan->place.value / (double)plan->place.whole;
     }
-    plan->in_sample.total.value =
-        (double)plan->place.value / (double)plan->place.whole;
 }
 
 static murk_status measure(murk_condition_plans *plans, murk_plan_result *plan,
@@ -361,19 +403,14 @@ static murk_status measure(murk_condition_plans *plans, murk_plan_result *plan,
     const murk_conditions *all = plans->conditions;
     const murk_condition_plan *chosen = &plans->plan[plans->chosen];
     murk_status status = MURK_OK;
-    plan->sensor = calloc(chosen->count + 1, sizeof *plan->sensor);
-    if (!plan->sensor) {
-        return murk_fail(err, MURK_NO_MEMORY, all->scene->path,
-                         "no memory for the plan");
-    }
     /* Coverage of all plans on the light that chose them. */
-    memcpy(plan->sensor, chosen->sensor, chosen->count * sizeof *plan->sensor);
     for (size_t c = 0; !status && c < all->n; ++c) {
         status = measure_all(plans, c, all->condition[c].sight, false,
                              &plans->coverage[c], err);
         if (!status) {
-            murk_warn_of_thin_map(all->scene, &plans->coverage[c],
-                                  all->condition[c].settings->name);
+            murk_warn_of_thin_map(
+                all->scene, &plans->coverage[c],
+                all->is_scene ? NULL : all->condition[c].settings->name);
         }
     }
     if (!status) {
@@ -392,17 +429,21 @@ static murk_status measure(murk_condition_plans *plans, murk_plan_result *plan,
     const bool is_more = murk_plan_has_streams(all->scene);
     const bool holds_out = is_more && all->scene->placement.hold_out;
     for (size_t c = 0; !status && !holds_out && c < all->n; ++c) {
-        status = shake(plans, plan, c, all->condition[c].sight, err);
+        status = shake(plans, c, all->condition[c].sight, err);
     }
     if (!status && holds_out) {
+        murk_progress_begin_group("hold out", 0, "");
         status = measure_held_out(plans, plan, threads, err);
+        murk_progress_end();
     }
     if (!status) {
         status = sum_up_jitter(plans, plan, err);
         read_in_sample(plans, plan); /* losses compare what is measured alike */
     }
     if (!status && is_more && all->scene->sensors.target > 0) {
+        murk_progress_begin_group("hold out", 0, "");
         status = confirm(plans, plan, threads, err);
+        murk_progress_end();
     }
     return status;
 }
@@ -422,12 +463,24 @@ murk_status murk_condition_plans_make(murk_condition_plans *plans,
         status = murk_condition_plans_choose(plans, plan, err);
     }
     plan->targets = all->condition[0].targets;
-    for (size_t c = 0; !status && c < all->n; ++c) {
-        const murk_sight *sight = all->condition[c].sight;
-        plan->queries += murk_sight_queries(sight);
-        plan->shadow_rays += murk_sight_shadow_rays(sight);
-        plan->blocked_by_interfaces += murk_sight_blocked_by_interfaces(sight);
-        plan->totally_reflected += murk_sight_totally_reflected(sight);
-    }
     return status ? status : measure(plans, plan, threads, err);
+}
+
+murk_status murk_plan_for_scene(murk_plan_result *plan, const murk_stage *stage,
+                                murk_traced *traced, unsigned threads,
+                                murk_error *err)
+{
+    murk_condition_plans *plans = calloc(1, sizeof *plans);
+    if (!plans) {
+        return murk_fail(err, MURK_NO_MEMORY, stage->scene->path,
+                         "no memory for the plan");
+    }
+    murk_status status =
+        murk_conditions_of_stage(&plans->conditions, stage, traced, err);
+    if (!status) {
+        status = murk_condition_plans_make(plans, plan, threads, err);
+    }
+    murk_condition_plans_release(plans);
+    free(plans);
+    return status;
 }

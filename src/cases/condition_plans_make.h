@@ -22,4 +22,13 @@ murk_status murk_condition_plans_make(murk_condition_plans *plans,
                                       murk_plan_result *plan, unsigned threads,
                                       murk_error *err);
 
+/* The plan of the scene as it stands from traced light, after
+ * murk_plan_prepare(): chooses sensors, and measures their coverage on the
+ * light that chose them, on held-out light, and with a target on light that
+ * confirms it. If no light source emits, the result is that of
+ * murk_plan_result_make_dark(). Release the plan also after a failure. */
+murk_status murk_plan_for_scene(murk_plan_result *plan, const murk_stage *stage,
+                                murk_traced *traced, unsigned threads,
+                                murk_error *err);
+
 #endif

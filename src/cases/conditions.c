@@ -76,7 +76,7 @@ void murk_conditions_destroy(murk_conditions *all)
         if (!one->borrows_light) {
             murk_traced_destroy(one->traced);
         }
-        if (one->borrowed) {
+        if (all->again) {
             free(one->stage);
             free(one->borrowed);
         } else {
@@ -87,8 +87,8 @@ void murk_conditions_destroy(murk_conditions *all)
     free(all);
 }
 
-/* A copy for free(); what it points to stays the other's. NULL when out of
- * memory. */
+/* A copy for free() of a scene, whose parts stay those of the original. A later
+ * run has another seed and no jitter. NULL when out of memory. */
 static murk_scene_desc *scene_again(const murk_scene_desc *scene,
                                     uint32_t later)
 {
@@ -96,57 +96,68 @@ static murk_scene_desc *scene_again(const murk_scene_desc *scene,
     if (out) {
         *out = *scene;
         out->seed += later;
-        out->placement.jitter_m = out->placement.jitter_rad = 0;
+        if (later > 0) {
+            out->placement.jitter_m = out->placement.jitter_rad = 0;
+        }
     }
     return out;
 }
 
-static murk_status condition_again(murk_condition *out,
-                                   const murk_condition *from, uint32_t later,
-                                   murk_error *err)
-{
-    out->settings = from->settings;
-    out->borrowed = scene_again(from->stage->scene, later);
-    out->stage = malloc(sizeof *out->stage);
-    if (!out->stage || !out->borrowed) {
-        free(out->borrowed);
-        free(out->stage);
-        *out = (murk_condition){0};
-        return murk_fail(err, MURK_NO_MEMORY, from->settings->where,
-                         "no memory for conditions");
-    }
-    *out->stage = *from->stage;
-    out->stage->scene = out->borrowed;
-    return MURK_OK;
-}
-
+/* Each stage is copied and borrows the built world of the original. */
 murk_status murk_conditions_again(murk_conditions **out,
                                   const murk_conditions *from, uint32_t later,
                                   murk_error *err)
 {
     murk_conditions *all = calloc(1, sizeof *all);
-    murk_status status = MURK_OK;
-    if (all) {
-        all->again = scene_again(from->scene, later);
+    bool has_memory = all != NULL;
+    if (has_memory) {
+        all->scene = all->again = scene_again(from->scene, later);
+        all->is_scene = from->is_scene;
+        all->n = from->n;
+        all->dark = from->dark;
+        has_memory = all->again != NULL;
     }
-    if (!all || !all->again) {
-        free(all);
+    for (size_t c = 0; has_memory && c < from->n + from->dark; ++c) {
+        const murk_stage *stage = from->condition[c].stage;
+        murk_condition *one = &all->condition[c];
+        one->settings = from->condition[c].settings;
+        one->stage = malloc(sizeof *one->stage);
+        one->borrowed = scene_again(stage->scene, later);
+        has_memory = one->stage && one->borrowed;
+        if (has_memory) {
+            *one->stage = *stage;
+            one->stage->scene = one->borrowed;
+        }
+    }
+    if (!has_memory) {
+        murk_conditions_destroy(all);
         return murk_fail(err, MURK_NO_MEMORY, from->scene->path,
                          "no memory for conditions");
     }
-    /* Each condition borrows the built world of the original. */
-    all->scene = all->again;
-    for (size_t c = 0; !status && c < from->n + from->dark; ++c) {
-        status = condition_again(&all->condition[c], &from->condition[c], later,
-                                 err);
-        *(c < from->n ? &all->n : &all->dark) += !status;
-    }
-    if (status) {
-        murk_conditions_destroy(all);
-        return status;
-    }
     *out = all;
     return MURK_OK;
+}
+
+murk_status murk_conditions_of_stage(murk_conditions **out,
+                                     const murk_stage *stage,
+                                     murk_traced *traced, murk_error *err)
+{
+    static const murk_scene_condition as_it_stands = {.weight = 1};
+    murk_stage original = *stage;
+    murk_conditions from = {
+        .scene = stage->scene,
+        .is_scene = true,
+        .n = 1,
+        .condition = {{.settings = &as_it_stands, .stage = &original}}};
+    put_dark_last(&from);
+    const murk_status status = murk_conditions_again(out, &from, 0, err);
+    if (!status && traced) {
+        (*out)->condition[0].traced = traced;
+        (*out)->condition[0].borrows_light = true;
+        (*out)->trace_s = traced->trace_s;
+        (*out)->map_s = traced->map_s;
+    }
+    return status;
 }
 
 /* ---- candidates ---- */
@@ -212,6 +223,8 @@ static murk_status check_memory(const murk_conditions *all, unsigned threads,
                            lights, (stay + more) / 1e9, have / 1e9);
 }
 
+/* Light of the scene as it stands has no photons if targets replace them;
+ * light of conditions is a result and has them. */
 static murk_status light_one(murk_conditions *all, size_t c, unsigned threads,
                              murk_error *err)
 {
@@ -221,8 +234,11 @@ static murk_status light_one(murk_conditions *all, size_t c, unsigned threads,
     if (alike) {
         one->traced = alike->traced;
         one->borrows_light = true;
-    } else {
-        status = murk_lightmap_trace(&one->traced, one->stage, 0, threads, err);
+    } else if (!one->traced) {
+        status = all->is_scene ? murk_plan_trace_stream(
+                                     &one->traced, one->stage, 0, threads, err)
+                               : murk_lightmap_trace(&one->traced, one->stage,
+                                                     0, threads, err);
         if (!status) {
             all->trace_s += one->traced->trace_s;
             all->map_s += one->traced->map_s;
@@ -239,7 +255,8 @@ murk_status murk_conditions_light(murk_conditions *all, unsigned threads,
                                   murk_error *err)
 {
     uint64_t seen = 0;
-    murk_status status = check_memory(all, threads, err);
+    murk_status status =
+        all->is_scene ? MURK_OK : check_memory(all, threads, err);
     for (size_t c = 0; !status && c < all->n + all->dark; ++c) {
         status = light_one(all, c, threads, err);
         if (!status && c < all->n) {
@@ -253,13 +270,6 @@ murk_status murk_conditions_light(murk_conditions *all, unsigned threads,
 }
 
 /* ---- one figure of all conditions ---- */
-
-void murk_conditions_weights(const murk_conditions *all, double *weight)
-{
-    for (size_t c = 0; c < all->n; ++c) {
-        weight[c] = all->condition[c].settings->weight;
-    }
-}
 
 double murk_condition_regret(const murk_scene_desc *scene,
                              const murk_condition *c, double coverage)

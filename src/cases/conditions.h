@@ -1,5 +1,6 @@
 /* The conditions of a scene as worlds: each has a stage, light and sight of its
- * own, and all share the candidates that are usable in every condition.
+ * own, and all share the candidates that are usable in every condition. A scene
+ * as it stands is a set of one condition.
  *
  * Light is traced once for each condition; conditions whose light depends on
  * equal keys share it. A condition of weight 0 is lit and measured, but no plan
@@ -17,9 +18,10 @@ typedef struct murk_condition {
     const murk_scene_condition *settings; /* name, weight and scene */
     murk_stage *stage;
     murk_scene_desc *borrowed; /* not NULL: the parts of the stage belong to
-                                  another set of conditions */
+                                  another stage; owned copy of the scene */
     murk_traced *traced;       /* the light that chooses */
-    bool borrows_light;        /* traced belongs to an earlier condition */
+    bool borrows_light;        /* traced belongs to an earlier condition or to
+                                  the caller */
     murk_sight *sight;         /* onto that light; NULL before lighting */
     murk_target_facts targets; /* points 0: photons are seen, no targets */
     /* With the objective regret, once plans are chosen: the coverage of the
@@ -31,6 +33,7 @@ typedef struct murk_condition {
 typedef struct murk_conditions {
     const murk_scene_desc *scene; /* borrowed */
     murk_scene_desc *again; /* owned copy of it: of murk_conditions_again() */
+    bool is_scene;          /* one condition: the scene as it stands */
     size_t n;               /* conditions in which there is something to see */
     size_t dark; /* dark conditions, which follow these and have no sight; all
                     conditions, if none that has weight is lit */
@@ -50,9 +53,15 @@ murk_status murk_conditions_create(murk_conditions **out,
                                    murk_error *err);
 void murk_conditions_destroy(murk_conditions *conditions); /* NULL is fine */
 
-/* The same worlds with seeds that are `later` greater, for another run of the
- * same job, without jitter and without light. *out borrows the worlds of
- * `from`: destroy *out first. Fails with MURK_NO_MEMORY. */
+/* The scene as it stands as the only condition. *out borrows the stage, and the
+ * light if it is not NULL. Fails with MURK_NO_MEMORY. */
+murk_status murk_conditions_of_stage(murk_conditions **out,
+                                     const murk_stage *stage,
+                                     murk_traced *traced, murk_error *err);
+
+/* The same worlds without light. With `later` > 0 for another run of the same
+ * job: with seeds that are so much greater, and without jitter. *out borrows
+ * the worlds of `from`: destroy *out first. Fails with MURK_NO_MEMORY. */
 murk_status murk_conditions_again(murk_conditions **out,
                                   const murk_conditions *from, uint32_t later,
                                   murk_error *err);
@@ -64,14 +73,11 @@ murk_status murk_conditions_sites(murk_candidates **out,
                                   const murk_conditions *conditions,
                                   unsigned threads, murk_error *err);
 
-/* Traces the light of every condition, and builds the sight of the first n:
- * fills traced, sight and targets. Refused before any trace, by forecast, if
- * the maps do not fit in memory together. */
+/* Traces the light of every condition that has none, and builds the sight of
+ * the first n: fills traced, sight and targets. Refused before any trace, by
+ * forecast, if the maps do not fit in memory together. */
 murk_status murk_conditions_light(murk_conditions *conditions, unsigned threads,
                                   murk_error *err);
-
-/* weight[n]: the weight of each condition in the mean. */
-void murk_conditions_weights(const murk_conditions *conditions, double *weight);
 
 /* Regret of a coverage in one condition: the difference to the best coverage
  * that is known there, or with placement.regret: relative this difference as a

@@ -34,26 +34,6 @@ static murk_repeat_run run_of(const murk_plan_result *plan, uint32_t seed)
         .plan = NO_ESTIMATE};
 }
 
-/* The plan's coverage in this light. */
-static murk_status measure(murk_estimate *out, const murk_plan_result *plan,
-                           const murk_stage *stage, const murk_traced *traced,
-                           unsigned threads, murk_error *err)
-{
-    murk_sight *sight = NULL;
-    murk_coverage_result coverage = {0};
-    murk_status status = murk_plan_sight(&sight, stage, traced, threads, err);
-    if (!status) {
-        status = murk_coverage_result_measure(&coverage, sight, plan->sensor,
-                                              plan->place.count, err);
-    }
-    if (!status) {
-        *out = coverage.total;
-    }
-    murk_coverage_result_release(&coverage);
-    murk_sight_destroy(sight);
-    return status;
-}
-
 /* Where sensors may stand does not depend on seeds, so candidates and poses are
  * the first plan's. */
 static murk_plan_result plan_again(const murk_plan_result *first)
@@ -70,50 +50,16 @@ static void release_again(murk_plan_result *plan)
     murk_plan_result_release(plan);
 }
 
-/* The same world under another seed. */
-static murk_status run_again(murk_repeat_run *out,
-                             const murk_repeat_first *first, uint32_t later,
-                             unsigned threads, murk_error *err)
-{
-    /* A shallow copy of the stage with another seed: nothing is built anew. */
-    murk_scene_desc scene = *first->stage->scene;
-    scene.seed += later;
-    scene.placement.jitter_m = scene.placement.jitter_rad = 0;
-    murk_stage again = *first->stage;
-    again.scene = &scene;
-    murk_traced *traced = NULL;
-    murk_plan_result plan = plan_again(first->plan);
-    murk_status status =
-        murk_plan_trace_stream(&traced, &again, 0, threads, err);
-    if (!status) {
-        status = murk_plan_result_make(&plan, &again, traced, threads, err);
-    }
-    if (!status) {
-        *out = run_of(&plan, scene.seed);
-    }
-    if (!status && murk_plan_has_streams(&scene)) {
-        status = measure(&out->plan, first->plan, &again, traced, threads, err);
-    }
-    release_again(&plan);
-    murk_traced_destroy(traced);
-    return status;
-}
-
 /* The plan's coverage over conditions as they are lit and seen. */
-static murk_status measure_conditions(murk_estimate *out,
-                                      const murk_plan_result *plan,
-                                      const murk_conditions *all,
-                                      murk_error *err)
+static murk_status measure(murk_estimate *out, const murk_plan_result *plan,
+                           const murk_conditions *all, murk_error *err)
 {
     murk_estimate of[MURK_SCENE_CONDITIONS_MAX];
     murk_status status = MURK_OK;
     for (size_t c = 0; !status && c < all->n; ++c) {
-        murk_coverage_result coverage = {0};
         status =
-            murk_coverage_result_measure(&coverage, all->condition[c].sight,
-                                         plan->sensor, plan->place.count, err);
-        of[c] = coverage.total;
-        murk_coverage_result_release(&coverage);
+            murk_coverage_total_measure(&of[c], all->condition[c].sight,
+                                        plan->sensor, plan->place.count, err);
     }
     if (!status) {
         size_t worst;
@@ -123,10 +69,11 @@ static murk_status measure_conditions(murk_estimate *out,
     return status;
 }
 
-static murk_status run_conditions_again(murk_repeat_run *out,
-                                        const murk_repeat_first *first,
-                                        uint32_t later, unsigned threads,
-                                        murk_error *err)
+/* The same job with seeds that are `later` greater. */
+static murk_status run_again(murk_repeat_run *out,
+                             const murk_plan_result *first,
+                             const murk_conditions *conditions, uint32_t later,
+                             unsigned threads, murk_error *err)
 {
     murk_condition_plans *over = calloc(1, sizeof *over);
     if (!over) {
@@ -134,9 +81,9 @@ static murk_status run_conditions_again(murk_repeat_run *out,
     }
     /* Choose a plan under the other seed, in the worlds and with the
      * candidates of the first run. */
-    murk_plan_result plan = plan_again(first->plan);
-    murk_status status = murk_conditions_again(
-        &over->conditions, first->over->conditions, later, err);
+    murk_plan_result plan = plan_again(first);
+    murk_status status =
+        murk_conditions_again(&over->conditions, conditions, later, err);
     if (!status) {
         status = murk_condition_plans_make(over, &plan, threads, err);
     }
@@ -145,8 +92,7 @@ static murk_status run_conditions_again(murk_repeat_run *out,
     }
     /* Measure the plan of the first run on the maps of this run. */
     if (!status && murk_plan_has_streams(over->conditions->scene)) {
-        status =
-            measure_conditions(&out->plan, first->plan, over->conditions, err);
+        status = measure(&out->plan, first, over->conditions, err);
     }
     murk_condition_plans_release(over);
     free(over);
@@ -171,7 +117,12 @@ murk_status murk_repeat_make(murk_repeat *out, const murk_repeat_first *first,
     }
     out->run[0] = run_of(first->plan, scene->seed);
     out->run[0].plan = out->run[0].held_out;
-    murk_status status = MURK_OK;
+    murk_conditions *own = NULL; /* the scene as it stands */
+    murk_status status =
+        first->stage ? murk_conditions_of_stage(&own, first->stage, NULL, err)
+                     : MURK_OK;
+    const murk_conditions *conditions =
+        first->stage ? own : first->over->conditions;
     /* The other runs, one seed after the other. */
     murk_progress_begin_group("repeat", asked, "seeds");
     murk_progress_add_to_group(1);
@@ -180,9 +131,7 @@ murk_status murk_repeat_make(murk_repeat *out, const murk_repeat_first *first,
         murk_repeat_run *run = &out->run[out->runs];
         murk_error why = {0};
         murk_progress_part(out->runs + 1, asked, out->runs);
-        status = first->stage
-                     ? run_again(run, first, later, threads, &why)
-                     : run_conditions_again(run, first, later, threads, &why);
+        status = run_again(run, first->plan, conditions, later, threads, &why);
         if (status) {
             status = murk_fail(err, status, why.where, "seed %lu: %s",
                                (unsigned long)scene->seed + later, why.text);
@@ -193,6 +142,7 @@ murk_status murk_repeat_make(murk_repeat *out, const murk_repeat_first *first,
     }
     murk_progress_part(0, 0, 0);
     murk_progress_end();
+    murk_conditions_destroy(own);
     return status;
 }
 

@@ -27,7 +27,7 @@ murk_estimate murk_mean_of(const murk_mean *mean, bool are_independent)
 
 /* The sums of a coverage result that are estimates. */
 typedef struct estimates {
-    murk_mean total, surface, volume, map[2];
+    murk_mean total, surface, volume, at_least, map[2];
     murk_mean *region; /* [regions] */
 } estimates;
 
@@ -40,6 +40,7 @@ static void add(murk_coverage_result *sum, estimates *to,
     murk_mean_add(&to->total, of->total, weight);
     murk_mean_add(&to->surface, of->surface, weight);
     murk_mean_add(&to->volume, of->volume, weight);
+    murk_mean_add(&to->at_least, of->at_least, weight);
     for (size_t p = 0; p < 2; ++p) {
         const murk_map_share *map = &of->map[p];
         murk_mean_add(&to->map[p],
@@ -84,6 +85,7 @@ murk_status murk_scenario_mean_coverage(murk_coverage_result *out,
     mean.total = murk_mean_of(&sums.total, are_independent);
     mean.surface = murk_mean_of(&sums.surface, are_independent);
     mean.volume = murk_mean_of(&sums.volume, are_independent);
+    mean.at_least = murk_mean_of(&sums.at_least, are_independent);
     for (size_t p = 0; p < 2; ++p) {
         const murk_estimate map = murk_mean_of(&sums.map[p], are_independent);
         mean.map[p].weight = map.value;

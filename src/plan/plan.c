@@ -1,8 +1,6 @@
-/* Computes a plan: checks the settings, chooses sensors by a coverage matrix
- * (known), by repeated visibility queries (unknown) or by exploration
- * (explore), and measures coverage on the photons that chose and on independent
- * ones. The held-out measurement is needed because the coverage of the photons
- * that chose the plan is biased upwards. */
+/* Chooses the sensors of a plan: checks the settings, and places by a coverage
+ * matrix (known), by repeated visibility queries (unknown) or by exploration
+ * (explore). */
 #include "plan/plan.h"
 
 #include "base/log.h"
@@ -11,11 +9,11 @@
 #include "medium/rescaled.h"
 #include "placement/at_least.h"
 #include "plan/dark.h"
-#include "plan/few_photons.h"
 #include "plan/row_cache.h"
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* Share of the free memory that the coverage matrix may take; the rest is for
  * the maps and for bounds. */
@@ -128,13 +126,12 @@ uint64_t murk_plan_value_of(double share, const murk_problem *problem)
     return value < (double)whole ? (uint64_t)value : whole;
 }
 
-/* Records the work of choosing, without that of the forecast. */
-static void note_spent(murk_plan_result *plan, const murk_sight *sight)
+void murk_plan_add_work(murk_plan_result *plan, const murk_sight *sight)
 {
-    plan->queries = murk_sight_queries(sight) - plan->forecast_queries;
-    plan->shadow_rays = murk_sight_shadow_rays(sight) - plan->forecast_rays;
-    plan->blocked_by_interfaces = murk_sight_blocked_by_interfaces(sight);
-    plan->totally_reflected = murk_sight_totally_reflected(sight);
+    plan->queries += murk_sight_queries(sight) - plan->forecast_queries;
+    plan->shadow_rays += murk_sight_shadow_rays(sight) - plan->forecast_rays;
+    plan->blocked_by_interfaces += murk_sight_blocked_by_interfaces(sight);
+    plan->totally_reflected += murk_sight_totally_reflected(sight);
 }
 
 /* Explores with a cache of coverage rows, then computes bounds. The queries of
@@ -151,7 +148,7 @@ static murk_status explore(murk_plan_result *plan, const murk_stage *stage,
                                   &tried.problem, plan->candidates, plan->poses,
                                   plan->start, desc, err);
     }
-    note_spent(plan, sight);
+    murk_plan_add_work(plan, sight);
     if (!status) {
         status =
             murk_explore_bound(&plan->place, &plan->explore, &tried.problem,
@@ -240,7 +237,7 @@ static murk_status choose(murk_plan_result *plan, const murk_stage *stage,
         status =
             murk_place_sensors(&plan->place, &seen.problem, NULL, &desc, err);
         plan->place_s = murk_clock_s() - begun_s;
-        note_spent(plan, sight);
+        murk_plan_add_work(plan, sight);
         return status;
     }
     /* Known environment: build the matrix, then choose. */
@@ -265,7 +262,7 @@ static murk_status choose(murk_plan_result *plan, const murk_stage *stage,
     }
     murk_matrix_destroy(matrix);
     plan->place_s = murk_clock_s() - begun_s;
-    note_spent(plan, sight);
+    murk_plan_add_work(plan, sight);
     return status;
 }
 
@@ -292,54 +289,19 @@ bool murk_plan_has_streams(const murk_scene_desc *scene)
     return !scene->placement.targets.points;
 }
 
-/* Measures the coverage of the plan on photons of another stream. With the
- * held-out stream, also the robustness. regions may be NULL; otherwise *regions
- * receives the coverage of the regions of interest. */
-static murk_status measure_on(murk_plan_result *plan, uint32_t stream,
-                              murk_estimate *out,
-                              murk_region_coverage **regions,
-                              const murk_stage *stage, unsigned threads,
-                              murk_error *err)
+murk_status murk_plan_take_sensors(murk_plan_result *plan,
+                                   const murk_scene_desc *scene,
+                                   murk_error *err)
 {
-    murk_traced *other = NULL;
-    murk_sight *sight = NULL;
-    murk_coverage_result coverage = {0};
-    murk_progress_begin_group("hold out", 0, "");
-    murk_status status =
-        murk_plan_trace_stream(&other, stage, stream, threads, err);
-    if (!status) {
-        plan->trace_s += other->trace_s;
-        plan->map_s += other->map_s;
-        status = murk_plan_sight(&sight, stage, other, threads, err);
+    plan->sensor = calloc(plan->place.count + 1, sizeof *plan->sensor);
+    if (!plan->sensor) {
+        return murk_fail(err, MURK_NO_MEMORY, scene->path,
+                         "no memory for the plan");
     }
-    /* Measure coverage. */
-    if (!status) {
-        status = murk_coverage_result_measure(&coverage, sight, plan->sensor,
-                                              plan->place.count, err);
+    for (size_t i = 0; i < plan->place.count; ++i) {
+        plan->sensor[i] = plan->poses->pose[plan->place.sensor[i]];
     }
-    /* Robustness is reported on the held-out photons. */
-    if (!status && stream == MURK_HELD_OUT_STREAM) {
-        status = murk_robust_hold_out(&plan->robust, &coverage, err);
-    }
-    if (!status && stream == MURK_HELD_OUT_STREAM) {
-        status = murk_robust_jitter(&plan->robust, stage, sight, plan->sensor,
-                                    &coverage, true, err);
-    }
-    /* Return the coverage; at_least is confirmed by the strict share. */
-    if (!status) {
-        *out = stream == MURK_CONFIRM_STREAM && murk_plan_at_least(stage->scene)
-                   ? coverage.at_least
-                   : coverage.total;
-        if (regions) {
-            *regions = coverage.region;
-            coverage.region = NULL;
-        }
-    }
-    murk_coverage_result_release(&coverage);
-    murk_sight_destroy(sight);
-    murk_traced_destroy(other);
-    murk_progress_end();
-    return status;
+    return MURK_OK;
 }
 
 murk_status murk_plan_choose(murk_plan_result *plan, const murk_stage *stage,
@@ -353,15 +315,7 @@ murk_status murk_plan_choose(murk_plan_result *plan, const murk_stage *stage,
         }
         return status;
     }
-    plan->sensor = calloc(plan->place.count + 1, sizeof *plan->sensor);
-    if (!plan->sensor) {
-        return murk_fail(err, MURK_NO_MEMORY, stage->scene->path,
-                         "no memory for the plan");
-    }
-    for (size_t i = 0; i < plan->place.count; ++i) {
-        plan->sensor[i] = plan->poses->pose[plan->place.sensor[i]];
-    }
-    return MURK_OK;
+    return murk_plan_take_sensors(plan, stage->scene, err);
 }
 
 murk_status murk_plan_result_make_dark(murk_plan_result *plan,
@@ -375,79 +329,21 @@ murk_status murk_plan_result_make_dark(murk_plan_result *plan,
     plan->confirmed = plan->held_out = NO_ESTIMATE;
     plan->explore.end = MURK_EXPLORE_NOTHING;
     plan->place.sensor = calloc(n + 1, sizeof *plan->place.sensor);
-    plan->sensor = calloc(n + 1, sizeof *plan->sensor);
-    if (!plan->place.sensor || !plan->sensor) {
+    if (!plan->place.sensor) {
         return murk_fail(err, MURK_NO_MEMORY, stage->scene->path,
                          "no memory for the plan");
     }
     /* The plan consists of the fixed sensors. */
     plan->place.count = n;
-    for (size_t i = 0; i < n; ++i) {
-        plan->place.sensor[i] = poses->fixed_number[i];
-        plan->sensor[i] = poses->pose[poses->fixed_number[i]];
+    memcpy(plan->place.sensor, poses->fixed_number,
+           n * sizeof *plan->place.sensor);
+    murk_status status = murk_plan_take_sensors(plan, stage->scene, err);
+    if (!status) {
+        status = murk_dark_coverage(&plan->in_sample, stage, n, err);
     }
-    const murk_status status =
-        murk_dark_coverage(&plan->in_sample, stage, n, err);
     return status ? status
                   : murk_robust_begin(&plan->robust, stage, plan->sensor, n,
                                       &plan->in_sample, err);
-}
-
-murk_status murk_plan_result_make(murk_plan_result *plan,
-                                  const murk_stage *stage,
-                                  const murk_traced *traced, unsigned threads,
-                                  murk_error *err)
-{
-    murk_sight *sight = NULL;
-    plan->trace_s = traced->trace_s;
-    plan->map_s = traced->map_s;
-    if (murk_stage_has_nothing_to_see(stage)) {
-        return murk_plan_result_make_dark(plan, stage, err);
-    }
-    /* Choose, on photons or targets. */
-    murk_status status = murk_plan_sight_and_targets(
-        &sight, &plan->targets, stage, traced, threads, err);
-    if (!status) {
-        status =
-            murk_goals_check_seen(stage->goals, murk_goals_seen(sight), err);
-    }
-    if (!status) {
-        status = murk_plan_choose(plan, stage, sight, err);
-    }
-    if (status) {
-        goto done;
-    }
-    /* Measure on the same photons. */
-    status = murk_coverage_result_measure(&plan->in_sample, sight, plan->sensor,
-                                          plan->place.count, err);
-    plan->confirmed = (murk_estimate){NAN, NAN};
-    if (!status) {
-        murk_warn_of_thin_map(stage->scene, &plan->in_sample, NULL);
-        status = murk_robust_begin(&plan->robust, stage, plan->sensor,
-                                   plan->place.count, &plan->in_sample, err);
-    }
-    /* Without a second map, jitter is measured on the first. */
-    const bool has_held_out =
-        stage->scene->placement.hold_out && murk_plan_has_streams(stage->scene);
-    if (!status && !has_held_out) {
-        status = murk_robust_jitter(&plan->robust, stage, sight, plan->sensor,
-                                    &plan->in_sample, false, err);
-    }
-    /* Measure on independent photons. */
-    if (!status && has_held_out) {
-        status = measure_on(plan, MURK_HELD_OUT_STREAM, &plan->held_out,
-                            &plan->held_out_region, stage, threads, err);
-        plan->has_held_out = !status;
-    }
-    /* With a target, measure on a third map whether the plan reaches it. */
-    if (!status && stage->scene->sensors.target > 0 &&
-        murk_plan_has_streams(stage->scene)) {
-        status = measure_on(plan, MURK_CONFIRM_STREAM, &plan->confirmed, NULL,
-                            stage, threads, err);
-    }
-done:
-    murk_sight_destroy(sight);
-    return status;
 }
 
 void murk_plan_result_release(murk_plan_result *plan)

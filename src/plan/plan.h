@@ -1,6 +1,7 @@
-/* From traced light to a plan: candidate sites, coverage, the chosen sensors,
- * and the coverage of the plan measured on photons that had no part in the
- * choice. */
+/* From traced light to a plan: candidate sites, coverage and the chosen
+ * sensors. The room cases measures the coverage of a plan, also on photons that
+ * had no part in the choice, because the coverage of the photons that chose the
+ * plan is biased upwards. */
 #ifndef MURK_PLAN_PLAN_H
 #define MURK_PLAN_PLAN_H
 
@@ -121,14 +122,6 @@ typedef struct murk_plan_result {
 murk_status murk_plan_prepare(murk_plan_result *plan, const murk_stage *stage,
                               unsigned threads, murk_error *err);
 
-/* Computes the plan from traced light; plan must have been prepared. With
- * hold_out, also traces the second map. If no light source emits, the result is
- * that of murk_plan_result_make_dark(). Release the plan also after a failure.
- */
-murk_status murk_plan_result_make(murk_plan_result *plan,
-                                  const murk_stage *stage,
-                                  const murk_traced *traced, unsigned threads,
-                                  murk_error *err);
 /* The plan of a scene in which no light source emits: the fixed sensors and no
  * others, because no candidate is better than another. */
 murk_status murk_plan_result_make_dark(murk_plan_result *plan,
@@ -140,5 +133,14 @@ void murk_plan_result_release(murk_plan_result *plan);
  * Measures nothing else. */
 murk_status murk_plan_choose(murk_plan_result *plan, const murk_stage *stage,
                              murk_sight *sight, murk_error *err);
+
+/* Fills plan->sensor from plan->place and the poses. */
+murk_status murk_plan_take_sensors(murk_plan_result *plan,
+                                   const murk_scene_desc *scene,
+                                   murk_error *err);
+
+/* Adds the queries and shadow rays of a sight to the work of choosing, without
+ * those of the forecast. */
+void murk_plan_add_work(murk_plan_result *plan, const murk_sight *sight);
 
 #endif

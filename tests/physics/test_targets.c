@@ -7,6 +7,7 @@
  * the middle is a ball. CHECKS z-tests share a chance of 1e-6 of a false alarm
  * per seed (Sidak); the seed is fixed, so the verdict repeats. */
 #include "base/stats.h"
+#include "cases/condition_plans_make.h"
 #include "check.h"
 #include "plan/plan.h"
 #include "stage_text.h"
@@ -55,7 +56,7 @@ static murk_plan_result plan_of(const char *targets, const char *more)
     murk_stage *stage = stage_text_create(room, overrides);
     CHECK(stage && !murk_plan_prepare(&plan, stage, 2, &err) &&
           !murk_lightmap_trace(&traced, stage, 0, 2, &err) &&
-          !murk_plan_result_make(&plan, stage, traced, 2, &err));
+          !murk_plan_for_scene(&plan, stage, traced, 2, &err));
     CHECK_TEXT(err.text, "");
     CHECK(!traced || murk_photon_map_count(traced->surface) == 0);
     murk_traced_destroy(traced);

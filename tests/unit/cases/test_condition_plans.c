@@ -230,7 +230,7 @@ static void test_one_condition_is_the_plain_plan(void)
         const murk_stage *stage = one.over.conditions->condition[0].stage;
         CHECK(!murk_plan_prepare(&plain, stage, 2, &err) &&
               !murk_lightmap_trace(&traced, stage, 0, 2, &err) &&
-              !murk_plan_result_make(&plain, stage, traced, 2, &err));
+              !murk_plan_for_scene(&plain, stage, traced, 2, &err));
         CHECK_TEXT(err.text, "");
         /* Sensors and coverage are equal to the bit. */
         CHECK(plain.place.count == one.plan.place.count);

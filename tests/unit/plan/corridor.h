@@ -3,7 +3,7 @@
 #define MURK_TESTS_STUDY_CORRIDOR_H
 
 #include "check.h"
-#include "plan/plan.h"
+#include "chosen.h"
 #include "stage_text.h"
 
 /* A corridor 2 m wide: 10 m along y, then round the corner 8 m along x. Sites a
@@ -58,8 +58,7 @@ static inline made explore_with(const char *text, const char *const *overrides,
         m.status = murk_lightmap_trace(&traced, m.stage, 0, threads, &m.err);
     }
     if (!m.status) {
-        m.status =
-            murk_plan_result_make(&m.plan, m.stage, traced, threads, &m.err);
+        m.status = choose_sensors(&m.plan, m.stage, traced, threads, &m.err);
     }
     murk_traced_destroy(traced);
     return m;

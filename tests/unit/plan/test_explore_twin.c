@@ -4,7 +4,7 @@
  * all steps. Seeds are fixed: nothing here is random. */
 #include "base/rng.h"
 #include "check.h"
-#include "plan/plan.h"
+#include "chosen.h"
 #include "stage_text.h"
 
 #include <stdlib.h>
@@ -308,11 +308,10 @@ static void check_room(uint32_t seed, size_t *steps, size_t *opened)
     murk_error err = {0};
     static twin t;
     t = (twin){.room = &m, .plan = &plan};
-    const bool is_made =
-        stage && !murk_plan_prepare(&plan, stage, 2, &err) &&
-        !murk_lightmap_trace(&traced, stage, 0, 2, &err) &&
-        !murk_plan_result_make(&plan, stage, traced, 2, &err) &&
-        !murk_plan_sight(&t.sight, stage, traced, 1, &err);
+    const bool is_made = stage && !murk_plan_prepare(&plan, stage, 2, &err) &&
+                         !murk_lightmap_trace(&traced, stage, 0, 2, &err) &&
+                         !choose_sensors(&plan, stage, traced, 2, &err) &&
+                         !murk_plan_sight(&t.sight, stage, traced, 1, &err);
     /* the lit crate may stand within another */
     CHECK(is_made || strstr(err.text, "nothing to see"));
     if (t.sight) {

@@ -1,7 +1,7 @@
 /* `candidates.spacing_m` of a scene, from its key to the plan. The seed is
  * fixed: nothing here is random. */
 #include "check.h"
-#include "plan/plan.h"
+#include "chosen.h"
 #include "stage_text.h"
 
 static const char scene_text[] =
@@ -26,7 +26,7 @@ static double closest(const char *spacing, murk_error *err)
     double min = INFINITY;
     CHECK(stage && !murk_plan_prepare(&plan, stage, 2, err) &&
           !murk_lightmap_trace(&traced, stage, 0, 2, err));
-    if (!traced || murk_plan_result_make(&plan, stage, traced, 2, err)) {
+    if (!traced || choose_sensors(&plan, stage, traced, 2, err)) {
         min = 0;
     }
     for (size_t i = 0; min > 0 && i < plan.place.count; ++i) {
