@@ -7,7 +7,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "world/taken_again.h"
+#include "world/daylight_loss.h"
 #include "world/units.h"
 
 static void print_time(const murk_stage *stage)
@@ -36,7 +36,7 @@ static double irradiance_of(const murk_stage *stage, size_t light)
 /* The irradiance above holds the weather already. */
 static void print_taken(const murk_stage *stage, size_t light)
 {
-    const murk_taken_again taken = murk_taken_again_of(stage, light);
+    const murk_daylight_loss taken = murk_daylight_loss_of(stage, light);
     if (taken.is_known && taken.share > 0) {
         murk_print("            the domain's media take %.3g %% of this again, "
                    "before a surface or water\n",
@@ -102,7 +102,7 @@ void murk_print_lights(const murk_stage *stage)
 static void add_taken(cJSON *item, const murk_stage *stage, size_t light)
 {
     const int bands = stage->world.bands;
-    const murk_taken_again taken = murk_taken_again_of(stage, light);
+    const murk_daylight_loss taken = murk_daylight_loss_of(stage, light);
     if (!taken.is_known) {
         cJSON_AddNullToObject(item, "taken_again");
         return;

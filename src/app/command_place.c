@@ -3,7 +3,7 @@
  * coverage matrix from a file is handled in place_matrix.c. */
 #include "app/place_matrix.h"
 #include "app/session.h"
-#include "cases/condition_plans_make.h"
+#include "cases/condition_plans.h"
 #include "results/candidates.h"
 #include "results/condition_results.h"
 #include "results/coverage.h"

@@ -1,9 +1,9 @@
 /* murk sense: measures the coverage of given sensors on the light of a scene,
  * and writes the results. */
 #include "app/session.h"
-#include "plan/dark.h"
 #include "plan/few_photons.h"
 #include "plan/placement_in.h"
+#include "plan/plan.h"
 #include "results/exports.h"
 #include "results/plan_ply.h"
 #include "results/sense.h"

@@ -9,8 +9,7 @@
 #include "results/version.h"
 
 #include "base/log.h"
-#include "cases/sweep_read.h"
-#include "cases/sweep_run.h"
+#include "cases/sweep.h"
 #include "cases/sweep_store.h"
 
 #include <math.h>

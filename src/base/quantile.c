@@ -7,8 +7,20 @@
 
 #include <assert.h>
 #include <math.h>
+#include <stdlib.h>
 
 #define HALF_PI 1.5707963267948966 /* pi / 2 */
+
+static int by_value(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+void murk_sort(double *x, size_t n)
+{
+    qsort(x, n, sizeof *x, by_value);
+}
 
 /* P(|T| <= t). With tan(angle) = t / sqrt(degrees), the probability is a sum of
  * powers of cos(angle); each term follows from the previous one by a factor

@@ -114,3 +114,15 @@ murk_vec3 murk_affine_direction(const murk_affine *a, murk_vec3 d)
                        m[1][0] * d.x + m[1][1] * d.y + m[1][2] * d.z,
                        m[2][0] * d.x + m[2][1] * d.y + m[2][2] * d.z};
 }
+
+murk_box murk_affine_box(const murk_affine *a, const murk_box *box)
+{
+    murk_box out = murk_box_empty();
+    for (int corner = 0; corner < 8; ++corner) {
+        const murk_vec3 p = {corner & 1 ? box->max.x : box->min.x,
+                             corner & 2 ? box->max.y : box->min.y,
+                             corner & 4 ? box->max.z : box->min.z};
+        out = murk_box_with(out, murk_affine_point(a, p));
+    }
+    return out;
+}

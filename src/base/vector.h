@@ -120,6 +120,23 @@ static inline murk_box murk_box_with(murk_box box, murk_vec3 p)
         {fmax(box.max.x, p.x), fmax(box.max.y, p.y), fmax(box.max.z, p.z)}};
 }
 
+/* The bounding box of a ball. */
+static inline murk_box murk_box_of_ball(murk_vec3 center, double radius)
+{
+    const murk_vec3 r = {radius, radius, radius};
+    return (murk_box){murk_sub(center, r), murk_add(center, r)};
+}
+
+/* The part that two boxes have in common; min exceeds max on some axis if there
+ * is none. */
+static inline murk_box murk_box_meet(murk_box a, murk_box b)
+{
+    return (murk_box){{fmax(a.min.x, b.min.x), fmax(a.min.y, b.min.y),
+                       fmax(a.min.z, b.min.z)},
+                      {fmin(a.max.x, b.max.x), fmin(a.max.y, b.max.y),
+                       fmin(a.max.z, b.max.z)}};
+}
+
 /* True if p is inside the box or on a face of it. */
 static inline bool murk_box_contains(const murk_box *box, murk_vec3 p)
 {
@@ -195,5 +212,8 @@ bool murk_affine_invert(const murk_affine *a, murk_affine *out);
 
 murk_vec3 murk_affine_point(const murk_affine *a, murk_vec3 p);
 murk_vec3 murk_affine_direction(const murk_affine *a, murk_vec3 d);
+
+/* The bounding box of the images of the eight corners of a box. */
+murk_box murk_affine_box(const murk_affine *a, const murk_box *box);
 
 #endif

@@ -6,7 +6,7 @@
 #include "base/position.h"
 #include "medium/rescaled.h"
 #include "path/viewpoint.h"
-#include "world/stage_media.h"
+#include "world/stage_build.h"
 
 #include <assert.h>
 #include <math.h>

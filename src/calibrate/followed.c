@@ -7,7 +7,6 @@
 #include "base/progress.h"
 #include "calibrate/recorder.h"
 #include "lightmap/emission.h"
-#include "lightmap/ending.h"
 
 #include <assert.h>
 #include <stdlib.h>
@@ -101,11 +100,11 @@ static murk_status make_maps(murk_followed *f, const job *j, murk_error *err)
     murk_record_buffers *buffers = j->recorder->buffers;
     murk_record_buffers_to_watts(buffers, f->packet_w,
                                  j->desc->stage->scene->bands);
-    const murk_status status = murk_record_buffers_map(
+    const murk_status status = murk_record_list_map(
         &f->surface, &buffers->surface, j->desc->threads, err);
     return status ? status
-                  : murk_record_buffers_map(&f->volume, &buffers->volume,
-                                            j->desc->threads, err);
+                  : murk_record_list_map(&f->volume, &buffers->volume,
+                                         j->desc->threads, err);
 }
 
 /* Checks the losses and moves the contributions into the result. */

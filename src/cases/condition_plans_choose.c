@@ -2,7 +2,7 @@
  * for, and for comparison the plan of each condition alone and the plans by
  * the other objectives, by the same method and with the same number of
  * sensors. */
-#include "cases/condition_plans_choose.h"
+#include "cases/condition_plans.h"
 
 #include "base/progress.h"
 #include "cases/scenarios.h"
@@ -49,19 +49,15 @@ static murk_status join(choosing *ch, murk_error *err)
 static murk_status place_alone(choosing *ch, murk_place_result *out, size_t c,
                                const murk_place_desc *desc, murk_error *err)
 {
-    murk_sight_problem seen;
-    murk_sight_problem_init(&seen, ch->plans->conditions->condition[c].sight,
-                            ch->plan->poses->pose, ch->plan->poses->count);
-    if (ch->scene->placement.knowledge == MURK_SCENE_UNKNOWN) {
-        return murk_place_sensors(out, &seen.problem, NULL, desc, err);
-    }
-    murk_matrix *matrix = NULL;
-    murk_status status = murk_matrix_create(&matrix, &seen.problem,
-                                            murk_plan_matrix_bytes(), err);
+    murk_scenarios *alone = NULL;
+    murk_status status = murk_scenarios_create(
+        &alone, ch->scene, &ch->plans->conditions->condition[c].sight,
+        &(double){1}, 1, ch->plan->poses, err);
     if (!status) {
-        status = murk_place_sensors(out, &seen.problem, matrix, desc, err);
+        status = murk_scenarios_place(out, alone, MURK_SCENE_OBJECTIVE_MEAN,
+                                      desc, err);
     }
-    murk_matrix_destroy(matrix);
+    murk_scenarios_destroy(alone);
     return status;
 }
 
@@ -179,7 +175,7 @@ static murk_status choose_all(choosing *ch, murk_error *err)
 }
 
 /* Over several conditions: joins them and chooses. */
-static murk_status choose_over(choosing *ch, murk_error *err)
+static murk_status choose_joined(choosing *ch, murk_error *err)
 {
     const murk_conditions *all = ch->plans->conditions;
     murk_status status = join(ch, err);
@@ -207,7 +203,7 @@ murk_status murk_condition_plans_choose(murk_condition_plans *plans,
     const murk_conditions *all = plans->conditions;
     choosing ch = {.plans = plans, .plan = plan, .scene = all->scene};
     if (!all->is_scene) {
-        return choose_over(&ch, err);
+        return choose_joined(&ch, err);
     }
     const murk_status status = murk_plan_choose(plan, all->condition[0].stage,
                                                 all->condition[0].sight, err);

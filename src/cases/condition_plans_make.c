@@ -4,10 +4,9 @@
  * held-out light. The figures of one plan over all conditions are the mean, or
  * the figures of the condition that the objective looks at: the worst one, or
  * the one in which the regret is largest. */
-#include "cases/condition_plans_make.h"
+#include "cases/condition_plans.h"
 
 #include "base/progress.h"
-#include "cases/condition_plans_choose.h"
 #include "cases/scenario_mean.h"
 #include "plan/few_photons.h"
 
@@ -53,41 +52,27 @@ murk_status murk_condition_plans_prepare(murk_condition_plans *out,
     murk_progress_begin_group("build", 0, "");
     murk_status status = murk_conditions_create(&out->conditions, scene, err);
     murk_progress_end();
+    const murk_stage *stage[MURK_SCENE_CONDITIONS_MAX];
+    const char *where[MURK_SCENE_CONDITIONS_MAX];
     for (size_t c = 0; !status && c < scene->n_conditions; ++c) {
-        status =
-            murk_plan_check(out->conditions->condition[c].stage, threads, err);
+        stage[c] = out->conditions->condition[c].stage;
+        where[c] = out->conditions->condition[c].settings->where;
+        status = murk_plan_check(stage[c], threads, err);
     }
     /* Find the candidates that are usable in every condition. */
     if (!status) {
-        status = murk_conditions_sites(&plan->candidates, out->conditions,
-                                       threads, err);
+        status = murk_sites_find_common(&plan->candidates, stage, where,
+                                        scene->n_conditions, threads, err);
     }
     if (!status) {
-        status = murk_poses_create(
-            &plan->poses, scene,
-            &out->conditions->condition[0].stage->world.domain,
-            plan->candidates->position, plan->candidates->usable, err);
+        status = murk_poses_create(&plan->poses, scene, &stage[0]->world.domain,
+                                   plan->candidates->position,
+                                   plan->candidates->usable, err);
     }
     return status;
 }
 
 /* ---- measuring ---- */
-
-static murk_status measure_plan(const murk_condition_plans *plans, size_t p,
-                                murk_sight *sight,
-                                murk_coverage_result *keep_it,
-                                murk_estimate *total, murk_error *err)
-{
-    const murk_condition_plan *plan = &plans->plan[p];
-    if (p != plans->chosen) {
-        return murk_coverage_total_measure(total, sight, plan->sensor,
-                                           plan->count, err);
-    }
-    const murk_status status = murk_coverage_result_measure(
-        keep_it, sight, plan->sensor, plan->count, err);
-    *total = keep_it->total;
-    return status;
-}
 
 /* An earlier plan with the same sensors, or p itself. */
 static size_t find_same(const murk_condition_plans *plans, size_t p)
@@ -103,10 +88,11 @@ static size_t find_same(const murk_condition_plans *plans, size_t p)
     return p;
 }
 
-/* All plans in one condition. */
+/* All plans in one condition; *chosen receives the whole result of the chosen
+ * plan. */
 static murk_status measure_all(murk_condition_plans *plans, size_t c,
                                murk_sight *sight, bool is_held_out,
-                               murk_coverage_result *keep_it, murk_error *err)
+                               murk_coverage_result *chosen, murk_error *err)
 {
     murk_status status = MURK_OK;
     for (size_t p = 0; !status && p < plans->plans; ++p) {
@@ -116,8 +102,13 @@ static murk_status measure_all(murk_condition_plans *plans, size_t c,
         const murk_condition_plan *same = &plans->plan[find_same(plans, p)];
         if (same != plan) {
             *to = is_held_out ? same->held_out[c] : same->in_sample[c];
+        } else if (p == plans->chosen) {
+            status = murk_coverage_result_measure(chosen, sight, plan->sensor,
+                                                  plan->count, err);
+            *to = chosen->total;
         } else {
-            status = measure_plan(plans, p, sight, keep_it, to, err);
+            status = murk_coverage_total_measure(to, sight, plan->sensor,
+                                                 plan->count, err);
         }
     }
     return status;
@@ -195,67 +186,36 @@ static murk_status sum_up_jitter(murk_condition_plans *plans,
 
 /* ---- other light ---- */
 
-/* Traces other light of condition c and builds the sight onto it. The caller
- * destroys both. */
-static murk_status light_again(const murk_condition_plans *plans,
-                               murk_plan_result *plan, size_t c,
-                               uint32_t stream, murk_traced **traced,
-                               murk_sight **sight, unsigned threads,
-                               murk_error *err)
+/* The coverage of the chosen plan in light of another stream in condition c. In
+ * held-out light also the coverage of all plans and the jitter. */
+static murk_status measure_in(murk_condition_plans *plans,
+                              murk_plan_result *plan, size_t c, uint32_t stream,
+                              murk_coverage_result *out, unsigned threads,
+                              murk_error *err)
 {
     const murk_stage *stage = plans->conditions->condition[c].stage;
-    const murk_status status = murk_plan_trace_stream(
-        traced, stage, stream + STREAMS_EACH * (uint32_t)c, threads, err);
-    if (status) {
-        return status;
-    }
-    plan->trace_s += (*traced)->trace_s;
-    plan->map_s += (*traced)->map_s;
-    return murk_plan_sight(sight, stage, *traced, threads, err);
-}
-
-/* All plans, and the jitter of the chosen one, in held-out light of a
- * condition. */
-static murk_status hold_out(murk_condition_plans *plans, murk_plan_result *plan,
-                            size_t c, murk_coverage_result *held_out,
-                            unsigned threads, murk_error *err)
-{
+    const murk_condition_plan *chosen = &plans->plan[plans->chosen];
+    const bool is_held_out = stream == MURK_HELD_OUT_STREAM;
     murk_traced *other = NULL;
     murk_sight *sight = NULL;
-    murk_status status = light_again(plans, plan, c, MURK_HELD_OUT_STREAM,
-                                     &other, &sight, threads, err);
+    /* Trace the light and build the sight onto it. */
+    murk_status status = murk_plan_trace_stream(
+        &other, stage, stream + STREAMS_EACH * (uint32_t)c, threads, err);
     if (!status) {
-        status = measure_all(plans, c, sight, true, held_out, err);
+        plan->trace_s += other->trace_s;
+        plan->map_s += other->map_s;
+        status = murk_plan_sight(&sight, stage, other, threads, err);
     }
+    /* Measure. */
     if (!status) {
+        status = is_held_out
+                     ? measure_all(plans, c, sight, true, out, err)
+                     : murk_coverage_result_measure(out, sight, chosen->sensor,
+                                                    chosen->count, err);
+    }
+    if (!status && is_held_out) {
         status = shake(plans, c, sight, err);
     }
-    murk_sight_destroy(sight);
-    murk_traced_destroy(other);
-    return status;
-}
-
-/* The chosen plan in light that confirms a target; with at_least the strict
- * share. */
-static murk_status confirm_one(const murk_condition_plans *plans,
-                               murk_plan_result *plan, size_t c,
-                               murk_estimate *confirmed, unsigned threads,
-                               murk_error *err)
-{
-    const murk_condition_plan *chosen = &plans->plan[plans->chosen];
-    murk_traced *other = NULL;
-    murk_sight *sight = NULL;
-    murk_coverage_result coverage = {0};
-    murk_status status = light_again(plans, plan, c, MURK_CONFIRM_STREAM,
-                                     &other, &sight, threads, err);
-    if (!status) {
-        status = murk_coverage_result_measure(&coverage, sight, chosen->sensor,
-                                              chosen->count, err);
-    }
-    *confirmed = murk_plan_at_least(plans->conditions->scene)
-                     ? coverage.at_least
-                     : coverage.total;
-    murk_coverage_result_release(&coverage);
     murk_sight_destroy(sight);
     murk_traced_destroy(other);
     return status;
@@ -303,7 +263,8 @@ static murk_status measure_held_out(murk_condition_plans *plans,
     murk_status status = MURK_OK;
     /* Measure all plans in the held-out light of each condition. */
     for (size_t c = 0; !status && c < plans->conditions->n; ++c) {
-        status = hold_out(plans, plan, c, &held_out[c], threads, err);
+        status = measure_in(plans, plan, c, MURK_HELD_OUT_STREAM, &held_out[c],
+                            threads, err);
     }
     /* Sum the conditions up and hand the result to the plan. */
     if (!status) {
@@ -325,19 +286,26 @@ static murk_status measure_held_out(murk_condition_plans *plans,
     return status;
 }
 
+/* The chosen plan in light that confirms a target; with at_least the strict
+ * share. */
 static murk_status confirm(murk_condition_plans *plans, murk_plan_result *plan,
                            unsigned threads, murk_error *err)
 {
+    const murk_conditions *all = plans->conditions;
     murk_estimate of[MURK_SCENE_CONDITIONS_MAX];
     murk_status status = MURK_OK;
-    for (size_t c = 0; !status && c < plans->conditions->n; ++c) {
-        status = confirm_one(plans, plan, c, &of[c], threads, err);
+    for (size_t c = 0; !status && c < all->n; ++c) {
+        murk_coverage_result coverage = {0};
+        status = measure_in(plans, plan, c, MURK_CONFIRM_STREAM, &coverage,
+                            threads, err);
+        of[c] =
+            murk_plan_at_least(all->scene) ? coverage.at_least : coverage.total;
+        murk_coverage_result_release(&coverage);
     }
-    size_t worst;
     if (!status) {
+        size_t worst;
         plan->confirmed = murk_conditions_estimate(
-            plans->conditions, of, plans->conditions->scene->placement.over,
-            true, &worst);
+            all, of, all->scene->placement.over, true, &worst);
     }
     return status;
 }

@@ -117,6 +117,7 @@ murk_status murk_conditions_again(murk_conditions **out,
         all->dark = from->dark;
         has_memory = all->again != NULL;
     }
+    /* Copy the stages and their scenes. */
     for (size_t c = 0; has_memory && c < from->n + from->dark; ++c) {
         const murk_stage *stage = from->condition[c].stage;
         murk_condition *one = &all->condition[c];
@@ -158,22 +159,6 @@ murk_status murk_conditions_of_stage(murk_conditions **out,
         (*out)->map_s = traced->map_s;
     }
     return status;
-}
-
-/* ---- candidates ---- */
-
-murk_status murk_conditions_sites(murk_candidates **out,
-                                  const murk_conditions *conditions,
-                                  unsigned threads, murk_error *err)
-{
-    const murk_stage *stage[MURK_SCENE_CONDITIONS_MAX];
-    const char *where[MURK_SCENE_CONDITIONS_MAX];
-    const size_t n = conditions->n + conditions->dark;
-    for (size_t c = 0; c < n; ++c) {
-        stage[c] = conditions->condition[c].stage;
-        where[c] = conditions->condition[c].settings->where;
-    }
-    return murk_sites_find_common(out, stage, where, n, threads, err);
 }
 
 /* ---- light ---- */

@@ -66,13 +66,6 @@ murk_status murk_conditions_again(murk_conditions **out,
                                   const murk_conditions *from, uint32_t later,
                                   murk_error *err);
 
-/* The candidates that are usable in every condition. The counts of refused
- * candidates are those of the first condition; candidates that only a later
- * condition refuses count as not reached. */
-murk_status murk_conditions_sites(murk_candidates **out,
-                                  const murk_conditions *conditions,
-                                  unsigned threads, murk_error *err);
-
 /* Traces the light of every condition that has none, and builds the sight of
  * the first n: fills traced, sight and targets. Refused before any trace, by
  * forecast, if the maps do not fit in memory together. */

@@ -67,6 +67,13 @@ static bool places(const murk_scene_desc *scene)
     return s->given && (s->count > 0 || s->target > 0 || s->budget > 0);
 }
 
+static bool measures_coverage(const murk_outputs *outputs)
+{
+    return outputs->wants[MURK_OUTPUT_FIXED] ||
+           outputs->wants[MURK_OUTPUT_BEST] ||
+           murk_outputs_plan_for_all(outputs);
+}
+
 static murk_status check_needs(const murk_outputs *out,
                                const murk_scene_desc *scene, murk_error *err)
 {
@@ -78,7 +85,7 @@ static murk_status check_needs(const murk_outputs *out,
                          "coverage_fixed needs a plan: FILE, sensors.csv or "
                          "plan.json");
     }
-    if (murk_outputs_need_sensors(out) && !scene->sensors.given) {
+    if (measures_coverage(out) && !scene->sensors.given) {
         return murk_fail(err, MURK_BAD_VALUE, where,
                          "coverage needs sensors, and the scene %s has none",
                          scene->path);
@@ -134,13 +141,6 @@ murk_status murk_outputs_choose(murk_outputs *out, const murk_study_file *study,
         out->wants[MURK_OUTPUT_BEST] = places(scene);
     }
     return check_needs(out, scene, err);
-}
-
-bool murk_outputs_need_sensors(const murk_outputs *outputs)
-{
-    return outputs->wants[MURK_OUTPUT_FIXED] ||
-           outputs->wants[MURK_OUTPUT_BEST] ||
-           murk_outputs_plan_for_all(outputs);
 }
 
 bool murk_outputs_plan_for_all(const murk_outputs *outputs)

@@ -33,9 +33,6 @@ murk_output murk_output_of(const char *word);
 murk_status murk_outputs_choose(murk_outputs *out, const murk_study_file *study,
                                 const murk_scene_desc *scene, murk_error *err);
 
-/* True if any output needs sensors. */
-bool murk_outputs_need_sensors(const murk_outputs *outputs);
-
 /* True if one plan for all rows is asked for. */
 bool murk_outputs_plan_for_all(const murk_outputs *outputs);
 

@@ -6,7 +6,7 @@
 
 #include "base/progress.h"
 #include "base/quantile.h"
-#include "cases/condition_plans_make.h"
+#include "cases/condition_plans.h"
 
 #include <stdlib.h>
 
@@ -154,12 +154,6 @@ void murk_repeat_release(murk_repeat *repeat)
 
 /* ---- the summary ---- */
 
-static int by_value(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 static murk_spread spread_of(double *x, size_t n)
 {
     for (size_t i = 0; i < n; ++i) {
@@ -167,7 +161,7 @@ static murk_spread spread_of(double *x, size_t n)
             return (murk_spread){NAN, NAN, NAN};
         }
     }
-    qsort(x, n, sizeof *x, by_value);
+    murk_sort(x, n);
     return (murk_spread){.median = (x[(n - 1) / 2] + x[n / 2]) / 2,
                          .min = x[0],
                          .max = x[n - 1]};
@@ -190,51 +184,40 @@ murk_status murk_repeat_sum_up(murk_repeat_summary *out,
                                const murk_repeat *repeat, murk_error *err)
 {
     const size_t n = repeat->runs;
-    double *x = malloc(n * sizeof *x);
+    double *x = calloc(6 * n, sizeof *x);
     if (!x) {
         return no_memory(n, err);
     }
-    /* Spread of the number of sensors and of the coverage in sample. */
+    double *sensors = x, *in_sample = x + n, *held_out = x + 2 * n,
+           *upper = x + 3 * n, *plan = x + 4 * n, *gap = x + 5 * n;
+    size_t measured = 0; /* runs that measured the first plan */
     murk_repeat_summary s = {.best = n};
+    double best = -1;
     for (size_t i = 0; i < n; ++i) {
-        x[i] = (double)repeat->run[i].sensors;
-    }
-    s.sensors = spread_of(x, n);
-    for (size_t i = 0; i < n; ++i) {
-        x[i] = repeat->run[i].in_sample;
-    }
-    s.in_sample = spread_of(x, n);
-    /* Held-out coverage: the best run, and the runs that meet the target. */
-    for (size_t i = 0; i < n; ++i) {
-        const double held_out = x[i] = repeat->run[i].held_out.value;
-        if (held_out > (s.best < n ? repeat->run[s.best].held_out.value : -1)) {
+        const murk_repeat_run *run = &repeat->run[i];
+        sensors[i] = (double)run->sensors;
+        in_sample[i] = run->in_sample;
+        held_out[i] = run->held_out.value;
+        upper[i] = run->upper;
+        if (isfinite(run->plan.value)) {
+            plan[measured] = run->plan.value;
+            gap[measured++] = run->upper - run->plan.value;
+        }
+        /* The best run, and the runs that meet the target. */
+        if (held_out[i] > best) {
             s.best = i;
+            best = held_out[i];
         }
-        s.met += repeat->target > 0 && held_out >= repeat->target;
+        s.met += repeat->target > 0 && held_out[i] >= repeat->target;
     }
-    s.held_out = spread_of(x, n);
-    /* Upper bounds, and coverage of the first plan on the maps of the other
-     * runs. */
-    for (size_t i = 0; i < n; ++i) {
-        x[i] = repeat->run[i].upper;
-    }
-    s.upper_mean = murk_mean_estimate(x, n);
-    s.upper = spread_of(x, n);
-    size_t measured = 0;
-    for (size_t i = 0; i < n; ++i) {
-        if (isfinite(repeat->run[i].plan.value)) {
-            x[measured++] = repeat->run[i].plan.value;
-        }
-    }
-    s.plan = murk_mean_estimate(x, measured);
-    /* The gap: upper bound less coverage of the first plan, run by run. */
-    size_t pairs = 0;
-    for (size_t i = 0; i < n; ++i) {
-        if (isfinite(repeat->run[i].plan.value) && repeat->has_gap) {
-            x[pairs++] = repeat->run[i].upper - repeat->run[i].plan.value;
-        }
-    }
-    s.gap = gap_of(x, pairs);
+    /* Means first, because spreads sort. */
+    s.upper_mean = murk_mean_estimate(upper, n);
+    s.plan = murk_mean_estimate(plan, measured);
+    s.gap = gap_of(gap, repeat->has_gap ? measured : 0);
+    s.sensors = spread_of(sensors, n);
+    s.in_sample = spread_of(in_sample, n);
+    s.held_out = spread_of(held_out, n);
+    s.upper = spread_of(upper, n);
     *out = s;
     free(x);
     return MURK_OK;

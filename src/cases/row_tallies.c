@@ -28,13 +28,21 @@ static void note(murk_row_tallies *g, const char *text, const char *name)
              text);
 }
 
+/* Adds a tally; part NULL: it is no density. */
 static void add(murk_row_tallies *g, const murk_tally_desc *desc,
-                const murk_row_tally *row_tally)
+                const char *name, const murk_part *part)
 {
     murk_tally_desc *d = &g->desc[g->n];
+    murk_row_tally *t = &g->row_tally[g->n];
     *d = *desc;
     snprintf(d->name, sizeof d->name, "study-%zu", g->n);
-    g->row_tally[g->n++] = *row_tally;
+    *t = (murk_row_tally){.per_unit = 1, .is_density = part != NULL};
+    snprintf(t->name, sizeof t->name, "%s", name);
+    if (part) {
+        t->part = *part;
+        t->part.number = (uint32_t)g->n;
+    }
+    ++g->n;
 }
 
 /* ---- densities ---- */
@@ -46,68 +54,43 @@ static void add_box(murk_row_tallies *g, const murk_box *box, const char *name,
                                   .type = MURK_TALLY_GRID,
                                   .box = *box,
                                   .size = {1, 1, 1}};
-    murk_row_tally row_tally = {
-        .is_density = true,
-        .per_unit = 1,
-        .part = {.box = *box, .number = (uint32_t)g->n}};
-    snprintf(row_tally.name, sizeof row_tally.name, "%s", name);
-    add(g, &desc, &row_tally);
+    add(g, &desc, name, &(murk_part){.box = *box});
 }
 
 static void add_ball(murk_row_tallies *g, const murk_scene_interest *r,
-                     const char *name)
+                     const murk_box *bounds, const char *name)
 {
-    const murk_vec3 edge =
-        murk_vec(r->solid.radius_m, r->solid.radius_m, r->solid.radius_m);
     const murk_tally_desc desc = {.where = r->where,
                                   .type = MURK_TALLY_SPHERE,
                                   .center = r->solid.center,
                                   .radius_m = r->solid.radius_m};
-    murk_row_tally row_tally = {
-        .is_density = true,
-        .per_unit = 1,
-        .part = {.is_ball = true,
-                 .box = {murk_sub(r->solid.center, edge),
-                         murk_add(r->solid.center, edge)},
-                 .center = r->solid.center,
-                 .radius_m = r->solid.radius_m,
-                 .number = (uint32_t)g->n}};
-    snprintf(row_tally.name, sizeof row_tally.name, "%s", name);
-    add(g, &desc, &row_tally);
+    const murk_part part = {.is_ball = true,
+                            .box = *bounds,
+                            .center = r->solid.center,
+                            .radius_m = r->solid.radius_m};
+    add(g, &desc, name, &part);
 }
 
-/* What of a region lies in the domain; whole balls only. */
+/* Adds the part of a box that lies in the domain, or a ball that lies wholly in
+ * the domain. Other regions are named in the note. */
 static void add_region(murk_row_tallies *g, const murk_scene_interest *r,
                        const murk_box *domain)
 {
     char name[MURK_ROW_NAME_SIZE];
-    const murk_vec3 edge =
-        murk_vec(r->solid.radius_m, r->solid.radius_m, r->solid.radius_m);
+    const murk_box ball = murk_box_of_ball(r->solid.center, r->solid.radius_m);
+    const murk_box box = murk_box_meet(r->solid.box, *domain);
     snprintf(name, sizeof name, "density_%s", r->name);
-    /* The part of a box that lies in the domain. */
-    if (r->shape == MURK_REGION_BOX) {
-        const murk_box box = {
-            murk_vec(fmax(r->solid.box.min.x, domain->min.x),
-                     fmax(r->solid.box.min.y, domain->min.y),
-                     fmax(r->solid.box.min.z, domain->min.z)),
-            murk_vec(fmin(r->solid.box.max.x, domain->max.x),
-                     fmin(r->solid.box.max.y, domain->max.y),
-                     fmin(r->solid.box.max.z, domain->max.z))};
-        if (box.min.x < box.max.x && box.min.y < box.max.y &&
-            box.min.z < box.max.z) {
-            add_box(g, &box, name, r->where);
-        } else {
-            note(g, "lies outside the domain", name);
-        }
-        /* A sphere that lies wholly in the domain; other shapes are named in
-         * the note. */
+    if (r->shape == MURK_REGION_BOX && box.min.x < box.max.x &&
+        box.min.y < box.max.y && box.min.z < box.max.z) {
+        add_box(g, &box, name, r->where);
     } else if (r->shape == MURK_REGION_SPHERE &&
-               murk_box_contains(domain, murk_sub(r->solid.center, edge)) &&
-               murk_box_contains(domain, murk_add(r->solid.center, edge))) {
-        add_ball(g, r, name);
+               murk_box_contains(domain, ball.min) &&
+               murk_box_contains(domain, ball.max)) {
+        add_ball(g, r, &ball, name);
     } else {
         note(g,
-             r->shape == MURK_REGION_SPHERE
+             r->shape == MURK_REGION_BOX ? "lies outside the domain"
+             : r->shape == MURK_REGION_SPHERE
                  ? "reaches out of the domain and is not measured"
                  : "is not measured: neither a box nor a sphere",
              name);
@@ -120,15 +103,13 @@ static void add_tally(murk_row_tallies *g, const murk_tally_desc *asked,
                       const murk_box *domain)
 {
     murk_tally_desc desc = *asked;
-    murk_row_tally row_tally = {.per_unit = 1};
     desc.bins[0] = desc.bins[1] = desc.angle_bins = 1;
     desc.size[0] = desc.size[1] = desc.size[2] = 1;
+    add(g, &desc, asked->name, NULL);
     if (desc.type == MURK_TALLY_PLANE) {
         const double area = murk_plane_area(domain, desc.point, desc.normal);
-        row_tally.per_unit = area > 0 ? 1 / area : NAN;
+        g->row_tally[g->n - 1].per_unit = area > 0 ? 1 / area : NAN;
     }
-    snprintf(row_tally.name, sizeof row_tally.name, "%s", asked->name);
-    add(g, &desc, &row_tally);
 }
 
 static void add_fluence(murk_row_tallies *g, const murk_study_file *study,
@@ -143,7 +124,7 @@ static void add_fluence(murk_row_tallies *g, const murk_study_file *study,
             study->fluence_size[i] ? study->fluence_size[i] : own.size[i];
     }
     g->fluence = g->n;
-    add(g, &desc, &(murk_row_tally){0});
+    add(g, &desc, "", NULL);
 }
 
 murk_status murk_row_tallies_create(murk_row_tallies *out,
@@ -199,19 +180,13 @@ void murk_row_tallies_release(murk_row_tallies *row_tallies)
 
 /* ---- reading ---- */
 
-/* Where tallies of light are read from; tallies NULL: it is dark. */
-typedef struct source {
-    const murk_tallies *tallies;
-    const murk_tally *emitted;
-    const double *packet_w;
-} source;
-
-static murk_estimate read_cell(const source *s, size_t tally, int band,
+static murk_estimate read_cell(const murk_row_light *light,
+                               const double *packet, size_t tally, int band,
                                size_t cell)
 {
-    return s->tallies ? murk_tallies_read(s->tallies, tally, band, cell,
-                                          s->emitted, s->packet_w)
-                      : (murk_estimate){0, 0};
+    return light->tallies ? murk_tallies_read(light->tallies, tally, band, cell,
+                                              light->emitted, packet)
+                          : (murk_estimate){0, 0};
 }
 
 /* Densities are photons where nobody asks for anything else. */
@@ -243,24 +218,23 @@ static murk_status add_values(murk_study_row *row,
                               const murk_row_tallies *row_tallies,
                               size_t number, size_t cell, const char *suffix,
                               const murk_estimate *share,
-                              const murk_stage *stage, const source *watts,
-                              murk_error *err)
+                              const murk_stage *stage,
+                              const murk_row_light *light, murk_error *err)
 {
     const murk_row_tally *row_tally = &row_tallies->row_tally[number];
     const murk_scene_desc *scene = stage->scene;
     const murk_quantity quantity = quantity_of(row_tallies, row_tally, scene);
     const murk_units units = murk_units_of(quantity);
     double packet[MURK_SOURCES_MAX * MURK_BANDS_MAX];
-    const source s = {watts->tallies, watts->emitted, packet};
     murk_estimate band[MURK_BANDS_MAX];
     char name[MURK_ROW_NAME_SIZE];
     /* The worth of a packet in the quantity that the row shows. */
-    if (watts->tallies) {
-        murk_units_packets(packet, quantity, stage, watts->packet_w);
+    if (light->tallies) {
+        murk_units_packets(packet, quantity, stage, light->packet_w);
     }
     /* The value of the cell in each band. */
     for (int b = 0; b < scene->bands; ++b) {
-        band[b] = read_cell(&s, number, b, cell);
+        band[b] = read_cell(light, packet, number, b, cell);
         band[b].value *= row_tally->per_unit;
         band[b].standard_error *= row_tally->per_unit;
     }
@@ -286,18 +260,17 @@ static const char *suffix_of(const murk_tally_desc *d, size_t cell)
                                          : "_up";
 }
 
-murk_status
-murk_row_tallies_read(murk_study_row *row, const murk_row_tallies *row_tallies,
-                      const murk_stage *stage, const murk_tallies *tallies,
-                      const murk_tally *emitted, const double *packet_w,
-                      unsigned threads, murk_error *err)
+murk_status murk_row_tallies_read(murk_study_row *row,
+                                  const murk_row_tallies *row_tallies,
+                                  const murk_stage *stage,
+                                  const murk_row_light *light, unsigned threads,
+                                  murk_error *err)
 {
-    const source s = {tallies, emitted, packet_w};
     const murk_surfaces_facts facts = murk_surfaces_describe(stage->surfaces);
     murk_open_space *space = NULL;
     murk_status status = MURK_OK;
     /* Free space is needed only if there are surfaces. */
-    if (tallies && facts.triangles + facts.spheres > 0) {
+    if (light->tallies && facts.triangles + facts.spheres > 0) {
         status = murk_stage_free_space(&space, stage, threads, err);
     }
     /* All tallies but the grid, cell by cell; densities refer to the free
@@ -315,19 +288,19 @@ murk_row_tallies_read(murk_study_row *row, const murk_row_tallies *row_tallies,
         for (size_t c = 0; c < cells && !status; ++c) {
             status = add_values(row, row_tallies, i, c,
                                 suffix_of(&row_tallies->desc[i], c), &share,
-                                stage, &s, err);
+                                stage, light, err);
         }
     }
     murk_open_space_destroy(space);
     return status;
 }
 
-murk_status murk_row_tallies_write_fluence(
-    const char *path, const murk_row_tallies *row_tallies,
-    const murk_scene_desc *scene, const murk_tallies *tallies,
-    const murk_tally *emitted, const double *packet_w, murk_error *err)
+murk_status murk_row_tallies_write_fluence(const char *path,
+                                           const murk_row_tallies *row_tallies,
+                                           const murk_scene_desc *scene,
+                                           const murk_row_light *light,
+                                           murk_error *err)
 {
-    const source s = {tallies, emitted, packet_w};
     const murk_tally_desc *d = &row_tallies->desc[row_tallies->fluence];
     const size_t cells = murk_tally_cells(d);
     /* The transform from cells to the coordinates of the user; values stand at
@@ -351,7 +324,9 @@ murk_status murk_row_tallies_write_fluence(
     for (int b = 0; b < scene->bands; ++b) {
         float *field = value + (size_t)b * cells;
         for (size_t c = 0; c < cells; ++c) {
-            field[c] = (float)read_cell(&s, row_tallies->fluence, b, c).value;
+            field[c] = (float)read_cell(light, light->packet_w,
+                                        row_tallies->fluence, b, c)
+                           .value;
         }
         snprintf(names[b], sizeof names[b], "fluence_%.9gnm",
                  scene->band_nm[b]);

@@ -2,14 +2,14 @@
  * of interest, and the tallies of the scene as single numbers.
  *
  * The density of a volume is the mean scalar irradiance over the free part of
- * the volume: track length divided by free volume (plan/free_share.h). */
+ * the volume: track length divided by free volume (plan/free_space.h). */
 #ifndef MURK_CASES_ROW_TALLIES_H
 #define MURK_CASES_ROW_TALLIES_H
 
 #include "cases/outputs.h"
 #include "cases/row.h"
 #include "lightmap/lightmap.h"
-#include "plan/free_share.h"
+#include "plan/free_space.h"
 
 #include <stdio.h>
 
@@ -37,19 +37,26 @@ murk_status murk_row_tallies_create(murk_row_tallies *out,
                                     murk_error *err);
 void murk_row_tallies_release(murk_row_tallies *row_tallies);
 
-/* Adds the values of `tallies` to the row, for packets worth packet_w[light *
- * bands + band] in watts; tallies NULL: the row is dark and values are 0. */
-murk_status
-murk_row_tallies_read(murk_study_row *row, const murk_row_tallies *row_tallies,
-                      const murk_stage *stage, const murk_tallies *tallies,
-                      const murk_tally *emitted, const double *packet_w,
-                      unsigned threads, murk_error *err);
+/* The light that the tallies of a row are read from. */
+typedef struct murk_row_light {
+    const murk_tallies *tallies; /* NULL: the row is dark and values are 0 */
+    const murk_tally *emitted;
+    const double *packet_w; /* [light * bands + band] watts of a packet */
+} murk_row_light;
+
+/* Adds the values of the tallies to the row. */
+murk_status murk_row_tallies_read(murk_study_row *row,
+                                  const murk_row_tallies *row_tallies,
+                                  const murk_stage *stage,
+                                  const murk_row_light *light, unsigned threads,
+                                  murk_error *err);
 
 /* Writes the grid of the fluence rate in W/m2 as a .vdb file. */
-murk_status murk_row_tallies_write_fluence(
-    const char *path, const murk_row_tallies *row_tallies,
-    const murk_scene_desc *scene, const murk_tallies *tallies,
-    const murk_tally *emitted, const double *packet_w, murk_error *err);
+murk_status murk_row_tallies_write_fluence(const char *path,
+                                           const murk_row_tallies *row_tallies,
+                                           const murk_scene_desc *scene,
+                                           const murk_row_light *light,
+                                           murk_error *err);
 
 /* Prints a text that is equal for two scenes exactly if their rows have the
  * same tallies. */

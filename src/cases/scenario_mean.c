@@ -48,6 +48,7 @@ static void add(murk_coverage_result *sum, estimates *to,
                       weight);
         sum->map[p].photons += map->photons;
     }
+    /* Regions of interest, then the values by sensor. */
     for (size_t i = 0; i < regions; ++i) {
         murk_mean_add(&to->region[i], of->region[i].coverage, weight);
         sum->region[i].photons += of->region[i].photons;

@@ -189,26 +189,21 @@ void murk_scenarios_destroy(murk_scenarios *j)
 
 /* ---- plans ---- */
 
-/* The value that a plan must have to cover a share, 0..1: of the mean in the
- * units of the problem, of the worst scenario in units of a block's share,
- * lowered by the rounding of that product. */
-static uint64_t target_value(const murk_scenarios *j, double share,
-                             bool is_worst)
-{
-    return is_worst
-               ? (uint64_t)ceil(share * (double)MURK_SHARE_ONE * (1 - 0x1p-51))
-               : murk_plan_value_of(share, &j->problem);
-}
-
 murk_place_desc murk_scenarios_desc(const murk_scenarios *j,
                                     murk_scene_objective objective)
 {
     murk_place_desc desc = murk_plan_desc(j->scene);
     desc.constraints = murk_poses_constraints(j->poses);
-    if (j->scene->sensors.target > 0) {
+    /* The value that covers a share: of the mean in the units of the problem,
+     * of the worst scenario in units of a block's share, lowered by the
+     * rounding of that product. */
+    const double share = j->scene->sensors.target;
+    if (share > 0) {
         desc.count = j->poses->count;
-        desc.target = target_value(j, j->scene->sensors.target,
-                                   objective == MURK_SCENE_OBJECTIVE_WORST);
+        desc.target =
+            objective == MURK_SCENE_OBJECTIVE_WORST
+                ? (uint64_t)ceil(share * (double)MURK_SHARE_ONE * (1 - 0x1p-51))
+                : murk_plan_value_of(share, &j->problem);
     }
     return desc;
 }

@@ -20,9 +20,10 @@ typedef struct murk_sweep_row {
     murk_study_row found;
     char key[65];
     size_t group;
-    bool is_done;   /* found is filled; also if the row failed */
-    bool has_plans; /* found holds the coverage of the plans for all rows */
-    bool is_reused; /* taken over from an earlier run */
+    bool is_done;    /* found is filled; also if the row failed */
+    bool has_plans;  /* found holds the coverage of the plans for all rows */
+    bool is_reused;  /* taken over from an earlier run */
+    bool is_chooser; /* takes part in the choice of the plans for all rows */
 } murk_sweep_row;
 
 typedef struct murk_sweep_group {
@@ -100,5 +101,19 @@ bool murk_sweep_plan_stands(const murk_sweep_plan *plan);
 /* True if the row is done, except for the coverage that the plans for all rows
  * have in it. */
 bool murk_sweep_lacks_values(const murk_sweep_row *row);
+
+/* Reads the scenes of all rows, and the stored rows of earlier runs; traces
+ * nothing. A row whose scene cannot be read has failed; the study fails if all
+ * rows have. *out is the caller's: murk_sweep_destroy(). The desc is copied;
+ * the objects that it points to must outlive *out. */
+murk_status murk_sweep_create(murk_sweep **out, const murk_sweep_desc *desc,
+                              murk_error *err);
+void murk_sweep_destroy(murk_sweep *sweep); /* NULL is fine */
+
+/* Runs the rows that are not done, then makes the plans for all rows. Fails
+ * with MURK_INTERRUPTED, or if a finished row cannot be stored; a row that
+ * fails is no failure of the study. Call it while this process has no threads
+ * (fork). */
+murk_status murk_sweep_run(murk_sweep *sweep, murk_error *err);
 
 #endif

@@ -1,7 +1,7 @@
 /* Chooses one plan for all rows of a study, in a process of its own: imports
  * and lights the worlds of the rows that take part, joins them as scenarios
  * (cases/scenarios.h), and sends each plan that is asked for. */
-#include "cases/sweep_choose.h"
+#include "cases/sweep_work.h"
 
 #include "base/log.h"
 #include "base/machine.h"
@@ -53,27 +53,18 @@ static murk_status no_memory(murk_error *err)
 
 static murk_status import_group(choosing *ch, size_t g, murk_error *err)
 {
-    const murk_sweep *sweep = ch->sweep;
-    const murk_sweep_group *group = &sweep->group[g];
-    bool *is_wanted = calloc(group->n, sizeof *is_wanted);
-    bool any = false;
-    if (!is_wanted) {
-        return no_memory(err);
+    const murk_sweep_job job = {ch->sweep, &ch->sweep->group[g],
+                                MURK_SWEEP_CHOOSE};
+    if (murk_sweep_job_left(&job) == 0) {
+        return MURK_OK;
     }
-    for (size_t k = 0; k < group->n; ++k) {
-        is_wanted[k] = number_of(sweep, group->row[k]) < sweep->choosers;
-        any |= is_wanted[k];
-    }
-    murk_status status = any ? murk_sweep_light_import(&ch->light[g], sweep,
-                                                       group, is_wanted, err)
-                             : MURK_OK;
-    for (size_t k = 0; any && k < group->n && !status; ++k) {
+    murk_status status = murk_sweep_light_import(&ch->light[g], &job, err);
+    for (size_t k = 0; k < job.group->n && !status; ++k) {
         const murk_error *why = &ch->light[g].why[k];
         if (why->status) {
             status = murk_fail(err, why->status, why->where, "%s", why->text);
         }
     }
-    free(is_wanted);
     return status;
 }
 

@@ -20,19 +20,35 @@ static murk_status allocate(murk_sweep_light *l, murk_error *err)
                : murk_fail(err, MURK_NO_MEMORY, "", "no memory for rows");
 }
 
-murk_status murk_sweep_light_import(murk_sweep_light *l,
-                                    const murk_sweep *sweep,
-                                    const murk_sweep_group *group,
-                                    const bool *is_wanted, murk_error *err)
+bool murk_sweep_job_wants(const murk_sweep_job *job, size_t k)
 {
-    const murk_sweep_desc *desc = &sweep->desc;
+    const murk_sweep_row *row = &job->sweep->row[job->group->row[k]];
+    return job->work == MURK_SWEEP_RUN       ? !row->is_done
+           : job->work == MURK_SWEEP_MEASURE ? murk_sweep_lacks_values(row)
+                                             : row->is_chooser;
+}
+
+size_t murk_sweep_job_left(const murk_sweep_job *job)
+{
+    size_t left = 0;
+    for (size_t k = 0; k < job->group->n; ++k) {
+        left += murk_sweep_job_wants(job, k);
+    }
+    return left;
+}
+
+murk_status murk_sweep_light_import(murk_sweep_light *l,
+                                    const murk_sweep_job *job, murk_error *err)
+{
+    const murk_sweep_desc *desc = &job->sweep->desc;
+    const murk_sweep_group *group = job->group;
     const murk_stage *other = NULL;
-    *l = (murk_sweep_light){.sweep = sweep, .group = group, .n = group->n};
+    *l = (murk_sweep_light){.sweep = job->sweep, .group = group, .n = group->n};
     murk_status status = allocate(l, err);
     for (size_t k = 0; k < l->n && !status; ++k) {
         status = murk_study_row_scene(&l->scene[k], desc->study, group->row[k],
                                       desc->overrides, desc->n_overrides, err);
-        if (status || !is_wanted[k]) {
+        if (status || !murk_sweep_job_wants(job, k)) {
             continue;
         }
         if (other ? murk_stage_import_beside(&l->stage[k], l->scene[k], other,

@@ -11,6 +11,23 @@
     2 /* the light that chooses and the held-out light \
        */
 
+/* The work of a subprocess on a group. */
+typedef struct murk_sweep_job {
+    const murk_sweep *sweep;
+    const murk_sweep_group *group;
+    enum {
+        MURK_SWEEP_RUN,     /* runs the rows that are not done */
+        MURK_SWEEP_MEASURE, /* measures the plans for all rows, in the rows that
+                             * are done */
+        MURK_SWEEP_CHOOSE /* chooses these plans, by the rows that take part */
+    } work;
+} murk_sweep_job;
+
+/* True if row k of the group is left for the job to do; and the number of such
+ * rows. */
+bool murk_sweep_job_wants(const murk_sweep_job *job, size_t k);
+size_t murk_sweep_job_left(const murk_sweep_job *job);
+
 typedef struct murk_sweep_light {
     const murk_sweep *sweep;
     const murk_sweep_group *group;
@@ -27,13 +44,10 @@ typedef struct murk_sweep_light {
     murk_traced *traced[MURK_SWEEP_STREAMS]; /* NULL before the first use */
 } murk_sweep_light;
 
-/* Reads the scenes of all rows, and imports the files of the rows that
- * is_wanted[n] names, before any ray device is made. Release *out also after a
- * failure. */
+/* Reads the scenes of all rows, and imports the files of the rows that the job
+ * wants, before any ray device is made. Release *out also after a failure. */
 murk_status murk_sweep_light_import(murk_sweep_light *out,
-                                    const murk_sweep *sweep,
-                                    const murk_sweep_group *group,
-                                    const bool *is_wanted, murk_error *err);
+                                    const murk_sweep_job *job, murk_error *err);
 void murk_sweep_light_release(murk_sweep_light *light);
 
 /* Builds the first imported world and prepares the trace in it, with the

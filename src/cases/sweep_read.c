@@ -1,6 +1,6 @@
 /* Reads a study: the scenes of all rows, the outputs, and the stored rows of an
  * earlier run; puts rows of one light together in groups. */
-#include "cases/sweep_read.h"
+#include "cases/sweep.h"
 
 #include "base/interrupt.h"
 #include "base/progress.h"

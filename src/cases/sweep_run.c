@@ -2,13 +2,12 @@
  * one row that fails leaves the other rows alone. Then one plan for all rows is
  * made, for the mean of their coverages or for the worst row: picks the rows
  * that take part, has the plans chosen in one subprocess
- * (cases/sweep_choose.h), and has each group measure them in its rows. */
-#include "cases/sweep_run.h"
+ * (sweep_choose.c), and has each group measure them in its rows. */
+#include "cases/sweep.h"
 
 #include "base/file.h"
 #include "base/progress.h"
 #include "cases/scenario_mean.h"
-#include "cases/sweep_choose.h"
 #include "cases/sweep_store.h"
 #include "cases/sweep_work.h"
 
@@ -98,14 +97,11 @@ static murk_status put_values(murk_sweep *sweep, murk_sweep_message *message,
 static murk_status run_group(murk_sweep *sweep, murk_sweep_group *group,
                              bool measures_plans, murk_error *err)
 {
-    murk_sweep_job job = {sweep, group, measures_plans};
+    murk_sweep_job job = {sweep, group,
+                          measures_plans ? MURK_SWEEP_MEASURE : MURK_SWEEP_RUN};
     const murk_sweep_put put = measures_plans ? put_values : put_row;
     murk_error why = {0};
-    size_t left = 0;
-    for (size_t k = 0; k < group->n; ++k) {
-        left += murk_sweep_job_wants(&job, k);
-    }
-    if (left == 0) {
+    if (murk_sweep_job_left(&job) == 0) {
         return MURK_OK;
     }
     group->was_traced = group->was_traced || !measures_plans;
@@ -155,6 +151,7 @@ static void find_choosers(murk_sweep *sweep)
             /* the middle of each of n equal parts */
             const size_t next = (2 * sweep->choosers + 1) * all / (2 * n);
             if (seen++ == next) {
+                sweep->row[i].is_chooser = true;
                 sweep->chooser[sweep->choosers++] = i;
             }
         }

@@ -53,11 +53,12 @@ static void take_warnings(char out[MURK_ROW_TEXT_SIZE])
 static murk_status add_stored(murk_study_row *row, const murk_traced *traced,
                               murk_error *err)
 {
-    const murk_estimate surface = {
-        traced ? (double)murk_photon_map_count(traced->surface) : 0, NAN};
-    const murk_estimate volume = {
-        traced ? (double)murk_photon_map_count(traced->volume) : 0, NAN};
-    murk_status status =
+    murk_estimate surface = {0, NAN}, volume = {0, NAN};
+    if (traced) {
+        surface.value = (double)murk_photon_map_count(traced->surface);
+        volume.value = (double)murk_photon_map_count(traced->volume);
+    }
+    const murk_status status =
         murk_study_row_add(row, "stored_surface", "", surface, err);
     return status ? status
                   : murk_study_row_add(row, "stored_volume", "", volume, err);
@@ -66,21 +67,17 @@ static murk_status add_stored(murk_study_row *row, const murk_traced *traced,
 /* Its checksum goes with the row: another study may write a file of that
  * name. */
 static murk_status write_fluence(const group_work *w, size_t k,
-                                 murk_study_row *row, const murk_traced *traced,
-                                 murk_error *err)
+                                 murk_study_row *row,
+                                 const murk_row_light *light, murk_error *err)
 {
     const murk_sweep_light *l = &w->light;
     char path[MURK_SWEEP_PATH_SIZE];
     murk_status status =
         murk_sweep_fluence_path(path, l->sweep, l->group->row[k], err);
-    if (status) {
-        return status;
+    if (!status) {
+        status = murk_row_tallies_write_fluence(path, &l->row_tallies,
+                                                l->scene[k], light, err);
     }
-    status = murk_row_tallies_write_fluence(
-        path, &l->row_tallies, l->scene[k],
-        traced ? l->traced[0]->tallies : NULL,
-        traced ? l->traced[0]->ledger->emitted : NULL,
-        traced ? traced->packet_w : NULL, err);
     return status ? status : murk_sweep_sum(row->fluence, path, err);
 }
 
@@ -89,18 +86,21 @@ static murk_status measure_light(const group_work *w, size_t k,
                                  murk_error *err)
 {
     const murk_sweep_light *l = &w->light;
-    const murk_outputs *outputs = &l->sweep->outputs;
-    row->emitted = traced ? traced->emitted : 0;
+    const bool *wants = l->sweep->outputs.wants;
+    murk_row_light light = {0};
+    if (traced) {
+        row->emitted = traced->emitted;
+        light =
+            (murk_row_light){l->traced[0]->tallies,
+                             l->traced[0]->ledger->emitted, traced->packet_w};
+    }
     murk_status status = murk_row_tallies_read(
-        row, &l->row_tallies, l->stage[k],
-        traced ? l->traced[0]->tallies : NULL,
-        traced ? l->traced[0]->ledger->emitted : NULL,
-        traced ? traced->packet_w : NULL, l->sweep->desc.threads, err);
-    if (!status && outputs->wants[MURK_OUTPUT_STORED]) {
+        row, &l->row_tallies, l->stage[k], &light, l->sweep->desc.threads, err);
+    if (!status && wants[MURK_OUTPUT_STORED]) {
         status = add_stored(row, traced, err);
     }
-    if (!status && outputs->wants[MURK_OUTPUT_FLUENCE]) {
-        status = write_fluence(w, k, row, traced, err);
+    if (!status && wants[MURK_OUTPUT_FLUENCE]) {
+        status = write_fluence(w, k, row, &light, err);
     }
     return status;
 }
@@ -192,8 +192,9 @@ static murk_status do_row(group_work *w, size_t k, murk_error *err)
     /* Build and measure; a failure is a row that has failed. */
     murk_status status = murk_sweep_light_build(l, k, &why);
     if (!status) {
-        status = w->job->measures_plans ? measure_plans(w, k, &row, &why)
-                                        : measure_row(w, k, &row, &why);
+        status = w->job->work == MURK_SWEEP_MEASURE
+                     ? measure_plans(w, k, &row, &why)
+                     : measure_row(w, k, &row, &why);
     }
     if (status) {
         murk_study_row_fail(&row, &why);
@@ -212,31 +213,14 @@ static murk_status do_row(group_work *w, size_t k, murk_error *err)
 
 /* ---- the group ---- */
 
-bool murk_sweep_job_wants(const murk_sweep_job *job, size_t k)
-{
-    const murk_sweep_row *row = &job->sweep->row[job->group->row[k]];
-    return job->measures_plans ? murk_sweep_lacks_values(row) : !row->is_done;
-}
-
 static murk_status import_wanted(group_work *w, murk_error *err)
 {
-    const murk_sweep *sweep = w->job->sweep;
-    const murk_sweep_group *group = w->job->group;
-    bool *is_wanted = calloc(group->n, sizeof *is_wanted);
-    if (!is_wanted) {
-        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for rows");
-    }
-    for (size_t k = 0; k < group->n; ++k) {
-        is_wanted[k] = murk_sweep_job_wants(w->job, k);
-    }
-    murk_status status =
-        murk_sweep_light_import(&w->light, sweep, group, is_wanted, err);
-    for (size_t k = 0; k < group->n && !status; ++k) {
+    murk_status status = murk_sweep_light_import(&w->light, w->job, err);
+    for (size_t k = 0; k < w->job->group->n && !status; ++k) {
         if (w->light.why[k].status) {
             status = send_failure(w, k, &w->light.why[k], err);
         }
     }
-    free(is_wanted);
     return status;
 }
 
@@ -246,7 +230,7 @@ static murk_status light_up(group_work *w, murk_error *err)
     murk_sweep_light *l = &w->light;
     murk_error why = {0};
     murk_status status = MURK_OK;
-    if (!murk_sweep_light_prepare(l, !w->job->measures_plans, &why)) {
+    if (!murk_sweep_light_prepare(l, w->job->work == MURK_SWEEP_RUN, &why)) {
         return MURK_OK;
     }
     for (size_t k = 0; k < l->n && !status; ++k) {

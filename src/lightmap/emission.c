@@ -83,11 +83,14 @@ static void take_back(const murk_emission *e, uint64_t first, uint64_t last)
     murk_trace_run(&trace, e->ledger);
 }
 
-/* The settings of a trace with the sinks of the emission. */
-static murk_trace trace_with_sinks(const murk_emission *e, uint64_t first,
-                                   uint64_t last)
+/* Traces one wave. Sets *is_done when all photons are emitted or `store` is
+ * reached. */
+static murk_status send_wave(murk_emission *e, bool *is_done, murk_error *err)
 {
-    murk_trace trace = trace_of(e, first, last);
+    const uint64_t first = e->emitted;
+    uint64_t end = first + wave_photons(e);
+    /* Trace, with the sinks of the emission. */
+    murk_trace trace = trace_of(e, first, end);
     if (e->sink) {
         trace.sink = e->sink;
         trace.leg = e->leg;
@@ -96,18 +99,7 @@ static murk_trace trace_with_sinks(const murk_emission *e, uint64_t first,
         trace.sink = murk_record_buffers_event;
         trace.context = e->buffers;
     }
-    return trace;
-}
-
-/* Traces one wave. Sets *is_done when all photons are emitted or `store` is
- * reached. */
-static murk_status send_wave(murk_emission *e, bool *is_done, murk_error *err)
-{
-    const uint64_t first = e->emitted;
-    uint64_t end = first + wave_photons(e);
-    const murk_trace trace = trace_with_sinks(e, first, end);
     murk_trace_run(&trace, e->ledger);
-
     /* Find the photon that reaches `store`, and remove those after it. */
     uint64_t last = UINT64_MAX;
     if (wanted(e) && !murk_interrupted()) {

@@ -57,4 +57,11 @@ murk_status murk_emission_check_losses(const murk_emission *emission,
 void murk_emission_packet_powers(const murk_emission *emission,
                                  uint64_t *emitted_in, double *packet_w);
 
+/* Traces the first photons of each band. Fails with MURK_BAD_VALUE if all
+ * photons of a band were lost because they exceeded the limits on events or on
+ * wraps through periodic sides: such a scene would be refused for lost photons
+ * (murk_emission_check_losses()) after hours of tracing. */
+murk_status murk_ending_check(const murk_stage *stage, uint32_t stream,
+                              murk_error *err);
+
 #endif

@@ -1,7 +1,7 @@
 /* Traces a few photons of each band and looks at the ledger. A band without
  * absorption or escape loses every photon at the limit of events; the message
  * then depends on whether any surface or medium absorbs in that band. */
-#include "lightmap/ending.h"
+#include "lightmap/emission.h"
 
 /* Photons traced for each band, and the number of lost photons from which a
  * band is refused if no photon of the band ended otherwise. At the largest loss

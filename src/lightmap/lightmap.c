@@ -9,7 +9,6 @@
 #include "base/machine.h"
 #include "base/progress.h"
 #include "lightmap/emission.h"
-#include "lightmap/ending.h"
 #include "world/scene_tallies.h"
 
 #include <stdlib.h>
@@ -190,11 +189,11 @@ static murk_status finish(murk_traced *traced, const murk_emission *emission,
     murk_progress_begin_group("maps", 0, "");
     murk_record_buffers_to_watts(buffers, traced->packet_w,
                                  emission->stage->scene->bands);
-    status = murk_record_buffers_map(&traced->surface, &buffers->surface,
-                                     emission->threads, err);
+    status = murk_record_list_map(&traced->surface, &buffers->surface,
+                                  emission->threads, err);
     if (!status) {
-        status = murk_record_buffers_map(&traced->volume, &buffers->volume,
-                                         emission->threads, err);
+        status = murk_record_list_map(&traced->volume, &buffers->volume,
+                                      emission->threads, err);
     }
     murk_progress_end();
     traced->map_s = murk_clock_s() - begun_s;

@@ -24,8 +24,7 @@ static murk_photon record_of(const murk_event *event, double share)
                               .event_class = (int)event->event_class});
 }
 
-/* Appends a record; the capacity grows by half. False when out of memory. */
-static bool put(murk_record_list *buffer, const murk_photon *photon)
+bool murk_record_list_put(murk_record_list *buffer, const murk_photon *photon)
 {
     if (buffer->n == buffer->capacity) {
         const size_t capacity = buffer->capacity
@@ -92,7 +91,7 @@ void murk_record_buffers_event(void *context, uint64_t batch,
     if (share > 0) {
         const murk_photon photon = record_of(event, share);
         murk_record_list *buffer = &h->buffer[batch];
-        buffer->is_short_of_memory |= !put(buffer, &photon);
+        buffer->is_short_of_memory |= !murk_record_list_put(buffer, &photon);
     }
 }
 
@@ -121,8 +120,9 @@ murk_status murk_record_buffers_gather(murk_record_buffers *h, uint64_t last,
                            murk_photon_emitted(&buffer->photon[i]) <= last;
              ++i) {
             const murk_photon *photon = &buffer->photon[i];
-            fits = put(murk_photon_is_volume(photon) ? &h->volume : &h->surface,
-                       photon);
+            fits = murk_record_list_put(
+                murk_photon_is_volume(photon) ? &h->volume : &h->surface,
+                photon);
         }
         if (!fits) {
             return murk_fail(err, MURK_NO_MEMORY, h->settings->where,
@@ -158,9 +158,9 @@ void murk_record_buffers_to_watts(murk_record_buffers *h,
     to_watts(&h->volume, packet_w, bands);
 }
 
-murk_status murk_record_buffers_map(murk_photon_map **out,
-                                    murk_record_list *buffer, unsigned threads,
-                                    murk_error *err)
+murk_status murk_record_list_map(murk_photon_map **out,
+                                 murk_record_list *buffer, unsigned threads,
+                                 murk_error *err)
 {
     murk_photon *photons = buffer->photon;
     const size_t n = buffer->n;

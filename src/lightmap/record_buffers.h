@@ -20,6 +20,9 @@ typedef struct murk_record_list {
     bool is_short_of_memory;
 } murk_record_list;
 
+/* Appends a record; the capacity grows by half. False when out of memory. */
+bool murk_record_list_put(murk_record_list *list, const murk_photon *photon);
+
 typedef struct murk_record_buffers {
     const murk_scene_photons *settings;
     bool keeps_surface, keeps_volume; /* which maps the scene asks for */
@@ -65,8 +68,8 @@ void murk_record_buffers_to_watts(murk_record_buffers *buffers,
 
 /* Passes the records of a list to a new photon map, which owns them; the list
  * becomes empty. The caller owns *out. */
-murk_status murk_record_buffers_map(murk_photon_map **out,
-                                    murk_record_list *buffer, unsigned threads,
-                                    murk_error *err);
+murk_status murk_record_list_map(murk_photon_map **out,
+                                 murk_record_list *buffer, unsigned threads,
+                                 murk_error *err);
 
 #endif

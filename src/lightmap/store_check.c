@@ -151,11 +151,6 @@ static const char *flaw_of(const murk_photon *p, bool is_volume,
     return NULL;
 }
 
-static double largest_coordinate(murk_vec3 v)
-{
-    return fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
-}
-
 murk_status murk_lightmap_check_records(const murk_photon *photon, size_t n,
                                         bool is_volume, uint64_t emitted,
                                         const double *packet_w,
@@ -164,9 +159,7 @@ murk_status murk_lightmap_check_records(const murk_photon *photon, size_t n,
 {
     /* The domain, grown by the rounding of positions. */
     murk_box within = stage->world.domain.box;
-    const double maximum =
-        fmax(largest_coordinate(within.min), largest_coordinate(within.max));
-    const double slack = PLACE_TOLERANCE * maximum;
+    const double slack = PLACE_TOLERANCE * murk_box_largest_coordinate(&within);
     const murk_vec3 wider = murk_vec(slack, slack, slack);
     within.min = murk_sub(within.min, wider);
     within.max = murk_add(within.max, wider);

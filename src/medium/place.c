@@ -10,19 +10,6 @@
 #include <math.h>
 #include <string.h>
 
-/* Bounding box of the images of the eight corners of a box. */
-static murk_box box_around(const murk_affine *map, const murk_box *box)
-{
-    murk_box around = murk_box_empty();
-    for (int i = 0; i < 8; ++i) {
-        const murk_vec3 corner = {i & 1 ? box->max.x : box->min.x,
-                                  i & 2 ? box->max.y : box->min.y,
-                                  i & 4 ? box->max.z : box->min.z};
-        around = murk_box_with(around, murk_affine_point(map, corner));
-    }
-    return around;
-}
-
 /* Bounding box of the image of a sphere. An affine map takes a sphere to an
  * ellipsoid, whose extent along an axis is the length of that row of the
  * matrix, times the radius. */
@@ -71,7 +58,7 @@ static bool place_grid(murk_place *place, const murk_region *region,
         const murk_box voxels = {
             {first[0] - out, first[1] - out, first[2] - out},
             {last[0] + out, last[1] + out, last[2] + out}};
-        place->bounds = box_around(&to_world, &voxels);
+        place->bounds = murk_affine_box(&to_world, &voxels);
     }
     return true;
 }
@@ -113,7 +100,7 @@ bool murk_place_make(murk_place *place, const murk_region *region,
         made.bounds = region->box;
         break;
     case MURK_REGION_BOX:
-        made.bounds = box_around(&region->to_world, &region->box);
+        made.bounds = murk_affine_box(&region->to_world, &region->box);
         break;
     case MURK_REGION_SPHERE:
         made.bounds =

@@ -1,6 +1,6 @@
 /* Coverage in a scene in which no light source emits: every share is NaN, for
  * the total, for each map, for each sensor and for each region of interest. */
-#include "plan/dark.h"
+#include "plan/plan.h"
 
 #include <math.h>
 

@@ -375,7 +375,7 @@ murk_status murk_explore_run(murk_explore *out, murk_place_result *place,
     }
     murk_progress_end();
     /* Check and return the plan. */
-    out->ways = (uint64_t)murk_tally_read(&e.explored.outlook.tried);
+    out->lines_tested = (uint64_t)murk_tally_read(&e.explored.outlook.tried);
     if (!status) {
         status = check_end(&e, desc, err);
     }

@@ -58,9 +58,9 @@ typedef struct murk_explore {
     murk_vec3 *stop; /* [stops]; vertices of the path, beginning with the start
                       */
     size_t stops;
-    size_t places; /* number of usable sites */
-    uint64_t ways; /* number of straight lines between places that were tested
-                    */
+    size_t places;         /* number of usable sites */
+    uint64_t lines_tested; /* number of straight lines between places that were
+                            * tested */
     murk_explore_end end;
 } murk_explore;
 

@@ -6,12 +6,6 @@
 #include <assert.h>
 #include <stdlib.h>
 
-typedef struct everywhere {
-    const murk_problem *problem;
-    murk_matrix *matrix; /* NULL if it does not fit in memory: rows are then
-                          * computed anew */
-} everywhere;
-
 /* True if a sensor type has a minimum count. */
 static bool has_min(const murk_constraints *constraints)
 {
@@ -28,11 +22,12 @@ static bool has_min(const murk_constraints *constraints)
  * without minimum counts and the last number with them. *fewest is a lower
  * bound on the number of sensors of a plan, if there is a curve. */
 static murk_status bound_all(murk_place_result *out, size_t *fewest,
-                             const everywhere *all, const murk_place_desc *desc,
-                             murk_error *err)
+                             const murk_problem *problem,
+                             const murk_matrix *matrix,
+                             const murk_place_desc *desc, murk_error *err)
 {
     const murk_status status =
-        murk_place_sensors(out, all->problem, all->matrix, desc, err);
+        murk_place_sensors(out, problem, matrix, desc, err);
     *fewest = out->curve ? out->curve[0].count : 0;
     if (status || !has_min(desc->constraints) || !out->curve) {
         return status;
@@ -43,8 +38,8 @@ static murk_status bound_all(murk_place_result *out, size_t *fewest,
     murk_place_result intermediate = {0};
     constraints.min = NULL;
     freer.constraints = &constraints;
-    const murk_status later = murk_place_sensors(&intermediate, all->problem,
-                                                 all->matrix, &freer, err);
+    const murk_status later =
+        murk_place_sensors(&intermediate, problem, matrix, &freer, err);
     /* The curve of that run, with the tighter bound at the last number. */
     if (!later) {
         free(out->curve);
@@ -66,14 +61,13 @@ static murk_status bound_by_rows(murk_place_result *out, size_t *fewest,
                                  const murk_place_desc *desc,
                                  uint64_t max_bytes, murk_error *err)
 {
-    everywhere all = {.problem = problem};
+    murk_matrix *matrix = NULL;
     murk_error full = {0};
-    murk_status status =
-        murk_matrix_create(&all.matrix, problem, max_bytes, &full);
+    murk_status status = murk_matrix_create(&matrix, problem, max_bytes, &full);
     status = status == MURK_OK || status == MURK_RUN_FAILED
-                 ? bound_all(out, fewest, &all, desc, err)
+                 ? bound_all(out, fewest, problem, matrix, desc, err)
                  : murk_fail(err, status, full.where, "%s", full.text);
-    murk_matrix_destroy(all.matrix);
+    murk_matrix_destroy(matrix);
     return status;
 }
 

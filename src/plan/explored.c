@@ -3,8 +3,6 @@
  * doi:10.1145/321879.321884), and paths between places. */
 #include "plan/explored.h"
 
-#include "plan/route.h"
-
 #include <assert.h>
 #include <stdlib.h>
 

@@ -49,4 +49,12 @@ murk_status murk_explored_path(murk_explored *explored, murk_vec3 **way,
                                size_t *stops, double *length_m, uint32_t from,
                                uint32_t to, murk_error *err);
 
+/* Finds the path over place[n] from place `from` to place `to`. stop[0 ..
+ * *stops) are the numbers of the places on the path, both ends included; the
+ * array must hold n. *stops is 0 if there is no path. Places that a straight
+ * step can bypass are left out. Memory grows as n^2 in the worst case. */
+murk_status murk_route_find(size_t *stop, size_t *stops, double *length_m,
+                            murk_outlook *outlook, const murk_vec3 *place,
+                            size_t n, size_t from, size_t to, murk_error *err);
+
 #endif

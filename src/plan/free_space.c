@@ -1,9 +1,82 @@
-/* Sets up the grids and the entrances of light for the test of free space. */
+/* The free space of a scene: the places where light enters it, the test whether
+ * light can reach a point, and the free share of a box or a ball.
+ *
+ * The share is estimated by stratified sampling: 24^3 equal cells of the
+ * bounding box with one random point each; points outside a ball are ignored.
+ * Source of the method: any text on Monte Carlo integration, for example A. B.
+ * Owen, Monte Carlo theory, methods and examples, chapter 8. */
 #include "plan/free_space.h"
 
-#include "plan/entrances.h"
+#include "base/pool.h"
+#include "base/rng.h"
+#include "base/tally.h"
 
+#include <math.h>
 #include <stdlib.h>
+
+/* ---- entrances of light ---- */
+
+static bool is_same(murk_vec3 a, murk_vec3 b)
+{
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+/* Appends the centre of a portal unless it is in the list already: sun and sky
+ * usually share their portals. */
+static size_t add_portal(murk_vec3 *place, size_t first, size_t n,
+                         const murk_portal *portal)
+{
+    murk_vec3 middle = murk_along(portal->corner, 0.5, portal->edge1);
+    middle = murk_along(middle, 0.5, portal->edge2);
+    for (size_t i = first; i < n; ++i) {
+        if (is_same(place[i], middle)) {
+            return n;
+        }
+    }
+    place[n] = middle;
+    return n + 1;
+}
+
+murk_status murk_entrances(murk_reach *out, murk_vec3 **places,
+                           const murk_stage *stage, const char *where,
+                           murk_error *err)
+{
+    const murk_sources *lights = stage->lights;
+    const size_t n = murk_sources_count(lights);
+    /* Allocate for one position of each lamp and one of each portal. */
+    size_t capacity = n + 1;
+    for (size_t i = 0; i < n; ++i) {
+        capacity += murk_sources_get(lights, i)->portals;
+    }
+    murk_vec3 *place = calloc(capacity, sizeof *place);
+    if (!place) {
+        return murk_fail(err, MURK_NO_MEMORY, where,
+                         "no memory for the lamps' places");
+    }
+    /* Lamps, and whether any light is distant. */
+    murk_reach reach = {.lamps = place, .domain = stage->world.domain};
+    for (size_t i = 0; i < n; ++i) {
+        if (murk_sources_place(lights, i, &place[reach.n_lamps])) {
+            ++reach.n_lamps;
+        } else {
+            reach.from_sides = true;
+        }
+    }
+    /* Portals. */
+    const size_t lamps = reach.n_lamps;
+    for (size_t i = 0; i < n; ++i) {
+        const murk_source *light = murk_sources_get(lights, i);
+        for (size_t k = 0; k < light->portals; ++k) {
+            reach.n_lamps =
+                add_portal(place, lamps, reach.n_lamps, &light->portal[k]);
+        }
+    }
+    *out = reach;
+    *places = place;
+    return MURK_OK;
+}
+
+/* ---- the test of a point ---- */
 
 /* Points on each axis of the grid of candidates, and of the whole grid over the
  * domain: each grid has at most 16^3 = 4096 points. */
@@ -46,4 +119,61 @@ murk_status murk_stage_free_space(murk_open_space **out,
                                     threads, where, err);
     free(lamp);
     return status;
+}
+
+/* ---- the free share ---- */
+
+/* Cells on each axis. With 24^3 points the standard error is at most .5 /
+ * 24^1.5 = 0.004. */
+#define CELLS_EACH 24
+
+typedef struct job {
+    const murk_part *part;
+    const murk_open_space *space;
+    uint32_t seed;
+    murk_tally inside, free;
+} job;
+
+/* Tests the points of one layer of cells. */
+static void ask(void *context, uint64_t layer)
+{
+    job *j = context;
+    const murk_part *part = j->part;
+    const murk_vec3 size = murk_sub(part->box.max, part->box.min);
+    int64_t inside = 0, is_free = 0;
+    for (uint64_t i = 0; i < CELLS_EACH * CELLS_EACH; ++i) {
+        const uint64_t place = layer * CELLS_EACH * CELLS_EACH + i;
+        /* A random point in the cell. */
+        const murk_random4 r =
+            murk_random(j->seed, MURK_FREE_SPACE, place, part->number, 0);
+        const murk_vec3 at = murk_vec(
+            part->box.min.x +
+                size.x * ((double)(i % CELLS_EACH) + r.u[0]) / CELLS_EACH,
+            part->box.min.y +
+                size.y * ((double)(i / CELLS_EACH) + r.u[1]) / CELLS_EACH,
+            part->box.min.z + size.z * ((double)layer + r.u[2]) / CELLS_EACH);
+        /* Count the points in the part, and those in free space. */
+        if (part->is_ball &&
+            murk_length(murk_sub(at, part->center)) > part->radius_m) {
+            continue;
+        }
+        ++inside;
+        is_free += murk_open_space_holds(j->space, at, murk_vec(0, 0, 0));
+    }
+    murk_tally_add(&j->inside, inside);
+    murk_tally_add(&j->free, is_free);
+}
+
+murk_estimate murk_free_share(const murk_part *part,
+                              const murk_open_space *space, uint32_t seed,
+                              unsigned threads)
+{
+    job j = {.part = part, .space = space, .seed = seed};
+    if (!space) {
+        return (murk_estimate){1, 0};
+    }
+    murk_pool_run(threads, CELLS_EACH, ask, &j);
+    const double n = (double)murk_tally_read(&j.inside),
+                 share = n > 0 ? (double)murk_tally_read(&j.free) / n : 0;
+    return (murk_estimate){share, n > 0 ? sqrt(share * (1 - share) / n) : 0};
 }

@@ -15,16 +15,36 @@
 /* Sensors that a file may list: beyond any deployment, and some 50 MB. */
 #define SENSORS_MAX 1000000
 
-/* Checks one sensor and converts it; p is in the coordinates of the user.
- * Angles are NAN if the file gives none. */
-static murk_status read_sensor(murk_pose *out, const char *where,
-                               const char *type, murk_vec3 p,
-                               double heading_deg, double tilt_deg,
-                               const murk_scene_desc *scene,
-                               const murk_domain *domain, murk_error *err)
+/* A file that is being read. */
+typedef struct reading {
+    const char *path;
+    size_t min; /* sensors that there must be */
+    const murk_scene_desc *scene;
+    const murk_domain *domain;
+    murk_pose *sensor; /* [n] */
+    size_t n;
+} reading;
+
+static murk_status allocate(reading *r, size_t n, murk_error *err)
+{
+    r->n = n;
+    r->sensor = calloc(n + 1, sizeof *r->sensor);
+    return r->sensor ? MURK_OK
+                     : murk_fail(err, MURK_NO_MEMORY, r->path,
+                                 "no memory to read it");
+}
+
+/* The numbers of a sensor in a file; angles are NAN if the file gives none. */
+enum { X, Y, Z, HEADING, TILT, NUMBERS };
+
+/* Checks a sensor, converts it from the coordinates of the user and stores it
+ * as number i. */
+static murk_status add_sensor(reading *r, size_t i, const char *where,
+                              const char *type, const double p[NUMBERS],
+                              murk_error *err)
 {
     /* The type must exist in the scene. */
-    const murk_scene_sensors *settings = &scene->sensors;
+    const murk_scene_sensors *settings = &r->scene->sensors;
     size_t k = 0;
     while (k < settings->types && strcmp(type, settings->type[k].name) != 0) {
         ++k;
@@ -36,112 +56,100 @@ static murk_status read_sensor(murk_pose *out, const char *where,
                          type, settings->type[0].name);
     }
     /* The position must lie in the domain. */
-    const murk_vec3 local = murk_scene_local(scene, p);
-    if (!murk_box_contains(&domain->box, local)) {
+    const murk_vec3 local =
+        murk_scene_local(r->scene, murk_vec(p[X], p[Y], p[Z]));
+    if (!murk_box_contains(&r->domain->box, local)) {
         return murk_fail(err, MURK_BAD_VALUE, where,
                          "sensor at %s m lies outside the domain",
                          murk_position_show(local).text);
     }
-    *out = (murk_pose){.type = (uint32_t)k, .position = local};
+    r->sensor[i] = (murk_pose){.type = (uint32_t)k, .position = local};
     /* A type with a view needs a heading and a tilt. */
     if (settings->type[k].view == MURK_VIEW_SPHERE) {
         return MURK_OK;
     }
-    if (!(fabs(heading_deg) <= 360) || !(fabs(tilt_deg) <= 90)) {
+    if (!(fabs(p[HEADING]) <= 360) || !(fabs(p[TILT]) <= 90)) {
         return murk_fail(err, MURK_BAD_VALUE, where,
                          "heading_deg %g and tilt_deg %g, type %s must have "
                          "-360..360 and -90..90 degrees",
-                         heading_deg, tilt_deg, type);
+                         p[HEADING], p[TILT], type);
     }
-    out->heading_rad = heading_deg * (MURK_PI / 180);
-    out->tilt_rad = tilt_deg * (MURK_PI / 180);
+    r->sensor[i].heading_rad = p[HEADING] * (MURK_PI / 180);
+    r->sensor[i].tilt_rad = p[TILT] * (MURK_PI / 180);
     return MURK_OK;
 }
 
-static murk_status need_column(const murk_table *table, const char *name,
-                               long *out, murk_error *err)
+/* ---- CSV ---- */
+
+/* The columns: a type, then the numbers; the first NEEDED must be there. */
+#define COLUMNS (1 + NUMBERS) /* a type and the numbers */
+#define NEEDED  4             /* all but heading and tilt */
+static const char *const NAMES[COLUMNS] = {"type", "x_m",         "y_m",
+                                           "z_m",  "heading_deg", "tilt_deg"};
+
+static const char *cell_of(const murk_table *table, size_t row, long column)
 {
-    *out = murk_table_column(table, name);
-    return *out >= 0 ? MURK_OK
-                     : murk_fail(err, MURK_BAD_FILE, table->path,
-                                 "no column %s; needed are type, x_m, y_m, "
-                                 "z_m",
-                                 name);
+    return table->cell[row * table->columns + (size_t)column];
 }
 
-static bool is_empty(const murk_table *table, size_t row, long column)
+/* Reads row i; an empty angle stays NAN. */
+static murk_status read_row(reading *r, const murk_table *table, size_t i,
+                            const long column[COLUMNS], murk_error *err)
 {
-    return table->cell[row * table->columns + (size_t)column][0] == '\0';
-}
-
-/* Reads the sensors of a table. */
-static murk_status from_table(murk_pose *sensor, const murk_table *table,
-                              const murk_scene_desc *scene,
-                              const murk_domain *domain, murk_error *err)
-{
-    /* Find the columns; heading and tilt may be missing. */
-    static const char *const names[6] = {"type", "x_m",         "y_m",
-                                         "z_m",  "heading_deg", "tilt_deg"};
-    long column[6];
-    murk_status status = MURK_OK;
-    for (int i = 0; i < 4 && !status; ++i) {
-        status = need_column(table, names[i], &column[i], err);
-    }
-    column[4] = murk_table_column(table, names[4]);
-    column[5] = murk_table_column(table, names[5]);
-    for (size_t row = 0; row < table->rows && !status; ++row) {
-        /* Read the numbers of a row; an empty angle stays NAN. */
-        double p[5] = {NAN, NAN, NAN, NAN, NAN};
-        for (int i = 0; i < 5 && !status; ++i) {
-            if (column[i + 1] >= 0 &&
-                !(i >= 3 && is_empty(table, row, column[i + 1]))) {
-                status = murk_table_number(table, row, column[i + 1], NAN,
-                                           &p[i], err);
-            }
+    double p[NUMBERS];
+    for (int k = 0; k < NUMBERS; ++k) {
+        const long at = column[1 + k];
+        p[k] = NAN;
+        if (at < 0 || (k >= HEADING && !cell_of(table, i, at)[0])) {
+            continue;
         }
+        const murk_status status =
+            murk_table_number(table, i, at, NAN, &p[k], err);
         if (status) {
-            break;
+            return status;
         }
-        /* Check and convert. */
-        char where[320];
-        snprintf(where, sizeof where, "%s:%d", table->path, table->line[row]);
-        status = read_sensor(
-            &sensor[row], where,
-            table->cell[row * table->columns + (size_t)column[0]],
-            murk_vec(p[0], p[1], p[2]), p[3], p[4], scene, domain, err);
+    }
+    char where[320];
+    snprintf(where, sizeof where, "%s:%d", table->path, table->line[i]);
+    return add_sensor(r, i, where, cell_of(table, i, column[0]), p, err);
+}
+
+static murk_status read_rows(reading *r, const murk_table *table,
+                             murk_error *err)
+{
+    long column[COLUMNS];
+    if (table->rows < r->min || table->rows > SENSORS_MAX) {
+        return murk_fail(err, MURK_BAD_FILE, r->path,
+                         "%zu sensors, must be %zu..%d", table->rows, r->min,
+                         SENSORS_MAX);
+    }
+    for (int i = 0; i < COLUMNS; ++i) {
+        column[i] = murk_table_column(table, NAMES[i]);
+        if (i < NEEDED && column[i] < 0) {
+            return murk_fail(err, MURK_BAD_FILE, table->path,
+                             "no column %s; needed are type, x_m, y_m, z_m",
+                             NAMES[i]);
+        }
+    }
+    murk_status status = allocate(r, table->rows, err);
+    for (size_t i = 0; i < table->rows && !status; ++i) {
+        status = read_row(r, table, i, column, err);
     }
     return status;
 }
 
-static murk_status read_csv(murk_pose **out, size_t *n, const char *path,
-                            size_t min, const murk_scene_desc *scene,
-                            const murk_domain *domain, murk_error *err)
+static murk_status read_csv(reading *r, murk_error *err)
 {
     murk_table *table = NULL;
-    murk_status status = murk_table_read(&table, path, err);
-    if (status) {
-        return status;
-    }
-    /* The number of rows must be in range. */
-    murk_pose *sensor = calloc(table->rows + 1, sizeof *sensor);
-    if (!sensor) {
-        status = murk_fail(err, MURK_NO_MEMORY, path, "no memory to read it");
-    } else if (table->rows < min || table->rows > SENSORS_MAX) {
-        status =
-            murk_fail(err, MURK_BAD_FILE, path, "%zu sensors, must be %zu..%d",
-                      table->rows, min, SENSORS_MAX);
-    } else {
-        status = from_table(sensor, table, scene, domain, err);
-    }
+    murk_status status = murk_table_read(&table, r->path, err);
     if (!status) {
-        *out = sensor;
-        *n = table->rows;
-        sensor = NULL;
+        status = read_rows(r, table, err);
     }
-    free(sensor);
     murk_table_destroy(table);
     return status;
 }
+
+/* ---- JSON ---- */
 
 /* The number of a key; NAN if the key is missing or null. */
 static double angle_of(const murk_yaml *item, const char *name)
@@ -151,79 +159,52 @@ static double angle_of(const murk_yaml *item, const char *name)
     return node && murk_yaml_number(node, &value) ? value : NAN;
 }
 
-/* Reads the sensors of a JSON list. */
-static murk_status from_plan(murk_pose *sensor, const murk_yaml *list,
-                             const murk_scene_desc *scene,
-                             const murk_domain *domain, murk_error *err)
+/* Reads item i of the list: a type, a position of three numbers, angles. */
+static murk_status read_item(reading *r, const murk_yaml *item, size_t i,
+                             murk_error *err)
 {
-    for (size_t i = 0; i < list->n; ++i) {
-        const murk_yaml *item = list->child[i];
-        char where[320];
-        snprintf(where, sizeof where, "%s:%d:%d: sensors.%zu", item->source,
-                 item->line, item->column, i);
-        /* A type and a position of three numbers. */
-        const murk_yaml *type =
-            item->kind == MURK_YAML_MAP ? murk_yaml_get(item, "type") : NULL;
-        const murk_yaml *place = item->kind == MURK_YAML_MAP
-                                     ? murk_yaml_get(item, "position_m")
-                                     : NULL;
-        double p[3];
-        bool is_good = type && type->kind == MURK_YAML_SCALAR && place &&
-                       place->kind == MURK_YAML_LIST && place->n == 3;
-        for (size_t k = 0; is_good && k < 3; ++k) {
-            is_good = murk_yaml_number(place->child[k], &p[k]);
-        }
-        if (!is_good) {
-            return murk_fail(err, MURK_BAD_FILE, where,
-                             "must have a type and a position_m [x, y, z] in "
-                             "m");
-        }
-        /* Check and convert. */
-        const murk_status status = read_sensor(
-            &sensor[i], where, type->text, murk_vec(p[0], p[1], p[2]),
-            angle_of(item, "heading_deg"), angle_of(item, "tilt_deg"), scene,
-            domain, err);
-        if (status) {
-            return status;
-        }
+    char where[320];
+    snprintf(where, sizeof where, "%s:%d:%d: sensors.%zu", item->source,
+             item->line, item->column, i);
+    const bool is_map = item->kind == MURK_YAML_MAP;
+    const murk_yaml *type = is_map ? murk_yaml_get(item, "type") : NULL;
+    const murk_yaml *place = is_map ? murk_yaml_get(item, "position_m") : NULL;
+    double p[NUMBERS];
+    bool is_good = type && type->kind == MURK_YAML_SCALAR && place &&
+                   place->kind == MURK_YAML_LIST && place->n == 3;
+    for (size_t k = 0; is_good && k < 3; ++k) {
+        is_good = murk_yaml_number(place->child[k], &p[k]);
     }
-    return MURK_OK;
+    if (!is_good) {
+        return murk_fail(err, MURK_BAD_FILE, where,
+                         "must have a type and a position_m [x, y, z] in m");
+    }
+    p[HEADING] = angle_of(item, "heading_deg");
+    p[TILT] = angle_of(item, "tilt_deg");
+    return add_sensor(r, i, where, type->text, p, err);
 }
 
 /* JSON is read by the YAML parser, because JSON is YAML in flow style and that
  * parser reports lines and columns. */
-static murk_status read_json(murk_pose **out, size_t *n, const char *path,
-                             size_t min, const murk_scene_desc *scene,
-                             const murk_domain *domain, murk_error *err)
+static murk_status read_json(reading *r, murk_error *err)
 {
     murk_yaml *root = NULL;
-    murk_status status = murk_yaml_read(&root, path, err);
-    if (status) {
-        return status;
+    murk_status status = murk_yaml_read(&root, r->path, err);
+    const murk_yaml *list = !status && root->kind == MURK_YAML_MAP
+                                ? murk_yaml_get(root, "sensors")
+                                : NULL;
+    if (!status && (!list || list->kind != MURK_YAML_LIST || list->n < r->min ||
+                    list->n > SENSORS_MAX)) {
+        status = murk_fail(err, MURK_BAD_FILE, r->path,
+                           "has no list \"sensors\" of %zu..%d", r->min,
+                           SENSORS_MAX);
     }
-    /* Find the list. */
-    const murk_yaml *list =
-        root->kind == MURK_YAML_MAP ? murk_yaml_get(root, "sensors") : NULL;
-    murk_pose *sensor = NULL;
-    if (!list || list->kind != MURK_YAML_LIST || list->n < min ||
-        list->n > SENSORS_MAX) {
-        status =
-            murk_fail(err, MURK_BAD_FILE, path,
-                      "has no list \"sensors\" of %zu..%d", min, SENSORS_MAX);
-        goto done;
-    }
-    /* Convert the list. */
-    sensor = calloc(list->n + 1, sizeof *sensor);
-    status = sensor
-                 ? from_plan(sensor, list, scene, domain, err)
-                 : murk_fail(err, MURK_NO_MEMORY, path, "no memory to read it");
     if (!status) {
-        *out = sensor;
-        *n = list->n;
-        sensor = NULL;
+        status = allocate(r, list->n, err);
     }
-done:
-    free(sensor);
+    for (size_t i = 0; !status && i < list->n; ++i) {
+        status = read_item(r, list->child[i], i, err);
+    }
     murk_yaml_destroy(root);
     return status;
 }
@@ -232,8 +213,16 @@ murk_status murk_placement_read(murk_pose **out, size_t *n, const char *path,
                                 size_t min, const murk_scene_desc *scene,
                                 const murk_domain *domain, murk_error *err)
 {
+    reading r = {.path = path, .min = min, .scene = scene, .domain = domain};
     const char *dot = strrchr(path, '.');
-    return dot && strcmp(dot, ".json") == 0
-               ? read_json(out, n, path, min, scene, domain, err)
-               : read_csv(out, n, path, min, scene, domain, err);
+    const murk_status status = dot && strcmp(dot, ".json") == 0
+                                   ? read_json(&r, err)
+                                   : read_csv(&r, err);
+    if (status) {
+        free(r.sensor);
+        return status;
+    }
+    *out = r.sensor;
+    *n = r.n;
+    return MURK_OK;
 }

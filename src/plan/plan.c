@@ -8,7 +8,6 @@
 #include "base/progress.h"
 #include "medium/rescaled.h"
 #include "placement/at_least.h"
-#include "plan/dark.h"
 #include "plan/row_cache.h"
 
 #include <stdio.h>
@@ -52,12 +51,13 @@ static murk_status check_sensing(const murk_stage *stage, murk_error *err)
     return status;
 }
 
-/* Fails if sensors, their number, or stored photons are missing. */
-static murk_status validate(const murk_stage *stage, murk_error *err)
+murk_status murk_plan_check(const murk_stage *stage, unsigned threads,
+                            murk_error *err)
 {
     const murk_scene_sensors *settings = &stage->scene->sensors;
     const bool by_power = murk_detection_is(stage->scene->placement.detection,
                                             MURK_DETECTION_BY_POWER);
+    /* Sensors, their number, and stored photons must be there. */
     if (!settings->given) {
         return murk_fail(err, MURK_BAD_VALUE, stage->scene->path,
                          "sensors: the scene has none");
@@ -74,13 +74,7 @@ static murk_status validate(const murk_stage *stage, murk_error *err)
         return murk_fail(err, MURK_BAD_VALUE, stage->scene->photons.where,
                          "maps: none, but placing needs stored photons");
     }
-    return check_sensing(stage, err);
-}
-
-murk_status murk_plan_check(const murk_stage *stage, unsigned threads,
-                            murk_error *err)
-{
-    const murk_status status = validate(stage, err);
+    const murk_status status = check_sensing(stage, err);
     return !status && stage->scene->placement.targets.given
                ? murk_targets_check(stage, threads, err)
                : status;

@@ -13,6 +13,7 @@
 #include "plan/sites.h"
 #include "plan/targets.h"
 #include "sensing/sight.h"
+#include "world/stage.h"
 
 /* Creates the sight of the sensors of a stage: onto the traced light, or onto
  * targets if the scene has targets (those of the stream of the light). Borrows
@@ -142,5 +143,11 @@ murk_status murk_plan_take_sensors(murk_plan_result *plan,
 /* Adds the queries and shadow rays of a sight to the work of choosing, without
  * those of the forecast. */
 void murk_plan_add_work(murk_plan_result *plan, const murk_sight *sight);
+
+/* Sets all coverage of n sensors to NaN. Release the result as any other
+ * coverage. Fails with MURK_NO_MEMORY. */
+murk_status murk_dark_coverage(murk_coverage_result *out,
+                               const murk_stage *stage, size_t n,
+                               murk_error *err);
 
 #endif

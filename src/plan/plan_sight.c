@@ -74,14 +74,12 @@ static void warn_of_few(const murk_sight *sight, const murk_stage *stage,
     }
 }
 
-/* The part of the description that is the same for photons, targets and points.
- */
+/* The part of the description that is the same for photons, targets and points:
+ * weights, regions of interest and redundancy are left at neutral values. */
 static murk_sight_desc describe(const murk_stage *stage, const seen_maps *maps,
-                                murk_sensor_type *types, unsigned threads)
+                                unsigned threads)
 {
     const murk_scene_placement *settings = &stage->scene->placement;
-    /* Weights, regions of interest and redundancy are left at neutral values.
-     */
     return (murk_sight_desc){
         .surfaces = stage->surfaces,
         .media = stage->media,
@@ -90,7 +88,6 @@ static murk_sight_desc describe(const murk_stage *stage, const seen_maps *maps,
         .surface_map = maps->surface,
         .volume_map = maps->volume,
         .photons_emitted = maps->emitted,
-        .type = types,
         .types = stage->scene->sensors.types,
         .north = stage->scene->north,
         .visibility =
@@ -105,24 +102,34 @@ static murk_sight_desc describe(const murk_stage *stage, const seen_maps *maps,
         .where = settings->where};
 }
 
-static murk_status no_types(const murk_stage *stage, murk_error *err)
+/* Creates a sight with the sensor types of the scene. Points have no arrival
+ * direction. */
+static murk_status create(murk_sight **out, const murk_stage *stage,
+                          murk_sight_desc *desc, bool are_points,
+                          murk_error *err)
 {
-    return murk_fail(err, MURK_NO_MEMORY, stage->scene->sensors.where,
-                     "no memory for the sensors' types");
+    murk_sensor_type *types = murk_poses_types(stage->scene);
+    if (!types) {
+        return murk_fail(err, MURK_NO_MEMORY, stage->scene->sensors.where,
+                         "no memory for the sensors' types");
+    }
+    for (size_t k = 0; k < desc->types && are_points; ++k) {
+        types[k].toward = false;
+    }
+    desc->type = types;
+    const murk_status status = murk_sight_create(out, desc, err);
+    free(types);
+    return status;
 }
 
+/* With weights, regions of interest and detection of the scene; warns of poor
+ * density estimates. */
 static murk_status sight_onto(murk_sight **out, const murk_stage *stage,
                               const murk_traced *traced, const seen_maps *maps,
                               unsigned threads, murk_error *err)
 {
-    /* Describe, with weights, regions of interest and detection of the scene.
-     */
     const murk_scene_placement *settings = &stage->scene->placement;
-    murk_sensor_type *types = murk_poses_types(stage->scene);
-    if (!types) {
-        return no_types(stage, err);
-    }
-    murk_sight_desc desc = describe(stage, maps, types, threads);
+    murk_sight_desc desc = describe(stage, maps, threads);
     desc.weights = (murk_map_weights){.balanced = settings->balanced,
                                       .surface = settings->weight_surface,
                                       .volume = settings->weight_volume};
@@ -131,14 +138,12 @@ static murk_status sight_onto(murk_sight **out, const murk_stage *stage,
     desc.redundancy = (unsigned)settings->redundancy;
     desc.at_least = (unsigned)murk_plan_at_least(stage->scene);
     desc.power = power_of(stage, traced);
-    /* Create, and warn of poor density estimates. */
-    const murk_status status = murk_sight_create(out, &desc, err);
+    const murk_status status = create(out, stage, &desc, false, err);
     if (!status) {
         warn_of_few(*out, stage, traced,
                     murk_photon_map_count(maps->surface) +
                         murk_photon_map_count(maps->volume));
     }
-    free(types);
     return status;
 }
 
@@ -149,17 +154,8 @@ murk_status murk_plan_sight_points(murk_sight **out, const murk_stage *stage,
                                    murk_error *err)
 {
     const seen_maps maps = {surface, volume, numbers};
-    murk_sensor_type *types = murk_poses_types(stage->scene);
-    if (!types) {
-        return no_types(stage, err);
-    }
-    for (size_t k = 0; k < stage->scene->sensors.types; ++k) {
-        types[k].toward = false;
-    }
-    const murk_sight_desc desc = describe(stage, &maps, types, threads);
-    const murk_status status = murk_sight_create(out, &desc, err);
-    free(types);
-    return status;
+    murk_sight_desc desc = describe(stage, &maps, threads);
+    return create(out, stage, &desc, true, err);
 }
 
 murk_status murk_plan_sight_and_targets(murk_sight **out,

@@ -100,18 +100,24 @@ typedef struct place {
     size_t pose;
 } place;
 
+int murk_by_position(const void *a, const void *b)
+{
+    const murk_vec3 *p = a, *q = b;
+    const double x[3] = {p->x, p->y, p->z}, y[3] = {q->x, q->y, q->z};
+    for (int i = 0; i < 3; ++i) {
+        if (x[i] != y[i]) {
+            return x[i] < y[i] ? -1 : 1;
+        }
+    }
+    return 0;
+}
+
 /* Order by position, then by number. */
 static int by_place(const void *a, const void *b)
 {
     const place *x = a, *y = b;
-    const double d[3] = {x->at.x - y->at.x, x->at.y - y->at.y,
-                         x->at.z - y->at.z};
-    for (int i = 0; i < 3; ++i) {
-        if (d[i] != 0) {
-            return d[i] < 0 ? -1 : 1;
-        }
-    }
-    return (x->pose > y->pose) - (x->pose < y->pose);
+    const int order = murk_by_position(&x->at, &y->at);
+    return order ? order : (x->pose > y->pose) - (x->pose < y->pose);
 }
 
 /* A fixed sensor (pose `first` or later) at the position of a site gets the
@@ -169,18 +175,6 @@ static murk_status place_fixed(murk_poses *p,
 }
 
 /* ---- constraints ---- */
-
-static murk_status check_count(const murk_poses *p,
-                               const murk_scene_sensors *settings,
-                               murk_error *err)
-{
-    if (settings->count > p->count) {
-        return murk_fail(err, MURK_BAD_VALUE, settings->where,
-                         "count: %llu sensors, but only %zu candidates",
-                         (unsigned long long)settings->count, p->count);
-    }
-    return MURK_OK;
-}
 
 /* Fails if the constraints contradict each other, so that the user learns it
  * before light is traced. */
@@ -306,14 +300,15 @@ murk_status murk_poses_create(murk_poses **out, const murk_scene_desc *scene,
     assert(at + p->fixed == p->count);
     /* Append the fixed sensors; check the constraints. */
     status = place_fixed(p, settings, domain, (uint32_t)n, err);
+    if (!status && settings->count > p->count) {
+        status = murk_fail(err, MURK_BAD_VALUE, settings->where,
+                           "count: %llu sensors, but only %zu candidates",
+                           (unsigned long long)settings->count, p->count);
+    }
     if (!status) {
-        status = check_count(p, settings, err);
+        fill_constraints(p, settings);
+        status = check_constraints(p, settings, err);
     }
-    if (status) {
-        goto done;
-    }
-    fill_constraints(p, settings);
-    status = check_constraints(p, settings, err);
     if (status) {
         goto done;
     }

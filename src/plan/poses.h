@@ -34,6 +34,9 @@ murk_status murk_poses_create(murk_poses **out, const murk_scene_desc *scene,
                               size_t n, murk_error *err);
 void murk_poses_destroy(murk_poses *poses); /* NULL is fine */
 
+/* Compares two murk_vec3 by x, then y, then z, for qsort() and bsearch(). */
+int murk_by_position(const void *a, const void *b);
+
 /* NULL if the count is the only constraint. */
 const murk_constraints *murk_poses_constraints(const murk_poses *poses);
 

@@ -85,12 +85,6 @@ murk_drop_one murk_robust_drop_one(const murk_robust *robust)
 
 /* ---- jitter ---- */
 
-static int by_value(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 size_t murk_robust_draws(const murk_scene_desc *scene)
 {
     const murk_scene_placement *settings = &scene->placement;
@@ -158,7 +152,7 @@ murk_status murk_robust_summarise(murk_robust *robust,
     out.mean.standard_error =
         hypot(out.mean.standard_error, errors / (double)draws);
     /* Quantile and confidence interval by rank. */
-    qsort(x, draws, sizeof *x, by_value);
+    murk_sort(x, draws);
     out.quantile = x[rank.value - 1];
     out.quantile_lower = rank.lower ? x[rank.lower - 1] : NAN;
     out.quantile_upper = rank.upper ? x[rank.upper - 1] : NAN;

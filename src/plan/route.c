@@ -2,7 +2,7 @@
  * heap) by the length of the path they would give, and the line of a step is
  * tested when the step leaves the queue. Straight-line distance to the goal is
  * the admissible heuristic. */
-#include "plan/route.h"
+#include "plan/explored.h"
 
 #include <math.h>
 #include <stdlib.h>

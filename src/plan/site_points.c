@@ -1,6 +1,6 @@
 /* Reads candidate points from CSV tables and from the list of the scene; the
  * coordinates of tables are converted to the local origin of the scene. */
-#include "plan/site_points.h"
+#include "plan/sites.h"
 
 #include "base/position.h"
 #include "scene/table.h"
@@ -60,6 +60,19 @@ static murk_status check_table(const murk_table *table, long column[3],
                            "lists no points, must have one or more");
 }
 
+/* Grows a list to n points. */
+static murk_status reserve(murk_vec3 **point, size_t n, const char *where,
+                           murk_error *err)
+{
+    murk_vec3 *grown = realloc(*point, (n + 1) * sizeof *grown);
+    if (!grown) {
+        return murk_fail(err, MURK_NO_MEMORY, where, "no memory for %zu points",
+                         n);
+    }
+    *point = grown;
+    return MURK_OK;
+}
+
 /* Appends the points of a table to the *n points read so far. */
 static murk_status add_table(murk_vec3 **point, size_t *n,
                              const murk_table *table, murk_vec3 origin,
@@ -78,16 +91,11 @@ static murk_status add_table(murk_vec3 **point, size_t *n,
                          "most there may be",
                          table->rows, maximum);
     }
-    murk_vec3 *grown = realloc(*point, (*n + table->rows) * sizeof *grown);
-    if (!grown) {
-        return murk_fail(err, MURK_NO_MEMORY, table->path,
-                         "no memory for %zu points", *n + table->rows);
-    }
-    *point = grown;
+    status = reserve(point, *n + table->rows, table->path, err);
     /* Read the points. */
     for (size_t row = 0; row < table->rows && !status; ++row) {
         status =
-            read_row(table, row, column, origin, box, &grown[*n + row], err);
+            read_row(table, row, column, origin, box, &(*point)[*n + row], err);
     }
     *n += table->rows;
     return status;
@@ -104,20 +112,15 @@ static murk_status add_listed(murk_vec3 **point, size_t *n,
                          "more than %zu points, the most there may be",
                          maximum);
     }
-    murk_vec3 *grown =
-        realloc(*point, (*n + points->positions + 1) * sizeof *grown);
-    if (!grown) {
-        return murk_fail(err, MURK_NO_MEMORY, points->where,
-                         "no memory for %zu points", *n + points->positions);
-    }
-    *point = grown;
-    for (size_t i = 0; i < points->positions; ++i) {
+    const murk_status status =
+        reserve(point, *n + points->positions, points->where, err);
+    for (size_t i = 0; i < points->positions && !status; ++i) {
         if (!murk_box_contains(box, points->position[i])) {
             return refuse_outside(points->where, points->position[i], box, err);
         }
-        grown[(*n)++] = points->position[i];
+        (*point)[(*n)++] = points->position[i];
     }
-    return MURK_OK;
+    return status;
 }
 
 murk_status murk_site_points_read(murk_vec3 **out, size_t *n,

@@ -3,8 +3,8 @@
  * (geometry/mount_sites.h). */
 #include "plan/sites.h"
 
-#include "plan/entrances.h"
-#include "plan/site_points.h"
+#include "plan/free_space.h"
+#include "plan/poses.h"
 #include "world/site_zones.h"
 
 #include <math.h>
@@ -166,7 +166,7 @@ static murk_status describe_candidates(asked_candidates *a,
     /* Zones. */
     if (!status) {
         status = murk_site_zones_create(&a->avoid, &a->within, stage->scene,
-                                        stage->site_meshes, err);
+                                        stage->zone_mesh, err);
     }
     a->desc.avoid = a->avoid;
     a->desc.within = a->within;
@@ -197,18 +197,6 @@ murk_status murk_sites_find(murk_candidates **out, const murk_stage *stage,
 
 /* ---- several worlds ---- */
 
-static int by_place(const void *a, const void *b)
-{
-    const murk_vec3 *p = a, *q = b;
-    const double x[3] = {p->x, p->y, p->z}, y[3] = {q->x, q->y, q->z};
-    for (int i = 0; i < 3; ++i) {
-        if (x[i] != y[i]) {
-            return x[i] < y[i] ? -1 : 1;
-        }
-    }
-    return 0;
-}
-
 /* Removes from `all` the candidates that `other` does not have. Candidates are
  * compared by exact position. */
 static murk_status keep_common(murk_candidates *all,
@@ -222,12 +210,12 @@ static murk_status keep_common(murk_candidates *all,
                          "no memory for %zu candidates", other->usable);
     }
     memcpy(sorted, other->position, other->usable * sizeof *sorted);
-    qsort(sorted, other->usable, sizeof *sorted, by_place);
+    qsort(sorted, other->usable, sizeof *sorted, murk_by_position);
     /* Keep those that are found there. */
     size_t kept = 0;
     for (size_t i = 0; i < all->usable; ++i) {
         if (bsearch(&all->position[i], sorted, other->usable, sizeof *sorted,
-                    by_place)) {
+                    murk_by_position)) {
             all->position[kept] = all->position[i];
             all->kind[kept] = all->kind[i];
             if (all->normal) {

@@ -2,41 +2,22 @@
  * (targets_drawn.c, targets_listed.c), then builds the maps. */
 #include "plan/targets.h"
 
-#include "plan/target_buffer.h"
+#include "plan/target_records.h"
 
 #include <stdlib.h>
 
-#define FIRST_CAPACITY 256 /* first capacity of a buffer: 8 kB */
 /* points that murk_targets_check() draws: one shows that there is free space */
 #define CHECK_KEEPS 1
 
-bool murk_target_buffer_put(murk_target_buffer *buffer,
-                            const murk_photon *photon)
-{
-    if (buffer->n == buffer->capacity) {
-        const size_t capacity = buffer->capacity
-                                    ? buffer->capacity + buffer->capacity / 2
-                                    : FIRST_CAPACITY;
-        murk_photon *grown = realloc(buffer->photon, capacity * sizeof *grown);
-        if (!grown) {
-            return false;
-        }
-        buffer->photon = grown;
-        buffer->capacity = capacity;
-    }
-    buffer->photon[buffer->n++] = *photon;
-    return true;
-}
-
-murk_photon murk_target_of(murk_vec3 place, murk_vec3 normal, uint32_t number,
-                           int band)
+murk_photon murk_target_of(murk_vec3 place, murk_vec3 normal, int band,
+                           uint8_t material)
 {
     const bool is_volume = murk_dot(normal, normal) == 0;
     return murk_photon_make(&(murk_photon_values){.position_m = place,
                                                   .normal = normal,
                                                   .power_w = 1,
-                                                  .emitted = number,
                                                   .band = (uint8_t)band,
+                                                  .material = material,
                                                   .is_volume = is_volume});
 }
 
@@ -69,42 +50,25 @@ int murk_targets_band(const murk_scene_desc *scene)
     return 0;
 }
 
-/* Records of both maps before the maps are built. */
-typedef struct target_records {
-    murk_target_buffer surface, volume;
-    murk_target_facts facts;
-} target_records;
-
-/* Reads or draws all targets. */
-static murk_status fill(target_records *p, murk_target_source source,
-                        murk_error *err)
+/* Reads or draws all targets. The caller frees both lists, also after a
+ * failure. */
+static murk_status fill(murk_target_records *to, murk_error *err)
 {
-    const murk_scene_targets *settings =
-        &source.stage->scene->placement.targets;
-    murk_target_facts *facts = &p->facts;
-    facts->area_m2 = facts->volume_m3 = (murk_estimate){NAN, NAN};
-    murk_target_draw drawn = {0};
+    const murk_scene_targets *settings = &to->stage->scene->placement.targets;
     murk_status status = MURK_OK;
-    /* Listed points. */
+    to->band = murk_targets_band(to->stage->scene);
+    to->facts.area_m2 = to->facts.volume_m3 = (murk_estimate){NAN, NAN};
     if (settings->points) {
-        status = murk_targets_read(&p->surface, &p->volume, &facts->points,
-                                   source.stage, err);
+        status = murk_targets_read(to, err);
     }
-    /* Points on surfaces. */
     if (!status && settings->has_surfaces) {
-        status = murk_targets_draw_surfaces(&p->surface, &drawn, &source, err);
-        facts->area_m2 = drawn.size;
-        facts->points += drawn.points;
-        source.first_number = facts->points;
+        status = murk_targets_draw_surfaces(to, err);
     }
-    /* Points in the volume, numbered after those on surfaces. */
     if (!status && settings->has_volume) {
-        status = murk_targets_draw_volume(&p->volume, &drawn, &source, err);
-        facts->volume_m3 = drawn.size;
-        facts->points += drawn.points;
+        status = murk_targets_draw_volume(to, err);
     }
-    facts->surface = p->surface.n;
-    facts->volume = p->volume.n;
+    to->facts.surface = to->surface.n;
+    to->facts.volume = to->volume.n;
     return status;
 }
 
@@ -112,28 +76,24 @@ murk_status murk_targets_create(murk_targets *out, const murk_stage *stage,
                                 uint32_t stream, unsigned threads,
                                 murk_error *err)
 {
+    murk_target_records made = {.stage = stage,
+                                .stream = stream,
+                                .threads = threads,
+                                .max = UINT64_MAX};
     *out = (murk_targets){0};
-    target_records p = {0};
-    const murk_target_source source = {.stage = stage,
-                                       .stream = stream,
-                                       .threads = threads,
-                                       .max = UINT64_MAX};
-    murk_status status = fill(&p, source, err);
-    if (!status) { /* the map takes the records over, also when it fails */
-        status = murk_photon_map_create(&out->surface, p.surface.photon,
-                                        p.surface.n, threads, err);
-        p.surface.photon = NULL;
+    murk_status status = fill(&made, err);
+    if (!status) {
+        status =
+            murk_record_list_map(&out->surface, &made.surface, threads, err);
     }
     if (!status) {
-        status = murk_photon_map_create(&out->volume, p.volume.photon,
-                                        p.volume.n, threads, err);
-        p.volume.photon = NULL;
+        status = murk_record_list_map(&out->volume, &made.volume, threads, err);
     }
-    free(p.surface.photon);
-    free(p.volume.photon);
-    out->facts = p.facts;
+    free(made.surface.photon);
+    free(made.volume.photon);
+    out->facts = made.facts;
     out->independent =
-        stage->scene->placement.targets.points ? 1 : p.facts.points;
+        stage->scene->placement.targets.points ? 1 : made.facts.points;
     return status;
 }
 
@@ -147,11 +107,10 @@ void murk_targets_release(murk_targets *targets)
 murk_status murk_targets_check(const murk_stage *stage, unsigned threads,
                                murk_error *err)
 {
-    target_records p = {0};
-    const murk_target_source source = {
+    murk_target_records made = {
         .stage = stage, .threads = threads, .max = CHECK_KEEPS};
-    const murk_status status = fill(&p, source, err);
-    free(p.surface.photon);
-    free(p.volume.photon);
+    const murk_status status = fill(&made, err);
+    free(made.surface.photon);
+    free(made.volume.photon);
     return status;
 }

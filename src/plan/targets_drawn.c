@@ -7,8 +7,7 @@
  * size of the free space: of n draws each represents size / n. If sampling
  * stops at the k-th kept point, each represents size (k - 1) / (k (n - 1)) (J.
  * B. S. Haldane, Biometrika 33 (1945) 222, doi:10.1093/biomet/33.3.222). */
-#include "plan/target_buffer.h"
-#include "plan/targets.h"
+#include "plan/target_records.h"
 
 #include "base/interrupt.h"
 #include "base/machine.h"
@@ -48,31 +47,27 @@ typedef struct found {
 } found;
 
 typedef struct drawing {
-    const murk_target_source *source;
+    murk_target_records *to;
+    murk_record_list *list; /* of `to`: the records of this kind */
+    const char *where;
     murk_open_space *space;
-    int band;
     /* Area or box: one of them is used. */
     murk_area *area;
     murk_box box;
-    uint64_t first;   /* number of the first draw of the wave */
-    uint64_t batches; /* number of tasks in the wave */
-    found *wave;      /* [WAVE_DRAWS] */
+    double size;        /* area [m2] or volume [m3] that is drawn from */
+    uint64_t draws_max; /* upper limit on draws */
+    uint64_t keeps;     /* points to keep */
+    uint64_t first;     /* number of the first draw of the wave */
+    uint64_t batches;   /* number of tasks in the wave */
+    found *wave;        /* [WAVE_DRAWS] */
 } drawing;
 
 /* The random numbers of a draw; event keeps surfaces and volume independent. */
 static murk_random4 draw_of(const drawing *d, uint64_t number, uint32_t event)
 {
-    return murk_random(d->source->stage->scene->seed,
-                       MURK_TARGET + MURK_STREAM * d->source->stream, number,
-                       event, 0);
-}
-
-/* Adds a record to the result of a draw. */
-static void keep(found *f, murk_vec3 place, murk_vec3 normal, int band,
-                 uint8_t material)
-{
-    f->photon[f->n] = murk_target_of(place, normal, 0, band);
-    murk_photon_set_material(&f->photon[f->n++], material);
+    return murk_random(d->to->stage->scene->seed,
+                       MURK_TARGET + MURK_STREAM * d->to->stream, number, event,
+                       0);
 }
 
 /* ---- surfaces ---- */
@@ -80,7 +75,7 @@ static void keep(found *f, murk_vec3 place, murk_vec3 normal, int band,
 /* Draws a point on the surfaces and tests both sides. */
 static void draw_on_surface(const drawing *d, uint64_t number, found *f)
 {
-    const murk_stage *stage = d->source->stage;
+    const murk_stage *stage = d->to->stage;
     const murk_random4 r = draw_of(d, number, 0);
     const murk_area_point point = murk_area_at(d->area, r.u);
     for (int side = 0; side < SIDES; ++side) {
@@ -89,7 +84,8 @@ static void draw_on_surface(const drawing *d, uint64_t number, found *f)
             murk_surfaces_leave(stage->surfaces, point.place, normal);
         if (murk_box_contains(&stage->world.domain.box, off) &&
             murk_open_space_holds(d->space, off, normal)) {
-            keep(f, point.place, normal, d->band, point.material);
+            f->photon[f->n++] = murk_target_of(point.place, normal, d->to->band,
+                                               point.material);
         }
     }
 }
@@ -100,11 +96,11 @@ static void draw_on_surface(const drawing *d, uint64_t number, found *f)
  */
 static bool is_wanted(const drawing *d, murk_inside inside, murk_vec3 p)
 {
-    const murk_stage *stage = d->source->stage;
+    const murk_stage *stage = d->to->stage;
     const murk_scene_targets *settings = &stage->scene->placement.targets;
     if (settings->medium >= 0 &&
         !(murk_media_extinction_of(stage->media, (size_t)settings->medium,
-                                   d->band, inside, p) > 0)) {
+                                   d->to->band, inside, p) > 0)) {
         return false;
     }
     switch (settings->shape) {
@@ -122,7 +118,7 @@ static bool is_wanted(const drawing *d, murk_inside inside, murk_vec3 p)
 /* Draws a point in the box and tests it. */
 static void draw_in_volume(const drawing *d, uint64_t number, found *f)
 {
-    const murk_stage *stage = d->source->stage;
+    const murk_stage *stage = d->to->stage;
     const murk_random4 r = draw_of(d, number, 1);
     const murk_vec3 a = d->box.min, size = murk_sub(d->box.max, a);
     const murk_vec3 p = {a.x + r.u[0] * size.x, a.y + r.u[1] * size.y,
@@ -133,7 +129,8 @@ static void draw_in_volume(const drawing *d, uint64_t number, found *f)
             ? murk_boundary_meshes_at(stage->boundary_meshes, p)
             : 0;
     if (is_wanted(d, inside, p) && murk_open_space_holds(d->space, p, none)) {
-        keep(f, p, none, d->band, murk_target_medium(stage, d->band, p));
+        f->photon[f->n++] = murk_target_of(
+            p, none, d->to->band, murk_target_medium(stage, d->to->band, p));
     }
 }
 
@@ -153,48 +150,43 @@ static void draw_batch(void *context, uint64_t batch)
     }
 }
 
-/* Upper limit on draws, and the number of points to keep. */
-typedef struct amount {
-    uint64_t draws, keeps;
-} amount;
-
-/* Determines both numbers: from a number of points, or from a spacing, which
- * fixes the number of draws. */
-static murk_status amount_of(amount *out, const murk_target_source *source,
-                             uint64_t points, double spacings,
-                             const char *where, murk_error *err)
+/* Determines the limits from a number of points, or from the number of draws
+ * that a spacing fixes. */
+static murk_status set_amount(drawing *d, uint64_t points, double spacings,
+                              murk_error *err)
 {
+    const uint64_t max = d->to->max;
     if (points > 0) {
-        const uint64_t keeps = points < source->max ? points : source->max;
-        *out = (amount){DRAWS_FIRST + DRAWS_EACH * keeps, keeps};
+        d->keeps = points < max ? points : max;
+        d->draws_max = DRAWS_FIRST + DRAWS_EACH * d->keeps;
         return MURK_OK;
     }
     if (!(spacings <= MURK_TARGETS_MAX)) {
-        return murk_fail(err, MURK_BAD_VALUE, where,
+        return murk_fail(err, MURK_BAD_VALUE, d->where,
                          "spacing_m makes %.3g points, must be at most %.3g",
                          spacings, MURK_TARGETS_MAX);
     }
-    *out = (amount){(uint64_t)fmax(ceil(spacings), 1), source->max};
+    d->draws_max = (uint64_t)fmax(ceil(spacings), 1);
+    d->keeps = max;
     return MURK_OK;
 }
 
 /* Accepts the draws of a wave in order until enough points are kept. *draws
  * counts draws up to the last accepted one. */
-static murk_status accept_wave(murk_target_buffer *buffer, const drawing *d,
-                               const amount *a, uint64_t *points,
-                               uint64_t *draws, murk_error *err)
+static murk_status accept_wave(drawing *d, uint64_t *points, uint64_t *draws,
+                               murk_error *err)
 {
-    for (uint64_t i = 0; i < d->batches * BATCH_DRAWS && *draws < a->draws &&
-                         *points < a->keeps;
+    for (uint64_t i = 0; i < d->batches * BATCH_DRAWS &&
+                         *draws < d->draws_max && *points < d->keeps;
          ++i) {
         found *f = &d->wave[i];
         for (int k = 0; k < f->n; ++k) {
-            murk_photon_set_emitted(
-                &f->photon[k], (uint32_t)(d->source->first_number + *points));
-            if (!murk_target_buffer_put(buffer, &f->photon[k])) {
+            murk_photon_set_emitted(&f->photon[k],
+                                    (uint32_t)(d->to->facts.points + *points));
+            if (!murk_record_list_put(d->list, &f->photon[k])) {
                 return murk_fail(err, MURK_NO_MEMORY, "placement.targets",
                                  "no memory for more than %zu targets",
-                                 buffer->n);
+                                 d->list->n);
             }
         }
         *points += f->n > 0;
@@ -206,18 +198,17 @@ static murk_status accept_wave(murk_target_buffer *buffer, const drawing *d,
 /* Sets the power of the records, and returns the size of the free space with
  * standard error. A draw contributes 0, 1 or 2 sides; the variance of that
  * number over n draws gives the error. */
-static murk_estimate set_powers(murk_target_buffer *buffer, uint64_t points,
-                                uint64_t draws, bool is_ended_by_count,
-                                double size)
+static murk_estimate set_powers(const drawing *d, uint64_t points,
+                                uint64_t draws)
 {
-    const double n = (double)draws, k = (double)points;
+    const double n = (double)draws, k = (double)points, size = d->size;
     const double each =
-        is_ended_by_count && k > 1 ? size * (k - 1) / (k * (n - 1)) : size / n;
-    const double sides = (double)buffer->n, both = sides - k;
+        points == d->keeps && k > 1 ? size * (k - 1) / (k * (n - 1)) : size / n;
+    const double sides = (double)d->list->n, both = sides - k;
     const double variance =
         (k - both + 4 * both) / n - (sides / n) * (sides / n);
-    for (size_t i = 0; i < buffer->n; ++i) {
-        murk_photon_set_power_w(&buffer->photon[i], each);
+    for (size_t i = 0; i < d->list->n; ++i) {
+        murk_photon_set_power_w(&d->list->photon[i], each);
     }
     return (murk_estimate){
         sides * each, n > 1 ? size * sqrt(fmax(0, variance) / (n - 1)) : NAN};
@@ -228,57 +219,76 @@ static murk_estimate set_powers(murk_target_buffer *buffer, uint64_t points,
 #define GROWTH_FACTOR 2.5
 
 /* Fails if the points do not fit in memory. */
-static murk_status check_memory(const amount *a, const char *where,
-                                murk_error *err)
+static murk_status check_memory(const drawing *d, murk_error *err)
 {
-    const double points = (double)(a->keeps < a->draws ? a->keeps : a->draws);
+    const double points =
+        (double)(d->keeps < d->draws_max ? d->keeps : d->draws_max);
     const double bytes = GROWTH_FACTOR * sizeof(murk_photon) * points;
     const double have = murk_machine_memory_bytes();
     return bytes <= have
                ? MURK_OK
-               : murk_fail(err, MURK_BAD_VALUE, where,
+               : murk_fail(err, MURK_BAD_VALUE, d->where,
                            "%.3g points take about %.3g GB; this machine has "
                            "%.3g GB free",
                            points, bytes / 1e9, have / 1e9);
 }
 
-/* Draws in waves until enough points are kept or the limit is reached. */
-static murk_status draw_all(murk_target_buffer *buffer, murk_target_draw *out,
-                            drawing *d, const amount *a, double size,
-                            const char *where, murk_error *err)
+/* Allocates a wave and sets up the test of free space. */
+static murk_status begin(drawing *d, murk_error *err)
 {
-    murk_status status = check_memory(a, where, err);
-    /* Start with empty counts. */
-    uint64_t draws = 0;
-    uint64_t *points = &out->points;
-    *out = (murk_target_draw){0};
-    murk_progress_begin("targets", a->keeps < a->draws ? a->keeps : a->draws,
-                        "points");
+    d->wave = malloc(WAVE_DRAWS * sizeof *d->wave);
+    if (!d->wave) {
+        return murk_fail(err, MURK_NO_MEMORY, d->where, "no memory to draw");
+    }
+    const murk_status status =
+        murk_stage_free_space(&d->space, d->to->stage, d->to->threads, err);
+    return status ? status : check_memory(d, err);
+}
+
+/* Draws in waves until enough points are kept or the limit is reached. */
+static murk_status draw_waves(drawing *d, murk_estimate *size, murk_error *err)
+{
+    murk_status status = MURK_OK;
+    uint64_t draws = 0, points = 0;
+    murk_progress_begin(
+        "targets", d->keeps < d->draws_max ? d->keeps : d->draws_max, "points");
     /* Test a wave, then accept in order. */
-    while (!status && draws < a->draws && *points < a->keeps) {
-        const uint64_t before = *points;
-        const double left = fmin((double)(a->draws - draws),
-                                 DRAWS_AHEAD * (double)(a->keeps - *points));
+    while (!status && draws < d->draws_max && points < d->keeps) {
+        const uint64_t before = points;
+        const double left = fmin((double)(d->draws_max - draws),
+                                 DRAWS_AHEAD * (double)(d->keeps - points));
         d->first = draws;
         d->batches = (uint64_t)fmin(WAVE_BATCHES, ceil(left / BATCH_DRAWS));
-        murk_pool_run(d->source->threads, d->batches, draw_batch, d);
+        murk_pool_run(d->to->threads, d->batches, draw_batch, d);
         status = murk_interrupted()
                      ? murk_fail(err, MURK_INTERRUPTED, "", "interrupted")
-                     : accept_wave(buffer, d, a, points, &draws, err);
-        murk_progress_add(*points - before);
+                     : accept_wave(d, &points, &draws, err);
+        murk_progress_add(points - before);
     }
     murk_progress_end();
     /* At least one point must lie in free space. */
-    if (!status && *points == 0) {
-        status = murk_fail(err, MURK_BAD_VALUE, where,
+    if (!status && points == 0) {
+        status = murk_fail(err, MURK_BAD_VALUE, d->where,
                            "none of %llu points drawn lies in free space",
                            (unsigned long long)draws);
     }
     if (!status) {
-        out->size =
-            set_powers(buffer, *points, draws, *points == a->keeps, size);
+        *size = set_powers(d, points, draws);
     }
+    d->to->facts.points += points;
     return status;
+}
+
+/* Draws a number of points, or the points that a spacing fixes; *size receives
+ * the size of the free space. */
+static murk_status draw(drawing *d, uint64_t points, double spacings,
+                        murk_estimate *size, murk_error *err)
+{
+    murk_status status = set_amount(d, points, spacings, err);
+    if (!status) {
+        status = begin(d, err);
+    }
+    return status ? status : draw_waves(d, size, err);
 }
 
 static void release(drawing *d)
@@ -288,60 +298,30 @@ static void release(drawing *d)
     free(d->wave);
 }
 
-/* Allocates a wave and sets up the test of free space. */
-static murk_status begin(drawing *d, const char *where, murk_error *err)
-{
-    d->band = murk_targets_band(d->source->stage->scene);
-    d->wave = malloc(WAVE_DRAWS * sizeof *d->wave);
-    if (!d->wave) {
-        return murk_fail(err, MURK_NO_MEMORY, where, "no memory to draw");
-    }
-    return murk_stage_free_space(&d->space, d->source->stage,
-                                 d->source->threads, err);
-}
-
-murk_status murk_targets_draw_surfaces(murk_target_buffer *buffer,
-                                       murk_target_draw *out,
-                                       const murk_target_source *source,
+murk_status murk_targets_draw_surfaces(murk_target_records *records,
                                        murk_error *err)
 {
-    const murk_stage *stage = source->stage;
+    const murk_stage *stage = records->stage;
     const murk_scene_targets *settings = &stage->scene->placement.targets;
-    const char *where = settings->surfaces_where;
-    drawing d = {.source = source};
-    amount a = {0};
+    drawing d = {.to = records,
+                 .list = &records->surface,
+                 .where = settings->surfaces_where};
     /* Select the materials. */
     bool wanted[MURK_MATERIALS_MAX] = {false};
     for (size_t i = 0; i < settings->materials.n; ++i) {
         wanted[settings->materials.index[i]] = true;
     }
-    murk_status status =
-        murk_area_create(&d.area, stage->surfaces,
-                         settings->materials.n > 0 ? wanted : NULL, where, err);
+    murk_status status = murk_area_create(
+        &d.area, stage->surfaces, settings->materials.n > 0 ? wanted : NULL,
+        d.where, err);
     if (!status) {
-        /* Determine the number of points. */
         const double s = settings->surface_spacing_m;
-        status = amount_of(&a, source, settings->surface_points,
-                           murk_area_m2(d.area) / (s * s), where, err);
-    }
-    /* Draw. */
-    if (!status) {
-        status = begin(&d, where, err);
-    }
-    if (!status) {
-        status =
-            draw_all(buffer, out, &d, &a, murk_area_m2(d.area), where, err);
+        d.size = murk_area_m2(d.area);
+        status = draw(&d, settings->surface_points, d.size / (s * s),
+                      &records->facts.area_m2, err);
     }
     release(&d);
     return status;
-}
-
-static murk_box meet(murk_box a, murk_box b)
-{
-    return (murk_box){{fmax(a.min.x, b.min.x), fmax(a.min.y, b.min.y),
-                       fmax(a.min.z, b.min.z)},
-                      {fmin(a.max.x, b.max.x), fmin(a.max.y, b.max.y),
-                       fmin(a.max.z, b.max.z)}};
 }
 
 /* A box that contains all regions of a medium. */
@@ -369,50 +349,41 @@ static murk_box box_of_medium(const murk_stage *stage, int medium)
 static murk_box box_to_draw_from(const murk_stage *stage)
 {
     const murk_scene_targets *settings = &stage->scene->placement.targets;
-    const murk_vec3 r = {settings->solid.radius_m, settings->solid.radius_m,
-                         settings->solid.radius_m};
     murk_box box = stage->world.domain.box;
     if (settings->shape == MURK_REGION_BOX) {
-        box = meet(box, settings->solid.box);
+        box = murk_box_meet(box, settings->solid.box);
     } else if (settings->shape == MURK_REGION_SPHERE) {
-        box = meet(box, (murk_box){murk_sub(settings->solid.center, r),
-                                   murk_add(settings->solid.center, r)});
+        box = murk_box_meet(box, murk_box_of_ball(settings->solid.center,
+                                                  settings->solid.radius_m));
     } else if (settings->shape == MURK_REGION_MESH) {
-        box = meet(box, murk_boundary_meshes_describe(
-                            murk_goals_target_mesh(stage->goals), 0)
-                            .bounds_m);
+        box = murk_box_meet(box, murk_boundary_meshes_describe(
+                                     murk_goals_target_mesh(stage->goals), 0)
+                                     .bounds_m);
     }
     return settings->medium >= 0
-               ? meet(box, box_of_medium(stage, settings->medium))
+               ? murk_box_meet(box, box_of_medium(stage, settings->medium))
                : box;
 }
 
-murk_status murk_targets_draw_volume(murk_target_buffer *buffer,
-                                     murk_target_draw *out,
-                                     const murk_target_source *source,
+murk_status murk_targets_draw_volume(murk_target_records *records,
                                      murk_error *err)
 {
     const murk_scene_targets *settings =
-        &source->stage->scene->placement.targets;
-    const char *where = settings->volume_where;
-    drawing d = {.source = source, .box = box_to_draw_from(source->stage)};
-    amount a = {0};
+        &records->stage->scene->placement.targets;
+    drawing d = {.to = records,
+                 .list = &records->volume,
+                 .where = settings->volume_where,
+                 .box = box_to_draw_from(records->stage)};
     const murk_vec3 size = murk_sub(d.box.max, d.box.min);
-    /* The box must have a volume. */
     if (!(size.x > 0 && size.y > 0 && size.z > 0)) {
-        return murk_fail(err, MURK_BAD_VALUE, where,
+        return murk_fail(err, MURK_BAD_VALUE, d.where,
                          "holds none of the domain's space");
     }
-    /* Determine the number of points, then draw. */
-    const double s = settings->volume_spacing_m, all = size.x * size.y * size.z;
-    murk_status status = amount_of(&a, source, settings->volume_points,
-                                   all / (s * s * s), where, err);
-    if (!status) {
-        status = begin(&d, where, err);
-    }
-    if (!status) {
-        status = draw_all(buffer, out, &d, &a, all, where, err);
-    }
+    const double s = settings->volume_spacing_m;
+    d.size = size.x * size.y * size.z;
+    const murk_status status =
+        draw(&d, settings->volume_points, d.size / (s * s * s),
+             &records->facts.volume_m3, err);
     release(&d);
     return status;
 }

@@ -2,9 +2,7 @@
  * point with a normal is a record on a surface, a point without one a record in
  * the volume. */
 #include "base/position.h"
-#include "plan/target_buffer.h"
-#include "plan/targets.h"
-
+#include "plan/target_records.h"
 #include "scene/table.h"
 
 #include <stdio.h>
@@ -26,12 +24,11 @@ static const char *const NAMES[COLUMNS] = {
 #define ON_SURFACE_STEPS 2
 
 typedef struct list {
-    const murk_stage *stage;
+    murk_target_records *to;
+    const murk_stage *stage; /* of `to` */
     const murk_table *table;
     long column[COLUMNS]; /* -1 if the table does not have the column */
-    int band;
     double step_m;
-    murk_target_buffer *surface, *volume;
     double weight; /* sum over all targets */
 } list;
 
@@ -126,37 +123,33 @@ static murk_status read_row(list *l, size_t row, murk_error *err)
     /* Store the record with weight and material or medium. */
     const bool is_volume = !(murk_length(normal) > 0);
     normal = is_volume ? (murk_vec3){0, 0, 0} : murk_unit(normal);
-    murk_photon photon = murk_target_of(place, normal, 0, l->band);
+    const int band = l->to->band;
+    murk_photon photon =
+        murk_target_of(place, normal, band,
+                       is_volume ? murk_target_medium(l->stage, band, place)
+                                 : material_at(l, place, normal));
     murk_photon_set_power_w(&photon, value[WEIGHT]);
-    murk_photon_set_material(
-        &photon, is_volume ? murk_target_medium(l->stage, l->band, place)
-                           : material_at(l, place, normal));
     l->weight += value[WEIGHT];
-    return murk_target_buffer_put(is_volume ? l->volume : l->surface, &photon)
+    return murk_record_list_put(is_volume ? &l->to->volume : &l->to->surface,
+                                &photon)
                ? MURK_OK
                : murk_fail(err, MURK_NO_MEMORY, l->table->path,
                            "no memory for its targets");
 }
 
-murk_status murk_targets_read(murk_target_buffer *surface,
-                              murk_target_buffer *volume, uint64_t *points,
-                              const murk_stage *stage, murk_error *err)
+murk_status murk_targets_read(murk_target_records *records, murk_error *err)
 {
-    const murk_scene_desc *scene = stage->scene;
+    const murk_stage *stage = records->stage;
     murk_table *table = NULL;
     murk_status status =
-        /* Read the table. */
-        murk_table_read(&table, scene->placement.targets.points, err);
+        murk_table_read(&table, stage->scene->placement.targets.points, err);
     if (status) {
         return status;
     }
-    list l = {.stage = stage,
+    list l = {.to = records,
+              .stage = stage,
               .table = table,
-              .band = murk_targets_band(scene),
-              .step_m = murk_surfaces_leave_step_m(stage->surfaces),
-              .surface = surface,
-              .volume = volume};
-    /* Read the rows. */
+              .step_m = murk_surfaces_leave_step_m(stage->surfaces)};
     status = find_columns(&l, err);
     for (size_t row = 0; row < table->rows && !status; ++row) {
         status = read_row(&l, row, err);
@@ -168,7 +161,7 @@ murk_status murk_targets_read(murk_target_buffer *surface,
                            "above 0",
                            table->rows);
     }
-    *points = table->rows;
+    records->facts.points = table->rows;
     murk_table_destroy(table);
     return status;
 }

@@ -2,7 +2,6 @@
  * media of each condition in it. */
 #include "report/scene.h"
 #include "world/stage_build.h"
-#include "world/stage_media.h"
 
 #include <string.h>
 

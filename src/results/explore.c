@@ -97,7 +97,8 @@ static void list_explore(murk_results_fields *f, const void *of)
     MURK_COUNT(f, "places", "candidates", explore->places);
     MURK_COUNT(f, "places_seen", "candidates that became known",
                end_of(explore).places_seen);
-    MURK_COUNT(f, "ways_tried", "segments that were tried", explore->ways);
+    MURK_COUNT(f, "ways_tried", "segments that were tried",
+               explore->lines_tested);
     MURK_TEXT(f, "ended_by",
               "count, target, rules, nothing_to_gain or stations",
               END_NAMES[explore->end]);

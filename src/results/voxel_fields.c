@@ -5,7 +5,7 @@
 #include "results/voxel_fields.h"
 
 #include "base/number.h"
-#include "plan/target_buffer.h"
+#include "plan/target_records.h"
 #include "sensing/places_seen.h"
 
 #include <math.h>

@@ -11,23 +11,20 @@ static double largest(murk_vec3 v)
 
 /* ---- bounding box of the scene ---- */
 
+static murk_box with_box(murk_box box, murk_box other)
+{
+    return murk_box_with(murk_box_with(box, other.min), other.max);
+}
+
 static murk_box with_ball(murk_box box, murk_vec3 center, double radius)
 {
-    const murk_vec3 r = {radius, radius, radius};
-    return murk_box_with(murk_box_with(box, murk_sub(center, r)),
-                         murk_add(center, r));
+    return with_box(box, murk_box_of_ball(center, radius));
 }
 
 static murk_box with_placed(murk_box box, const murk_affine *placed,
                             const murk_box *own)
 {
-    for (int corner = 0; corner < 8; ++corner) {
-        const murk_vec3 p = {corner & 1 ? own->max.x : own->min.x,
-                             corner & 2 ? own->max.y : own->min.y,
-                             corner & 4 ? own->max.z : own->min.z};
-        box = murk_box_with(box, murk_affine_point(placed, p));
-    }
-    return box;
+    return with_box(box, murk_affine_box(placed, own));
 }
 
 static murk_box with_sphere(murk_box box, const murk_scene_solid *s)

@@ -3,7 +3,7 @@
  * nested or disjoint, because the index at a place would be ambiguous
  * otherwise. The geometric test of a mesh against a mesh, a box, a sphere or a
  * half space is in geometry/boundary_meshes.h. */
-#include "world/boundary_files.h"
+#include "world/stage_build.h"
 
 #include "base/position.h"
 
@@ -15,13 +15,6 @@
 static murk_affine placed(const murk_scene_region *r)
 {
     return murk_scene_placed(&r->solid);
-}
-
-static double largest(const murk_box *box)
-{
-    const murk_vec3 a = box->min, b = box->max;
-    return fmax(fmax(fmax(fabs(a.x), fabs(b.x)), fmax(fabs(a.y), fabs(b.y))),
-                fmax(fabs(a.z), fabs(b.z)));
 }
 
 /* Moves outwards those faces of an axis-aligned box that lie in a side of the
@@ -60,7 +53,8 @@ static bool crosses_plain(const murk_boundary_meshes *boundary_meshes, int mesh,
         murk_boundary_meshes_describe(boundary_meshes, mesh).bounds_m;
     if (r->shape == MURK_REGION_BOX) {
         open_faces(&shape, r, domain,
-                   FAR_TIMES * fmax(largest(domain), largest(&bounds)));
+                   FAR_TIMES * fmax(murk_box_largest_coordinate(domain),
+                                    murk_box_largest_coordinate(&bounds)));
     } else if (r->shape == MURK_REGION_BELOW) {
         shape.box.max.z = r->below_z_m;
     } else if (r->shape != MURK_REGION_SPHERE) {

@@ -9,24 +9,6 @@
  */
 #define DOMAIN_MARGIN 0.01
 
-static murk_box box_around(const murk_affine *placed, const murk_box *box)
-{
-    murk_box out = murk_box_empty();
-    for (int corner = 0; corner < 8; ++corner) {
-        const murk_vec3 p = {corner & 1 ? box->max.x : box->min.x,
-                             corner & 2 ? box->max.y : box->min.y,
-                             corner & 4 ? box->max.z : box->min.z};
-        out = murk_box_with(out, murk_affine_point(placed, p));
-    }
-    return out;
-}
-
-static murk_box box_of_sphere(murk_vec3 center, double radius)
-{
-    const murk_vec3 r = {radius, radius, radius};
-    return (murk_box){murk_sub(center, r), murk_add(center, r)};
-}
-
 static murk_box box_of_rect(murk_vec3 corner, murk_vec3 edge1, murk_vec3 edge2)
 {
     const murk_vec3 a = murk_add(corner, edge1);
@@ -55,8 +37,8 @@ murk_box murk_extent_geometry(const murk_scene_geometry *g,
     murk_box box = g->solid.box;
     switch (g->shape) {
     case MURK_SHAPE_SPHERE:
-        return box_of_sphere(murk_affine_point(&placed, g->solid.center),
-                             g->solid.radius_m * g->solid.scale);
+        return murk_box_of_ball(murk_affine_point(&placed, g->solid.center),
+                                g->solid.radius_m * g->solid.scale);
     case MURK_SHAPE_MESH:
         box = mesh->bounds_m;
         break;
@@ -66,7 +48,7 @@ murk_box murk_extent_geometry(const murk_scene_geometry *g,
     case MURK_SHAPE_BOX:
         break;
     }
-    return box_around(&placed, &box);
+    return murk_affine_box(&placed, &box);
 }
 
 bool murk_extent_is_bounded(const murk_scene_region *r)
@@ -74,12 +56,10 @@ bool murk_extent_is_bounded(const murk_scene_region *r)
     return r->shape != MURK_REGION_EVERYWHERE && r->shape != MURK_REGION_BELOW;
 }
 
+/* The part that two boxes have in common; empty if there is none. */
 static murk_box meet(murk_box a, murk_box b)
 {
-    const murk_box both = {{fmax(a.min.x, b.min.x), fmax(a.min.y, b.min.y),
-                            fmax(a.min.z, b.min.z)},
-                           {fmin(a.max.x, b.max.x), fmin(a.max.y, b.max.y),
-                            fmin(a.max.z, b.max.z)}};
+    const murk_box both = murk_box_meet(a, b);
     const bool is_none = both.min.x > both.max.x || both.min.y > both.max.y ||
                          both.min.z > both.max.z;
     return is_none ? murk_box_empty() : both;
@@ -102,7 +82,7 @@ static murk_box box_of_grid(const murk_affine *placed, const murk_grid *grid,
         {(double)high[0] + out, (double)high[1] + out, (double)high[2] + out}};
     const murk_affine whole =
         murk_affine_compose(placed, &facts->index_to_world);
-    return box_around(&whole, &voxels);
+    return murk_affine_box(&whole, &voxels);
 }
 
 /* The intersection of a shape with the layers of a profile, in the local
@@ -113,7 +93,7 @@ static murk_box box_of_shape(const murk_scene_region *r,
     const murk_box layers = {{-INFINITY, -INFINITY, z_m->value[0]},
                              {INFINITY, INFINITY, z_m->value[z_m->n - 1]}};
     return meet(r->shape == MURK_REGION_SPHERE
-                    ? box_of_sphere(r->solid.center, r->solid.radius_m)
+                    ? murk_box_of_ball(r->solid.center, r->solid.radius_m)
                     : r->solid.box,
                 layers);
 }
@@ -128,14 +108,14 @@ murk_box murk_extent_region(const murk_scene_desc *scene,
     murk_box box = murk_box_empty();
     switch (r->shape) {
     case MURK_REGION_SPHERE:
-        box = box_of_sphere(murk_affine_point(&placed, r->solid.center),
-                            r->solid.radius_m * r->solid.scale);
+        box = murk_box_of_ball(murk_affine_point(&placed, r->solid.center),
+                               r->solid.radius_m * r->solid.scale);
         break;
     case MURK_REGION_BOX:
-        box = box_around(&placed, &r->solid.box);
+        box = murk_affine_box(&placed, &r->solid.box);
         break;
     case MURK_REGION_MESH:
-        box = box_around(&placed, &mesh->bounds_m);
+        box = murk_affine_box(&placed, &mesh->bounds_m);
         break;
     case MURK_REGION_GRID:
         return grid ? box_of_grid(&placed, grid, is_linear) : box;
@@ -153,16 +133,9 @@ murk_box murk_extent_region(const murk_scene_desc *scene,
     if (z_m->n > 0) {
         const murk_box local = box_of_shape(r, z_m);
         return is_empty(&local) ? local
-                                : meet(box, box_around(&placed, &local));
+                                : meet(box, murk_affine_box(&placed, &local));
     }
     return grid ? meet(box, box_of_grid(&placed, grid, is_linear)) : box;
-}
-
-/* The box of a lamp; empty for distant light. */
-static murk_box light_box(const murk_scene_light *light)
-{
-    const murk_source lamp = murk_sky_lamp(light);
-    return murk_source_box(&lamp);
 }
 
 murk_status murk_extent_domain(murk_domain *out, const murk_scene_desc *scene,
@@ -198,7 +171,8 @@ murk_status murk_extent_domain(murk_domain *out, const murk_scene_desc *scene,
             return murk_fail(err, MURK_BAD_VALUE, light->where,
                              "distant light needs a domain or geometry");
         }
-        all = join(all, light_box(light));
+        const murk_source lamp = murk_sky_lamp(light); /* empty if distant */
+        all = join(all, murk_source_box(&lamp));
     }
     /* The box must have a length; then it is grown by the margin. */
     const murk_vec3 size = murk_sub(all.max, all.min);

@@ -45,10 +45,13 @@ murk_status murk_fillings_files(const murk_scene_desc *scene, size_t i,
     return m->vdb ? find_frame(m, err) : MURK_OK;
 }
 
-static murk_status read_grids(murk_fillings *f, const murk_scene_medium *m,
-                              size_t i, murk_error *err)
+/* Reads the grids and takes the profile of medium i. */
+static murk_status fill(murk_fillings *f, const murk_scene_medium *m, size_t i,
+                        murk_error *err)
 {
     murk_status status = MURK_OK;
+    f->profile[i] = (murk_profile){m->profile_z_m.n, m->profile_z_m.value,
+                                   m->profile_per_m.value};
     if (m->vdb) {
         status = murk_grid_read(&f->grid[i], m->vdb, m->grid, m->where, err);
     }
@@ -62,50 +65,39 @@ static murk_status read_grids(murk_fillings *f, const murk_scene_medium *m,
 murk_status murk_fillings_create(murk_fillings **out,
                                  const murk_scene_desc *scene, murk_error *err)
 {
-    /* Allocate the arrays, one element for each medium. */
-    murk_status status = MURK_OK;
     murk_fillings *f = calloc(1, sizeof *f);
-    if (f) {
+    bool has_memory = f != NULL;
+    if (has_memory) {
         f->n = scene->n_media;
         f->grid = calloc(f->n + 1, sizeof *f->grid);
         f->albedo = calloc(f->n + 1, sizeof *f->albedo);
         f->profile = calloc(f->n + 1, sizeof *f->profile);
+        has_memory = f->grid && f->albedo && f->profile;
     }
-    if (!f || !f->grid || !f->albedo || !f->profile) {
-        status = murk_fail(err, MURK_NO_MEMORY, scene->path,
-                           "no memory for what fills its media");
-        goto done;
-    }
+    murk_status status = has_memory
+                             ? MURK_OK
+                             : murk_fail(err, MURK_NO_MEMORY, scene->path,
+                                         "no memory for what fills its media");
     /* Read the files of each medium. */
-    for (size_t i = 0; i < f->n && !status; ++i) {
-        const murk_scene_medium *m = &scene->media[i];
-        f->profile[i] = (murk_profile){m->profile_z_m.n, m->profile_z_m.value,
-                                       m->profile_per_m.value};
-        status = read_grids(f, m, i, err);
+    for (size_t i = 0; i < scene->n_media && !status; ++i) {
+        status = fill(f, &scene->media[i], i, err);
     }
     if (status) {
-        goto done;
+        murk_fillings_destroy(f);
+        return status;
     }
     *out = f;
-    f = NULL;
-done:
-    murk_fillings_destroy(f);
-    return status;
+    return MURK_OK;
 }
 
-void murk_fillings_destroy(murk_fillings *fillings)
+void murk_fillings_destroy(murk_fillings *f)
 {
-    murk_fillings *f = fillings;
     if (!f) {
         return;
     }
-    for (size_t i = 0; i < f->n; ++i) {
-        if (f->grid) {
-            murk_grid_destroy(f->grid[i]);
-        }
-        if (f->albedo) {
-            murk_grid_destroy(f->albedo[i]);
-        }
+    for (size_t i = 0; f->grid && f->albedo && i < f->n; ++i) {
+        murk_grid_destroy(f->grid[i]);
+        murk_grid_destroy(f->albedo[i]);
     }
     free(f->grid);
     free(f->albedo);

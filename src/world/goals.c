@@ -1,91 +1,30 @@
-/* Regions of interest and the target mesh of a scene. Meshes are imported
- * first; later, when the surfaces exist, boundary meshes are built from them
- * and every region is checked: a region in which no photon could ever be stored
- * is refused before anything is traced. */
+/* Regions of interest and the target mesh of a scene. Boundary meshes are built
+ * from the imported meshes, and every region is checked: a region in which no
+ * photon could ever be stored is refused before anything is traced. */
 #include "world/goals.h"
 
 #include "base/position.h"
 #include "geometry/boundary_meshes.h"
-#include "geometry/mesh.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 struct murk_goals {
     const murk_scene_desc *scene;
-    murk_mesh **mesh; /* [regions of interest]; NULL for other shapes */
-    murk_boundary_meshes *boundary_meshes;
-    murk_mesh *target_mesh; /* NULL: none */
-    murk_boundary_meshes *target_boundary_mesh;
+    murk_boundary_meshes *boundary_meshes; /* of the regions of interest */
+    murk_boundary_meshes *target_mesh;     /* NULL: none */
     murk_interest_region *region;
     murk_interest interest;
 };
 
-static murk_status no_memory(const murk_scene_desc *scene, murk_error *err)
-{
-    return murk_fail(err, MURK_NO_MEMORY, scene->placement.where,
-                     "no memory for what plans are to see");
-}
-
-murk_status murk_goals_import(murk_goals **out, const murk_scene_desc *scene,
-                              murk_error *err)
-{
-    const murk_scene_placement *settings = &scene->placement;
-    murk_status status = MURK_OK;
-    murk_goals *goals = calloc(1, sizeof *goals);
-    if (!goals) {
-        return no_memory(scene, err);
-        /* Allocate. */
-    }
-    goals->scene = scene;
-    goals->mesh = calloc(settings->n_interests + 1, sizeof *goals->mesh);
-    goals->region = calloc(settings->n_interests + 1, sizeof *goals->region);
-    if (!goals->mesh || !goals->region) {
-        status = no_memory(scene, err);
-        goto done;
-    }
-    /* Import the meshes of the regions of interest. */
-    for (size_t i = 0; i < settings->n_interests && !status; ++i) {
-        const murk_scene_interest *r = &settings->interest[i];
-        const murk_mesh_import import = {.unit_m = r->solid.unit_m,
-                                         .up = r->solid.up};
-        if (r->shape == MURK_REGION_MESH) {
-            status = murk_mesh_read(&goals->mesh[i], r->solid.mesh, &import,
-                                    r->where, err);
-        }
-    }
-    /* Import the mesh of the targets. */
-    const murk_scene_targets *t = &settings->targets;
-    if (!status && t->solid.mesh) {
-        const murk_mesh_import import = {.unit_m = t->solid.unit_m,
-                                         .up = t->solid.up};
-        status = murk_mesh_read(&goals->target_mesh, t->solid.mesh, &import,
-                                t->volume_where, err);
-    }
-    if (!status) {
-        *out = goals;
-        goals = NULL;
-    }
-done:
-    murk_goals_destroy(goals);
-    return status;
-}
-
 void murk_goals_destroy(murk_goals *goals)
 {
-    if (!goals) {
-        return;
+    if (goals) {
+        murk_boundary_meshes_destroy(goals->target_mesh);
+        murk_boundary_meshes_destroy(goals->boundary_meshes);
+        free(goals->region);
+        free(goals);
     }
-    for (size_t i = 0; goals->mesh && i < goals->scene->placement.n_interests;
-         ++i) {
-        murk_mesh_destroy(goals->mesh[i]);
-    }
-    murk_mesh_destroy(goals->target_mesh);
-    murk_boundary_meshes_destroy(goals->target_boundary_mesh);
-    murk_boundary_meshes_destroy(goals->boundary_meshes);
-    free(goals->mesh);
-    free(goals->region);
-    free(goals);
 }
 
 /* ---- building ---- */
@@ -110,14 +49,11 @@ static murk_status check_name(const murk_scene_placement *settings, size_t i,
 static murk_box box_of(const murk_goals *goals, size_t i)
 {
     const murk_scene_interest *r = &goals->scene->placement.interest[i];
-    const murk_vec3 radius = {r->solid.radius_m, r->solid.radius_m,
-                              r->solid.radius_m};
     switch (r->shape) {
     case MURK_REGION_BOX:
         return r->solid.box;
     case MURK_REGION_SPHERE:
-        return (murk_box){murk_sub(r->solid.center, radius),
-                          murk_add(r->solid.center, radius)};
+        return murk_box_of_ball(r->solid.center, r->solid.radius_m);
     case MURK_REGION_MESH:
         return murk_boundary_meshes_describe(goals->boundary_meshes, (int)i)
             .bounds_m;
@@ -191,7 +127,9 @@ static murk_interest_region region_of(const murk_scene_interest *r)
                                   .where = r->where};
 }
 
-static murk_status build_boundary_meshes(murk_goals *goals, murk_error *err)
+static murk_status build_boundary_meshes(murk_goals *goals,
+                                         murk_mesh *const *mesh,
+                                         murk_error *err)
 {
     const murk_scene_placement *settings = &goals->scene->placement;
     /* The meshes of the regions of interest form one set. */
@@ -199,10 +137,10 @@ static murk_status build_boundary_meshes(murk_goals *goals, murk_error *err)
     size_t n = 0;
     for (size_t i = 0; i < settings->n_interests; ++i) {
         const murk_scene_interest *r = &settings->interest[i];
-        if (goals->mesh[i]) {
+        if (mesh[i]) {
             desc[n++] = (murk_boundary_mesh_desc){
                 .region = (int)i,
-                .mesh = goals->mesh[i],
+                .mesh = mesh[i],
                 .to_world = murk_scene_placed(&r->solid),
                 .where = r->where};
         }
@@ -213,13 +151,13 @@ static murk_status build_boundary_meshes(murk_goals *goals, murk_error *err)
             : MURK_OK;
     /* The mesh of the targets is a set of its own. */
     const murk_scene_targets *t = &settings->targets;
-    if (!status && goals->target_mesh) {
+    if (!status && t->solid.mesh) {
         const murk_boundary_mesh_desc target = {
-            .mesh = goals->target_mesh,
+            .mesh = mesh[settings->n_interests],
             .to_world = murk_scene_placed(&t->solid),
             .where = t->volume_where};
-        status = murk_boundary_meshes_create(&goals->target_boundary_mesh,
-                                             &target, 1, err);
+        status =
+            murk_boundary_meshes_create(&goals->target_mesh, &target, 1, err);
     }
     return status;
 }
@@ -240,26 +178,45 @@ static murk_status check_arrival(const murk_scene_desc *scene, murk_error *err)
     return MURK_OK;
 }
 
-murk_status murk_goals_build(murk_goals *goals, const murk_surfaces *surfaces,
-                             const murk_domain *domain, murk_error *err)
+murk_status murk_goals_create(murk_goals **out, const murk_scene_desc *scene,
+                              murk_mesh *const *mesh,
+                              const murk_surfaces *surfaces,
+                              const murk_domain *domain, murk_error *err)
 {
-    const murk_scene_placement *settings = &goals->scene->placement;
-    murk_status status = check_arrival(goals->scene, err);
-    if (!status) {
-        status = build_boundary_meshes(goals, err);
+    const murk_scene_placement *settings = &scene->placement;
+    const size_t n = settings->n_interests;
+    murk_goals *goals = calloc(1, sizeof *goals);
+    murk_interest_region *region = calloc(n + 1, sizeof *region);
+    if (!goals || !region) {
+        free(goals);
+        free(region);
+        return murk_fail(err, MURK_NO_MEMORY, settings->where,
+                         "no memory for what plans are to see");
     }
-    for (size_t i = 0; i < settings->n_interests && !status; ++i) {
+    /* Build the meshes, and check and convert each region. */
+    goals->scene = scene;
+    goals->region = region;
+    murk_status status = check_arrival(scene, err);
+    if (!status) {
+        status = build_boundary_meshes(goals, mesh, err);
+    }
+    for (size_t i = 0; i < n && !status; ++i) {
         status = check_name(settings, i, err);
         if (!status) {
             status = check_place(goals, i, surfaces, &domain->box, err);
         }
-        goals->region[i] = region_of(&settings->interest[i]);
+        region[i] = region_of(&settings->interest[i]);
     }
-    goals->interest = (murk_interest){.region = goals->region,
-                                      .n = settings->n_interests,
+    if (status) {
+        murk_goals_destroy(goals);
+        return status;
+    }
+    goals->interest = (murk_interest){.region = region,
+                                      .n = n,
                                       .boundary_meshes = goals->boundary_meshes,
                                       .elsewhere = settings->elsewhere};
-    return status;
+    *out = goals;
+    return MURK_OK;
 }
 
 const murk_interest *murk_goals_interest(const murk_goals *goals)
@@ -269,7 +226,7 @@ const murk_interest *murk_goals_interest(const murk_goals *goals)
 
 const murk_boundary_meshes *murk_goals_target_mesh(const murk_goals *goals)
 {
-    return goals->target_boundary_mesh;
+    return goals->target_mesh;
 }
 
 uint64_t murk_goals_seen(const murk_sight *sight)

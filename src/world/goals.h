@@ -3,34 +3,32 @@
 #ifndef MURK_WORLD_GOALS_H
 #define MURK_WORLD_GOALS_H
 
+#include "geometry/mesh.h"
 #include "geometry/surfaces.h"
 #include "scene/scene.h"
 #include "sensing/sight.h"
 
 typedef struct murk_goals murk_goals;
 
-/* Imports the meshes in subprocesses; call it before any thread or ray device
- * exists. The caller owns *out (murk_goals_destroy()). The scene must outlive
- * it. */
-murk_status murk_goals_import(murk_goals **out, const murk_scene_desc *scene,
-                              murk_error *err);
+/* Builds the regions of interest and the target mesh for these surfaces and
+ * this domain. mesh[n_interests + 1] are the imported meshes of the regions of
+ * interest and of the targets, NULL for other shapes. The caller owns *out
+ * (murk_goals_destroy()); the scene must outlive it. Fails with MURK_BAD_VALUE
+ * at the place of a region of interest if two regions have the same name, if a
+ * mesh is open, or if no photon could be stored in the region; at the place of
+ * the targets if their mesh is open; and at the place of a sensor type if it
+ * selects light by arrival although the scene has targets. */
+murk_status murk_goals_create(murk_goals **out, const murk_scene_desc *scene,
+                              murk_mesh *const *mesh,
+                              const murk_surfaces *surfaces,
+                              const murk_domain *domain, murk_error *err);
 void murk_goals_destroy(murk_goals *goals); /* NULL is fine */
 
-/* Builds the regions of interest and the target mesh for these surfaces and
- * this domain. Fails with MURK_BAD_VALUE at the place of a region of interest
- * if two regions have the same name, if a mesh is open, or if no photon could
- * be stored in the region; at the place of the targets if their mesh is open;
- * and at the place of a sensor type if it selects light by arrival although the
- * scene has targets. */
-murk_status murk_goals_build(murk_goals *goals, const murk_surfaces *surfaces,
-                             const murk_domain *domain, murk_error *err);
-
-/* The regions of interest; NULL if the scene has none. Only after
- * murk_goals_build(). */
+/* The regions of interest; NULL if the scene has none. */
 const murk_interest *murk_goals_interest(const murk_goals *goals);
 
 /* The mesh that targets are drawn from, as boundary mesh number 0; NULL if the
- * scene has none. Only after murk_goals_build(). */
+ * scene has none. */
 const murk_boundary_meshes *murk_goals_target_mesh(const murk_goals *goals);
 
 /* The regions of interest that contain at least one record of the sight: bit i

@@ -4,6 +4,7 @@
  * mixture that is one table only is passed on unchanged. */
 #include "world/mixtures.h"
 
+#include "base/quantile.h"
 #include "medium/phase.h"
 
 #include <math.h>
@@ -66,12 +67,6 @@ static murk_status make_part(mixing *m, size_t i, const char *where,
     return murk_phase_check(&m->phase[i], 0, where, err);
 }
 
-static int compare(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* Fills m->angle_deg with the steps above and the angles of all given tables,
  * in rising order, each angle once. */
 static void fill_angles(mixing *m)
@@ -97,7 +92,7 @@ static void fill_angles(mixing *m)
     }
     /* Sort, and drop angles that agree to 1e-9 of their value: a smaller step
      * would leave the slope of the table to rounding. */
-    qsort(at, n, sizeof *at, compare);
+    murk_sort(at, n);
     m->angles = 0;
     for (size_t i = 0; i < n; ++i) {
         if (m->angles == 0 || at[i] > at[m->angles - 1] * (1 + 1e-9)) {

@@ -27,34 +27,22 @@ static murk_status no_memory(const char *where, murk_error *err)
                      "no memory for a phase function");
 }
 
-static murk_status find_column(const murk_table *csv, const char *name,
-                               long *column, murk_error *err)
-{
-    *column = murk_table_column(csv, name);
-    return *column >= 0 ? MURK_OK
-                        : murk_fail(err, MURK_BAD_FILE, csv->path,
-                                    "misses column %s, must have angle_deg and "
-                                    "phase_per_sr",
-                                    name);
-}
-
 /* Reads the numbers of one column. The caller owns *out. */
 static murk_status read_column(double **out, const murk_table *csv,
                                const char *name, murk_error *err)
 {
-    long column;
-    murk_status status = find_column(csv, name, &column, err);
-    if (status) {
-        return status;
+    const long column = murk_table_column(csv, name);
+    if (column < 0) {
+        return murk_fail(err, MURK_BAD_FILE, csv->path,
+                         "misses column %s, must have angle_deg and "
+                         "phase_per_sr",
+                         name);
     }
-    double *value = malloc((csv->rows + 1) * sizeof *value);
-    if (!value) {
-        return no_memory(csv->path, err);
-    }
+    *out = malloc((csv->rows + 1) * sizeof **out);
+    murk_status status = *out ? MURK_OK : no_memory(csv->path, err);
     for (size_t i = 0; i < csv->rows && !status; ++i) {
-        status = murk_table_number(csv, i, column, NAN, &value[i], err);
+        status = murk_table_number(csv, i, column, NAN, &(*out)[i], err);
     }
-    *out = value;
     return status;
 }
 

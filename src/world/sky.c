@@ -217,19 +217,22 @@ static double lumen_per_watt(const murk_solar_spectrum *spectrum)
                                      murk_solar_spectrum_at, spectrum);
 }
 
+static double pressure_hpa_of(const murk_scene_site *site)
+{
+    return site->has_pressure ? site->pressure_hpa
+                              : murk_standard_pressure_hpa(site->altitude_m);
+}
+
 /* The spectrum of sun, moon or sky for a body at this apparent elevation. */
 static murk_solar_spectrum spectrum_of(murk_spectrum_source source,
                                        const murk_scene_light *light,
                                        double elevation_deg)
 {
-    const murk_scene_site *site = &light->site;
     murk_spectrum_air air = murk_spectrum_air_defaults();
     murk_solar_spectrum out;
     air.apparent_zenith_deg = RIGHT_DEG - elevation_deg;
     air.linke_turbidity = light->linke_turbidity;
-    air.pressure_hpa = site->has_pressure
-                           ? site->pressure_hpa
-                           : murk_standard_pressure_hpa(site->altitude_m);
+    air.pressure_hpa = pressure_hpa_of(&light->site);
     murk_solar_spectrum_make(&out, source, &air);
     return out;
 }
@@ -238,7 +241,6 @@ static murk_solar_spectrum spectrum_of(murk_spectrum_source source,
 typedef struct daylight {
     murk_body sun;
     murk_clear_sky clear;
-    double pressure_hpa;
 } daylight;
 
 static murk_status find_daylight(daylight *out, const murk_scene_light *light,
@@ -250,12 +252,9 @@ static murk_status find_daylight(daylight *out, const murk_scene_light *light,
     if (status) {
         return status;
     }
-    out->pressure_hpa = site->has_pressure
-                            ? site->pressure_hpa
-                            : murk_standard_pressure_hpa(site->altitude_m);
     const double zenith = RIGHT_DEG - out->sun.elevation_deg;
     out->clear = murk_clear_sky_at(
-        zenith, murk_absolute_airmass(zenith, out->pressure_hpa),
+        zenith, murk_absolute_airmass(zenith, pressure_hpa_of(site)),
         light->linke_turbidity, site->altitude_m,
         murk_extraterrestrial_w_per_m2(out->sun.distance_m));
     return MURK_OK;
@@ -296,11 +295,26 @@ static murk_status sun_light(murk_source *out, murk_sky_facts *facts,
     return MURK_OK;
 }
 
-static murk_moon moon_of(const murk_body *body)
+static double extinction_of(const murk_scene_light *light)
 {
-    return (murk_moon){.phase_angle_deg = body->phase_angle_deg,
-                       .distance_m = body->distance_m,
-                       .elevation_deg = body->elevation_deg};
+    return murk_visual_extinction(light->linke_turbidity,
+                                  light->site.altitude_m);
+}
+
+/* Position of the moon and moonlight under a clear sky. */
+static murk_status find_moonlight(murk_body *body, murk_moonlight *out,
+                                  const murk_scene_light *light,
+                                  murk_error *err)
+{
+    const murk_status status =
+        find(body, murk_moon_at, &light->site, light->where, err);
+    if (!status) {
+        const murk_moon moon = {.phase_angle_deg = body->phase_angle_deg,
+                                .distance_m = body->distance_m,
+                                .elevation_deg = body->elevation_deg};
+        *out = murk_moonlight_at(&moon, extinction_of(light));
+    }
+    return status;
 }
 
 static murk_status moon_light(murk_source *out, murk_sky_facts *facts,
@@ -308,16 +322,11 @@ static murk_status moon_light(murk_source *out, murk_sky_facts *facts,
                               const murk_scene_light *light, murk_error *err)
 {
     murk_body body;
-    const murk_status status =
-        find(&body, murk_moon_at, &light->site, light->where, err);
+    murk_moonlight moonlight;
+    const murk_status status = find_moonlight(&body, &moonlight, light, err);
     if (status) {
         return status;
     }
-    /* Moonlight of a clear sky. */
-    const murk_moon moon = moon_of(&body);
-    const murk_moonlight moonlight = murk_moonlight_at(
-        &moon,
-        murk_visual_extinction(light->linke_turbidity, light->site.altitude_m));
     facts->azimuth_deg = body.azimuth_deg;
     facts->elevation_deg = body.elevation_deg;
     facts->is_on = body.elevation_deg > 0;
@@ -363,18 +372,15 @@ static murk_status sky_light(murk_source *out, murk_sky_facts *facts,
     /* Positions of sun and moon. */
     daylight day;
     murk_body body;
+    murk_moonlight moonlight;
     murk_status status = find_daylight(&day, light, err);
     if (!status) {
-        status = find(&body, murk_moon_at, &light->site, light->where, err);
+        status = find_moonlight(&body, &moonlight, light, err);
     }
     if (status) {
         return status;
     }
     /* Diffuse irradiance from the sun and from the moon. */
-    const murk_moon moon = moon_of(&body);
-    const murk_moonlight moonlight = murk_moonlight_at(
-        &moon,
-        murk_visual_extinction(light->linke_turbidity, light->site.altitude_m));
     facts->spectrum = spectrum_of(
         source, light, fmax(day.sun.elevation_deg, body.elevation_deg));
     const double by_sun =
@@ -401,9 +407,8 @@ static murk_status night_light(murk_source *out, murk_sky_facts *facts,
                                const murk_scene_light *light, murk_error *err)
 {
     (void)err;
-    const double lux = murk_night_sky_lux(
-        light->mag_per_arcsec2,
-        murk_visual_extinction(light->linke_turbidity, light->site.altitude_m));
+    const double lux =
+        murk_night_sky_lux(light->mag_per_arcsec2, extinction_of(light));
     facts->spectrum =
         spectrum_of(MURK_SPECTRUM_EXTRATERRESTRIAL, light, RIGHT_DEG);
     out->power_w = spread(scene, light, &facts->spectrum,

@@ -10,7 +10,6 @@
 #include "world/fillings.h"
 #include "world/goals.h"
 #include "world/phases.h"
-#include "world/site_zones.h"
 #include "world/sky.h"
 
 typedef struct murk_stage {
@@ -19,10 +18,12 @@ typedef struct murk_stage {
     murk_fillings *fillings; /* grids and profiles of the media */
     murk_grid **grid;        /* fillings->grid; NULL for a medium without a grid
                               */
-    murk_mesh **mesh; /* [scene->geometries]; NULL unless the shape is a mesh */
-    murk_mesh **region_mesh;       /* [scene->n_regions]; NULL unless the shape
-                                    * is a mesh */
-    murk_site_meshes *site_meshes; /* meshes of the zones of candidate sites */
+    murk_mesh **mesh; /* the meshes of all files (world/mesh_files.h), first
+                       * [scene->geometries]; NULL unless the shape is a mesh */
+    murk_mesh **region_mesh; /* [scene->n_regions], in `mesh` */
+    murk_mesh **goal_mesh;   /* [n_interests + 1], in `mesh`: of the regions of
+                              * interest and of the targets */
+    murk_mesh **zone_mesh;   /* [avoids + withins], in `mesh` */
     murk_phases *phases;
     murk_surfaces *surfaces;
     murk_media *media;

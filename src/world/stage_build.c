@@ -8,12 +8,10 @@
 #include "base/log.h"
 #include "base/position.h"
 #include "medium/interfaces.h"
-#include "world/boundary_files.h"
 #include "world/extent.h"
 #include "world/file_sums.h"
+#include "world/mesh_files.h"
 #include "world/scene_tallies.h"
-#include "world/stage_media.h"
-#include "world/stage_notes.h"
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -54,73 +52,70 @@ static murk_status add_checksum(murk_stage *stage, const char *path,
  * is then unknown. Warns if the step is a noticeable share of the extent of the
  * mesh. */
 static murk_status check_step(const murk_scene_desc *scene,
-                              const murk_mesh *mesh, const char *file,
-                              double scale, const char *where, murk_error *err)
+                              const murk_mesh *mesh, const murk_mesh_file *file,
+                              murk_error *err)
 {
     /* The step, the clearance and the extent, all in world units. */
     const double clearance_m =
         scene->sensors.given ? scene->sensors.candidates.clearance_m : 0;
-    const double step_m = mesh->step_m * scale;
+    const double step_m = mesh->step_m * file->scale;
     const murk_vec3 size = murk_sub(mesh->bounds_m.max, mesh->bounds_m.min);
-    const double longest_m = fmax(size.x, fmax(size.y, size.z)) * scale;
+    const double longest_m = fmax(size.x, fmax(size.y, size.z)) * file->scale;
     /* Refuse or warn. */
     if (clearance_m > 0 && step_m > clearance_m) {
-        return murk_fail(err, MURK_BAD_VALUE, where,
+        return murk_fail(err, MURK_BAD_VALUE, file->where,
                          "%s is read in single precision, whose step at its "
                          "coordinates is %.3g m, more than clearance_m, %g m: "
                          "bring the mesh nearer to 0 and give translate_m, or "
                          "write it as OBJ or PLY with text or doubles",
-                         file, step_m, clearance_m);
+                         file->path, step_m, clearance_m);
     }
     if (step_m > STEP_WARNED * longest_m) {
-        murk_warn(where,
+        murk_warn(file->where,
                   "%s is read in single precision, whose step at its "
                   "coordinates is %.3g m: bring the mesh nearer to 0 and give "
                   "translate_m, or write it as OBJ or PLY with text or doubles",
-                  file, step_m);
+                  file->path, step_m);
     }
     return MURK_OK;
 }
 
-/* Imports a mesh file, adds it to the light key and checks its precision. */
-static murk_status import_mesh(murk_stage *stage, murk_mesh **out,
-                               const char *file, const murk_mesh_import *import,
-                               double scale, const char *where, murk_error *err)
+/* Meshes that the light depends on come first in the list of files. */
+static size_t lit_meshes(const murk_scene_desc *scene)
 {
-    murk_status status = add_checksum(stage, file, where, err);
-    if (!status) {
-        status = murk_mesh_read(out, file, import, where, err);
-    }
-    return status ? status
-                  : check_step(stage->scene, *out, file, scale, where, err);
+    return scene->geometries + scene->n_regions;
 }
 
-/* Imports the meshes and grids of the scene and completes the light key. */
-static murk_status import_world(murk_stage *stage, murk_error *err)
+/* Imports the mesh files [first, last). Those that the light depends on enter
+ * the light key, and their precision is checked. */
+static murk_status import_meshes(murk_stage *stage, size_t first, size_t last,
+                                 murk_error *err)
 {
     const murk_scene_desc *scene = stage->scene;
     murk_status status = MURK_OK;
-    /* Meshes of geometry. */
-    for (size_t i = 0; i < scene->geometries && !status; ++i) {
-        const murk_scene_geometry *g = &scene->geometry[i];
-        if (g->shape == MURK_SHAPE_MESH) {
-            const murk_mesh_import import = {.unit_m = g->solid.unit_m,
-                                             .up = g->solid.up,
-                                             .allow = g->allow};
-            status = import_mesh(stage, &stage->mesh[i], g->solid.mesh, &import,
-                                 g->solid.scale, g->where, err);
+    for (size_t i = first; i < last && !status; ++i) {
+        const murk_mesh_file f = murk_mesh_file_at(scene, i);
+        const bool is_lit = i < lit_meshes(scene);
+        if (f.path && is_lit) {
+            status = add_checksum(stage, f.path, f.where, err);
+        }
+        if (f.path && !status) {
+            status = murk_mesh_read(&stage->mesh[i], f.path, &f.import, f.where,
+                                    err);
+        }
+        if (f.path && !status && is_lit) {
+            status = check_step(scene, stage->mesh[i], &f, err);
         }
     }
-    /* Meshes of regions. */
-    for (size_t i = 0; i < scene->n_regions && !status; ++i) {
-        const murk_scene_region *r = &scene->regions[i];
-        if (r->shape == MURK_REGION_MESH) {
-            const murk_mesh_import import = {.unit_m = r->solid.unit_m,
-                                             .up = r->solid.up};
-            status = import_mesh(stage, &stage->region_mesh[i], r->solid.mesh,
-                                 &import, r->solid.scale, r->where, err);
-        }
-    }
+    return status;
+}
+
+/* Imports the meshes and grids that the light depends on and completes the
+ * light key. */
+static murk_status import_world(murk_stage *stage, murk_error *err)
+{
+    const murk_scene_desc *scene = stage->scene;
+    murk_status status = import_meshes(stage, 0, lit_meshes(scene), err);
     /* Files of media: checksums first, then the grids themselves. */
     for (size_t i = 0; i < scene->n_media && !status; ++i) {
         const char *file[2] = {NULL, NULL}, *where = scene->media[i].where;
@@ -149,9 +144,7 @@ static murk_status borrow_world(murk_stage *stage, const murk_stage *other,
     stage->light_key = key;
     stage->borrows = true;
     stage->fillings = other->fillings;
-    memcpy(stage->mesh, other->mesh, scene->geometries * sizeof *stage->mesh);
-    memcpy(stage->region_mesh, other->region_mesh,
-           scene->n_regions * sizeof *stage->region_mesh);
+    memcpy(stage->mesh, other->mesh, lit_meshes(scene) * sizeof *stage->mesh);
     return MURK_OK;
 }
 
@@ -289,10 +282,9 @@ done:
     return status;
 }
 
-/* Imports a scene; other is NULL, or the stage whose meshes and grids are
- * borrowed. */
-static murk_status import(murk_stage **out, const murk_scene_desc *scene,
-                          const murk_stage *other, murk_error *err)
+murk_status murk_stage_import_beside(murk_stage **out,
+                                     const murk_scene_desc *scene,
+                                     const murk_stage *other, murk_error *err)
 {
     murk_status status = MURK_OK;
     murk_stage *stage = calloc(1, sizeof *stage);
@@ -303,24 +295,23 @@ static murk_status import(murk_stage **out, const murk_scene_desc *scene,
     /* Allocate; messages about positions use the origin of the scene. */
     stage->scene = scene;
     murk_position_origin(scene->origin);
-    stage->mesh = calloc(scene->geometries + 1, sizeof *stage->mesh);
-    stage->region_mesh =
-        calloc(scene->n_regions + 1, sizeof *stage->region_mesh);
+    const size_t meshes = murk_mesh_files_count(scene);
+    stage->mesh = calloc(meshes, sizeof *stage->mesh);
     stage->light_key = strdup(scene->light_key);
-    if (!stage->mesh || !stage->region_mesh || !stage->light_key) {
+    if (!stage->mesh || !stage->light_key) {
         status = murk_fail(err, MURK_NO_MEMORY, scene->path,
                            "no memory for the world");
     } else {
+        stage->region_mesh = stage->mesh + scene->geometries;
+        stage->goal_mesh = stage->region_mesh + scene->n_regions;
+        stage->zone_mesh = stage->goal_mesh + scene->placement.n_interests + 1;
         /* Read files, or borrow them. */
         status =
             other ? borrow_world(stage, other, err) : import_world(stage, err);
     }
     /* Read the files of goals and zones. */
     if (!status) {
-        status = murk_goals_import(&stage->goals, scene, err);
-    }
-    if (!status) {
-        status = murk_site_meshes_read(&stage->site_meshes, scene, err);
+        status = import_meshes(stage, lit_meshes(scene), meshes, err);
     }
     if (status) {
         murk_stage_destroy(stage);
@@ -334,14 +325,7 @@ static murk_status import(murk_stage **out, const murk_scene_desc *scene,
 murk_status murk_stage_import(murk_stage **out, const murk_scene_desc *scene,
                               murk_error *err)
 {
-    return import(out, scene, NULL, err);
-}
-
-murk_status murk_stage_import_beside(murk_stage **out,
-                                     const murk_scene_desc *scene,
-                                     const murk_stage *other, murk_error *err)
-{
-    return import(out, scene, other, err);
+    return murk_stage_import_beside(out, scene, NULL, err);
 }
 
 murk_status murk_stage_build(murk_stage *stage, murk_error *err)
@@ -369,8 +353,8 @@ murk_status murk_stage_build(murk_stage *stage, murk_error *err)
         status = build_lights(stage, err);
     }
     if (!status) {
-        status = murk_goals_build(stage->goals, stage->surfaces,
-                                  &stage->world.domain, err);
+        status = murk_goals_create(&stage->goals, scene, stage->goal_mesh,
+                                   stage->surfaces, &stage->world.domain, err);
     }
     if (!status) {
         status =
@@ -406,37 +390,28 @@ murk_status murk_stage_create(murk_stage **out, const murk_scene_desc *scene,
     return MURK_OK;
 }
 
-/* Frees what a borrowing stage does not own. */
-static void destroy_world(murk_stage *stage)
-{
-    murk_fillings_destroy(stage->fillings);
-    for (size_t i = 0; stage->mesh && i < stage->scene->geometries; ++i) {
-        murk_mesh_destroy(stage->mesh[i]);
-    }
-    for (size_t i = 0; stage->region_mesh && i < stage->scene->n_regions; ++i) {
-        murk_mesh_destroy(stage->region_mesh[i]);
-    }
-}
-
 void murk_stage_destroy(murk_stage *stage)
 {
     if (!stage) {
         return;
     }
     murk_goals_destroy(stage->goals);
-    murk_site_meshes_destroy(stage->site_meshes);
     murk_sources_destroy(stage->lights);
     murk_media_destroy(stage->media);
     murk_phases_destroy(stage->phases);
     murk_boundary_meshes_destroy(stage->boundary_meshes);
     murk_surfaces_destroy(stage->surfaces);
+    /* A borrowing stage owns the meshes of goals and zones alone. */
+    size_t i = stage->borrows ? lit_meshes(stage->scene) : 0;
+    for (; stage->mesh && i < murk_mesh_files_count(stage->scene); ++i) {
+        murk_mesh_destroy(stage->mesh[i]);
+    }
     if (!stage->borrows) {
-        destroy_world(stage);
+        murk_fillings_destroy(stage->fillings);
     }
     free(stage->light_key);
     free(stage->tally);
     free(stage->sky);
-    free(stage->region_mesh);
     free(stage->mesh);
     free(stage);
 }

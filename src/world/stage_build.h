@@ -28,4 +28,34 @@ murk_status murk_stage_import_beside(murk_stage **out,
                                      const murk_scene_desc *scene,
                                      const murk_stage *other, murk_error *err);
 
+/* Creates the media of a scene in the domain of the stage. The scene is that of
+ * the stage, or one that differs from it in numbers alone (a fit varies such
+ * numbers). Regions that are meshes use the boundary meshes of the stage.
+ * fillings and phases belong to the scene that is passed and must outlive *out,
+ * as that scene must. The caller owns *out (murk_media_destroy()). */
+murk_status murk_stage_media(murk_media **out, const murk_stage *stage,
+                             const murk_scene_desc *scene,
+                             const murk_fillings *fillings,
+                             const murk_phases *phases, murk_error *err);
+
+/* Prints the warnings and notes. Call it when the stage is complete. */
+void murk_stage_warn(const murk_stage *stage);
+
+/* Builds the boundary meshes of all regions whose shape is a mesh, and checks
+ * them.
+ *
+ * mesh[n_regions] holds the imported mesh of each region, NULL for a region of
+ * another shape. domain is the domain of the scene. *out is NULL if no region
+ * is a mesh; otherwise the caller owns it (murk_boundary_meshes_destroy()).
+ *
+ * Fails with MURK_BAD_VALUE at the place of a region in the scene if a mesh is
+ * open, or if two regions with an index of refraction cross and at least one of
+ * them is a mesh. (The room medium checks pairs of other shapes.) A face of a
+ * box that lies in a side of the domain or beyond that side does not count as a
+ * boundary: the box is taken to continue outside the domain. */
+murk_status murk_stage_boundary_meshes(murk_boundary_meshes **out,
+                                       const murk_scene_desc *scene,
+                                       murk_mesh *const *mesh,
+                                       const murk_box *domain, murk_error *err);
+
 #endif

@@ -1,7 +1,7 @@
 /* Converts the media and regions of a scene into those of the room medium. */
-#include "world/stage_media.h"
+#include "world/stage_build.h"
 
-#include "world/winds.h"
+#include "medium/waves.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -17,7 +17,10 @@ static murk_region region_of(const murk_scene_region *r)
                          .to_world = murk_scene_placed(&r->solid),
                          .replaces = r->replaces,
                          .ior = r->ior,
-                         .mean_square_slope = murk_region_mean_square_slope(r),
+                         .mean_square_slope =
+                             r->wind_m_per_s > 0
+                                 ? murk_wind_mean_square_slope(r->wind_m_per_s)
+                                 : 0,
                          .where = r->where};
 }
 

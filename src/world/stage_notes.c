@@ -1,13 +1,13 @@
 /* Warns of settings that are valid but probably not meant: geometry and regions
  * that reach out of the domain, media that touch an open side under sun or sky,
  * portals that face away from their light, a dark scene. */
-#include "world/stage_notes.h"
+#include "world/stage_build.h"
 
 #include "base/log.h"
 #include "base/position.h"
+#include "medium/waves.h"
 #include "world/extent.h"
 #include "world/mesh_materials.h"
-#include "world/winds.h"
 
 /* Warns if an item reaches out of the domain. */
 static void warn_if_cut(const char *where, const murk_box *box,
@@ -155,13 +155,38 @@ static void warn_of_lit_sides(const murk_stage *stage)
     }
 }
 
+/* Warns of wind speeds outside the range of the measured slopes
+ * (medium/waves.h), and of refracted sightlines, which take the surface as
+ * level. */
+static void warn_of_winds(const murk_scene_desc *scene)
+{
+    for (size_t i = 0; i < scene->n_regions; ++i) {
+        const murk_scene_region *r = &scene->regions[i];
+        if (!(r->wind_m_per_s > 0)) {
+            continue;
+        }
+        if (r->wind_m_per_s < MURK_WIND_MEASURED_MIN ||
+            r->wind_m_per_s > MURK_WIND_MEASURED_MAX) {
+            murk_warn(r->where,
+                      "wind_m_per_s is %g m/s: slopes were measured at %g to "
+                      "%g m/s, beyond that the same line goes on",
+                      r->wind_m_per_s, MURK_WIND_MEASURED_MIN,
+                      (double)MURK_WIND_MEASURED_MAX);
+        }
+        if (scene->placement.through == MURK_SCENE_REFRACT) {
+            murk_warn(r->where, "sightlines (through: refract) cross these "
+                                "waves as if they were level");
+        }
+    }
+}
+
 void murk_stage_warn(const murk_stage *stage)
 {
     warn_of_cuts(stage);
     murk_warn_of_materials(stage);
     warn_of_lit_sides(stage);
     note_of_set(stage);
-    murk_warn_of_winds(stage->scene);
+    warn_of_winds(stage->scene);
     note_of_portals(stage);
     note_of_dark(stage);
 }

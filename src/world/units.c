@@ -31,33 +31,21 @@ static double per_watt(murk_quantity quantity, const murk_scene_desc *scene,
                     : murk_quantity_per_watt(quantity, from, to);
 }
 
-static const murk_solar_spectrum *spectrum_of(const murk_stage *stage,
-                                              size_t light)
-{
-    const murk_solar_spectrum *spectrum = &stage->sky[light].spectrum;
-    return spectrum->nodes > 0 ? spectrum : NULL;
-}
-
 double murk_units_per_watt(murk_quantity quantity, const murk_stage *stage,
                            size_t light, int band)
 {
-    return per_watt(quantity, stage->scene, band, spectrum_of(stage, light));
+    const murk_solar_spectrum *spectrum = &stage->sky[light].spectrum;
+    return per_watt(quantity, stage->scene, band,
+                    spectrum->nodes > 0 ? spectrum : NULL);
 }
 
 void murk_units_packets(double *out, murk_quantity quantity,
                         const murk_stage *stage, const double *packet_w)
 {
-    const murk_scene_desc *scene = stage->scene;
-    for (int b = 0; b < scene->bands; ++b) {
-        const double even = per_watt(quantity, scene, b, NULL);
-        for (size_t i = 0; i < scene->n_lights; ++i) {
-            const size_t c = i * (size_t)scene->bands + (size_t)b;
-            const double factor =
-                spectrum_of(stage, i)
-                    ? murk_units_per_watt(quantity, stage, i, b)
-                    : even;
-            out[c] = factor * packet_w[c];
-        }
+    const size_t bands = (size_t)stage->scene->bands;
+    for (size_t c = 0; c < stage->scene->n_lights * bands; ++c) {
+        out[c] = packet_w[c] * murk_units_per_watt(quantity, stage, c / bands,
+                                                   (int)(c % bands));
     }
 }
 

@@ -7,7 +7,7 @@
  * the middle is a ball. CHECKS z-tests share a chance of 1e-6 of a false alarm
  * per seed (Sidak); the seed is fixed, so the verdict repeats. */
 #include "base/stats.h"
-#include "cases/condition_plans_make.h"
+#include "cases/condition_plans.h"
 #include "check.h"
 #include "plan/plan.h"
 #include "stage_text.h"

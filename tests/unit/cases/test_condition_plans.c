@@ -1,7 +1,7 @@
 /* Plans over conditions, from the scene's text to the regret table, against
  * brute force over all pairs of candidates. The seeds are fixed: nothing here
  * is random. */
-#include "cases/condition_plans_make.h"
+#include "cases/condition_plans.h"
 #include "check.h"
 #include "stage_text.h"
 

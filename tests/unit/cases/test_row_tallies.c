@@ -133,7 +133,7 @@ static void test_names_and_units_in_the_dark(void)
             CHECK(false);
             return;
         }
-        CHECK(murk_row_tallies_read(&row, &g, stage, NULL, NULL, NULL, 1,
+        CHECK(murk_row_tallies_read(&row, &g, stage, &(murk_row_light){0}, 1,
                                     &err) == MURK_OK);
         CHECK(value_of(&row, "density", "1/s/m2") == 0);
         CHECK(value_of(&row, "level_forward", "W/m2") == 0);
@@ -149,7 +149,7 @@ static void test_names_and_units_in_the_dark(void)
         murk_study_row_release(&row);
         study.has_units = true;
         study.units = MURK_PHOTOMETRIC;
-        CHECK(murk_row_tallies_read(&row, &g, stage, NULL, NULL, NULL, 1,
+        CHECK(murk_row_tallies_read(&row, &g, stage, &(murk_row_light){0}, 1,
                                     &err) == MURK_OK);
         CHECK(value_of(&row, "density_ball", "lux") == 0);
         CHECK(value_of(&row, "cells", "lux") == 0);
@@ -172,10 +172,11 @@ static murk_traced *traced_row(murk_study_row *row, murk_row_tallies *g,
     lit.scene = &scene;
     lit.tally = g->desc;
     CHECK(murk_lightmap_trace(&traced, &lit, 0, 2, &err) == MURK_OK);
-    CHECK(!traced ||
-          murk_row_tallies_read(row, g, stage, traced->tallies,
-                                traced->ledger->emitted, traced->packet_w, 2,
-                                &err) == MURK_OK);
+    if (traced) {
+        const murk_row_light light = {traced->tallies, traced->ledger->emitted,
+                                      traced->packet_w};
+        CHECK(murk_row_tallies_read(row, g, stage, &light, 2, &err) == MURK_OK);
+    }
     return traced;
 }
 

@@ -157,7 +157,7 @@ static void test_ways_go_round_corners(void)
 static bool is_same_run(const murk_explore *a, const murk_explore *b)
 {
     bool is_same = a->steps == b->steps && a->stops == b->stops &&
-                   a->ways == b->ways && a->end == b->end;
+                   a->lines_tested == b->lines_tested && a->end == b->end;
     for (size_t k = 0; is_same && k < a->steps; ++k) {
         const murk_explore_step *s = &a->step[k], *t = &b->step[k];
         is_same = s->candidate == t->candidate && s->gain == t->gain &&

@@ -4,7 +4,7 @@
  * exact but for places nearer to a face than a ray begins, of which two are
  * allowed. Other shares are within .5 / 24^1.5 = .004 in the mean, of which 5
  * are allowed. Seeds are fixed. */
-#include "plan/free_share.h"
+#include "plan/free_space.h"
 
 #include "check.h"
 #include "stage_text.h"

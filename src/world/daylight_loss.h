@@ -9,18 +9,18 @@
  * first surface, the first change of the index of refraction, or the floor. Of
  * a dome, such rays from 32 directions that have equal parts of an even sky's
  * irradiance. What is scattered on towards the floor counts as taken. */
-#ifndef MURK_WORLD_TAKEN_AGAIN_H
-#define MURK_WORLD_TAKEN_AGAIN_H
+#ifndef MURK_WORLD_DAYLIGHT_LOSS_H
+#define MURK_WORLD_DAYLIGHT_LOSS_H
 
 #include "world/stage.h"
 
-typedef struct murk_taken_again {
+typedef struct murk_daylight_loss {
     bool is_known; /* false: not distant light, or dark, or from below */
     double share;  /* of its power that does not come through, 0..1 */
     murk_spectrum optical_depth; /* mean of the rays, per band */
     murk_spectrum transmittance; /* likewise */
-} murk_taken_again;
+} murk_daylight_loss;
 
-murk_taken_again murk_taken_again_of(const murk_stage *stage, size_t light);
+murk_daylight_loss murk_daylight_loss_of(const murk_stage *stage, size_t light);
 
 #endif

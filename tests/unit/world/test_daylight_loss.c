@@ -2,17 +2,17 @@
  * hand. Deterministic: no false alarms. */
 #include "check.h"
 #include "stage_text.h"
-#include "world/taken_again.h"
+#include "world/daylight_loss.h"
 
 #define DOWN_60 "direction: [0, 0.8660254037844386, -0.5]"
 
-static murk_taken_again of(const char *yaml, size_t light)
+static murk_daylight_loss of(const char *yaml, size_t light)
 {
-    murk_taken_again out = {.is_known = false};
+    murk_daylight_loss out = {.is_known = false};
     murk_stage *stage = stage_text_create(yaml, NULL);
     CHECK(stage != NULL);
     if (stage) {
-        out = murk_taken_again_of(stage, light);
+        out = murk_daylight_loss_of(stage, light);
         stage_text_destroy(stage);
     }
     return out;
@@ -21,7 +21,7 @@ static murk_taken_again of(const char *yaml, size_t light)
 /* 10 m of .05/m at 60 degrees from the zenith: depth 1. */
 static void test_a_slab(void)
 {
-    const murk_taken_again t =
+    const murk_daylight_loss t =
         of("murk: 1\nbands_nm: [532, 650]\n"
            "domain: {min_m: [0, 0, 0], max_m: [3, 4, 10], sides: periodic}\n"
            "media: {fog: {extinction_per_m: [0.05, 0.1], albedo: 0.9}}\n"
@@ -41,7 +41,7 @@ static void test_a_slab(void)
  * the slab's. */
 static void test_an_open_box(void)
 {
-    const murk_taken_again t = of(
+    const murk_daylight_loss t = of(
         "murk: 1\nbands_nm: [532]\n"
         "domain: {min_m: [0, 0, 0], max_m: [3, 16, 10]}\n"
         "media: {fog: {extinction_per_m: 0.05, albedo: 0.9}}\n"
@@ -60,7 +60,7 @@ static void test_an_open_box(void)
  * zenith ends at 8 m or at the water's level of 2 m. */
 static void test_roofs_and_water(void)
 {
-    const murk_taken_again t =
+    const murk_daylight_loss t =
         of("murk: 1\nbands_nm: [532]\n"
            "domain: {min_m: [0, 0, 0], max_m: [4, 4, 10]}\n"
            "geometry: [{rect: {corner_m: [-1, -1, 8], edge1_m: [3, 0, 0], "
@@ -80,7 +80,7 @@ static void test_roofs_and_water(void)
  * all the way. */
 static void test_regions_add(void)
 {
-    const murk_taken_again t =
+    const murk_daylight_loss t =
         of("murk: 1\nbands_nm: [532]\n"
            "domain: {min_m: [0, 0, 0], max_m: [4, 4, 10]}\n"
            "media: {fog: {extinction_per_m: 0.05, albedo: 0.9}, layer: "
@@ -103,7 +103,7 @@ static void test_what_has_no_answer(void)
         "{type: directional, direction: [0, 0, -1], irradiance_w_per_m2: 1}]\n";
     CHECK(!of(scene, 0).is_known);
     CHECK(!of(scene, 1).is_known);
-    const murk_taken_again clear = of(scene, 2);
+    const murk_daylight_loss clear = of(scene, 2);
     CHECK(clear.is_known && clear.share == 0);
 }
 
@@ -112,7 +112,7 @@ static void test_what_has_no_answer(void)
  * to some percent. */
 static void test_a_dome(void)
 {
-    const murk_taken_again t =
+    const murk_daylight_loss t =
         of("murk: 1\nband_edges_nm: [400, 700]\n"
            "site: {latitude_deg: 52, longitude_deg: 5, time: "
            "2026-06-21T12:00:00Z}\n"

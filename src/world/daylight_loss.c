@@ -2,7 +2,7 @@
  * surface or water: transmittances along rays on a fixed pattern of squares and
  * directions, averaged by the light that each ray stands for. The pattern has
  * no random numbers, so the same scene gives the same share for any seed. */
-#include "world/taken_again.h"
+#include "world/daylight_loss.h"
 
 #include "path/pieces.h"
 
@@ -62,6 +62,7 @@ static murk_spectrum depth_of(const rays *r, murk_path_pieces ray)
 {
     const double length_m = ray.left_m;
     murk_spectrum depth = {{0}};
+    /* Add up the pieces until a surface or a bend ends the ray. */
     double passed_m = 0;
     bool is_free = true;
     for (int n = 0; n < PIECES_MAX && is_free && murk_path_next_piece(&ray);
@@ -80,6 +81,7 @@ static murk_spectrum depth_of(const rays *r, murk_path_pieces ray)
         }
         passed_m += stop.length_m;
     }
+    /* The rest of a ray of many wraps is like the part before. */
     if (is_free && passed_m > 0 && passed_m < length_m) {
         for (int b = 0; b < r->world->bands; ++b) {
             depth.band[b] *= length_m / passed_m;
@@ -89,7 +91,7 @@ static murk_spectrum depth_of(const rays *r, murk_path_pieces ray)
 }
 
 /* Adds the means over the squares of the floor, times weight. */
-static void add_direction(murk_taken_again *out, const rays *r,
+static void add_direction(murk_daylight_loss *out, const rays *r,
                           murk_vec3 direction, int squares, double weight)
 {
     const murk_transport_world *world = r->world;
@@ -110,7 +112,7 @@ static void add_direction(murk_taken_again *out, const rays *r,
 }
 
 /* Equal parts of an even sky's irradiance: sin^2 and azimuth in equal steps. */
-static void add_dome(murk_taken_again *out, const rays *r)
+static void add_dome(murk_daylight_loss *out, const rays *r)
 {
     const murk_vec3 down = murk_vec(0, 0, -1);
     for (int i = 0; i < DOME_RINGS; ++i) {
@@ -123,15 +125,16 @@ static void add_dome(murk_taken_again *out, const rays *r)
     }
 }
 
-murk_taken_again murk_taken_again_of(const murk_stage *stage, size_t light)
+murk_daylight_loss murk_daylight_loss_of(const murk_stage *stage, size_t light)
 {
     const murk_source *l = murk_sources_get(stage->lights, light);
     const murk_transport_world *world = &stage->world;
-    murk_taken_again out = {.is_known = false};
+    murk_daylight_loss out = {.is_known = false};
     double power = 0, through = 0;
     for (int b = 0; b < world->bands; ++b) {
         power += l->power_w.band[b];
     }
+    /* Only distant light that comes from above is known. */
     const bool is_dome = murk_source_type_group(l->type) == MURK_SOURCE_DOME;
     if (!murk_source_is_distant(l) || !(power > 0) ||
         (!is_dome && !(l->direction.z < 0))) {

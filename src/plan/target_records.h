@@ -1,0 +1,41 @@
+/* Records of targets before they enter maps. Internal to the files of targets.
+ */
+#ifndef MURK_PLAN_TARGET_RECORDS_H
+#define MURK_PLAN_TARGET_RECORDS_H
+
+#include "lightmap/record_buffers.h"
+#include "plan/targets.h"
+
+/* The task of making targets, and the targets made so far. */
+typedef struct murk_target_records {
+    const murk_stage *stage;
+    uint32_t stream;
+    unsigned threads;
+    uint64_t max; /* points to draw at most on surfaces, and in the volume */
+    int band;     /* in which sightlines are attenuated */
+    murk_record_list surface, volume;
+    murk_target_facts facts;
+} murk_target_records;
+
+/* A record of weight 1; a zero normal means a record in the volume. */
+murk_photon murk_target_of(murk_vec3 place, murk_vec3 normal, int band,
+                           uint8_t material);
+
+/* The material or medium of a record that lies on or in none. */
+#define MURK_TARGET_IN_NONE UINT8_MAX
+
+/* The medium with the largest extinction at a place. */
+uint8_t murk_target_medium(const murk_stage *stage, int band, murk_vec3 place);
+
+/* Draw points; the power of a record is area or volume. The numbers of the
+ * photons follow those of earlier points. */
+murk_status murk_targets_draw_surfaces(murk_target_records *records,
+                                       murk_error *err);
+murk_status murk_targets_draw_volume(murk_target_records *records,
+                                     murk_error *err);
+
+/* Reads the list of targets: points with a normal are records on surfaces,
+ * others in the volume. */
+murk_status murk_targets_read(murk_target_records *records, murk_error *err);
+
+#endif
