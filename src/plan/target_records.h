@@ -3,8 +3,21 @@
 #ifndef MURK_PLAN_TARGET_RECORDS_H
 #define MURK_PLAN_TARGET_RECORDS_H
 
+#include "base/stats.h"
 #include "lightmap/record_buffers.h"
-#include "plan/targets.h"
+#include "world/stage.h"
+
+/* Upper limit on points: a record takes 32 bytes, so this is 3.2 GB. */
+#define MURK_TARGETS_MAX 1e8
+
+typedef struct murk_target_facts {
+    uint64_t points;        /* drawn and kept, or listed; 0: the scene has no
+                             * targets */
+    size_t surface, volume; /* number of records in each map */
+    /* Size of the free space, each side of a surface counted; NaN if no points
+     * were drawn there. */
+    murk_estimate area_m2, volume_m3;
+} murk_target_facts;
 
 /* The task of making targets, and the targets made so far. */
 typedef struct murk_target_records {

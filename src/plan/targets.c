@@ -2,8 +2,6 @@
  * (targets_drawn.c, targets_listed.c), then builds the maps. */
 #include "plan/targets.h"
 
-#include "plan/target_records.h"
-
 #include <stdlib.h>
 
 /* points that murk_targets_check() draws: one shows that there is free space */

@@ -15,27 +15,13 @@
 #ifndef MURK_PLAN_TARGETS_H
 #define MURK_PLAN_TARGETS_H
 
-#include "base/stats.h"
-#include "photonmap/map.h"
-#include "world/stage.h"
-
-typedef struct murk_target_facts {
-    uint64_t points;        /* drawn and kept, or listed; 0: the scene has no
-                             * targets */
-    size_t surface, volume; /* number of records in each map */
-    /* Size of the free space, each side of a surface counted; NaN if no points
-     * were drawn there. */
-    murk_estimate area_m2, volume_m3;
-} murk_target_facts;
+#include "plan/target_records.h"
 
 typedef struct murk_targets {
     murk_photon_map *surface, *volume; /* either may be empty */
     uint64_t independent;              /* independent points; 1 for a list */
     murk_target_facts facts;
 } murk_targets;
-
-/* Upper limit on points: a record takes 32 bytes, so this is 3.2 GB. */
-#define MURK_TARGETS_MAX 1e8
 
 /* Creates the targets of a stage whose scene has targets. Release them also
  * after a failure. Fails with MURK_BAD_VALUE or MURK_BAD_FILE at the place in
