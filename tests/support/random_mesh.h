@@ -1,4 +1,5 @@
-/* Triangle meshes made of addressed random numbers, for tests. */
+/* Meshes of random triangles from addressed random numbers, for tests that
+ * compare a routine with its simple version. */
 #ifndef MURK_TESTS_RANDOM_MESH_H
 #define MURK_TESTS_RANDOM_MESH_H
 

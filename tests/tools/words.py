@@ -78,4 +78,9 @@ expect(0, "static const char *const WORDS[] = {\"1\", \"2\"};\n")
 # type: also in a room that is not enrolled
 expect(1, "", name="src/other/b.h", **{"room": "struct murk_a { int b; };\n", "third": "struct murk_a { int b; };\n"})
 
+# tests: opening of sources and headers, outline
+assert len(check_words.broken_in_tests(Source({"tests/a.h": "int a;\n"}))) == 1
+assert len(check_words.broken_in_tests(Source({"tests/a.c": OPENING + LONG}))) == 1
+assert not check_words.broken_in_tests(Source({"tests/a.c": OPENING + "int shell;\n"}))
+
 sys.exit(subprocess.run([sys.executable, "-B", TOOL]).returncode)
