@@ -20,7 +20,7 @@ typedef struct fit {
     murk_measurements *measured;
     murk_free_keys *keys;
     murk_calibration found;
-    murk_next next;
+    murk_proposals next;
     char *asked[MURK_FREE_MAX]; /* [n_asked] of --predict */
     size_t n_asked;
 } fit;
@@ -47,7 +47,7 @@ static murk_status begin(fit *f, murk_session *session, murk_error *err)
 
 static void release(fit *f)
 {
-    murk_next_release(&f->next);
+    murk_proposals_release(&f->next);
     murk_calibration_release(&f->found);
     murk_free_keys_destroy(f->keys);
     murk_measurements_destroy(f->measured);
@@ -175,7 +175,7 @@ static murk_status check_before_trace(const fit *f, const murk_session *session,
         }
     }
     return !status && murk_option_number(f->options, "--next", 0)
-               ? murk_next_check(m, session->scene, err)
+               ? murk_proposals_check(m, session->scene, err)
                : status;
 }
 
@@ -292,8 +292,8 @@ static murk_status run(fit *f, murk_session *session, murk_error *err)
     /* Propose the next measurements, if asked for. */
     if (!status && next > 0) {
         murk_progress_begin_group("next", 0, "");
-        status =
-            murk_next_propose(&f->next, (size_t)next, &f->found, &desc, err);
+        status = murk_proposals_create(&f->next, (size_t)next, &f->found, &desc,
+                                       err);
         murk_progress_end();
     }
     return status ? status : write_files(f, session, err);

@@ -33,14 +33,14 @@ static murk_domain open_domain(const murk_stage *stage)
  */
 static bool is_blocked(const murk_surfaces *surfaces, const murk_reading *r)
 {
-    const murk_vec3 way = murk_sub(r->to, r->position);
-    const double length = murk_length(way);
-    const murk_vec3 along = murk_scale(1 / length, way);
+    const murk_vec3 between = murk_sub(r->to, r->position);
+    const double length = murk_length(between);
+    const murk_vec3 along = murk_scale(1 / length, between);
     const murk_vec3 from = murk_surfaces_leave(surfaces, r->position, along);
     const murk_vec3 to =
         murk_surfaces_leave(surfaces, r->to, murk_scale(-1, along));
-    const bool is_a_way = murk_dot(murk_sub(to, from), way) > 0;
-    return is_a_way && murk_surfaces_blocked(surfaces, from, to, false);
+    const bool is_open = murk_dot(murk_sub(to, from), between) > 0;
+    return is_open && murk_surfaces_blocked(surfaces, from, to, false);
 }
 
 /* Checks one segment. */
@@ -69,8 +69,8 @@ static murk_status check_reading(const murk_stage *stage,
     }
     const murk_path_space space = murk_path_space_of(
         stage->surfaces, stage->media, stage->boundary_meshes, domain);
-    const murk_path_viewpoint way = murk_path_viewpoint_at(&space, a);
-    if (murk_path_bends_to(&way, b)) {
+    const murk_path_viewpoint end = murk_path_viewpoint_at(&space, a);
+    if (murk_path_bends_to(&end, b)) {
         return murk_fail(err, MURK_BAD_VALUE, where,
                          "the index of refraction changes on the segment "
                          "%s to %s m, which must be "
@@ -155,14 +155,14 @@ static double through(const murk_beams *beams, const murk_media *media,
 {
     const murk_path_space space =
         murk_path_space_of(NULL, media, beams->boundary_meshes, &beams->domain);
-    const murk_path_viewpoint way =
+    const murk_path_viewpoint end =
         murk_path_viewpoint_at(&space, reading->position);
     if (reading->band >= 0) {
-        return murk_path_transmittance_to(&way, reading->band, reading->to);
+        return murk_path_transmittance_to(&end, reading->band, reading->to);
     }
     double sum = 0;
     for (int band = 0; band < beams->bands; ++band) {
-        sum += murk_path_transmittance_to(&way, band, reading->to);
+        sum += murk_path_transmittance_to(&end, band, reading->to);
     }
     return sum / beams->bands;
 }

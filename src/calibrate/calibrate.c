@@ -6,9 +6,8 @@
 
 #include "base/interrupt.h"
 #include "base/stats.h"
-#include "calibrate/search_steps.h"
+#include "calibrate/search.h"
 #include "calibrate/slope_noise.h"
-#include "calibrate/starts.h"
 #include "calibrate/verdict.h"
 
 #include <math.h>
@@ -23,61 +22,43 @@
 /* 97.5 % quantile of the standard normal distribution */
 #define NORMAL_95 1.959963984540054
 
-static murk_status no_memory(murk_error *err)
-{
-    return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the fit");
-}
-
 /* Allocates the result for n parameters, rows and starts. */
-static murk_status set_aside(murk_calibration *out, size_t n, size_t rows,
-                             size_t starts, murk_error *err)
+static murk_status allocate(murk_calibration *out, size_t n, size_t rows,
+                            size_t starts, murk_error *err)
 {
-    out->n = n;
-    out->value = calloc(n + 1, sizeof *out->value);
-    out->lower = calloc(n + 1, sizeof *out->lower);
-    out->upper = calloc(n + 1, sizeof *out->upper);
-    out->standard_error = calloc(n + 1, sizeof *out->standard_error);
-    out->at_bound = calloc(n + 1, sizeof *out->at_bound);
-    out->covariance = calloc(n * n + 1, sizeof *out->covariance);
-    out->correlation = calloc(n * n + 1, sizeof *out->correlation);
-    out->information = calloc(n * n + 1, sizeof *out->information);
-    out->row = calloc(rows + 1, sizeof *out->row);
-    out->start = calloc(starts + 1, sizeof *out->start);
-    /* The starts have arrays of their own. */
-    bool has_memory = out->value && out->lower && out->upper &&
-                      out->standard_error && out->at_bound && out->covariance &&
-                      out->correlation && out->information && out->row &&
-                      out->start;
-    for (size_t i = 0; has_memory && i < starts; ++i) {
-        out->start[i].from = calloc(n + 1, sizeof(double));
-        out->start[i].to = calloc(n + 1, sizeof(double));
-        out->start[i].chi2 = NAN;
-        has_memory = out->start[i].from && out->start[i].to;
-        out->starts = i + 1;
+    murk_arena *arena = &out->arena;
+    double **const of_n[] = {&out->value, &out->lower, &out->upper,
+                             &out->standard_error, &out->scale};
+    double **const of_pairs[] = {&out->covariance, &out->correlation,
+                                 &out->information, &out->jacobian};
+    for (size_t i = 0; i < sizeof of_n / sizeof *of_n; ++i) {
+        *of_n[i] = murk_arena_array(arena, n, sizeof(double));
     }
-    return has_memory ? MURK_OK : no_memory(err);
+    for (size_t i = 0; i < sizeof of_pairs / sizeof *of_pairs; ++i) {
+        *of_pairs[i] = murk_arena_array(arena, n * n, sizeof(double));
+    }
+    /* Other arrays; each start has two of its own. */
+    out->n = n;
+    out->fitted = n;
+    out->starts = starts;
+    out->at_bound = murk_arena_array(arena, n, sizeof *out->at_bound);
+    out->row = murk_arena_array(arena, rows, sizeof *out->row);
+    out->start = murk_arena_array(arena, starts, sizeof *out->start);
+    for (size_t i = 0; i < starts && out->start; ++i) {
+        out->start[i].from = murk_arena_array(arena, n, sizeof(double));
+        out->start[i].to = murk_arena_array(arena, n, sizeof(double));
+        out->start[i].chi2 = NAN;
+    }
+    return arena->is_short
+               ? murk_fail(err, MURK_NO_MEMORY, "", "no memory for the fit")
+               : MURK_OK;
 }
 
 void murk_calibration_release(murk_calibration *c)
 {
-    for (size_t i = 0; i < c->starts; ++i) {
-        free(c->start[i].from);
-        free(c->start[i].to);
-    }
     murk_certainty_release(&c->certainty);
     murk_model_destroy(c->model);
-    free(c->start);
-    free(c->value);
-    free(c->lower);
-    free(c->upper);
-    free(c->standard_error);
-    free(c->at_bound);
-    free(c->covariance);
-    free(c->correlation);
-    free(c->information);
-    free(c->jacobian);
-    free(c->scale);
-    free(c->row);
+    murk_arena_release(&c->arena);
     *c = (murk_calibration){0};
 }
 
@@ -110,7 +91,7 @@ static bool is_at_bound(const murk_free_key *key, double value)
 
 /* Computes standard errors, intervals, covariance and correlation of the values
  * from those in search coordinates. */
-static void tell_values(murk_calibration *out, const murk_free_keys *keys)
+static void convert_errors(murk_calibration *out, const murk_free_keys *keys)
 {
     const size_t n = out->n;
     for (size_t k = 0; k < n; ++k) {
@@ -143,7 +124,7 @@ static void add_world_noise(murk_slope_noise *noise, const murk_fit_search *s,
     const size_t n = s->n;
     for (size_t k = 0; k < n; ++k) {
         const double off = murk_model_slope_error(s->model, k);
-        for (size_t i = 0; i < s->n_lit && off > 0; ++i) {
+        for (size_t i = 0; i < s->n_light && off > 0; ++i) {
             const double noisy = off * jacobian[i * n + k];
             noise->noise[k * n + k] += noisy * noisy;
         }
@@ -155,39 +136,27 @@ static void add_world_noise(murk_slope_noise *noise, const murk_fit_search *s,
 static murk_status inform(murk_calibration *out, const murk_fit_search *s,
                           murk_error *err)
 {
-    const size_t n = s->n, rows = s->n_fitted;
-    double *room = calloc(rows * (n + 1) + 1, sizeof *room);
-    out->jacobian = calloc(n * n + 1, sizeof *out->jacobian);
-    out->fitted = n;
-    if (!room || !out->jacobian) {
-        free(room);
-        return no_memory(err);
-    }
-    /* Residuals and Jacobian of the last evaluation. */
     murk_slope_noise noise;
-    murk_fit_search_residuals(s, room, room + rows);
+    murk_fit_search_residuals(s, s->residual, s->jacobian);
     murk_status status = murk_slope_noise_find(&noise, s, err);
-    /* Remove the noise of the slopes. */
     if (!status) {
-        add_world_noise(&noise, s, room + rows);
-        status =
-            murk_slope_noise_information(out->jacobian, &out->slope_noise,
-                                         &noise, room + rows, rows, n, err);
+        add_world_noise(&noise, s, s->jacobian);
+        status = murk_slope_noise_information(out->jacobian, &out->slope_noise,
+                                              &noise, s->jacobian, s->n_fitted,
+                                              s->n, err);
         out->slope_noise = fmin(out->slope_noise, 1); /* all of it is noise */
     }
     murk_slope_noise_release(&noise);
-    free(room);
     return status;
 }
 
 /* Computes the uncertainty of the parameters. */
-static murk_status be_certain(murk_calibration *out, const murk_fit_search *s,
-                              murk_error *err)
+static murk_status find_errors(murk_calibration *out, const murk_fit_search *s,
+                               murk_error *err)
 {
     const size_t n = s->n;
     const murk_free_keys *keys = s->desc->keys;
-    out->scale = calloc(n + 1, sizeof *out->scale);
-    murk_status status = out->scale ? inform(out, s, err) : no_memory(err);
+    murk_status status = inform(out, s, err);
     /* Scales, and parameters at a bound. */
     for (size_t k = 0; k < n && !status; ++k) {
         out->scale[k] = scale_of(&keys->key[k], out->value[k]);
@@ -201,26 +170,24 @@ static murk_status be_certain(murk_calibration *out, const murk_fit_search *s,
         }
     }
     /* Covariance and undetermined directions. */
+    status = status ? status
+                    : murk_certainty_create(&out->certainty, out->jacobian,
+                                            out->fitted, n, out->at_bound,
+                                            out->scale, MURK_UNDETERMINED, err);
     if (!status) {
-        status = murk_certainty_create(&out->certainty, out->jacobian,
-                                       out->fitted, n, out->at_bound,
-                                       out->scale, MURK_UNDETERMINED, err);
-    }
-    if (!status) {
-        tell_values(out, keys);
+        convert_errors(out, keys);
     }
     return status;
 }
 
 /* Fills the predicted values, photon errors and residuals of all rows. */
-static murk_status tell_rows(murk_calibration *out, const murk_fit_search *s,
+static murk_status fill_rows(murk_calibration *out, const murk_fit_search *s,
                              murk_error *err)
 {
-    const size_t *lit;
-    size_t n;
+    const murk_model_facts *facts = murk_model_facts_of(s->model);
+    const size_t *light = facts->light, n = facts->lights;
     double *noise;
-    const murk_status status =
-        murk_model_noise(s->model, &lit, &n, &noise, err);
+    const murk_status status = murk_model_noise(s->model, &noise, err);
     if (status) {
         return status;
     }
@@ -228,7 +195,7 @@ static murk_status tell_rows(murk_calibration *out, const murk_fit_search *s,
         out->row[i] = (murk_calibrated_row){.predicted = s->predicted[i]};
     }
     for (size_t i = 0; i < n; ++i) {
-        out->row[lit[i]].photon_error = sqrt(noise[i * n + i]);
+        out->row[light[i]].photon_error = sqrt(noise[i * n + i]);
     }
     for (size_t i = 0; i < s->rows; ++i) {
         murk_calibrated_row *row = &out->row[i];
@@ -267,8 +234,8 @@ static void judge_held_out(murk_calibration *out, const murk_fit_search *s)
 
 /* Fills the result from the search, which has evaluated the end of the best
  * start. */
-static murk_status tell(murk_calibration *out, const murk_fit_search *s,
-                        murk_error *err)
+static murk_status fill_result(murk_calibration *out, const murk_fit_search *s,
+                               murk_error *err)
 {
     const murk_calibration_start *best = &out->start[out->best];
     memcpy(out->value, best->to, out->n * sizeof *out->value);
@@ -276,10 +243,10 @@ static murk_status tell(murk_calibration *out, const murk_fit_search *s,
     out->converged = best->converged;
     snprintf(out->why, sizeof out->why, "%s", best->why);
     out->effective_share = s->share;
-    murk_status status = tell_rows(out, s, err);
+    murk_status status = fill_rows(out, s, err);
     if (!status) {
         judge_held_out(out, s);
-        status = be_certain(out, s, err);
+        status = find_errors(out, s, err);
     }
     /* Parameters at a bound are not free. */
     long free_ones = 0;
@@ -294,25 +261,23 @@ static murk_status tell(murk_calibration *out, const murk_fit_search *s,
 /* ---- starts ---- */
 
 /* Traces light at the values and evaluates the rows there. */
-static murk_status look_at(murk_fit_search *s, murk_model *model,
-                           const double *value, double *x, murk_error *err)
+static murk_status trace_and_evaluate(murk_fit_search *s, const double *value,
+                                      murk_error *err)
 {
-    murk_fit_search_coordinates(s, value, x);
-    murk_status status = murk_model_trace(model, value, err);
-    return status ? status : murk_fit_search_look(s, x, err);
+    murk_fit_search_coordinates(s, value, s->x);
+    const murk_status status = murk_model_trace(s->model, value, err);
+    return status ? status : murk_fit_search_evaluate(s, s->x, err);
 }
 
 /* Evaluates the start values only. */
 static murk_status only_predict(murk_calibration *out, murk_fit_search *s,
-                                murk_model *model, double *x, murk_error *err)
+                                murk_error *err)
 {
     for (size_t k = 0; k < out->n; ++k) {
         out->value[k] = s->desc->keys->key[k].start;
     }
-    murk_status status = look_at(s, model, out->value, x, err);
-    if (!status) {
-        status = tell_rows(out, s, err);
-    }
+    murk_status status = trace_and_evaluate(s, out->value, err);
+    status = status ? status : fill_rows(out, s, err);
     if (!status) {
         judge_held_out(out, s);
         out->effective_share = s->share;
@@ -345,50 +310,39 @@ static bool is_doubtful(const murk_calibration *out, const murk_fit_search *s)
 
 /* Runs the starts, then restarts, and returns to the best. */
 static murk_status run(murk_calibration *out, murk_fit_search *s,
-                       murk_model *model, murk_error *err)
+                       murk_error *err)
 {
-    const murk_calibration_desc *desc = s->desc;
-    double *x = calloc(out->n + 1, sizeof *x);
-    murk_status status = x ? MURK_OK : no_memory(err);
-    if (!status && desc->only_predicts) {
-        status = only_predict(out, s, model, x, err);
-        free(x);
-        return status;
-    }
     /* The requested starts: the first traces light, the others use that light
      * as far as it is valid. */
-    const size_t asked = starts_asked(desc);
+    const size_t asked = starts_asked(s->desc);
     size_t done = 0;
+    murk_status status = MURK_OK;
     for (; done < asked && !status; ++done) {
         s->shares_light = done > 0;
-        status = murk_fit_start(out, s, done, x, err);
+        status = murk_fit_start(out, s, done, err);
     }
     /* Restarts with light of their own, while the best start is doubtful. */
     s->shares_light = false;
     for (; done < out->starts && !status && is_doubtful(out, s); ++done) {
-        status = murk_fit_start(out, s, done, x, err);
+        status = murk_fit_start(out, s, done, err);
     }
     const bool is_cut = status == MURK_INTERRUPTED && done > 1;
     out->starts_done = is_cut ? done - 1 : done;
     if (is_cut) {
-        free(x);
         return status; /* the values of the best start; nothing else is known */
     }
     /* Evaluate the best start again, with the light at hand if that light was
      * traced for it. */
     const murk_calibration_start *best = &out->start[out->best];
     if (!status && out->best + 1 != done) {
-        const bool is_lit =
-            s->has_light && best->light == murk_model_traces(model);
-        murk_fit_search_coordinates(s, best->to, x);
-        status = is_lit ? murk_fit_search_look(s, x, err)
-                        : look_at(s, model, best->to, x, err);
+        const bool is_valid =
+            s->has_light &&
+            best->light == murk_model_facts_of(s->model)->traces;
+        murk_fit_search_coordinates(s, best->to, s->x);
+        status = is_valid ? murk_fit_search_evaluate(s, s->x, err)
+                          : trace_and_evaluate(s, best->to, err);
     }
-    if (!status) {
-        status = tell(out, s, err);
-    }
-    free(x);
-    return status;
+    return status ? status : fill_result(out, s, err);
 }
 
 murk_status murk_calibrate(murk_calibration *out,
@@ -405,23 +359,21 @@ murk_status murk_calibrate(murk_calibration *out,
     /* As many restarts as there are starts beside the first. */
     const size_t starts = desc->only_predicts ? 0 : 2 * starts_asked(desc) - 1;
     murk_status status =
-        set_aside(out, desc->keys->n, desc->measured->rows, starts, err);
-    if (!status) {
-        status = murk_model_create(&out->model, &model_desc, err);
+        allocate(out, desc->keys->n, desc->measured->rows, starts, err);
+    if (status || (status = murk_model_create(&out->model, &model_desc, err)) ||
+        (status = murk_fit_search_create(&search, desc, out->model, err))) {
+        goto done;
     }
-    if (!status) {
-        status = murk_fit_search_create(&search, desc, out->model, err);
-    }
-    if (!status) {
-        status = run(out, &search, out->model, err);
-    }
-    const murk_model *model = out->model;
-    if (model) {
+    status = desc->only_predicts ? only_predict(out, &search, err)
+                                 : run(out, &search, err);
+done:
+    if (out->model) {
+        const murk_model_facts *facts = murk_model_facts_of(out->model);
         out->evaluations = search.evaluations;
         out->iterations = search.iterations;
-        out->traces = murk_model_traces(model);
-        out->photons = murk_model_photons(model);
-        out->trace_s = murk_model_trace_s(model);
+        out->traces = facts->traces;
+        out->photons = facts->photons;
+        out->trace_s = facts->trace_s;
     }
     murk_fit_search_release(&search);
     return status;

@@ -1,14 +1,8 @@
-/* The fit: finds the parameters that make the forward model agree with the
- * data, with their uncertainty.
- *
- * Light is traced at the present parameters and re-weighted while Ceres varies
- * them. Light is traced again when the effective sample size falls below the
- * share MURK_MIN_SHARE. The fit ends when least squares converge on light that
- * is still valid there. Rows are whitened by the measurement errors together
- * with the covariance from photons. */
-#ifndef MURK_CALIBRATE_CALIBRATE_H
-#define MURK_CALIBRATE_CALIBRATE_H
+/* What a fit is asked for, and its result. */
+#ifndef MURK_CALIBRATE_CALIBRATION_H
+#define MURK_CALIBRATE_CALIBRATION_H
 
+#include "base/arena.h"
 #include "calibrate/model.h"
 #include "fit/certainty.h"
 #include "fit/least_squares.h"
@@ -44,7 +38,6 @@ typedef struct murk_calibration_desc {
      * NULL. */
     void (*watch)(void *context, size_t start, size_t traces, int iteration,
                   double chi2, const double *value);
-    /* As in murk_model_desc. */
     /* As in murk_model_desc. */
     void (*forecast)(void *context, double bytes, double have_bytes);
     void *context;
@@ -111,13 +104,7 @@ typedef struct murk_calibration {
     size_t starts, starts_done, best;
     double trace_s;
     murk_model *model; /* evaluated at the values, or close to them */
+    murk_arena arena;  /* of all arrays but those of the certainty */
 } murk_calibration;
-
-/* Runs the fit. The caller releases *out, also after a failure. The fit fails
- * if the first start fails. If it is interrupted after some starts have ended,
- * these starts are in *out (starts_done) and the status is MURK_INTERRUPTED. */
-murk_status murk_calibrate(murk_calibration *out,
-                           const murk_calibration_desc *desc, murk_error *err);
-void murk_calibration_release(murk_calibration *calibration);
 
 #endif

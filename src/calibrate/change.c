@@ -6,7 +6,6 @@
 #include <assert.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 /* Ratio of the scattering coefficients. An albedo that is equal in both, such
  * as a grid, cancels. */
@@ -140,42 +139,28 @@ static murk_status compare_power(murk_changes *c, size_t channel,
     return MURK_OK;
 }
 
-static murk_changes *new_changes(const murk_followed *followed, int bands,
-                                 size_t keys)
-{
-    const size_t cells = followed->media * (size_t)bands;
-    murk_changes *c = calloc(1, sizeof *c);
-    if (c) {
-        c->media = followed->media;
-        c->channels = followed->channels;
-        c->keys = keys;
-        c->bands = bands;
-        c->span = calloc(keys + 1, sizeof *c->span);
-        c->medium = calloc(cells + 1, sizeof *c->medium);
-        c->slope = calloc(keys * cells + 1, sizeof *c->slope);
-        c->power = calloc(c->channels + 1, sizeof *c->power);
-        c->power_slope = calloc(keys * c->channels + 1, sizeof *c->power_slope);
-    }
-    if (c &&
-        (!c->span || !c->medium || !c->slope || !c->power || !c->power_slope)) {
-        murk_changes_destroy(c);
-        c = NULL;
-    }
-    return c;
-}
-
-murk_status murk_changes_create(murk_changes **out,
-                                const murk_followed *followed,
+murk_status murk_changes_create(murk_changes *c,
+                                const murk_histories *histories,
                                 const murk_optics *traced,
                                 const murk_optics *at,
                                 const murk_optics_sides *sides, size_t keys,
                                 murk_error *err)
 {
-    assert(traced->channels == followed->channels &&
-           at->channels == followed->channels && at->media == traced->media);
-    murk_status status = MURK_OK;
-    murk_changes *c = new_changes(followed, traced->bands, keys);
-    if (!c) {
+    assert(traced->channels == histories->channels &&
+           at->channels == histories->channels && at->media == traced->media);
+    *c = (murk_changes){.media = histories->media,
+                        .channels = histories->channels,
+                        .keys = keys,
+                        .bands = traced->bands};
+    const size_t bands = (size_t)c->bands, cells = c->media * bands;
+    murk_arena *arena = &c->arena;
+    c->span = murk_arena_array(arena, keys, sizeof *c->span);
+    c->medium = murk_arena_array(arena, cells, sizeof *c->medium);
+    c->slope = murk_arena_array(arena, keys * cells, sizeof *c->slope);
+    c->power = murk_arena_array(arena, c->channels, sizeof *c->power);
+    c->power_slope =
+        murk_arena_array(arena, keys * c->channels, sizeof *c->power_slope);
+    if (arena->is_short) {
         return murk_fail(err, MURK_NO_MEMORY, "fit",
                          "no memory for %zu parameters", keys);
     }
@@ -185,30 +170,18 @@ murk_status murk_changes_create(murk_changes **out,
         c->span[k] = sides[k].low ? sides[k].span : 0;
     }
     /* Media, then light sources. */
-    const size_t bands = (size_t)c->bands;
-    for (size_t i = 0; i < c->media * bands && !status; ++i) {
-        status = compare_medium(c, i / bands, followed->medium[i / bands],
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < cells && !status; ++i) {
+        status = compare_medium(c, i / bands, histories->medium[i / bands],
                                 i % bands, traced, at, sides, err);
     }
     for (size_t channel = 0; channel < c->channels && !status; ++channel) {
         status = compare_power(c, channel, traced, at, sides, err);
     }
-    if (status) {
-        murk_changes_destroy(c);
-        return status;
-    }
-    *out = c;
-    return MURK_OK;
+    return status;
 }
 
-void murk_changes_destroy(murk_changes *c)
+void murk_changes_release(murk_changes *c)
 {
-    if (c) {
-        free(c->span);
-        free(c->medium);
-        free(c->slope);
-        free(c->power);
-        free(c->power_slope);
-        free(c);
-    }
+    murk_arena_release(&c->arena);
 }

@@ -4,9 +4,10 @@
 #ifndef MURK_CALIBRATE_CHANGE_H
 #define MURK_CALIBRATE_CHANGE_H
 
-#include "calibrate/reweigh.h"
+#include "base/arena.h"
+#include "calibrate/histories.h"
+#include "calibrate/optics.h"
 
-/* Of a kept medium in a band. */
 /* The change of a re-weighted medium in a band. */
 typedef struct murk_medium_change {
     double scattering;     /* ratio of the scattering coefficients, wanted /
@@ -35,17 +36,17 @@ typedef struct murk_changes {
     double *power_slope;        /* [keys][channels]; derivative of the ratio */
     bool any_turns;             /* some phase function differs, or would with
                                  * some key */
+    murk_arena arena;           /* of all arrays */
 } murk_changes;
 
-/* Compares the optics. Borrows them. The caller owns *out
- * (murk_changes_destroy()). */
-murk_status murk_changes_create(murk_changes **out,
-                                const murk_followed *followed,
+/* Compares the optics, which are borrowed. Release also after a failure. */
+murk_status murk_changes_create(murk_changes *out,
+                                const murk_histories *histories,
                                 const murk_optics *traced,
                                 const murk_optics *at,
                                 const murk_optics_sides *sides, size_t keys,
                                 murk_error *err);
-void murk_changes_destroy(murk_changes *changes); /* NULL is fine */
+void murk_changes_release(murk_changes *changes);
 
 static inline const murk_medium_change *
 murk_change_of(const murk_changes *changes, size_t medium, size_t band)

@@ -33,17 +33,17 @@ static void add_slopes(double *slope, const murk_coverage_sums *r,
 static void sum_all(void *context, uint64_t run)
 {
     murk_coverage_sums *r = context;
-    const murk_seen *seen = r->seen;
+    const murk_visible *visible = r->visible;
     double *slope = r->all_slope + run * MURK_MAP_PARTS * r->keys;
     size_t first, last;
     run_of(r, run, &first, &last);
     for (size_t b = first; b < last; ++b) {
         for (size_t i = r->bound[b]; i < r->bound[b + 1]; ++i) {
-            if (seen->worth_w[i] > 0) {
-                const size_t map = seen->kind[i] & 1;
+            if (visible->worth_w[i] > 0) {
+                const size_t map = visible->kind[i] & 1;
                 r->all[b * MURK_MAP_PARTS + map] +=
-                    seen->worth_w[i] * r->reweighed->ratio[i];
-                add_slopes(slope + map * r->keys, r, i, seen->worth_w[i]);
+                    visible->worth_w[i] * r->reweighed->ratio[i];
+                add_slopes(slope + map * r->keys, r, i, visible->worth_w[i]);
             }
         }
     }
@@ -91,14 +91,14 @@ static size_t row_of(const murk_coverage_sums *r, const murk_sightlines *lines,
 {
     const size_t a =
         lines->acceptance ? lines->acceptance[i] : lines->acceptance_all;
-    return a * r->bands + (r->seen->kind[lines->contribution[i]] >> 1);
+    return a * r->bands + (r->visible->kind[lines->contribution[i]] >> 1);
 }
 
 /* The transmittance of sightline i. */
 static double through_of(const murk_coverage_sums *r,
                          const murk_sightlines *lines, size_t i)
 {
-    const size_t media = r->seen->media;
+    const size_t media = r->visible->media;
     const double *extinction = r->extinction + row_of(r, lines, i) * media;
     double depth = 0;
     for (size_t m = 0; m < media; ++m) {
@@ -119,11 +119,11 @@ static void add_record(const murk_coverage_sums *r,
                        scratch *s, double seen_by[MURK_MAP_PARTS],
                        double *slope)
 {
-    const murk_seen *seen = r->seen;
-    const size_t media = seen->media;
+    const murk_visible *visible = r->visible;
+    const size_t media = visible->media;
     const size_t contribution = lines->contribution[i];
-    const size_t map = seen->kind[contribution] & 1;
-    const double worth_w = seen->worth_w[contribution];
+    const size_t map = visible->kind[contribution] & 1;
+    const double worth_w = visible->worth_w[contribution];
     /* Weight, transmittances, combined clarity. */
     const double w = worth_w * r->reweighed->ratio[contribution];
     for (size_t j = i; j < end; ++j) {
@@ -163,7 +163,7 @@ static void sum_seen(void *context, uint64_t job)
 {
     murk_coverage_sums *r = context;
     const size_t group = job / r->runs, run = job % r->runs;
-    const murk_sightlines *lines = &r->seen->of[group];
+    const murk_sightlines *lines = &r->visible->of[group];
     const size_t cells = murk_coverage_cells(r);
     double *slope = r->in_view_slope + job * MURK_MAP_PARTS * r->keys;
     /* Scratch arrays. */
@@ -174,8 +174,8 @@ static void sum_seen(void *context, uint64_t job)
     size_t first, last;
     run_of(r, run, &first, &last);
     size_t i = first_at_least(lines, r->bound[first]);
-    const bool has_room = s.through && s.by && s.less;
-    for (size_t b = first; has_room && b < last; ++b) {
+    const bool has_memory = s.through && s.by && s.less;
+    for (size_t b = first; has_memory && b < last; ++b) {
         double *seen_by =
             r->in_view + (group * r->batches + b) * MURK_MAP_PARTS;
         while (i < lines->n && lines->contribution[i] < r->bound[b + 1]) {
@@ -189,7 +189,7 @@ static void sum_seen(void *context, uint64_t job)
         }
     }
     /* Apply the derivatives of the extinctions. */
-    for (size_t map = 0; has_room && map < MURK_MAP_PARTS; ++map) {
+    for (size_t map = 0; has_memory && map < MURK_MAP_PARTS; ++map) {
         for (size_t k = 0; k < r->keys; ++k) {
             for (size_t cell = 0; cell < cells; ++cell) {
                 slope[map * r->keys + k] -=
@@ -197,20 +197,42 @@ static void sum_seen(void *context, uint64_t job)
             }
         }
     }
-    murk_tally_add(&r->failures, !has_room);
+    murk_tally_add(&r->failures, !has_memory);
     free(s.through);
     free(s.by);
     free(s.less);
 }
 
+bool murk_coverage_sums_allocate(murk_coverage_sums *s)
+{
+    const size_t cells = murk_coverage_cells(s), groups = s->visible->groups;
+    const size_t maps = MURK_MAP_PARTS, size = sizeof(double);
+    murk_arena *arena = &s->arena;
+    s->has_say = murk_arena_array(arena, s->keys, sizeof *s->has_say);
+    s->bound = murk_arena_array(arena, s->batches + 1, sizeof *s->bound);
+    s->extinction = murk_arena_array(arena, cells, size);
+    s->steepness = murk_arena_array(arena, s->keys * cells, size);
+    s->all = murk_arena_array(arena, s->batches * maps, size);
+    s->all_slope = murk_arena_array(arena, s->runs * maps * s->keys, size);
+    s->in_view = murk_arena_array(arena, groups * s->batches * maps, size);
+    s->in_view_slope =
+        murk_arena_array(arena, groups * s->runs * maps * s->keys, size);
+    return !arena->is_short;
+}
+
+void murk_coverage_sums_release(murk_coverage_sums *s)
+{
+    murk_arena_release(&s->arena);
+}
+
 size_t murk_coverage_cells(const murk_coverage_sums *sums)
 {
-    return sums->seen->acceptances * sums->bands * sums->seen->media;
+    return sums->visible->acceptances * sums->bands * sums->visible->media;
 }
 
 bool murk_coverage_sums_add(murk_coverage_sums *sums, unsigned threads)
 {
     murk_pool_run(threads, sums->runs, sum_all, sums);
-    murk_pool_run(threads, sums->seen->groups * sums->runs, sum_seen, sums);
+    murk_pool_run(threads, sums->visible->groups * sums->runs, sum_seen, sums);
     return murk_tally_read(&sums->failures) == 0;
 }

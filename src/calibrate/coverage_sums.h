@@ -17,13 +17,13 @@
 #define MURK_CALIBRATE_COVERAGE_SUMS_H
 
 #include "calibrate/reweigh.h"
-#include "calibrate/seen.h"
+#include "calibrate/visible.h"
 
 enum { MURK_SURFACE_PART, MURK_VOLUME_PART, MURK_MAP_PARTS };
 
-/* The caller allocates and owns all arrays; sums start at 0. */
+/* The caller fills the description, from `visible` to `runs`. */
 typedef struct murk_coverage_sums {
-    const murk_seen *seen;
+    const murk_visible *visible;
     const murk_reweighed *reweighed;
     murk_combining combining;
     size_t redundancy; /* number of views that count, at least 1 */
@@ -43,7 +43,12 @@ typedef struct murk_coverage_sums {
     double *in_view;    /* [groups][batches][MURK_MAP_PARTS]; sum of w D */
     double *in_view_slope; /* [groups][runs][MURK_MAP_PARTS][keys] */
     murk_tally failures;   /* number of tasks without memory */
+    murk_arena arena;      /* of all arrays */
 } murk_coverage_sums;
+
+/* Allocates all arrays, with 0 in each. Release also after a failure. */
+bool murk_coverage_sums_allocate(murk_coverage_sums *sums);
+void murk_coverage_sums_release(murk_coverage_sums *sums);
 
 size_t murk_coverage_cells(const murk_coverage_sums *sums);
 

@@ -1,5 +1,5 @@
 /* Coverage of re-weighted records: the sightlines are found once
- * (calibrate/seen.h), the sums are computed for each set of optics
+ * (calibrate/visible.h), the sums are computed for each set of optics
  * (calibrate/coverage_sums.h) and combined into a ratio
  * (calibrate/coverage_ratio.h). */
 #include "calibrate/covered.h"
@@ -11,19 +11,12 @@
 #include <assert.h>
 #include <stdlib.h>
 
-/* Runs of batches that are processed in parallel: enough tasks for the threads
- * of most machines. */
-#define RUNS 16
-
-/* Number of batches if the caller wants none. */
-#define BATCHES_OWN 64
-
 struct murk_covered {
-    murk_covered_desc desc;
+    murk_visible_desc desc;
     murk_map_weights weights;
     murk_combining combining;
     size_t redundancy; /* number of views that count, at least 1 */
-    murk_seen *seen;
+    murk_visible *visible;
 };
 
 /* ---- creation ---- */
@@ -55,16 +48,9 @@ murk_status murk_covered_check(const murk_scene_desc *scene, murk_error *err)
 }
 
 murk_status murk_covered_create(murk_covered **out,
-                                const murk_covered_desc *desc, murk_error *err)
+                                const murk_visible_desc *desc, murk_error *err)
 {
     const murk_scene_placement *settings = &desc->stage->scene->placement;
-    const murk_seen_desc seen = {.stage = desc->stage,
-                                 .followed = desc->followed,
-                                 .pose = desc->pose,
-                                 .group = desc->group,
-                                 .poses = desc->poses,
-                                 .groups = desc->groups,
-                                 .threads = desc->threads};
     murk_covered *made = NULL;
     murk_status status = murk_covered_check(desc->stage->scene, err);
     if (status) {
@@ -76,38 +62,37 @@ murk_status murk_covered_create(murk_covered **out,
     }
     /* Settings of the scene. */
     made->desc = *desc;
-    made->combining =
-        murk_combining_of(desc->stage->scene->placement.detection);
+    made->combining = murk_combining_of(settings->detection);
     made->redundancy =
         settings->redundancy > 1 ? (size_t)settings->redundancy : 1;
     made->weights = (murk_map_weights){.balanced = settings->balanced,
                                        .surface = settings->weight_surface,
                                        .volume = settings->weight_volume};
     /* Find the sightlines. */
-    status = murk_seen_create(&made->seen, &seen, err);
-    if (!status) {
-        *out = made;
-        made = NULL;
+    status = murk_visible_create(&made->visible, desc, err);
+    if (status) {
+        free(made);
+        return status;
     }
-    murk_covered_destroy(made);
-    return status;
+    *out = made;
+    return MURK_OK;
 }
 
 void murk_covered_destroy(murk_covered *covered)
 {
     if (covered) {
-        murk_seen_destroy(covered->seen);
+        murk_visible_destroy(covered->visible);
         free(covered);
     }
 }
 
 double murk_covered_bytes(const murk_covered *covered)
 {
-    const murk_seen *seen = covered->seen;
+    const murk_visible *visible = covered->visible;
     double bytes =
-        (double)seen->n * (sizeof *seen->worth_w + sizeof *seen->kind);
-    for (size_t g = 0; g < seen->groups; ++g) {
-        bytes += murk_sightlines_bytes(&seen->of[g], seen->media);
+        (double)visible->n * (sizeof *visible->worth_w + sizeof *visible->kind);
+    for (size_t g = 0; g < visible->groups; ++g) {
+        bytes += murk_sightlines_bytes(&visible->of[g], visible->media);
     }
     return bytes;
 }
@@ -117,24 +102,24 @@ double murk_covered_bytes(const murk_covered *covered)
 static double extinction_of(const murk_optics *optics, size_t medium,
                             size_t band, double acceptance_rad)
 {
-    return murk_seen_extinction(optics->extinction_per_m[medium].band[band],
-                                optics->albedo[medium].band[band],
-                                &optics->phases->medium[medium][band],
-                                acceptance_rad);
+    return murk_visible_extinction(optics->extinction_per_m[medium].band[band],
+                                   optics->albedo[medium].band[band],
+                                   &optics->phases->medium[medium][band],
+                                   acceptance_rad);
 }
 
 /* Fills extinction[acceptances][bands][media] of the re-weighted media. */
 static void fill_extinctions(double *extinction, const murk_covered *c,
                              const murk_optics *optics)
 {
-    const murk_seen *seen = c->seen;
+    const murk_visible *visible = c->visible;
     const size_t bands = (size_t)c->desc.stage->scene->bands;
-    for (size_t a = 0; a < seen->acceptances; ++a) {
+    for (size_t a = 0; a < visible->acceptances; ++a) {
         for (size_t band = 0; band < bands; ++band) {
-            for (size_t m = 0; m < seen->media; ++m) {
-                extinction[(a * bands + band) * seen->media + m] =
-                    extinction_of(optics, c->desc.followed->medium[m], band,
-                                  seen->acceptance_rad[a]);
+            for (size_t m = 0; m < visible->media; ++m) {
+                extinction[(a * bands + band) * visible->media + m] =
+                    extinction_of(optics, c->desc.histories->medium[m], band,
+                                  visible->acceptance_rad[a]);
             }
         }
     }
@@ -148,11 +133,11 @@ static murk_status check_others(const murk_covered *c,
     const murk_scene_desc *scene = c->desc.stage->scene;
     for (size_t i = 0; i < scene->n_regions; ++i) {
         const size_t medium = (size_t)scene->regions[i].medium;
-        for (size_t a = 0; !murk_seen_keeps(c->desc.followed, medium) &&
-                           a < c->seen->acceptances;
+        for (size_t a = 0; !murk_visible_has_paths(c->desc.histories, medium) &&
+                           a < c->visible->acceptances;
              ++a) {
             for (size_t band = 0; band < (size_t)scene->bands; ++band) {
-                const double rad = c->seen->acceptance_rad[a];
+                const double rad = c->visible->acceptance_rad[a];
                 if (extinction_of(traced, medium, band, rad) !=
                     extinction_of(at, medium, band, rad)) {
                     return murk_fail(err, MURK_BAD_VALUE,
@@ -171,53 +156,19 @@ static murk_status check_others(const murk_covered *c,
 
 /* Finds the first contribution of each batch: batch b contains the photons p
  * with p * batches / emitted = b, rounded down. */
-static void find_bounds(murk_coverage_sums *r, const murk_followed *followed)
+static void find_bounds(murk_coverage_sums *r, const murk_histories *histories)
 {
     size_t i = 0;
     for (size_t b = 0; b < r->batches; ++b) {
         r->bound[b] = i;
-        while (i < followed->n && (uint64_t)followed->contribution[i].photon *
-                                          r->batches / followed->emitted <=
-                                      b) {
+        while (i < histories->n && (uint64_t)histories->contribution[i].photon *
+                                           r->batches / histories->emitted <=
+                                       b) {
             ++i;
         }
     }
     r->bound[r->batches] = i;
-    assert(i == followed->n);
-}
-
-/* Allocates all sums; sums->seen and the counts must be set. */
-static murk_status set_aside(murk_coverage_sums *s, murk_error *err)
-{
-    const size_t cells = murk_coverage_cells(s), groups = s->seen->groups;
-    const size_t parts = MURK_MAP_PARTS;
-    s->has_say = calloc(s->keys + 1, sizeof *s->has_say);
-    s->bound = calloc(s->batches + 1, sizeof *s->bound);
-    s->extinction = calloc(cells + 1, sizeof *s->extinction);
-    s->steepness = calloc(s->keys * cells + 1, sizeof *s->steepness);
-    s->all = calloc(s->batches * parts, sizeof *s->all);
-    s->all_slope = calloc(s->runs * parts * s->keys + 1, sizeof *s->all_slope);
-    s->in_view = calloc(groups * s->batches * parts + 1, sizeof *s->in_view);
-    s->in_view_slope = calloc(groups * s->runs * parts * s->keys + 1,
-                              sizeof *s->in_view_slope);
-    if (s->has_say && s->bound && s->extinction && s->steepness && s->all &&
-        s->all_slope && s->in_view && s->in_view_slope) {
-        return MURK_OK;
-    }
-    return murk_fail(err, MURK_NO_MEMORY, "",
-                     "no memory for the coverage of %zu groups", groups);
-}
-
-static void release(murk_coverage_sums *s)
-{
-    free(s->has_say);
-    free(s->bound);
-    free(s->extinction);
-    free(s->steepness);
-    free(s->all);
-    free(s->all_slope);
-    free(s->in_view);
-    free(s->in_view_slope);
+    assert(i == histories->n);
 }
 
 /* Fills the derivatives of the extinctions with respect to each key, by central
@@ -245,9 +196,7 @@ static murk_status find_slopes(murk_coverage_sums *s, const murk_covered *c,
             slope[cell] = (slope[cell] - low[cell]) / side->span;
         }
         status = check_others(c, traced, side->low, err);
-        if (!status) {
-            status = check_others(c, traced, side->high, err);
-        }
+        status = status ? status : check_others(c, traced, side->high, err);
     }
     free(low);
     return status;
@@ -271,70 +220,52 @@ static murk_status mix_all(murk_coverage_mix *out, const murk_coverage_sums *s,
                            all[MURK_SURFACE_PART], all[MURK_VOLUME_PART]);
 }
 
-/* Computes the sums; tells an interrupt from lack of memory. */
-static murk_status add_up(murk_coverage_sums *s, const murk_covered *c,
-                          murk_error *err)
-{
-    const bool has_room = murk_coverage_sums_add(s, c->desc.threads);
-    if (murk_interrupted()) {
-        return murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
-    }
-    return has_room ? MURK_OK
-                    : murk_fail(err, MURK_NO_MEMORY, "",
-                                "no memory for the coverage of %zu groups",
-                                c->desc.groups);
-}
-
-murk_status murk_covered_read(double *value, double *slope, double *batch,
-                              size_t batches, double *slope_batch, size_t runs,
+murk_status murk_covered_read(const murk_row_sums *out, size_t first,
                               const murk_covered *covered,
                               const murk_reweighed *reweighed,
                               const murk_optics *traced, const murk_optics *at,
-                              const murk_optics_sides *sides, size_t keys,
-                              murk_error *err)
+                              const murk_optics_sides *sides, murk_error *err)
 {
-    assert(reweighed->n == covered->seen->n && reweighed->keys == keys);
-    const size_t parts = batches > 0 ? batches : BATCHES_OWN;
-    murk_coverage_sums sums = {.seen = covered->seen,
+    assert(reweighed->n == covered->visible->n);
+    const size_t groups = covered->desc.groups, keys = reweighed->keys;
+    murk_coverage_sums sums = {.visible = covered->visible,
                                .reweighed = reweighed,
                                .combining = covered->combining,
                                .redundancy = covered->redundancy,
                                .bands =
                                    (size_t)covered->desc.stage->scene->bands,
-                               .batches = parts,
-                               .runs = slope_batch    ? runs
-                                       : parts < RUNS ? parts
-                                                      : RUNS,
+                               .batches = out->batches,
+                               .runs = out->runs,
                                .keys = keys};
     murk_coverage_mix mix;
     /* Optics: check, allocate, fill extinctions and derivatives. */
     murk_status status = check_others(covered, traced, at, err);
-    if (!status) {
-        status = set_aside(&sums, err);
-    }
-    if (!status) {
-        find_bounds(&sums, covered->desc.followed);
+    bool has_memory = status || murk_coverage_sums_allocate(&sums);
+    if (!status && has_memory) {
+        find_bounds(&sums, covered->desc.histories);
         fill_extinctions(sums.extinction, covered, at);
         status = find_slopes(&sums, covered, traced, sides, err);
     }
     /* Sum. */
-    if (!status) {
-        status = add_up(&sums, covered, err);
+    if (!status && has_memory) {
+        has_memory = murk_coverage_sums_add(&sums, covered->desc.threads);
     }
-    if (!status) {
-        status = mix_all(&mix, &sums, covered, err);
+    if (!status && murk_interrupted()) {
+        status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
+    } else if (!status && !has_memory) {
+        status = murk_fail(err, MURK_NO_MEMORY, "",
+                           "no memory for the coverage of %zu groups", groups);
     }
+    status = status ? status : mix_all(&mix, &sums, covered, err);
     /* Ratio, slopes and contributions of each group. */
-    for (size_t g = 0; g < covered->desc.groups && !status; ++g) {
-        murk_coverage_ratio(&value[g], slope + g * keys,
-                            batches > 0 ? batch + g : NULL,
-                            covered->desc.groups, g, &sums, &mix);
-        if (slope_batch) {
-            murk_coverage_slope_parts(slope_batch + g * keys,
-                                      covered->desc.groups * keys,
-                                      slope + g * keys, g, &sums, &mix);
-        }
+    for (size_t g = 0; g < groups && !status; ++g) {
+        const size_t row = first + g;
+        double *slope = out->slope + row * keys;
+        murk_coverage_ratio(&out->value[row], slope, out->batch + row,
+                            out->rows, g, &sums, &mix);
+        murk_coverage_slope_parts(out->run + row * keys, out->rows * keys,
+                                  slope, g, &sums, &mix);
     }
-    release(&sums);
+    murk_coverage_sums_release(&sums);
     return status;
 }

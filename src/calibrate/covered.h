@@ -15,53 +15,39 @@
 #ifndef MURK_CALIBRATE_COVERED_H
 #define MURK_CALIBRATE_COVERED_H
 
-#include "calibrate/measurements.h"
 #include "calibrate/reweigh.h"
+#include "calibrate/visible.h"
 
 typedef struct murk_covered murk_covered;
-
-typedef struct murk_covered_desc {
-    const murk_stage *stage;       /* the stage that was traced */
-    const murk_followed *followed; /* photon histories with records */
-    const murk_pose *pose;         /* [poses]; of all groups */
-    const size_t *group;           /* [poses]; rising, 0..groups-1 */
-    size_t poses, groups;
-    unsigned threads;
-} murk_covered_desc;
 
 /* Fails as murk_covered_create() does because of the scene; to be called before
  * light is traced. */
 murk_status murk_covered_check(const murk_scene_desc *scene, murk_error *err);
 
 /* Finds the sightlines of all groups. Fails for detection: threshold and power,
- * through: refract, targets, poses outside the domain, acceptance angles
+ * through: refract, targets, acceptance angles
  * together with a grid of albedo, and if the sightlines need more memory than
  * the machine has: 4 bytes and 4 for each re-weighted medium, 4 more with
  * sheets or other media. MURK_RUN_FAILED if no record has weight. Borrows stage
  * and histories. */
 murk_status murk_covered_create(murk_covered **out,
-                                const murk_covered_desc *desc, murk_error *err);
+                                const murk_visible_desc *desc, murk_error *err);
 void murk_covered_destroy(murk_covered *covered); /* NULL is fine */
 
 /* Memory of the sightlines in bytes, which grows in proportion to the photons.
  */
 double murk_covered_bytes(const murk_covered *covered);
 
-/* Computes value[groups] and slope[groups][keys] at other optics.
- * batch[batches][groups], or NULL with batches 0, receives the contributions of
- * batches of photons, which add up to the values and whose covariance is that
- * of the values (calibrate/coverage_ratio.h). Photon p is in batch p * batches
- * / emitted, rounded down. slope_batch[runs][groups][keys], or NULL, receives
- * the contributions of runs to the slopes; runs must divide batches. If several
- * sightlines are equally clear, the slope is that of the first. Fails with
- * MURK_BAD_VALUE (a medium without stored paths differs), MURK_RUN_FAILED (no
- * weight is left), MURK_INTERRUPTED or MURK_NO_MEMORY. */
-murk_status murk_covered_read(double *value, double *slope, double *batch,
-                              size_t batches, double *slope_batch, size_t runs,
+/* Evaluates the groups at other optics, into the rows from `first` on. The
+ * covariance of the contributions of batches is that of the values
+ * (calibrate/coverage_ratio.h). If several sightlines are equally clear, the
+ * slope is that of the first. Fails with MURK_BAD_VALUE (a medium without
+ * stored paths differs), MURK_RUN_FAILED (no weight is left), MURK_INTERRUPTED
+ * or MURK_NO_MEMORY. */
+murk_status murk_covered_read(const murk_row_sums *out, size_t first,
                               const murk_covered *covered,
                               const murk_reweighed *reweighed,
                               const murk_optics *traced, const murk_optics *at,
-                              const murk_optics_sides *sides, size_t keys,
-                              murk_error *err);
+                              const murk_optics_sides *sides, murk_error *err);
 
 #endif

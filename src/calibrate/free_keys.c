@@ -1,37 +1,29 @@
 /* Writes values of free keys into a scene: builds a list of changes
- * (scene/variant.h) and reads the scene file with them. */
-#include "calibrate/free_parts.h"
+ * (scene/variant.h) and reads the scene file with them. Also chooses the values
+ * around a value for differences. */
+#include "calibrate/free_keys.h"
 
 #include "base/log.h"
 #include "base/number.h"
 #include "scene/variant.h"
 
-#include <stdio.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-bool murk_free_spot_make(murk_free_spot *spot, const char *name,
-                         size_t conditions)
+void murk_free_keys_destroy(murk_free_keys *keys)
 {
-    const size_t size = strlen(name) + sizeof "--free ";
-    spot->source = malloc(size);
-    spot->is_in = calloc(conditions + 1, sizeof *spot->is_in);
-    spot->list = calloc(conditions + 1, sizeof *spot->list);
-    if (spot->source) {
-        snprintf(spot->source, size, "--free %s", name);
+    if (!keys) {
+        return;
     }
-    return spot->source && spot->is_in && spot->list;
-}
-
-void murk_free_spot_release(murk_free_spot *spot, size_t conditions)
-{
-    for (size_t c = 0; spot->list && c < conditions; ++c) {
-        murk_yaml_destroy(spot->list[c]);
+    for (size_t k = 0; k < keys->n; ++k) {
+        murk_yaml **list = keys->key[k].list;
+        for (size_t c = 0; list && c < keys->conditions; ++c) {
+            murk_yaml_destroy(list[c]);
+        }
     }
-    free(spot->list);
-    free(spot->is_in);
-    free(spot->source);
-    free(spot->put);
+    murk_arena_release(&keys->arena);
+    free(keys);
 }
 
 static murk_status no_memory(const murk_free_keys *keys, murk_error *err)
@@ -76,23 +68,23 @@ static murk_yaml *find_list(const changes *all, const char *put)
 
 /* Adds the change of one key. Keys of the same list change one copy of the
  * list. */
-static bool add_change(changes *all, const murk_free_spot *spot, size_t c,
+static bool add_change(changes *all, const murk_free_key *key, size_t c,
                        double value)
 {
-    const murk_yaml *list = spot->list[c];
-    murk_yaml *there = list ? find_list(all, spot->put) : NULL;
+    const murk_yaml *list = key->list[c];
+    murk_yaml *there = list ? find_list(all, key->put) : NULL;
     if (there) {
-        return set_number(there->child[spot->index], value);
+        return set_number(there->child[key->index], value);
     }
     murk_yaml *node = list ? murk_yaml_copy(list)
-                           : murk_yaml_make(MURK_YAML_SCALAR, spot->source);
+                           : murk_yaml_make(MURK_YAML_SCALAR, key->source);
     if (!node) {
         return false;
     }
     all->node[all->n] = node;
     all->change[all->n++] = (murk_key_change){
-        .path = spot->put, .value = node, .where = spot->source};
-    return set_number(list ? node->child[spot->index] : node, value);
+        .path = key->put, .value = node, .where = key->source};
+    return set_number(list ? node->child[key->index] : node, value);
 }
 
 /* Fails if the scene file changed since the fit began. */
@@ -105,9 +97,8 @@ static murk_status check_file(const murk_free_keys *keys,
                            "changed while it was fitted, must stay as it is");
 }
 
-murk_status murk_free_spot_scene(murk_scene_desc **out,
-                                 const murk_free_keys *keys, size_t c,
-                                 const double *value, murk_error *err)
+murk_status murk_free_scene(murk_scene_desc **out, const murk_free_keys *keys,
+                            size_t c, const double *value, murk_error *err)
 {
     const murk_free_desc *desc = &keys->desc;
     changes all = {calloc(keys->n + 1, sizeof *all.change),
@@ -115,8 +106,9 @@ murk_status murk_free_spot_scene(murk_scene_desc **out,
     bool is_whole = all.change && all.node;
     /* Collect the changes. */
     for (size_t k = 0; is_whole && value && k < keys->n; ++k) {
-        if (keys->spot[k].is_in[c] && keys->key[k].gain == SIZE_MAX) {
-            is_whole = add_change(&all, &keys->spot[k], c, value[k]);
+        const murk_free_key *key = &keys->key[k];
+        if (key->is_in[c] && key->gain == SIZE_MAX) {
+            is_whole = add_change(&all, key, c, value[k]);
         }
     }
     const murk_variant variant = {
@@ -131,9 +123,7 @@ murk_status murk_free_spot_scene(murk_scene_desc **out,
                                    desc->n_overrides, &variant, err)
                              : no_memory(keys, err);
     murk_warn_quiet(was_silent);
-    if (!status) {
-        status = check_file(keys, scene, err);
-    }
+    status = status ? status : check_file(keys, scene, err);
     release(&all);
     if (status) {
         murk_scene_desc_destroy(scene);
@@ -141,4 +131,48 @@ murk_status murk_free_spot_scene(murk_scene_desc **out,
     }
     *out = scene;
     return MURK_OK;
+}
+
+murk_status murk_free_optics(murk_optics **out, const murk_free_keys *keys,
+                             size_t c, const double *value, murk_error *err)
+{
+    murk_scene_desc *scene = NULL;
+    const murk_status status = murk_free_scene(&scene, keys, c, value, err);
+    return status ? status
+                  : murk_optics_create(out, scene, keys->desc.domain,
+                                       keys->power_w ? keys->power_w[c] : NULL,
+                                       err);
+}
+
+bool murk_free_key_is_in(const murk_free_keys *keys, size_t k, size_t c)
+{
+    return keys->key[k].is_in[c];
+}
+
+/* Symmetric values if there is room within the range, otherwise to the side
+ * with more room. */
+void murk_free_key_beside(const murk_free_key *key, double step, double value,
+                          double *low, double *high)
+{
+    const double range = key->upper - key->lower;
+    const double size = key->is_log ? value : fmax(fabs(value), fmin(1, range));
+    const double h = step * size;
+    const double below = value - key->lower, above = key->upper - value;
+    const double even = fmin(fmin(below, above), h);
+    if (even > h / 4) {
+        *low = value - even;
+        *high = value + even;
+    } else if (above >= below) {
+        *low = value;
+        *high = fmin(value + h, key->upper);
+    } else {
+        *low = fmax(value - h, key->lower);
+        *high = value;
+    }
+}
+
+void murk_free_key_around(const murk_free_keys *keys, size_t k, double value,
+                          double *low, double *high)
+{
+    murk_free_key_beside(&keys->key[k], keys->key[k].step, value, low, high);
 }

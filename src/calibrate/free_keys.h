@@ -7,8 +7,10 @@
 #ifndef MURK_CALIBRATE_FREE_KEYS_H
 #define MURK_CALIBRATE_FREE_KEYS_H
 
+#include "base/arena.h"
 #include "calibrate/measurements.h"
 #include "calibrate/optics.h"
+#include "scene/yaml.h"
 
 /* Limit on the parameters of a fit, far above the number that readings of the
  * field determine. */
@@ -36,6 +38,17 @@ typedef struct murk_free_key {
     bool is_log;                /* the search uses the logarithm */
     bool turns_phase;           /* changes the phase function of a medium, so
                                  * cosines are needed */
+    /* Internal: the place of the key in the scene. */
+    char *source;     /* "--free media.fog.albedo.0", for messages */
+    char *put;        /* path that is set: that of the key, or of the list that
+                       * contains it, because a list may exist by default alone
+                       */
+    size_t index;     /* index in the list */
+    bool *is_in;      /* [conditions]; true if the condition has the key */
+    murk_yaml **list; /* [conditions]; the list; all NULL if the key is not in a
+                       * list */
+    double step;      /* step of differences relative to the size of the value
+                       */
 } murk_free_key;
 
 typedef struct murk_free_desc {
@@ -51,9 +64,6 @@ typedef struct murk_free_desc {
     const murk_domain *domain;
 } murk_free_desc;
 
-typedef struct murk_free_spot murk_free_spot; /* the place of a key in the scene
-                                               */
-
 typedef struct murk_free_keys {
     size_t n;
     murk_free_key *key; /* [n] */
@@ -65,18 +75,18 @@ typedef struct murk_free_keys {
     murk_scene_name *condition_name; /* [conditions]; empty for the scene
                                       * without a condition */
     murk_free_desc desc;             /* what it points to must outlive this */
-    murk_free_spot *spot;            /* [n]; internal */
     double **power_w; /* [conditions]; internal: channel powers if no key
                        * affects them, else NULL */
     char sha256[65];  /* of the scene file, which must not change during a fit
                        */
+    murk_arena arena; /* of all arrays */
 } murk_free_keys;
 
 /* Finds and checks the parameters. Start values are those of the scene, or of
  * the first used condition that has the key; with @each, of each condition. A
  * free key overrides the value that a condition sets. A condition without the
  * key (because it has another medium in its place) is not affected, which a
- * note states. Ranges: key_range.h, within `bounds`.
+ * note states. Ranges: key_place.h, within `bounds`.
  *
  * Fails for unknown keys (with a suggestion), keys that are not a single
  * number, keys of anything but media, regions, lights and site, factors that no
@@ -88,9 +98,9 @@ murk_status murk_free_keys_create(murk_free_keys **out,
                                   const murk_free_desc *desc, murk_error *err);
 void murk_free_keys_destroy(murk_free_keys *keys); /* NULL is fine */
 
-/* The scene of condition c (an index into keys->condition) at value[n], and the
- * optics of that scene. Fails at "--free KEY" if the scene does not accept a
- * value. Prints no warnings. */
+/* The scene of condition c (an index into keys->condition) at value[n], or
+ * unchanged if value is NULL, and the optics of that scene. Fails at "--free
+ * KEY" if the scene does not accept a value. Prints no warnings. */
 murk_status murk_free_scene(murk_scene_desc **out, const murk_free_keys *keys,
                             size_t c, const double *value, murk_error *err);
 murk_status murk_free_optics(murk_optics **out, const murk_free_keys *keys,
@@ -99,12 +109,16 @@ murk_status murk_free_optics(murk_optics **out, const murk_free_keys *keys,
 /* True if key k has an effect in condition c. */
 bool murk_free_key_is_in(const murk_free_keys *keys, size_t k, size_t c);
 
-/* Two values around value[k] and within bounds, for derivatives: df/dvalue =
- * (f(high) - f(low)) / (high - low). They are symmetric if the bounds allow,
- * one-sided at a bound. The distance is 1e-5 of the size of the value, which
- * gives an error of some 1e-9. For keys that change tabulated phase functions,
- * whose nodes are accurate to 1e-5, the distance is 2e-2. */
+/* Two values around `value` of key k and within bounds, for derivatives:
+ * df/dvalue = (f(high) - f(low)) / (high - low). They are symmetric if the
+ * bounds allow, one-sided at a bound. The distance is 1e-5 of the size of the
+ * value, which gives an error of some 1e-9. For keys that change tabulated
+ * phase functions, whose nodes are accurate to 1e-5, the distance is 2e-2. */
 void murk_free_key_around(const murk_free_keys *keys, size_t k, double value,
+                          double *low, double *high);
+
+/* The same at distance `step`, relative to the size of the value. */
+void murk_free_key_beside(const murk_free_key *key, double step, double value,
                           double *low, double *high);
 
 #endif

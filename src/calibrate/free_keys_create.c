@@ -4,10 +4,9 @@
 #include "calibrate/free_keys.h"
 
 #include "base/log.h"
-#include "calibrate/free_parts.h"
-#include "calibrate/key_bounds.h"
-#include "calibrate/key_range.h"
-#include "calibrate/turned.h"
+#include "calibrate/free_names.h"
+#include "calibrate/key_effect.h"
+#include "calibrate/key_place.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -30,12 +29,6 @@ static murk_status no_memory(murk_error *err)
     return murk_fail(err, MURK_NO_MEMORY, SOURCE, "no memory for free keys");
 }
 
-static murk_status fail(const murk_free_keys *keys, size_t k, murk_error *err,
-                        const char *text)
-{
-    return murk_fail(err, MURK_BAD_VALUE, keys->spot[k].source, "%s", text);
-}
-
 /* ---- places ---- */
 
 /* Finds key k in condition c; the first condition that has the key determines
@@ -43,28 +36,26 @@ static murk_status fail(const murk_free_keys *keys, size_t k, murk_error *err,
 static murk_status place_in(murk_free_keys *keys, size_t k, size_t c,
                             murk_yaml *root, bool *is_first, murk_error *err)
 {
-    murk_free_spot *spot = &keys->spot[k];
     murk_free_key *key = &keys->key[k];
     murk_key_place place;
     murk_key_range range;
     (void)murk_key_place_spread(root, key->path, keys->bands);
     /* Find the key; read the range. */
     murk_status status =
-        murk_key_place_find(&place, root, key->path, spot->source, err);
+        murk_key_place_find(&place, root, key->path, key->source, err);
     if (!status && *is_first) {
-        status =
-            murk_key_range_of(&range, &place, key->path, spot->source, err);
+        status = murk_key_range_of(&range, &place, key->path, key->source, err);
     }
     if (status) {
         return status;
     }
     /* Record the place; an item of a list is set by setting the whole list. */
-    spot->is_in[c] = true;
+    key->is_in[c] = true;
     if (place.list) {
-        spot->list[c] = murk_yaml_copy(place.list);
-        spot->index = place.index;
-        spot->put[place.put] = '\0';
-        if (!spot->list[c]) {
+        key->list[c] = murk_yaml_copy(place.list);
+        key->index = place.index;
+        key->put[place.put] = '\0';
+        if (!key->list[c]) {
             return no_memory(err);
         }
     }
@@ -80,12 +71,12 @@ static murk_status place_in(murk_free_keys *keys, size_t k, size_t c,
 }
 
 /* Notes of conditions that do not have the key. */
-static void tell_absence(const murk_free_keys *keys, size_t k)
+static void note_absence(const murk_free_keys *keys, size_t k)
 {
     for (size_t c = 0; c < keys->conditions; ++c) {
         const bool is_meant = keys->key[k].condition == SIZE_MAX;
-        if (is_meant && !keys->spot[k].is_in[c]) {
-            murk_note(keys->spot[k].source,
+        if (is_meant && !keys->key[k].is_in[c]) {
+            murk_note(keys->key[k].source,
                       "%s has no such key: its readings have no say in it",
                       keys->condition_name[c][0] ? keys->condition_name[c]
                                                  : "the scene as it stands");
@@ -100,7 +91,7 @@ static murk_status read_trees(murk_yaml **root, const murk_free_keys *keys,
     murk_status status = MURK_OK;
     for (size_t c = 0; c < keys->conditions && !status; ++c) {
         murk_scene_desc *scene = NULL;
-        status = murk_free_spot_scene(&scene, keys, c, NULL, err);
+        status = murk_free_scene(&scene, keys, c, NULL, err);
         if (!status) {
             status = murk_yaml_parse(&root[c], scene->resolved,
                                      strlen(scene->resolved), SOURCE, err);
@@ -118,21 +109,21 @@ static murk_status place_key(murk_free_keys *keys, size_t k,
     bool is_first = true;
     for (size_t c = 0; c < keys->conditions; ++c) {
         const size_t own = keys->key[k].condition;
-        murk_error told = {0};
+        murk_error failure = {0};
         if (own != SIZE_MAX && own != c) {
             continue;
         }
         const murk_status status =
-            place_in(keys, k, c, root[c], &is_first, &told);
+            place_in(keys, k, c, root[c], &is_first, &failure);
         if (status == MURK_NO_MEMORY) {
             return no_memory(err);
         }
-        first = status && !first.status ? told : first;
+        first = status && !first.status ? failure : first;
     }
     if (is_first) { /* nowhere */
         return murk_fail(err, first.status, first.where, "%s", first.text);
     }
-    tell_absence(keys, k);
+    note_absence(keys, k);
     return MURK_OK;
 }
 
@@ -155,43 +146,16 @@ static murk_status place_all(murk_free_keys *keys, murk_error *err)
 
 /* ---- effects ---- */
 
-/* The size of a value, as the unit of steps. */
-static double size_of(const murk_free_key *key, double value)
-{
-    const double range = key->upper - key->lower;
-    return key->is_log ? value : fmax(fabs(value), fmin(1, range));
-}
-
-/* Two values around `value` at distance `step`, within the range: symmetric if
- * there is room, otherwise to the side with more room. */
-static void around(const murk_free_key *key, double step, double value,
-                   double *low, double *high)
-{
-    const double h = step * size_of(key, value);
-    const double below = value - key->lower, above = key->upper - value;
-    const double even = fmin(fmin(below, above), h);
-    if (even > h / 4) {
-        *low = value - even;
-        *high = value + even;
-    } else if (above >= below) {
-        *low = value;
-        *high = fmin(value + h, key->upper);
-    } else {
-        *low = fmax(value - h, key->lower);
-        *high = value;
-    }
-}
-
 /* Compares the optics and the world of condition c at the start with those at a
  * value of key k beside it. */
-static murk_status probe(murk_turned *turned, murk_free_keys *keys, size_t k,
-                         size_t c, double *value, const murk_optics *base,
-                         murk_error *err)
+static murk_status probe(murk_key_effect *effect, murk_free_keys *keys,
+                         size_t k, size_t c, double *value,
+                         const murk_optics *base, murk_error *err)
 {
     murk_optics *moved = NULL;
     /* The optics at the other value. */
     double low, high;
-    around(&keys->key[k], PROBE, value[k], &low, &high);
+    murk_free_key_beside(&keys->key[k], PROBE, value[k], &low, &high);
     const double start = value[k];
     value[k] = high > start ? high : low;
     murk_status status = murk_free_optics(&moved, keys, c, value, err);
@@ -200,11 +164,11 @@ static murk_status probe(murk_turned *turned, murk_free_keys *keys, size_t k,
         return status;
     }
     /* Compare; re-weighting cannot start from nothing. */
-    status = murk_turned_add(turned, base, moved, err);
+    status = murk_key_effect_add(effect, base, moved, err);
     char nothing[96];
-    if (!status && !turned->world &&
-        murk_turned_from_nothing(nothing, sizeof nothing, base, moved)) {
-        status = murk_fail(err, MURK_BAD_VALUE, keys->spot[k].source,
+    if (!status && !effect->world &&
+        murk_key_effect_from_nothing(nothing, sizeof nothing, base, moved)) {
+        status = murk_fail(err, MURK_BAD_VALUE, keys->key[k].source,
                            "%s has no extinction, scattering or power at the "
                            "start, and nothing cannot be re-weighted: must "
                            "start above 0, by --set %s=VALUE",
@@ -215,21 +179,21 @@ static murk_status probe(murk_turned *turned, murk_free_keys *keys, size_t k,
 }
 
 /* Sets the kind of a key from the comparisons of all conditions. */
-static murk_status tell_kind(murk_free_keys *keys, size_t k,
-                             const murk_turned *turned, murk_error *err)
+static murk_status set_kind(murk_free_keys *keys, size_t k,
+                            const murk_key_effect *effect, murk_error *err)
 {
     murk_free_key *key = &keys->key[k];
-    if (!turned->world && !turned->optics && !turned->power) {
-        return fail(keys, k, err,
-                    "changes nothing in the light of the scene, must be a key "
-                    "that does");
+    if (!effect->world && !effect->optics && !effect->power) {
+        return murk_fail(err, MURK_BAD_VALUE, key->source,
+                         "changes nothing in the light of the scene, must be a "
+                         "key that does");
     }
-    key->kind = turned->world || (turned->optics && turned->power)
+    key->kind = effect->world || (effect->optics && effect->power)
                     ? MURK_FREE_WORLD
-                : turned->optics ? MURK_FREE_MEDIUM
+                : effect->optics ? MURK_FREE_MEDIUM
                                  : MURK_FREE_LIGHT;
-    key->turns_phase = key->kind == MURK_FREE_MEDIUM && turned->phase;
-    keys->spot[k].step = turned->tables ? STEP_TABLE : STEP;
+    key->turns_phase = key->kind == MURK_FREE_MEDIUM && effect->phase;
+    keys->key[k].step = effect->tables ? STEP_TABLE : STEP;
     return MURK_OK;
 }
 
@@ -247,7 +211,8 @@ static murk_status keep_power(murk_free_keys *keys, size_t c,
     if (is_free) {
         return MURK_OK;
     }
-    keys->power_w[c] = calloc(base->channels + 1, sizeof(double));
+    keys->power_w[c] =
+        murk_arena_array(&keys->arena, base->channels, sizeof(double));
     if (!keys->power_w[c]) {
         return no_memory(err);
     }
@@ -259,10 +224,11 @@ static murk_status keep_power(murk_free_keys *keys, size_t c,
 static murk_status find_kinds(murk_free_keys *keys, murk_error *err)
 {
     double *value = calloc(keys->n + 1, sizeof *value);
-    murk_turned *turned = calloc(keys->n + 1, sizeof *turned);
-    keys->power_w = calloc(keys->conditions + 1, sizeof *keys->power_w);
+    murk_key_effect *effect = calloc(keys->n + 1, sizeof *effect);
+    keys->power_w =
+        murk_arena_array(&keys->arena, keys->conditions, sizeof *keys->power_w);
     murk_status status =
-        value && turned && keys->power_w ? MURK_OK : no_memory(err);
+        value && effect && keys->power_w ? MURK_OK : no_memory(err);
     /* Start values. */
     for (size_t k = 0; k < keys->n && !status; ++k) {
         value[k] = keys->key[k].start;
@@ -271,12 +237,10 @@ static murk_status find_kinds(murk_free_keys *keys, murk_error *err)
     for (size_t c = 0; c < keys->conditions && !status; ++c) {
         murk_optics *base = NULL;
         status = murk_free_optics(&base, keys, c, value, err);
-        if (!status) {
-            status = keep_power(keys, c, base, err);
-        }
+        status = status ? status : keep_power(keys, c, base, err);
         for (size_t k = 0; k < keys->n && !status; ++k) {
-            if (keys->spot[k].is_in[c] && keys->key[k].gain == SIZE_MAX) {
-                status = probe(&turned[k], keys, k, c, value, base, err);
+            if (keys->key[k].is_in[c] && keys->key[k].gain == SIZE_MAX) {
+                status = probe(&effect[k], keys, k, c, value, base, err);
             }
         }
         murk_optics_destroy(base);
@@ -284,11 +248,11 @@ static murk_status find_kinds(murk_free_keys *keys, murk_error *err)
     /* Set the kinds. */
     for (size_t k = 0; k < keys->n && !status; ++k) {
         if (keys->key[k].gain == SIZE_MAX) {
-            status = tell_kind(keys, k, &turned[k], err);
+            status = set_kind(keys, k, &effect[k], err);
         }
     }
     free(value);
-    free(turned);
+    free(effect);
     return status;
 }
 
@@ -322,60 +286,11 @@ murk_status murk_free_keys_create(murk_free_keys **out,
     if (status || (status = murk_free_add_all(keys, err)) ||
         (status = place_all(keys, err)) ||
         (status = murk_free_check_gains(keys, err)) ||
-        (status = murk_key_bounds_apply(keys, err)) ||
+        (status = murk_free_apply_bounds(keys, err)) ||
         (status = check_count(keys, err)) || (status = find_kinds(keys, err))) {
         murk_free_keys_destroy(keys);
         return status;
     }
     *out = keys;
     return MURK_OK;
-}
-
-void murk_free_keys_destroy(murk_free_keys *keys)
-{
-    if (keys) {
-        for (size_t k = 0; k < keys->n; ++k) {
-            murk_free_spot_release(&keys->spot[k], keys->conditions);
-        }
-        for (size_t c = 0; keys->power_w && c < keys->conditions; ++c) {
-            free(keys->power_w[c]);
-        }
-        free(keys->power_w);
-        free(keys->spot);
-        free(keys->key);
-        free(keys->condition);
-        free(keys->condition_name);
-        free(keys);
-    }
-}
-
-murk_status murk_free_scene(murk_scene_desc **out, const murk_free_keys *keys,
-                            size_t c, const double *value, murk_error *err)
-{
-    return murk_free_spot_scene(out, keys, c, value, err);
-}
-
-murk_status murk_free_optics(murk_optics **out, const murk_free_keys *keys,
-                             size_t c, const double *value, murk_error *err)
-{
-    murk_scene_desc *scene = NULL;
-    const murk_status status =
-        murk_free_spot_scene(&scene, keys, c, value, err);
-    if (status) {
-        return status;
-    }
-    const double *power_w = keys->power_w ? keys->power_w[c] : NULL;
-    return power_w ? murk_optics_create_lit(out, scene, power_w, err)
-                   : murk_optics_create(out, scene, keys->desc.domain, err);
-}
-
-bool murk_free_key_is_in(const murk_free_keys *keys, size_t k, size_t c)
-{
-    return keys->spot[k].is_in[c];
-}
-
-void murk_free_key_around(const murk_free_keys *keys, size_t k, double value,
-                          double *low, double *high)
-{
-    around(&keys->key[k], keys->spot[k].step, value, low, high);
 }

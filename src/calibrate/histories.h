@@ -19,8 +19,8 @@
  * sigma_t alone, because the albedo of the place is the same in both.
  *
  * Contributions are ordered by photon for any number of threads. */
-#ifndef MURK_CALIBRATE_FOLLOWED_H
-#define MURK_CALIBRATE_FOLLOWED_H
+#ifndef MURK_CALIBRATE_HISTORIES_H
+#define MURK_CALIBRATE_HISTORIES_H
 
 #include "photonmap/map.h"
 #include "world/stage.h"
@@ -38,7 +38,7 @@ typedef struct murk_receiver {
     int band;          /* -1: all bands */
 } murk_receiver;
 
-typedef struct murk_followed_desc {
+typedef struct murk_histories_desc {
     const murk_stage *stage;
     uint32_t stream;
     uint64_t photons; /* 0: the number of the scene */
@@ -52,7 +52,7 @@ typedef struct murk_followed_desc {
                               * asks */
     double memory_max_bytes; /* refuse to use more; 0: the memory of the machine
                               */
-} murk_followed_desc;
+} murk_histories_desc;
 
 /* Receiver numbers that stand for records. */
 #define MURK_RECORD_OF_SURFACE UINT32_MAX
@@ -79,7 +79,7 @@ murk_contribution_is_record(const murk_contribution *contribution)
     return contribution->receiver >= MURK_RECORD_OF_VOLUME;
 }
 
-typedef struct murk_followed {
+typedef struct murk_histories {
     size_t media, *medium; /* [media]; numbers of the scene */
     uint64_t emitted;      /* photons */
     size_t receivers;      /* number of receivers */
@@ -99,19 +99,35 @@ typedef struct murk_followed {
     float *turn;     /* [turns]; 1 - cosine, which keeps the precision of small
                       * angles */
     uint8_t *turn_medium;              /* [turns]; index into medium[] */
+    size_t capacity, turn_capacity;    /* of the arrays above */
     murk_photon_map *surface, *volume; /* NULL: not stored; `emitted` of a
                                         * record is the number of its
                                         * contribution */
     double trace_s;
-} murk_followed;
+} murk_histories;
 
 /* Traces light and stores the histories. The caller owns *out
- * (murk_followed_destroy()). Fails if no light source emits, if too many
+ * (murk_histories_destroy()). Fails if no light source emits, if too many
  * photons are lost, if more records are stored than the scene allows, or if the
  * forecast from the first photons exceeds the memory limit. */
-murk_status murk_followed_trace(murk_followed **out,
-                                const murk_followed_desc *desc,
-                                murk_error *err);
-void murk_followed_destroy(murk_followed *followed); /* NULL is fine */
+murk_status murk_histories_trace(murk_histories **out,
+                                 const murk_histories_desc *desc,
+                                 murk_error *err);
+void murk_histories_destroy(murk_histories *histories); /* NULL is fine */
+
+/* Memory of a growing array relative to the content. The old array does not
+ * exist beside the new one: the system moves arrays of this size by remapping
+ * pages. */
+#define MURK_WHILE_GROWING 1.5
+
+/* Memory of n contributions and a number of cosines, in bytes. */
+double murk_histories_bytes(size_t media, double n, double turns);
+
+/* For the recorder: ensures capacity for further contributions and cosines,
+ * which is false without memory; releases unused capacity; frees all arrays. */
+bool murk_histories_reserve(murk_histories *histories, size_t more,
+                            size_t more_turns);
+void murk_histories_fit(murk_histories *histories);
+void murk_histories_release(murk_histories *histories);
 
 #endif

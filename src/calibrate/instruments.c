@@ -1,5 +1,5 @@
-/* Converts readings into receivers (calibrate/followed.h), sensors grouped into
- * rows of coverage, and beams. */
+/* Converts readings into receivers (calibrate/histories.h), sensors grouped
+ * into rows of coverage, and beams. */
 #include "calibrate/instruments.h"
 
 #include "base/log.h"
@@ -7,14 +7,13 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 static void add_receiver(murk_instruments *p, const murk_reading *reading,
                          size_t row)
 {
     const bool has_side = reading->kind == MURK_READ_IRRADIANCE;
     const double acceptance = reading->acceptance_rad;
-    p->lit_row[p->receivers] = row;
+    p->light_row[p->receivers] = row;
     p->quantity[p->receivers] = murk_reading_quantity(reading->unit);
     p->receiver[p->receivers++] = (murk_receiver){
         .center = reading->position,
@@ -32,7 +31,7 @@ static void add_group(murk_instruments *p, const murk_measurements *measured,
         p->pose[p->poses] = measured->reading[r->first + i].pose;
         p->group[p->poses++] = p->groups;
     }
-    p->lit_row[p->receivers + p->groups++] = row;
+    p->light_row[p->receivers + p->groups++] = row;
 }
 
 /* The first reading of a row if the row belongs to the condition, else NULL. */
@@ -47,18 +46,19 @@ murk_status murk_instruments_create(murk_instruments *out,
                                     const murk_measurements *measured,
                                     size_t condition, murk_error *err)
 {
-    /* Allocate. */
-    const size_t rows = measured->rows + 1, readings = measured->readings + 1;
-    *out = (murk_instruments){.receiver = calloc(rows, sizeof *out->receiver),
-                              .quantity = calloc(rows, sizeof *out->quantity),
-                              .pose = calloc(readings, sizeof *out->pose),
-                              .group = calloc(readings, sizeof *out->group),
-                              .lit_row = calloc(rows, sizeof *out->lit_row),
-                              .beam_row = calloc(rows, sizeof *out->beam_row)};
-    if (!out->receiver || !out->quantity || !out->pose || !out->group ||
-        !out->lit_row || !out->beam_row) {
+    const size_t rows = measured->rows, readings = measured->readings;
+    murk_arena arena = {0};
+    *out = (murk_instruments){
+        .receiver = murk_arena_array(&arena, rows, sizeof *out->receiver),
+        .quantity = murk_arena_array(&arena, rows, sizeof *out->quantity),
+        .pose = murk_arena_array(&arena, readings, sizeof *out->pose),
+        .group = murk_arena_array(&arena, readings, sizeof *out->group),
+        .light_row = murk_arena_array(&arena, rows, sizeof *out->light_row),
+        .beam_row = murk_arena_array(&arena, rows, sizeof *out->beam_row)};
+    out->arena = arena;
+    if (arena.is_short) {
         return murk_fail(err, MURK_NO_MEMORY, measured->path,
-                         "no memory for %zu readings", measured->readings);
+                         "no memory for %zu readings", readings);
     }
     /* Beams and receivers, then groups of coverage. */
     for (size_t i = 0; i < measured->rows; ++i) {
@@ -75,18 +75,13 @@ murk_status murk_instruments_create(murk_instruments *out,
             add_group(out, measured, i);
         }
     }
-    out->lit = out->receivers + out->groups;
+    out->lights = out->receivers + out->groups;
     return MURK_OK;
 }
 
 void murk_instruments_release(murk_instruments *instruments)
 {
-    free(instruments->receiver);
-    free(instruments->quantity);
-    free(instruments->pose);
-    free(instruments->group);
-    free(instruments->lit_row);
-    free(instruments->beam_row);
+    murk_arena_release(&instruments->arena);
     *instruments = (murk_instruments){0};
 }
 
@@ -110,7 +105,7 @@ void murk_instruments_warn_of_cut(const murk_instruments *instruments,
             ++cut > CUT_NAMED) {
             continue;
         }
-        const size_t row = instruments->lit_row[i];
+        const size_t row = instruments->light_row[i];
         char where[320];
         snprintf(where, sizeof where, "%s:%zu", measured->path,
                  measured->reading[measured->row[row].first].line);

@@ -3,28 +3,27 @@
 #ifndef MURK_CALIBRATE_INSTRUMENTS_H
 #define MURK_CALIBRATE_INSTRUMENTS_H
 
-#include "calibrate/followed.h"
+#include "base/arena.h"
+#include "calibrate/histories.h"
 #include "calibrate/measurements.h"
 
-/* Rows that need photons are called lit rows; receivers come first, then groups
- * of sensors. */
+/* Rows that need photons are called light rows; receivers come first, then
+ * groups of sensors. */
 typedef struct murk_instruments {
     size_t receivers;
     murk_receiver *receiver; /* [receivers] */
     murk_quantity *quantity; /* [receivers]; quantity of the unit of each
                               * receiver */
     size_t groups, poses;
-    murk_pose *pose; /* [poses]; ordered by group */
-    size_t *group;   /* [poses] */
-    size_t lit;      /* receivers + groups */
-    size_t *lit_row; /* [lit]; numbers of the rows in the data */
+    murk_pose *pose;   /* [poses]; ordered by group */
+    size_t *group;     /* [poses] */
+    size_t lights;     /* receivers + groups */
+    size_t *light_row; /* [lights]; numbers of the rows in the data */
     size_t beams;
     size_t *beam_row; /* [beams]; numbers of the rows in the data */
+    murk_arena arena; /* of all arrays */
 } murk_instruments;
 
-/* Of the rows in a condition of the scene (SIZE_MAX: as it stands). Release
- * also after a failure.
- */
 /* Lists the rows of a condition of the scene (SIZE_MAX: the scene without a
  * condition). Release also after a failure. */
 murk_status murk_instruments_create(murk_instruments *out,

@@ -1,7 +1,7 @@
 /* Compares two scenes: prints the resolved scenes without optics and light
  * sources, prints the shapes of the light sources, and compares the texts; then
  * compares optics and powers by value. */
-#include "calibrate/turned.h"
+#include "calibrate/key_effect.h"
 
 #include "preset/words.h"
 #include "scene/keys.h"
@@ -89,42 +89,41 @@ static murk_status print_lights(char **out, const murk_scene_desc *scene,
 static murk_status compare_worlds(bool *differs, const murk_scene_desc *a,
                                   const murk_scene_desc *b, murk_error *err)
 {
-    char *world_a = print_world(a), *world_b = print_world(b);
-    char *lights_a = NULL, *lights_b = NULL;
-    murk_status status = world_a && world_b ? MURK_OK : no_memory(err);
-    if (!status) {
-        status = print_lights(&lights_a, a, err);
+    const murk_scene_desc *const scene[] = {a, b};
+    char *world[2] = {NULL, NULL}, *lights[2] = {NULL, NULL};
+    murk_status status = MURK_OK;
+    for (int i = 0; i < 2 && !status; ++i) {
+        world[i] = print_world(scene[i]);
+        status =
+            world[i] ? print_lights(&lights[i], scene[i], err) : no_memory(err);
     }
     if (!status) {
-        status = print_lights(&lights_b, b, err);
-    }
-    if (!status) {
-        *differs = strcmp(world_a, world_b) != 0 ||
-                   strcmp(lights_a, lights_b) != 0 ||
+        *differs = strcmp(world[0], world[1]) != 0 ||
+                   strcmp(lights[0], lights[1]) != 0 ||
                    a->n_media != b->n_media || a->n_lights != b->n_lights ||
                    a->bands != b->bands;
     }
-    free(world_a);
-    free(world_b);
-    free(lights_a);
-    free(lights_b);
+    for (int i = 0; i < 2; ++i) {
+        free(world[i]);
+        free(lights[i]);
+    }
     return status;
 }
 
 /* ---- optics ---- */
 
 /* Compares the optics of each medium in each band. */
-static void compare_media(murk_turned *turned, const murk_optics *a,
+static void compare_media(murk_key_effect *effect, const murk_optics *a,
                           const murk_optics *b)
 {
     for (size_t i = 0; i < a->media; ++i) {
         for (int k = 0; k < a->bands; ++k) {
             const bool turns = !murk_optics_turn_alike(a, b, i, k);
-            turned->phase = turned->phase || turns;
-            turned->tables =
-                turned->tables ||
+            effect->phase = effect->phase || turns;
+            effect->tables =
+                effect->tables ||
                 (turns && a->phases->medium[i][k].kind == MURK_PHASE_TABLE);
-            turned->optics = turned->optics || turns ||
+            effect->optics = effect->optics || turns ||
                              a->extinction_per_m[i].band[k] !=
                                  b->extinction_per_m[i].band[k] ||
                              a->albedo[i].band[k] != b->albedo[i].band[k];
@@ -132,8 +131,8 @@ static void compare_media(murk_turned *turned, const murk_optics *a,
     }
 }
 
-murk_status murk_turned_add(murk_turned *turned, const murk_optics *a,
-                            const murk_optics *b, murk_error *err)
+murk_status murk_key_effect_add(murk_key_effect *effect, const murk_optics *a,
+                                const murk_optics *b, murk_error *err)
 {
     bool differs = false;
     const murk_status status =
@@ -141,13 +140,13 @@ murk_status murk_turned_add(murk_turned *turned, const murk_optics *a,
     if (status) {
         return status;
     }
-    turned->world = turned->world || differs;
+    effect->world = effect->world || differs;
     if (differs) {
         return MURK_OK; /* media and light sources need not correspond */
     }
-    compare_media(turned, a, b);
+    compare_media(effect, a, b);
     for (size_t c = 0; c < a->channels; ++c) {
-        turned->power = turned->power || a->power_w[c] != b->power_w[c];
+        effect->power = effect->power || a->power_w[c] != b->power_w[c];
     }
     return MURK_OK;
 }
@@ -158,8 +157,8 @@ static double scattering(const murk_optics *o, size_t medium, int band)
            o->albedo[medium].band[band];
 }
 
-bool murk_turned_from_nothing(char *key, size_t size, const murk_optics *a,
-                              const murk_optics *b)
+bool murk_key_effect_from_nothing(char *key, size_t size, const murk_optics *a,
+                                  const murk_optics *b)
 {
     for (size_t i = 0; i < a->media; ++i) {
         for (int k = 0; k < a->bands; ++k) {

@@ -8,6 +8,8 @@
 #include "scene/presets.h"
 #include "scene/words.h"
 
+#include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,26 +20,32 @@
 /* A position in the scene. row belongs to the node. in_item: the node is an
  * item of the list of the row, or one of the names of the row, so the keys of
  * the node are those of the row. */
-typedef struct spot {
+typedef struct position {
     const murk_yaml *node;
     const murk_key *row;
     bool in_item;
-} spot;
+} position;
 
 /* The state of the search, for messages. */
-typedef struct incumbent {
+typedef struct walk {
     const char *path, *at; /* the next part of the path */
     const char *where;
     murk_error *err;
-} incumbent;
+} walk;
 
-static murk_status fail(const incumbent *f, const char *text)
+__attribute__((format(printf, 2, 3))) static murk_status
+fail(const walk *f, const char *format, ...)
 {
+    char text[sizeof f->err->text];
+    va_list list;
+    va_start(list, format);
+    vsnprintf(text, sizeof text, format, list);
+    va_end(list);
     return murk_fail(f->err, MURK_BAD_VALUE, f->where, "%s", text);
 }
 
 /* The path so far, for messages. */
-static void shown_so_far(const incumbent *f, char *out, size_t size)
+static void shown_so_far(const walk *f, char *out, size_t size)
 {
     char part[200];
     size_t n = (size_t)(f->at - f->path);
@@ -47,26 +55,26 @@ static void shown_so_far(const incumbent *f, char *out, size_t size)
 }
 
 /* True if the keys of the node are listed in the key tables. */
-static bool is_map_row(const spot *at)
+static bool is_map_row(const position *at)
 {
     return !at->row || at->in_item || at->row->kind == MURK_KEY_MAP ||
            at->row->kind == MURK_KEY_PER_BAND ||
            at->row->kind == MURK_KEY_SPECTRUM;
 }
 
-static const murk_keys *keys_of(const spot *at)
+static const murk_keys *keys_of(const position *at)
 {
     return at->row ? at->row->keys : &murk_scene_keys;
 }
 
-static bool is_medium(const spot *at)
+static bool is_medium(const position *at)
 {
     return at->in_item && at->row && strcmp(at->row->name, "media") == 0;
 }
 
 /* Fails if a word of presets is not used by the preset of the medium, with the
  * words that are; also if the medium has no preset. MURK_OK for other keys. */
-static murk_status check_preset(const incumbent *f, const spot *at,
+static murk_status check_preset(const walk *f, const position *at,
                                 const char *part)
 {
     const int word = is_medium(at) ? murk_word_find(part) : -1;
@@ -85,23 +93,21 @@ static murk_status check_preset(const incumbent *f, const spot *at,
     /* Ask the preset. */
     if (!murk_preset_word_of(preset, (murk_word_id)word).is_known) {
         const double none[MURK_WORD_NUMBERS_MAX] = {0};
-        murk_error told = {0};
-        char text[400];
+        murk_error why = {0};
         (void)murk_preset_check_word(preset, (murk_word_id)word, none, "",
-                                     &told);
-        snprintf(text, sizeof text,
-                 "changes nothing, so it cannot be free: %.330s", told.text);
-        status = fail(f, text);
+                                     &why);
+        status =
+            fail(f, "changes nothing, so it cannot be free: %.330s", why.text);
     }
     murk_preset_destroy(preset);
     return status;
 }
 
 /* The error message for an unknown part of a path. */
-static murk_status unknown(const incumbent *f, const spot *at, const char *part)
+static murk_status unknown(const walk *f, const position *at, const char *part)
 {
     const char *names[NAMES_MAX];
-    char owner[120], shown[64], text[400];
+    char owner[120], shown[64];
     size_t n = 0;
     const murk_keys *keys = is_map_row(at) ? keys_of(at) : NULL;
     const murk_status status = check_preset(f, at, part);
@@ -112,11 +118,10 @@ static murk_status unknown(const incumbent *f, const spot *at, const char *part)
     shown_so_far(f, owner, sizeof owner);
     murk_words_show(shown, sizeof shown, part);
     if (keys && murk_keys_find(keys, part)) {
-        snprintf(text, sizeof text,
-                 "%s has no %s to start from, must be in the scene, or given "
-                 "by --set",
-                 owner, shown);
-        return fail(f, text);
+        return fail(f,
+                    "%s has no %s to start from, must be in the scene, or "
+                    "given by --set",
+                    owner, shown);
     }
     /* A suggestion from the names of the map and of the key table. */
     for (size_t i = 0; i < at->node->n && n < NAMES_MAX; ++i) {
@@ -127,14 +132,13 @@ static murk_status unknown(const incumbent *f, const spot *at, const char *part)
         names[n++] = k->name;
     }
     const char *meant = murk_words_meant(part, names, n);
-    snprintf(text, sizeof text, "no %s in %s%s%.60s%s", shown, owner,
-             meant ? ", did you mean " : "", meant ? meant : "",
-             meant ? "?" : "");
-    return fail(f, text);
+    return fail(f, "no %s in %s%s%.60s%s", shown, owner,
+                meant ? ", did you mean " : "", meant ? meant : "",
+                meant ? "?" : "");
 }
 
 /* Length of the next part; a name that contains dots is taken as a whole. */
-static size_t part_length(const spot *at, const char *path)
+static size_t part_length(const position *at, const char *path)
 {
     size_t length = strcspn(path, ".");
     const murk_yaml *map = at->node;
@@ -149,7 +153,7 @@ static size_t part_length(const spot *at, const char *path)
 }
 
 /* Steps into a map. */
-static murk_status step_map(const incumbent *f, spot *at, const char *part)
+static murk_status step_map(const walk *f, position *at, const char *part)
 {
     const murk_yaml *child = murk_yaml_get(at->node, part);
     if (!child) {
@@ -167,17 +171,15 @@ static murk_status step_map(const incumbent *f, spot *at, const char *part)
 }
 
 /* Steps into a list. */
-static murk_status step_list(const incumbent *f, spot *at, const char *part)
+static murk_status step_list(const walk *f, position *at, const char *part)
 {
     uint64_t index;
-    char owner[120], shown[64], text[300];
+    char owner[120], shown[64];
     if (!murk_count_parse(part, &index) || index >= at->node->n) {
         shown_so_far(f, owner, sizeof owner);
         murk_words_show(shown, sizeof shown, part);
-        snprintf(text, sizeof text,
-                 "item %s of %s, a list of %zu, must be 0..%zu", shown, owner,
-                 at->node->n, at->node->n ? at->node->n - 1 : 0);
-        return fail(f, text);
+        return fail(f, "item %s of %s, a list of %zu, must be 0..%zu", shown,
+                    owner, at->node->n, at->node->n ? at->node->n - 1 : 0);
     }
     at->node = at->node->child[index];
     at->in_item = true;
@@ -185,9 +187,9 @@ static murk_status step_list(const incumbent *f, spot *at, const char *part)
 }
 
 /* Steps into a child of the present node. */
-static murk_status step(const incumbent *f, spot *at, const char *part)
+static murk_status step(const walk *f, position *at, const char *part)
 {
-    char owner[120], text[300];
+    char owner[120];
     if (at->node->kind == MURK_YAML_MAP) {
         return step_map(f, at, part);
     }
@@ -195,37 +197,32 @@ static murk_status step(const incumbent *f, spot *at, const char *part)
         return step_list(f, at, part);
     }
     shown_so_far(f, owner, sizeof owner);
-    snprintf(text, sizeof text, "%s is %.40s, one value%s", owner,
-             at->node->text,
-             at->row && at->row->kind == MURK_KEY_SPECTRUM
-                 ? " for all bands: must be free as it is, or by one of them"
-                 : "");
-    return fail(f, text);
+    return fail(f, "%s is %.40s, one value%s", owner, at->node->text,
+                at->row && at->row->kind == MURK_KEY_SPECTRUM
+                    ? " for all bands: must be free as it is, or by one of them"
+                    : "");
 }
 
 /* Fails unless the value is a single number that may vary continuously. */
-static murk_status check_end(murk_key_place *out, const incumbent *f,
-                             const spot *at)
+static murk_status check_end(murk_key_place *out, const walk *f,
+                             const position *at)
 {
-    char text[300], shown[64];
+    char shown[64];
     /* The value must be a scalar and a number. */
     if (at->node->kind != MURK_YAML_SCALAR) {
         const bool is_list = at->node->kind == MURK_YAML_LIST;
         if (is_list && at->node->n > 0 &&
             at->node->child[0]->kind == MURK_YAML_SCALAR) {
-            snprintf(text, sizeof text,
-                     "a list of %zu, must be one number: %.100s.0 is its first",
-                     at->node->n, f->path);
-        } else {
-            snprintf(text, sizeof text, "%s, must be one number",
-                     is_list ? "a list" : "a map");
+            return fail(f,
+                        "a list of %zu, must be one number: %.100s.0 is its "
+                        "first",
+                        at->node->n, f->path);
         }
-        return fail(f, text);
+        return fail(f, "%s, must be one number", is_list ? "a list" : "a map");
     }
     if (!murk_yaml_number(at->node, &out->value)) {
         murk_words_show(shown, sizeof shown, at->node->text);
-        snprintf(text, sizeof text, "%s, must be a number", shown);
-        return fail(f, text);
+        return fail(f, "%s, must be a number", shown);
     }
     /* Choices and counts do not vary continuously. */
     const bool is_number =
@@ -242,8 +239,8 @@ static murk_status check_end(murk_key_place *out, const incumbent *f,
 }
 
 /* Records the list that the path goes through. */
-static void note_list(murk_key_place *out, const spot *before, const spot *at,
-                      const incumbent *f)
+static void note_list(murk_key_place *out, const position *before,
+                      const position *at, const walk *f)
 {
     const murk_yaml *list = before->node;
     if (list->kind != MURK_YAML_LIST || at->node->kind != MURK_YAML_SCALAR) {
@@ -263,8 +260,8 @@ murk_status murk_key_place_find(murk_key_place *out, const murk_yaml *root,
                                 const char *path, const char *where,
                                 murk_error *err)
 {
-    incumbent f = {path, path, where, err};
-    spot at = {root, NULL, false};
+    walk f = {path, path, where, err};
+    position at = {root, NULL, false};
     murk_key_place place = {.put = strlen(path)};
     char *part = malloc(strlen(path) + 1);
     murk_status status =
@@ -272,7 +269,7 @@ murk_status murk_key_place_find(murk_key_place *out, const murk_yaml *root,
     /* Follow the path part by part. */
     while (!status) {
         const size_t length = part_length(&at, f.at);
-        const spot before = at;
+        const position before = at;
         memcpy(part, f.at, length);
         part[length] = '\0';
         status = length ? step(&f, &at, part)
@@ -331,4 +328,77 @@ bool murk_key_place_spread(murk_yaml *root, const char *path, int bands)
     }
     murk_yaml_destroy(one);
     return is_whole;
+}
+
+/* ---- ranges ---- */
+
+/* Limits of the key table from this size on only catch typing errors. */
+#define SLIP_OF_THE_PEN 1e9
+#define OFF_THE_END     1e-3 /* distance from a limit that may not be reached */
+
+/* A key whose range is 0 to at least this value is a scale: relative changes
+ * matter. Albedo, index of refraction, temperature and wind are not scales. */
+#define SCALE_FROM 1000
+
+static void from_row(murk_key_range *out, const murk_key *row)
+{
+    const bool is_any = row->min == 0 && row->max == 0;
+    out->lower = is_any || row->min <= -SLIP_OF_THE_PEN ? -INFINITY : row->min;
+    out->upper = is_any || row->max >= SLIP_OF_THE_PEN ? INFINITY : row->max;
+    out->is_log = !is_any && row->min >= 0 && row->max >= SCALE_FROM;
+    if (row->above && !out->is_log) {
+        out->lower += OFF_THE_END;
+    }
+    if (row->below) {
+        out->upper -= OFF_THE_END;
+    }
+}
+
+/* Narrows the range by that of the preset, which knows the words that it uses.
+ */
+static murk_status from_preset(murk_key_range *out, const murk_key_place *place,
+                               const char *name, const char *where,
+                               murk_error *err)
+{
+    /* Only words of a medium with a preset. */
+    const int word = murk_word_find(name);
+    const murk_yaml *preset =
+        place->medium ? murk_yaml_get(place->medium, "preset") : NULL;
+    murk_preset *read = NULL;
+    if (word < 0 || !preset || preset->kind != MURK_YAML_SCALAR) {
+        return MURK_OK;
+    }
+    /* Read the preset. */
+    const murk_status status =
+        murk_presets_read(&read, preset->text, where, err);
+    if (status) {
+        return status;
+    }
+    const murk_preset_word range =
+        murk_preset_word_of(read, (murk_word_id)word);
+    const size_t k = place->list ? place->index : 0;
+    if (range.is_known && k < MURK_WORD_NUMBERS_MAX) {
+        out->lower = fmax(out->lower, range.min[k]);
+        out->upper = fmin(out->upper, range.max[k]);
+    }
+    murk_preset_destroy(read);
+    return MURK_OK;
+}
+
+/* The last part of the path is the name of the key. */
+murk_status murk_key_range_of(murk_key_range *out, const murk_key_place *place,
+                              const char *path, const char *where,
+                              murk_error *err)
+{
+    char name[64] = "";
+    size_t end = place->put, start = end;
+    while (start > 0 && path[start - 1] != '.') {
+        --start;
+    }
+    if (end - start < sizeof name) {
+        memcpy(name, path + start, end - start);
+    }
+    from_row(out, place->item ? place->item : place->row);
+    out->is_log = out->is_log && place->value > 0;
+    return from_preset(out, place, name, where, err);
 }

@@ -1,4 +1,5 @@
-/* Finds the place of a key in a scene: the number and the row of the key table.
+/* Finds the place of a key in a scene: the number, the row of the key
+ * table, and the range.
  * Internal to free_keys. */
 #ifndef MURK_CALIBRATE_KEY_PLACE_H
 #define MURK_CALIBRATE_KEY_PLACE_H
@@ -16,8 +17,8 @@ typedef struct murk_key_place {
     size_t index;          /* index in the list */
     size_t put;            /* length of the path up to the key of the list;
                             * without a list, of the whole path */
-    const murk_yaml /* the map of the medium that the key belongs to; or NULL */
-        *medium;    /* map of the medium that it is a key of; or NULL */
+    const murk_yaml
+        *medium; /* map of the medium that it is a key of; or NULL */
 } murk_key_place;
 
 /* Finds a path in a resolved scene (scene->resolved, parsed), which contains
@@ -33,5 +34,20 @@ murk_status murk_key_place_find(murk_key_place *out, const murk_yaml *root,
  * resolved scene contains equal values of all bands only once. False if this
  * does not apply, or when out of memory. */
 bool murk_key_place_spread(murk_yaml *root, const char *path, int bands);
+
+/* The range in which a fit may vary a key. */
+typedef struct murk_key_range {
+    double lower, upper;
+    bool is_log; /* a positive scale: the search uses the logarithm */
+} murk_key_range;
+
+/* The range of the key table, or of the preset for a word of presets. A limit
+ * that the key may not reach (the cosines -1 and 1) is replaced by a value one
+ * thousandth inside, except a lower limit 0 of a key that is searched in
+ * logarithms. Limits of 1e9 and more only catch typing errors and count as
+ * infinite. The path is used for the last part, the name of the key. */
+murk_status murk_key_range_of(murk_key_range *out, const murk_key_place *place,
+                              const char *path, const char *where,
+                              murk_error *err);
 
 #endif

@@ -1,7 +1,7 @@
 /* Builds and traces the world of one condition, and evaluates the rows that
  * need light by re-weighting: receivers (calibrate/reweigh.h) and groups of
  * coverage (calibrate/covered.h). */
-#include "calibrate/lit.h"
+#include "calibrate/lighting.h"
 
 #include "base/interrupt.h"
 #include "world/stage_build.h"
@@ -11,260 +11,179 @@
 
 /* Fills the factors from watts to the unit of each receiver, for each light
  * source and band. */
-static murk_status count_watts(murk_lit *lit, murk_error *err)
+static murk_status count_watts(murk_lighting *l, murk_error *err)
 {
-    const murk_instruments *instruments = lit->desc->instruments;
-    const size_t lights = lit->scene->n_lights;
-    lit->per_watt =
-        calloc(instruments->receivers * lights + 1, sizeof *lit->per_watt);
-    if (!lit->per_watt) {
+    const murk_instruments *instruments = l->desc->instruments;
+    const size_t sources = l->scene->n_lights;
+    l->per_watt =
+        calloc(instruments->receivers * sources + 1, sizeof *l->per_watt);
+    if (!l->per_watt) {
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for receivers");
     }
-    for (size_t i = 0; i < instruments->receivers * lights; ++i) {
-        for (int b = 0; b < lit->scene->bands; ++b) {
-            lit->per_watt[i].band[b] = murk_units_per_watt(
-                instruments->quantity[i / lights], lit->stage, i % lights, b);
+    for (size_t i = 0; i < instruments->receivers * sources; ++i) {
+        for (int b = 0; b < l->scene->bands; ++b) {
+            l->per_watt[i].band[b] = murk_units_per_watt(
+                instruments->quantity[i / sources], l->stage, i % sources, b);
         }
     }
     return MURK_OK;
 }
 
-/* Traces the light and finds the sightlines. */
-static murk_status follow(murk_lit *lit, uint64_t photons, murk_error *err)
+murk_status murk_lighting_build(murk_lighting *out,
+                                const murk_lighting_desc *desc,
+                                const double *value, murk_error *err)
 {
-    const murk_lit_desc *d = lit->desc;
-    const murk_instruments *instruments = d->instruments;
-    /* Trace. */
-    const murk_followed_desc followed = {.stage = lit->stage,
-                                         .photons = photons,
-                                         .threads = d->threads,
-                                         .medium = d->medium,
-                                         .media = d->media,
-                                         .keeps_cosines = d->keeps_cosines,
-                                         .receiver = instruments->receiver,
-                                         .receivers = instruments->receivers,
-                                         .keeps_records =
-                                             instruments->groups > 0};
-    murk_status status = murk_followed_trace(&lit->followed, &followed, err);
-    if (!status) {
-        status = count_watts(lit, err);
+    *out = (murk_lighting){.desc = desc};
+    const murk_free_keys *keys = desc->keys;
+    murk_status status =
+        murk_free_scene(&out->scene, keys, desc->condition, value, err);
+    if (status ||
+        (status = murk_stage_import_beside(&out->stage, out->scene, desc->base,
+                                           err)) ||
+        (status = murk_stage_build(out->stage, err))) {
+        return status;
     }
+    return murk_free_optics(&out->optics, keys, desc->condition, value, err);
+}
+
+murk_status murk_lighting_trace(murk_lighting *l, uint64_t photons,
+                                murk_error *err)
+{
+    const murk_lighting_desc *d = l->desc;
+    const murk_instruments *instruments = d->instruments;
+    if (!instruments->lights) {
+        return MURK_OK;
+    }
+    /* Trace. */
+    const murk_histories_desc histories = {.stage = l->stage,
+                                           .photons = photons,
+                                           .threads = d->threads,
+                                           .medium = d->medium,
+                                           .media = d->media,
+                                           .keeps_cosines = d->keeps_cosines,
+                                           .receiver = instruments->receiver,
+                                           .receivers = instruments->receivers,
+                                           .keeps_records =
+                                               instruments->groups > 0};
+    murk_status status = murk_histories_trace(&l->histories, &histories, err);
+    status = status ? status : count_watts(l, err);
     /* Find sightlines, if there are rows of coverage. */
     if (!status && instruments->groups) {
-        const murk_covered_desc covered = {.stage = lit->stage,
-                                           .followed = lit->followed,
+        const murk_visible_desc visible = {.stage = l->stage,
+                                           .histories = l->histories,
                                            .pose = instruments->pose,
                                            .group = instruments->group,
                                            .poses = instruments->poses,
                                            .groups = instruments->groups,
                                            .threads = d->threads};
-        status = murk_covered_create(&lit->covered, &covered, err);
+        status = murk_covered_create(&l->covered, &visible, err);
     }
     return status;
 }
 
-murk_status murk_lit_build(murk_lit *out, const murk_lit_desc *desc,
-                           const double *value, murk_error *err)
+void murk_lighting_darken(murk_lighting *l)
 {
-    *out = (murk_lit){.desc = desc};
-    const murk_free_keys *keys = desc->keys;
-    murk_status status =
-        murk_free_scene(&out->scene, keys, desc->condition, value, err);
-    if (!status) {
-        status =
-            murk_stage_import_beside(&out->stage, out->scene, desc->base, err);
-    }
-    if (!status) {
-        status = murk_stage_build(out->stage, err);
-    }
-    if (!status) {
-        status =
-            murk_free_optics(&out->optics, keys, desc->condition, value, err);
-    }
-    return status;
+    free(l->per_watt);
+    murk_covered_destroy(l->covered);
+    murk_histories_destroy(l->histories);
+    l->per_watt = NULL;
+    l->covered = NULL;
+    l->histories = NULL;
 }
 
-murk_status murk_lit_light(murk_lit *lit, uint64_t photons, murk_error *err)
+void murk_lighting_release(murk_lighting *l)
 {
-    return lit->desc->instruments->lit ? follow(lit, photons, err) : MURK_OK;
+    murk_lighting_darken(l);
+    murk_optics_destroy(l->optics);
+    murk_stage_destroy(l->stage);
+    murk_scene_desc_destroy(l->scene);
+    *l = (murk_lighting){0};
 }
 
-murk_status murk_lit_create(murk_lit *out, const murk_lit_desc *desc,
-                            const double *value, murk_error *err)
+murk_status murk_lighting_rows_create(murk_lighting_rows *out,
+                                      const murk_lighting_desc *desc,
+                                      size_t keys, murk_error *err)
 {
-    const murk_status status = murk_lit_build(out, desc, value, err);
-    return status ? status : murk_lit_light(out, 0, err);
+    const size_t lights = desc->instruments->lights, size = sizeof(double);
+    murk_arena arena = {0};
+    *out = (murk_lighting_rows){
+        .value = murk_arena_array(&arena, lights, size),
+        .slope = murk_arena_array(&arena, lights * keys, size),
+        .batch = murk_arena_array(&arena, lights * desc->batches, size),
+        .run = murk_arena_array(&arena, lights * desc->runs * keys, size)};
+    out->arena = arena;
+    return arena.is_short ? murk_fail(err, MURK_NO_MEMORY, "",
+                                      "no memory for %zu rows of light", lights)
+                          : MURK_OK;
 }
 
-void murk_lit_darken(murk_lit *lit)
+void murk_lighting_rows_release(murk_lighting_rows *rows)
 {
-    free(lit->per_watt);
-    murk_covered_destroy(lit->covered);
-    murk_followed_destroy(lit->followed);
-    lit->per_watt = NULL;
-    lit->covered = NULL;
-    lit->followed = NULL;
-}
-
-void murk_lit_release(murk_lit *lit)
-{
-    murk_lit_darken(lit);
-    murk_optics_destroy(lit->optics);
-    murk_stage_destroy(lit->stage);
-    murk_scene_desc_destroy(lit->scene);
-    *lit = (murk_lit){0};
-}
-
-murk_status murk_lit_rows_create(murk_lit_rows *out, const murk_lit_desc *desc,
-                                 size_t keys, murk_error *err)
-{
-    const size_t lit = desc->instruments->lit + 1;
-    *out = (murk_lit_rows){
-        .value = calloc(lit, sizeof *out->value),
-        .slope = calloc(lit * (keys + 1), sizeof *out->slope),
-        .batch = calloc(lit * desc->batches, sizeof *out->batch),
-        .run = calloc(lit * desc->runs * (keys + 1), sizeof *out->run)};
-    return out->value && out->slope && out->batch && out->run
-               ? MURK_OK
-               : murk_fail(err, MURK_NO_MEMORY, "",
-                           "no memory for %zu rows of light",
-                           desc->instruments->lit);
-}
-
-void murk_lit_rows_release(murk_lit_rows *rows)
-{
-    free(rows->value);
-    free(rows->slope);
-    free(rows->batch);
-    free(rows->run);
     murk_reweighed_release(&rows->reweighed);
-    *rows = (murk_lit_rows){0};
+    murk_arena_release(&rows->arena);
+    *rows = (murk_lighting_rows){0};
 }
 
-/* Copies the contributions of the runs for n rows from index `first` on to
- * their place among all rows. */
-static void place_runs(murk_lit_rows *out, const murk_lit_desc *desc,
-                       const double *run, size_t first, size_t n, size_t keys,
-                       const double *scale)
+/* Converts coverage, a fraction, to the unit of the row, which may be percent.
+ */
+static void convert_groups(const murk_row_sums *sums,
+                           const murk_instruments *instruments,
+                           const murk_measurements *measured, size_t keys)
 {
-    for (size_t r = 0; r < desc->runs; ++r) {
-        for (size_t i = 0; i < n; ++i) {
-            double *to =
-                out->run + (r * desc->instruments->lit + first + i) * keys;
+    const size_t lights = instruments->lights;
+    for (size_t i = instruments->receivers; i < lights; ++i) {
+        const size_t first = measured->row[instruments->light_row[i]].first;
+        double slope;
+        sums->value[i] = murk_reading_in_unit(measured->reading[first].unit,
+                                              sums->value[i], 1, &slope);
+        for (size_t k = 0; k < keys; ++k) {
+            sums->slope[i * keys + k] *= slope;
+        }
+        for (size_t b = 0; b < sums->batches; ++b) {
+            sums->batch[b * lights + i] *= slope;
+        }
+        for (size_t r = 0; r < sums->runs; ++r) {
             for (size_t k = 0; k < keys; ++k) {
-                to[k] = run[(r * n + i) * keys + k] * (scale ? scale[i] : 1);
+                sums->run[(r * lights + i) * keys + k] *= slope;
             }
         }
     }
 }
 
-/* Converts coverage, a fraction, to the unit of the row, which may be percent.
- */
-static void turn_groups(murk_lit_rows *out, const murk_lit_desc *desc,
-                        const murk_measurements *measured, const double *batch,
-                        double *scale, size_t keys)
-{
-    const murk_instruments *instruments = desc->instruments;
-    for (size_t g = 0; g < instruments->groups; ++g) {
-        const size_t i = instruments->receivers + g;
-        const murk_measured_row *row = &measured->row[instruments->lit_row[i]];
-        double slope;
-        out->value[i] = murk_reading_in_unit(measured->reading[row->first].unit,
-                                             out->value[i], 1, &slope);
-        scale[g] = slope;
-        for (size_t k = 0; k < keys; ++k) {
-            out->slope[i * keys + k] *= slope;
-        }
-        for (size_t b = 0; b < desc->batches; ++b) {
-            out->batch[b * instruments->lit + i] =
-                batch[b * instruments->groups + g] * slope;
-        }
-    }
-}
-
-static murk_status read_groups(murk_lit_rows *out, const murk_lit *lit,
-                               const murk_reweighed *reweighed,
+murk_status murk_lighting_read(murk_lighting_rows *out, const murk_lighting *l,
                                const murk_measurements *measured,
                                const murk_optics *at,
                                const murk_optics_sides *sides, size_t keys,
                                murk_error *err)
 {
-    const murk_lit_desc *d = lit->desc;
-    const size_t first = d->instruments->receivers,
-                 groups = d->instruments->groups;
-    /* Evaluate. */
-    double *batch = calloc((d->batches + 1) * groups, sizeof *batch);
-    double *run = calloc(d->runs * groups * (keys + 1), sizeof *run);
-    murk_status status = MURK_OK;
-    if (!batch || !run) {
-        status = murk_fail(err, MURK_NO_MEMORY, "", "no memory for coverage");
-    } else {
-        status = murk_covered_read(
-            out->value + first, out->slope + first * keys, batch, d->batches,
-            keys ? run : NULL, d->runs, lit->covered, reweighed, lit->optics,
-            at, sides, keys, err);
-    }
-    /* Convert, and copy into place. */
-    if (!status) {
-        double *scale = batch + d->batches * groups;
-        turn_groups(out, d, measured, batch, scale, keys);
-        place_runs(out, d, run, first, groups, keys, scale);
-    }
-    free(batch);
-    free(run);
-    return status;
-}
-
-static murk_status read_receivers(murk_lit_rows *out, const murk_lit *lit,
-                                  const murk_reweighed *reweighed,
-                                  murk_error *err)
-{
-    const murk_lit_desc *d = lit->desc;
+    const murk_lighting_desc *d = l->desc;
     const murk_instruments *instruments = d->instruments;
-    const size_t keys = reweighed->keys;
-    double *batch = calloc(d->batches * instruments->receivers, sizeof *batch);
-    double *run =
-        calloc(d->runs * instruments->receivers * (keys + 1), sizeof *run);
-    if (!batch || !run) {
-        free(batch);
-        free(run);
-        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for receivers");
-    }
-    /* Evaluate, then copy runs and batches into place. */
-    murk_receivers_read(out->value, out->slope, batch, d->batches, run, d->runs,
-                        instruments->receiver, lit->per_watt,
-                        instruments->receivers, lit->followed, reweighed,
-                        d->threads);
-    place_runs(out, d, run, 0, instruments->receivers, keys, NULL);
-    free(run);
-    for (size_t b = 0; b < d->batches; ++b) {
-        for (size_t i = 0; i < instruments->receivers; ++i) {
-            out->batch[b * instruments->lit + i] =
-                batch[b * instruments->receivers + i];
+    murk_reweighed *reweighed = &out->reweighed;
+    const murk_row_sums sums = {.value = out->value,
+                                .slope = out->slope,
+                                .batch = out->batch,
+                                .run = out->run,
+                                .rows = instruments->lights,
+                                .batches = d->batches,
+                                .runs = d->runs};
+    /* Re-weight, then evaluate receivers and coverage. */
+    murk_status status = murk_reweigh(reweighed, l->histories, l->optics, at,
+                                      sides, keys, d->threads, err);
+    out->share = status ? 0 : reweighed->effective_share;
+    if (!status && instruments->receivers) {
+        murk_receivers_read(&sums, instruments->receiver, l->per_watt,
+                            instruments->receivers, l->histories, reweighed,
+                            d->threads);
+        if (murk_interrupted()) {
+            return murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
         }
     }
-    free(batch);
-    return murk_interrupted()
-               ? murk_fail(err, MURK_INTERRUPTED, "", "interrupted")
-               : MURK_OK;
-}
-
-murk_status murk_lit_read(murk_lit_rows *out, const murk_lit *lit,
-                          const murk_measurements *measured,
-                          const murk_optics *at, const murk_optics_sides *sides,
-                          size_t keys, murk_error *err)
-{
-    murk_reweighed *reweighed = &out->reweighed;
-    murk_status status =
-        murk_reweigh_again(reweighed, lit->followed, lit->optics, at, sides,
-                           keys, lit->desc->threads, err);
-    out->share = status ? 0 : reweighed->effective_share;
-    if (!status && lit->desc->instruments->receivers) {
-        status = read_receivers(out, lit, reweighed, err);
-    }
-    if (!status && lit->desc->instruments->groups) {
-        status =
-            read_groups(out, lit, reweighed, measured, at, sides, keys, err);
+    if (!status && instruments->groups) {
+        status = murk_covered_read(&sums, instruments->receivers, l->covered,
+                                   reweighed, l->optics, at, sides, err);
+        if (!status) {
+            convert_groups(&sums, instruments, measured, keys);
+        }
     }
     return status;
 }

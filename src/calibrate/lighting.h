@@ -1,15 +1,16 @@
 /* One condition at one set of parameter values: the world, the traced light,
- * and the rows that need light ("lit rows"), which can be re-weighted to other
- * values. */
-#ifndef MURK_CALIBRATE_LIT_H
-#define MURK_CALIBRATE_LIT_H
+ * and the rows that need light ("light rows"), which can be re-weighted to
+ * other values. */
+#ifndef MURK_CALIBRATE_LIGHTING_H
+#define MURK_CALIBRATE_LIGHTING_H
 
+#include "base/arena.h"
 #include "calibrate/covered.h"
 #include "calibrate/free_keys.h"
 #include "calibrate/instruments.h"
 
 /* The properties that all lights of a condition share; borrowed. */
-typedef struct murk_lit_desc {
+typedef struct murk_lighting_desc {
     const murk_free_keys *keys;
     const murk_instruments *instruments;
     const murk_stage *base; /* imported; the files belong to it */
@@ -20,55 +21,54 @@ typedef struct murk_lit_desc {
     size_t batches, runs; /* batches and runs of photons; runs divides batches
                            */
     unsigned threads;
-} murk_lit_desc;
+} murk_lighting_desc;
 
-typedef struct murk_lit {
-    const murk_lit_desc *desc;
+typedef struct murk_lighting {
+    const murk_lighting_desc *desc;
     murk_scene_desc *scene;
     murk_stage *stage;
     murk_optics *optics;
-    murk_followed *followed; /* NULL: no row needs light */
-    murk_covered *covered;   /* NULL: no row of coverage */
-    murk_spectrum *per_watt; /* [receivers][lights]; factors to the units of the
-                              * receivers */
-} murk_lit;
+    murk_histories *histories; /* NULL: no row needs light */
+    murk_covered *covered;     /* NULL: no row of coverage */
+    murk_spectrum *per_watt;   /* [receivers][lights]; factors to the units of
+                                * the receivers */
+} murk_lighting;
 
 /* Builds the world without light. Release also after a failure. */
-murk_status murk_lit_build(murk_lit *out, const murk_lit_desc *desc,
-                           const double *value, murk_error *err);
-void murk_lit_release(murk_lit *lit);
+murk_status murk_lighting_build(murk_lighting *out,
+                                const murk_lighting_desc *desc,
+                                const double *value, murk_error *err);
+void murk_lighting_release(murk_lighting *lighting);
 
 /* Traces the light if any row needs it, with the number of photons of the
- * scene, or with `photons` if that is not 0. Call murk_lit_darken() or release
- * also after a failure. */
-murk_status murk_lit_light(murk_lit *lit, uint64_t photons, murk_error *err);
-void murk_lit_darken(murk_lit *lit);
+ * scene, or with `photons` if that is not 0. Call murk_lighting_darken() or
+ * release also after a failure. */
+murk_status murk_lighting_trace(murk_lighting *lighting, uint64_t photons,
+                                murk_error *err);
+void murk_lighting_darken(murk_lighting *lighting);
 
-/* Both. Release also after a failure. */
-murk_status murk_lit_create(murk_lit *out, const murk_lit_desc *desc,
-                            const double *value, murk_error *err);
-
-/* The lit rows, instruments->lit of them. value[lit] in the units of the rows,
- * without factors of readings; slope[lit][keys], or NULL, with respect to the
- * keys of sides[keys]; batch[batches][lit], which add up to the values;
- * run[runs][lit][keys], which add up to the slopes; share as in murk_reweighed.
- */
-typedef struct murk_lit_rows {
-    double *value, *slope, *batch, *run;
+/* The light rows, instruments->lights of them: sums in the units of the rows,
+ * without factors of readings. share as in murk_reweighed. */
+typedef struct murk_lighting_rows {
+    double *value, *slope, *batch, *run; /* as in murk_row_sums */
     double share;
     murk_reweighed reweighed; /* workspace that the next evaluation reuses */
-} murk_lit_rows;
+    murk_arena arena;         /* of all arrays */
+} murk_lighting_rows;
 
 /* Allocates the rows of desc. Fails with MURK_NO_MEMORY; release in any case.
  */
-murk_status murk_lit_rows_create(murk_lit_rows *out, const murk_lit_desc *desc,
-                                 size_t keys, murk_error *err);
-void murk_lit_rows_release(murk_lit_rows *rows);
+murk_status murk_lighting_rows_create(murk_lighting_rows *out,
+                                      const murk_lighting_desc *desc,
+                                      size_t keys, murk_error *err);
+void murk_lighting_rows_release(murk_lighting_rows *rows);
 
-/* Evaluates the lit rows at the optics `at`. */
-murk_status murk_lit_read(murk_lit_rows *out, const murk_lit *lit,
-                          const murk_measurements *measured,
-                          const murk_optics *at, const murk_optics_sides *sides,
-                          size_t keys, murk_error *err);
+/* Evaluates the light rows at the optics `at`. */
+murk_status murk_lighting_read(murk_lighting_rows *out,
+                               const murk_lighting *lighting,
+                               const murk_measurements *measured,
+                               const murk_optics *at,
+                               const murk_optics_sides *sides, size_t keys,
+                               murk_error *err);
 
 #endif

@@ -5,9 +5,6 @@
 
 #include "base/file.h"
 #include "base/log.h"
-#include "calibrate/reading_row.h"
-#include "calibrate/reading_units.h"
-#include "scene/words.h"
 
 #include <ctype.h>
 #include <stdio.h>
@@ -36,12 +33,11 @@ static murk_status no_memory(const char *path, murk_error *err)
     return murk_fail(err, MURK_NO_MEMORY, path, "no memory for its readings");
 }
 
-static murk_status refuse(const listing *all, const named *at,
-                          murk_reading_column column, const char *text)
+/* The place of a cell for messages. */
+static murk_reading_where where_of(const listing *all, const named *at,
+                                   murk_reading_column column)
 {
-    char where[320];
-    murk_reading_where(where, all->table, (int)at->reading.line, column);
-    return murk_fail(all->err, MURK_BAD_VALUE, where, "%s", text);
+    return murk_reading_where_at(all->table, (int)at->reading.line, column);
 }
 
 /* ---- groups ---- */
@@ -63,20 +59,19 @@ static int compare_groups(const void *a, const void *b)
 static murk_status check_alike(const listing *all, const named *first,
                                const named *at)
 {
-    char text[256];
-    if (at->reading.kind != first->reading.kind) {
-        snprintf(text, sizeof text,
-                 "%s, but line %zu of this group is %s, must be of one kind",
-                 murk_reading_kinds[at->reading.kind], first->reading.line,
-                 murk_reading_kinds[first->reading.kind]);
-        return refuse(all, at, MURK_COLUMN_KIND, text);
+    const murk_reading *a = &first->reading, *b = &at->reading;
+    if (b->kind != a->kind) {
+        return murk_fail(
+            all->err, MURK_BAD_VALUE, where_of(all, at, MURK_COLUMN_KIND).text,
+            "%s, but line %zu of this group is %s, must be of one kind",
+            murk_reading_kinds[b->kind], a->line, murk_reading_kinds[a->kind]);
     }
-    if (at->reading.unit != first->reading.unit) {
-        snprintf(text, sizeof text,
-                 "%s, but line %zu of this group is in %s, must be in one unit",
-                 murk_reading_unit_name(at->reading.unit), first->reading.line,
-                 murk_reading_unit_name(first->reading.unit));
-        return refuse(all, at, MURK_COLUMN_UNIT, text);
+    if (b->unit != a->unit) {
+        return murk_fail(
+            all->err, MURK_BAD_VALUE, where_of(all, at, MURK_COLUMN_UNIT).text,
+            "%s, but line %zu of this group is in %s, must be in one unit",
+            murk_reading_unit_name(b->unit), a->line,
+            murk_reading_unit_name(a->unit));
     }
     return MURK_OK;
 }
@@ -87,24 +82,24 @@ static murk_status check_same(const listing *all, const named *first,
                               const named *at)
 {
     const murk_reading *a = &first->reading, *b = &at->reading;
+    /* Compare the columns. */
     const struct {
         bool differs;
         murk_reading_column column;
-        /* Compare the columns. */
     } parts[] = {
         {a->value != b->value, MURK_COLUMN_VALUE},
         {a->standard_error != b->standard_error, MURK_COLUMN_ERROR},
         {strcmp(first->gain, at->gain) != 0, MURK_COLUMN_GAIN},
         {a->is_held_out != b->is_held_out, MURK_COLUMN_USE},
     };
-    char text[160];
-    snprintf(text, sizeof text,
-             "differs from line %zu of this group, which is one reading of "
-             "coverage, must be the same in all its lines",
-             a->line);
     for (size_t i = 0; i < sizeof parts / sizeof *parts; ++i) {
         if (parts[i].differs) {
-            return refuse(all, at, parts[i].column, text);
+            return murk_fail(all->err, MURK_BAD_VALUE,
+                             where_of(all, at, parts[i].column).text,
+                             "differs from line %zu of this group, which is "
+                             "one reading of coverage, must be the same in "
+                             "all its lines",
+                             a->line);
         }
     }
     return MURK_OK;
@@ -192,13 +187,15 @@ static murk_status add_gain(murk_measurements *m, const named **first,
                             const listing *all, const named *at)
 {
     if (!is_plain(at->gain)) {
-        return refuse(all, at, MURK_COLUMN_GAIN,
-                      "must be a name of letters, digits, - and _, for --free "
-                      "gain.NAME");
+        return murk_fail(all->err, MURK_BAD_VALUE,
+                         where_of(all, at, MURK_COLUMN_GAIN).text,
+                         "must be a name of letters, digits, - and _, for "
+                         "--free gain.NAME");
     }
     if (m->gains == MURK_READING_GAINS_MAX) {
-        return refuse(all, at, MURK_COLUMN_GAIN,
-                      "one more than 512 factors, the most there may be");
+        return murk_fail(all->err, MURK_BAD_VALUE,
+                         where_of(all, at, MURK_COLUMN_GAIN).text,
+                         "one more than 512 factors, the most there may be");
     }
     memcpy(m->gain[m->gains], at->gain, strlen(at->gain) + 1);
     first[m->gains++] = at;
@@ -228,14 +225,13 @@ static murk_status find_gains(murk_measurements *m, listing *all)
         }
         /* Compare the units. */
         if (at->reading.unit != first[k]->reading.unit) {
-            char text[200];
-            snprintf(text, sizeof text,
-                     "%s, but line %zu of factor %s is in %s, must be in one "
-                     "unit",
-                     murk_reading_unit_name(at->reading.unit),
-                     first[k]->reading.line, m->gain[k],
-                     murk_reading_unit_name(first[k]->reading.unit));
-            return refuse(all, at, MURK_COLUMN_UNIT, text);
+            return murk_fail(
+                all->err, MURK_BAD_VALUE,
+                where_of(all, at, MURK_COLUMN_UNIT).text,
+                "%s, but line %zu of factor %s is in %s, must be in one unit",
+                murk_reading_unit_name(at->reading.unit),
+                first[k]->reading.line, m->gain[k],
+                murk_reading_unit_name(first[k]->reading.unit));
         }
         at->reading.gain = k;
     }
@@ -278,16 +274,15 @@ static murk_status read_lines(listing *all, const murk_reading_source *source)
 static murk_status fill(murk_measurements *m, listing *all)
 {
     size_t *row_of = calloc(all->n, sizeof *row_of);
-    m->reading = calloc(all->n, sizeof *m->reading);
-    m->row = calloc(all->n, sizeof *m->row);
-    m->group = calloc(all->n, sizeof *m->group);
-    m->gain = calloc(MURK_READING_GAINS_MAX, sizeof *m->gain);
-    murk_status status = row_of && m->reading && m->row && m->group && m->gain
+    murk_arena *arena = &m->arena;
+    m->reading = murk_arena_array(arena, all->n, sizeof *m->reading);
+    m->row = murk_arena_array(arena, all->n, sizeof *m->row);
+    m->group = murk_arena_array(arena, all->n, sizeof *m->group);
+    m->gain = murk_arena_array(arena, MURK_READING_GAINS_MAX, sizeof *m->gain);
+    murk_status status = row_of && !arena->is_short
                              ? find_gains(m, all)
                              : no_memory(m->path, all->err);
-    if (!status) {
-        status = find_rows(all);
-    }
+    status = status ? status : find_rows(all);
     if (!status) {
         lay_rows(m, all, row_of);
     }
@@ -299,10 +294,9 @@ static murk_status from_table(murk_measurements *m, const murk_table *table,
                               const murk_scene_desc *scene,
                               const murk_domain *domain, murk_error *err)
 {
-    murk_reading_source source = {/* Find the columns, then read each line. */
-                                  .table = table,
-                                  .scene = scene,
-                                  .domain = domain};
+    /* Find the columns, then read each line. */
+    murk_reading_source source = {
+        .table = table, .scene = scene, .domain = domain};
     murk_status status = murk_reading_columns(&source, err);
     if (status) {
         return status;
@@ -317,9 +311,7 @@ static murk_status from_table(murk_measurements *m, const murk_table *table,
                    .n = table->rows,
                    .err = err};
     status = all.item ? read_lines(&all, &source) : no_memory(m->path, err);
-    if (!status) {
-        status = fill(m, &all);
-    }
+    status = status ? status : fill(m, &all);
     free(all.item);
     return status;
 }
@@ -334,7 +326,6 @@ murk_status murk_measurements_read(murk_measurements **out, const char *path,
     murk_status status =
         murk_file_read(&text, &size, path, FILE_BYTES_MAX, err);
     if (status) {
-        /* The checksum identifies the data in results. */
         return status;
     }
     murk_measurements *m = calloc(1, sizeof *m);
@@ -343,12 +334,10 @@ murk_status murk_measurements_read(murk_measurements **out, const char *path,
         free(m);
         return no_memory(path, err);
     }
-    /* Parse and convert. */
+    /* The checksum identifies the data in results. */
     murk_sha256_hex(text, size, m->sha256);
     status = murk_table_parse(&table, path, text, size, err);
-    if (!status) {
-        status = from_table(m, table, scene, domain, err);
-    }
+    status = status ? status : from_table(m, table, scene, domain, err);
     if (!status) {
         tell(m);
         *out = m;
@@ -363,10 +352,7 @@ void murk_measurements_destroy(murk_measurements *measured)
 {
     if (measured) {
         free(measured->path);
-        free(measured->reading);
-        free(measured->row);
-        free(measured->group);
-        free(measured->gain);
+        murk_arena_release(&measured->arena);
         free(measured);
     }
 }

@@ -2,7 +2,7 @@
  * parameters, with derivatives, from light that is traced seldom.
  *
  * Light is traced at one set of values (murk_model_trace()) and re-weighted to
- * others (calibrate/reweigh.h). Keys that change the world itself act on lit
+ * others (calibrate/reweigh.h). Keys that change the world itself act on light
  * rows linearly, with slopes from differences of light that is traced at other
  * values with the same seed. Transmittance along beams is exact at any values.
  */
@@ -14,7 +14,7 @@
 
 /* Limit on the rows that need photons: these rows share photons, and their full
  * covariance is stored. */
-#define MURK_MODEL_LIT_ROWS_MAX 4000
+#define MURK_MODEL_LIGHT_ROWS_MAX 4000
 
 typedef struct murk_model_desc {
     const murk_free_keys *keys;
@@ -29,20 +29,35 @@ typedef struct murk_model_desc {
 
 typedef struct murk_model murk_model;
 
+/* Facts about a model that change with each trace. */
+typedef struct murk_model_facts {
+    size_t *light; /* [lights]; rows that need photons, rising */
+    size_t lights;
+    size_t batches, runs; /* of photons */
+    size_t traces;        /* so far, those for slopes included */
+    uint64_t photons;     /* of one trace */
+    double memory_bytes;  /* of the fit, as forecast by the first trace; 0:
+                           * not yet */
+    double trace_s;
+} murk_model_facts;
+
 /* Creates a model; no world is built yet. What desc points to must outlive it.
  * The caller owns *out (murk_model_destroy()). */
 murk_status murk_model_create(murk_model **out, const murk_model_desc *desc,
                               murk_error *err);
 void murk_model_destroy(murk_model *model); /* NULL is fine */
 
+const murk_model_facts *murk_model_facts_of(const murk_model *model);
+
+/* The world of condition c (an index into keys->condition) that was built last.
+ */
+const murk_stage *murk_model_stage(const murk_model *model, size_t c);
+
 /* Builds the worlds at value[keys->n] and traces the light that rows need.
  * Fails if an instrument cannot be modelled there and, the first time, before
  * light is traced, if the forecast exceeds the free memory. */
 murk_status murk_model_trace(murk_model *model, const double *value,
                              murk_error *err);
-
-/* Memory of the fit in bytes as forecast by the first trace; 0 before. */
-double murk_model_memory_bytes(const murk_model *model);
 
 /* Predicts the rows at other values: predicted[rows] in the unit of each row,
  * factors included; slope[rows][keys->n] with respect to the values of the
@@ -53,39 +68,24 @@ murk_status murk_model_predict(murk_model *model, const double *value,
                                double *predicted, double *slope,
                                double *effective_share, murk_error *err);
 
-/* The rows that need photons, lit[n], rising, and the covariance [n * n] of
- * their values by photons at the last prediction, to be freed with free(); NULL
- * if there are none. The covariance is estimated from at least 100 batches of
- * photons. */
-murk_status murk_model_noise(const murk_model *model, const size_t **lit,
-                             size_t *n, double **covariance, murk_error *err);
-
-/* The rows that need photons, rising. */
-const size_t *murk_model_lit(const murk_model *model, size_t *n);
+/* The covariance [lights * lights] of the values of the light rows by photons
+ * at the last prediction, to be freed with free(); NULL if there are none. It
+ * is estimated from at least 100 batches of photons. */
+murk_status murk_model_noise(const murk_model *model, double **covariance,
+                             murk_error *err);
 
 /* The contributions of runs of consecutive photons to values and slopes of the
- * lit rows at the last prediction, which must have been with slopes. Values and
- * slopes come from the same photons, so their errors are correlated
- * (slope_noise.h). part[runs][lit][1 + keys->n], to be freed with free():
- * value, then slopes; each adds up to that of the row. NULL if no row needs
- * light. */
-murk_status murk_model_parts(const murk_model *model, size_t *runs,
-                             double **part, murk_error *err);
+ * light rows at the last prediction, which must have been with slopes. Values
+ * and slopes come from the same photons, so their errors are correlated
+ * (slope_noise.h). part[runs][lights][1 + n], to be freed with free(): value,
+ * then slopes; each adds up to that of the row. NULL if no row needs light. */
+murk_status murk_model_parts(const murk_model *model, double **part,
+                             murk_error *err);
 
 /* Relative error of the slopes of a world key at the traced values, by photons
  * and step size together, over the rows of all conditions: the square root of
  * sum(error^2) / sum(slope^2). NaN for other keys, before a trace, and if no
  * row changes. */
 double murk_model_slope_error(const murk_model *model, size_t key);
-
-/* The world of condition c (an index into keys->condition) that was built last.
- */
-const murk_stage *murk_model_stage(const murk_model *model, size_t c);
-
-/* Number of traces so far, those for slopes included; photons of one trace;
- * seconds. */
-size_t murk_model_traces(const murk_model *model);
-uint64_t murk_model_photons(const murk_model *model);
-double murk_model_trace_s(const murk_model *model);
 
 #endif

@@ -1,7 +1,7 @@
 /* Traces a few photons of each condition, measures the memory of their
  * contributions and sightlines, and scales it to the number of photons of the
  * fit. */
-#include "calibrate/fit_forecast.h"
+#include "calibrate/model_parts.h"
 
 #include "base/log.h"
 #include "calibrate/recorder.h"
@@ -13,36 +13,35 @@
  * of contributions. */
 typedef struct light_size {
     double contributions;
-    double followed; /* contributions and maps */
-    double growing;  /* additional memory while they are traced */
-    double seen;     /* sightlines; the same again while they are sorted */
-    double weights;  /* ratios and slopes of one evaluation */
+    double histories;  /* contributions and maps */
+    double growing;    /* additional memory while they are traced */
+    double sightlines; /* the same again while they are sorted */
+    double weights;    /* ratios and slopes of one evaluation */
 } light_size;
 
 /* The memory of `grow` times the photons of the pilot. */
-static light_size size_of(const murk_lit *pilot, double grow, size_t keys)
+static light_size size_of(const murk_lighting *pilot, double grow, size_t keys)
 {
-    const murk_followed *f = pilot->followed;
-    const double n = grow * (double)f->n, turns = grow * (double)f->turns;
+    const murk_histories *h = pilot->histories;
+    const double n = grow * (double)h->n, turns = grow * (double)h->turns;
     double records = 0;
-    for (size_t i = 0; i < f->n; ++i) {
-        records += murk_contribution_is_record(&f->contribution[i]) ? grow : 0;
+    for (size_t i = 0; i < h->n; ++i) {
+        records += murk_contribution_is_record(&h->contribution[i]) ? grow : 0;
     }
-    const double plain = murk_recorded_bytes(f->media, n, turns);
-    const double maps =
-        pilot->covered ? murk_photon_map_memory_for(records) : 0;
-    const double piles =
-        pilot->covered ? records * (double)sizeof(murk_photon) : 0;
+    const double plain = murk_histories_bytes(h->media, n, turns);
+    const bool has_maps = pilot->covered != NULL;
+    const double maps = has_maps ? murk_photon_map_memory_for(records) : 0;
+    const double buffers = has_maps ? records * (double)sizeof(murk_photon) : 0;
     return (light_size){
         .contributions = n,
-        .followed = plain + maps,
-        .growing = (MURK_WHILE_GROWING - 1) * (plain + piles),
-        .seen = pilot->covered ? grow * murk_covered_bytes(pilot->covered) : 0,
+        .histories = plain + maps,
+        .growing = (MURK_WHILE_GROWING - 1) * (plain + buffers),
+        .sightlines = has_maps ? grow * murk_covered_bytes(pilot->covered) : 0,
         .weights = n * (double)(keys + 1) * sizeof(double)};
 }
 
 /* The ratio of the photons of the fit to those of the pilot. */
-static murk_status find_growth(double *grow, const murk_lit *pilot,
+static murk_status find_growth(double *grow, const murk_lighting *pilot,
                                murk_error *err)
 {
     const murk_scene_photons *settings = &pilot->scene->photons;
@@ -52,59 +51,53 @@ static murk_status find_growth(double *grow, const murk_lit *pilot,
         status = murk_lightmap_forecast(&forecast, pilot->stage, 0,
                                         pilot->desc->threads, err);
     }
-    *grow = forecast.emitted / (double)pilot->followed->emitted;
+    *grow = forecast.emitted / (double)pilot->histories->emitted;
     return status;
 }
 
 /* Traces the pilot and forecasts; a failure other than an interrupt gives
  * zeros. */
-static murk_status try_light(light_size *out, const murk_lit *lit, size_t keys,
-                             murk_error *err)
+static murk_status try_light(light_size *out, const murk_lighting *lighting,
+                             size_t keys, murk_error *err)
 {
-    murk_lit pilot = {.desc = lit->desc,
-                      .scene = lit->scene,
-                      .stage = lit->stage,
-                      .optics = lit->optics};
+    murk_lighting pilot = {.desc = lighting->desc,
+                           .scene = lighting->scene,
+                           .stage = lighting->stage,
+                           .optics = lighting->optics};
     /* Few photons. */
-    const murk_scene_photons *settings = &lit->scene->photons;
+    const uint64_t emit = lighting->scene->photons.emit;
     const uint64_t photons =
-        settings->emit && settings->emit < MURK_FIT_FORECAST_FROM
-            ? settings->emit
-            : MURK_FIT_FORECAST_FROM;
+        emit && emit < MURK_FIT_FORECAST_FROM ? emit : MURK_FIT_FORECAST_FROM;
     /* Trace without warnings and errors. */
     murk_error own = {0};
-    *out = (light_size){0};
-    const murk_warn_sink sink = murk_warn_to(NULL);
-    murk_status status = murk_lit_light(&pilot, photons, &own);
     double grow = 1;
-    if (!status) {
-        status = find_growth(&grow, &pilot, &own);
-    }
+    const murk_warn_sink sink = murk_warn_to(NULL);
+    murk_status status = murk_lighting_trace(&pilot, photons, &own);
+    status = status ? status : find_growth(&grow, &pilot, &own);
     (void)murk_warn_to(sink);
-    if (!status) {
-        *out = size_of(&pilot, grow, keys);
-        /* Only an interrupt is reported. */
-    }
-    murk_lit_darken(&pilot);
+    *out = status ? (light_size){0} : size_of(&pilot, grow, keys);
+    murk_lighting_darken(&pilot);
+    /* Only an interrupt is reported. */
     return status == MURK_INTERRUPTED
                ? murk_fail(err, status, own.where, "%s", own.text)
                : MURK_OK;
 }
 
-/* Memory of the sums by batch and run for this number of rows. They exist twice
- * while an evaluation copies them into place. */
+/* Memory of the sums by batch and run for this number of rows. An evaluation
+ * needs as much again for the sums of both maps. */
 static double sums_bytes(const murk_model *m, double rows)
 {
     return rows * sizeof(double) *
-           ((double)m->batches + (double)m->runs * ((double)m->n + 1));
+           ((double)m->facts.batches +
+            (double)m->facts.runs * ((double)m->n + 1));
 }
 
 /* Memory of the covariance of all rows that need light, of the fitted ones, of
  * the factor, and of the batches. */
 static double noise_bytes(const murk_model *m)
 {
-    const double lits = (double)m->lits;
-    return 3 * lits * lits * sizeof(double) + sums_bytes(m, lits);
+    const double lights = (double)m->facts.lights;
+    return 3 * lights * lights * sizeof(double) + sums_bytes(m, lights);
 }
 
 /* Memory that all conditions keep, and the largest additional memory of any. */
@@ -116,12 +109,12 @@ typedef struct need {
 static void add_condition(need *all, const light_size *size, double sums,
                           bool has_world_keys)
 {
-    const double tracing = fmax(size->growing, size->seen);
+    const double tracing = fmax(size->growing, size->sightlines);
     /* Slopes of world keys need a second light and sums at two values. */
-    const double another = size->followed + size->seen +
+    const double another = size->histories + size->sightlines +
                            size->contributions * (double)sizeof(double) +
                            3 * sums;
-    all->light += size->followed + size->seen;
+    all->light += size->histories + size->sightlines;
     all->weights += size->weights;
     all->sums += sums;
     all->tracing = fmax(all->tracing, tracing + (has_world_keys ? another : 0));
@@ -137,10 +130,10 @@ murk_status murk_model_forecast(murk_fit_forecast *out, const murk_model *m,
     for (size_t c = 0; c < m->worlds && !status; ++c) {
         const murk_model_world *w = &m->world[c];
         light_size size;
-        if (w->instruments.lit) {
-            status = try_light(&size, &w->lit, m->n, err);
+        if (w->instruments.lights) {
+            status = try_light(&size, &w->lighting, m->n, err);
             add_condition(&all, &size,
-                          sums_bytes(m, (double)w->instruments.lit),
+                          sums_bytes(m, (double)w->instruments.lights),
                           w->has_world_keys);
             contributions += size.contributions;
         }

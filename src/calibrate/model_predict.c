@@ -19,106 +19,94 @@ static murk_status no_memory(murk_error *err)
     return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the fit's model");
 }
 
-void murk_sides_release(murk_sides *s, size_t n)
+bool murk_model_changes_world(const murk_model *m, size_t k, size_t c)
 {
-    for (size_t k = 0; k < n; ++k) {
-        murk_optics_destroy(s->low ? s->low[k] : NULL);
-        murk_optics_destroy(s->high ? s->high[k] : NULL);
-    }
-    free(s->side);
-    free(s->low);
-    free(s->high);
+    const murk_free_keys *keys = m->desc.keys;
+    return keys->key[k].kind == MURK_FREE_WORLD &&
+           murk_free_key_is_in(keys, k, c);
 }
 
-/* The optics of condition c with `instead` as the value of key k. */
-static murk_status optics_with(murk_optics **out, const murk_model *m, size_t c,
-                               const double *value, size_t k, double instead,
-                               murk_error *err)
+bool murk_model_reweighs(const murk_model *m, size_t k, size_t c)
 {
-    double *moved = malloc(m->n * sizeof *moved);
-    if (!moved) {
-        return no_memory(err);
-    }
-    memcpy(moved, value, m->n * sizeof *moved);
-    moved[k] = instead;
-    const murk_status status =
-        murk_free_optics(out, m->desc.keys, c, moved, err);
-    free(moved);
-    return status;
+    const murk_free_keys *keys = m->desc.keys;
+    const murk_free_kind kind = keys->key[k].kind;
+    return (kind == MURK_FREE_MEDIUM || kind == MURK_FREE_LIGHT) &&
+           murk_free_key_is_in(keys, k, c);
 }
 
-murk_status murk_model_look_around(murk_sides *out, const murk_model *m,
-                                   size_t c, const double *value,
-                                   murk_error *err)
+void murk_model_sides_release(murk_optics_sides *sides, size_t n)
 {
-    *out = (murk_sides){calloc(m->n, sizeof *out->side),
-                        calloc(m->n, sizeof(murk_optics *)),
-                        calloc(m->n, sizeof(murk_optics *))};
-    if (!out->side || !out->low || !out->high) {
-        return no_memory(err);
+    for (size_t k = 0; sides && k < n; ++k) {
+        murk_optics_destroy(sides[k].low);
+        murk_optics_destroy(sides[k].high);
     }
-    murk_status status = MURK_OK;
+    free(sides);
+}
+
+murk_status murk_model_sides(murk_optics_sides **sides, const murk_model *m,
+                             size_t c, const double *value, murk_error *err)
+{
+    const murk_free_keys *keys = m->desc.keys;
+    double *beside = m->beside;
+    *sides = calloc(m->n, sizeof **sides);
+    murk_status status = *sides ? MURK_OK : no_memory(err);
+    memcpy(beside, value, m->n * sizeof *beside);
     for (size_t k = 0; k < m->n && !status; ++k) {
+        murk_optics_sides *side = &(*sides)[k];
+        double low, high;
         if (!murk_model_reweighs(m, k, c)) {
-            /* Keys without an effect by re-weighting keep NULL. */
             continue;
         }
-        double low, high;
-        /* The optics at both values. */
-        murk_free_key_around(m->desc.keys, k, value[k], &low, &high);
-        status = optics_with(&out->low[k], m, c, value, k, low, err);
-        if (!status) {
-            status = optics_with(&out->high[k], m, c, value, k, high, err);
-        }
-        out->side[k] =
-            (murk_optics_sides){out->low[k], out->high[k], high - low};
+        murk_free_key_around(keys, k, value[k], &low, &high);
+        side->span = high - low;
+        beside[k] = low;
+        status = murk_free_optics(&side->low, keys, c, beside, err);
+        beside[k] = high;
+        status = status ? status
+                        : murk_free_optics(&side->high, keys, c, beside, err);
+        beside[k] = value[k];
     }
     return status;
 }
 
-/* Predicts the lit rows of one condition. */
+/* Predicts the light rows of one condition. */
 static murk_status predict_light(murk_model *m, size_t c, const double *value,
-                                 bool with_slopes, double *predicted,
-                                 double *slope, murk_error *err)
+                                 double *predicted, double *slope,
+                                 murk_error *err)
 {
     murk_model_world *w = &m->world[c];
-    double *moved = malloc(m->n * sizeof *moved);
     murk_optics *at = NULL;
-    murk_sides around = {0};
-    murk_status status = moved ? MURK_OK : no_memory(err);
+    murk_optics_sides *sides = NULL;
     /* World keys keep the traced value; their effect is added below. */
-    for (size_t k = 0; k < m->n && !status; ++k) {
-        moved[k] = murk_model_turns_world(m, k, c) ? m->traced[k] : value[k];
+    for (size_t k = 0; k < m->n; ++k) {
+        m->moved[k] =
+            murk_model_changes_world(m, k, c) ? m->traced[k] : value[k];
     }
-    if (!status) {
-        status = murk_free_optics(&at, m->desc.keys, c, moved, err);
+    /* Optics at these values and around them; re-weight. */
+    murk_status status = murk_free_optics(&at, m->desc.keys, c, m->moved, err);
+    if (!status && slope) {
+        status = murk_model_sides(&sides, m, c, m->moved, err);
     }
-    /* Optics at these values and around them. */
-    if (!status && with_slopes) {
-        status = murk_model_look_around(&around, m, c, moved, err);
-    }
-    /* Re-weight. */
-    if (!status) {
-        status = murk_lit_read(&w->rows, &w->lit, m->desc.measured, at,
-                               around.side, with_slopes ? m->n : 0, err);
-    }
+    status = status
+                 ? status
+                 : murk_lighting_read(&w->rows, &w->lighting, m->desc.measured,
+                                      at, sides, slope ? m->n : 0, err);
     /* Add the linear effect of world keys. */
-    for (size_t i = 0; i < w->instruments.lit && !status; ++i) {
-        const size_t row = w->instruments.lit_row[i];
+    for (size_t i = 0; i < w->instruments.lights && !status; ++i) {
+        const size_t row = w->instruments.light_row[i];
         predicted[row] = w->rows.value[i];
         for (size_t k = 0; k < m->n; ++k) {
             const double by_world = w->world_slope[i * m->n + k];
-            if (murk_model_turns_world(m, k, c)) {
+            if (murk_model_changes_world(m, k, c)) {
                 predicted[row] += by_world * (value[k] - m->traced[k]);
             }
-            if (with_slopes) {
+            if (slope) {
                 slope[row * m->n + k] = by_world + w->rows.slope[i * m->n + k];
             }
         }
     }
-    murk_sides_release(&around, around.side ? m->n : 0);
+    murk_model_sides_release(sides, m->n);
     murk_optics_destroy(at);
-    free(moved);
     return status;
 }
 
@@ -132,9 +120,8 @@ static murk_status beams_at(double *out, const murk_model *m, size_t c,
     murk_optics *optics = NULL;
     murk_beams *beams = NULL;
     murk_status status = murk_free_optics(&optics, m->desc.keys, c, value, err);
-    if (!status) {
-        status = murk_beams_create(&beams, w->lit.stage, optics, err);
-    }
+    status = status ? status
+                    : murk_beams_create(&beams, w->lighting.stage, optics, err);
     for (size_t i = 0; i < w->instruments.beams && !status; ++i) {
         /* Evaluate each beam. */
         const murk_reading *reading =
@@ -150,28 +137,21 @@ static murk_status beams_at(double *out, const murk_model *m, size_t c,
     return status;
 }
 
-/* Difference quotients of the beams over [low, high] of key k. */
-static murk_status beam_differences(double *out, const murk_model *m, size_t c,
+/* Difference quotients of the beams over [low, high] of key k; below[beams] is
+ * a workspace. */
+static murk_status beam_differences(double *out, double *below,
+                                    const murk_model *m, size_t c,
                                     const double *value, size_t k, double low,
                                     double high, murk_error *err)
 {
-    const size_t beams = m->world[c].instruments.beams;
-    double *moved = malloc((m->n + beams) * sizeof *moved);
-    if (!moved) {
-        return no_memory(err);
-    }
-    double *below = moved + m->n;
-    memcpy(moved, value, m->n * sizeof *moved);
-    moved[k] = low;
-    murk_status status = beams_at(below, m, c, moved, err);
-    moved[k] = high;
-    if (!status) {
-        status = beams_at(out, m, c, moved, err);
-    }
-    for (size_t i = 0; i < beams && !status; ++i) {
+    memcpy(m->beside, value, m->n * sizeof *value);
+    m->beside[k] = low;
+    murk_status status = beams_at(below, m, c, m->beside, err);
+    m->beside[k] = high;
+    status = status ? status : beams_at(out, m, c, m->beside, err);
+    for (size_t i = 0; i < m->world[c].instruments.beams && !status; ++i) {
         out[i] = (out[i] - below[i]) / (high - low);
     }
-    free(moved);
     return status;
 }
 
@@ -190,25 +170,29 @@ static bool are_of_steps(const double *slope, const double *wide, size_t n)
            of_wide > STEEP * STEEP * of_slopes;
 }
 
-/* Slopes of the beams with respect to key k; room[2 * beams] is a workspace. */
+/* Slopes of the beams with respect to key k; scratch[3 * beams] is a scratch
+ * buffer. */
 static murk_status beam_slopes(const murk_model *m, size_t c,
-                               const double *value, size_t k, double *room,
+                               const double *value, size_t k, double *scratch,
                                double *slope, murk_error *err)
 {
     const murk_instruments *instruments = &m->world[c].instruments;
+    const size_t beams = instruments->beams;
     const murk_free_key *key = &m->desc.keys->key[k];
-    double *wide = room + instruments->beams, low, high;
+    double *narrow = scratch, *wide = scratch + beams,
+           *below = scratch + 2 * beams, low, high;
     murk_free_key_around(m->desc.keys, k, value[k], &low, &high);
-    murk_status status = beam_differences(room, m, c, value, k, low, high, err);
+    murk_status status =
+        beam_differences(narrow, below, m, c, value, k, low, high, err);
     if (!status && key->kind == MURK_FREE_WORLD) {
         murk_world_span(key, value[k], .5, &low, &high);
-        status = beam_differences(wide, m, c, value, k, low, high, err);
+        status = beam_differences(wide, below, m, c, value, k, low, high, err);
     }
     const bool takes_wide = !status && key->kind == MURK_FREE_WORLD &&
-                            are_of_steps(room, wide, instruments->beams);
-    for (size_t i = 0; i < instruments->beams && !status; ++i) {
+                            are_of_steps(narrow, wide, beams);
+    for (size_t i = 0; i < beams && !status; ++i) {
         slope[instruments->beam_row[i] * m->n + k] =
-            takes_wide ? wide[i] : room[i];
+            takes_wide ? wide[i] : narrow[i];
     }
     return status;
 }
@@ -220,21 +204,19 @@ static murk_status predict_beams(const murk_model *m, size_t c,
 {
     const murk_instruments *instruments = &m->world[c].instruments;
     const murk_free_keys *keys = m->desc.keys;
-    double *room = malloc(2 * (instruments->beams + 1) * sizeof *room);
-    murk_status status = room ? MURK_OK : no_memory(err);
-    if (!status) {
-        status = beams_at(room, m, c, value, err);
-    }
+    double *scratch = malloc(3 * instruments->beams * sizeof *scratch);
+    murk_status status =
+        scratch ? beams_at(scratch, m, c, value, err) : no_memory(err);
     for (size_t i = 0; i < instruments->beams && !status; ++i) {
-        predicted[instruments->beam_row[i]] = room[i];
+        predicted[instruments->beam_row[i]] = scratch[i];
     }
     for (size_t k = 0; slope && k < m->n && !status; ++k) {
         if (keys->key[k].kind != MURK_FREE_GAIN &&
             murk_free_key_is_in(keys, k, c)) {
-            status = beam_slopes(m, c, value, k, room, slope, err);
+            status = beam_slopes(m, c, value, k, scratch, slope, err);
         }
     }
-    free(room);
+    free(scratch);
     return status;
 }
 
@@ -283,12 +265,11 @@ murk_status murk_model_predict(murk_model *m, const double *value,
     if (slope) {
         memset(slope, 0, m->rows * m->n * sizeof *slope);
     }
-    /* Each condition: lit rows, then beams. */
+    /* Each condition: light rows, then beams. */
     for (size_t c = 0; c < m->worlds && !status; ++c) {
-        murk_model_world *w = &m->world[c];
-        if (w->instruments.lit) {
-            status = predict_light(m, c, value, slope != NULL, predicted, slope,
-                                   err);
+        const murk_model_world *w = &m->world[c];
+        if (w->instruments.lights) {
+            status = predict_light(m, c, value, predicted, slope, err);
             *effective_share = fmin(*effective_share, w->rows.share);
         }
         if (!status && w->instruments.beams) {
@@ -301,52 +282,46 @@ murk_status murk_model_predict(murk_model *m, const double *value,
     return status;
 }
 
-murk_status murk_model_noise(const murk_model *m, const size_t **lit, size_t *n,
-                             double **covariance, murk_error *err)
+murk_status murk_model_noise(const murk_model *m, double **covariance,
+                             murk_error *err)
 {
-    *lit = m->lit;
-    *n = m->lits;
     *covariance = NULL;
-    if (m->lits == 0) {
+    if (m->facts.lights == 0) {
         return MURK_OK;
     }
-    double *batch = calloc(m->batches * m->lits, sizeof *batch);
-    *covariance = calloc(m->lits * m->lits, sizeof **covariance);
-    if (!batch || !*covariance) {
+    double *batch = calloc(m->facts.batches * m->facts.lights, sizeof *batch);
+    double *out = calloc(m->facts.lights * m->facts.lights, sizeof *out);
+    if (!batch || !out) {
         free(batch);
-        free(*covariance);
-        *covariance = NULL;
+        free(out);
         return no_memory(err);
     }
     /* Collect the batches of all conditions, with factors. */
     for (size_t c = 0; c < m->worlds; ++c) {
         const murk_model_world *w = &m->world[c];
-        for (size_t i = 0; i < w->instruments.lit; ++i) {
-            const size_t row = w->instruments.lit_row[i], to = m->place[row];
-            for (size_t b = 0; b < m->batches; ++b) {
-                batch[b * m->lits + to] =
-                    m->factor[row] * w->rows.batch[b * w->instruments.lit + i];
+        for (size_t i = 0; i < w->instruments.lights; ++i) {
+            const size_t row = w->instruments.light_row[i], to = m->place[row];
+            for (size_t b = 0; b < m->facts.batches; ++b) {
+                batch[b * m->facts.lights + to] =
+                    m->factor[row] *
+                    w->rows.batch[b * w->instruments.lights + i];
             }
         }
     }
-    murk_covariance_of_batches(*covariance, batch, m->batches, m->lits);
+    murk_covariance_of_batches(out, batch, m->facts.batches, m->facts.lights);
     free(batch);
+    *covariance = out;
     return MURK_OK;
-}
-
-const size_t *murk_model_lit(const murk_model *m, size_t *n)
-{
-    *n = m->lits;
-    return m->lit;
 }
 
 /* Writes the contribution of a run to one row. */
 static void add_part(double *to, const murk_model *m, const murk_model_world *w,
                      size_t i, size_t run, double value)
 {
-    const size_t row = w->instruments.lit_row[i], gain = m->gain_key[row];
+    const size_t row = w->instruments.light_row[i], gain = m->gain_key[row];
     const double factor = m->factor[row];
-    const double *slope = w->rows.run + (run * w->instruments.lit + i) * m->n;
+    const double *slope =
+        w->rows.run + (run * w->instruments.lights + i) * m->n;
     to[0] = factor * value;
     for (size_t k = 0; k < m->n; ++k) {
         to[1 + k] = factor * slope[k];
@@ -356,16 +331,15 @@ static void add_part(double *to, const murk_model *m, const murk_model_world *w,
     }
 }
 
-murk_status murk_model_parts(const murk_model *m, size_t *runs, double **part,
+murk_status murk_model_parts(const murk_model *m, double **part,
                              murk_error *err)
 {
-    *runs = m->runs;
     *part = NULL;
-    if (m->lits == 0) {
+    if (m->facts.lights == 0) {
         return MURK_OK;
     }
-    const size_t width = m->n + 1, each = m->batches / m->runs;
-    double *all = calloc(m->runs * m->lits * width, sizeof *all);
+    const size_t width = m->n + 1, each = m->facts.batches / m->facts.runs;
+    double *all = calloc(m->facts.runs * m->facts.lights * width, sizeof *all);
     if (!all) {
         return no_memory(err);
     }
@@ -373,15 +347,15 @@ murk_status murk_model_parts(const murk_model *m, size_t *runs, double **part,
      * run. */
     for (size_t c = 0; c < m->worlds; ++c) {
         const murk_model_world *w = &m->world[c];
-        for (size_t j = 0; j < m->runs * w->instruments.lit; ++j) {
-            const size_t run = j / w->instruments.lit,
-                         i = j % w->instruments.lit;
+        const size_t lights = w->instruments.lights;
+        for (size_t j = 0; j < m->facts.runs * lights; ++j) {
+            const size_t run = j / lights, i = j % lights;
             double value = 0;
             for (size_t b = run * each; b < (run + 1) * each; ++b) {
-                value += w->rows.batch[b * w->instruments.lit + i];
+                value += w->rows.batch[b * lights + i];
             }
             const size_t to =
-                run * m->lits + m->place[w->instruments.lit_row[i]];
+                run * m->facts.lights + m->place[w->instruments.light_row[i]];
             add_part(all + to * width, m, w, i, run, value);
         }
     }

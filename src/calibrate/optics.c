@@ -43,10 +43,9 @@ static murk_status copy_power(murk_optics *o, const double *power_w,
     return MURK_OK;
 }
 
-/* power_w NULL: computed from the light sources in the domain. */
-static murk_status create(murk_optics **out, murk_scene_desc *scene,
-                          const murk_domain *domain, const double *power_w,
-                          murk_error *err)
+murk_status murk_optics_create(murk_optics **out, murk_scene_desc *scene,
+                               const murk_domain *domain, const double *power_w,
+                               murk_error *err)
 {
     murk_optics *o = calloc(1, sizeof *o);
     if (!o) {
@@ -73,18 +72,6 @@ static murk_status create(murk_optics **out, murk_scene_desc *scene,
     }
     *out = o;
     return MURK_OK;
-}
-
-murk_status murk_optics_create(murk_optics **out, murk_scene_desc *scene,
-                               const murk_domain *domain, murk_error *err)
-{
-    return create(out, scene, domain, NULL, err);
-}
-
-murk_status murk_optics_create_lit(murk_optics **out, murk_scene_desc *scene,
-                                   const double *power_w, murk_error *err)
-{
-    return create(out, scene, NULL, power_w, err);
 }
 
 void murk_optics_destroy(murk_optics *optics)

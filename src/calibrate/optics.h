@@ -22,15 +22,21 @@ typedef struct murk_optics {
     murk_scene_desc *scene;          /* owned: the scene it was read from */
 } murk_optics;
 
-/* Takes ownership of the scene, also after a failure. Prints no warnings,
- * because the stage prints them. The caller owns *out. */
-murk_status murk_optics_create(murk_optics **out, murk_scene_desc *scene,
-                               const murk_domain *domain, murk_error *err);
-void murk_optics_destroy(murk_optics *optics); /* NULL is fine */
+/* Optics at two values of a parameter, slightly below and above the present
+ * one. */
+typedef struct murk_optics_sides {
+    murk_optics *low, *high; /* NULL: the parameter has no effect here */
+    double span;             /* difference of the two values */
+} murk_optics_sides;
 
-/* The same with known channel powers: power_w[channels] is copied. */
-murk_status murk_optics_create_lit(murk_optics **out, murk_scene_desc *scene,
-                                   const double *power_w, murk_error *err);
+/* Takes ownership of the scene, also after a failure. power_w[channels], unless
+ * NULL, is copied; otherwise the powers are those of the light sources in the
+ * domain. Prints no warnings, because the stage prints them. The caller owns
+ * *out. */
+murk_status murk_optics_create(murk_optics **out, murk_scene_desc *scene,
+                               const murk_domain *domain, const double *power_w,
+                               murk_error *err);
+void murk_optics_destroy(murk_optics *optics); /* NULL is fine */
 
 /* True if the phase functions of a medium agree in a band, within 1e-7 of the
  * density at any angle. */

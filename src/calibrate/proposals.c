@@ -1,12 +1,12 @@
 /* Predicts a reading and slopes at every candidate with a forward model of its
  * own, and selects candidates greedily by the determinant of the information
  * (fit/optimal.h). */
-#include "calibrate/next.h"
+#include "calibrate/proposals.h"
 
-#include "calibrate/reading_cells.h"
 #include "plan/poses.h"
 #include "plan/sites.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,11 +20,11 @@ static murk_status no_memory(murk_error *err)
     return murk_fail(err, MURK_NO_MEMORY, "", "no memory for proposals");
 }
 
-void murk_next_release(murk_next *next)
+void murk_proposals_release(murk_proposals *out)
 {
-    free(next->place);
-    free(next->standard_error);
-    *next = (murk_next){0};
+    free(out->place);
+    free(out->standard_error);
+    *out = (murk_proposals){0};
 }
 
 static const murk_reading *reading_of(const murk_measurements *measured,
@@ -41,7 +41,8 @@ static int by_value(const void *a, const void *b)
 
 /* Determines the most frequent kind of reading, the median relative error, and
  * an example. */
-static murk_status choose_kind(murk_next *out, const murk_reading **example,
+static murk_status choose_kind(murk_proposals *out,
+                               const murk_reading **example,
                                const murk_measurements *measured,
                                murk_error *err)
 {
@@ -80,11 +81,8 @@ static murk_status choose_kind(murk_next *out, const murk_reading **example,
     qsort(error, n, sizeof *error, by_value);
     out->relative_error = error[n / 2];
     free(error);
-    if (!first) { /* impossible: n readings were counted */
-        return murk_fail(err, MURK_RUN_FAILED, measured->path,
-                         "no reading of the kind that was counted");
-    }
-    /* Properties of the example. */
+    /* Properties of the example; n readings were counted. */
+    assert(first);
     out->unit = first->unit;
     out->condition = first->condition;
     out->direction = first->direction;
@@ -103,43 +101,45 @@ static murk_status check_sensors(const murk_scene_desc *scene, murk_error *err)
                            "among its candidates");
 }
 
-murk_status murk_next_check(const murk_measurements *measured,
-                            const murk_scene_desc *scene, murk_error *err)
+murk_status murk_proposals_check(const murk_measurements *measured,
+                                 const murk_scene_desc *scene, murk_error *err)
 {
-    murk_next kind;
+    murk_proposals kind;
     const murk_reading *example;
     const murk_status status = choose_kind(&kind, &example, measured, err);
     return status ? status : check_sensors(scene, err);
 }
 
-/* Lists the poses or positions of the candidates of the scene; the caller owns
- * *out. */
-static murk_status list_poses(murk_pose **out, size_t *n, murk_next *next,
+/* Lists the poses or positions of the candidates of the scene, of which *pose
+ * [out->judged] are judged; the caller owns *pose. */
+static murk_status list_poses(murk_pose **pose, murk_proposals *out,
                               const murk_stage *stage, unsigned threads,
                               murk_error *err)
 {
     murk_candidates *sites = NULL;
     murk_poses *poses = NULL;
     murk_status status = murk_sites_find(&sites, stage, threads, err);
-    const bool looks = next->kind == MURK_READ_COVERAGE;
-    if (!status && looks) {
+    const bool has_poses = out->kind == MURK_READ_COVERAGE;
+    if (!status && has_poses) {
         status = murk_poses_create(&poses, stage->scene, &stage->world.domain,
                                    sites->position, sites->usable, err);
     }
     /* Thin to the limit. */
     if (!status) {
-        next->candidates = looks ? poses->count - poses->fixed : sites->usable;
-        const size_t every = (next->candidates + MURK_NEXT_CANDIDATES_MAX - 1) /
-                             MURK_NEXT_CANDIDATES_MAX;
-        *n = (next->candidates + every - 1) / every;
-        *out = calloc(*n + 1, sizeof **out);
-        status = *out ? MURK_OK : no_memory(err);
-        for (size_t i = 0; i < *n && !status; ++i) {
-            (*out)[i] =
-                looks ? poses->pose[i * every]
-                      : (murk_pose){.position = sites->position[i * every]};
+        const size_t all =
+            has_poses ? poses->count - poses->fixed : sites->usable;
+        const size_t every = (all + MURK_PROPOSALS_CANDIDATES_MAX - 1) /
+                             MURK_PROPOSALS_CANDIDATES_MAX;
+        const size_t n = (all + every - 1) / every;
+        out->candidates = all;
+        out->judged = n;
+        *pose = calloc(n + 1, sizeof **pose);
+        status = *pose ? MURK_OK : no_memory(err);
+        for (size_t i = 0; i < n && !status; ++i) {
+            (*pose)[i] =
+                has_poses ? poses->pose[i * every]
+                          : (murk_pose){.position = sites->position[i * every]};
         }
-        next->judged = *n;
     }
     murk_poses_destroy(poses);
     murk_candidates_destroy(sites);
@@ -178,28 +178,28 @@ static murk_status make_rows(murk_measurements *out,
 static murk_status discount(double *slope, const murk_model *model, size_t n,
                             murk_error *err)
 {
-    size_t runs, lits;
     double *part;
-    const murk_status status = murk_model_parts(model, &runs, &part, err);
+    const murk_status status = murk_model_parts(model, &part, err);
     if (status) {
         return status;
     }
-    const size_t *lit = murk_model_lit(model, &lits);
+    const murk_model_facts *facts = murk_model_facts_of(model);
+    const size_t runs = facts->runs, lights = facts->lights;
     /* The standard error of a slope from the contributions of the runs. */
-    for (size_t i = 0; i < lits * n; ++i) {
+    for (size_t i = 0; i < lights * n; ++i) {
         const size_t row = i / n, k = i % n;
         const double *of_row = part + row * (n + 1) + 1 + k;
         double sum = 0, squares = 0;
         for (size_t run = 0; run < runs; ++run) {
-            sum += of_row[run * lits * (n + 1)];
+            sum += of_row[run * lights * (n + 1)];
         }
         for (size_t run = 0; run < runs; ++run) {
             const double off =
-                of_row[run * lits * (n + 1)] - sum / (double)runs;
+                of_row[run * lights * (n + 1)] - sum / (double)runs;
             squares += off * off;
         }
         const double error = sqrt((double)runs / ((double)runs - 1) * squares);
-        double *s = &slope[lit[row] * n + k];
+        double *s = &slope[facts->light[row] * n + k];
         *s = copysign(fmax(0, fabs(*s) - SIGMAS_LESS * error), *s);
     }
     free(part);
@@ -226,9 +226,11 @@ static void weigh_rows(double *row, double *error, const double *predicted,
 }
 
 /* Predicts the standard errors of the parameters with the selected readings. */
-static murk_status foresee(murk_next *out, const murk_calibration *found,
-                           const murk_free_keys *keys, const double *row,
-                           const murk_optimal_pick *pick, murk_error *err)
+static murk_status predict_errors(murk_proposals *out,
+                                  const murk_calibration *found,
+                                  const murk_free_keys *keys, const double *row,
+                                  const murk_optimal_pick *pick,
+                                  murk_error *err)
 {
     const size_t n = keys->n, fitted = found->fitted;
     /* Append the selected rows to those of the fit. */
@@ -243,9 +245,9 @@ static murk_status foresee(murk_next *out, const murk_calibration *found,
                n * sizeof *all);
     }
     /* Covariance of all rows. */
-    murk_status status = murk_certainty_create(&certainty, all, fitted + out->n,
-                                               n, found->at_bound, found->scale,
-                                               MURK_UNDETERMINED, err);
+    const murk_status status = murk_certainty_create(
+        &certainty, all, fitted + out->n, n, found->at_bound, found->scale,
+        MURK_UNDETERMINED, err);
     for (size_t k = 0; k < n && !status; ++k) {
         out->standard_error[k] = certainty.standard_error[k] *
                                  (keys->key[k].is_log ? found->value[k] : 1);
@@ -256,57 +258,50 @@ static murk_status foresee(murk_next *out, const murk_calibration *found,
 }
 
 /* Predicts all candidates and selects k of them. */
-static murk_status judge(murk_next *out, size_t k, murk_model *model,
+static murk_status judge(murk_proposals *out, size_t k, murk_model *model,
                          const murk_pose *pose, const murk_calibration *found,
                          const murk_calibration_desc *desc, murk_error *err)
 {
     const murk_free_keys *keys = desc->keys;
     const size_t n = keys->n, rows = out->judged;
     double share;
-    double *room = calloc(rows * (2 * n + 2) + 1, sizeof *room);
-    murk_optimal_pick *pick = calloc(k + 1, sizeof *pick);
-    if (!room || !pick) {
-        free(room);
-        free(pick);
-        return no_memory(err);
-    }
+    murk_arena arena = {0};
+    double *predicted = murk_arena_array(&arena, rows, sizeof(double));
+    double *error = murk_arena_array(&arena, rows, sizeof(double));
+    double *slope = murk_arena_array(&arena, rows * n, sizeof(double));
+    double *row = murk_arena_array(&arena, rows * n, sizeof(double));
+    murk_optimal_pick *pick = murk_arena_array(&arena, k, sizeof *pick);
+    murk_status status = arena.is_short ? no_memory(err) : MURK_OK;
     /* Predict, with slopes reduced by their errors. */
-    double *predicted = room, *error = room + rows, *slope = room + 2 * rows,
-           *row = room + 2 * rows + rows * n;
-    murk_status status = murk_model_trace(model, found->value, err);
-    if (!status) {
-        status = murk_model_predict(model, found->value, predicted, slope,
-                                    &share, err);
-    }
-    if (!status) {
-        status = discount(slope, model, n, err);
+    if (status || (status = murk_model_trace(model, found->value, err)) ||
+        (status = murk_model_predict(model, found->value, predicted, slope,
+                                     &share, err)) ||
+        (status = discount(slope, model, n, err))) {
+        goto done;
     }
     /* Select. */
-    if (!status) {
-        weigh_rows(row, error, predicted, slope, rows, out->relative_error,
-                   keys, found->value);
-        out->n = k < rows ? k : rows;
-        status = murk_optimal_choose(pick, out->n, found->information, row,
-                                     rows, n, err);
-    }
+    weigh_rows(row, error, predicted, slope, rows, out->relative_error, keys,
+               found->value);
+    out->n = k < rows ? k : rows;
+    status = murk_optimal_choose(pick, out->n, found->information, row, rows, n,
+                                 err);
     /* Fill the result. */
     for (size_t i = 0; i < out->n && !status; ++i) {
         const size_t c = pick[i].candidate;
-        out->place[i] =
-            (murk_next_place){pose[c], pick[i].gain, predicted[c], error[c]};
+        out->place[i] = (murk_proposed_place){pose[c], pick[i].gain,
+                                              predicted[c], error[c]};
     }
-    if (!status) {
-        status = foresee(out, found, keys, row, pick, err);
-    }
-    free(room);
-    free(pick);
+    status = status ? status : predict_errors(out, found, keys, row, pick, err);
+done:
+    murk_arena_release(&arena);
     return status;
 }
 
 /* Lists the candidates in the condition of the example. */
-static murk_status stand(murk_pose **pose, size_t *n, murk_next *out,
-                         const murk_calibration *found,
-                         const murk_calibration_desc *desc, murk_error *err)
+static murk_status list_candidates(murk_pose **pose, murk_proposals *out,
+                                   const murk_calibration *found,
+                                   const murk_calibration_desc *desc,
+                                   murk_error *err)
 {
     size_t c = 0;
     while (desc->keys->condition[c] != out->condition) {
@@ -314,47 +309,38 @@ static murk_status stand(murk_pose **pose, size_t *n, murk_next *out,
     }
     const murk_stage *stage = murk_model_stage(found->model, c);
     const murk_status status = check_sensors(stage->scene, err);
-    return status ? status
-                  : list_poses(pose, n, out, stage, desc->threads, err);
+    return status ? status : list_poses(pose, out, stage, desc->threads, err);
 }
 
-murk_status murk_next_propose(murk_next *out, size_t k,
-                              const murk_calibration *found,
-                              const murk_calibration_desc *desc,
-                              murk_error *err)
+murk_status murk_proposals_create(murk_proposals *out, size_t k,
+                                  const murk_calibration *found,
+                                  const murk_calibration_desc *desc,
+                                  murk_error *err)
 {
-    *out = (murk_next){.place = calloc(k + 1, sizeof *out->place),
-                       .standard_error = calloc(desc->keys->n + 1,
-                                                sizeof *out->standard_error)};
+    *out =
+        (murk_proposals){.place = calloc(k + 1, sizeof *out->place),
+                         .standard_error = calloc(desc->keys->n + 1,
+                                                  sizeof *out->standard_error)};
     const murk_reading *example = NULL;
     murk_measurements rows = {0};
+    const murk_model_desc of = {.keys = desc->keys,
+                                .measured = &rows,
+                                .imported = desc->imported,
+                                .threads = desc->threads};
     murk_model *model = NULL;
     murk_pose *pose = NULL;
-    size_t n = 0;
     murk_status status =
         out->place && out->standard_error ? MURK_OK : no_memory(err);
-    /* Kind of reading and candidates. */
-    if (!status) {
-        status = choose_kind(out, &example, desc->measured, err);
+    /* Kind of reading, candidates, and a forward model of them. */
+    if (status || (status = choose_kind(out, &example, desc->measured, err)) ||
+        (status = list_candidates(&pose, out, found, desc, err)) ||
+        (status = make_rows(&rows, desc->measured, example, pose, out->judged,
+                            err)) ||
+        (status = murk_model_create(&model, &of, err))) {
+        goto done;
     }
-    if (!status) {
-        status = stand(&pose, &n, out, found, desc, err);
-    }
-    if (!status) {
-        status = make_rows(&rows, desc->measured, example, pose, n, err);
-    }
-    /* Forward model of the candidates. */
-    if (!status) {
-        const murk_model_desc of = {.keys = desc->keys,
-                                    .measured = &rows,
-                                    .imported = desc->imported,
-                                    .threads = desc->threads};
-        status = murk_model_create(&model, &of, err);
-    }
-    /* Select. */
-    if (!status) {
-        status = judge(out, k, model, pose, found, desc, err);
-    }
+    status = judge(out, k, model, pose, found, desc, err);
+done:
     murk_model_destroy(model);
     free(rows.reading);
     free(rows.row);

@@ -1,25 +1,25 @@
 /* Proposes the next measurements: those candidates of the scene whose readings
  * would reduce the uncertainty of the parameters most (D-optimal design,
  * fit/optimal.h). */
-#ifndef MURK_CALIBRATE_NEXT_H
-#define MURK_CALIBRATE_NEXT_H
+#ifndef MURK_CALIBRATE_PROPOSALS_H
+#define MURK_CALIBRATE_PROPOSALS_H
 
 #include "calibrate/calibrate.h"
 #include "fit/optimal.h"
 
 /* Limit on the candidates that are evaluated; of more, every k-th is. */
-#define MURK_NEXT_CANDIDATES_MAX 2000
+#define MURK_PROPOSALS_CANDIDATES_MAX 2000
 
-typedef struct murk_next_place {
+typedef struct murk_proposed_place {
     murk_pose pose;        /* coverage: a pose of that sensor type; else a
                             * position alone */
     double gain;           /* increase of log det of the information, in this
                             * order */
     double predicted;      /* predicted reading, in `unit` */
     double standard_error; /* assumed error of the reading */
-} murk_next_place;
+} murk_proposed_place;
 
-typedef struct murk_next {
+typedef struct murk_proposals {
     murk_reading_kind kind; /* the most frequent kind of the fitted readings of
                              * light */
     murk_reading_unit unit;
@@ -31,23 +31,23 @@ typedef struct murk_next {
     double radius_m;     /* of light */
     int band;            /* -1: all bands together */
     size_t candidates, judged;
-    murk_next_place *place; /* [n]; best first */
+    murk_proposed_place *place; /* [n]; best first */
     size_t n;
     double *standard_error; /* [keys->n]; standard errors of the parameters if
                              * all of these were measured; NaN: undetermined */
-} murk_next;
+} murk_proposals;
 
 /* Fails, before anything is fitted, if no fitted reading is of light or
  * coverage, for which a place could be chosen, or if the scene has no sensors.
  */
-murk_status murk_next_check(const murk_measurements *measured,
-                            const murk_scene_desc *scene, murk_error *err);
+murk_status murk_proposals_check(const murk_measurements *measured,
+                                 const murk_scene_desc *scene, murk_error *err);
 
 /* Proposes k places after a calibration. Release it also after a failure. */
-murk_status murk_next_propose(murk_next *out, size_t k,
-                              const murk_calibration *found,
-                              const murk_calibration_desc *desc,
-                              murk_error *err);
-void murk_next_release(murk_next *next);
+murk_status murk_proposals_create(murk_proposals *out, size_t k,
+                                  const murk_calibration *found,
+                                  const murk_calibration_desc *desc,
+                                  murk_error *err);
+void murk_proposals_release(murk_proposals *next);
 
 #endif

@@ -5,79 +5,82 @@
 #include "scene/words.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
-static const char *const NAMES[MURK_READING_COLUMNS] = {"kind",
-                                                        "condition",
-                                                        "x_m",
-                                                        "y_m",
-                                                        "z_m",
-                                                        "x2_m",
-                                                        "y2_m",
-                                                        "z2_m",
-                                                        "direction_x",
-                                                        "direction_y",
-                                                        "direction_z",
-                                                        "radius_m",
-                                                        "acceptance_deg",
-                                                        "band_nm",
-                                                        "sensor",
-                                                        "heading_deg",
-                                                        "tilt_deg",
-                                                        "group",
-                                                        "gain",
-                                                        "unit",
-                                                        "value",
-                                                        "standard_error",
-                                                        "use"};
+/* Sets of kinds. */
+#define COVERAGE   MURK_READING_KIND_BIT(MURK_READ_COVERAGE)
+#define IRRADIANCE MURK_READING_KIND_BIT(MURK_READ_IRRADIANCE)
+#define BEAM       MURK_READING_KIND_BIT(MURK_READ_TRANSMITTANCE)
+#define LIGHT      (MURK_READING_KIND_BIT(MURK_READ_FLUENCE) | IRRADIANCE)
+#define ALL        (COVERAGE | LIGHT | BEAM)
 
-const char *const murk_reading_kinds[MURK_READING_KINDS] = {
-    [MURK_READ_COVERAGE] = "coverage",
-    [MURK_READ_FLUENCE] = "fluence",
-    [MURK_READ_IRRADIANCE] = "irradiance",
-    [MURK_READ_TRANSMITTANCE] = "transmittance"};
+/* The columns: the kinds that need a value, and those that may have one. */
+static const struct {
+    const char *name;
+    unsigned needed, allowed;
+} COLUMNS[MURK_READING_COLUMNS] = {
+    {"kind", ALL, ALL},
+    {"condition", 0, ALL},
+    {"x_m", ALL, ALL},
+    {"y_m", ALL, ALL},
+    {"z_m", ALL, ALL},
+    {"x2_m", BEAM, BEAM},
+    {"y2_m", BEAM, BEAM},
+    {"z2_m", BEAM, BEAM},
+    {"direction_x", IRRADIANCE, IRRADIANCE},
+    {"direction_y", IRRADIANCE, IRRADIANCE},
+    {"direction_z", IRRADIANCE, IRRADIANCE},
+    {"radius_m", LIGHT, LIGHT},
+    {"acceptance_deg", 0, IRRADIANCE | BEAM},
+    {"band_nm", 0, LIGHT | BEAM},
+    {"sensor", 0, COVERAGE},
+    {"heading_deg", 0, COVERAGE},
+    {"tilt_deg", 0, COVERAGE},
+    {"group", 0, ALL},
+    {"gain", 0, ALL},
+    {"unit", LIGHT, ALL},
+    {"value", ALL, ALL},
+    {"standard_error", ALL, ALL},
+    {"use", 0, ALL},
+};
 
 /* ---- the header ---- */
 
-static murk_status refuse(const murk_table *table, const char *text,
-                          murk_error *err)
+/* The column with this name; MURK_READING_COLUMNS: none. */
+static int find_column(const char *name)
 {
-    char where[320];
-    snprintf(where, sizeof where, "%.290s:%d", table->path, table->header_line);
-    return murk_fail(err, MURK_BAD_FILE, where, "%s", text);
-}
-
-static bool is_known(const char *name)
-{
-    for (int i = 0; i < MURK_READING_COLUMNS; ++i) {
-        if (strcmp(name, NAMES[i]) == 0) {
-            return true;
-        }
+    int i = 0;
+    while (i < MURK_READING_COLUMNS && strcmp(name, COLUMNS[i].name) != 0) {
+        ++i;
     }
-    return false;
+    return i;
 }
 
 /* Fails because of an unknown column. known: number of known columns of the
  * table. */
-static murk_status refuse_column(const murk_table *table, const char *name,
+static murk_status refuse_column(const char *where, const char *name,
                                  size_t known, murk_error *err)
 {
-    char shown[64], text[256];
-    murk_words_show(shown, sizeof shown, name);
-    const char *meant = murk_words_meant(name, NAMES, MURK_READING_COLUMNS);
-    if (!meant && known == 0) {
-        snprintf(text, sizeof text,
-                 "no table of readings: must have columns kind, value, "
-                 "standard_error and what each kind needs, such as x_m, but "
-                 "has %s",
-                 shown);
-    } else {
-        snprintf(text, sizeof text, "column %s is none of a reading's%s%s%s",
-                 shown, meant ? ", did you mean " : "", meant ? meant : "",
-                 meant ? "?" : "");
+    const char *names[MURK_READING_COLUMNS];
+    char shown[64];
+    for (int i = 0; i < MURK_READING_COLUMNS; ++i) {
+        names[i] = COLUMNS[i].name;
     }
-    return refuse(table, text, err);
+    murk_words_show(shown, sizeof shown, name);
+    const char *meant = murk_words_meant(name, names, MURK_READING_COLUMNS);
+    if (!meant && known == 0) {
+        return murk_fail(err, MURK_BAD_FILE, where,
+                         "no table of readings: must have columns kind, value, "
+                         "standard_error and what each kind needs, such as "
+                         "x_m, but has %s",
+                         shown);
+    }
+    return murk_fail(err, MURK_BAD_FILE, where,
+                     "column %s is none of a reading's%s%s%s", shown,
+                     meant ? ", did you mean " : "", meant ? meant : "",
+                     meant ? "?" : "");
 }
 
 murk_status murk_reading_columns(murk_reading_source *source, murk_error *err)
@@ -85,28 +88,28 @@ murk_status murk_reading_columns(murk_reading_source *source, murk_error *err)
     static const murk_reading_column always[] = {
         MURK_COLUMN_KIND, MURK_COLUMN_VALUE, MURK_COLUMN_ERROR};
     const murk_table *table = source->table;
+    char where[320];
+    snprintf(where, sizeof where, "%.290s:%d", table->path, table->header_line);
     /* Refuse unknown columns. */
     size_t known = 0;
     for (size_t i = 0; i < table->columns; ++i) {
-        known += is_known(table->name[i]);
+        known += find_column(table->name[i]) < MURK_READING_COLUMNS;
     }
     for (size_t i = 0; i < table->columns; ++i) {
-        if (!is_known(table->name[i])) {
-            return refuse_column(table, table->name[i], known, err);
+        if (find_column(table->name[i]) == MURK_READING_COLUMNS) {
+            return refuse_column(where, table->name[i], known, err);
         }
     }
     /* Find all columns; some must exist. */
     for (int i = 0; i < MURK_READING_COLUMNS; ++i) {
-        source->column[i] = murk_table_column(table, NAMES[i]);
+        source->column[i] = murk_table_column(table, COLUMNS[i].name);
     }
     for (size_t i = 0; i < sizeof always / sizeof *always; ++i) {
         if (source->column[always[i]] < 0) {
-            char text[128];
-            snprintf(text, sizeof text,
-                     "misses column %s, must have kind, value and "
-                     "standard_error",
-                     NAMES[always[i]]);
-            return refuse(table, text, err);
+            return murk_fail(err, MURK_BAD_FILE, where,
+                             "misses column %s, must have kind, value and "
+                             "standard_error",
+                             COLUMNS[always[i]].name);
         }
     }
     return MURK_OK;
@@ -114,13 +117,36 @@ murk_status murk_reading_columns(murk_reading_source *source, murk_error *err)
 
 /* ---- cells ---- */
 
-void murk_reading_where(char out[320], const murk_table *table, int line,
-                        murk_reading_column column)
+murk_reading_where murk_reading_where_at(const murk_table *table, int line,
+                                         murk_reading_column column)
 {
-    snprintf(out, 320, "%.240s:%d: %s", table->path, line, NAMES[column]);
+    murk_reading_where out;
+    snprintf(out.text, sizeof out.text, "%.240s:%d: %s", table->path, line,
+             COLUMNS[column].name);
+    return out;
 }
 
-const char *murk_reading_cell(const murk_reading_row *at,
+murk_reading_where murk_reading_where_of(const murk_reading_line *at,
+                                         murk_reading_column column)
+{
+    const murk_table *table = at->source->table;
+    return murk_reading_where_at(table, table->line[at->row], column);
+}
+
+murk_status murk_reading_fail(const murk_reading_line *at,
+                              murk_reading_column column, const char *format,
+                              ...)
+{
+    char text[sizeof at->err->text];
+    va_list list;
+    va_start(list, format);
+    vsnprintf(text, sizeof text, format, list);
+    va_end(list);
+    return murk_fail(at->err, MURK_BAD_VALUE,
+                     murk_reading_where_of(at, column).text, "%s", text);
+}
+
+const char *murk_reading_cell(const murk_reading_line *at,
                               murk_reading_column column)
 {
     const murk_table *table = at->source->table;
@@ -128,23 +154,43 @@ const char *murk_reading_cell(const murk_reading_row *at,
     return c < 0 ? "" : table->cell[at->row * table->columns + (size_t)c];
 }
 
-murk_status murk_reading_fail(const murk_reading_row *at,
-                              murk_reading_column column, const char *text)
+bool murk_reading_is_empty(const murk_reading_line *at,
+                           murk_reading_column column)
 {
-    char where[320];
-    murk_reading_where(where, at->source->table,
-                       at->source->table->line[at->row], column);
-    return murk_fail(at->err, MURK_BAD_VALUE, where, "%s", text);
+    return murk_reading_cell(at, column)[0] == '\0';
 }
 
-murk_status murk_reading_number(const murk_reading_row *at,
+murk_status murk_reading_check_cells(const murk_reading_line *at,
+                                     murk_reading_kind kind)
+{
+    const unsigned bit = MURK_READING_KIND_BIT(kind);
+    char shown[48];
+    for (int i = 0; i < MURK_READING_COLUMNS; ++i) {
+        const murk_reading_column column = (murk_reading_column)i;
+        const bool is_empty = murk_reading_is_empty(at, column);
+        if (is_empty && (COLUMNS[i].needed & bit)) {
+            return murk_reading_fail(at, column,
+                                     "nothing, but a reading of %s needs it",
+                                     murk_reading_kinds[kind]);
+        }
+        if (!is_empty && !(COLUMNS[i].allowed & bit)) {
+            murk_words_show(shown, sizeof shown, murk_reading_cell(at, column));
+            return murk_reading_fail(
+                at, column, "%s, but a reading of %s has none, must be empty",
+                shown, murk_reading_kinds[kind]);
+        }
+    }
+    return MURK_OK;
+}
+
+murk_status murk_reading_number(const murk_reading_line *at,
                                 murk_reading_column column, double *out)
 {
     return murk_table_number(at->source->table, at->row,
                              at->source->column[column], NAN, out, at->err);
 }
 
-murk_status murk_reading_vector(const murk_reading_row *at,
+murk_status murk_reading_vector(const murk_reading_line *at,
                                 murk_reading_column first, murk_vec3 *out)
 {
     double x[3];
@@ -160,7 +206,7 @@ murk_status murk_reading_vector(const murk_reading_row *at,
 }
 
 /* Fails because a word is unknown, with a suggestion or the list of words. */
-static murk_status not_one(const murk_reading_row *at,
+static murk_status not_one(const murk_reading_line *at,
                            murk_reading_column column, const char *const *known,
                            size_t n)
 {
@@ -168,19 +214,20 @@ static murk_status not_one(const murk_reading_row *at,
     char shown[64], text[480];
     murk_words_show(shown, sizeof shown, found);
     const char *meant = murk_words_meant(found, known, n);
+    if (meant) {
+        return murk_reading_fail(at, column, "no %s, did you mean %s?", shown,
+                                 meant);
+    }
     size_t used = (size_t)snprintf(text, sizeof text, "%s, must be one of ",
                                    shown[0] ? shown : "nothing");
-    if (meant) {
-        snprintf(text, sizeof text, "no %s, did you mean %s?", shown, meant);
-    }
-    for (size_t i = 0; !meant && i < n && used + 70 < sizeof text; ++i) {
+    for (size_t i = 0; i < n && used + 70 < sizeof text; ++i) {
         used += (size_t)snprintf(text + used, sizeof text - used, "%s%s",
                                  i ? ", " : "", known[i]);
     }
-    return murk_reading_fail(at, column, text);
+    return murk_reading_fail(at, column, "%s", text);
 }
 
-murk_status murk_reading_word(const murk_reading_row *at,
+murk_status murk_reading_word(const murk_reading_line *at,
                               murk_reading_column column,
                               const char *const *known, size_t n, size_t *out)
 {
@@ -193,7 +240,7 @@ murk_status murk_reading_word(const murk_reading_row *at,
     return not_one(at, column, known, n);
 }
 
-murk_status murk_reading_name(const murk_reading_row *at,
+murk_status murk_reading_name(const murk_reading_line *at,
                               murk_reading_column column, const char **out)
 {
     *out = murk_reading_cell(at, column);
@@ -203,7 +250,7 @@ murk_status murk_reading_name(const murk_reading_row *at,
                                      "a control character, must be text");
         }
     }
-    return strlen(*out) < 64
+    return strlen(*out) < MURK_READING_NAME_SIZE
                ? MURK_OK
                : murk_reading_fail(at, column,
                                    "longer than 63 bytes, the most there may "

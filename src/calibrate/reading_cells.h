@@ -1,9 +1,9 @@
-/* The columns of a file of readings, and the cells of one row. Internal to
+/* The columns of a file of readings, and the cells of one line. Internal to
  * measurements. */
 #ifndef MURK_CALIBRATE_READING_CELLS_H
 #define MURK_CALIBRATE_READING_CELLS_H
 
-#include "calibrate/measurements.h"
+#include "calibrate/reading_units.h"
 #include "scene/table.h"
 
 #define MURK_READING_NAME_SIZE 64 /* size of names of groups and factors */
@@ -29,12 +29,7 @@ typedef enum murk_reading_column {
     MURK_READING_COLUMNS
 } murk_reading_column;
 
-/* Number of murk_reading_kind. */
-#define MURK_READING_KINDS 4
-
-/* Names of the kinds, by murk_reading_kind. */
-extern const char *const murk_reading_kinds[MURK_READING_KINDS];
-
+/* The file, and the scene that the readings belong to. */
 typedef struct murk_reading_source {
     const murk_table *table;
     long column[MURK_READING_COLUMNS]; /* -1: the file does not have the column
@@ -43,44 +38,58 @@ typedef struct murk_reading_source {
     const murk_domain *domain;
 } murk_reading_source;
 
-typedef struct murk_reading_row {
+/* One line of the file. */
+typedef struct murk_reading_line {
     const murk_reading_source *source;
     size_t row; /* row of the table */
     murk_error *err;
-} murk_reading_row;
+} murk_reading_line;
 
 /* Finds the columns. Fails for unknown columns, and if kind, value or
  * standard_error are missing. */
 murk_status murk_reading_columns(murk_reading_source *source, murk_error *err);
 
-/* The place of a cell for messages: "field.csv:7: group". */
-void murk_reading_where(char out[320], const murk_table *table, int line,
-                        murk_reading_column column);
+/* Fails if a cell is empty that a reading of this kind needs, or if a cell is
+ * not empty that such a reading does not have. */
+murk_status murk_reading_check_cells(const murk_reading_line *at,
+                                     murk_reading_kind kind);
 
-/* The text of a cell; empty if the column is missing. */
-const char *murk_reading_cell(const murk_reading_row *at,
-                              murk_reading_column column);
+/* The place of a cell for messages: "field.csv:7: group". */
+typedef struct murk_reading_where {
+    char text[320];
+} murk_reading_where;
+murk_reading_where murk_reading_where_at(const murk_table *table, int line,
+                                         murk_reading_column column);
+murk_reading_where murk_reading_where_of(const murk_reading_line *at,
+                                         murk_reading_column column);
 
 /* Fails with MURK_BAD_VALUE at a cell. */
-murk_status murk_reading_fail(const murk_reading_row *at,
-                              murk_reading_column column, const char *text);
+murk_status murk_reading_fail(const murk_reading_line *at,
+                              murk_reading_column column, const char *format,
+                              ...) __attribute__((format(printf, 3, 4)));
+
+/* The text of a cell; empty if the column is missing. */
+const char *murk_reading_cell(const murk_reading_line *at,
+                              murk_reading_column column);
+bool murk_reading_is_empty(const murk_reading_line *at,
+                           murk_reading_column column);
 
 /* Reads a number. */
-murk_status murk_reading_number(const murk_reading_row *at,
+murk_status murk_reading_number(const murk_reading_line *at,
                                 murk_reading_column column, double *out);
 
 /* Reads a vector from three adjacent columns. */
-murk_status murk_reading_vector(const murk_reading_row *at,
+murk_status murk_reading_vector(const murk_reading_line *at,
                                 murk_reading_column first, murk_vec3 *out);
 
 /* Reads a word; *out is the index in known[n]. */
-murk_status murk_reading_word(const murk_reading_row *at,
+murk_status murk_reading_word(const murk_reading_line *at,
                               murk_reading_column column,
                               const char *const *known, size_t n, size_t *out);
 
 /* Reads a name of at most MURK_READING_NAME_SIZE - 1 bytes, which may be empty.
  */
-murk_status murk_reading_name(const murk_reading_row *at,
+murk_status murk_reading_name(const murk_reading_line *at,
                               murk_reading_column column, const char **out);
 
 #endif

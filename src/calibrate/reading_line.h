@@ -1,11 +1,31 @@
-/* One line of a file of readings. Internal to measurements. */
-#ifndef MURK_CALIBRATE_READING_ROW_H
-#define MURK_CALIBRATE_READING_ROW_H
+/* One reading: a line of the file. */
+#ifndef MURK_CALIBRATE_READING_LINE_H
+#define MURK_CALIBRATE_READING_LINE_H
 
 #include "calibrate/reading_cells.h"
+#include "sensing/sensor.h"
 
-/* Reads one line. The factor is returned as a name, to be numbered later; both
- * names point into the table. */
+typedef struct murk_reading {
+    murk_reading_kind kind;
+    size_t line;      /* line of the file, from 1 */
+    size_t condition; /* number in the scene; SIZE_MAX: the scene without a
+                       * condition */
+    murk_vec3 position;
+    murk_vec3 to;          /* transmittance: the other end of the segment */
+    murk_vec3 direction;   /* irradiance: unit vector, outward normal of the
+                            * receiver */
+    double radius_m;       /* radius of the sphere of the receiver */
+    double acceptance_rad; /* NaN: not given */
+    int band;              /* -1: all bands together */
+    murk_pose pose;        /* coverage: the sensor */
+    size_t gain;           /* index of the factor; SIZE_MAX: no factor */
+    murk_reading_unit unit;
+    double value, standard_error; /* in this unit; the error is above 0 */
+    bool is_held_out;
+} murk_reading;
+
+/* Reads one line; everything must lie in the domain. The factor is returned as
+ * a name, to be numbered later; both names point into the table. */
 murk_status murk_reading_read(murk_reading *out, const char **group,
                               const char **gain,
                               const murk_reading_source *source, size_t row,

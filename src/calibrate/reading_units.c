@@ -2,7 +2,6 @@
  * model to each unit. */
 #include "calibrate/reading_units.h"
 
-#include "base/photometry.h"
 #include "scene/words.h"
 
 #include <math.h>
@@ -22,10 +21,16 @@
 #define T_MAX (1 - 0x1p-53)
 
 /* Sets of kinds. */
+#define BIT      MURK_READING_KIND_BIT
 #define COVERAGE BIT(MURK_READ_COVERAGE)
 #define LIGHT    (BIT(MURK_READ_FLUENCE) | BIT(MURK_READ_IRRADIANCE))
 #define BEAM     BIT(MURK_READ_TRANSMITTANCE)
-#define BIT(k)   (1u << (k))
+
+/* Ranges: any number; percent of a metre; noise may carry readings beyond 0 and
+ * 1, so they allow half as much again. */
+#define ANY             -INFINITY, INFINITY, ""
+#define PERCENT_PER_M   -50, 150, "0..100, and noise up to half beyond"
+#define POSITIVE_LENGTH 0, INFINITY, "more than 0 m"
 
 typedef struct unit_row {
     const char *name;
@@ -36,32 +41,34 @@ typedef struct unit_row {
     const char *law;
 } unit_row;
 
-/* Noise may carry readings beyond 0 and 1, so ranges allow half as much again.
- */
+const char *const murk_reading_kinds[MURK_READING_KINDS] = {
+    [MURK_READ_COVERAGE] = "coverage",
+    [MURK_READ_FLUENCE] = "fluence",
+    [MURK_READ_IRRADIANCE] = "irradiance",
+    [MURK_READ_TRANSMITTANCE] = "transmittance"};
+
 static const unit_row UNITS[MURK_READING_UNITS] = {
     [MURK_UNIT_FRACTION] = {"fraction", COVERAGE | BEAM, -.5, 1.5,
                             "0..1, and noise up to half beyond", NULL},
-    [MURK_UNIT_PERCENT] = {"percent", COVERAGE | BEAM | LIGHT, -INFINITY,
-                           INFINITY, "", NULL},
-    [MURK_UNIT_W_PER_M2] = {"W/m2", LIGHT, -INFINITY, INFINITY, "", NULL},
-    [MURK_UNIT_LUX] = {"lux", LIGHT, -INFINITY, INFINITY, "", NULL},
-    [MURK_UNIT_PHOTONS] = {"1/s/m2", LIGHT, -INFINITY, INFINITY, "", NULL},
-    [MURK_UNIT_PAR] = {"umol/s/m2", LIGHT, -INFINITY, INFINITY, "", NULL},
-    [MURK_UNIT_RELATIVE] = {"relative", LIGHT, -INFINITY, INFINITY, "", NULL},
-    [MURK_UNIT_TRANSMISSION_PERCENT_PER_M] =
-        {"transmission_percent_per_m", BEAM, -50, 150,
-         "0..100, and noise up to half beyond", "100 T^(1/L)"},
-    [MURK_UNIT_OBSCURATION_PERCENT_PER_M] =
-        {"obscuration_percent_per_m", BEAM, -50, 150,
-         "0..100, and noise up to half beyond", "100 (1 - T^(1/L))"},
-    [MURK_UNIT_DB_PER_KM] = {"db_per_km", BEAM, -INFINITY, INFINITY, "",
+    [MURK_UNIT_PERCENT] = {"percent", COVERAGE | BEAM | LIGHT, ANY, NULL},
+    [MURK_UNIT_W_PER_M2] = {"W/m2", LIGHT, ANY, NULL},
+    [MURK_UNIT_LUX] = {"lux", LIGHT, ANY, NULL},
+    [MURK_UNIT_PHOTONS] = {"1/s/m2", LIGHT, ANY, NULL},
+    [MURK_UNIT_PAR] = {"umol/s/m2", LIGHT, ANY, NULL},
+    [MURK_UNIT_RELATIVE] = {"relative", LIGHT, ANY, NULL},
+    [MURK_UNIT_TRANSMISSION_PERCENT_PER_M] = {"transmission_percent_per_m",
+                                              BEAM, PERCENT_PER_M,
+                                              "100 T^(1/L)"},
+    [MURK_UNIT_OBSCURATION_PERCENT_PER_M] = {"obscuration_percent_per_m", BEAM,
+                                             PERCENT_PER_M,
+                                             "100 (1 - T^(1/L))"},
+    [MURK_UNIT_DB_PER_KM] = {"db_per_km", BEAM, ANY,
                              "-10 log10(T) / L, L in km"},
-    [MURK_UNIT_EXTINCTION_PER_M] = {"extinction_per_m", BEAM, -INFINITY,
-                                    INFINITY, "", "-ln(T) / L"},
-    [MURK_UNIT_VISIBILITY_M] = {"visibility_m", BEAM, 0, INFINITY,
-                                "more than 0 m", "3.912 L / -ln(T)"},
-    [MURK_UNIT_MOR_M] = {"mor_m", BEAM, 0, INFINITY, "more than 0 m",
-                         "2.996 L / -ln(T)"},
+    [MURK_UNIT_EXTINCTION_PER_M] = {"extinction_per_m", BEAM, ANY,
+                                    "-ln(T) / L"},
+    [MURK_UNIT_VISIBILITY_M] = {"visibility_m", BEAM, POSITIVE_LENGTH,
+                                "3.912 L / -ln(T)"},
+    [MURK_UNIT_MOR_M] = {"mor_m", BEAM, POSITIVE_LENGTH, "2.996 L / -ln(T)"},
 };
 
 /* Other spellings. */
@@ -85,7 +92,6 @@ static const struct {
     {"1/m", MURK_UNIT_EXTINCTION_PER_M},
     {"per_m", MURK_UNIT_EXTINCTION_PER_M},
 };
-#define ALSO_N (sizeof ALSO / sizeof *ALSO)
 
 static const char *const AMBIGUOUS[] = {"percent_per_m", "%/m", "pct_per_m",
                                         "percent/m"};
@@ -95,19 +101,9 @@ const char *murk_reading_unit_name(murk_reading_unit unit)
     return UNITS[unit].name;
 }
 
-unsigned murk_reading_unit_kinds(murk_reading_unit unit)
-{
-    return UNITS[unit].kinds;
-}
-
 const char *murk_reading_unit_law(murk_reading_unit unit)
 {
     return UNITS[unit].law;
-}
-
-bool murk_reading_unit_takes_gain(murk_reading_unit unit)
-{
-    return !UNITS[unit].law;
 }
 
 bool murk_reading_unit_needs_gain(murk_reading_unit unit,
@@ -157,7 +153,7 @@ static int unit_of(const char *word)
             return i;
         }
     }
-    for (size_t i = 0; i < ALSO_N; ++i) {
+    for (size_t i = 0; i < sizeof ALSO / sizeof *ALSO; ++i) {
         if (strcmp(ALSO[i].name, word) == 0) {
             return (int)ALSO[i].unit;
         }

@@ -1,16 +1,56 @@
-/* The units of readings: names, ranges and laws. Internal to measurements. */
+/* Kinds and units of readings: names, ranges, laws, and conversions from the
+ * quantity of the model. */
 #ifndef MURK_CALIBRATE_READING_UNITS_H
 #define MURK_CALIBRATE_READING_UNITS_H
 
-#include "calibrate/measurements.h"
+#include "base/photometry.h"
+#include "base/status.h"
+#include "scene/scene.h"
 
-/* The kinds of readings that a unit is for, as bits of murk_reading_kind. */
-unsigned murk_reading_unit_kinds(murk_reading_unit unit);
+typedef enum murk_reading_kind {
+    MURK_READ_COVERAGE,
+    MURK_READ_FLUENCE,
+    MURK_READ_IRRADIANCE,
+    MURK_READ_TRANSMITTANCE,
+    MURK_READING_KINDS
+} murk_reading_kind;
 
-/* True if a free factor may multiply readings of this unit: fractions, percents
- * and light. A value per length is not proportional to anything that an
- * instrument measured. */
-bool murk_reading_unit_takes_gain(murk_reading_unit unit);
+/* A set of kinds has one bit for each kind. */
+#define MURK_READING_KIND_BIT(kind) (1u << (kind))
+
+/* Names of the kinds. */
+extern const char *const murk_reading_kinds[MURK_READING_KINDS];
+
+/* The unit of a reading, as a function of the quantity of the model: watts per
+ * square metre and band for light, the transmittance of the segment for
+ * transmittance, the fraction for coverage. */
+typedef enum murk_reading_unit {
+    MURK_UNIT_FRACTION, /* coverage, transmittance */
+    MURK_UNIT_PERCENT,  /* likewise; for light a free factor is needed */
+    MURK_UNIT_W_PER_M2, /* light */
+    MURK_UNIT_LUX,      /* light */
+    MURK_UNIT_PHOTONS,  /* light: 1/s/m2 */
+    MURK_UNIT_PAR,      /* light: umol/s/m2 */
+    MURK_UNIT_RELATIVE, /* light: any; a free factor is needed */
+    MURK_UNIT_TRANSMISSION_PERCENT_PER_M, /* 100 T^(1/L); 100 is clear */
+    MURK_UNIT_OBSCURATION_PERCENT_PER_M,  /* 100 (1 - T^(1/L)); 0 is clear */
+    MURK_UNIT_DB_PER_KM,                  /* -10 log10 T over L in km */
+    MURK_UNIT_EXTINCTION_PER_M,           /* -ln T / L */
+    MURK_UNIT_VISIBILITY_M,               /* 3.912 L / -ln T */
+    MURK_UNIT_MOR_M,                      /* 2.996 L / -ln T */
+    MURK_READING_UNITS
+} murk_reading_unit;
+
+const char *murk_reading_unit_name(murk_reading_unit unit);
+
+/* The law that relates the unit to a transmittance T over L metres; NULL for
+ * units that are used as they are. Only a reading without a law may have a free
+ * factor: a value per length is not proportional to anything that an instrument
+ * measured. */
+const char *murk_reading_unit_law(murk_reading_unit unit);
+
+/* True if readings of this unit state no absolute value and need a free
+ * factor. */
 bool murk_reading_unit_needs_gain(murk_reading_unit unit,
                                   murk_reading_kind kind);
 
@@ -25,8 +65,20 @@ murk_status murk_reading_unit_find(murk_reading_unit *out, const char *word,
 murk_status murk_reading_unit_check(murk_reading_unit unit, double value,
                                     const char *where, murk_error *err);
 
-/* The law that relates the unit to a transmittance T over L metres; NULL for
- * units that are used as they are. */
-const char *murk_reading_unit_law(murk_reading_unit unit);
+/* Converts the quantity of the model to the unit of a row, with the derivative;
+ * factors of readings are not applied. model: coverage or transmittance; for
+ * light, the value already summed over bands in W/m2, lux, photons or PAR as
+ * the unit requires. length_m: length of the segment; 1 for other kinds. Finite
+ * for transmittance 0 and 1, too. */
+double murk_reading_in_unit(murk_reading_unit unit, double model,
+                            double length_m, double *slope);
+
+/* The quantity of a unit of light; radiometric for others. */
+murk_quantity murk_reading_quantity(murk_reading_unit unit);
+
+/* Factors from W/m2 in a band to a unit of light, for the bands of the scene,
+ * with light even in wavelength within each band; 1 for other units. */
+murk_spectrum murk_reading_per_watt(murk_reading_unit unit,
+                                    const murk_scene_desc *scene);
 
 #endif

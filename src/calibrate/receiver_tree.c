@@ -3,7 +3,7 @@
  * fixed order (B. Smits, Journal of Graphics Tools 3 (1998) 1,
  * doi:10.1080/10867651.1998.10487488). Nodes split at the median of the longest
  * axis. */
-#include "calibrate/chords.h"
+#include "calibrate/receiver_tree.h"
 
 #include <assert.h>
 #include <stdlib.h>
@@ -25,7 +25,7 @@ typedef struct node {
     uint32_t first, n; /* n > 0: a leaf with order[first .. first + n) */
 } node;
 
-struct murk_chords {
+struct murk_receiver_tree {
     const murk_receiver *receiver;
     uint32_t *order; /* [receivers] */
     node *nodes;
@@ -48,7 +48,7 @@ static int compare(const void *a, const void *b)
                : (x->receiver > y->receiver) - (x->receiver < y->receiver);
 }
 
-static murk_box box_of(const murk_chords *c, uint32_t first, uint32_t n)
+static murk_box box_of(const murk_receiver_tree *c, uint32_t first, uint32_t n)
 {
     murk_box box = murk_box_empty();
     for (uint32_t i = first; i < first + n; ++i) {
@@ -64,7 +64,8 @@ static murk_box box_of(const murk_chords *c, uint32_t first, uint32_t n)
 
 /* Builds the node of n receivers and recursively the nodes of both halves. The
  * depth is the logarithm of n. */
-static void split(murk_chords *c, sorted *scratch, uint32_t first, uint32_t n)
+static void split(murk_receiver_tree *c, sorted *scratch, uint32_t first,
+                  uint32_t n)
 {
     node *made = &c->nodes[c->n_nodes++];
     made->box = box_of(c, first, n);
@@ -91,12 +92,13 @@ static void split(murk_chords *c, sorted *scratch, uint32_t first, uint32_t n)
     made->skip = (uint32_t)c->n_nodes;
 }
 
-murk_status murk_chords_create(murk_chords **out, const murk_receiver *receiver,
-                               size_t n, murk_error *err)
+murk_status murk_receiver_tree_create(murk_receiver_tree **out,
+                                      const murk_receiver *receiver, size_t n,
+                                      murk_error *err)
 {
     assert(n < UINT32_MAX / 4);
     /* Allocate; a binary tree has fewer than 2 n nodes. */
-    murk_chords *c = calloc(1, sizeof *c);
+    murk_receiver_tree *c = calloc(1, sizeof *c);
     sorted *scratch = malloc((n + 1) * sizeof *scratch);
     if (c) {
         c->receiver = receiver;
@@ -104,7 +106,7 @@ murk_status murk_chords_create(murk_chords **out, const murk_receiver *receiver,
         c->nodes = malloc((2 * n + 1) * sizeof *c->nodes);
     }
     if (!c || !scratch || !c->order || !c->nodes) {
-        murk_chords_destroy(c);
+        murk_receiver_tree_destroy(c);
         free(scratch);
         return murk_fail(err, MURK_NO_MEMORY, "receivers",
                          "no memory for %zu receivers", n);
@@ -122,22 +124,22 @@ murk_status murk_chords_create(murk_chords **out, const murk_receiver *receiver,
     return MURK_OK;
 }
 
-void murk_chords_destroy(murk_chords *chords)
+void murk_receiver_tree_destroy(murk_receiver_tree *tree)
 {
-    if (chords) {
-        free(chords->order);
-        free(chords->nodes);
-        free(chords);
+    if (tree) {
+        free(tree->order);
+        free(tree->nodes);
+        free(tree);
     }
 }
 
 /* ---- traversal ---- */
 
 /* A segment with the inverse of the direction. */
-typedef struct leg {
+typedef struct segment {
     murk_vec3 from, direction, inverse;
     double length_m;
-} leg;
+} segment;
 
 static double inverse_of(double d)
 {
@@ -154,7 +156,7 @@ static inline void clip(double low, double high, double from, double inverse,
     *t1 = leave < *t1 ? leave : *t1;
 }
 
-static inline bool meets(const leg *l, const murk_box *box)
+static inline bool meets(const segment *l, const murk_box *box)
 {
     double t0 = 0, t1 = l->length_m;
     clip(box->min.x, box->max.x, l->from.x, l->inverse.x, &t0, &t1);
@@ -166,7 +168,7 @@ static inline bool meets(const leg *l, const murk_box *box)
 /* The chord of a segment in a sphere. The half length follows from the point of
  * the line closest to the centre, which keeps precision for a small sphere far
  * away. */
-static inline bool cross(const leg *l, const murk_receiver *receiver,
+static inline bool cross(const segment *l, const murk_receiver *receiver,
                          murk_chord *chord)
 {
     const murk_vec3 to_center = murk_sub(receiver->center, l->from);
@@ -183,23 +185,26 @@ static inline bool cross(const leg *l, const murk_receiver *receiver,
     return chord->to_m > chord->from_m;
 }
 
-size_t murk_chords_of(const murk_chords *chords, murk_vec3 from,
-                      murk_vec3 direction, double length_m, murk_chord *chord)
+size_t murk_receiver_tree_chords(const murk_receiver_tree *tree, murk_vec3 from,
+                                 murk_vec3 direction, double length_m,
+                                 murk_chord *chord)
 {
-    const leg l = {from, direction,
-                   murk_vec(inverse_of(direction.x), inverse_of(direction.y),
-                            inverse_of(direction.z)),
-                   length_m};
+    const segment l = {from, direction,
+                       murk_vec(inverse_of(direction.x),
+                                inverse_of(direction.y),
+                                inverse_of(direction.z)),
+                       length_m};
     size_t found = 0;
-    for (size_t i = 0; i < chords->n_nodes;) {
-        const node *at = &chords->nodes[i];
+    /* Skip the descendants of a node whose box the segment does not meet. */
+    for (size_t i = 0; i < tree->n_nodes;) {
+        const node *at = &tree->nodes[i];
         if (!meets(&l, &at->box)) {
             i = at->skip;
             continue;
         }
         for (uint32_t k = 0; k < at->n; ++k) {
-            const uint32_t receiver = chords->order[at->first + k];
-            if (cross(&l, &chords->receiver[receiver], &chord[found])) {
+            const uint32_t receiver = tree->order[at->first + k];
+            if (cross(&l, &tree->receiver[receiver], &chord[found])) {
                 chord[found++].receiver = receiver;
             }
         }

@@ -11,111 +11,33 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define FIRST_ROOM 256 /* first capacity: 256 contributions */
-
-/* ---- growing arrays ---- */
-
-static bool regrow(void **array, size_t room, size_t size)
-{
-    const size_t bytes = room * size;
-    void *grown = realloc(*array, bytes > 0 ? bytes : 1);
-    if (grown) {
-        *array = grown;
-    }
-    return grown != NULL;
-}
-
-static bool set_room(murk_recorded *r, size_t media, size_t room)
-{
-    const bool fits =
-        regrow((void **)&r->contribution, room, sizeof *r->contribution) &&
-        regrow((void **)&r->path_m, room * media, sizeof *r->path_m) &&
-        regrow((void **)&r->chord_m, room * media, sizeof *r->chord_m) &&
-        regrow((void **)&r->count, room * media, sizeof *r->count);
-    r->room = fits ? room : r->room;
-    return fits;
-}
-
-static bool set_turn_room(murk_recorded *r, size_t room)
-{
-    const bool fits =
-        regrow((void **)&r->turn, room, sizeof *r->turn) &&
-        regrow((void **)&r->turn_medium, room, sizeof *r->turn_medium);
-    r->turn_room = fits ? room : r->turn_room;
-    return fits;
-}
-
-/* Ensures capacity for `more` further contributions. */
-static bool make_room(murk_recorded *r, size_t media, size_t more)
-{
-    const size_t min = r->n + more, grown = r->room + r->room / 2;
-    return min <= r->room || set_room(r, media,
-                                      min > grown          ? min
-                                      : grown < FIRST_ROOM ? FIRST_ROOM
-                                                           : grown);
-}
-
-static bool make_turn_room(murk_recorded *r, size_t more)
-{
-    const size_t min = r->turns + more, grown = r->turn_room * 3 / 2;
-    return min <= r->turn_room ||
-           set_turn_room(r, min > grown          ? min
-                            : grown < FIRST_ROOM ? FIRST_ROOM
-                                                 : grown);
-}
-
-static void release(murk_recorded *r)
-{
-    free(r->contribution);
-    free(r->path_m);
-    free(r->chord_m);
-    free(r->count);
-    free(r->turn);
-    free(r->turn_medium);
-}
-
-double murk_recorded_bytes(size_t media, double n, double turns)
-{
-    const size_t each = sizeof(murk_contribution) +
-                        media * (2 * sizeof(float) + sizeof(uint32_t));
-    return n * (double)each + turns * (double)(sizeof(float) + 1);
-}
-
-void murk_recorded_fit(murk_recorded *r, size_t media)
-{
-    set_room(r, media, r->n);
-    set_turn_room(r, r->turns);
-}
-
 /* ---- the history of a photon ---- */
 
-static void begin_photon(murk_recorder *r, murk_photon_history *f)
+static void begin_photon(const murk_recorder *r, murk_photon_history *f)
 {
     f->buffer.turns = f->needed; /* cosines after the last contribution are not
                                   * needed */
     f->first = f->needed;
     f->turns = 0;
-    for (size_t m = 0; m < r->media; ++m) {
-        f->path_m[m] = 0;
-        f->count[m] = 0;
-    }
+    memset(f->path_m, 0, r->all->media * sizeof *f->path_m);
+    memset(f->count, 0, r->all->media * sizeof *f->count);
 }
 
 /* Appends a contribution with the history so far; the caller fills path and
  * chord. NULL when out of memory. */
-static murk_contribution *add(murk_recorder *r, murk_photon_history *f,
-                              float **path, float **chord)
+static murk_contribution *add(murk_photon_history *f, float **path,
+                              float **chord)
 {
-    murk_recorded *buffer = &f->buffer;
-    if (f->is_short_of_memory || !make_room(buffer, r->media, 1)) {
+    murk_histories *buffer = &f->buffer;
+    const size_t media = buffer->media;
+    if (f->is_short_of_memory || !murk_histories_reserve(buffer, 1, 0)) {
         f->is_short_of_memory = true;
         return NULL;
     }
     const size_t i = buffer->n++;
-    *path = buffer->path_m + i * r->media;
-    *chord = buffer->chord_m + i * r->media;
-    memcpy(buffer->count + i * r->media, f->count,
-           r->media * sizeof *buffer->count);
+    *path = buffer->path_m + i * media;
+    *chord = buffer->chord_m + i * media;
+    memcpy(buffer->count + i * media, f->count, media * sizeof *buffer->count);
     f->needed = buffer->turns;
     buffer->contribution[i] =
         (murk_contribution){.first = (uint32_t)f->first, .turns = f->turns};
@@ -124,71 +46,76 @@ static murk_contribution *add(murk_recorder *r, murk_photon_history *f,
 
 /* Density path [m] of a recorded medium along a part of the segment. */
 static double path_along(const murk_recorder *r, size_t m,
-                         const murk_trace_leg *leg, double from_m, double to_m)
+                         const murk_trace_leg *segment, double from_m,
+                         double to_m)
 {
-    return leg->is_in_solid ? 0
-                            : murk_media_optical_depth(
-                                  r->alone[m], leg->band, leg->inside,
-                                  murk_along(leg->from, from_m, leg->direction),
-                                  leg->direction, to_m - from_m);
+    return segment->is_in_solid
+               ? 0
+               : murk_media_optical_depth(
+                     r->alone[m], segment->band, segment->inside,
+                     murk_along(segment->from, from_m, segment->direction),
+                     segment->direction, to_m - from_m);
 }
 
 /* The weight of a receiver for light on this segment: 1, or the cosine of
  * incidence; 0 if the receiver does not accept the light. */
-static double taken(const murk_receiver *receiver, const murk_trace_leg *leg)
+static double taken(const murk_receiver *receiver,
+                    const murk_trace_leg *segment)
 {
-    if (receiver->band >= 0 && receiver->band != leg->band) {
+    if (receiver->band >= 0 && receiver->band != segment->band) {
         return 0;
     }
     const murk_vec3 n = receiver->normal;
     if (n.x == 0 && n.y == 0 && n.z == 0) {
         return 1;
     }
-    const double cosine = -murk_dot(n, leg->direction);
+    const double cosine = -murk_dot(n, segment->direction);
     return cosine > 0 && cosine >= receiver->min_cosine ? cosine : 0;
 }
 
-void murk_recorder_leg(void *context, uint64_t batch, const murk_trace_leg *leg)
+void murk_recorder_segment(void *context, uint64_t batch,
+                           const murk_trace_leg *segment)
 {
     murk_recorder *r = context;
-    murk_photon_history *f = &r->follower[batch];
+    murk_photon_history *f = &r->photon[batch];
     /* A contribution for each receiver on the segment. */
-    const size_t n = murk_chords_of(r->chords, leg->from, leg->direction,
-                                    leg->length_m, f->chord);
+    const size_t n =
+        murk_receiver_tree_chords(r->tree, segment->from, segment->direction,
+                                  segment->length_m, f->chord);
     for (size_t i = 0; i < n; ++i) {
         const murk_chord *c = &f->chord[i];
         const float value =
-            (float)((c->to_m - c->from_m) * leg->weight *
-                    taken(&r->desc->receiver[c->receiver], leg));
+            (float)((c->to_m - c->from_m) * segment->weight *
+                    taken(&r->desc->receiver[c->receiver], segment));
         float *path, *chord;
-        murk_contribution *made = value > 0 ? add(r, f, &path, &chord) : NULL;
+        murk_contribution *made = value > 0 ? add(f, &path, &chord) : NULL;
         if (!made) {
             continue;
         }
-        made->photon = (uint32_t)leg->photon;
+        made->photon = (uint32_t)segment->photon;
         made->receiver = c->receiver;
-        made->light = leg->light;
-        made->band = leg->band;
+        made->light = segment->light;
+        made->band = segment->band;
         made->value = value;
-        for (size_t m = 0; m < r->media; ++m) {
+        for (size_t m = 0; m < r->all->media; ++m) {
             path[m] =
-                (float)(f->path_m[m] + path_along(r, m, leg, 0, c->from_m));
-            chord[m] = (float)path_along(r, m, leg, c->from_m, c->to_m);
+                (float)(f->path_m[m] + path_along(r, m, segment, 0, c->from_m));
+            chord[m] = (float)path_along(r, m, segment, c->from_m, c->to_m);
         }
     }
     /* Add the segment to the density paths. */
-    for (size_t m = 0; m < r->media; ++m) {
-        f->path_m[m] += path_along(r, m, leg, 0, leg->length_m);
+    for (size_t m = 0; m < r->all->media; ++m) {
+        f->path_m[m] += path_along(r, m, segment, 0, segment->length_m);
     }
 }
 
 /* Adds the contribution of a stored record. */
-static void record(murk_recorder *r, murk_photon_history *f,
+static void record(const murk_recorder *r, murk_photon_history *f,
                    const murk_event *event, double share)
 {
     const bool is_volume = event->kind == MURK_EVENT_MEDIUM;
     float *path, *chord;
-    murk_contribution *made = add(r, f, &path, &chord);
+    murk_contribution *made = add(f, &path, &chord);
     if (!made) {
         return;
     }
@@ -198,21 +125,21 @@ static void record(murk_recorder *r, murk_photon_history *f,
     made->band = event->band;
     made->medium = is_volume ? event->material_or_medium : 0;
     made->value = (float)share;
-    for (size_t m = 0; m < r->media; ++m) {
+    for (size_t m = 0; m < r->all->media; ++m) {
         path[m] = (float)f->path_m[m];
         chord[m] = 0;
     }
     /* A record in a medium includes its own scattering, since the power leaves
      * it. */
     if (is_volume && r->index_of[made->medium] >= 0) {
-        ++f->buffer.count[(f->buffer.n - 1) * r->media +
+        ++f->buffer.count[(f->buffer.n - 1) * r->all->media +
                           (size_t)r->index_of[made->medium]];
     }
 }
 
 /* Adds a scattering to the history. */
-static void turn(murk_recorder *r, murk_photon_history *f,
-                 const murk_event *event)
+static void add_turn(const murk_recorder *r, murk_photon_history *f,
+                     const murk_event *event)
 {
     const int m = r->index_of[event->material_or_medium];
     if (m < 0) {
@@ -225,8 +152,8 @@ static void turn(murk_recorder *r, murk_photon_history *f,
         return;
     }
     /* Store the cosine. */
-    murk_recorded *buffer = &f->buffer;
-    if (f->is_short_of_memory || !make_turn_room(buffer, 1)) {
+    murk_histories *buffer = &f->buffer;
+    if (f->is_short_of_memory || !murk_histories_reserve(buffer, 0, 1)) {
         f->is_short_of_memory = true;
         return;
     }
@@ -238,7 +165,7 @@ static void turn(murk_recorder *r, murk_photon_history *f,
 void murk_recorder_event(void *context, uint64_t batch, const murk_event *event)
 {
     murk_recorder *r = context;
-    murk_photon_history *f = &r->follower[batch];
+    murk_photon_history *f = &r->photon[batch];
     if (event->kind == MURK_EVENT_EMITTED) {
         begin_photon(r, f);
         return;
@@ -251,7 +178,7 @@ void murk_recorder_event(void *context, uint64_t batch, const murk_event *event)
         }
     }
     if (event->kind == MURK_EVENT_MEDIUM && event->outcome == MURK_SCATTERED) {
-        turn(r, f, event);
+        add_turn(r, f, event);
     }
 }
 
@@ -261,8 +188,8 @@ void murk_recorder_event(void *context, uint64_t batch, const murk_event *event)
  * the end of `all`. */
 static bool move(murk_recorder *r, murk_photon_history *f, uint64_t last)
 {
-    murk_recorded *buffer = &f->buffer, *all = &r->all;
-    const size_t media = r->media;
+    murk_histories *buffer = &f->buffer, *all = r->all;
+    const size_t media = all->media;
     /* Contributions and cosines up to the last photon. */
     size_t n = 0, turns = 0;
     while (n < buffer->n && buffer->contribution[n].photon <= last) {
@@ -271,8 +198,8 @@ static bool move(murk_recorder *r, murk_photon_history *f, uint64_t last)
     }
     turns = r->desc->keeps_cosines ? turns : 0;
     if (f->is_short_of_memory || all->n + n > UINT32_MAX ||
-        all->turns + turns > UINT32_MAX || !make_room(all, media, n) ||
-        !make_turn_room(all, turns)) {
+        all->turns + turns > UINT32_MAX ||
+        !murk_histories_reserve(all, n, turns)) {
         return false;
     }
     /* Cosines are numbered from the start of all cosines. */
@@ -303,8 +230,8 @@ static bool move(murk_recorder *r, murk_photon_history *f, uint64_t last)
 static void number_records(murk_recorder *r, size_t first, size_t surface,
                            size_t volume)
 {
-    for (size_t i = first; i < r->all.n; ++i) {
-        const uint32_t receiver = r->all.contribution[i].receiver;
+    for (size_t i = first; i < r->all->n; ++i) {
+        const uint32_t receiver = r->all->contribution[i].receiver;
         if (receiver == MURK_RECORD_OF_SURFACE) {
             murk_photon_set_emitted(&r->buffers->surface.photon[surface++],
                                     (uint32_t)i);
@@ -320,15 +247,15 @@ static void number_records(murk_recorder *r, size_t first, size_t surface,
 murk_status murk_recorder_gather(murk_recorder *r, uint64_t last,
                                  murk_error *err)
 {
-    const size_t first = r->all.n;
+    const size_t first = r->all->n;
     const size_t surface = r->buffers ? r->buffers->surface.n : 0;
     const size_t volume = r->buffers ? r->buffers->volume.n : 0;
     for (size_t b = 0; b < MURK_WAVE_BATCHES; ++b) {
-        if (!move(r, &r->follower[b], last)) {
+        if (!move(r, &r->photon[b], last)) {
             return murk_fail(err, MURK_NO_MEMORY, "fit",
                              "no memory for more than %.3g contributions and "
                              "%.3g cosines",
-                             (double)r->all.n, (double)r->all.turns);
+                             (double)r->all->n, (double)r->all->turns);
         }
     }
     if (r->buffers) {
@@ -352,7 +279,7 @@ static murk_status make_alone(murk_recorder *r, murk_error *err)
         r->index_of[i] = -1;
     }
     murk_status status = MURK_OK;
-    for (size_t m = 0; m < r->media && !status; ++m) {
+    for (size_t m = 0; m < r->all->media && !status; ++m) {
         const size_t medium = r->desc->medium[m];
         assert(medium < murk_media_count(r->world) && r->index_of[medium] < 0);
         r->index_of[medium] = (int)m;
@@ -361,52 +288,44 @@ static murk_status make_alone(murk_recorder *r, murk_error *err)
     return status;
 }
 
-static bool make_followers(murk_recorder *r)
-{
-    const size_t receivers = r->desc->receivers;
-    bool fits = true;
-    for (size_t b = 0; b < MURK_WAVE_BATCHES; ++b) {
-        murk_photon_history *f = &r->follower[b];
-        f->path_m = calloc(r->media + 1, sizeof *f->path_m);
-        f->count = calloc(r->media + 1, sizeof *f->count);
-        f->chord = calloc(receivers + 1, sizeof *f->chord);
-        fits = fits && f->path_m && f->count && f->chord;
-    }
-    return fits;
-}
-
 murk_status murk_recorder_create(murk_recorder **out,
-                                 const murk_followed_desc *desc,
+                                 const murk_histories_desc *desc,
+                                 murk_histories *all,
                                  murk_record_buffers *buffers, murk_error *err)
 {
-    /* Allocate. */
-    murk_status status = MURK_OK;
     murk_recorder *r = calloc(1, sizeof *r);
-    if (r) {
-        r->desc = desc;
-        r->world = desc->stage->media;
-        r->media = desc->media;
-        r->buffers = buffers;
-        r->alone = calloc(desc->media + 1, sizeof(murk_media *));
+    if (!r) {
+        return murk_fail(err, MURK_NO_MEMORY, "fit", "no memory to trace");
     }
-    if (!r || !r->alone || !make_followers(r)) {
-        status =
-            murk_fail(err, MURK_NO_MEMORY, "fit", "no memory to follow light");
-        goto done;
-        /* Media by themselves, and the receivers. */
+    r->desc = desc;
+    r->all = all;
+    r->world = desc->stage->media;
+    r->buffers = buffers;
+    /* Workspaces of the batches. */
+    const size_t media = desc->media;
+    r->alone = murk_arena_array(&r->arena, media, sizeof *r->alone);
+    for (size_t b = 0; b < MURK_WAVE_BATCHES; ++b) {
+        murk_photon_history *f = &r->photon[b];
+        f->buffer.media = media;
+        f->path_m = murk_arena_array(&r->arena, media, sizeof *f->path_m);
+        f->count = murk_arena_array(&r->arena, media, sizeof *f->count);
+        f->chord =
+            murk_arena_array(&r->arena, desc->receivers, sizeof *f->chord);
     }
-    status = make_alone(r, err);
-    if (!status) {
-        status = murk_chords_create(&r->chords, desc->receiver, desc->receivers,
-                                    err);
+    /* Media by themselves, and the receivers. */
+    murk_status status =
+        r->arena.is_short
+            ? murk_fail(err, MURK_NO_MEMORY, "fit", "no memory to trace")
+            : make_alone(r, err);
+    status = status ? status
+                    : murk_receiver_tree_create(&r->tree, desc->receiver,
+                                                desc->receivers, err);
+    if (status) {
+        murk_recorder_destroy(r);
+        return status;
     }
-    if (!status) {
-        *out = r;
-        r = NULL;
-    }
-done:
-    murk_recorder_destroy(r);
-    return status;
+    *out = r;
+    return MURK_OK;
 }
 
 void murk_recorder_destroy(murk_recorder *r)
@@ -415,16 +334,12 @@ void murk_recorder_destroy(murk_recorder *r)
         return;
     }
     for (size_t b = 0; b < MURK_WAVE_BATCHES; ++b) {
-        release(&r->follower[b].buffer);
-        free(r->follower[b].path_m);
-        free(r->follower[b].count);
-        free(r->follower[b].chord);
+        murk_histories_release(&r->photon[b].buffer);
     }
-    for (size_t m = 0; r->alone && m < r->media; ++m) {
+    for (size_t m = 0; r->alone && m < r->all->media; ++m) {
         murk_media_destroy(r->alone[m]);
     }
-    free(r->alone);
-    murk_chords_destroy(r->chords);
-    release(&r->all);
+    murk_receiver_tree_destroy(r->tree);
+    murk_arena_release(&r->arena);
     free(r);
 }

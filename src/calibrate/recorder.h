@@ -7,23 +7,13 @@
 #ifndef MURK_CALIBRATE_RECORDER_H
 #define MURK_CALIBRATE_RECORDER_H
 
-#include "calibrate/chords.h"
+#include "base/arena.h"
+#include "calibrate/receiver_tree.h"
 #include "lightmap/record_buffers.h"
-
-/* Contributions with the arrays of murk_followed. */
-typedef struct murk_recorded {
-    murk_contribution *contribution;
-    float *path_m, *chord_m;
-    uint32_t *count;
-    size_t n, room;
-    float *turn;
-    uint8_t *turn_medium;
-    size_t turns, turn_room;
-} murk_recorded;
 
 /* The history of the photon that a batch traces at present. */
 typedef struct murk_photon_history {
-    murk_recorded buffer;
+    murk_histories buffer;
     bool is_short_of_memory;
     size_t first;      /* index of the first cosine of the photon in the buffer
                         */
@@ -35,45 +25,35 @@ typedef struct murk_photon_history {
 } murk_photon_history;
 
 typedef struct murk_recorder {
-    const murk_followed_desc *desc;
-    const murk_media *world; /* media of the world */
-    size_t media;
+    const murk_histories_desc *desc;
+    murk_histories *all;          /* histories of all waves */
+    const murk_media *world;      /* media of the world */
     murk_media **alone;           /* [media]; each medium by itself */
     int index_of[MURK_MEDIA_MAX]; /* index in desc->medium; -1: not recorded */
-    murk_chords *chords;
+    murk_receiver_tree *tree;
     murk_record_buffers *buffers; /* NULL: no records are stored or counted */
-    murk_photon_history follower[MURK_WAVE_BATCHES];
-    murk_recorded all; /* contributions of all waves */
+    murk_photon_history photon[MURK_WAVE_BATCHES];
+    murk_arena arena;
 } murk_recorder;
 
-/* Borrows desc and the record buffers. The caller owns *out
- * (murk_recorder_destroy()). */
+/* Creates a recorder that appends to `all`. Borrows desc, all and the record
+ * buffers. The caller owns *out (murk_recorder_destroy()). */
 murk_status murk_recorder_create(murk_recorder **out,
-                                 const murk_followed_desc *desc,
+                                 const murk_histories_desc *desc,
+                                 murk_histories *all,
                                  murk_record_buffers *buffers, murk_error *err);
 void murk_recorder_destroy(murk_recorder *recorder); /* NULL is fine */
 
 /* The sinks of the photon tracer; context is the recorder. */
 void murk_recorder_event(void *context, uint64_t batch,
                          const murk_event *event);
-void murk_recorder_leg(void *context, uint64_t batch,
-                       const murk_trace_leg *leg);
+void murk_recorder_segment(void *context, uint64_t batch,
+                           const murk_trace_leg *segment);
 
 /* Moves the contributions of the wave, up to and including photon `last`, to
  * `all`, and the records of the record buffers likewise; the records receive
  * the numbers of their contributions. */
 murk_status murk_recorder_gather(murk_recorder *recorder, uint64_t last,
                                  murk_error *err);
-
-/* Memory of a growing array relative to the content. The old array does not
- * exist beside the new one: the system moves arrays of this size by remapping
- * pages. */
-#define MURK_WHILE_GROWING 1.5
-
-/* Memory of n contributions and a number of cosines, in bytes. */
-double murk_recorded_bytes(size_t media, double n, double turns);
-
-/* Releases unused capacity. */
-void murk_recorded_fit(murk_recorded *recorded, size_t media);
 
 #endif

@@ -23,11 +23,11 @@
 #define MIN_DENSITY 1e-300
 
 typedef struct job {
-    const murk_followed *followed;
+    const murk_histories *histories;
     const murk_changes *changes;
     murk_reweighed *out;
-    double *turned; /* [threads][keys]; sums for the present photon of a worker
-                     */
+    double *slope; /* [threads][keys]; sums for the present photon of a worker
+                    */
 } job;
 
 /* ---- the mean of exp(-x t) over t from 0 to 1, and its slope by x ---- */
@@ -71,7 +71,7 @@ static double log_density(const murk_phase *phase, double mu)
 /* Adds one scattering. */
 static void take_turn(const job *j, turns *t, size_t i, size_t band)
 {
-    const murk_followed *f = j->followed;
+    const murk_histories *f = j->histories;
     const murk_changes *c = j->changes;
     const size_t m = f->turn_medium[i];
     const murk_medium_change *change = murk_change_of(c, m, band);
@@ -93,7 +93,7 @@ static void take_turn(const job *j, turns *t, size_t i, size_t band)
 /* Adds the scatterings up to this contribution of the same photon. */
 static void follow_turns(const job *j, turns *t, const murk_contribution *of)
 {
-    if (!j->changes->any_turns || j->followed->turns == 0) {
+    if (!j->changes->any_turns || j->histories->turns == 0) {
         return; /* without cosines, phase functions do not differ by more than
                  * the tolerance */
     }
@@ -122,7 +122,7 @@ typedef struct weight {
 
 static weight weigh(const job *j, const turns *t, size_t i, size_t band)
 {
-    const murk_followed *f = j->followed;
+    const murk_histories *f = j->histories;
     weight w = {.log_ratio = t->log_ratio};
     for (size_t m = 0; m < f->media; ++m) {
         const murk_medium_change *change = murk_change_of(j->changes, m, band);
@@ -143,7 +143,7 @@ static weight weigh(const job *j, const turns *t, size_t i, size_t band)
 static void weigh_slope(const job *j, size_t k, size_t i, size_t band,
                         double *log_slope, double *x_slope)
 {
-    const murk_followed *f = j->followed;
+    const murk_histories *f = j->histories;
     for (size_t m = 0; m < f->media; ++m) {
         const murk_change_slope *s =
             murk_change_slope_of(j->changes, k, m, band);
@@ -162,8 +162,8 @@ static void reweigh_one(const job *j, turns *t, size_t i)
 {
     const murk_changes *c = j->changes;
     /* The ratio: path, chord and power. */
-    const murk_contribution *of = &j->followed->contribution[i];
-    const size_t band = of->band, n = j->followed->n;
+    const murk_contribution *of = &j->histories->contribution[i];
+    const size_t band = of->band, n = j->histories->n;
     const size_t channel = of->light * (size_t)c->bands + band;
     follow_turns(j, t, of);
     const weight w = weigh(j, t, i, band);
@@ -198,10 +198,10 @@ static void reweigh_one(const job *j, turns *t, size_t i)
 static void reweigh_batch(void *context, unsigned worker, uint64_t batch)
 {
     const job *j = context;
-    const size_t n = j->followed->n, from = (size_t)batch * BATCH;
+    const size_t n = j->histories->n, from = (size_t)batch * BATCH;
     const size_t to = n - from < BATCH ? n : from + BATCH;
     turns t = {.photon = UINT32_MAX, /* no photon has this number */
-               .slope = j->turned + worker * j->changes->keys};
+               .slope = j->slope + worker * j->changes->keys};
     memset(t.slope, 0, j->changes->keys * sizeof *t.slope);
     for (size_t i = from; i < to; ++i) {
         reweigh_one(j, &t, i);
@@ -226,7 +226,7 @@ static double share_of(const worth *w)
 #define STRETCHES 64
 
 typedef struct share_job {
-    const murk_followed *followed;
+    const murk_histories *histories;
     const double *ratio;
     worth *sums; /* [STRETCHES][kinds]; receivers, then the two maps */
     size_t kinds;
@@ -235,7 +235,7 @@ typedef struct share_job {
 static void add_stretch(void *context, uint64_t stretch)
 {
     const share_job *j = context;
-    const murk_followed *f = j->followed;
+    const murk_histories *f = j->histories;
     worth *sums = j->sums + stretch * j->kinds;
     const size_t last = (stretch + 1) * f->n / STRETCHES;
     for (size_t i = stretch * f->n / STRETCHES; i < last; ++i) {
@@ -252,7 +252,7 @@ static void add_stretch(void *context, uint64_t stretch)
 }
 
 /* Computes the smallest effective share of any receiver or map. */
-static bool find_effective_share(murk_reweighed *out, const murk_followed *f,
+static bool find_effective_share(murk_reweighed *out, const murk_histories *f,
                                  unsigned threads)
 {
     const size_t kinds = f->receivers + 2;
@@ -281,71 +281,55 @@ static bool find_effective_share(murk_reweighed *out, const murk_followed *f,
 }
 
 /* Allocates n ratios and n * keys slopes, unless they fit. */
-static bool set_room(murk_reweighed *r, size_t n, size_t keys)
+static bool reserve(murk_reweighed *r, size_t n, size_t keys)
 {
-    if (!r->ratio || r->n != n || r->room < keys * n) {
+    if (!r->ratio || r->n != n || r->capacity < keys * n) {
         murk_reweighed_release(r);
         r->ratio = malloc((n + 1) * sizeof *r->ratio);
         r->slope = malloc((keys * n + 1) * sizeof *r->slope);
-        r->room = keys * n;
+        r->capacity = keys * n;
     }
     r->n = n;
     r->keys = keys;
     return r->ratio && r->slope;
 }
 
-murk_status murk_reweigh_again(murk_reweighed *out,
-                               const murk_followed *followed,
-                               const murk_optics *traced, const murk_optics *at,
-                               const murk_optics_sides *sides, size_t keys,
-                               unsigned threads, murk_error *err)
+murk_status murk_reweigh(murk_reweighed *out, const murk_histories *histories,
+                         const murk_optics *traced, const murk_optics *at,
+                         const murk_optics_sides *sides, size_t keys,
+                         unsigned threads, murk_error *err)
 {
     assert(out && threads >= 1);
-    const size_t n = followed->n;
-    murk_changes *changes = NULL;
+    const size_t n = histories->n;
+    double *slope = NULL;
+    murk_changes changes;
     murk_status status =
-        murk_changes_create(&changes, followed, traced, at, sides, keys, err);
+        murk_changes_create(&changes, histories, traced, at, sides, keys, err);
     if (status) {
-        return status;
+        goto done;
     }
     /* Allocate; then re-weight in parallel. */
-    double *turned = malloc((threads * keys + 1) * sizeof *turned);
-    if (!turned || !set_room(out, n, keys)) {
+    slope = malloc((threads * keys + 1) * sizeof *slope);
+    if (!slope || !reserve(out, n, keys)) {
         status = murk_fail(err, MURK_NO_MEMORY, "fit",
                            "no memory for %zu contributions and their slopes "
                            "by %zu parameters",
                            n, keys);
         goto done;
     }
-    job j = {followed, changes, out, turned};
+    job j = {histories, &changes, out, slope};
     murk_pool_run_workers(threads, (n + BATCH - 1) / BATCH, reweigh_batch, &j);
     /* The effective share; errors. */
-    const bool has_room = find_effective_share(out, followed, threads);
+    const bool has_sums = find_effective_share(out, histories, threads);
     if (murk_interrupted()) {
         status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
-    } else if (!has_room) {
+    } else if (!has_sums) {
         status = murk_fail(err, MURK_NO_MEMORY, "fit", "no memory for sums");
     }
 done:
-    free(turned);
-    murk_changes_destroy(changes);
+    free(slope);
+    murk_changes_release(&changes);
     return status;
-}
-
-murk_status murk_reweigh(murk_reweighed *out, const murk_followed *followed,
-                         const murk_optics *traced, const murk_optics *at,
-                         const murk_optics_sides *sides, size_t keys,
-                         unsigned threads, murk_error *err)
-{
-    murk_reweighed made = {0};
-    const murk_status status = murk_reweigh_again(&made, followed, traced, at,
-                                                  sides, keys, threads, err);
-    if (status) {
-        murk_reweighed_release(&made);
-        return status;
-    }
-    *out = made;
-    return MURK_OK;
 }
 
 void murk_reweighed_release(murk_reweighed *reweighed)

@@ -1,24 +1,31 @@
-/* The search for the best parameters from one start, in search coordinates:
- * logarithms of positive keys, values of others. Internal to this room. */
-#ifndef MURK_CALIBRATE_SEARCH_H
-#define MURK_CALIBRATE_SEARCH_H
+/* The state of a search for the best parameters, in search coordinates
+ * (logarithms of positive keys, values of others), and the residuals that least
+ * squares minimise. Internal to this room. */
+#ifndef MURK_CALIBRATE_SEARCH_STATE_H
+#define MURK_CALIBRATE_SEARCH_STATE_H
 
-#include "calibrate/calibrate.h"
+#include "calibrate/calibration.h"
 #include "fit/whitening.h"
 
 typedef struct murk_fit_search {
     const murk_calibration_desc *desc;
     murk_model *model;
-    size_t n, rows;            /* number of keys, and of rows of the data */
-    size_t *fitted, n_fitted;  /* rows that are not held out; those that need
-                                * light first */
-    size_t n_lit;              /* number of fitted rows that need light */
-    double *measured, *error;  /* [rows] */
-    murk_whitening *whitening; /* of the first n_lit rows; NULL: none */
-    double *value;             /* [n]; at the last prediction */
-    double *predicted, *slope; /* [rows], [rows][n]; at the last prediction */
-    double *offset;            /* [n_fitted]; offset of the whitened residuals,
-                                * see slope_noise.h */
+    size_t n, rows;              /* number of keys, and of rows of the data */
+    size_t *fitted, n_fitted;    /* rows that are not held out; those that need
+                                  * light first */
+    size_t n_light;              /* number of fitted rows that need light */
+    double *measured, *error;    /* [rows] */
+    murk_whitening *whitening;   /* of the first n_light rows; NULL: none */
+    double *x;                   /* [n]; present point of the search */
+    double *lower, *upper;       /* [n]; bounds */
+    double *traced, *before;     /* [n]; point of the last trace, and the one
+                                  * before */
+    double *residual, *jacobian; /* [n_fitted], [n_fitted][n]; whitened, at the
+                                  * point of the last trace */
+    double *value;               /* [n]; at the last prediction */
+    double *predicted, *slope;   /* [rows], [rows][n]; at the last prediction */
+    double *offset;              /* [n_fitted]; offset of the whitened
+                                  * residuals, see slope_noise.h */
     double share;
     size_t evaluations;
     int iterations;
@@ -31,8 +38,9 @@ typedef struct murk_fit_search {
     bool shares_light;   /* the next search begins with that light */
     bool is_scouting;    /* least squares continue for any effective share */
     double cost_to_beat; /* cost of the best start so far */
-    bool is_dropped;     /* the last search was abandoned: see shares_light */
+    bool is_dropped;     /* the last search was abandoned: see search.h */
     murk_error err;      /* why the last prediction failed */
+    murk_arena arena;    /* of all arrays */
 } murk_fit_search;
 
 /* Release also after a failure. */
@@ -41,16 +49,23 @@ murk_status murk_fit_search_create(murk_fit_search *out,
                                    murk_model *model, murk_error *err);
 void murk_fit_search_release(murk_fit_search *search);
 
+/* Bounds of a key in search coordinates. */
+double murk_free_lowest(const murk_free_key *key);
+double murk_free_highest(const murk_free_key *key);
+
 /* Converts coordinates x[n] to values, and back. */
 void murk_fit_search_values(const murk_fit_search *search, const double *x,
                             double *value);
 void murk_fit_search_coordinates(const murk_fit_search *search,
                                  const double *value, double *x);
 
-/* Predicts rows and slopes at x, and computes the whitening there; only after a
- * trace. */
-murk_status murk_fit_search_look(murk_fit_search *search, const double *x,
-                                 murk_error *err);
+/* Predicts the rows at x, with slopes or without; only after a trace. */
+murk_status murk_fit_search_predict(murk_fit_search *search, const double *x,
+                                    bool with_slopes, murk_error *err);
+
+/* Predicts rows and slopes at x, and computes the whitening there. */
+murk_status murk_fit_search_evaluate(murk_fit_search *search, const double *x,
+                                     murk_error *err);
 
 /* Whitened residuals [n_fitted] of the last prediction, measured minus
  * predicted, without the offset, and their derivatives [n_fitted][n] with
@@ -58,13 +73,11 @@ murk_status murk_fit_search_look(murk_fit_search *search, const double *x,
 void murk_fit_search_residuals(const murk_fit_search *search, double *residual,
                                double *jacobian);
 
-/* Searches from x[n] and moves x to the end: to->converged, why and chi2
- * describe the end. Afterwards the last prediction is that at x. With
- * shares_light and has_light, the search first follows the light at hand
- * without tracing. Light is traced only if that leads to a point that the light
- * no longer describes and whose cost is below cost_to_beat; otherwise the
- * search is abandoned: is_dropped, with the reason in to->why. */
-murk_status murk_fit_search_run(murk_fit_search *search, double *x,
-                                murk_calibration_start *to, murk_error *err);
+/* The minimised quantity of whitened residuals [n_fitted]: the sum of squares,
+ * or less for outliers with a robust loss. */
+double murk_fit_cost(const murk_fit_search *search, const double *residual);
+
+/* The least squares problem of the re-weighted rows, within the bounds. */
+murk_least_squares murk_fit_problem(murk_fit_search *search);
 
 #endif

@@ -20,8 +20,8 @@ static size_t bytes_each(const murk_sightlines_through *t)
            (t->has_rest ? sizeof(float) : 0);
 }
 
-static bool make_room(murk_sightlines *lines, const murk_sightlines_through *t,
-                      size_t n, bool has_acceptances)
+static bool allocate(murk_sightlines *lines, const murk_sightlines_through *t,
+                     size_t n, bool has_acceptances)
 {
     lines->contribution = malloc(n * sizeof *lines->contribution + 1);
     lines->path_m = malloc(n * t->media * sizeof *lines->path_m + 1);
@@ -80,18 +80,18 @@ static void keep(murk_sightlines *lines, const murk_sightlines_through *t,
 
 bool murk_sightlines_find(murk_sightlines *out,
                           const murk_sightlines_through *t, unsigned worker,
-                          const murk_pose *pose, murk_sightlines_room *room)
+                          const murk_pose *pose, murk_sightlines_memory *memory)
 {
     /* The row of records that the pose sees; reserve memory. */
     murk_sparse_row row;
     murk_sight_row(t->sight, worker, pose, &row);
     const int64_t max = (int64_t)(row.seen * bytes_each(t));
-    murk_tally_add(&room->bytes, max);
-    if ((double)murk_tally_read(&room->bytes) > room->max_bytes) {
+    murk_tally_add(&memory->bytes, max);
+    if ((double)murk_tally_read(&memory->bytes) > memory->max_bytes) {
         return false;
     }
     double *depth = malloc(CHUNK * t->media * sizeof *depth + 1);
-    if (!depth || !make_room(out, t, row.seen, false)) {
+    if (!depth || !allocate(out, t, row.seen, false)) {
         free(depth);
         return false;
     }
@@ -106,7 +106,7 @@ bool murk_sightlines_find(murk_sightlines *out,
         shrunk(out->contribution, out->n * sizeof *out->contribution);
     out->path_m = shrunk(out->path_m, out->n * t->media * sizeof *out->path_m);
     out->rest = shrunk(out->rest, out->n * sizeof *out->rest);
-    murk_tally_add(&room->bytes, (int64_t)(out->n * bytes_each(t)) - max);
+    murk_tally_add(&memory->bytes, (int64_t)(out->n * bytes_each(t)) - max);
     return true;
 }
 
@@ -143,7 +143,7 @@ bool murk_sightlines_join(murk_sightlines *out, murk_sightlines *part,
             has_acceptances || part[j].acceptance_all != part[0].acceptance_all;
     }
     uint32_t *place = calloc(contributions + 1, sizeof *place);
-    if (!place || n > UINT32_MAX || !make_room(out, t, n, has_acceptances)) {
+    if (!place || n > UINT32_MAX || !allocate(out, t, n, has_acceptances)) {
         free(place);
         return false;
     }

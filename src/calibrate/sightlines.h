@@ -31,17 +31,17 @@ typedef struct murk_sightlines_through {
 } murk_sightlines_through;
 
 /* The memory that sightlines may take, and do take. */
-typedef struct murk_sightlines_room {
+typedef struct murk_sightlines_memory {
     double max_bytes;
     murk_tally bytes;
-} murk_sightlines_room;
+} murk_sightlines_memory;
 
 /* Finds the sightlines of one sensor, in the order of the maps; the caller sets
  * acceptance_all. False if the memory limit is reached or memory is short. */
 bool murk_sightlines_find(murk_sightlines *out,
                           const murk_sightlines_through *through,
                           unsigned worker, const murk_pose *pose,
-                          murk_sightlines_room *room);
+                          murk_sightlines_memory *memory);
 
 /* Merges part[parts], in order, sorted by contribution (below `contributions`),
  * and releases the parts. False when out of memory. */

@@ -24,21 +24,22 @@ static murk_status no_memory(murk_error *err)
 
 void murk_slope_noise_release(murk_slope_noise *noise)
 {
-    free(noise->bias);
-    free(noise->noise);
+    murk_arena_release(&noise->arena);
     *noise = (murk_slope_noise){0};
 }
 
-/* Fills off[n_lit][1 + n] with the whitened deviation of a run. */
+/* Fills off[n_light][1 + n] with the whitened deviation of a run. */
 static void off_of_run(double *off, const murk_fit_search *s,
                        const double *part, const double *total, size_t run,
-                       size_t runs, const size_t *place, size_t lits)
+                       const size_t *place)
 {
     const size_t width = s->n + 1;
-    for (size_t i = 0; i < s->n_lit; ++i) {
+    const murk_model_facts *facts = murk_model_facts_of(s->model);
+    const size_t runs = facts->runs, lights = facts->lights;
+    for (size_t i = 0; i < s->n_light; ++i) {
         const size_t at = place[i] * width;
         for (size_t k = 0; k < width; ++k) {
-            off[i * width + k] = part[run * lits * width + at + k] -
+            off[i * width + k] = part[run * lights * width + at + k] -
                                  total[at + k] / (double)runs;
         }
         /* Slopes with respect to logarithms. */
@@ -51,15 +52,15 @@ static void off_of_run(double *off, const murk_fit_search *s,
 }
 
 void murk_slope_noise_add(murk_slope_noise *out, const double *off,
-                          const double *jacobian, size_t n_lit, size_t n)
+                          const double *jacobian, size_t n_light, size_t n)
 {
     const size_t width = n + 1;
     double square = 0;
-    for (size_t i = 0; i < n_lit; ++i) {
+    for (size_t i = 0; i < n_light; ++i) {
         square += off[i * width] * off[i * width];
     }
     out->share += square;
-    for (size_t i = 0; i < n_lit; ++i) {
+    for (size_t i = 0; i < n_light; ++i) {
         const double *row = off + i * width;
         for (size_t k = 0; k < n; ++k) {
             /* The slope of a residual is the negative slope of the row. */
@@ -72,35 +73,37 @@ void murk_slope_noise_add(murk_slope_noise *out, const double *off,
     }
 }
 
-/* Sums over all runs. */
+/* Sums over all runs. part[runs][lights][1 + n] as murk_model_parts() gives it;
+ * place[n_light] are the numbers of the fitted rows among those. */
 static murk_status sum_runs(murk_slope_noise *out, const murk_fit_search *s,
-                            const double *part, size_t runs,
-                            const size_t *place, size_t lits, murk_error *err)
+                            const double *part, const size_t *place,
+                            murk_error *err)
 {
     const size_t n = s->n, width = n + 1;
-    /* Allocate. */
-    double *total = calloc(lits * width + 1, sizeof *total);
-    double *off = calloc(s->n_lit * width + 1, sizeof *off);
-    double *residual = calloc(s->n_fitted * width + 1, sizeof *residual);
-    if (!total || !off || !residual) {
-        free(total);
-        free(off);
-        free(residual);
+    const murk_model_facts *facts = murk_model_facts_of(s->model);
+    const size_t runs = facts->runs, lights = facts->lights;
+    murk_arena arena = {0};
+    double *total = murk_arena_array(&arena, lights * width, sizeof *total);
+    double *off = murk_arena_array(&arena, s->n_light * width, sizeof *off);
+    double *residual =
+        murk_arena_array(&arena, s->n_fitted * width, sizeof *residual);
+    if (arena.is_short) {
+        murk_arena_release(&arena);
         return no_memory(err);
     }
     /* Jacobian of the residuals, and total of the runs. */
-    const double *jacobian = residual + s->n_fitted;
-    murk_fit_search_residuals(s, residual, residual + s->n_fitted);
-    for (size_t i = 0; i < runs * lits * width; ++i) {
-        total[i % (lits * width)] += part[i];
+    double *jacobian = residual + s->n_fitted;
+    murk_fit_search_residuals(s, residual, jacobian);
+    for (size_t i = 0; i < runs * lights * width; ++i) {
+        total[i % (lights * width)] += part[i];
     }
     /* Add each run, then scale. */
     for (size_t run = 0; run < runs; ++run) {
-        off_of_run(off, s, part, total, run, runs, place, lits);
-        murk_slope_noise_add(out, off, jacobian, s->n_lit, n);
+        off_of_run(off, s, part, total, run, place);
+        murk_slope_noise_add(out, off, jacobian, s->n_light, n);
     }
     const double unbiased = (double)runs / ((double)runs - 1);
-    out->share *= unbiased / (double)s->n_lit;
+    out->share *= unbiased / (double)s->n_light;
     out->share = fmin(out->share, 1);
     for (size_t k = 0; k < n; ++k) {
         out->bias[k] *= unbiased;
@@ -108,42 +111,37 @@ static murk_status sum_runs(murk_slope_noise *out, const murk_fit_search *s,
     for (size_t k = 0; k < n * n; ++k) {
         out->noise[k] *= unbiased;
     }
-    free(total);
-    free(off);
-    free(residual);
+    murk_arena_release(&arena);
     return MURK_OK;
 }
 
 murk_status murk_slope_noise_find(murk_slope_noise *out,
                                   const murk_fit_search *s, murk_error *err)
 {
-    *out = (murk_slope_noise){.bias = calloc(s->n + 1, sizeof *out->bias),
-                              .noise =
-                                  calloc(s->n * s->n + 1, sizeof *out->noise)};
-    if (!out->bias || !out->noise) {
+    *out = (murk_slope_noise){0};
+    out->bias = murk_arena_array(&out->arena, s->n, sizeof(double));
+    out->noise = murk_arena_array(&out->arena, s->n * s->n, sizeof(double));
+    if (out->arena.is_short) {
         return no_memory(err);
     }
-    if (s->n_lit == 0) {
+    if (s->n_light == 0) {
         return MURK_OK;
     }
-    size_t runs;
     double *part;
-    /* The fitted rows among the lit ones. */
-    murk_status status = murk_model_parts(s->model, &runs, &part, err);
-    size_t *place = calloc(s->n_lit, sizeof *place);
+    const size_t *light = murk_model_facts_of(s->model)->light;
+    murk_status status = murk_model_parts(s->model, &part, err);
+    size_t *place = calloc(s->n_light, sizeof *place);
     if (!status && !place) {
         status = no_memory(err);
     }
     if (!status) {
-        size_t lits;
-        const size_t *lit = murk_model_lit(s->model, &lits);
-        for (size_t i = 0, a = 0; i < s->n_lit; ++i, ++a) { /* both lists rise
-                                                             */
-            for (; lit[a] != s->fitted[i]; ++a) {
+        /* The fitted rows among those of light; both lists rise. */
+        for (size_t i = 0, a = 0; i < s->n_light; ++i, ++a) {
+            for (; light[a] != s->fitted[i]; ++a) {
             }
             place[i] = a;
         }
-        status = sum_runs(out, s, part, runs, place, lits, err);
+        status = sum_runs(out, s, part, place, err);
     }
     free(place);
     free(part);
@@ -170,16 +168,17 @@ murk_status murk_slope_noise_offset(double *offset,
                                     const double *jacobian, size_t rows,
                                     size_t n, murk_error *err)
 {
-    double *room = calloc(n * n + 2 * n + 1, sizeof *room);
-    if (!room) {
+    double *scratch = calloc(n * n + 2 * n + 1, sizeof *scratch);
+    if (!scratch) {
         return no_memory(err);
     }
-    double *singular = room, *step = room + n, *direction = room + 2 * n;
+    double *singular = scratch, *step = scratch + n,
+           *direction = scratch + 2 * n;
     size_t rank;
     /* step = (J^T J)^-1 b, direction by direction. */
     const murk_status status =
         split(singular, direction, &rank, jacobian, rows, n, err);
-    for (size_t r = 0; r < rank && !status; ++r) { /* step = (J^T J)^-1 b */
+    for (size_t r = 0; r < rank && !status; ++r) {
         const double *v = direction + r * n;
         double along = 0;
         for (size_t k = 0; k < n; ++k) {
@@ -196,7 +195,7 @@ murk_status murk_slope_noise_offset(double *offset,
             offset[i] += jacobian[i * n + k] * step[k];
         }
     }
-    free(room);
+    free(scratch);
     return status;
 }
 
@@ -233,23 +232,25 @@ typedef struct axes {
     size_t rank;
     double *singular, *direction; /* [rank], [rank][n] */
     double *part, *axis;          /* [rank], [rank][rank] */
-    double *room;
+    murk_arena arena;
 } axes;
 
 static murk_status find_axes(axes *out, const murk_slope_noise *noise,
                              const double *jacobian, size_t rows, size_t n,
                              murk_error *err)
 {
-    *out = (axes){.room = calloc(3 * n * n + 2 * n + 1, sizeof *out->room)};
-    if (!out->room) {
+    const size_t size = sizeof(double);
+    murk_arena *arena = &out->arena;
+    *out = (axes){0};
+    out->singular = murk_arena_array(arena, n, size);
+    out->part = murk_arena_array(arena, n, size);
+    out->direction = murk_arena_array(arena, n * n, size);
+    out->axis = murk_arena_array(arena, n * n, size);
+    double *scaled = murk_arena_array(arena, n * n, size);
+    if (arena->is_short) {
         return no_memory(err);
     }
-    out->singular = out->room;
-    out->part = out->room + n;
-    out->direction = out->room + 2 * n;
-    out->axis = out->direction + n * n;
     /* Information, then noise relative to it. */
-    double *scaled = out->axis + n * n;
     murk_status status = split(out->singular, out->direction, &out->rank,
                                jacobian, rows, n, err);
     if (!status && out->rank) {
@@ -273,9 +274,10 @@ murk_status murk_slope_noise_step(double *step, double *length,
 {
     axes a;
     const murk_status status = find_axes(&a, noise, jacobian, rows, n, err);
-    double *score = status ? NULL : calloc(n + 1, sizeof *score);
+    double *score =
+        status ? NULL : murk_arena_array(&a.arena, n, sizeof *score);
     if (!score) {
-        free(a.room);
+        murk_arena_release(&a.arena);
         return status ? status : no_memory(err);
     }
     /* The score: gradient plus bias. */
@@ -310,8 +312,7 @@ murk_status murk_slope_noise_step(double *step, double *length,
         }
     }
     *length = sqrt(*length);
-    free(score);
-    free(a.room);
+    murk_arena_release(&a.arena);
     return MURK_OK;
 }
 
@@ -335,6 +336,6 @@ murk_status murk_slope_noise_information(double *rows_out, double *max,
             }
         }
     }
-    free(a.room);
+    murk_arena_release(&a.arena);
     return status;
 }

@@ -20,20 +20,21 @@
 #ifndef MURK_CALIBRATE_SLOPE_NOISE_H
 #define MURK_CALIBRATE_SLOPE_NOISE_H
 
-#include "calibrate/search.h"
+#include "calibrate/search_state.h"
 
 typedef struct murk_slope_noise {
-    double *bias;  /* [n]; in search coordinates */
-    double *noise; /* [n * n]; in search coordinates */
-    double share;  /* phi, 0..1 */
+    double *bias;     /* [n]; in search coordinates */
+    double *noise;    /* [n * n]; in search coordinates */
+    double share;     /* phi, 0..1 */
+    murk_arena arena; /* of both arrays */
 } murk_slope_noise;
 
-/* Adds one run of photons. off[n_lit][1 + n] is the deviation of values and
+/* Adds one run of photons. off[n_light][1 + n] is the deviation of values and
  * slopes of the run from an equal share of the total, whitened;
- * jacobian[n_lit][n] is that of the residuals. The caller multiplies the sums
- * by runs / (runs - 1), and divides share by n_lit. */
+ * jacobian[n_light][n] is that of the residuals. The caller multiplies the sums
+ * by runs / (runs - 1), and divides share by n_light. */
 void murk_slope_noise_add(murk_slope_noise *out, const double *off,
-                          const double *jacobian, size_t n_lit, size_t n);
+                          const double *jacobian, size_t n_light, size_t n);
 
 /* Estimates bias and noise at the last prediction, which must have been with
  * slopes. Release also after a failure. */

@@ -1,7 +1,7 @@
 /* Traces photons with a recorder (calibrate/recorder.h) as event sink, checks
  * after each wave of photons that the memory will suffice, and collects the
  * contributions and photon maps. */
-#include "calibrate/followed.h"
+#include "calibrate/histories.h"
 
 #include "base/machine.h"
 #include "base/progress.h"
@@ -13,13 +13,13 @@
 #include <string.h>
 
 typedef struct job {
-    const murk_followed_desc *desc;
+    const murk_histories_desc *desc;
     murk_emission emission;
     murk_recorder *recorder;
     double max_bytes;
 } job;
 
-static const char *where_of(const murk_followed_desc *desc)
+static const char *where_of(const murk_histories_desc *desc)
 {
     return desc->stage->scene->photons.where;
 }
@@ -28,13 +28,13 @@ static const char *where_of(const murk_followed_desc *desc)
  * growth of arrays and the photon maps. */
 static double bytes_at(const job *j, double grow)
 {
-    const murk_recorded *all = &j->recorder->all;
+    const murk_histories *all = j->recorder->all;
     const murk_record_buffers *buffers = j->recorder->buffers;
     const double records =
         buffers ? grow * (double)(buffers->surface.n + buffers->volume.n) : 0;
     return MURK_WHILE_GROWING *
-               (murk_recorded_bytes(j->desc->media, grow * (double)all->n,
-                                    grow * (double)all->turns) +
+               (murk_histories_bytes(j->desc->media, grow * (double)all->n,
+                                     grow * (double)all->turns) +
                 sizeof(murk_photon) * records) +
            murk_photon_map_memory_for(records) - sizeof(murk_photon) * records;
 }
@@ -65,16 +65,16 @@ static murk_status gather(void *context, uint64_t last, murk_error *err)
                          "(from %llu photons), which takes %.3g GB, must be "
                          "at most %.3g GB: fewer photons, receivers or "
                          "records",
-                         grow * (double)j->recorder->all.n,
+                         grow * (double)j->recorder->all->n,
                          (unsigned long long)e->emitted, bytes / 1e9,
                          j->max_bytes / 1e9);
     }
     return MURK_OK;
 }
 
-static murk_followed *new_followed(const murk_followed_desc *desc)
+static murk_histories *create(const murk_histories_desc *desc)
 {
-    murk_followed *f = calloc(1, sizeof *f);
+    murk_histories *f = calloc(1, sizeof *f);
     if (f) {
         f->channels = murk_sources_channels(desc->stage->lights);
         f->bands = desc->stage->world.bands;
@@ -85,7 +85,7 @@ static murk_followed *new_followed(const murk_followed_desc *desc)
         f->packet_w = calloc(f->channels, sizeof *f->packet_w);
     }
     if (!f || !f->medium || !f->emitted_in || !f->packet_w) {
-        murk_followed_destroy(f);
+        murk_histories_destroy(f);
         return NULL;
     }
     for (size_t m = 0; m < desc->media; ++m) {
@@ -95,7 +95,7 @@ static murk_followed *new_followed(const murk_followed_desc *desc)
 }
 
 /* Builds the photon maps. */
-static murk_status make_maps(murk_followed *f, const job *j, murk_error *err)
+static murk_status make_maps(murk_histories *f, const job *j, murk_error *err)
 {
     murk_record_buffers *buffers = j->recorder->buffers;
     murk_record_buffers_to_watts(buffers, f->packet_w,
@@ -108,30 +108,20 @@ static murk_status make_maps(murk_followed *f, const job *j, murk_error *err)
 }
 
 /* Checks the losses and moves the contributions into the result. */
-static murk_status finish(murk_followed *f, const job *j, murk_error *err)
+static murk_status finish(murk_histories *f, const job *j, murk_error *err)
 {
-    murk_recorded *all = &j->recorder->all;
     const murk_status status = murk_emission_check_losses(&j->emission, err);
     if (status) {
         return status;
     }
     f->emitted = j->emission.emitted;
     murk_emission_packet_powers(&j->emission, f->emitted_in, f->packet_w);
-    murk_recorded_fit(all, f->media);
-    f->n = all->n;
-    f->contribution = all->contribution;
-    f->path_m = all->path_m;
-    f->chord_m = all->chord_m;
-    f->count = all->count;
-    f->turns = all->turns;
-    f->turn = all->turn;
-    f->turn_medium = all->turn_medium;
-    *all = (murk_recorded){0};
+    murk_histories_fit(f);
     return j->desc->keeps_records ? make_maps(f, j, err) : MURK_OK;
 }
 
 /* Fails if nothing can be traced. */
-static murk_status check(const murk_followed_desc *desc, uint64_t emit,
+static murk_status check(const murk_histories_desc *desc, uint64_t emit,
                          murk_error *err)
 {
     if (murk_sources_lit(desc->stage->lights) == 0) {
@@ -150,7 +140,7 @@ static murk_status check(const murk_followed_desc *desc, uint64_t emit,
 /* Creates record buffers if records are stored, or if their number ends the
  * run. */
 static murk_status make_buffers(murk_record_buffers **out,
-                                const murk_followed_desc *desc, uint64_t emit,
+                                const murk_histories_desc *desc, uint64_t emit,
                                 murk_error *err)
 {
     if (!desc->keeps_records && emit) {
@@ -163,38 +153,33 @@ static murk_status make_buffers(murk_record_buffers **out,
                             "no memory to trace");
 }
 
-murk_status murk_followed_trace(murk_followed **out,
-                                const murk_followed_desc *desc, murk_error *err)
+murk_status murk_histories_trace(murk_histories **out,
+                                 const murk_histories_desc *desc,
+                                 murk_error *err)
 {
     assert(out && desc && desc->stage && desc->threads >= 1);
     const murk_scene_photons *settings = &desc->stage->scene->photons;
     const uint64_t emit = desc->photons ? desc->photons : settings->emit;
     murk_ledger *ledger = NULL;
     murk_record_buffers *buffers = NULL;
-    murk_followed *followed = NULL;
-    /* Check, and create recorder and ledger. */
+    murk_histories *histories = NULL;
+    /* Check, and create result, recorder and ledger. */
     job j = {.desc = desc,
              .max_bytes = desc->memory_max_bytes > 0
                               ? desc->memory_max_bytes
                               : murk_machine_memory_bytes()};
     murk_status status = check(desc, emit, err);
+    status = status ? status : make_buffers(&buffers, desc, emit, err);
     if (!status) {
-        status = make_buffers(&buffers, desc, emit, err);
+        histories = create(desc);
+        status = histories ? MURK_OK
+                           : murk_fail(err, MURK_NO_MEMORY, where_of(desc),
+                                       "no memory to trace");
     }
-    if (!status) {
-        status = murk_recorder_create(&j.recorder, desc, buffers, err);
-    }
-    if (!status) {
-        status = murk_ledger_create(&ledger, &desc->stage->world, err);
-    }
-    if (status) {
-        goto done;
-    }
-    /* Create the result and the emission. */
-    followed = new_followed(desc);
-    if (!followed) {
-        status = murk_fail(err, MURK_NO_MEMORY, where_of(desc),
-                           "no memory to trace");
+    if (status ||
+        (status = murk_recorder_create(&j.recorder, desc, histories, buffers,
+                                       err)) ||
+        (status = murk_ledger_create(&ledger, &desc->stage->world, err))) {
         goto done;
     }
     j.emission = (murk_emission){.stage = desc->stage,
@@ -205,7 +190,7 @@ murk_status murk_followed_trace(murk_followed **out,
                                  .buffers = buffers,
                                  .ledger = ledger,
                                  .sink = murk_recorder_event,
-                                 .leg = murk_recorder_leg,
+                                 .leg = murk_recorder_segment,
                                  .context = j.recorder,
                                  .gather = gather,
                                  .gather_context = &j};
@@ -218,36 +203,16 @@ murk_status murk_followed_trace(murk_followed **out,
     murk_progress_begin("trace", emit, "photons");
     status = murk_emission_run(&j.emission, err);
     murk_progress_end();
-    followed->trace_s = murk_clock_s() - begun_s;
+    histories->trace_s = murk_clock_s() - begun_s;
+    status = status ? status : finish(histories, &j, err);
     if (!status) {
-        status = finish(followed, &j, err);
-    }
-    if (!status) {
-        *out = followed;
-        followed = NULL;
+        *out = histories;
+        histories = NULL;
     }
 done:
-    murk_followed_destroy(followed);
     murk_recorder_destroy(j.recorder);
+    murk_histories_destroy(histories);
     murk_record_buffers_destroy(buffers);
     murk_ledger_destroy(ledger);
     return status;
-}
-
-void murk_followed_destroy(murk_followed *f)
-{
-    if (f) {
-        murk_photon_map_destroy(f->surface);
-        murk_photon_map_destroy(f->volume);
-        free(f->medium);
-        free(f->emitted_in);
-        free(f->packet_w);
-        free(f->contribution);
-        free(f->path_m);
-        free(f->chord_m);
-        free(f->count);
-        free(f->turn);
-        free(f->turn_medium);
-        free(f);
-    }
 }

@@ -4,7 +4,7 @@
 #ifndef MURK_CALIBRATE_VERDICT_H
 #define MURK_CALIBRATE_VERDICT_H
 
-#include "calibrate/calibrate.h"
+#include "calibrate/calibration.h"
 
 /* A model is rejected if such a large chi-squared has a smaller probability
  * than this: of 10,000 fits of a correct model with correct errors, one is

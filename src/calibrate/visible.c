@@ -2,12 +2,11 @@
  * (sensing/sight.h), so that surfaces alone decide, and stores the density
  * paths along them (calibrate/sightlines.h). Sensors with different acceptance
  * angles see media with different extinctions. */
-#include "calibrate/seen.h"
+#include "calibrate/visible.h"
 
 #include "base/interrupt.h"
 #include "base/machine.h"
 #include "base/pool.h"
-#include "base/position.h"
 #include "base/tally.h"
 #include "medium/rescaled.h"
 #include "plan/plan.h"
@@ -20,10 +19,10 @@
  * while they are sorted. */
 #define MEMORY_SHARE 0.45
 
-typedef struct incumbent {
-    const murk_seen_desc *desc;
+typedef struct search {
+    const murk_visible_desc *desc;
     const murk_scene_desc *scene;
-    murk_seen *seen;
+    murk_visible *visible;
     murk_photon_map *empty;
     murk_sight *sight;          /* through clear media */
     murk_media *clear, **alone; /* [media] */
@@ -32,12 +31,13 @@ typedef struct incumbent {
     double *extinction; /* [acceptances][bands][media] */
     murk_sightlines_through *through; /* [acceptances] */
     murk_sightlines *pose;            /* [poses] */
-    murk_sightlines_room room;
+    murk_sightlines_memory memory;
     murk_tally failures;
-} incumbent;
+    murk_arena arena; /* of all arrays here */
+} search;
 
-double murk_seen_extinction(double extinction_per_m, double albedo,
-                            const murk_phase *phase, double acceptance_rad)
+double murk_visible_extinction(double extinction_per_m, double albedo,
+                               const murk_phase *phase, double acceptance_rad)
 {
     return acceptance_rad > 0
                ? extinction_per_m * (1 - albedo * murk_phase_share_within(
@@ -45,10 +45,10 @@ double murk_seen_extinction(double extinction_per_m, double albedo,
                : extinction_per_m;
 }
 
-bool murk_seen_keeps(const murk_followed *followed, size_t medium)
+bool murk_visible_has_paths(const murk_histories *histories, size_t medium)
 {
-    for (size_t m = 0; m < followed->media; ++m) {
-        if (followed->medium[m] == medium) {
+    for (size_t m = 0; m < histories->media; ++m) {
+        if (histories->medium[m] == medium) {
             return true;
         }
     }
@@ -58,20 +58,20 @@ bool murk_seen_keeps(const murk_followed *followed, size_t medium)
 /* ---- sightlines ---- */
 
 /* Finds the sightlines of one pose. */
-static void look_from(void *context, unsigned worker, uint64_t number)
+static void find_sightlines(void *context, unsigned worker, uint64_t number)
 {
-    incumbent *f = context;
+    search *f = context;
     murk_sightlines *lines = &f->pose[number];
     if (!murk_sightlines_find(lines, &f->through[lines->acceptance_all], worker,
-                              &f->desc->pose[number], &f->room)) {
+                              &f->desc->pose[number], &f->memory)) {
         murk_tally_add(&f->failures, 1);
     }
 }
 
 /* Sorts the sightlines of one group. */
-static void join(void *context, uint64_t group)
+static void sort_group(void *context, uint64_t group)
 {
-    incumbent *f = context;
+    search *f = context;
     const size_t *of = f->desc->group, poses = f->desc->poses;
     size_t first = 0, last;
     while (first < poses && of[first] < group) {
@@ -79,8 +79,8 @@ static void join(void *context, uint64_t group)
     }
     for (last = first; last < poses && of[last] == group; ++last) {
     }
-    if (!murk_sightlines_join(&f->seen->of[group], f->pose + first,
-                              last - first, f->through, f->seen->n)) {
+    if (!murk_sightlines_join(&f->visible->of[group], f->pose + first,
+                              last - first, f->through, f->visible->n)) {
         murk_tally_add(&f->failures, 1);
     }
 }
@@ -88,22 +88,24 @@ static void join(void *context, uint64_t group)
 /* ---- preparation ---- */
 
 /* Finds the distinct acceptance angles, and that of each pose. */
-static murk_status sort_acceptances(incumbent *f, murk_error *err)
+static murk_status sort_acceptances(search *f, murk_error *err)
 {
-    const murk_seen_desc *desc = f->desc;
-    murk_seen *seen = f->seen;
+    const murk_visible_desc *desc = f->desc;
+    murk_visible *visible = f->visible;
     murk_status status = MURK_OK;
     for (size_t j = 0; j < desc->poses && !status; ++j) {
-        assert(desc->pose[j].type < f->scene->sensors.types);
+        assert(desc->pose[j].type < f->scene->sensors.types &&
+               murk_box_contains(&desc->stage->world.domain.box,
+                                 desc->pose[j].position));
         const double rad =
             f->scene->sensors.type[desc->pose[j].type].acceptance_rad;
         size_t a = 0;
-        while (a < seen->acceptances && seen->acceptance_rad[a] != rad) {
+        while (a < visible->acceptances && visible->acceptance_rad[a] != rad) {
             ++a;
         }
-        if (a == seen->acceptances) {
+        if (a == visible->acceptances) {
             assert(a <= UINT16_MAX);
-            seen->acceptance_rad[seen->acceptances++] = rad;
+            visible->acceptance_rad[visible->acceptances++] = rad;
             status = rad > 0
                          ? murk_media_check_acceptance(desc->stage->media, err)
                          : MURK_OK;
@@ -114,26 +116,26 @@ static murk_status sort_acceptances(incumbent *f, murk_error *err)
 }
 
 /* The extinction of a medium for an acceptance angle. */
-static double extinction_of(const incumbent *f, size_t medium, int band,
+static double extinction_of(const search *f, size_t medium, int band,
                             double acceptance_rad)
 {
     const murk_scene_medium *m = &f->scene->media[medium];
-    return murk_seen_extinction(
+    return murk_visible_extinction(
         m->extinction_per_m.band[band], m->albedo.band[band],
         &f->desc->stage->phases->medium[medium][band], acceptance_rad);
 }
 
 /* The media that are not re-weighted, for sensors of one acceptance angle. */
-static murk_status make_other(incumbent *f, size_t a, murk_spectrum *extinction,
+static murk_status make_other(search *f, size_t a, murk_spectrum *extinction,
                               murk_error *err)
 {
     memset(extinction, 0, f->scene->n_media * sizeof *extinction);
     for (size_t i = 0; i < f->scene->n_media; ++i) {
-        for (int band = 0;
-             !murk_seen_keeps(f->desc->followed, i) && band < f->scene->bands;
+        for (int band = 0; !murk_visible_has_paths(f->desc->histories, i) &&
+                           band < f->scene->bands;
              ++band) {
             extinction[i].band[band] =
-                extinction_of(f, i, band, f->seen->acceptance_rad[a]);
+                extinction_of(f, i, band, f->visible->acceptance_rad[a]);
         }
     }
     return murk_media_rescale(&f->other[a], f->desc->stage->media, extinction,
@@ -142,57 +144,57 @@ static murk_status make_other(incumbent *f, size_t a, murk_spectrum *extinction,
 
 /* Creates the media: without extinction, each re-weighted one by itself, and
  * the others. */
-static murk_status make_media(incumbent *f, murk_error *err)
+static murk_status make_media(search *f, murk_error *err)
 {
-    const murk_followed *followed = f->desc->followed;
+    const murk_histories *histories = f->desc->histories;
     const murk_stage *stage = f->desc->stage;
-    murk_seen *seen = f->seen;
+    murk_visible *visible = f->visible;
     const size_t bands = (size_t)f->scene->bands;
-    const bool has_other = followed->media < f->scene->n_media;
+    const bool has_other = histories->media < f->scene->n_media;
     /* Allocate. */
     murk_spectrum *extinction =
-        calloc(f->scene->n_media + 1, sizeof *extinction);
-    f->alone = calloc(followed->media + 1, sizeof *f->alone);
-    f->other =
-        has_other ? calloc(seen->acceptances + 1, sizeof *f->other) : NULL;
-    f->extinction = calloc(seen->acceptances * bands * followed->media + 1,
-                           sizeof *f->extinction);
-    murk_status status = MURK_OK;
-    if (!extinction || !f->alone || !f->extinction ||
-        (has_other && !f->other)) {
-        status = murk_fail(err, MURK_NO_MEMORY, "media",
-                           "no memory for what sensors see through");
-    }
+        murk_arena_array(&f->arena, f->scene->n_media, sizeof *extinction);
+    f->alone = murk_arena_array(&f->arena, histories->media, sizeof *f->alone);
+    f->other = has_other ? murk_arena_array(&f->arena, visible->acceptances + 1,
+                                            sizeof *f->other)
+                         : NULL;
+    f->extinction = murk_arena_array(
+        &f->arena, visible->acceptances * bands * histories->media,
+        sizeof *f->extinction);
+    murk_status status = f->arena.is_short
+                             ? murk_fail(err, MURK_NO_MEMORY, "media",
+                                         "no memory for what sensors see "
+                                         "through")
+                             : MURK_OK;
     /* Media without extinction: surfaces alone decide. */
     if (!status) {
         status = murk_media_rescale(&f->clear, stage->media, extinction, err);
     }
     /* Each re-weighted medium; the others together. */
-    for (size_t m = 0; m < followed->media && !status; ++m) {
+    for (size_t m = 0; m < histories->media && !status; ++m) {
         status = murk_media_single(&f->alone[m], stage->media,
-                                   followed->medium[m], err);
+                                   histories->medium[m], err);
     }
-    for (size_t a = 0; has_other && a < seen->acceptances && !status; ++a) {
+    for (size_t a = 0; has_other && a < visible->acceptances && !status; ++a) {
         status = make_other(f, a, extinction, err);
     }
     /* Extinctions of the re-weighted media as traced. */
-    for (size_t k = 0; !status && k < seen->acceptances * bands; ++k) {
-        for (size_t m = 0; m < followed->media; ++m) {
-            f->extinction[k * followed->media + m] =
-                extinction_of(f, followed->medium[m], (int)(k % bands),
-                              seen->acceptance_rad[k / bands]);
+    for (size_t k = 0; !status && k < visible->acceptances * bands; ++k) {
+        for (size_t m = 0; m < histories->media; ++m) {
+            f->extinction[k * histories->media + m] =
+                extinction_of(f, histories->medium[m], (int)(k % bands),
+                              visible->acceptance_rad[k / bands]);
         }
     }
-    free(extinction);
     return status;
 }
 
 /* Creates a sight that sees a record by surfaces and boundaries alone.
  * `emitted` of a record is the number of its contribution. */
-static murk_status make_sight(incumbent *f, murk_error *err)
+static murk_status make_sight(search *f, murk_error *err)
 {
     const murk_stage *stage = f->desc->stage;
-    const murk_followed *followed = f->desc->followed;
+    const murk_histories *histories = f->desc->histories;
     const murk_scene_placement *settings = &f->scene->placement;
     murk_sensor_type *types = murk_poses_types(f->scene);
     if (!types) {
@@ -209,9 +211,9 @@ static murk_status make_sight(incumbent *f, murk_error *err)
         .media = f->clear,
         .boundary_meshes = stage->boundary_meshes,
         .domain = stage->world.domain,
-        .surface_map = followed->surface ? followed->surface : f->empty,
-        .volume_map = followed->volume ? followed->volume : f->empty,
-        .photons_emitted = followed->n,
+        .surface_map = histories->surface ? histories->surface : f->empty,
+        .volume_map = histories->volume ? histories->volume : f->empty,
+        .photons_emitted = histories->n,
         .type = types,
         .types = f->scene->sensors.types,
         .north = f->scene->north,
@@ -230,93 +232,76 @@ static murk_status make_sight(incumbent *f, murk_error *err)
 }
 
 /* Fills the weight and the kind of each record. */
-static void weigh(const incumbent *f)
+static void weigh(const search *f)
 {
     const murk_sight_desc *sight = murk_sight_described(f->sight);
-    const murk_followed *followed = f->desc->followed;
+    const murk_histories *histories = f->desc->histories;
     const size_t bands = (size_t)f->scene->bands;
     const size_t photons = murk_sight_photons(f->sight);
     const bool has_regions = sight->interest && sight->interest->n > 0;
     for (size_t i = 0; i < photons; ++i) {
         const murk_photon *p = murk_sight_photon(f->sight, i);
         const murk_contribution *c =
-            &followed->contribution[murk_photon_emitted(p)];
+            &histories->contribution[murk_photon_emitted(p)];
         const double factor =
             has_regions ? murk_interest_factor(sight->interest,
                                                murk_sight_regions(f->sight, i))
                         : 1;
-        f->seen->worth_w[murk_photon_emitted(p)] =
-            followed->packet_w[c->light * bands + c->band] * (double)c->value *
+        f->visible->worth_w[murk_photon_emitted(p)] =
+            histories->packet_w[c->light * bands + c->band] * (double)c->value *
             factor;
-        f->seen->kind[murk_photon_emitted(p)] =
+        f->visible->kind[murk_photon_emitted(p)] =
             (uint8_t)(murk_photon_band(p) * 2 +
                       (murk_photon_is_volume(p) ? 1 : 0));
     }
 }
 
 /* Describes the media for each acceptance angle. */
-static void look_through(incumbent *f)
+static void describe_media(search *f)
 {
-    const murk_seen *seen = f->seen;
+    const murk_visible *visible = f->visible;
     const bool has_sheets =
         murk_surfaces_describe(f->desc->stage->surfaces).sheets > 0;
-    for (size_t a = 0; a < seen->acceptances; ++a) {
+    for (size_t a = 0; a < visible->acceptances; ++a) {
         f->through[a] = (murk_sightlines_through){
             .sight = f->sight,
-            .media = seen->media,
+            .media = visible->media,
             .alone = (const murk_media *const *)f->alone,
             .other = f->other ? f->other[a] : NULL,
             .extinction =
-                f->extinction + a * (size_t)f->scene->bands * seen->media,
+                f->extinction + a * (size_t)f->scene->bands * visible->media,
             .has_rest = f->other || has_sheets};
     }
 }
 
-static murk_status check_poses(const murk_seen_desc *desc, murk_error *err)
+static murk_status allocate(search *f, murk_error *err)
 {
-    const murk_box *box = &desc->stage->world.domain.box;
-    for (size_t j = 0; j < desc->poses; ++j) {
-        const murk_vec3 p = desc->pose[j].position;
-        if (!murk_box_contains(box, p)) {
-            return murk_fail(err, MURK_BAD_VALUE, "sensors",
-                             "sensor %zu at %s m is outside the domain, %s to "
-                             "%s m",
-                             j + 1, murk_position_show(p).text,
-                             murk_position_show(box->min).text,
-                             murk_position_show(box->max).text);
-        }
+    const murk_visible_desc *desc = f->desc;
+    const size_t n = desc->histories->n;
+    murk_visible *visible = calloc(1, sizeof *visible);
+    f->pose = murk_arena_array(&f->arena, desc->poses, sizeof *f->pose);
+    f->through = murk_arena_array(&f->arena, desc->poses, sizeof *f->through);
+    f->visible = visible;
+    if (visible) {
+        murk_arena *arena = &visible->arena;
+        visible->groups = desc->groups;
+        visible->media = desc->histories->media;
+        visible->n = n;
+        visible->of =
+            murk_arena_array(arena, desc->groups, sizeof *visible->of);
+        visible->acceptance_rad = murk_arena_array(
+            arena, desc->poses, sizeof *visible->acceptance_rad);
+        visible->worth_w = murk_arena_array(arena, n, sizeof(double));
+        visible->kind = murk_arena_array(arena, n, sizeof *visible->kind);
     }
-    return MURK_OK;
-}
-
-/* Allocates. */
-static murk_status set_aside(incumbent *f, murk_error *err)
-{
-    const murk_seen_desc *desc = f->desc;
-    murk_seen *seen = calloc(1, sizeof *seen);
-    f->seen = seen;
-    f->pose = calloc(desc->poses + 1, sizeof *f->pose);
-    f->through = calloc(desc->poses + 1, sizeof *f->through);
-    if (seen) {
-        seen->groups = desc->groups;
-        seen->media = desc->followed->media;
-        seen->n = desc->followed->n;
-        seen->of = calloc(desc->groups + 1, sizeof *seen->of);
-        seen->acceptance_rad =
-            calloc(desc->poses + 1, sizeof *seen->acceptance_rad);
-        seen->worth_w = calloc(seen->n + 1, sizeof *seen->worth_w);
-        seen->kind = calloc(seen->n + 1, sizeof *seen->kind);
-    }
-    if (f->pose && f->through && seen && seen->of && seen->acceptance_rad &&
-        seen->worth_w && seen->kind) {
-        return MURK_OK;
-    }
-    return murk_fail(err, MURK_NO_MEMORY, "",
-                     "no memory to look at %zu records", desc->followed->n);
+    return visible && !visible->arena.is_short && !f->arena.is_short
+               ? MURK_OK
+               : murk_fail(err, MURK_NO_MEMORY, "",
+                           "no memory to look at %zu records", n);
 }
 
 /* Errors of the parallel steps. */
-static murk_status outcome(const incumbent *f, murk_error *err)
+static murk_status outcome(const search *f, murk_error *err)
 {
     if (murk_interrupted()) {
         return murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
@@ -331,82 +316,63 @@ static murk_status outcome(const incumbent *f, murk_error *err)
     return MURK_OK;
 }
 
-static void release(incumbent *f)
+static void release(search *f)
 {
     for (size_t j = 0; f->pose && j < f->desc->poses; ++j) {
         murk_sightlines_release(&f->pose[j]);
     }
-    for (size_t m = 0; f->alone && m < f->desc->followed->media; ++m) {
+    for (size_t m = 0; f->alone && m < f->desc->histories->media; ++m) {
         murk_media_destroy(f->alone[m]);
     }
     for (size_t a = 0; f->other && f->other[a]; ++a) {
         murk_media_destroy(f->other[a]);
     }
     murk_media_destroy(f->clear);
-    free(f->pose);
-    free(f->through);
-    free(f->alone);
-    free(f->other);
-    free(f->extinction);
     murk_sight_destroy(f->sight);
     murk_photon_map_destroy(f->empty);
-    murk_seen_destroy(f->seen);
+    murk_visible_destroy(f->visible);
+    murk_arena_release(&f->arena);
 }
 
-murk_status murk_seen_create(murk_seen **out, const murk_seen_desc *desc,
-                             murk_error *err)
+murk_status murk_visible_create(murk_visible **out,
+                                const murk_visible_desc *desc, murk_error *err)
 {
-    incumbent f = {.desc = desc,
-                   .scene = desc->stage->scene,
-                   .room.max_bytes =
-                       MEMORY_SHARE * murk_machine_memory_bytes()};
+    search f = {.desc = desc,
+                .scene = desc->stage->scene,
+                .memory.max_bytes = MEMORY_SHARE * murk_machine_memory_bytes()};
     /* Prepare poses, acceptances, media and sight. */
-    murk_status status = check_poses(desc, err);
-    if (!status) {
-        status = set_aside(&f, err);
-    }
-    if (!status) {
-        status = sort_acceptances(&f, err);
-    }
-    if (!status) {
-        status = murk_photon_map_create(&f.empty, NULL, 0, 1, err);
-    }
-    if (!status) {
-        status = make_media(&f, err);
-    }
-    if (!status) {
-        status = make_sight(&f, err);
+    murk_status status = allocate(&f, err);
+    if (status || (status = sort_acceptances(&f, err)) ||
+        (status = murk_photon_map_create(&f.empty, NULL, 0, 1, err)) ||
+        (status = make_media(&f, err)) || (status = make_sight(&f, err))) {
+        goto done;
     }
     /* Find the sightlines of each pose, then sort them by group. */
+    weigh(&f);
+    describe_media(&f);
+    murk_pool_run_workers(desc->threads, desc->poses, find_sightlines, &f);
+    status = outcome(&f, err);
     if (!status) {
-        weigh(&f);
-        look_through(&f);
-        murk_pool_run_workers(desc->threads, desc->poses, look_from, &f);
+        murk_pool_run(desc->threads, desc->groups, sort_group, &f);
         status = outcome(&f, err);
     }
     if (!status) {
-        murk_pool_run(desc->threads, desc->groups, join, &f);
-        status = outcome(&f, err);
+        *out = f.visible;
+        f.visible = NULL;
     }
-    if (!status) {
-        *out = f.seen;
-        f.seen = NULL;
-    }
+done:
     release(&f);
     return status;
 }
 
-void murk_seen_destroy(murk_seen *seen)
+void murk_visible_destroy(murk_visible *visible)
 {
-    if (!seen) {
+    if (!visible) {
         return;
     }
-    for (size_t g = 0; seen->of && g < seen->groups; ++g) {
-        murk_sightlines_release(&seen->of[g]);
+    for (size_t g = 0; visible->of && g < visible->groups; ++g) {
+        murk_sightlines_release(&visible->of[g]);
     }
-    free(seen->of);
-    free(seen->acceptance_rad);
-    free(seen->worth_w);
-    free(seen->kind);
-    free(seen);
+    murk_arena_release(&visible->arena);
+    free(visible);
 }

@@ -7,13 +7,14 @@
  * sightline, and from the transmittance of sheets and other media. Density
  * paths are stored in single precision and not as clarities, because a clarity
  * is rounded to 1/65535 and has no derivative. */
-#ifndef MURK_CALIBRATE_SEEN_H
-#define MURK_CALIBRATE_SEEN_H
+#ifndef MURK_CALIBRATE_VISIBLE_H
+#define MURK_CALIBRATE_VISIBLE_H
 
-#include "calibrate/followed.h"
+#include "base/arena.h"
+#include "calibrate/histories.h"
 #include "calibrate/sightlines.h"
 
-typedef struct murk_seen {
+typedef struct murk_visible {
     size_t groups, media, acceptances;
     murk_sightlines *of;    /* [groups] */
     double *acceptance_rad; /* [acceptances]; distinct acceptance angles, by
@@ -22,31 +23,32 @@ typedef struct murk_seen {
     double *worth_w;        /* [n]; power times factors of regions of interest;
                              * 0 for chords */
     uint8_t *kind;          /* [n]; band * 2, plus 1 in the volume map */
-} murk_seen;
+    murk_arena arena;       /* of all arrays */
+} murk_visible;
 
-typedef struct murk_seen_desc {
-    const murk_stage *stage;
-    const murk_followed *followed;
-    const murk_pose *pose; /* [poses] */
-    const size_t *group;   /* [poses]; rising, below groups */
+typedef struct murk_visible_desc {
+    const murk_stage *stage;         /* the stage that was traced */
+    const murk_histories *histories; /* with records */
+    const murk_pose *pose;           /* [poses]; of all groups */
+    const size_t *group;             /* [poses]; rising, below groups */
     size_t poses, groups;
     unsigned threads;
-} murk_seen_desc;
+} murk_visible_desc;
 
 /* The extinction coefficient of a medium in a band for a sensor with this
  * acceptance angle [1/m, times density]. */
-double murk_seen_extinction(double extinction_per_m, double albedo,
-                            const murk_phase *phase, double acceptance_rad);
+double murk_visible_extinction(double extinction_per_m, double albedo,
+                               const murk_phase *phase, double acceptance_rad);
 
 /* True if the density paths of a medium of the scene are recorded. */
-bool murk_seen_keeps(const murk_followed *followed, size_t medium);
+bool murk_visible_has_paths(const murk_histories *histories, size_t medium);
 
-/* Fails with MURK_BAD_VALUE (a pose outside the domain, an acceptance angle
+/* Poses must lie in the domain. Fails with MURK_BAD_VALUE (an acceptance angle
  * together with a grid of albedo, sightlines that exceed the memory),
  * MURK_RUN_FAILED (no record has weight), MURK_INTERRUPTED or MURK_NO_MEMORY.
  * Does not keep references to desc. */
-murk_status murk_seen_create(murk_seen **out, const murk_seen_desc *desc,
-                             murk_error *err);
-void murk_seen_destroy(murk_seen *seen); /* NULL is fine */
+murk_status murk_visible_create(murk_visible **out,
+                                const murk_visible_desc *desc, murk_error *err);
+void murk_visible_destroy(murk_visible *visible); /* NULL is fine */
 
 #endif

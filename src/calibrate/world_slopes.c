@@ -15,7 +15,7 @@
 
 /* Slopes over one step with their variance. */
 typedef struct difference {
-    double *slope, *variance; /* [lit] */
+    double *slope, *variance; /* [light rows] */
 } difference;
 
 void murk_world_span(const murk_free_key *key, double value, double share,
@@ -30,34 +30,38 @@ void murk_world_span(const murk_free_key *key, double value, double share,
     *high = fmin(value + step, key->upper);
 }
 
-/* Traces light at the values and evaluates the lit rows. */
-static murk_status rows_at(murk_lit_rows *out, const murk_lit_desc *desc,
+/* Traces light at the values and evaluates the light rows. */
+static murk_status rows_at(murk_lighting_rows *out,
+                           const murk_lighting_desc *desc,
                            const murk_measurements *measured,
                            const double *value, murk_error *err)
 {
-    murk_lit lit;
-    murk_status status = murk_lit_create(&lit, desc, value, err);
-    if (!status) {
-        status = murk_lit_read(out, &lit, measured, lit.optics, NULL, 0, err);
-    }
-    murk_lit_release(&lit);
+    murk_lighting lighting = {0};
+    murk_status status = murk_lighting_rows_create(out, desc, 0, err);
+    status = status ? status : murk_lighting_build(&lighting, desc, value, err);
+    status = status ? status : murk_lighting_trace(&lighting, 0, err);
+    status = status ? status
+                    : murk_lighting_read(out, &lighting, measured,
+                                         lighting.optics, NULL, 0, err);
+    murk_lighting_release(&lighting);
     return status;
 }
 
 /* Difference quotients and their variance over batches; both lights use the
  * same random numbers. */
-static void differ(difference *out, const murk_lit_desc *desc,
-                   const murk_lit_rows *low, const murk_lit_rows *high,
-                   double span)
+static void differ(difference *out, const murk_lighting_desc *desc,
+                   const murk_lighting_rows *low,
+                   const murk_lighting_rows *high, double span)
 {
-    const size_t lit = desc->instruments->lit;
+    const size_t lights = desc->instruments->lights;
     const double batches = (double)desc->batches;
-    for (size_t i = 0; i < lit; ++i) {
+    for (size_t i = 0; i < lights; ++i) {
         out->slope[i] = (high->value[i] - low->value[i]) / span;
         double squares = 0;
         for (size_t b = 0; b < desc->batches; ++b) {
             const double d =
-                (high->batch[b * lit + i] - low->batch[b * lit + i]) / span -
+                (high->batch[b * lights + i] - low->batch[b * lights + i]) /
+                    span -
                 out->slope[i] / batches;
             squares += d * d;
         }
@@ -65,14 +69,15 @@ static void differ(difference *out, const murk_lit_desc *desc,
     }
 }
 
-/* The difference quotients over one step. */
-static murk_status difference_over(difference *out, const murk_lit_desc *desc,
-                                   const murk_measurements *measured,
-                                   size_t key, const double *value,
-                                   double share, murk_error *err)
+/* The difference quotients for a step of this share of the wide one. */
+static murk_status differ_by_step(difference *out,
+                                  const murk_lighting_desc *desc,
+                                  const murk_measurements *measured, size_t key,
+                                  const double *value, double share,
+                                  murk_error *err)
 {
     const size_t n = desc->keys->n;
-    murk_lit_rows side[2] = {{0}, {0}};
+    murk_lighting_rows side[2] = {{0}, {0}};
     double *moved = malloc(n * sizeof *moved), end[2];
     murk_status status =
         moved ? MURK_OK
@@ -82,50 +87,47 @@ static murk_status difference_over(difference *out, const murk_lit_desc *desc,
     for (int i = 0; i < 2 && !status; ++i) {
         memcpy(moved, value, n * sizeof *moved);
         moved[key] = end[i];
-        status = murk_lit_rows_create(&side[i], desc, 0, err);
-        if (!status) {
-            status = rows_at(&side[i], desc, measured, moved, err);
-        }
+        status = rows_at(&side[i], desc, measured, moved, err);
     }
     if (!status) {
         differ(out, desc, &side[0], &side[1], end[1] - end[0]);
     }
-    murk_lit_rows_release(&side[0]);
-    murk_lit_rows_release(&side[1]);
+    murk_lighting_rows_release(&side[0]);
+    murk_lighting_rows_release(&side[1]);
     free(moved);
     return status;
 }
 
 murk_status murk_world_slopes(double *slope, double *slope_error,
-                              const murk_lit_desc *desc,
+                              const murk_lighting_desc *desc,
                               const murk_measurements *measured, size_t key,
                               const double *value, murk_error *err)
 {
-    const size_t lit = desc->instruments->lit;
-    double *room = calloc(4 * lit + 1, sizeof *room);
-    if (!room) {
+    const size_t lights = desc->instruments->lights;
+    double *scratch = calloc(4 * lights + 1, sizeof *scratch);
+    if (!scratch) {
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for slopes");
     }
-    difference wide = {room, room + lit},
-               narrow = {room + 2 * lit, room + 3 * lit};
+    difference wide = {scratch, scratch + lights},
+               narrow = {scratch + 2 * lights, scratch + 3 * lights};
     murk_status status =
-        difference_over(&wide, desc, measured, key, value, 1, err);
-    if (!status) {
-        status = difference_over(&narrow, desc, measured, key, value, .5, err);
-    }
-    for (size_t i = 0; i < lit && !status; ++i) {
+        differ_by_step(&wide, desc, measured, key, value, 1, err);
+    status = status
+                 ? status
+                 : differ_by_step(&narrow, desc, measured, key, value, .5, err);
+    for (size_t i = 0; i < lights && !status; ++i) {
         /* The bias is proportional to the square of the step, so the difference
          * is 3/4 of the bias of the wide step. */
-        const double apart = wide.slope[i] - narrow.slope[i];
-        const double seen =
-            fmax(0, apart * apart - wide.variance[i] - narrow.variance[i]);
-        const double bias = seen * 16 / 9;
+        const double deviation = wide.slope[i] - narrow.slope[i];
+        const double excess = fmax(0, deviation * deviation - wide.variance[i] -
+                                          narrow.variance[i]);
+        const double bias = excess * 16 / 9;
         const double of_wide = wide.variance[i] + bias,
                      of_narrow = narrow.variance[i] + bias / 16;
         const bool takes_wide = of_wide < of_narrow;
         slope[i] = takes_wide ? wide.slope[i] : narrow.slope[i];
         slope_error[i] = sqrt(takes_wide ? of_wide : of_narrow);
     }
-    free(room);
+    free(scratch);
     return status;
 }

@@ -1,4 +1,4 @@
-/* Slopes of lit rows with respect to keys that re-weighting cannot vary:
+/* Slopes of light rows with respect to keys that re-weighting cannot vary:
  * differences of light that is traced at two values of the key with the same
  * seed.
  *
@@ -8,15 +8,15 @@
 #ifndef MURK_CALIBRATE_WORLD_SLOPES_H
 #define MURK_CALIBRATE_WORLD_SLOPES_H
 
-#include "calibrate/lit.h"
+#include "calibrate/lighting.h"
 
 /* traces of light for each key and condition: two steps of two values */
 #define MURK_WORLD_SLOPE_TRACES 4
 
-/* Computes slope[lit] of key k at value[keys->n], and the standard error by
- * photons and step together. */
+/* Computes slope[light rows] of key k at value[keys->n], and the standard error
+ * by photons and step together. */
 murk_status murk_world_slopes(double *slope, double *slope_error,
-                              const murk_lit_desc *desc,
+                              const murk_lighting_desc *desc,
                               const murk_measurements *measured, size_t key,
                               const double *value, murk_error *err);
 

@@ -8,7 +8,6 @@
 #include <assert.h>
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
 
 /* If the data do not depend on a direction, rounding may give a parameter that
  * is not part of the direction a component of this size. Components up to this
@@ -30,6 +29,7 @@ typedef struct scaled {
     double *jacobian;  /* [rows][n] */
     double *singular;  /* [n] */
     double *direction; /* [n][n] */
+    murk_arena arena;  /* of all arrays */
 } scaled;
 
 static murk_status check(const double *jacobian, size_t rows, size_t n,
@@ -61,25 +61,18 @@ static murk_status check(const double *jacobian, size_t rows, size_t n,
     return MURK_OK;
 }
 
-static void scaled_release(scaled *s)
-{
-    free(s->parameter);
-    free(s->jacobian);
-    free(s->singular);
-    free(s->direction);
-}
-
+/* Release also after a failure. */
 static murk_status scaled_create(scaled *s, const double *jacobian, size_t rows,
                                  size_t n, const bool *is_fixed,
                                  const double *scale, murk_error *err)
 {
     /* Select the free parameters and scale their columns. */
     s->rows = rows;
-    s->parameter = calloc(n, sizeof *s->parameter);
-    s->jacobian = calloc(rows * n, sizeof *s->jacobian);
-    s->singular = calloc(n, sizeof *s->singular);
-    s->direction = calloc(n * n, sizeof *s->direction);
-    if (!s->parameter || !s->jacobian || !s->singular || !s->direction) {
+    s->parameter = murk_arena_array(&s->arena, n, sizeof *s->parameter);
+    s->jacobian = murk_arena_array(&s->arena, rows * n, sizeof(double));
+    s->singular = murk_arena_array(&s->arena, n, sizeof(double));
+    s->direction = murk_arena_array(&s->arena, n * n, sizeof(double));
+    if (s->arena.is_short) {
         return murk_fail(err, MURK_NO_MEMORY, "fit",
                          "no memory for the errors of %zu parameters", n);
     }
@@ -175,21 +168,17 @@ murk_status murk_certainty_create(murk_certainty *out, const double *jacobian,
     murk_certainty c = {.n = n};
     scaled s = {0};
     murk_status status = check(jacobian, rows, n, scale, undetermined, err);
-    if (status) {
-        goto done;
-    }
-    status = scaled_create(&s, jacobian, rows, n, is_fixed, scale, err);
-    if (status) {
+    if (status ||
+        (status = scaled_create(&s, jacobian, rows, n, is_fixed, scale, err))) {
         goto done;
     }
     /* Memory for the results, then directions and errors. */
-    c.covariance = calloc(n * n, sizeof *c.covariance);
-    c.correlation = calloc(n * n, sizeof *c.correlation);
-    c.standard_error = calloc(n, sizeof *c.standard_error);
-    c.direction = calloc(n * n, sizeof *c.direction);
-    c.direction_error = calloc(n, sizeof *c.direction_error);
-    if (!c.covariance || !c.correlation || !c.standard_error || !c.direction ||
-        !c.direction_error) {
+    c.covariance = murk_arena_array(&c.arena, n * n, sizeof(double));
+    c.correlation = murk_arena_array(&c.arena, n * n, sizeof(double));
+    c.standard_error = murk_arena_array(&c.arena, n, sizeof(double));
+    c.direction = murk_arena_array(&c.arena, n * n, sizeof(double));
+    c.direction_error = murk_arena_array(&c.arena, n, sizeof(double));
+    if (c.arena.is_short) {
         status = murk_fail(err, MURK_NO_MEMORY, "fit",
                            "no memory for the errors of %zu parameters", n);
         goto done;
@@ -200,16 +189,12 @@ murk_status murk_certainty_create(murk_certainty *out, const double *jacobian,
     c = (murk_certainty){0};
 done:
     murk_certainty_release(&c);
-    scaled_release(&s);
+    murk_arena_release(&s.arena);
     return status;
 }
 
 void murk_certainty_release(murk_certainty *certainty)
 {
-    free(certainty->covariance);
-    free(certainty->correlation);
-    free(certainty->standard_error);
-    free(certainty->direction);
-    free(certainty->direction_error);
+    murk_arena_release(&certainty->arena);
     *certainty = (murk_certainty){0};
 }

@@ -14,6 +14,7 @@
 #ifndef MURK_FIT_CERTAINTY_H
 #define MURK_FIT_CERTAINTY_H
 
+#include "base/arena.h"
 #include "base/status.h"
 
 #include <stdbool.h>
@@ -36,6 +37,7 @@ typedef struct murk_certainty {
                               * by rounding */
     size_t determined;       /* number of determined directions, which come
                               * first */
+    murk_arena arena;        /* of all arrays */
 } murk_certainty;
 
 /* jacobian[rows][n] of whitened rows (row by row); is_fixed[n]: parameter at a

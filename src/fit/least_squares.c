@@ -15,6 +15,7 @@
  * that had become short are not mistaken for convergence. */
 #include "fit/least_squares.h"
 
+#include "base/arena.h"
 #include "base/c_locale.h"
 #include "fit/ceres_bridge.h"
 
@@ -22,7 +23,6 @@
 #include <limits.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #define ITERATIONS_DEFAULT 100   /* unless the caller sets a limit */
@@ -49,6 +49,7 @@ typedef struct search {
     bool is_refused;   /* the last step had no residuals */
     int evaluations;
     int iterations, iterations_before; /* in total; before this pass */
+    murk_arena arena;                  /* of all arrays */
 } search;
 
 /* Computes cost and gradient at the best point. */
@@ -332,19 +333,24 @@ static murk_status check(const double *x, const murk_least_squares *p,
     return MURK_OK;
 }
 
-static void assign_memory(search *s, double *memory, bool *is_held)
+/* Allocates two points, the gradient and the start of a pass; false without
+ * memory. */
+static bool allocate(search *s)
 {
     const size_t n = s->problem->n, rows = s->problem->rows;
     double **const of_n[] = {&s->within, &s->gradient, &s->start, &s->best.x,
                              &s->other.x};
-    for (size_t i = 0; i < sizeof of_n / sizeof *of_n; ++i, memory += n) {
-        *of_n[i] = memory;
+    for (size_t i = 0; i < sizeof of_n / sizeof *of_n; ++i) {
+        *of_n[i] = murk_arena_array(&s->arena, n, sizeof(double));
     }
-    s->best.residual = memory;
-    s->other.residual = memory + rows;
-    s->best.jacobian = memory + 2 * rows;
-    s->other.jacobian = memory + 2 * rows + rows * n;
-    s->is_held = is_held;
+    place *const points[] = {&s->best, &s->other};
+    for (size_t i = 0; i < 2; ++i) {
+        points[i]->residual = murk_arena_array(&s->arena, rows, sizeof(double));
+        points[i]->jacobian =
+            murk_arena_array(&s->arena, rows * n, sizeof(double));
+    }
+    s->is_held = murk_arena_array(&s->arena, n, sizeof(bool));
+    return !s->arena.is_short;
 }
 
 double murk_loss_at(murk_loss_function loss, double width, double s,
@@ -378,17 +384,13 @@ murk_status murk_least_squares_solve(murk_least_squares_found *found, double *x,
     if (status) {
         return status;
     }
-    /* Memory for two points, the gradient and the start of a pass. */
-    const size_t n = problem->n, rows = problem->rows;
     search s = {.problem = problem};
-    double *memory = calloc(5 * n + 2 * rows * (n + 1), sizeof *memory);
-    bool *is_held = calloc(n, sizeof *is_held);
-    if (!memory || !is_held) {
+    if (!allocate(&s)) {
         status = murk_fail(err, MURK_NO_MEMORY, "fit",
-                           "no memory for %zu rows of %zu parameters", rows, n);
+                           "no memory for %zu rows of %zu parameters",
+                           problem->rows, problem->n);
         goto done;
     }
-    assign_memory(&s, memory, is_held);
     /* Evaluate the start. */
     murk_least_squares_found out = {.initial_cost = NAN, .cost = NAN};
     if (!evaluate(&s, x, true)) {
@@ -412,10 +414,9 @@ murk_status murk_least_squares_solve(murk_least_squares_found *found, double *x,
     out.cost = s.cost;
     out.iterations = s.iterations;
     out.evaluations = s.evaluations;
-    memcpy(x, s.best.x, n * sizeof *x);
+    memcpy(x, s.best.x, problem->n * sizeof *x);
     *found = out;
 done:
-    free(is_held);
-    free(memory);
+    murk_arena_release(&s.arena);
     return status;
 }

@@ -8,6 +8,7 @@
  * u)^2 from each, with u = A^-1 r_p / sqrt(1 + v_p). */
 #include "fit/optimal.h"
 
+#include "base/arena.h"
 #include "fit/ceres_bridge.h"
 
 #include <assert.h>
@@ -46,6 +47,7 @@ typedef struct choice {
     double *work;              /* [n * TOGETHER] */
     bool *is_picked;           /* [candidates] */
     size_t *pick;              /* [k] */
+    murk_arena arena;          /* of all arrays */
 } choice;
 
 /* Scalar product with four independent sums, which the processor computes in
@@ -344,30 +346,19 @@ static murk_status check(size_t k, const double *information, const double *row,
 
 static murk_status choice_create(choice *c, murk_error *err)
 {
-    const size_t n = c->n;
-    c->lower = calloc(n * n, sizeof *c->lower);
-    c->variance = calloc(c->candidates, sizeof *c->variance);
-    c->update = calloc(c->k * n, sizeof *c->update);
-    c->work = calloc(n * TOGETHER, sizeof *c->work);
-    c->is_picked = calloc(c->candidates, sizeof *c->is_picked);
-    c->pick = calloc(c->k, sizeof *c->pick);
-    if (!c->lower || !c->variance || !c->update || !c->work || !c->is_picked ||
-        !c->pick) {
-        return murk_fail(err, MURK_NO_MEMORY, "fit",
-                         "no memory to choose among %zu candidates",
-                         c->candidates);
-    }
-    return MURK_OK;
-}
-
-static void choice_release(choice *c)
-{
-    free(c->lower);
-    free(c->variance);
-    free(c->update);
-    free(c->work);
-    free(c->is_picked);
-    free(c->pick);
+    const size_t n = c->n, size = sizeof(double);
+    murk_arena *arena = &c->arena;
+    c->lower = murk_arena_array(arena, n * n, size);
+    c->variance = murk_arena_array(arena, c->candidates, size);
+    c->update = murk_arena_array(arena, c->k * n, size);
+    c->work = murk_arena_array(arena, n * TOGETHER, size);
+    c->is_picked = murk_arena_array(arena, c->candidates, sizeof(bool));
+    c->pick = murk_arena_array(arena, c->k, sizeof *c->pick);
+    return arena->is_short ? murk_fail(err, MURK_NO_MEMORY, "fit",
+                                       "no memory to choose among %zu "
+                                       "candidates",
+                                       c->candidates)
+                           : MURK_OK;
 }
 
 murk_status murk_optimal_choose(murk_optimal_pick *pick, size_t k,
@@ -386,21 +377,13 @@ murk_status murk_optimal_choose(murk_optimal_pick *pick, size_t k,
                 .row = row,
                 .information = information};
     status = choice_create(&c, err);
-    if (status) {
-        goto done;
+    status = status ? status : factorise(&c, 0, err);
+    if (!status) {
+        read_variances(&c);
+        choose_greedily(&c);
+        status = choose_better(&c, err);
     }
-    status = factorise(&c, 0, err);
-    if (status) {
-        goto done;
-    }
-    read_variances(&c);
-    choose_greedily(&c);
-    status = choose_better(&c, err);
-    if (status) {
-        goto done;
-    }
-    status = order(&c, pick, err);
-done:
-    choice_release(&c);
+    status = status ? status : order(&c, pick, err);
+    murk_arena_release(&c.arena);
     return status;
 }

@@ -1,7 +1,7 @@
 /* A fit: rows of fit.json, predict.json and fit.csv, and the summary. */
 #include "results/fit.h"
 
-#include "calibrate/reading_cells.h"
+#include "calibrate/measurements.h"
 #include "calibrate/verdict.h"
 #include "results/coverage.h"
 #include "results/summary.h"
@@ -118,7 +118,7 @@ static void list_next_place(murk_results_fields *fields, const void *of,
                             size_t i)
 {
     const murk_fit_facts *f = of;
-    const murk_next_place *place = f ? &f->next->place[i] : NULL;
+    const murk_proposed_place *place = f ? &f->next->place[i] : NULL;
     const murk_posed p =
         f ? (murk_posed){f->scene, &place->pose} : (murk_posed){NULL, NULL};
     const bool is_coverage =
@@ -141,7 +141,7 @@ static void list_next_place(murk_results_fields *fields, const void *of,
 static void list_next(murk_results_fields *fields, const void *of)
 {
     const murk_fit_facts *f = of;
-    const murk_next *next = f ? f->next : NULL;
+    const murk_proposals *next = f ? f->next : NULL;
     MURK_TEXT(fields, "kind", "coverage, fluence, irradiance or transmittance",
               murk_reading_kinds[next->kind]);
     MURK_TEXT(fields, "unit", "of the reading",
@@ -392,7 +392,7 @@ static void print_identifiability(const murk_fit_facts *f)
 static void print_next(const murk_fit_facts *f)
 {
     for (size_t i = 0; f->next && i < f->next->n; ++i) {
-        const murk_next_place *p = &f->next->place[i];
+        const murk_proposed_place *p = &f->next->place[i];
         const murk_vec3 d = f->next->direction;
         const murk_vec3 at = murk_scene_user(f->scene, p->pose.position);
         const int digits = murk_coordinate_digits(f->scene, 4);

@@ -3,7 +3,7 @@
 #ifndef MURK_RESULTS_FIT_H
 #define MURK_RESULTS_FIT_H
 
-#include "calibrate/next.h"
+#include "calibrate/proposals.h"
 #include "results/fields.h"
 
 typedef struct murk_fit_facts {
@@ -11,7 +11,7 @@ typedef struct murk_fit_facts {
     const murk_free_keys *keys;
     const murk_measurements *measured;
     const murk_calibration *found;
-    const murk_next *next; /* NULL: not asked for */
+    const murk_proposals *next; /* NULL: not asked for */
     bool only_predicts;
 } murk_fit_facts;
 

@@ -8,7 +8,7 @@
 #include "base/log.h"
 #include "base/machine.h"
 #include "base/progress.h"
-#include "calibrate/followed.h"
+#include "calibrate/histories.h"
 #include "planted.h"
 
 #include <stdio.h>
@@ -51,16 +51,16 @@ static void write_mixed(FILE *out)
 /* Seconds of one bare trace; less than 0 after printing. */
 static double trace_s(const planted_field *field, unsigned photons)
 {
-    const murk_followed_desc desc = {
+    const murk_histories_desc desc = {
         .stage = field->stage, .photons = photons, .threads = THREADS};
-    murk_followed *followed = NULL;
+    murk_histories *followed = NULL;
     murk_error err = {0};
-    if (murk_followed_trace(&followed, &desc, &err)) {
+    if (murk_histories_trace(&followed, &desc, &err)) {
         fprintf(stderr, "%s: %s\n", err.where, err.text);
         return -1;
     }
     const double seconds = followed->trace_s;
-    murk_followed_destroy(followed);
+    murk_histories_destroy(followed);
     return seconds;
 }
 
@@ -116,7 +116,7 @@ static bool fit(planted_field *field)
                 field->of->name, field->measured->rows, found.n,
                 (unsigned long long)found.photons, found.traces, found.trace_s,
                 found.evaluations, murk_machine_peak_bytes() / 1e9,
-                murk_model_memory_bytes(found.model) / 1e9,
+                murk_model_facts_of(found.model)->memory_bytes / 1e9,
                 found.converged ? "converged" : "not converged");
     }
     murk_calibration_release(&found);

@@ -84,7 +84,6 @@ static bool light_once(sums *out, double *square, planted_field *field,
     double *room = calloc(rows * (n + 3), sizeof *room), share;
     double *slope = room + rows, *weight = slope + rows * n;
     double *off = weight + rows, *covariance = NULL;
-    const size_t *lit;
     parts p = {.width = n + 1};
     murk_whitening *whitening = NULL;
     murk_error err = {0};
@@ -94,11 +93,15 @@ static bool light_once(sums *out, double *square, planted_field *field,
         planted_held(murk_model_predict(model, field->of->truth, room, slope,
                                         &share, &err),
                      &err) &&
-        planted_held(murk_model_parts(model, &p.runs, &p.part, &err), &err) &&
-        planted_held(murk_model_noise(model, &lit, &p.lits, &covariance, &err),
-                     &err) &&
-        planted_held(
-            murk_whitening_create(&whitening, covariance, p.lits, &err), &err);
+        planted_held(murk_model_parts(model, &p.part, &err), &err) &&
+        planted_held(murk_model_noise(model, &covariance, &err), &err) &&
+        planted_held(murk_whitening_create(&whitening, covariance,
+                                           murk_model_facts_of(model)->lights,
+                                           &err),
+                     &err);
+    const size_t *lit = is_well ? murk_model_facts_of(model)->light : NULL;
+    p.lits = is_well ? murk_model_facts_of(model)->lights : 0;
+    p.runs = is_well ? murk_model_facts_of(model)->runs : 0;
     /* Deviations from the truth; weights by the measurement errors. */
     for (size_t i = 0; i < p.lits && is_well; ++i) {
         const murk_measured_row *row = &field->measured->row[lit[i]];

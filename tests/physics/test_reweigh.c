@@ -58,12 +58,12 @@ static const murk_receiver receivers[RECEIVERS] = {
 static followed_text lit_at(const char *const *overrides)
 {
     return followed_text_trace(scene_text, overrides,
-                               (murk_followed_desc){.medium = kept_media,
-                                                    .media = 1,
-                                                    .keeps_cosines = true,
-                                                    .receiver = receivers,
-                                                    .receivers = RECEIVERS,
-                                                    .keeps_records = true});
+                               (murk_histories_desc){.medium = kept_media,
+                                                     .media = 1,
+                                                     .keeps_cosines = true,
+                                                     .receiver = receivers,
+                                                     .receivers = RECEIVERS,
+                                                     .keeps_records = true});
 }
 
 /* ---- estimates by batches ---- */
@@ -86,7 +86,7 @@ static murk_estimate estimate_of(const sums *s, size_t which)
 }
 
 /* Whether a record lies on the floor: below the middle of the domain. */
-static bool *find_floor(const murk_followed *f)
+static bool *find_floor(const murk_histories *f)
 {
     bool *is_floor = calloc(f->n + 1, sizeof *is_floor);
     for (size_t i = 0; is_floor && i < murk_photon_map_count(f->surface); ++i) {
@@ -99,7 +99,7 @@ static bool *find_floor(const murk_followed *f)
 /* Sums of `factor` times what the contributions were worth. */
 static sums sums_of(const followed_text *l, const double *factor)
 {
-    const murk_followed *f = l->followed;
+    const murk_histories *f = l->followed;
     static sums s;
     bool *is_floor = find_floor(f);
     s = (sums){0};
@@ -130,7 +130,7 @@ static reweighed reweigh(const followed_text *l, const murk_optics *at,
                          const murk_optics_sides *sides)
 {
     reweighed out = {0};
-    murk_reweighed r;
+    murk_reweighed r = {0};
     murk_error err = {0};
     if (murk_reweigh(&r, l->followed, l->optics, at, sides, sides != NULL, 2,
                      &err)) {
@@ -321,7 +321,7 @@ static void test_all_comes_out(void)
                                                 : i   ? 1.6
                                                       : 2.4,
                                                 ALBEDO "1", sides);
-        murk_reweighed r;
+        murk_reweighed r = {0};
         murk_error err = {0};
         CHECK(!murk_reweigh(&r, l.followed, l.optics, at, &both, 1, 2, &err));
         /* Add up transmittance and reflectance in each batch, which is all

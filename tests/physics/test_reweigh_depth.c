@@ -86,16 +86,16 @@ static void slopes_at(double extinction, const char *phase, int place,
     murk_optics *low = optics_at(extinction - step, phase);
     murk_optics *high = optics_at(extinction + step, phase);
     const murk_optics_sides sides = {low, high, 2 * step};
-    const murk_followed_desc desc = {.stage = stage,
-                                     .threads = 2,
-                                     .medium = kept,
-                                     .media = 1,
-                                     .receiver = receiver,
-                                     .receivers = KINDS * RECEIVERS};
-    murk_followed *f = NULL;
-    murk_reweighed r;
+    const murk_histories_desc desc = {.stage = stage,
+                                      .threads = 2,
+                                      .medium = kept,
+                                      .media = 1,
+                                      .receiver = receiver,
+                                      .receivers = KINDS * RECEIVERS};
+    murk_histories *f = NULL;
+    murk_reweighed r = {0};
     murk_error err = {0};
-    if (murk_followed_trace(&f, &desc, &err) ||
+    if (murk_histories_trace(&f, &desc, &err) ||
         murk_reweigh(&r, f, traced, traced, &sides, 1, 2, &err)) {
         printf("%s: %s\n", err.where, err.text);
         exit(1);
@@ -124,7 +124,7 @@ static void slopes_at(double extinction, const char *phase, int place,
             (murk_estimate){total, sqrt(squares * BATCHES / (BATCHES - 1))};
     }
     murk_reweighed_release(&r);
-    murk_followed_destroy(f);
+    murk_histories_destroy(f);
     murk_optics_destroy(traced);
     murk_optics_destroy(low);
     murk_optics_destroy(high);

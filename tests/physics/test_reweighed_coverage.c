@@ -88,9 +88,8 @@ static void slopes_of_weights(double slope[GROUPS][KEYS], const lit *l)
     murk_reweighed reweighed =
         reweigh(l->followed, &l->traced->optics, &here.optics, sides);
     double value[GROUPS];
-    CHECK(!murk_covered_read(value, slope[0], NULL, 0, NULL, 0, l->covered,
-                             &reweighed, &l->traced->optics, &here.optics,
-                             still, KEYS, NULL));
+    CHECK(!read_covered(value, slope, NULL, 0, l, &reweighed, &here.optics,
+                        still, NULL));
     murk_reweighed_release(&reweighed);
 }
 

@@ -93,7 +93,7 @@ static inline void set_optics(optics *o, const double value[KEYS])
 
 /* ---- re-weighting, and its twin: factor by factor ---- */
 
-static inline double ratio_of(const murk_followed *f, size_t i,
+static inline double ratio_of(const murk_histories *f, size_t i,
                               const murk_optics *from, const murk_optics *to)
 {
     const murk_contribution *c = &f->contribution[i];
@@ -117,7 +117,7 @@ static inline double ratio_of(const murk_followed *f, size_t i,
     return ratio;
 }
 
-static inline murk_reweighed reweigh(const murk_followed *f,
+static inline murk_reweighed reweigh(const murk_histories *f,
                                      const murk_optics *traced,
                                      const murk_optics *at,
                                      const murk_optics_sides sides[KEYS])
@@ -133,7 +133,7 @@ static inline murk_reweighed reweigh(const murk_followed *f,
 
 typedef struct lit {
     murk_stage *stage;
-    murk_followed *followed;
+    murk_histories *followed;
     murk_covered *covered;
     optics *traced;
 } lit;
@@ -143,8 +143,8 @@ static const size_t both_media[MEDIA] = {1, 0};
 static inline murk_status make_covered(lit *l, const murk_pose *pose, size_t n,
                                        unsigned threads, murk_error *err)
 {
-    const murk_covered_desc desc = {.stage = l->stage,
-                                    .followed = l->followed,
+    const murk_visible_desc desc = {.stage = l->stage,
+                                    .histories = l->followed,
                                     .pose = pose,
                                     .group = group_of,
                                     .poses = n,
@@ -157,13 +157,13 @@ static inline lit lit_with(const char *const *overrides, size_t media)
 {
     lit l = {.stage = stage_text_create(scene_text, overrides)};
     murk_error err = {0};
-    const murk_followed_desc desc = {.stage = l.stage,
-                                     .threads = 2,
-                                     .medium = both_media,
-                                     .media = media,
-                                     .keeps_cosines = true,
-                                     .keeps_records = true};
-    CHECK(l.stage && !murk_followed_trace(&l.followed, &desc, &err));
+    const murk_histories_desc desc = {.stage = l.stage,
+                                      .threads = 2,
+                                      .medium = both_media,
+                                      .media = media,
+                                      .keeps_cosines = true,
+                                      .keeps_records = true};
+    CHECK(l.stage && !murk_histories_trace(&l.followed, &desc, &err));
     CHECK_TEXT(err.text, "");
     l.traced = malloc(sizeof *l.traced);
     set_optics(l.traced, as_traced);
@@ -183,7 +183,7 @@ static inline lit lit_and_seen(const char *const *overrides)
 static inline void put_out(lit *l)
 {
     murk_covered_destroy(l->covered);
-    murk_followed_destroy(l->followed);
+    murk_histories_destroy(l->followed);
     free(l->traced);
     stage_text_destroy(l->stage);
 }
@@ -193,6 +193,25 @@ typedef struct read_out {
     murk_status status;
     murk_error err;
 } read_out;
+
+/* Evaluates the groups; of 64 batches of its own where batch is NULL. */
+static inline murk_status
+read_covered(double value[GROUPS], double slope[GROUPS][KEYS], double *batch,
+             size_t batches, const lit *l, const murk_reweighed *reweighed,
+             const murk_optics *at, const murk_optics_sides *sides,
+             murk_error *err)
+{
+    static double own[64 * GROUPS], run[4 * GROUPS * KEYS];
+    const murk_row_sums sums = {.value = value,
+                                .slope = slope[0],
+                                .batch = batches ? batch : own,
+                                .run = run,
+                                .rows = GROUPS,
+                                .batches = batches ? batches : 64,
+                                .runs = 4};
+    return murk_covered_read(&sums, 0, l->covered, reweighed,
+                             &l->traced->optics, at, sides, err);
+}
 
 static inline read_out read_at(const lit *l, const double at[KEYS], double step,
                                size_t batches)
@@ -216,9 +235,8 @@ static inline read_out read_at(const lit *l, const double at[KEYS], double step,
     /* Re-weight the traced light, and sum coverage with slopes. */
     murk_reweighed reweighed =
         reweigh(l->followed, &l->traced->optics, &here.optics, sides);
-    out.status = murk_covered_read(
-        out.value, out.slope[0], out.batch, batches, NULL, 0, l->covered,
-        &reweighed, &l->traced->optics, &here.optics, sides, KEYS, &out.err);
+    out.status = read_covered(out.value, out.slope, out.batch, batches, l,
+                              &reweighed, &here.optics, sides, &out.err);
     murk_reweighed_release(&reweighed);
     return out;
 }

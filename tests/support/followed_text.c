@@ -10,7 +10,7 @@
 
 followed_text followed_text_trace(const char *yaml,
                                   const char *const *overrides,
-                                  murk_followed_desc desc)
+                                  murk_histories_desc desc)
 {
     followed_text lit = {.stage = stage_text_create(yaml, overrides)};
     murk_error err = {0};
@@ -20,7 +20,7 @@ followed_text followed_text_trace(const char *yaml,
     lit.optics = optics_text_create(yaml, overrides);
     desc.stage = lit.stage;
     desc.threads = 2;
-    if (murk_followed_trace(&lit.followed, &desc, &err)) {
+    if (murk_histories_trace(&lit.followed, &desc, &err)) {
         printf("%s: %s\n", err.where, err.text);
         exit(1);
     }
@@ -29,7 +29,7 @@ followed_text followed_text_trace(const char *yaml,
 
 void followed_text_release(followed_text *lit)
 {
-    murk_followed_destroy(lit->followed);
+    murk_histories_destroy(lit->followed);
     murk_optics_destroy(lit->optics);
     stage_text_destroy(lit->stage);
     *lit = (followed_text){0};

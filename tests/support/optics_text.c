@@ -12,7 +12,8 @@ murk_optics *optics_text_create(const char *yaml, const char *const *overrides)
     murk_scene_desc *scene = scene_text_create(yaml, overrides);
     murk_error err = {0};
     murk_optics *optics = NULL;
-    if (!scene || murk_optics_create(&optics, scene, &scene->domain, &err)) {
+    if (!scene ||
+        murk_optics_create(&optics, scene, &scene->domain, NULL, &err)) {
         printf("%s: %s\n", err.where, err.text);
         exit(1);
     }

@@ -206,7 +206,7 @@ static bool plain_step(double *x, murk_certainty *certainty,
     double *residual = calloc(rows * (n + 1), sizeof *residual);
     double *jacobian = residual + rows;
     murk_error err = {0};
-    bool is_well = residual && held(murk_fit_search_look(s, x, &err), &err);
+    bool is_well = residual && held(murk_fit_search_evaluate(s, x, &err), &err);
     /* Residuals, slopes and the covariance at x. */
     if (is_well) {
         murk_fit_search_residuals(s, residual, jacobian);
@@ -243,7 +243,7 @@ static bool judge(planted_fit *out, const murk_calibration *found,
      * slopes. */
     bool is_well =
         held(murk_fit_search_create(&s, desc, found->model, &err), &err) &&
-        held(murk_fit_search_look(&s, x, &err), &err) &&
+        held(murk_fit_search_evaluate(&s, x, &err), &err) &&
         held(murk_slope_noise_find(&noise, &s, &err), &err);
     if (is_well) {
         out->off = off_of(x, truth, found->n, &found->certainty,

@@ -239,9 +239,8 @@ static void test_slopes_need_sightlines(void)
         /* Wrong sightlines leave the coverage, but not the slope by the
          * fog. */
         read_out off;
-        CHECK(!murk_covered_read(off.value, off.slope[0], NULL, 0, NULL, 0,
-                                 l.covered, &reweighed, &l.traced->optics,
-                                 &here.optics, wrong[i], KEYS, NULL));
+        CHECK(!read_covered(off.value, off.slope, NULL, 0, &l, &reweighed,
+                            &here.optics, wrong[i], NULL));
         for (size_t g = 0; g < GROUPS; ++g) {
             CHECK(off.value[g] == got.value[g]);
             CHECK(fabs(off.slope[g][FOG] - got.slope[g][FOG]) > 1e-3);
@@ -295,9 +294,8 @@ static void test_other_media_stay(void)
     free(got.batch);
     got = read_at(&all, clearer, STEP, 0);
     double value[GROUPS], slope[GROUPS][KEYS];
-    CHECK(!murk_covered_read(value, slope[0], NULL, 0, NULL, 0, l.covered,
-                             &reweighed, &l.traced->optics, &there.optics, none,
-                             KEYS, NULL));
+    CHECK(!read_covered(value, slope, NULL, 0, &l, &reweighed, &there.optics,
+                        none, NULL));
     for (size_t g = 0; g < GROUPS; ++g) {
         /* single precision of what is kept by path, or all in one */
         CHECK_NEAR(value[g], got.value[g], 1e-6);
@@ -305,9 +303,8 @@ static void test_other_media_stay(void)
     }
     memset(reweighed.ratio, 0, reweighed.n * sizeof *reweighed.ratio);
     murk_error err = {0};
-    CHECK(murk_covered_read(value, slope[0], NULL, 0, NULL, 0, l.covered,
-                            &reweighed, &l.traced->optics, &there.optics, none,
-                            KEYS, &err) == MURK_RUN_FAILED);
+    CHECK(read_covered(value, slope, NULL, 0, &l, &reweighed, &there.optics,
+                       none, &err) == MURK_RUN_FAILED);
     CHECK_MENTIONS(err.text, "weigh 0 W on surfaces and 0 W in media");
     murk_reweighed_release(&reweighed);
     free(got.batch);
@@ -329,12 +326,10 @@ static void check_refused(const char *override, const murk_pose *pose,
 
 static void test_what_has_no_slope_is_refused(void)
 {
-    const murk_pose outside = {0, {9, 1, 1}, 0, 0};
     check_refused("placement.detection=threshold", poses,
                   "detection: threshold cannot be fitted to");
     check_refused("placement.through=refract", poses,
                   "through: refract cannot be fitted to");
-    check_refused("placement.redundancy=1", &outside, "outside the domain");
 }
 
 /* Lines are counted before they are kept: what would take more than there is
@@ -353,8 +348,8 @@ static void test_memory_is_bounded(void)
     const murk_sightlines_through through = {.sight = sight};
     for (int is_enough = 0; is_enough < 2; ++is_enough) {
         murk_sightlines lines = {0};
-        murk_sightlines_room room = {.max_bytes = needed - !is_enough};
-        CHECK(murk_sightlines_find(&lines, &through, 0, &poses[0], &room) ==
+        murk_sightlines_memory memory = {.max_bytes = needed - !is_enough};
+        CHECK(murk_sightlines_find(&lines, &through, 0, &poses[0], &memory) ==
               is_enough);
         CHECK(lines.n == (is_enough ? row.seen : 0));
         CHECK(!lines.contribution == !is_enough);

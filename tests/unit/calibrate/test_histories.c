@@ -1,6 +1,6 @@
 /* What is kept of a path is what the path did: told by another trace of the
  * same photons, event by event. */
-#include "calibrate/followed.h"
+#include "calibrate/histories.h"
 #include "check.h"
 #include "lightmap/lightmap.h"
 #include "stage_text.h"
@@ -53,23 +53,23 @@ static const murk_receiver receivers[] = {
 };
 #define RECEIVERS (sizeof receivers / sizeof receivers[0])
 
-static murk_followed_desc desc_of(const murk_stage *stage)
+static murk_histories_desc desc_of(const murk_stage *stage)
 {
-    return (murk_followed_desc){.stage = stage,
-                                .threads = 2,
-                                .medium = kept_media,
-                                .media = MEDIA,
-                                .keeps_cosines = true,
-                                .receiver = receivers,
-                                .receivers = RECEIVERS,
-                                .keeps_records = true};
+    return (murk_histories_desc){.stage = stage,
+                                 .threads = 2,
+                                 .medium = kept_media,
+                                 .media = MEDIA,
+                                 .keeps_cosines = true,
+                                 .receiver = receivers,
+                                 .receivers = RECEIVERS,
+                                 .keeps_records = true};
 }
 
-static murk_followed *follow(const murk_followed_desc *desc)
+static murk_histories *follow(const murk_histories_desc *desc)
 {
-    murk_followed *followed = NULL;
+    murk_histories *followed = NULL;
     murk_error err = {0};
-    CHECK(!murk_followed_trace(&followed, desc, &err));
+    CHECK(!murk_histories_trace(&followed, desc, &err));
     if (!followed) {
         printf("%s: %s\n", err.where, err.text);
     }
@@ -79,7 +79,7 @@ static murk_followed *follow(const murk_followed_desc *desc)
 /* ---- records: what another trace tells of its events ---- */
 
 typedef struct told {
-    const murk_followed *followed;
+    const murk_histories *followed;
     const murk_stage *stage;
     size_t next; /* contribution that the next record should be */
     uint64_t photon;
@@ -119,8 +119,8 @@ static void receive_segment(void *context, uint64_t batch,
 
 static void hear_record(told *t, const murk_event *event)
 {
+    const murk_histories *f = t->followed;
     /* Find the next contribution that is a record. */
-    const murk_followed *f = t->followed;
     while (t->next < f->n &&
            !murk_contribution_is_record(&f->contribution[t->next])) {
         ++t->next;
@@ -178,7 +178,7 @@ static void receive_event(void *context, uint64_t batch,
 }
 
 static void test_records_know_their_paths(const murk_stage *stage,
-                                          const murk_followed *followed)
+                                          const murk_histories *followed)
 {
     told t = {.followed = followed, .stage = stage};
     murk_ledger *ledger = NULL;
@@ -200,8 +200,9 @@ static void test_records_know_their_paths(const murk_stage *stage,
 
 /* ---- maps ---- */
 
-static void check_map(const murk_followed *followed, const murk_photon_map *got,
-                      const murk_photon_map *want, uint32_t kind)
+static void check_map(const murk_histories *followed,
+                      const murk_photon_map *got, const murk_photon_map *want,
+                      uint32_t kind)
 {
     const size_t n = murk_photon_map_count(want);
     CHECK(murk_photon_map_count(got) == n && n > 100);
@@ -220,7 +221,7 @@ static void check_map(const murk_followed *followed, const murk_photon_map *got,
     CHECK(wrong == 0);
 }
 
-static void test_maps_are_the_scenes(const murk_followed *followed,
+static void test_maps_are_the_scenes(const murk_histories *followed,
                                      const murk_traced *traced)
 {
     CHECK(followed->emitted == traced->emitted);
@@ -233,7 +234,7 @@ static void test_maps_are_the_scenes(const murk_followed *followed,
 /* ---- chords ---- */
 
 /* W/m2 of a receiver in a band. */
-static double reading(const murk_followed *f, size_t receiver, int band)
+static double reading(const murk_histories *f, size_t receiver, int band)
 {
     double sum = 0;
     for (size_t i = 0; i < f->n; ++i) {
@@ -254,7 +255,7 @@ static double tallied(const murk_traced *traced, size_t tally, int band,
         .value;
 }
 
-static void test_receivers_agree_with_tallies(const murk_followed *f,
+static void test_receivers_agree_with_tallies(const murk_histories *f,
                                               const murk_traced *traced)
 {
     for (int band = 0; band < 2; ++band) {
@@ -274,7 +275,7 @@ static void test_receivers_agree_with_tallies(const murk_followed *f,
 
 /* In glass there are no media; in the ball only the one that has replaced the
  * others; each photon's chords and records follow one another. */
-static void test_chords_know_their_media(const murk_followed *f)
+static void test_chords_know_their_media(const murk_histories *f)
 {
     size_t wrong = 0, seen = 0, unordered = 0;
     for (size_t i = 0; i < f->n; ++i) {
@@ -306,7 +307,7 @@ static void test_chords_know_their_media(const murk_followed *f)
 
 /* ---- how much is kept ---- */
 
-static bool are_same(const murk_followed *a, const murk_followed *b)
+static bool are_same(const murk_histories *a, const murk_histories *b)
 {
     const size_t media = a->media;
     return a->n == b->n && a->turns == b->turns && a->emitted == b->emitted &&
@@ -320,24 +321,24 @@ static bool are_same(const murk_followed *a, const murk_followed *b)
 }
 
 static void test_threads_do_not_matter(const murk_stage *stage,
-                                       const murk_followed *two)
+                                       const murk_histories *two)
 {
-    murk_followed_desc desc = desc_of(stage);
+    murk_histories_desc desc = desc_of(stage);
     for (unsigned threads = 1; threads < 6; threads += 4) {
         desc.threads = threads;
-        murk_followed *other = follow(&desc);
+        murk_histories *other = follow(&desc);
         CHECK(other && are_same(other, two));
-        murk_followed_destroy(other);
+        murk_histories_destroy(other);
     }
 }
 
 /* A number of its own, and the first of more are the same. */
 static void test_photons_may_be_asked_for(const murk_stage *stage,
-                                          const murk_followed *all)
+                                          const murk_histories *all)
 {
-    murk_followed_desc desc = desc_of(stage);
+    murk_histories_desc desc = desc_of(stage);
     desc.photons = 1500;
-    murk_followed *f = follow(&desc);
+    murk_histories *f = follow(&desc);
     if (f) {
         CHECK(f->emitted == 1500 && f->n < all->n && f->turns < all->turns);
         CHECK(!memcmp(f->contribution, all->contribution,
@@ -347,17 +348,17 @@ static void test_photons_may_be_asked_for(const murk_stage *stage,
                   f->emitted_in[3] ==
               1500);
     }
-    murk_followed_destroy(f);
+    murk_histories_destroy(f);
 }
 
 static void test_less_may_be_kept(const murk_stage *stage,
-                                  const murk_followed *all)
+                                  const murk_histories *all)
 {
-    murk_followed_desc desc = desc_of(stage);
+    murk_histories_desc desc = desc_of(stage);
     desc.keeps_cosines = false;
     desc.keeps_records = false;
     desc.media = 1;
-    murk_followed *f = follow(&desc);
+    murk_histories *f = follow(&desc);
     if (f) {
         CHECK(f->turns == 0 && !f->surface && !f->volume);
         size_t j = 0, wrong = 0;
@@ -372,7 +373,7 @@ static void test_less_may_be_kept(const murk_stage *stage,
         }
         CHECK(j == f->n && wrong == 0);
     }
-    murk_followed_destroy(f);
+    murk_histories_destroy(f);
 }
 
 /* Also where no record is kept, as many photons go out as the scene's `store`
@@ -385,10 +386,10 @@ static void test_store_says_how_many(void)
         CHECK(false);
         return;
     }
-    murk_followed_desc desc = desc_of(stage);
-    murk_followed *f = follow(&desc);
+    murk_histories_desc desc = desc_of(stage);
+    murk_histories *f = follow(&desc);
     desc.keeps_records = false;
-    murk_followed *bare = follow(&desc);
+    murk_histories *bare = follow(&desc);
     murk_traced *traced = NULL;
     murk_error err = {0};
     CHECK(!murk_lightmap_trace(&traced, stage, 0, 2, &err));
@@ -396,8 +397,8 @@ static void test_store_says_how_many(void)
         test_maps_are_the_scenes(f, traced);
         CHECK(bare->emitted == f->emitted && bare->n < f->n);
     }
-    murk_followed_destroy(f);
-    murk_followed_destroy(bare);
+    murk_histories_destroy(f);
+    murk_histories_destroy(bare);
     murk_traced_destroy(traced);
     stage_text_destroy(stage);
 }
@@ -406,19 +407,19 @@ static void test_store_says_how_many(void)
 
 static void test_refusals(const murk_stage *stage)
 {
+    murk_histories_desc desc = desc_of(stage);
+    murk_histories *f = NULL;
     /* Less memory than the light needs. */
-    murk_followed_desc desc = desc_of(stage);
-    murk_followed *f = NULL;
     murk_error err = {0};
     desc.memory_max_bytes = 1e5;
-    CHECK(murk_followed_trace(&f, &desc, &err) == MURK_BAD_VALUE && !f);
+    CHECK(murk_histories_trace(&f, &desc, &err) == MURK_BAD_VALUE && !f);
     CHECK_MENTIONS(err.text, "must be at most 0.0001 GB");
 
     /* Fewer photons than the smallest number. */
     desc = desc_of(stage);
     desc.photons = 3;
     err = (murk_error){0};
-    CHECK(murk_followed_trace(&f, &desc, &err) == MURK_BAD_VALUE && !f);
+    CHECK(murk_histories_trace(&f, &desc, &err) == MURK_BAD_VALUE && !f);
     CHECK_MENTIONS(err.text, "must be at least 4");
 
     /* A scene in which all lights are dark. */
@@ -428,7 +429,7 @@ static void test_refusals(const murk_stage *stage)
     if (night) {
         desc = desc_of(night);
         err = (murk_error){0};
-        CHECK(murk_followed_trace(&f, &desc, &err) == MURK_BAD_VALUE && !f);
+        CHECK(murk_histories_trace(&f, &desc, &err) == MURK_BAD_VALUE && !f);
         CHECK_MENTIONS(err.text, "all lights are dark");
     }
     stage_text_destroy(night);
@@ -437,8 +438,8 @@ static void test_refusals(const murk_stage *stage)
 int main(void)
 {
     murk_stage *stage = stage_text_create(scene_text, NULL);
-    const murk_followed_desc desc = desc_of(stage);
-    murk_followed *followed = stage ? follow(&desc) : NULL;
+    const murk_histories_desc desc = desc_of(stage);
+    murk_histories *followed = stage ? follow(&desc) : NULL;
     murk_traced *traced = NULL;
     murk_error err = {0};
     CHECK(stage && !murk_lightmap_trace(&traced, stage, 0, 2, &err));
@@ -453,7 +454,7 @@ int main(void)
         test_store_says_how_many();
         test_refusals(stage);
     }
-    murk_followed_destroy(followed);
+    murk_histories_destroy(followed);
     murk_traced_destroy(traced);
     stage_text_destroy(stage);
     return check_done();

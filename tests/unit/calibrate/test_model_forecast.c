@@ -3,7 +3,7 @@
  * fixed. */
 #include "base/interrupt.h"
 #include "base/stats.h"
-#include "calibrate/fit_forecast.h"
+#include "calibrate/model_parts.h"
 #include "check.h"
 #include "planted.h"
 
@@ -60,7 +60,7 @@ static bool light(foretelling *f, double *room)
 static void count(foretelling *f)
 {
     for (size_t c = 0; c < f->model->worlds; ++c) {
-        const murk_followed *lit = f->model->world[c].lit.followed;
+        const murk_histories *lit = f->model->world[c].lighting.histories;
         if (!lit) {
             continue;
         }
@@ -80,7 +80,7 @@ static void darken(foretelling *f)
 {
     const double before = bytes_in_use();
     for (size_t c = 0; c < f->model->worlds; ++c) {
-        murk_lit_darken(&f->model->world[c].lit);
+        murk_lighting_darken(&f->model->world[c].lighting);
         murk_reweighed_release(&f->model->world[c].rows.reweighed);
     }
     f->given_back = before - bytes_in_use();
@@ -128,7 +128,7 @@ static void test_bytes_are_those_in_use(void)
             const double beside = f.given_back - f.forecast.light_bytes;
             CHECK(f.forecast.contributions == f.contributions);
             CHECK(f.forecast.bytes > f.forecast.light_bytes);
-            CHECK(murk_model_memory_bytes(f.model) == f.forecast.bytes);
+            CHECK(f.model->facts.memory_bytes == f.forecast.bytes);
             CHECK(!KNOWS_HEAP ||
                   (beside >= 0 &&
                    beside < FIXED_BYTES * (double)f.model->worlds));
@@ -169,7 +169,7 @@ static void test_what_cannot_fit_is_refused_at_once(void)
         CHECK(murk_model_trace(model, &value, &err) == MURK_BAD_VALUE);
         CHECK(strstr(err.text, "the fit would keep about 5."));
         CHECK(strstr(err.text, "GB that are free: fewer photons"));
-        CHECK(murk_model_traces(model) == 0);
+        CHECK(model->facts.traces == 0);
     }
     murk_model_destroy(model);
     murk_free_keys_destroy(keys);
@@ -194,8 +194,8 @@ static void test_interrupt_in_the_pilot(void)
         const double value = keys->key[0].start;
         CHECK(murk_model_trace(model, &value, &err) == MURK_INTERRUPTED);
         CHECK_TEXT(err.text, "interrupted");
-        CHECK(murk_model_traces(model) == 0);
-        CHECK(murk_model_memory_bytes(model) == 0);
+        CHECK(model->facts.traces == 0);
+        CHECK(model->facts.memory_bytes == 0);
         err = (murk_error){0};
         CHECK(murk_model_forecast(&lit.forecast, lit.model, &err) ==
               MURK_INTERRUPTED);

@@ -1,7 +1,7 @@
 /* Which receivers a leg crosses, and where: a tree against trying all. Legs
  * are drawn, but what is found must be the same to the bit. */
 #include "base/rng.h"
-#include "calibrate/chords.h"
+#include "calibrate/receiver_tree.h"
 #include "check.h"
 
 #include <stdlib.h>
@@ -40,13 +40,15 @@ static bool crosses(const murk_receiver *r, murk_vec3 from, murk_vec3 d,
     return b * b > c && *to_m > *from_m;
 }
 
-static void check_leg(const murk_chords *chords, const murk_receiver *receiver,
-                      murk_vec3 from, murk_vec3 d, double length_m,
-                      size_t *crossed, size_t *wrong)
+static void check_leg(const murk_receiver_tree *chords,
+                      const murk_receiver *receiver, murk_vec3 from,
+                      murk_vec3 d, double length_m, size_t *crossed,
+                      size_t *wrong)
 {
     murk_chord chord[RECEIVERS];
     bool seen[RECEIVERS] = {false};
-    const size_t n = murk_chords_of(chords, from, d, length_m, chord);
+    const size_t n =
+        murk_receiver_tree_chords(chords, from, d, length_m, chord);
     for (size_t i = 0; i < n; ++i) {
         const murk_chord *c = &chord[i];
         double from_m, to_m;
@@ -64,7 +66,7 @@ static void check_leg(const murk_chords *chords, const murk_receiver *receiver,
     *crossed += n;
 }
 
-static void test_all_are_found(const murk_chords *chords,
+static void test_all_are_found(const murk_receiver_tree *chords,
                                const murk_receiver *receiver)
 {
     size_t crossed = 0, wrong = 0;
@@ -87,31 +89,33 @@ static void test_all_are_found(const murk_chords *chords,
 
 static void test_none_and_one(const murk_receiver *receiver)
 {
-    murk_chords *chords = NULL;
+    murk_receiver_tree *chords = NULL;
     murk_error err = {0};
     murk_chord chord[1];
     const murk_vec3 along = {1, 0, 0};
-    CHECK(!murk_chords_create(&chords, receiver, 0, &err));
-    CHECK(murk_chords_of(chords, receiver->center, along, 9, chord) == 0);
-    murk_chords_destroy(chords);
-    CHECK(!murk_chords_create(&chords, receiver, 1, &err));
-    CHECK(murk_chords_of(chords, receiver->center, along, 9, chord) == 1);
+    CHECK(!murk_receiver_tree_create(&chords, receiver, 0, &err));
+    CHECK(murk_receiver_tree_chords(chords, receiver->center, along, 9,
+                                    chord) == 0);
+    murk_receiver_tree_destroy(chords);
+    CHECK(!murk_receiver_tree_create(&chords, receiver, 1, &err));
+    CHECK(murk_receiver_tree_chords(chords, receiver->center, along, 9,
+                                    chord) == 1);
     CHECK(chord->receiver == 0 && chord->from_m == 0);
     CHECK_NEAR(chord->to_m, receiver->radius_m, 1e-12);
-    murk_chords_destroy(chords);
+    murk_receiver_tree_destroy(chords);
 }
 
 int main(void)
 {
     static murk_receiver receiver[RECEIVERS];
-    murk_chords *chords = NULL;
+    murk_receiver_tree *chords = NULL;
     murk_error err = {0};
     make(receiver);
-    CHECK(!murk_chords_create(&chords, receiver, RECEIVERS, &err));
+    CHECK(!murk_receiver_tree_create(&chords, receiver, RECEIVERS, &err));
     if (chords) {
         test_all_are_found(chords, receiver);
     }
-    murk_chords_destroy(chords);
+    murk_receiver_tree_destroy(chords);
     test_none_and_one(receiver);
     return check_done();
 }

@@ -56,12 +56,12 @@ static const murk_receiver receivers[RECEIVERS] = {
 static followed_text lit_of(const char *const *overrides)
 {
     return followed_text_trace(scene_text, overrides,
-                               (murk_followed_desc){.medium = kept_media,
-                                                    .media = MEDIA,
-                                                    .keeps_cosines = true,
-                                                    .receiver = receivers,
-                                                    .receivers = RECEIVERS,
-                                                    .keeps_records = true});
+                               (murk_histories_desc){.medium = kept_media,
+                                                     .media = MEDIA,
+                                                     .keeps_cosines = true,
+                                                     .receiver = receivers,
+                                                     .receivers = RECEIVERS,
+                                                     .keeps_records = true});
 }
 
 static murk_optics *varied_at(const char *key, double value)
@@ -78,8 +78,8 @@ static void read_sums(const followed_text *l, const murk_optics *at,
                       const murk_optics_sides *sides, size_t keys,
                       double sum[SUMS], double slope[SUMS])
 {
+    murk_reweighed r = {0};
     /* Reweigh the light, and read the receivers. */
-    murk_reweighed r;
     murk_error err = {0};
     murk_spectrum per_watt[RECEIVERS * LIGHTS];
     double batch[BATCHES * RECEIVERS];
@@ -87,8 +87,10 @@ static void read_sums(const followed_text *l, const murk_optics *at,
         per_watt[i] = murk_spectrum_flat(1. + (double)i, 2);
     }
     CHECK(!murk_reweigh(&r, l->followed, l->optics, at, sides, keys, 2, &err));
-    murk_receivers_read(sum, slope, batch, BATCHES, NULL, 0, receivers,
-                        per_watt, RECEIVERS, l->followed, &r, 2);
+    double run[RECEIVERS];
+    const murk_row_sums sums = {sum, slope, batch, run, RECEIVERS, BATCHES, 1};
+    murk_receivers_read(&sums, receivers, per_watt, RECEIVERS, l->followed, &r,
+                        2);
     /* Add up the records of each map, times their ratios and slopes. */
     for (size_t map = 0; map < 2; ++map) {
         sum[RECEIVERS + map] = slope[RECEIVERS + map] = 0;
@@ -172,11 +174,11 @@ static void test_threads_and_batches_do_not_matter(const followed_text *l)
     }
     sides[3] = (murk_optics_sides){NULL, NULL, 0}; /* has no say */
     murk_optics *at = varied_at(keys[0], 0.7);
-    murk_reweighed one;
+    murk_reweighed one = {0};
     murk_error err = {0};
     CHECK(!murk_reweigh(&one, l->followed, l->optics, at, sides, 4, 1, &err));
     for (unsigned threads = 2; threads < 6; threads += 3) {
-        murk_reweighed many;
+        murk_reweighed many = {0};
         CHECK(!murk_reweigh(&many, l->followed, l->optics, at, sides, 4,
                             threads, &err));
         CHECK(!memcmp(one.ratio, many.ratio, one.n * sizeof *one.ratio));
@@ -195,11 +197,14 @@ static void test_threads_and_batches_do_not_matter(const followed_text *l)
     const murk_spectrum flat[RECEIVERS * LIGHTS] = {
         {{1, 1}}, {{1, 1}}, {{1, 1}}, {{1, 1}}, {{1, 1}}, {{1, 1}}};
     double value[RECEIVERS], slope[RECEIVERS * 4], batch[100 * RECEIVERS];
-    murk_receivers_read(value, slope, batch, 100, NULL, 0, receivers, flat,
-                        RECEIVERS, l->followed, &one, 2);
+    double run[RECEIVERS * 4];
+    const murk_row_sums hundred = {value, slope, batch, run, RECEIVERS, 100, 1};
+    murk_receivers_read(&hundred, receivers, flat, RECEIVERS, l->followed, &one,
+                        2);
     double single[RECEIVERS], single_slope[RECEIVERS * 4], whole[RECEIVERS];
-    murk_receivers_read(single, single_slope, whole, 1, NULL, 0, receivers,
-                        flat, RECEIVERS, l->followed, &one, 2);
+    const murk_row_sums all = {single, single_slope, whole, run, RECEIVERS, 1,
+                               1};
+    murk_receivers_read(&all, receivers, flat, RECEIVERS, l->followed, &one, 2);
     for (size_t r = 0; r < RECEIVERS; ++r) {
         CHECK(whole[r] == single[r]);
         CHECK_NEAR(value[r], single[r], 1e-12 * single[r]);
@@ -222,7 +227,7 @@ static void test_threads_and_batches_do_not_matter(const followed_text *l)
 
 static void test_the_same_is_the_same(const followed_text *l)
 {
-    murk_reweighed r;
+    murk_reweighed r = {0};
     murk_error err = {0};
     murk_optics *same = varied_at("seed", 7);
     CHECK(!murk_reweigh(&r, l->followed, l->optics, same, NULL, 0, 2, &err));
@@ -239,7 +244,7 @@ static void test_the_same_is_the_same(const followed_text *l)
 /* Powers are factors: the lamp's own share counts twice as much. */
 static void test_power_scales(const followed_text *l)
 {
-    murk_reweighed r;
+    murk_reweighed r = {0};
     murk_error err = {0};
     murk_optics *twice = varied_at("lights.1.power_w", 4);
     CHECK(!murk_reweigh(&r, l->followed, l->optics, twice, NULL, 0, 2, &err));
@@ -274,7 +279,7 @@ static void test_zero_is_a_value_like_others(const followed_text *l)
 
 static void test_too_far_is_cut_off(const followed_text *l)
 {
-    murk_reweighed r;
+    murk_reweighed r = {0};
     murk_error err = {0};
     murk_optics *far = varied_at("media.haze.extinction_per_m", 1e9);
     CHECK(!murk_reweigh(&r, l->followed, l->optics, far, NULL, 0, 2, &err));
@@ -296,7 +301,7 @@ static void check_refused(const char *traced_key, const char *key, double value,
     const char *const overrides[] = {traced_key, NULL};
     followed_text l = lit_of(overrides);
     murk_optics *at = varied_at(key, value);
-    murk_reweighed r;
+    murk_reweighed r = {0};
     murk_error err = {0};
     CHECK(murk_reweigh(&r, l.followed, l.optics, at, NULL, 0, 1, &err) ==
           MURK_BAD_VALUE);

@@ -1,9 +1,8 @@
 /* The search of a fit without any light: which rows it fits and how they
  * weigh, who hears of its steps, how far it leaps. All by hand, on plain
  * numbers; nothing is random. */
-#include "calibrate/search.h"
-
 #include "calibrate/search_steps.h"
+
 #include "check.h"
 
 #define KEYS 3
@@ -58,7 +57,7 @@ static void test_rows_that_are_fitted(void)
 {
     fit f;
     make(&f);
-    CHECK(f.search.n_fitted == 3 && f.search.n_lit == 2);
+    CHECK(f.search.n_fitted == 3 && f.search.n_light == 2);
     CHECK(f.search.fitted[0] == 0 && f.search.fitted[1] == 3 &&
           f.search.fitted[2] == 1);
     CHECK(f.search.measured[2] == 20 && f.search.error[3] == 5);
@@ -149,7 +148,7 @@ static void test_steps_are_told(void)
     const double x[] = {log(2), 3, 0};
     murk_least_squares_step step = {
         .iteration = 6, .is_successful = true, .cost = 5, .x = x};
-    const murk_least_squares p = murk_fit_problem(&f.search, NULL, NULL);
+    const murk_least_squares p = murk_fit_problem(&f.search);
     CHECK(p.n == KEYS && p.rows == 3);
     CHECK(p.watch(p.context, &step)); /* nobody listens */
     f.desc.watch = tell;
@@ -174,7 +173,8 @@ static void test_steps_are_told(void)
 /* Where a leap from x ends along key k, with the model's best place at `to`. */
 static double leap(fit *f, size_t k, double from, double to)
 {
-    double x[KEYS] = {log(2), 3, 0}, residual[3], jacobian[3 * KEYS];
+    double x[KEYS] = {log(2), 3, 0};
+    double *residual = f->search.residual, *jacobian = f->search.jacobian;
     x[k] = from;
     for (size_t i = 0; i < 3; ++i) {
         for (size_t j = 0; j < KEYS; ++j) {
@@ -184,7 +184,7 @@ static double leap(fit *f, size_t k, double from, double to)
         f->search.offset[i] = .5; /* on top of the residuals */
     }
     murk_error err = {0};
-    CHECK(murk_fit_leap(&f->search, x, residual, jacobian, &err) == MURK_OK);
+    CHECK(murk_fit_leap(&f->search, x, &err) == MURK_OK);
     CHECK_TEXT(err.text, "");
     for (size_t j = 0; j < KEYS;
          ++j) { /* the others are where they should be */
@@ -213,7 +213,7 @@ static void test_leaps_have_an_end(void)
     CHECK_NEAR(leap(&f, 1, 8, -100), 4, 1e-9);
     CHECK_NEAR(leap(&f, 1, 2, -100), 1, 1e-9);
     CHECK_NEAR(leap(&f, 2, 0, 100), 100, 1e-6);
-    f.key[2].lower = 0; /* one end is none */
+    f.search.lower[2] = 0; /* one end is none */
     CHECK_NEAR(leap(&f, 2, 50, 100), 100, 1e-6);
     CHECK_NEAR(leap(&f, 2, 50, -100), 0, 1e-6);
     murk_fit_search_release(&f.search);

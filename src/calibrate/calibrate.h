@@ -1,0 +1,21 @@
+/* The fit: finds the parameters that make the forward model agree with the
+ * data, with their uncertainty.
+ *
+ * Light is traced at the present parameters and re-weighted while Ceres varies
+ * them. Light is traced again when the effective sample size falls below the
+ * share MURK_MIN_SHARE. The fit ends when least squares converge on light that
+ * is still valid there. Rows are whitened by the measurement errors together
+ * with the covariance from photons. */
+#ifndef MURK_CALIBRATE_CALIBRATE_H
+#define MURK_CALIBRATE_CALIBRATE_H
+
+#include "calibrate/calibration.h"
+
+/* Runs the fit. The caller releases *out, also after a failure. The fit fails
+ * if the first start fails. If it is interrupted after some starts have ended,
+ * these starts are in *out (starts_done) and the status is MURK_INTERRUPTED. */
+murk_status murk_calibrate(murk_calibration *out,
+                           const murk_calibration_desc *desc, murk_error *err);
+void murk_calibration_release(murk_calibration *calibration);
+
+#endif
