@@ -46,7 +46,7 @@ static murk_contribution *add(murk_photon_history *f, float **path,
 
 /* Density path [m] of a recorded medium along a part of the segment. */
 static double path_along(const murk_recorder *r, size_t m,
-                         const murk_trace_leg *segment, double from_m,
+                         const murk_trace_segment *segment, double from_m,
                          double to_m)
 {
     return segment->is_in_solid
@@ -60,7 +60,7 @@ static double path_along(const murk_recorder *r, size_t m,
 /* The weight of a receiver for light on this segment: 1, or the cosine of
  * incidence; 0 if the receiver does not accept the light. */
 static double taken(const murk_receiver *receiver,
-                    const murk_trace_leg *segment)
+                    const murk_trace_segment *segment)
 {
     if (receiver->band >= 0 && receiver->band != segment->band) {
         return 0;
@@ -74,7 +74,7 @@ static double taken(const murk_receiver *receiver,
 }
 
 void murk_recorder_segment(void *context, uint64_t batch,
-                           const murk_trace_leg *segment)
+                           const murk_trace_segment *segment)
 {
     murk_recorder *r = context;
     murk_photon_history *f = &r->photon[batch];

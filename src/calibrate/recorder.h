@@ -48,7 +48,7 @@ void murk_recorder_destroy(murk_recorder *recorder); /* NULL is fine */
 void murk_recorder_event(void *context, uint64_t batch,
                          const murk_event *event);
 void murk_recorder_segment(void *context, uint64_t batch,
-                           const murk_trace_leg *segment);
+                           const murk_trace_segment *segment);
 
 /* Moves the contributions of the wave, up to and including photon `last`, to
  * `all`, and the records of the record buffers likewise; the records receive

@@ -99,6 +99,7 @@ static murk_status sort_acceptances(search *f, murk_error *err)
                                  desc->pose[j].position));
         const double rad =
             f->scene->sensors.type[desc->pose[j].type].acceptance_rad;
+        /* Find the angle or add it. */
         size_t a = 0;
         while (a < visible->acceptances && visible->acceptance_rad[a] != rad) {
             ++a;

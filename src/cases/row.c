@@ -99,9 +99,9 @@ murk_status murk_study_row_poses(murk_pose **out, const murk_study_row *row,
 void murk_study_row_add_note(murk_study_row *row, const char *text)
 {
     static const char cut[] = " ...";
-    const size_t n = strlen(row->note), room = sizeof row->note - n;
-    if (text[0] && (size_t)snprintf(row->note + n, room, "%s%s", n ? "; " : "",
-                                    text) >= room) {
+    const size_t n = strlen(row->note), capacity = sizeof row->note - n;
+    if (text[0] && (size_t)snprintf(row->note + n, capacity, "%s%s",
+                                    n ? "; " : "", text) >= capacity) {
         memcpy(row->note + sizeof row->note - sizeof cut, cut, sizeof cut);
     }
 }

@@ -34,10 +34,10 @@ static void add_warning(const char *where, const char *text)
     static const char cut[] = " ...";
     char line[MURK_ROW_TEXT_SIZE];
     snprintf(line, sizeof line, "%s: %s", where, text);
-    const size_t n = strlen(warnings), room = sizeof warnings - n;
+    const size_t n = strlen(warnings), capacity = sizeof warnings - n;
     if (!strstr(warnings, line) &&
-        (size_t)snprintf(warnings + n, room, "%s%s", n ? "; " : "", line) >=
-            room) {
+        (size_t)snprintf(warnings + n, capacity, "%s%s", n ? "; " : "", line) >=
+            capacity) {
         memcpy(warnings + sizeof warnings - sizeof cut, cut, sizeof cut);
     }
 }

@@ -75,13 +75,14 @@ static float *table_at(murk_bricks *b, const int32_t voxel[3])
     const size_t size = murk_table_size(b);
     if (block->table == MURK_NO_TABLE) {
         if (b->n_tables == b->tables_capacity) {
-            const size_t room = b->tables_capacity + b->tables_capacity / 2 + 8;
-            float *bound = realloc(b->bound, room * size * sizeof *bound);
+            const size_t capacity =
+                b->tables_capacity + b->tables_capacity / 2 + 8;
+            float *bound = realloc(b->bound, capacity * size * sizeof *bound);
             if (!bound) {
                 return NULL;
             }
             b->bound = bound;
-            b->tables_capacity = room;
+            b->tables_capacity = capacity;
         }
         block->table = (uint32_t)b->n_tables++;
         memset(b->bound + block->table * size, 0, size * sizeof *b->bound);

@@ -21,17 +21,18 @@ static void add(murk_phase_nodes *nodes, murk_phase_node node)
     if (nodes->is_full) {
         return;
     }
-    if (nodes->n == nodes->room) {
-        const size_t room = nodes->room ? 2 * nodes->room : 1024;
-        murk_phase_node *more = room > MURK_PHASE_NODES_MAX
-                                    ? NULL
-                                    : realloc(nodes->node, room * sizeof *more);
+    if (nodes->n == nodes->capacity) {
+        const size_t capacity = nodes->capacity ? 2 * nodes->capacity : 1024;
+        murk_phase_node *more =
+            capacity > MURK_PHASE_NODES_MAX
+                ? NULL
+                : realloc(nodes->node, capacity * sizeof *more);
         if (!more) {
             nodes->is_full = true;
             return;
         }
         nodes->node = more;
-        nodes->room = room;
+        nodes->capacity = capacity;
     }
     nodes->node[nodes->n++] = node;
 }

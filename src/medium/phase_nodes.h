@@ -45,7 +45,7 @@ static inline void murk_phase_table_attach(murk_phase_table *table)
 /* The list of nodes while it is built, with a density of any scale. */
 typedef struct murk_phase_nodes {
     murk_phase_node *node;
-    size_t n, room;
+    size_t n, capacity;
     double power;
     bool is_full; /* no memory, or more than MURK_PHASE_NODES_MAX nodes: no more
                      are added */

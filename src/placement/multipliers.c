@@ -99,13 +99,13 @@ static uint64_t weigh_chances(murk_multipliers *t)
         const uint16_t clarity = t->rounded.best[i];
         const uint64_t rest = (uint64_t)(MURK_CLEAR - clarity);
         const uint32_t present = t->partial ? t->partial->dose[i] : 0;
-        const uint64_t room =
+        const uint64_t range =
             MURK_DOSE_ONE + layout->doses->below[clarity] - present;
         const uint64_t base =
-            (uint64_t)MURK_CLEAR * MURK_DOSE_ONE - rest * room;
+            (uint64_t)MURK_CLEAR * MURK_DOSE_ONE - rest * range;
         sum += (wide)base * layout->weight[i];
         t->factor[i] = rest * layout->weight[i];
-        t->max[i] = (uint32_t)room + 1;
+        t->max[i] = (uint32_t)range + 1;
     }
     return in_whole(sum);
 }

@@ -201,9 +201,9 @@ static void draw_legend(murk_raster *raster, const legend *l,
     }
     /* Ticks, as many as fit with their numbers; a number that would touch the
      * last one is left out. */
-    const double room = (double)across / (double)(7 * MURK_GLYPH_ADVANCE * s);
+    const double fits = (double)across / (double)(7 * MURK_GLYPH_ADVANCE * s);
     const ticks t = ticks_of(c, channel->kind == MURK_CHANNEL_COUNT,
-                             fmax(1, fmin(8, room)));
+                             fmax(1, fmin(8, fits)));
     size_t free_from = 0;
     for (size_t i = 0; i < t.n; ++i) {
         char text[32];

@@ -44,7 +44,7 @@ struct murk_sampler {
     bool is_settled;  /* the class of all further light is known: */
     part settled;
     bool is_stopped, meets_light;
-    murk_trace_leg leg;     /* the last segment */
+    murk_trace_segment leg; /* the last segment */
     double radiance[PARTS]; /* radiance / index^2 */
     double *group;          /* contributions of the maps */
 };
@@ -120,7 +120,7 @@ static void meet_lights(murk_sampler *s, bool is_distant, murk_vec3 from,
 }
 
 static void receive_segment(void *context, uint64_t batch,
-                            const murk_trace_leg *leg)
+                            const murk_trace_segment *leg)
 {
     murk_sampler *s = context;
     (void)batch;

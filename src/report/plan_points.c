@@ -157,15 +157,15 @@ murk_status murk_plan_points_read(murk_plan_points *out, const char *path,
 
 /* ---- light.murk ---- */
 
-/* room of all photons, evenly chosen: those that are in this map, which has
+/* capacity of all photons, evenly chosen: those that are in this map, which has
  * `before` of them before it. */
-static void take_map(murk_plan_points *out, size_t room,
+static void take_map(murk_plan_points *out, size_t capacity,
                      const murk_section *map, uint64_t before)
 {
     const murk_photon *photon = map->bytes;
     const size_t n = map->size / sizeof *photon;
-    const double share = (double)out->photons / (double)room;
-    while (out->n < room) {
+    const double share = (double)out->photons / (double)capacity;
+    while (out->n < capacity) {
         const uint64_t next = (uint64_t)((double)out->n * share);
         if (next - before >= n) {
             return;
@@ -195,13 +195,13 @@ static murk_status take_light(murk_plan_points *out,
         }
         out->photons += map[k]->size / sizeof(murk_photon);
     }
-    const size_t room = out->photons < max ? (size_t)out->photons : max;
-    out->point = malloc((room + 1) * sizeof *out->point);
+    const size_t capacity = out->photons < max ? (size_t)out->photons : max;
+    out->point = malloc((capacity + 1) * sizeof *out->point);
     if (!out->point) {
         return murk_fail(err, MURK_NO_MEMORY, path, "no memory to read it");
     }
-    take_map(out, room, map[0], 0);
-    take_map(out, room, map[1], map[0]->size / sizeof(murk_photon));
+    take_map(out, capacity, map[0], 0);
+    take_map(out, capacity, map[1], map[0]->size / sizeof(murk_photon));
     return MURK_OK;
 }
 

@@ -104,8 +104,8 @@ murk_photon_weights(uint32_t *weight, const murk_photon_map *surface,
                      share_volume = b / fmax(a, b);
         const double sum = share_surface * s.sum + share_volume * v.sum;
         const double max = fmax(share_surface * s.max, share_volume * v.max);
-        const double room = whole - (double)s.n - (double)v.n;
-        const double factor = sum > 0 ? fmin(room / sum, WEIGHT_MAX / max) : 0;
+        const double rest = whole - (double)s.n - (double)v.n;
+        const double factor = sum > 0 ? fmin(rest / sum, WEIGHT_MAX / max) : 0;
         factor_surface = share_surface * factor;
         factor_volume = share_volume * factor;
     }

@@ -78,7 +78,7 @@ typedef struct stored_row {
 typedef struct collection {
     const murk_problem *problem;
     murk_sparse_matrix *matrix;
-    size_t room, max;
+    size_t capacity, max;
     size_t first; /* candidate of block[0] */
     stored_row *block;
 } collection;
@@ -104,10 +104,10 @@ static void get_one_row(void *context, unsigned worker, uint64_t batch)
 static bool make_space(collection *c, size_t have, size_t more)
 {
     murk_sparse_matrix *m = c->matrix;
-    if (have + more <= c->room) {
+    if (have + more <= c->capacity) {
         return true;
     }
-    size_t wanted = 2 * c->room;
+    size_t wanted = 2 * c->capacity;
     wanted = wanted > have + more ? wanted : have + more;
     uint32_t *row = realloc(m->row, wanted * sizeof *row);
     if (!row) {
@@ -119,7 +119,7 @@ static bool make_space(collection *c, size_t have, size_t more)
         return false;
     }
     m->clarity = clarity;
-    c->room = wanted;
+    c->capacity = wanted;
     return true;
 }
 
@@ -148,16 +148,16 @@ static murk_status append(collection *c, size_t candidate,
 
 static murk_status get_rows(collection *c, murk_error *err)
 {
-    const size_t room = (size_t)BLOCK_EACH * c->problem->threads;
+    const size_t capacity = (size_t)BLOCK_EACH * c->problem->threads;
     murk_status status = MURK_OK;
-    c->block = calloc(room, sizeof *c->block);
+    c->block = calloc(capacity, sizeof *c->block);
     if (!c->block) {
         return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the matrix");
     }
     /* One block after the other. */
-    for (; c->first < c->matrix->columns && !status; c->first += room) {
+    for (; c->first < c->matrix->columns && !status; c->first += capacity) {
         const size_t left = c->matrix->columns - c->first;
-        const size_t n = left < room ? left : room;
+        const size_t n = left < capacity ? left : capacity;
         murk_pool_run_workers(c->problem->threads, n, get_one_row, c);
         if (murk_interrupted()) {
             status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");

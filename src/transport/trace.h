@@ -113,7 +113,7 @@ typedef void (*murk_event_sink)(void *context, uint64_t batch,
 
 /* A straight segment of the path of a photon, up to an event or to a boundary
  * at which nothing happens. */
-typedef struct murk_trace_leg {
+typedef struct murk_trace_segment {
     uint64_t photon;
     uint16_t light;
     uint8_t band;
@@ -124,11 +124,11 @@ typedef struct murk_trace_leg {
     double length_m;
     double weight; /* share of the packet on the segment */
     double index;  /* refractive index on the segment */
-} murk_trace_leg;
+} murk_trace_segment;
 
 /* As murk_event_sink; called before the event at which the segment ends. */
 typedef void (*murk_leg_sink)(void *context, uint64_t batch,
-                              const murk_trace_leg *leg);
+                              const murk_trace_segment *leg);
 
 #define MURK_BATCH_PHOTONS                            \
     1024 /* fixed, so that no result knows of threads \

@@ -173,7 +173,7 @@ static inline void murk_walker_score(const murk_walker *w, murk_vec3 from,
     }
     /* The sink of segments. */
     if (trace->leg) {
-        const murk_trace_leg leg = {
+        const murk_trace_segment leg = {
             .photon = w->photon,
             .light = (uint16_t)w->light,
             .band = (uint8_t)w->band,

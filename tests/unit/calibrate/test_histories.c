@@ -106,7 +106,7 @@ static size_t index_of(uint8_t medium)
 }
 
 static void receive_segment(void *context, uint64_t batch,
-                            const murk_trace_leg *leg)
+                            const murk_trace_segment *leg)
 {
     told *t = context;
     (void)batch;
