@@ -62,10 +62,10 @@ static murk_scene_desc *scene_with(const murk_fit_facts *f, const places *p)
     const murk_free_keys *keys = f->keys;
     const murk_free_desc *desc = &keys->desc;
     /* The overrides of the run come first. */
-    const size_t room = sizeof keys->key->path + 40;
+    const size_t capacity = sizeof keys->key->path + 40;
     murk_override *overrides =
         calloc(desc->n_overrides + keys->n + 1, sizeof *overrides);
-    char *text = calloc(keys->n + 1, room);
+    char *text = calloc(keys->n + 1, capacity);
     size_t n = desc->n_overrides;
     murk_scene_desc *scene = NULL;
     for (size_t i = 0; overrides && i < n; ++i) {
@@ -76,8 +76,9 @@ static murk_scene_desc *scene_with(const murk_fit_facts *f, const places *p)
         if (is_shared(&keys->key[k]) && p->is_in_scene[k]) {
             char number[32];
             murk_number_text(number, f->found->value[k]);
-            snprintf(text + k * room, room, "%s=%s", keys->key[k].path, number);
-            overrides[n++] = (murk_override){text + k * room, "--set"};
+            snprintf(text + k * capacity, capacity, "%s=%s", keys->key[k].path,
+                     number);
+            overrides[n++] = (murk_override){text + k * capacity, "--set"};
         }
     }
     if (overrides && text) {

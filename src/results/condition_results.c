@@ -421,8 +421,8 @@ static void print_regret(const murk_condition_plans *r)
                "condition's own plan\n",
                r->has_held_out ? ", held out," : "");
     const int width = name_width(r);
-    const int room = (80 - 12 - width) / COLUMN;
-    const size_t across = room > 1 ? (size_t)room : 1;
+    const int fitting = (80 - 12 - width) / COLUMN;
+    const size_t across = fitting > 1 ? (size_t)fitting : 1;
     /* the last column has mean and worst */
     const size_t columns = r->conditions->n + 1;
     for (size_t first = 0; first < columns; first += across) {

@@ -100,7 +100,7 @@ typedef struct lighting {
     double emitted;
     const uint32_t *order; /* records, piece by piece */
     const size_t *begin;   /* [pieces + 1] */
-    arrival *room;         /* of the fullest piece */
+    arrival *scratch;      /* of the fullest piece */
 } lighting;
 
 /* Sums over emitted photons, each with all its records here. */
@@ -116,18 +116,18 @@ static void light_piece(const lighting *l, size_t i)
         const murk_photon *photon = &l->photon[record];
         const murk_material *material = murk_surfaces_material(
             pieces->surfaces, murk_photon_material(photon));
-        l->room[k] =
+        l->scratch[k] =
             (arrival){murk_photon_emitted(photon), record,
                       murk_photon_power_w(photon) /
                           material->diffuse.band[murk_photon_band(photon)]};
     }
     /* Add the records of one emitted photon, then all of them. */
-    qsort(l->room, n, sizeof *l->room, by_emitted);
+    qsort(l->scratch, n, sizeof *l->scratch, by_emitted);
     for (size_t k = 0; k < n;) {
         double w = 0;
-        const uint32_t emitted = l->room[k].emitted;
-        for (; k < n && l->room[k].emitted == emitted; ++k) {
-            w += l->room[k].w;
+        const uint32_t emitted = l->scratch[k].emitted;
+        for (; k < n && l->scratch[k].emitted == emitted; ++k) {
+            w += l->scratch[k].w;
         }
         sum += w;
         squares += w * w;
@@ -179,8 +179,8 @@ static murk_status light_all(murk_lit_pieces *out, const murk_traced *traced,
                   .emitted = (double)traced->emitted,
                   .order = order,
                   .begin = begin,
-                  .room = malloc(maximum * sizeof *l.room + 1)};
-    const bool has_memory = begin && order && l.room;
+                  .scratch = malloc(maximum * sizeof *l.scratch + 1)};
+    const bool has_memory = begin && order && l.scratch;
     for (size_t i = 0; has_memory && i < pieces; ++i) {
         light_piece(&l, i);
     }
@@ -189,7 +189,7 @@ static murk_status light_all(murk_lit_pieces *out, const murk_traced *traced,
     }
     free(begin);
     free(order);
-    free(l.room);
+    free(l.scratch);
     return has_memory ? MURK_OK : no_memory(out->pieces, err);
 }
 

@@ -17,7 +17,7 @@
 /* What has been printed of a line that has not ended. */
 static struct {
     char *text;
-    size_t size, room;
+    size_t size, capacity;
 } open_line;
 
 /* Where text goes on: under its own beginning. */
@@ -70,14 +70,14 @@ static void show(const char *line)
 
 static bool make_space(size_t more)
 {
-    if (open_line.size + more < open_line.room) {
+    if (open_line.size + more < open_line.capacity) {
         return true;
     }
-    const size_t room = 2 * (open_line.size + more) + 256;
-    char *grown = realloc(open_line.text, room);
+    const size_t capacity = 2 * (open_line.size + more) + 256;
+    char *grown = realloc(open_line.text, capacity);
     if (grown) {
         open_line.text = grown;
-        open_line.room = room;
+        open_line.capacity = capacity;
     }
     return grown != NULL;
 }
@@ -124,7 +124,7 @@ void murk_print(const char *format, ...)
     if (open_line.size == 0) {
         free(open_line.text);
         open_line.text = NULL;
-        open_line.room = 0;
+        open_line.capacity = 0;
     }
 }
 

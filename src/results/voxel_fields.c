@@ -65,12 +65,12 @@ murk_status murk_fields_box(murk_field_box *out, const murk_session *session,
     }
     const double values = bands * fill_box(out, edge_m);
     if (!(values <= MURK_FIELDS_MAX)) {
-        murk_field_box room = *out;
+        murk_field_box cut = *out;
         return murk_fail(err, MURK_BAD_VALUE, "--voxel",
                          "%.80s m: %.3g voxels in the domain and its bands, "
                          "must be at most %d: %.2g m would do",
                          text, values, MURK_FIELDS_MAX,
-                         edge_for(&room, MURK_FIELDS_MAX / bands) * 1.05);
+                         edge_for(&cut, MURK_FIELDS_MAX / bands) * 1.05);
     }
     return MURK_OK;
 }
