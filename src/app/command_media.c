@@ -90,14 +90,14 @@ static murk_status read_scene(resolved *r, const murk_options *options,
      * messages show them as they were typed. */
     for (size_t i = 0; i < n && is_whole; ++i) {
         const murk_override *given = &options->overrides[i];
-        const size_t room = strlen(given->text) + sizeof MEDIUM;
-        text[i] = malloc(2 * room);
+        const size_t capacity = strlen(given->text) + sizeof MEDIUM;
+        text[i] = malloc(2 * capacity);
         is_whole = text[i] != NULL;
         if (is_whole) {
-            char *shown = text[i] + room;
-            snprintf(text[i], room, "%s%s",
+            char *shown = text[i] + capacity;
+            snprintf(text[i], capacity, "%s%s",
                      is_of_scene(given->text) ? "" : MEDIUM, given->text);
-            snprintf(shown, room, "--set %s", given->text);
+            snprintf(shown, capacity, "--set %s", given->text);
             set[i] =
                 (murk_override){text[i], given->option ? given->option : shown};
         }
