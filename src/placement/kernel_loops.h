@@ -21,7 +21,8 @@ static inline uint64_t murk_gain_term(uint16_t clarity, uint16_t best,
 {
     return is_independent
                ? (uint64_t)clarity * (uint64_t)(MURK_CLEAR - best) >> 16
-               : (uint64_t)(clarity - (clarity < best ? clarity : best));
+               : (uint64_t)clarity -
+                     (uint64_t)(clarity < best ? clarity : best);
 }
 
 static inline size_t murk_word_at(const uint32_t *at, size_t k)
@@ -98,11 +99,12 @@ MURK_LOOP uint64_t murk_packed_sum(const uint64_t *row, const uint32_t *at,
     const uint16_t *p = clarity;
     for (size_t k = 0; k < words; ++k) {
         const size_t first = 64 * murk_word_at(at, k);
+        const uint16_t *best_of_word = best + first;
         for (uint64_t left = row[k]; left; left &= left - 1) {
-            const size_t i = first + (size_t)__builtin_ctzll(left);
-            sum += murk_gain_term(clarity ? *p++ : MURK_CLEAR, best[i],
+            const size_t i = (size_t)__builtin_ctzll(left);
+            sum += murk_gain_term(clarity ? *p++ : MURK_CLEAR, best_of_word[i],
                                   is_independent) *
-                   (weight ? weight[i] : 1);
+                   (weight ? weight[first + i] : 1);
         }
     }
     *used = (size_t)(p - clarity);
