@@ -11,10 +11,14 @@
 #include "scene/places.h"
 #include "world/extent.h"
 
-/* What the region fills; of an unbounded one the part in the domain. */
-/* A table whose rows leave out less than this is not worth a word. */
+/* A table of a phase function is printed without a remark if its integral is
+ * off by less, and if less lies outside of its rows. Half a percent is below
+ * the accuracy of published tables. */
 #define TABLE_SLACK .005
 
+/* The box around a region, in local coordinates. Of an unbounded region: the
+ * part in the domain, within the heights of the profile; empty if nothing is
+ * left. */
 static murk_box local_box(const murk_stage *stage, size_t i)
 {
     const murk_scene_region *r = &stage->scene->regions[i];

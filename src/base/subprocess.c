@@ -86,8 +86,8 @@ static void set_limit(int what, uint64_t value)
 
 #ifndef UNDER_SANITIZER
 /* Returns the current address space of the process: a subprocess starts with
- * all of the address space of its parent, which must not count against the
- * file. */
+ * all of the address space of its parent, which must not use up the memory that
+ * is allowed for the file. 0 if it is unknown. */
 static uint64_t address_space_now(void)
 {
     unsigned long pages = 0;

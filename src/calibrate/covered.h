@@ -24,12 +24,12 @@ typedef struct murk_covered murk_covered;
  * light is traced. */
 murk_status murk_covered_check(const murk_scene_desc *scene, murk_error *err);
 
-/* Finds the sightlines of all groups. Fails for detection: threshold and power,
- * through: refract, targets, acceptance angles
- * together with a grid of albedo, and if the sightlines need more memory than
- * the machine has: 4 bytes and 4 for each re-weighted medium, 4 more with
- * sheets or other media. MURK_RUN_FAILED if no record has weight. Borrows stage
- * and histories. */
+/* Finds the sightlines of all groups. Fails for scenes with `detection:
+ * threshold`, `detection: power`, `through: refract` or targets, and for
+ * acceptance angles together with a grid of albedo. Also fails if memory is too
+ * small: a sightline takes 4 bytes, 4 more for each re-weighted medium, and 4
+ * more if there are sheets or media that are not re-weighted. MURK_RUN_FAILED
+ * if all records have weight 0. Stage and histories must outlive *out. */
 murk_status murk_covered_create(murk_covered **out,
                                 const murk_visible_desc *desc, murk_error *err);
 void murk_covered_destroy(murk_covered *covered); /* NULL is fine */

@@ -56,8 +56,9 @@ murk_status murk_scenarios_place(murk_place_result *out,
                                  const murk_place_desc *desc, murk_error *err);
 
 /* The plan for the scenario of one block alone, in a known environment. Weights
- * are those of the scenario's own sight, or with as_joint those of the problem
- * of all scenarios, which references of a regret must be counted by. */
+ * are those of the scenario's own sight, or with with_problem_weights those of
+ * the problem of all scenarios, which references of a regret must be counted
+ * by. */
 murk_status murk_scenarios_place_one(murk_place_result *out,
                                      const murk_scenarios *scenarios,
                                      size_t block, bool with_problem_weights,

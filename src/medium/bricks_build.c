@@ -127,9 +127,10 @@ static inline int part_of_leaf(int layer)
     return layer == 0 ? 0 : layer == 7 ? 2 : 1;
 }
 
-/* Adds a leaf of 8 x 8 x 8 voxels. Only values in the outer layers reach
- * neighbouring bricks, so the maximum is taken separately for 27 parts:
- * corners, edges, faces and the inside. */
+/* Adds a leaf of 8 x 8 x 8 voxels. Interpolation reads values at most one voxel
+ * away, so of the values of a leaf only the outer layers count outside of it.
+ * The maximum is therefore taken separately for 27 parts of the leaf: corners,
+ * edges, faces and the inside. */
 static bool add_leaf(murk_bricks *b, const int32_t at[3], const float *value)
 {
     static const int part_first[3] = {0, 1, 7}, part_last[3] = {0, 6, 7};

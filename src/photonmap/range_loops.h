@@ -10,7 +10,8 @@
  *   STORE(p, v)       LANES numbers to an array
  *   LARGER(a, b)      maximum lane by lane; SMALLER(a, b): minimum
  *   NOT_ABOVE(a, b)     bit i: a <= b in lane i
- *   QUARTERS(p)       in lanes 4 i to 4 i + 3: x, y, z and the next word of
+ *   QUARTERS(p)       loads a photon into each quarter (4 lanes) of the vector,
+ *                     unaligned: quarter i holds x, y, z and the next word of
  *                     photon p[4 i]
  *   LOW(a, b), HIGH(a, b)
  *                     the two lower or upper lanes of each quarter of a and b,

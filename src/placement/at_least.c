@@ -240,8 +240,10 @@ static murk_status branch_and_bound(strict_run *r, size_t n, uint64_t *upper,
 
 /* ---- counts ---- */
 
-/* If every plan can be completed, a count that cannot meet the target excludes
- * all smaller counts. */
+/* Raises `fewest` if the bound of n sensors is below the target. If every
+ * smaller plan can be extended to n sensors, this excludes all smaller counts
+ * as well. With conflicts between candidates a plan may not be extensible, so
+ * smaller counts are excluded only if each of them was (is_closed). */
 static void update_fewest(strict_run *r, size_t n, uint64_t upper)
 {
     const bool may_fill = !(r->run.set && r->run.set->has_conflicts);

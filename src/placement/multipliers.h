@@ -1,6 +1,8 @@
 /* The Lagrangian bound and its subgradient as functions of the multipliers, for
- * each way in which entries combine. A multiplier t is a clarity; w are
- * weights, p clarities, and all sums are over photons i.
+ * each way in which entries combine. Each photon has a multiplier t,
+ * which is a clarity; w are weights and p clarities. All sums are over photons,
+ * whose index is left out, also of the entries L and doses Y0 of the partial
+ * plan.
  *
  * Redundancy k (k = 1: the largest entry). The partial plan has the entries L_1
  * >= .. >= L_k. Each of the k largest entries of the complete plan is either
@@ -19,7 +21,8 @@
  *     value <= sum w (1 - exp(-y) (1 + y - Y0))
  *              + sum_j sum w exp(-y) min(d_j, 1 + y - Y0).
  *
- * Again a multiplier below Y0 is of no use. exp(-y) = 1 - t is exact here. y is
+ * A multiplier with y below Y0 is of no use: a larger y gives the same first
+ * sum and no larger terms in the second. exp(-y) = 1 - t is exact here. y is
  * rounded down in the first sum and up in the second, sums have 128 bits and
  * are rounded up, so the bound holds in spite of rounding. */
 #ifndef MURK_PLACEMENT_MULTIPLIERS_H

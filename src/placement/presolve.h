@@ -17,12 +17,12 @@ murk_status murk_presolve(uint32_t *dominator, const murk_matrix *matrix,
                           const murk_constraint_set *set, const uint32_t *order,
                           unsigned threads, murk_error *err);
 
-/* The same if one dominator is not enough: is_dropped marks the candidates that
- * at least `needed` kept candidates before them dominate. A dominator outside
- * the plan can take the place of a dropped candidate. If `needed` is the size
- * of the plan, there always is such a dominator; if it is the number of entries
- * that count, a dropped candidate adds nothing once all dominators are in the
- * plan. */
+/* The same if one dominator is not enough: is_dropped marks each candidate that
+ * is dominated by at least `needed` kept candidates earlier in the order. A
+ * dominator outside the plan can take the place of a dropped candidate. If
+ * `needed` is the size of the plan, there always is such a dominator; if it is
+ * the number of entries that count, a dropped candidate adds nothing once all
+ * dominators are in the plan. */
 murk_status murk_presolve_many(bool *is_dropped, const murk_matrix *matrix,
                                const murk_constraint_set *set,
                                const uint32_t *order, size_t needed,

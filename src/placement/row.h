@@ -34,7 +34,7 @@ typedef struct murk_row {
 murk_row murk_row_borrow(const murk_sparse_row *entries);
 
 /* Stores the entries in the format that needs least memory. False when out of
- * memory. The caller frees row->memory. */
+ * memory. The caller frees out->memory. */
 bool murk_row_store(murk_row *out, const murk_layout *layout,
                     const murk_sparse_row *entries);
 /* The number of bytes that murk_row_store() would allocate. */

@@ -12,8 +12,9 @@
 
 typedef murk_uint128 wide;
 
-/* Scaled weights add up to less than 2^46, and none reaches 2^32, as
- * placement/problem.h and the layout require. */
+/* Scaled weights add up to 2^46, and to one more for each photon by rounding
+ * up: far below the 2^47 of placement/problem.h. None reaches the 2^32 of the
+ * layout: half of that leaves room for rounding. */
 #define WEIGHT_SUM 0x1p46
 #define WEIGHT_MAX 0x1p31
 

@@ -14,8 +14,8 @@ typedef struct murk_poses {
     murk_pose *pose; /* [count]; ordered by site, then type, heading, tilt;
                       * fixed sensors last */
     size_t count, fixed;
-    murk_constraints /* 0 for constraints that the scene does not have */
-        constraints; /* what is no rule of the scene's is 0 there */
+    murk_constraints constraints; /* 0 for constraints that the scene does not
+                                   * have */
     bool has_constraints;
     /* Arrays that the constraints point to. */
     uint32_t *class_of, *site;

@@ -15,9 +15,10 @@
 murk_status murk_sites_find(murk_candidates **out, const murk_stage *stage,
                             unsigned threads, murk_error *err);
 
-/* The candidates that are usable in each of n stages, matched by position. The
- * counts of rejected candidates are those of the first stage; candidates that
- * only a later stage rejects count as unreached. Fails at where[i] if stage i
+/* The candidates that are usable in all n stages; candidates with the same
+ * coordinates are the same candidate. Rejected candidates are counted as in the
+ * first stage, and those that only a later stage rejects are added to the count
+ * of unreached candidates. Fails at where[i] if stage i
  * leaves none. */
 murk_status murk_sites_find_common(murk_candidates **out,
                                    const murk_stage *const *stage,

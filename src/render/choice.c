@@ -74,15 +74,15 @@ void murk_choice_rays(const murk_scenery *scenery,
     double sum = 0;
     for (size_t i = 0; i < n; ++i) {
         rays[i] =
-            n > MURK_LIGHTMAPS_AT_ONCE ? weight_of(scenery, place, lit[i]) : 1;
+            n > MURK_LIGHTS_AT_ONCE ? weight_of(scenery, place, lit[i]) : 1;
         sum += rays[i];
     }
-    for (size_t i = 0; n > MURK_LIGHTMAPS_AT_ONCE && i < n; ++i) {
+    for (size_t i = 0; n > MURK_LIGHTS_AT_ONCE && i < n; ++i) {
         const double blind = chance[i] - (i > 0 ? chance[i - 1] : 0);
         const double share =
             sum > 0 ? (1 - BLIND_SHARE) * rays[i] / sum + BLIND_SHARE * blind
                     : blind;
-        rays[i] = MURK_LIGHTMAPS_AT_ONCE * share;
+        rays[i] = MURK_LIGHTS_AT_ONCE * share;
     }
 }
 

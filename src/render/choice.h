@@ -7,7 +7,7 @@
 #include "render/scenery.h"
 
 /* The number of shadow rays from a point if there are more lights than this. */
-#define MURK_LIGHTMAPS_AT_ONCE 4
+#define MURK_LIGHTS_AT_ONCE 4
 
 /* A point at which light is scattered or reflected towards the viewer. */
 typedef struct murk_shading_point {
@@ -28,7 +28,7 @@ typedef struct murk_shading_point {
 } murk_shading_point;
 
 /* Fills rays[scenery->n_lit[band]] with the mean number of shadow rays to each
- * light that has power in the band. The sum is MURK_LIGHTMAPS_AT_ONCE, or each
+ * light that has power in the band. The sum is MURK_LIGHTS_AT_ONCE, or each
  * number is 1 if there are no more lights than that. The number is 0 only for a
  * lamp that cannot light the point. */
 void murk_choice_rays(const murk_scenery *scenery,

@@ -124,7 +124,7 @@ double murk_direct_light(const murk_scenery *scenery,
     double rays[MURK_SOURCES_MAX];
     murk_choice_rays(scenery, place, rays);
     double sum = 0;
-    if (n <= MURK_LIGHTMAPS_AT_ONCE) {
+    if (n <= MURK_LIGHTS_AT_ONCE) {
         for (uint32_t k = 0; k < n; ++k) {
             sum += light_from(scenery, place, scenery->lit[band][k], address, k,
                               rays[k], balance);
@@ -137,7 +137,7 @@ double murk_direct_light(const murk_scenery *scenery,
         uint32_t sent = 0;
         for (size_t i = 0; i < n; ++i) {
             passed += rays[i];
-            for (; next < passed && sent < MURK_LIGHTMAPS_AT_ONCE;
+            for (; next < passed && sent < MURK_LIGHTS_AT_ONCE;
                  next += 1, ++sent) {
                 sum += light_from(scenery, place, scenery->lit[band][i],
                                   address, sent, rays[i], balance);

@@ -47,9 +47,10 @@ typedef struct murk_gathering_desc {
     unsigned threads;
 } murk_gathering_desc;
 
-/* Creates the kernels of all records. The caller destroys *out. Fails with
- * MURK_NO_MEMORY; ends early, with incomplete kernels, after an interrupt.
- * Reports progress by photons. */
+/* Creates a kernel for each record that counts. The caller destroys *out. Fails
+ * with MURK_NO_MEMORY. After an interrupt it ends early, and *out, whose
+ * kernels are then incomplete, may only be destroyed. Progress is counted in
+ * photons. */
 murk_status murk_gather_create(murk_gather **out,
                                const murk_gathering_desc *desc,
                                murk_error *err);

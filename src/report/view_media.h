@@ -8,15 +8,16 @@
 typedef struct murk_view_media {
     murk_box box;
     size_t size[3];
-    uint8_t *cell; /* [size[0] * size[1] * size[2]], x fastest: 255 times the
-                      root of extinction over the most of all, in the first
-                      band at the cell's middle (by the root, as smoke may be
-                      thousands of times thicker than haze). NULL: no medium */
+    uint8_t *cell; /* [size[0] * size[1] * size[2]], x fastest: 255 *
+                      sqrt(extinction / largest extinction of all cells), in
+                      the first band at the centre of the cell. The square
+                      root keeps haze visible beside smoke that is thousands of
+                      times thicker. NULL: no medium */
     double min_per_m, max_per_m;
     bool is_even; /* the same everywhere, to a hundredth */
 } murk_view_media;
 
-/* At most `most` cells, cubes as far as the box allows. NULL: no media. Fails
+/* At most `max` cells, cubes as far as the box allows. NULL: no media. Fails
  * with MURK_NO_MEMORY. Release *out in any case. */
 murk_status murk_view_media_make(murk_view_media *out, const murk_media *media,
                                  const murk_box *box, size_t max,

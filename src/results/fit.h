@@ -15,8 +15,8 @@ typedef struct murk_fit_facts {
     bool only_predicts;
 } murk_fit_facts;
 
-/* Rows of fit.json and predict.json, yet without `run`; of: a murk_fit_facts.
- */
+/* Lists the fields of fit.json and predict.json, except `run`. `of` points to a
+ * murk_fit_facts. */
 void murk_results_list_fit(murk_results_fields *fields, const void *of);
 
 /* Columns of fit.csv; of: the same. */

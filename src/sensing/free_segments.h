@@ -41,9 +41,9 @@ bool murk_free_segment_is_open(const murk_free_segments *segments,
 bool murk_free_segment_leads_out(const murk_free_segments *segments,
                                  murk_vec3 point);
 
-/* The distance class of a point. foot: the mounting point on a surface that
- * does not count for clearance, with the normal towards the point; NULL: none.
- */
+/* The distance class of a point: how near surfaces are. foot: if a sensor is
+ * mounted, the mounting point, with the normal of the surface towards the
+ * sensor; that surface is ignored. NULL: not mounted. */
 murk_closeness murk_free_segments_closeness(const murk_free_segments *segments,
                                             murk_vec3 point, double clearance_m,
                                             const murk_mount_site *foot);

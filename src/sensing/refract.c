@@ -195,8 +195,10 @@ size_t murk_refracted_paths_find(
             paths = add_path(at, v, &plane, image, n, way, paths);
         }
     }
-    /* Faces of meshes are found by the straight line, which also tells total
-     * reflection. */
+    /* Of meshes, the face at which the straight line first changes the index is
+     * tried. If there is no path and the straight line meets that boundary, of
+     * a mesh or flat, beyond the critical angle, the light is taken to be
+     * totally reflected. */
     *is_reflected = false;
     murk_path_change change;
     murk_vec3 place;

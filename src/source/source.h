@@ -61,10 +61,10 @@ double murk_source_extent_m(const murk_source *lamp);
 /* The unit normal of a flat lamp, or `otherwise`. */
 murk_vec3 murk_source_face(const murk_source *light, murk_vec3 otherwise);
 
-/* Estimate of the irradiance [W/m2] that a lamp gives at a point in clear air
- * with an open view. to_lamp: from the point to the center of the lamp.
- * has_images: the domain is periodic, and the estimate also stands for the
- * periodic images. */
+/* Estimate of the irradiance [W/m2] that a lamp gives at a point, on a plane
+ * that faces the lamp, without media and occluders. to_lamp: from the point to
+ * the center of the lamp. has_images: the domain is periodic, so a point behind
+ * a flat lamp may be lit by an image of the lamp and has an estimate, too. */
 double murk_source_irradiance_near(const murk_source *lamp, int band,
                                    murk_vec3 to_lamp, bool has_images);
 

@@ -17,10 +17,12 @@
 
 /* Photon records store the number of a light in 8 bits. */
 #define MURK_SOURCES_MAX 256
-/* Distant light enters an open domain through every lit face, with power
- * irradiance * projected area of the box (for a dome: radiance times projected
- * area, integrated over all directions). It enters a periodic domain through
- * the top only, with power irradiance on the top * area of the top.
+
+/* Creates the light sources. Distant light enters an open domain through every
+ * lit face, with power irradiance * projected area of the box (for a dome:
+ * radiance times projected area, integrated over all directions). It enters a
+ * periodic domain through the top only, with power irradiance on the top * area
+ * of the top.
  *
  * Light that is aimed at portals has the power that would fall on the portals
  * from outside without occluders, and no other light enters. Photons start on

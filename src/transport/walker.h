@@ -60,8 +60,8 @@ typedef struct murk_walker {
     uint64_t batch, photon;
     int64_t quanta; /* of the packet that are left */
     size_t channel, light;
-    size_t absorber; /* number of the material or medium met last; media count
-                      * on from the last material */
+    size_t absorber; /* the material or medium met most recently: materials are
+                      * numbered first, then media */
     int band;
     uint32_t number, wraps;
     murk_event_class event_class;

@@ -125,11 +125,11 @@ static void test_rays_go_to_lamps_that_light_the_place(void)
     for (int i = 0; i < 10; ++i) {
         sum += rays[i];
     }
-    CHECK_NEAR(sum, MURK_LIGHTMAPS_AT_ONCE, 1e-12);
+    CHECK_NEAR(sum, MURK_LIGHTS_AT_ONCE, 1e-12);
     CHECK(rays[2] > rays[1] && rays[1] > rays[4] && rays[4] > rays[8]);
     CHECK_NEAR(rays[1], rays[3], 1e-12);
     /* the one below has but the blind share of even draws */
-    CHECK(rays[9] > 0 && rays[9] < 0.25 * MURK_LIGHTMAPS_AT_ONCE / 10 * 1.001);
+    CHECK(rays[9] > 0 && rays[9] < 0.25 * MURK_LIGHTS_AT_ONCE / 10 * 1.001);
     /* no more lights than rays: one to each */
     scenery.n_lit[0] = 3;
     murk_choice_rays(&scenery, &outlook, rays);
@@ -172,8 +172,7 @@ static void test_rays_to_points_go_by_distance(bool is_periodic)
     /* A quarter of the rays is spread evenly, the rest by distance. */
     for (int i = 0; i < POINTS; ++i) {
         CHECK_NEAR(rays[i],
-                   MURK_LIGHTMAPS_AT_ONCE *
-                       (0.75 * due[i] / sum + 0.25 / POINTS),
+                   MURK_LIGHTS_AT_ONCE * (0.75 * due[i] / sum + 0.25 / POINTS),
                    1e-9);
     }
     murk_scenery_release(&scenery);
@@ -200,16 +199,16 @@ static void test_images_light_what_lies_behind(void)
     const murk_phase haze = murk_phase_hg(0);
     const murk_shading_point behind = {.position = {2.7, 2, 2.3},
                                        .phase = &haze};
-    const double blind = 0.25 * MURK_LIGHTMAPS_AT_ONCE / 6;
+    const double blind = 0.25 * MURK_LIGHTS_AT_ONCE / 6;
     double rays[MURK_SOURCES_MAX];
     for (int is_periodic = 1; is_periodic >= 0; --is_periodic) {
         setup.domain.is_periodic = is_periodic;
         test_world world = test_world_made(&setup);
         murk_scenery scenery = scenery_of_world(&world);
         murk_choice_rays(&scenery, &behind, rays);
-        CHECK_NEAR(rays[0], is_periodic ? blind : MURK_LIGHTMAPS_AT_ONCE / 6.0,
+        CHECK_NEAR(rays[0], is_periodic ? blind : MURK_LIGHTS_AT_ONCE / 6.0,
                    1e-12);
-        CHECK_NEAR(rays[5], MURK_LIGHTMAPS_AT_ONCE - 5 * rays[0], 1e-12);
+        CHECK_NEAR(rays[5], MURK_LIGHTS_AT_ONCE - 5 * rays[0], 1e-12);
         murk_scenery_release(&scenery);
         test_world_unmade(&world);
     }
