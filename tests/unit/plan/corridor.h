@@ -1,6 +1,6 @@
 /* A corridor with a corner, explored: for the tests of plan/explore.h. */
-#ifndef MURK_TESTS_STUDY_CORRIDOR_H
-#define MURK_TESTS_STUDY_CORRIDOR_H
+#ifndef MURK_TESTS_CORRIDOR_H
+#define MURK_TESTS_CORRIDOR_H
 
 #include "check.h"
 #include "chosen.h"

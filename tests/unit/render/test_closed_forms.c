@@ -28,7 +28,7 @@ static murk_image *taken(const test_world *world, murk_camera camera,
 }
 
 /* Looks with a hair's breadth of view. */
-static murk_camera tolerance(murk_vec3 from, murk_vec3 to)
+static murk_camera narrow_camera(murk_vec3 from, murk_vec3 to)
 {
     const murk_vec3 way = murk_sub(to, from);
     const murk_vec3 up = fabs(way.z) > fabs(way.x) + fabs(way.y)
@@ -102,8 +102,8 @@ static void test_a_floor_below_many_lamps(void)
                              .n_surfaces = 1,
                              .materials = &paint,
                              .n_materials = 1},
-               tolerance(murk_vec(0.3, 0.2, 0.5), murk_vec(0.3, 0.2, 0)), 600,
-               floor_radiance(lamp, 12, murk_vec(0.3, 0.2, 0)), ALLOWED);
+               narrow_camera(murk_vec(0.3, 0.2, 0.5), murk_vec(0.3, 0.2, 0)),
+               600, floor_radiance(lamp, 12, murk_vec(0.3, 0.2, 0)), ALLOWED);
 }
 
 /* Checks the radiance in a box of 8 m with water up to `level` over a floor
@@ -147,7 +147,7 @@ static void test_the_square_of_the_index(void)
     const murk_source point = test_point(murk_vec(1, 0.5, 2));
     const murk_vec3 at = {0.3, 0.2, 0};
     check_water("floor, camera and lamp under water", point, 10, DIFFUSE,
-                tolerance(murk_vec(0.3, 0.2, 0.5), at), 4,
+                narrow_camera(murk_vec(0.3, 0.2, 0.5), at), 4,
                 floor_radiance(&point, 1, at));
     const murk_source ball = {.type = MURK_SOURCE_SPHERE,
                               .position = {0, 0, 2},
@@ -155,9 +155,10 @@ static void test_the_square_of_the_index(void)
                               .power_w = {{1}}};
     const double bright = 1 / (4 * MURK_PI * MURK_PI * 0.25);
     check_water("a lamp seen under water", ball, 10, 0,
-                tolerance(murk_vec(0, 0, 0.5), murk_vec(0, 0, 2)), 4, bright);
+                narrow_camera(murk_vec(0, 0, 0.5), murk_vec(0, 0, 2)), 4,
+                bright);
     check_water("a lamp seen from above the water", ball, 3, 0,
-                tolerance(murk_vec(0, 0, 4), murk_vec(0, 0, 2)), 4000,
+                narrow_camera(murk_vec(0, 0, 4), murk_vec(0, 0, 2)), 4000,
                 bright * (1 - back) / (n * n));
     /* the floor's light is of a lamp in the same water */
     const murk_source sheet = {.type = MURK_SOURCE_SPHERE,
@@ -166,7 +167,7 @@ static void test_the_square_of_the_index(void)
                                .power_w = {{1}}};
     const murk_source middle = test_point(murk_vec(1, 0.5, 2));
     check_water("a floor seen by a ball's light under water", sheet, 10,
-                DIFFUSE, tolerance(murk_vec(0.3, 0.2, 0.5), at), 300,
+                DIFFUSE, narrow_camera(murk_vec(0.3, 0.2, 0.5), at), 300,
                 floor_radiance(&middle, 1, at));
 }
 
@@ -201,7 +202,7 @@ static void test_a_mirror_doubles_the_lamp(void)
                              .n_surfaces = 2,
                              .materials = material,
                              .n_materials = 2},
-               tolerance(murk_vec(0.3, 0.2, 0.5), at), 8000,
+               narrow_camera(murk_vec(0.3, 0.2, 0.5), at), 8000,
                floor_radiance(both, 2, at), ALLOWED);
 }
 
@@ -225,7 +226,7 @@ static void test_sheets_dim_one_after_the_other(void)
                              .n_surfaces = 3,
                              .materials = material,
                              .n_materials = 2},
-               tolerance(murk_vec(0.3, 0.2, 0.5), at), 4,
+               narrow_camera(murk_vec(0.3, 0.2, 0.5), at), 4,
                0.25 * floor_radiance(&point, 1, at), ALLOWED);
 }
 
@@ -288,7 +289,7 @@ static void test_light_scattered_once(void)
                              .n_media = 1,
                              .regions = &box,
                              .n_regions = 1},
-               tolerance(murk_vec(-0.5, 0, 1), murk_vec(3, 0, 1)), 1200,
+               narrow_camera(murk_vec(-0.5, 0, 1), murk_vec(3, 0, 1)), 1200,
                1000 * albedo * p * exp(-s) * (1 - exp(-3 * s)), albedo);
 }
 
@@ -322,7 +323,7 @@ static void test_light_scattered_once_under_water(void)
                              .n_media = 1,
                              .regions = &water,
                              .n_regions = 1},
-               tolerance(murk_vec(-2, 0, 2), murk_vec(4, 0, 2)), 1200,
+               narrow_camera(murk_vec(-2, 0, 2), murk_vec(4, 0, 2)), 1200,
                s * albedo / (4 * MURK_PI) * sum, albedo);
 }
 
@@ -343,8 +344,8 @@ static void test_scattered_light_is_of_the_medium(void)
                       .n_media = 1,
                       .regions = &box,
                       .n_regions = 1});
-    murk_image *p =
-        taken(&world, tolerance(murk_vec(-0.5, 0, 1), murk_vec(3, 0, 1)), 16);
+    murk_image *p = taken(
+        &world, narrow_camera(murk_vec(-0.5, 0, 1), murk_vec(3, 0, 1)), 16);
     CHECK(p->volume[0][20] > 0 && p->surface[0][20] == 0);
     murk_image_destroy(p);
     test_world_unmade(&world);
@@ -401,7 +402,7 @@ static void test_images_of_lamps_light_a_floor(void)
     const murk_medium soot = test_medium(ABSORB, 0, 0);
     const murk_region all = test_everywhere(0);
     const murk_vec3 at = {0.5, 4, 0}; /* near a side */
-    const murk_camera camera = tolerance(murk_vec(0.5, 4, 0.5), at);
+    const murk_camera camera = narrow_camera(murk_vec(0.5, 4, 0.5), at);
     const double seen = exp(-ABSORB * 0.5) * DIFFUSE / MURK_PI;
     const murk_source point = test_point(murk_vec(4, 1, 2));
     test_setup setup = over_floor(&point, &floor, &paint, &soot, &all);
@@ -502,13 +503,13 @@ static void test_a_tall_domain_is_done_soon(void)
                         .n_regions = 1};
     /* The lamp through haze, aslant. */
     check_case("a lamp far up, aslant", &setup,
-               tolerance(murk_vec(3, 4, 2), murk_vec(6, 8, 7)), 400,
+               narrow_camera(murk_vec(3, 4, 2), murk_vec(6, 8, 7)), 400,
                exp(-haze * (top - 1002) * sqrt(2)), 5e-4);
     /* Distance and optical depth of a pixel are those of the slant through the
      * domain. */
     test_world world = test_world_made(&setup);
     murk_image *p =
-        taken(&world, tolerance(murk_vec(3, 4, 2), murk_vec(6, 8, 7)), 1);
+        taken(&world, narrow_camera(murk_vec(3, 4, 2), murk_vec(6, 8, 7)), 1);
     const double slant = (top - 2) * sqrt(2);
     CHECK_NEAR((double)p->distance_m[20] / slant, 1, 2e-3);
     CHECK_NEAR((double)p->depth[0][20] / (haze * slant), 1, 2e-3);
@@ -517,8 +518,8 @@ static void test_a_tall_domain_is_done_soon(void)
     /* The floor, in clear air. */
     air = test_medium(0, 0, 0);
     check_case("a floor far below its lamp", &setup,
-               tolerance(murk_vec(3, 4, 2), murk_vec(3, 4, 0)), 2000, DIFFUSE,
-               5e-4);
+               narrow_camera(murk_vec(3, 4, 2), murk_vec(3, 4, 0)), 2000,
+               DIFFUSE, 5e-4);
 }
 
 int main(void)
