@@ -75,7 +75,10 @@ static murk_status try_light(light_size *out, const murk_lighting *lighting,
     murk_status status = murk_lighting_trace(&pilot, photons, &own);
     status = status ? status : find_growth(&grow, &pilot, &own);
     (void)murk_warn_to(sink);
-    *out = status ? (light_size){0} : size_of(&pilot, grow, keys);
+    *out = (light_size){0};
+    if (!status) {
+        *out = size_of(&pilot, grow, keys);
+    }
     murk_lighting_darken(&pilot);
     /* Only an interrupt is reported. */
     return status == MURK_INTERRUPTED

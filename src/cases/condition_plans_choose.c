@@ -50,9 +50,10 @@ static murk_status place_alone(choosing *ch, murk_place_result *out, size_t c,
                                const murk_place_desc *desc, murk_error *err)
 {
     murk_scenarios *alone = NULL;
+    const double weight = 1;
     murk_status status = murk_scenarios_create(
-        &alone, ch->scene, &ch->plans->conditions->condition[c].sight,
-        &(double){1}, 1, ch->plan->poses, err);
+        &alone, ch->scene, &ch->plans->conditions->condition[c].sight, &weight,
+        1, ch->plan->poses, err);
     if (!status) {
         status = murk_scenarios_place(out, alone, MURK_SCENE_OBJECTIVE_MEAN,
                                       desc, err);

@@ -232,7 +232,10 @@ static char *read_key(reader *r, const yaml_event_t *event)
     /* Keys count as text, too. */
     r->text_bytes += event->data.scalar.length;
     char *key = strdup(text);
-    return key ? key : no_memory(r);
+    if (!key) {
+        return no_memory(r);
+    }
+    return key;
 }
 
 static bool read_map(reader *r, murk_yaml *map, int depth)
