@@ -73,16 +73,8 @@ static murk_status print_lights(char **out, const murk_scene_desc *scene,
         return no_memory(err);
     }
     murk_status status = murk_source_shapes_print(to, scene, err);
-    const bool failed = ferror(to) != 0;
-    if ((fclose(to) != 0 || failed) && !status) {
-        status = no_memory(err);
-    }
-    if (status) {
-        free(text);
-        return status;
-    }
-    *out = text;
-    return MURK_OK;
+    *out = murk_print_finish(to, &text);
+    return status || *out ? status : no_memory(err);
 }
 
 /* True if the worlds or the shapes of the light sources differ. */

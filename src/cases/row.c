@@ -179,12 +179,7 @@ char *murk_study_row_print(const murk_study_row *row, size_t number)
         print_item(out, (const char *[]){s->type}, 1, numbers, 5);
     }
     fputs("]\n", out);
-    const bool has_failed = ferror(out) != 0;
-    if (fclose(out) != 0 || has_failed) {
-        free(text);
-        return NULL;
-    }
-    return text;
+    return murk_print_finish(out, &text);
 }
 
 static bool take_text(const murk_yaml *node, char *out, size_t size)

@@ -89,14 +89,14 @@ static murk_status hash(char out[65], printer print, const signing *s,
         return no_memory(err);
     }
     murk_status status = print(to, s, err);
-    const bool has_failed = ferror(to) != 0;
-    if ((fclose(to) != 0 || has_failed) && !status) {
+    char *whole = murk_print_finish(to, &text);
+    if (!status && !whole) {
         status = no_memory(err);
     }
     if (!status) {
-        murk_sha256_hex(text, size, out);
+        murk_sha256_hex(whole, size, out);
     }
-    free(text);
+    free(whole);
     return status;
 }
 
