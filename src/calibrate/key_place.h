@@ -1,6 +1,5 @@
-/* Finds the place of a key in a scene: the number, the row of the key
- * table, and the range.
- * Internal to free_keys. */
+/* Finds the place of a key in a scene: the number, the row of the key table,
+ * and the range. Internal to free_keys. */
 #ifndef MURK_CALIBRATE_KEY_PLACE_H
 #define MURK_CALIBRATE_KEY_PLACE_H
 

@@ -30,8 +30,7 @@
 #define FALL            0.8
 
 /* Subgradients are rounded to these units where a sum must not depend on the
- * order of addition. The maximum keeps a weighted
- * square within 64 bits. */
+ * order of addition. The maximum keeps a weighted square within 64 bits. */
 #define SUBGRADIENT_UNIT 0x1p-10F
 #define SUBGRADIENT_MAX  63.0F
 

@@ -9,8 +9,7 @@
 #include <string.h>
 
 /* Regrouping may leave one slot in four unused. With more distinct weights the
- * longer rows cost more than bit counts save (a
- * choice). */
+ * longer rows cost more than bit counts save (a choice). */
 #define PHOTONS_PER_PADDING 4
 
 static int by_key(const void *a, const void *b)

@@ -19,11 +19,10 @@ size_t murk_search_begin(murk_gain_scan *s, uint32_t *plan, size_t given,
                          size_t n);
 
 /* Extends a plan of `given` sensors to n sensors, or until the value reaches
- * `enough`. Each
- * step adds the candidate with the largest gain, the lowest index on ties.
- * value_after[k] receives the value of the first k + 1 sensors, for k >= given;
- * NULL is allowed. Lowers the upper bounds
- * s->greedy_bound at each step. */
+ * `enough`. Each step adds the candidate with the largest gain, the lowest
+ * index on ties. value_after[k] receives the value of the first k + 1 sensors,
+ * for k >= given; NULL is allowed. Lowers the upper bounds s->greedy_bound at
+ * each step. */
 uint64_t murk_search_greedy(murk_gain_scan *s, uint32_t *plan, size_t given,
                             size_t n, uint64_t enough, uint64_t *value_after);
 

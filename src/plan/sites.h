@@ -18,8 +18,7 @@ murk_status murk_sites_find(murk_candidates **out, const murk_stage *stage,
 /* The candidates that are usable in all n stages; candidates with the same
  * coordinates are the same candidate. Rejected candidates are counted as in the
  * first stage, and those that only a later stage rejects are added to the count
- * of unreached candidates. Fails at where[i] if stage i
- * leaves none. */
+ * of unreached candidates. Fails at where[i] if stage i leaves none. */
 murk_status murk_sites_find_common(murk_candidates **out,
                                    const murk_stage *const *stage,
                                    const char *const *where, size_t n,

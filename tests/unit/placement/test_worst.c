@@ -1,7 +1,6 @@
 /* The worst of several conditions, and the largest regret over them, against
  * brute force: all subsets under every kind of rule, every pair of kinds, and
- * all of them. Nothing is random but
- * the fixed seeds. */
+ * all of them. Nothing is random but the fixed seeds. */
 #include "placement/worst.h"
 
 #include "check.h"

@@ -50,8 +50,8 @@ static void test_the_nearest_image_is_in_the_middle(void)
 }
 
 /* The chances of all images add up to 1: what is beyond REACH is the solid
- * angle outside of a square about the place, at most
- * height / (nearest side of the square). */
+ * angle outside of a square about the place, at most height / (nearest side of
+ * the square). */
 static void check_images(murk_vec3 place, double *beyond)
 {
     const murk_source lamp = lamp_at(1, 3, 4);
