@@ -89,15 +89,17 @@ static void test_binary_ply(void)
         at += 25;
     }
     /* The shift is subtracted from the coordinates of each vertex; the head
-     * stays. */
+     * and the other property stay. */
     char *out = NULL;
     size_t size = 0;
     double shift[3];
     CHECK(murk_import_shift("b.ply", file, at, &out, &size, shift));
     CHECK(out && size == at && memcmp(out, file, sizeof head - 1) == 0);
     for (int i = 0; out && i < 2; ++i) {
+        const char *vertex = out + sizeof head - 1 + 25 * i;
         double got[3];
-        memcpy(got, out + sizeof head - 1 + 25 * i + 1, 24);
+        CHECK(vertex[0] == (char)i);
+        memcpy(got, vertex + 1, 24);
         for (int k = 0; k < 3; ++k) {
             CHECK(got[k] == x[i][k] - shift[k]);
         }

@@ -198,4 +198,33 @@ static inline void made_up_ruled_optima(const made_up *m,
     }
 }
 
+/* The set of a plan: bit j for candidate j. */
+static inline uint32_t made_up_set(const murk_place_result *plan)
+{
+    uint32_t set = 0;
+    for (size_t k = 0; k < plan->count; ++k) {
+        set |= 1u << plan->sensor[k];
+    }
+    return set;
+}
+
+/* The largest value of plans of `count` sensors; with a budget, of plans of any
+ * number up to `count`, where 0 means all candidates. best: as
+ * made_up_ruled_optima() sets it. UINT64_MAX: there is no plan. */
+static inline uint64_t
+made_up_ruled_optimum(const made_up_constraints *r,
+                      const uint64_t best[MADE_UP_MAX + 1], size_t count)
+{
+    if (!(r->kinds & BUDGET)) {
+        return best[count];
+    }
+    uint64_t max = UINT64_MAX;
+    for (size_t n = 1; n <= (count > 0 ? count : r->candidates); ++n) {
+        if (best[n] != UINT64_MAX && (max == UINT64_MAX || best[n] > max)) {
+            max = best[n];
+        }
+    }
+    return max;
+}
+
 #endif

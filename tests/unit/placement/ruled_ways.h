@@ -30,31 +30,6 @@ static murk_status place_any(murk_place_result *out, const made_up *m,
     return status;
 }
 
-static uint32_t set_of(const murk_place_result *r)
-{
-    uint32_t set = 0;
-    for (size_t k = 0; k < r->count; ++k) {
-        set |= 1u << r->sensor[k];
-    }
-    return set;
-}
-
-/* The best worth of plans that may be had for this count. */
-static uint64_t optimum_of(const made_up_constraints *r, const uint64_t *best,
-                           size_t count)
-{
-    if (!(r->kinds & BUDGET)) {
-        return best[count];
-    }
-    uint64_t max = UINT64_MAX;
-    for (size_t n = 1; n <= (count > 0 ? count : r->candidates); ++n) {
-        if (best[n] != UINT64_MAX && (max == UINT64_MAX || best[n] > max)) {
-            max = best[n];
-        }
-    }
-    return max;
-}
-
 static double share_promised(const char *guarantee, size_t n)
 {
     if (strcmp(guarantee, "none") == 0) {
@@ -76,7 +51,7 @@ static double share_promised(const char *guarantee, size_t n)
 static void check_certificate(const made_up *m, const made_up_constraints *r,
                               const murk_place_result *plan, size_t count)
 {
-    const uint32_t set = set_of(plan);
+    const uint32_t set = made_up_set(plan);
     for (size_t i = 0; i < r->candidates; ++i) {
         for (size_t j = 0; j < r->candidates; ++j) {
             const uint32_t moved = (set & ~(1u << i)) | 1u << j;
@@ -115,8 +90,8 @@ static void check_plan(const made_up *m, const made_up_constraints *r,
                        tally *t)
 {
     /* The plan meets the constraints, and the value is that of the set. */
-    const uint64_t optimum = optimum_of(r, best, desc->count);
-    const uint32_t set = set_of(plan);
+    const uint64_t optimum = made_up_ruled_optimum(r, best, desc->count);
+    const uint32_t set = made_up_set(plan);
     CHECK(made_up_keeps(r, set));
     CHECK(r->kinds & BUDGET ? desc->count == 0 || plan->count <= desc->count
                             : plan->count == desc->count);
@@ -157,7 +132,8 @@ static void try_all_ways(const made_up *m, const made_up_constraints *r,
 {
     uint64_t best[MADE_UP_MAX + 1];
     made_up_ruled_optima(m, r, best);
-    const bool is_possible = optimum_of(r, best, count) != UINT64_MAX;
+    const bool is_possible =
+        made_up_ruled_optimum(r, best, count) != UINT64_MAX;
     murk_place_result first[METHODS] = {{0}};
     for (int direction = 0; direction < 3 * METHODS; ++direction) {
         const int method = direction % METHODS;
@@ -206,7 +182,7 @@ static void try_all_ways(const made_up *m, const made_up_constraints *r,
             continue;
         }
         if (method == MURK_PLACE_SPOQ || method == MURK_PLACE_GREEDY) {
-            CHECK(set_of(&plan) == set_of(&first[method]));
+            CHECK(made_up_set(&plan) == made_up_set(&first[method]));
         }
         murk_place_release(&plan);
     }

@@ -77,7 +77,7 @@ static void test_target_under_constraints(uint32_t seed)
         } else {
             CHECK(plan.count == fewest && plan.fewest == fewest);
             CHECK(plan.value >= desc.target);
-            CHECK(made_up_keeps(&r, set_of(&plan)));
+            CHECK(made_up_keeps(&r, made_up_set(&plan)));
             ++reached;
         }
         murk_place_release(&plan);
@@ -334,7 +334,7 @@ static void test_presolve_leaves_who_fills_the_plan(void)
     murk_place_result plan = {0};
     murk_error err = {0};
     CHECK(place_any(&plan, m, &desc, true, &err) == MURK_OK);
-    CHECK(set_of(&plan) == (1 | 2 | 8));
+    CHECK(made_up_set(&plan) == (1 | 2 | 8));
     CHECK(plan.proven_optimal);
     murk_place_release(&plan);
     made_up_destroy(m);

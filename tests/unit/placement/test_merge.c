@@ -136,7 +136,7 @@ int main(void)
         {1, 1, MURK_COMBINE_INDEPENDENT, 1},
     };
     for (size_t kind = 0; kind < sizeof kinds / sizeof kinds[0]; ++kind) {
-        for (uint32_t seed = 1; seed < 2; ++seed) {
+        for (uint32_t seed = 1; seed <= 4; ++seed) {
             made_up *m =
                 make_alike(seed, kinds[kind].levels, kinds[kind].weights);
             m->problem.combining = kinds[kind].combining;

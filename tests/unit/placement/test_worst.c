@@ -141,21 +141,6 @@ static void find_optima(const made_up *m, const murk_blocks *blocks,
     }
 }
 
-static uint64_t optimum_of(const made_up_constraints *r, const uint64_t *best,
-                           size_t count)
-{
-    if (!(r->kinds & BUDGET)) {
-        return best[count];
-    }
-    uint64_t max = UINT64_MAX;
-    for (size_t n = 1; n <= (count > 0 ? count : r->candidates); ++n) {
-        if (best[n] != UINT64_MAX && (max == UINT64_MAX || best[n] > max)) {
-            max = best[n];
-        }
-    }
-    return max;
-}
-
 static murk_status place(murk_place_result *out, const made_up *m,
                          const murk_blocks *blocks, const murk_place_desc *desc,
                          murk_error *err)
@@ -168,15 +153,6 @@ static murk_status place(murk_place_result *out, const made_up *m,
     return status;
 }
 
-static uint32_t set_of(const murk_place_result *r)
-{
-    uint32_t set = 0;
-    for (size_t k = 0; k < r->count; ++k) {
-        set |= 1u << r->sensor[k];
-    }
-    return set;
-}
-
 static void check_plan(const made_up *m, const murk_blocks *blocks,
                        const made_up_constraints *r,
                        const murk_place_desc *desc,
@@ -185,8 +161,8 @@ static void check_plan(const made_up *m, const murk_blocks *blocks,
 {
     /* The plan meets the constraints, and the value is that of the worst
      * block. */
-    const uint64_t optimum = optimum_of(r, best, desc->count);
-    const uint32_t set = set_of(plan);
+    const uint64_t optimum = made_up_ruled_optimum(r, best, desc->count);
+    const uint32_t set = made_up_set(plan);
     CHECK(made_up_keeps(r, set));
     CHECK(r->kinds & BUDGET ? desc->count == 0 || plan->count <= desc->count
                             : plan->count == desc->count);
@@ -222,7 +198,8 @@ static void try_methods(const made_up *m, const murk_blocks *blocks,
         MURK_PLACE_BEST, MURK_PLACE_SPOQ, MURK_PLACE_GREEDY, MURK_PLACE_EXACT};
     uint64_t best[MADE_UP_MAX + 1];
     find_optima(m, blocks, r, best);
-    const bool is_possible = optimum_of(r, best, count) != UINT64_MAX;
+    const bool is_possible =
+        made_up_ruled_optimum(r, best, count) != UINT64_MAX;
     for (int direction = 0; direction < 8; ++direction) {
         murk_place_desc desc = murk_place_defaults();
         desc.method = methods[direction % 4];
@@ -354,8 +331,9 @@ static void test_regret(uint32_t seed)
         try_methods(m, &blocks, &r, own, count, &t);
         uint64_t best[MADE_UP_MAX + 1];
         find_optima(m, &blocks, &r, best);
-        else_than_worst += plan.sensor && !(r.kinds & BUDGET) &&
-                           min_share(m, &blocks, set_of(&plan)) < best[count];
+        else_than_worst +=
+            plan.sensor && !(r.kinds & BUDGET) &&
+            min_share(m, &blocks, made_up_set(&plan)) < best[count];
         murk_place_release(&plan);
         made_up_destroy(m);
     }
