@@ -17,7 +17,7 @@
 typedef struct fit {
     const murk_options *options;
     murk_imported_stages imported;
-    murk_measurements *measured;
+    murk_readings *measured;
     murk_free_keys *keys;
     murk_calibration found;
     murk_proposals next;
@@ -50,7 +50,7 @@ static void release(fit *f)
     murk_proposals_release(&f->next);
     murk_calibration_release(&f->found);
     murk_free_keys_destroy(f->keys);
-    murk_measurements_destroy(f->measured);
+    murk_readings_destroy(f->measured);
     for (size_t i = 0; i < f->n_asked; ++i) {
         free(f->asked[i]);
     }
@@ -167,7 +167,7 @@ static void tell_memory(void *context, double bytes, double have_bytes)
 static murk_status check_before_trace(const fit *f, const murk_session *session,
                                       murk_error *err)
 {
-    const murk_measurements *m = f->measured;
+    const murk_readings *m = f->measured;
     murk_status status = MURK_OK;
     for (size_t i = 0; i < m->readings && !status; ++i) {
         if (m->reading[i].kind == MURK_READ_COVERAGE) {
@@ -204,9 +204,8 @@ static murk_status read_input(fit *f, const murk_session *session,
     }
     /* The measurements, then the free keys with their bounds and starts. */
     if (!status) {
-        status =
-            murk_measurements_read(&f->measured, o->fit.data, session->scene,
-                                   &session->stage->world.domain, err);
+        status = murk_readings_read(&f->measured, o->fit.data, session->scene,
+                                    &session->stage->world.domain, err);
     }
     const murk_free_desc desc = {.scene_path = o->input,
                                  .overrides = o->overrides,

@@ -84,8 +84,8 @@ static murk_status check_reading(const murk_stage *stage,
 }
 
 murk_status murk_beams_check(const murk_stage *stage,
-                             const murk_measurements *measured,
-                             size_t condition, murk_error *err)
+                             const murk_readings *measured, size_t condition,
+                             murk_error *err)
 {
     const murk_domain domain = open_domain(stage);
     murk_status status = MURK_OK;

@@ -6,8 +6,8 @@
 #ifndef MURK_CALIBRATE_BEAMS_H
 #define MURK_CALIBRATE_BEAMS_H
 
-#include "calibrate/measurements.h"
 #include "calibrate/optics.h"
+#include "readings/readings.h"
 #include "world/stage.h"
 
 /* Checks the segments of one condition. Fails at the line of a reading if a
@@ -15,8 +15,8 @@
  * solid, if the index of refraction changes on it, or if it has an acceptance
  * angle and an albedo is a grid. Call it once for each condition. */
 murk_status murk_beams_check(const murk_stage *stage,
-                             const murk_measurements *measured,
-                             size_t condition, murk_error *err);
+                             const murk_readings *measured, size_t condition,
+                             murk_error *err);
 
 /* The media of a scene that differs from the scene of the stage in numbers
  * alone, for optical depths. */

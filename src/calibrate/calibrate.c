@@ -209,7 +209,7 @@ static murk_status fill_rows(murk_calibration *out, const murk_fit_search *s,
 /* Computes the root mean square residual of the held-out rows. */
 static void judge_held_out(murk_calibration *out, const murk_fit_search *s)
 {
-    const murk_measurements *measured = s->desc->measured;
+    const murk_readings *measured = s->desc->measured;
     double squares = 0, sigmas = 0;
     bool is_one_unit = true;
     const murk_reading *first = NULL;

@@ -24,7 +24,7 @@
 
 typedef struct murk_calibration_desc {
     const murk_free_keys *keys;
-    const murk_measurements *measured;
+    const murk_readings *measured;
     const murk_imported_stages *imported; /* of the scene of the keys */
     murk_loss_function loss;
     double loss_width; /* in standard errors */

@@ -8,8 +8,8 @@
 #define MURK_CALIBRATE_FREE_KEYS_H
 
 #include "base/arena.h"
-#include "calibrate/measurements.h"
 #include "calibrate/optics.h"
+#include "readings/readings.h"
 #include "scene/yaml.h"
 
 /* Limit on the parameters of a fit, far above the number that readings of the
@@ -60,7 +60,7 @@ typedef struct murk_free_desc {
     const char *const *bounds; /* [n_bounds]; "KEY=LOW:HIGH", either may be
                                 * empty */
     size_t n_bounds;
-    const murk_measurements *measured;
+    const murk_readings *measured;
     const murk_domain *domain;
 } murk_free_desc;
 

@@ -261,7 +261,7 @@ static murk_status find_kinds(murk_free_keys *keys, murk_error *err)
 /* Fails if there are no keys, or more keys than rows. */
 static murk_status check_count(const murk_free_keys *keys, murk_error *err)
 {
-    const murk_measurements *m = keys->desc.measured;
+    const murk_readings *m = keys->desc.measured;
     if (keys->n == 0) {
         return murk_fail(err, MURK_BAD_VALUE, SOURCE,
                          "no keys, must be one or more");

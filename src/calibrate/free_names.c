@@ -34,7 +34,7 @@ static murk_status fail(const murk_free_keys *keys, size_t k, murk_error *err,
 murk_status murk_free_find_conditions(murk_free_keys *keys, murk_error *err)
 {
     const murk_free_desc *desc = &keys->desc;
-    const murk_measurements *m = desc->measured;
+    const murk_readings *m = desc->measured;
     murk_scene_desc *scene = NULL;
     bool is_used[MURK_SCENE_CONDITIONS_MAX + 1] = {false}; /* [0]: none */
     /* Read the scene without warnings. */
@@ -124,7 +124,7 @@ static murk_status add(murk_free_keys *keys, const char *name, const char *path,
 static murk_status add_gain(murk_free_keys *keys, const char *asked,
                             murk_error *err)
 {
-    const murk_measurements *m = keys->desc.measured;
+    const murk_readings *m = keys->desc.measured;
     const char *name = asked + strlen(GAIN), *known[MURK_READING_GAINS_MAX];
     char where[120], shown[64];
     for (size_t g = 0; g < m->gains; ++g) {
@@ -224,7 +224,7 @@ murk_status murk_free_add_all(murk_free_keys *keys, murk_error *err)
 /* ---- gains ---- */
 
 /* The first reading with a factor; of all readings, or of the fitted ones. */
-static const murk_reading *reading_of(const murk_measurements *m, size_t gain,
+static const murk_reading *reading_of(const murk_readings *m, size_t gain,
                                       bool is_fitted)
 {
     for (size_t i = 0; i < m->readings; ++i) {
@@ -239,7 +239,7 @@ static const murk_reading *reading_of(const murk_measurements *m, size_t gain,
 murk_status murk_free_place_gain(murk_free_keys *keys, size_t k,
                                  murk_error *err)
 {
-    const murk_measurements *m = keys->desc.measured;
+    const murk_readings *m = keys->desc.measured;
     murk_free_key *key = &keys->key[k];
     key->kind = MURK_FREE_GAIN;
     key->start = 1;
@@ -263,7 +263,7 @@ murk_status murk_free_place_gain(murk_free_keys *keys, size_t k,
  * absolute value. */
 murk_status murk_free_check_gains(const murk_free_keys *keys, murk_error *err)
 {
-    const murk_measurements *m = keys->desc.measured;
+    const murk_readings *m = keys->desc.measured;
     for (size_t g = 0; g < m->gains; ++g) {
         /* Is the factor free? */
         const murk_reading *reading = reading_of(m, g, false);

@@ -23,10 +23,10 @@ static void add_receiver(murk_instruments *p, const murk_reading *reading,
         .band = reading->band};
 }
 
-static void add_group(murk_instruments *p, const murk_measurements *measured,
+static void add_group(murk_instruments *p, const murk_readings *measured,
                       size_t row)
 {
-    const murk_measured_row *r = &measured->row[row];
+    const murk_reading_row *r = &measured->row[row];
     for (size_t i = 0; i < r->n; ++i) {
         p->pose[p->poses] = measured->reading[r->first + i].pose;
         p->group[p->poses++] = p->groups;
@@ -35,15 +35,15 @@ static void add_group(murk_instruments *p, const murk_measurements *measured,
 }
 
 /* The first reading of a row if the row belongs to the condition, else NULL. */
-static const murk_reading *first_of(const murk_measurements *measured,
-                                    size_t row, size_t condition)
+static const murk_reading *first_of(const murk_readings *measured, size_t row,
+                                    size_t condition)
 {
     const murk_reading *reading = &measured->reading[measured->row[row].first];
     return reading->condition == condition ? reading : NULL;
 }
 
 murk_status murk_instruments_create(murk_instruments *out,
-                                    const murk_measurements *measured,
+                                    const murk_readings *measured,
                                     size_t condition, murk_error *err)
 {
     const size_t rows = measured->rows, readings = measured->readings;
@@ -93,7 +93,7 @@ void murk_instruments_release(murk_instruments *instruments)
 #define CUT_NAMED 5
 
 void murk_instruments_warn_of_cut(const murk_instruments *instruments,
-                                  const murk_measurements *measured,
+                                  const murk_readings *measured,
                                   const murk_surfaces *surfaces)
 {
     /* Warn of each receiver that is cut, up to a limit. */

@@ -5,7 +5,7 @@
 
 #include "base/arena.h"
 #include "calibrate/histories.h"
-#include "calibrate/measurements.h"
+#include "readings/readings.h"
 
 /* Rows that need photons are called light rows; receivers come first, then
  * groups of sensors. */
@@ -27,14 +27,14 @@ typedef struct murk_instruments {
 /* Lists the rows of a condition of the scene (SIZE_MAX: the scene without a
  * condition). Release also after a failure. */
 murk_status murk_instruments_create(murk_instruments *out,
-                                    const murk_measurements *measured,
+                                    const murk_readings *measured,
                                     size_t condition, murk_error *err);
 void murk_instruments_release(murk_instruments *instruments);
 
 /* Warns of receivers whose sphere is cut by a surface: the part behind the
  * surface is dark, so the receiver reads low. */
 void murk_instruments_warn_of_cut(const murk_instruments *instruments,
-                                  const murk_measurements *measured,
+                                  const murk_readings *measured,
                                   const murk_surfaces *surfaces);
 
 #endif

@@ -128,7 +128,7 @@ void murk_lighting_rows_release(murk_lighting_rows *rows)
  */
 static void convert_groups(const murk_row_sums *sums,
                            const murk_instruments *instruments,
-                           const murk_measurements *measured, size_t keys)
+                           const murk_readings *measured, size_t keys)
 {
     const size_t lights = instruments->lights;
     for (size_t i = instruments->receivers; i < lights; ++i) {
@@ -151,7 +151,7 @@ static void convert_groups(const murk_row_sums *sums,
 }
 
 murk_status murk_lighting_read(murk_lighting_rows *out, const murk_lighting *l,
-                               const murk_measurements *measured,
+                               const murk_readings *measured,
                                const murk_optics *at,
                                const murk_optics_sides *sides, size_t keys,
                                murk_error *err)

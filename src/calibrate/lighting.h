@@ -66,7 +66,7 @@ void murk_lighting_rows_release(murk_lighting_rows *rows);
 /* Evaluates the light rows at the optics `at`. */
 murk_status murk_lighting_read(murk_lighting_rows *out,
                                const murk_lighting *lighting,
-                               const murk_measurements *measured,
+                               const murk_readings *measured,
                                const murk_optics *at,
                                const murk_optics_sides *sides, size_t keys,
                                murk_error *err);

@@ -18,7 +18,7 @@
 
 typedef struct murk_model_desc {
     const murk_free_keys *keys;
-    const murk_measurements *measured;
+    const murk_readings *measured;
     unsigned threads;
     const murk_imported_stages *imported; /* of the scene of the keys */
     /* Called before light is first traced, in the thread of the caller, with

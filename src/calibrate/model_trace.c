@@ -272,7 +272,7 @@ static murk_status slopes_of_world(murk_model *m, size_t c, murk_error *err)
 static void warn_of_few(const murk_model *m, const murk_model_world *w)
 {
     const murk_histories *f = w->lighting.histories;
-    const murk_measurements *measured = m->desc.measured;
+    const murk_readings *measured = m->desc.measured;
     /* Count the chords of each receiver. */
     size_t *photons = calloc(w->instruments.receivers + 1, sizeof *photons);
     for (size_t i = 0; photons && i < f->n; ++i) {

@@ -27,8 +27,7 @@ void murk_proposals_release(murk_proposals *out)
     *out = (murk_proposals){0};
 }
 
-static const murk_reading *reading_of(const murk_measurements *measured,
-                                      size_t row)
+static const murk_reading *reading_of(const murk_readings *measured, size_t row)
 {
     return &measured->reading[measured->row[row].first];
 }
@@ -43,8 +42,7 @@ static int by_value(const void *a, const void *b)
  * an example. */
 static murk_status choose_kind(murk_proposals *out,
                                const murk_reading **example,
-                               const murk_measurements *measured,
-                               murk_error *err)
+                               const murk_readings *measured, murk_error *err)
 {
     /* Count the kinds. */
     size_t count[MURK_READING_KINDS] = {0};
@@ -101,7 +99,7 @@ static murk_status check_sensors(const murk_scene_desc *scene, murk_error *err)
                            "among its candidates");
 }
 
-murk_status murk_proposals_check(const murk_measurements *measured,
+murk_status murk_proposals_check(const murk_readings *measured,
                                  const murk_scene_desc *scene, murk_error *err)
 {
     murk_proposals kind;
@@ -147,8 +145,7 @@ static murk_status list_poses(murk_pose **pose, murk_proposals *out,
 }
 
 /* One row for each candidate, like the example. */
-static murk_status make_rows(murk_measurements *out,
-                             const murk_measurements *measured,
+static murk_status make_rows(murk_readings *out, const murk_readings *measured,
                              const murk_reading *example, const murk_pose *pose,
                              size_t n, murk_error *err)
 {
@@ -164,7 +161,7 @@ static murk_status make_rows(murk_measurements *out,
         out->reading[i] = *example;
         out->reading[i].position = pose[i].position;
         out->reading[i].pose = pose[i];
-        out->row[i] = (murk_measured_row){i, 1};
+        out->row[i] = (murk_reading_row){i, 1};
     }
     return MURK_OK;
 }
@@ -322,7 +319,7 @@ murk_status murk_proposals_create(murk_proposals *out, size_t k,
                          .standard_error = calloc(desc->keys->n + 1,
                                                   sizeof *out->standard_error)};
     const murk_reading *example = NULL;
-    murk_measurements rows = {0};
+    murk_readings rows = {0};
     const murk_model_desc of = {.keys = desc->keys,
                                 .measured = &rows,
                                 .imported = desc->imported,

@@ -40,7 +40,7 @@ typedef struct murk_proposals {
 /* Fails, before anything is fitted, if no fitted reading is of light or
  * coverage, for which a place could be chosen, or if the scene has no sensors.
  */
-murk_status murk_proposals_check(const murk_measurements *measured,
+murk_status murk_proposals_check(const murk_readings *measured,
                                  const murk_scene_desc *scene, murk_error *err);
 
 /* Proposes k places after a calibration. Release it also after a failure. */

@@ -27,7 +27,7 @@ double murk_free_highest(const murk_free_key *key)
 /* Lists the fitted rows: those that need light first. */
 static void list_rows(murk_fit_search *s)
 {
-    const murk_measurements *measured = s->desc->measured;
+    const murk_readings *measured = s->desc->measured;
     for (size_t pass = 0; pass < 2; ++pass) {
         for (size_t i = 0; i < s->rows; ++i) {
             const murk_reading *reading =

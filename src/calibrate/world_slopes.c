@@ -33,8 +33,8 @@ void murk_world_span(const murk_free_key *key, double value, double share,
 /* Traces light at the values and evaluates the light rows. */
 static murk_status rows_at(murk_lighting_rows *out,
                            const murk_lighting_desc *desc,
-                           const murk_measurements *measured,
-                           const double *value, murk_error *err)
+                           const murk_readings *measured, const double *value,
+                           murk_error *err)
 {
     murk_lighting lighting = {0};
     murk_status status = murk_lighting_rows_create(out, desc, 0, err);
@@ -72,7 +72,7 @@ static void differ(difference *out, const murk_lighting_desc *desc,
 /* The difference quotients for a step of this share of the wide one. */
 static murk_status differ_by_step(difference *out,
                                   const murk_lighting_desc *desc,
-                                  const murk_measurements *measured, size_t key,
+                                  const murk_readings *measured, size_t key,
                                   const double *value, double share,
                                   murk_error *err)
 {
@@ -100,7 +100,7 @@ static murk_status differ_by_step(difference *out,
 
 murk_status murk_world_slopes(double *slope, double *slope_error,
                               const murk_lighting_desc *desc,
-                              const murk_measurements *measured, size_t key,
+                              const murk_readings *measured, size_t key,
                               const double *value, murk_error *err)
 {
     const size_t lights = desc->instruments->lights;

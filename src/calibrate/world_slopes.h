@@ -17,7 +17,7 @@
  * by photons and step together. */
 murk_status murk_world_slopes(double *slope, double *slope_error,
                               const murk_lighting_desc *desc,
-                              const murk_measurements *measured, size_t key,
+                              const murk_readings *measured, size_t key,
                               const double *value, murk_error *err);
 
 /* The two values around `value` of a difference: share 1 is the wide step, 1/2

@@ -1,8 +1,8 @@
 /* A fit: rows of fit.json, predict.json and fit.csv, and the summary. */
 #include "results/fit.h"
 
-#include "calibrate/measurements.h"
 #include "calibrate/verdict.h"
+#include "readings/readings.h"
 #include "results/coverage.h"
 #include "results/summary.h"
 #include "scene/places.h"

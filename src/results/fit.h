@@ -9,7 +9,7 @@
 typedef struct murk_fit_facts {
     const murk_scene_desc *scene;
     const murk_free_keys *keys;
-    const murk_measurements *measured;
+    const murk_readings *measured;
     const murk_calibration *found;
     const murk_proposals *next; /* NULL: not asked for */
     bool only_predicts;

@@ -5,8 +5,8 @@
 #include "base/progress.h"
 #include "base/rng.h"
 #include "calibrate/key_place.h"
-#include "calibrate/measurements.h"
 #include "check.h"
+#include "readings/readings.h"
 
 #include <stdlib.h>
 #include <sys/resource.h>
@@ -54,12 +54,12 @@ static void check_refusal(murk_status status, const murk_error *err)
 
 static void try_file(const char *bytes, size_t size)
 {
-    murk_measurements *m = NULL;
+    murk_readings *m = NULL;
     murk_error err = {0};
     FILE *to = fopen(path, "wb");
     CHECK(to && fwrite(bytes, 1, size, to) == size && fclose(to) == 0);
     const murk_status status =
-        murk_measurements_read(&m, path, scene, &scene->domain, &err);
+        murk_readings_read(&m, path, scene, &scene->domain, &err);
     if (status) {
         CHECK(m == NULL);
         check_refusal(status, &err);
@@ -72,7 +72,7 @@ static void try_file(const char *bytes, size_t size)
         CHECK(m->reading[i].standard_error > 0);
         CHECK(murk_box_contains(&scene->domain.box, m->reading[i].position));
     }
-    murk_measurements_destroy(m);
+    murk_readings_destroy(m);
 }
 
 static void test_cut_off_anywhere(void)

@@ -104,7 +104,7 @@ static bool light_once(sums *out, double *square, planted_field *field,
     p.runs = is_well ? murk_model_facts_of(model)->runs : 0;
     /* Deviations from the truth; weights by the measurement errors. */
     for (size_t i = 0; i < p.lits && is_well; ++i) {
-        const murk_measured_row *row = &field->measured->row[lit[i]];
+        const murk_reading_row *row = &field->measured->row[lit[i]];
         weight[i] = 1 / field->measured->reading[row->first].standard_error;
         off[i] = room[lit[i]] - field->truth[lit[i]];
     }

@@ -81,8 +81,8 @@ bool planted_open(planted_field *f, const planted_case *of)
         status = murk_stage_build(f->stage, &err);
     }
     if (!status) {
-        status = murk_measurements_read(&f->measured, of->data, f->scene,
-                                        &f->stage->world.domain, &err);
+        status = murk_readings_read(&f->measured, of->data, f->scene,
+                                    &f->stage->world.domain, &err);
     }
     if (!status) {
         f->truth = calloc(f->measured->rows, sizeof *f->truth);
@@ -93,7 +93,7 @@ bool planted_open(planted_field *f, const planted_case *of)
 void planted_close(planted_field *f)
 {
     free(f->truth);
-    murk_measurements_destroy(f->measured);
+    murk_readings_destroy(f->measured);
     murk_stage_destroy(f->stage); /* borrows of the imported stages */
     murk_imported_stages_release(&f->imported);
     murk_scene_desc_destroy(f->scene);
@@ -164,7 +164,7 @@ bool planted_light(planted_field *f, unsigned lights, unsigned emit,
 /* Normal noise by Box and Muller. */
 void planted_read(planted_field *f, uint32_t seed)
 {
-    const murk_measurements *m = f->measured;
+    const murk_readings *m = f->measured;
     for (size_t r = 0; r < m->rows; ++r) {
         const murk_random4 u = murk_random(seed, MURK_TEST, r, 0, 0);
         const double noise = sqrt(-2 * log(u.u[0])) * cos(2 * MURK_PI * u.u[1]);

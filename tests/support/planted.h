@@ -30,7 +30,7 @@ typedef struct planted_field {
     murk_scene_desc *scene;
     murk_imported_stages imported;
     murk_stage *stage; /* as it stands */
-    murk_measurements *measured;
+    murk_readings *measured;
     double *truth; /* [measured->rows] what rows read at the planted values */
     const double *start; /* [n] of fits; NULL: the scene's values */
     size_t starts;       /* of a fit; 0: one */

@@ -62,19 +62,19 @@ static inline void keep_note(const char *where, const char *text)
 /* Readings of conditions 0, 1 and of none, as bits 1, 2, 4; eight of each. */
 typedef struct field {
     murk_reading reading[32];
-    murk_measured_row row[32];
+    murk_reading_row row[32];
     char gain[2][64];
-    murk_measurements all;
+    murk_readings all;
 } field;
 
 static inline void make_field(field *f, unsigned conditions)
 {
     *f = (field){.gain = {"probe", "other"}};
-    f->all = (murk_measurements){.path = "field.csv",
-                                 .reading = f->reading,
-                                 .row = f->row,
-                                 .gain = f->gain,
-                                 .gains = 2};
+    f->all = (murk_readings){.path = "field.csv",
+                             .reading = f->reading,
+                             .row = f->row,
+                             .gain = f->gain,
+                             .gains = 2};
     for (unsigned c = 0; c < 3; ++c) {
         for (int i = 0; i < 8 && (conditions >> c & 1); ++i) {
             const size_t n = f->all.readings++;
@@ -85,7 +85,7 @@ static inline void make_field(field *f, unsigned conditions)
                                            .condition = c < 2 ? c : SIZE_MAX,
                                            .value = 1,
                                            .standard_error = .1};
-            f->row[f->all.rows++] = (murk_measured_row){n, 1};
+            f->row[f->all.rows++] = (murk_reading_row){n, 1};
         }
     }
 }

@@ -147,7 +147,7 @@ static murk_error refusal(const char *yaml, murk_reading reading)
     murk_error err = {0};
     char path[] = "beams.csv";
     murk_stage *stage = stage_text_create(yaml, NULL);
-    const murk_measurements measured = {
+    const murk_readings measured = {
         .path = path, .reading = &reading, .readings = 1};
     CHECK(stage != NULL);
     if (stage) {

@@ -33,19 +33,19 @@ static void look_at(const double *x, size_t n)
                                         .where = "wall"}};
     /* A receiver of fluence at each position. */
     murk_reading reading[ROWS_MAX];
-    murk_measured_row row[ROWS_MAX];
+    murk_reading_row row[ROWS_MAX];
     for (size_t i = 0; i < n; ++i) {
         reading[i] = (murk_reading){.kind = MURK_READ_FLUENCE,
                                     .line = i + 2,
                                     .position = {x[i], 1, 1},
                                     .radius_m = .25};
-        row[i] = (murk_measured_row){.first = i, .n = 1};
+        row[i] = (murk_reading_row){.first = i, .n = 1};
     }
-    murk_measurements measured = {.path = "yard.csv",
-                                  .reading = reading,
-                                  .readings = n,
-                                  .row = row,
-                                  .rows = n};
+    murk_readings measured = {.path = "yard.csv",
+                              .reading = reading,
+                              .readings = n,
+                              .row = row,
+                              .rows = n};
     /* Keep the warning that the receivers cause. */
     murk_surfaces *surfaces = NULL;
     murk_instruments instruments = {0};

@@ -14,8 +14,8 @@ typedef struct fit {
     murk_free_key key[KEYS];
     murk_free_keys keys;
     murk_reading reading[ROWS];
-    murk_measured_row row[ROWS];
-    murk_measurements measured;
+    murk_reading_row row[ROWS];
+    murk_readings measured;
     murk_calibration_desc desc;
     murk_fit_search search;
 } fit;
@@ -40,11 +40,11 @@ static void make(fit *f)
             {.kind = MURK_READ_IRRADIANCE, .value = 30, .standard_error = 5}}};
     /* A row for each reading. */
     for (size_t i = 0; i < ROWS; ++i) {
-        f->row[i] = (murk_measured_row){.first = i};
+        f->row[i] = (murk_reading_row){.first = i};
     }
     /* Create the search of this fit. */
     f->keys = (murk_free_keys){.n = KEYS, .key = f->key};
-    f->measured = (murk_measurements){
+    f->measured = (murk_readings){
         .reading = f->reading, .readings = ROWS, .row = f->row, .rows = ROWS};
     f->desc =
         (murk_calibration_desc){.keys = &f->keys, .measured = &f->measured};

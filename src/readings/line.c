@@ -1,7 +1,7 @@
 /* Reads one line of a file of readings: the kind and the columns that it needs
- * (calibrate/reading_cells.h), then place, instrument, unit, value and error.
+ * (readings/cells.h), then place, instrument, unit, value and error.
  */
-#include "calibrate/reading_line.h"
+#include "readings/line.h"
 
 #include "base/position.h"
 #include "scene/words.h"

@@ -1,7 +1,7 @@
 /* Reads a CSV file of readings, checks them against each other, and groups them
  * into rows: sensors of one group and condition form one reading of coverage.
  */
-#include "calibrate/measurements.h"
+#include "readings/readings.h"
 
 #include "base/file.h"
 #include "base/log.h"
@@ -142,7 +142,7 @@ static murk_status find_rows(listing *all)
 }
 
 /* Orders the readings by row, and rows by their first lines. */
-static void lay_rows(murk_measurements *m, const listing *all, size_t *row_of)
+static void lay_rows(murk_readings *m, const listing *all, size_t *row_of)
 {
     /* Number the rows and count their readings. */
     for (size_t i = 0; i < all->n; ++i) {
@@ -164,7 +164,7 @@ static void lay_rows(murk_measurements *m, const listing *all, size_t *row_of)
     }
     /* Place the readings. */
     for (size_t i = 0; i < all->n; ++i) {
-        murk_measured_row *row = &m->row[row_of[i]];
+        murk_reading_row *row = &m->row[row_of[i]];
         m->reading[row->first + row->n++] = all->item[i].reading;
     }
     m->readings = all->n;
@@ -183,7 +183,7 @@ static bool is_plain(const char *name)
 }
 
 /* Adds a factor. */
-static murk_status add_gain(murk_measurements *m, const named **first,
+static murk_status add_gain(murk_readings *m, const named **first,
                             const listing *all, const named *at)
 {
     if (!is_plain(at->gain)) {
@@ -204,7 +204,7 @@ static murk_status add_gain(murk_measurements *m, const named **first,
 
 /* Numbers the factors in the order of their first lines; readings of one factor
  * must have one unit. */
-static murk_status find_gains(murk_measurements *m, listing *all)
+static murk_status find_gains(murk_readings *m, listing *all)
 {
     const named *first[MURK_READING_GAINS_MAX];
     for (size_t i = 0; i < all->n; ++i) {
@@ -241,7 +241,7 @@ static murk_status find_gains(murk_measurements *m, listing *all)
 /* ---- all ---- */
 
 /* Notes the laws of units that are derived from a transmittance. */
-static void tell(const murk_measurements *m)
+static void tell(const murk_readings *m)
 {
     size_t count[MURK_READING_UNITS] = {0};
     for (size_t i = 0; i < m->readings; ++i) {
@@ -271,7 +271,7 @@ static murk_status read_lines(listing *all, const murk_reading_source *source)
 }
 
 /* Allocates and fills the rows. */
-static murk_status fill(murk_measurements *m, listing *all)
+static murk_status fill(murk_readings *m, listing *all)
 {
     size_t *row_of = calloc(all->n, sizeof *row_of);
     murk_arena *arena = &m->arena;
@@ -290,7 +290,7 @@ static murk_status fill(murk_measurements *m, listing *all)
     return status;
 }
 
-static murk_status from_table(murk_measurements *m, const murk_table *table,
+static murk_status from_table(murk_readings *m, const murk_table *table,
                               const murk_scene_desc *scene,
                               const murk_domain *domain, murk_error *err)
 {
@@ -316,9 +316,9 @@ static murk_status from_table(murk_measurements *m, const murk_table *table,
     return status;
 }
 
-murk_status murk_measurements_read(murk_measurements **out, const char *path,
-                                   const murk_scene_desc *scene,
-                                   const murk_domain *domain, murk_error *err)
+murk_status murk_readings_read(murk_readings **out, const char *path,
+                               const murk_scene_desc *scene,
+                               const murk_domain *domain, murk_error *err)
 {
     char *text = NULL;
     size_t size = 0;
@@ -328,7 +328,7 @@ murk_status murk_measurements_read(murk_measurements **out, const char *path,
     if (status) {
         return status;
     }
-    murk_measurements *m = calloc(1, sizeof *m);
+    murk_readings *m = calloc(1, sizeof *m);
     if (!m || !(m->path = strdup(path))) {
         free(text);
         free(m);
@@ -344,11 +344,11 @@ murk_status murk_measurements_read(murk_measurements **out, const char *path,
         m = NULL;
     }
     murk_table_destroy(table);
-    murk_measurements_destroy(m);
+    murk_readings_destroy(m);
     return status;
 }
 
-void murk_measurements_destroy(murk_measurements *measured)
+void murk_readings_destroy(murk_readings *measured)
 {
     if (measured) {
         free(measured->path);

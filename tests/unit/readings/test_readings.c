@@ -1,8 +1,8 @@
 /* Readings of a CSV file: what each kind has, what makes a row, and one clear
  * line with the file's line for whatever is wrong. Deterministic. */
 #include "base/log.h"
-#include "calibrate/measurements.h"
 #include "check.h"
+#include "readings/readings.h"
 
 #include <stdlib.h>
 #include <unistd.h>
@@ -30,19 +30,19 @@ static void keep_note(const char *where, const char *text)
     snprintf(noted + used, sizeof noted - used, "%s\n", text);
 }
 
-static murk_status read_bytes(murk_measurements **out, const char *text,
+static murk_status read_bytes(murk_readings **out, const char *text,
                               size_t size, murk_error *err)
 {
     FILE *to = fopen(path, "wb");
     CHECK(to && fwrite(text, 1, size, to) == size && fclose(to) == 0);
     *err = (murk_error){0};
     noted[0] = '\0';
-    return murk_measurements_read(out, path, scene, &scene->domain, err);
+    return murk_readings_read(out, path, scene, &scene->domain, err);
 }
 
-static murk_measurements *read_text(const char *text)
+static murk_readings *read_text(const char *text)
 {
-    murk_measurements *m = NULL;
+    murk_readings *m = NULL;
     murk_error err;
     if (read_bytes(&m, text, strlen(text), &err)) {
         printf("%s: %s\n", err.where, err.text);
@@ -54,7 +54,7 @@ static murk_measurements *read_text(const char *text)
 /* `place`: what stands behind the file's name. */
 static void refused(const char *text, const char *place, const char *why)
 {
-    murk_measurements *m = NULL;
+    murk_readings *m = NULL;
     murk_error err;
     const murk_status status = read_bytes(&m, text, strlen(text), &err);
     CHECK(status == MURK_BAD_VALUE || status == MURK_BAD_FILE);
@@ -72,7 +72,7 @@ static void refused(const char *text, const char *place, const char *why)
 static void test_each_kind_is_read(void)
 {
     /* A file with a reading of each kind, a comment and an empty line. */
-    murk_measurements *m = read_text(
+    murk_readings *m = read_text(
         "# by hand\n"
         "use,standard_error,value,unit,kind,x_m,y_m,z_m,x2_m,y2_m,z2_m,"
         "direction_x,direction_y,direction_z,radius_m,acceptance_deg,band_nm,"
@@ -117,7 +117,7 @@ static void test_each_kind_is_read(void)
     CHECK(r[3].unit == MURK_UNIT_TRANSMISSION_PERCENT_PER_M);
     CHECK(r[4].gain == 0 && m->gains == 1);
     CHECK_TEXT(m->gain[0], "probe");
-    murk_measurements_destroy(m);
+    murk_readings_destroy(m);
 }
 
 /* Lines of a group may stand apart. Rows are in the order of their first
@@ -126,7 +126,7 @@ static void test_a_group_of_coverage_is_one_row(void)
 {
     /* Lines of two groups in turn, without a group, and of another
      * condition. */
-    murk_measurements *m =
+    murk_readings *m =
         read_text("kind,x_m,y_m,z_m,sensor,group,condition,value,"
                   "standard_error\n"
                   "coverage,1,1,1,node,B,,.5,.1\n"
@@ -151,7 +151,7 @@ static void test_a_group_of_coverage_is_one_row(void)
     CHECK_TEXT(m->group[0], "B");
     CHECK_TEXT(m->group[1], "A");
     CHECK_TEXT(m->group[2], "");
-    murk_measurements_destroy(m);
+    murk_readings_destroy(m);
 }
 
 #define BEAM \
@@ -160,7 +160,7 @@ static void test_a_group_of_coverage_is_one_row(void)
 
 static void test_derived_units_are_told_once(void)
 {
-    murk_measurements *m =
+    murk_readings *m =
         read_text(BEAM AT "visibility_m,50,1,,\n" AT "visibility_m,60,1,,\n" AT
                           "db_per_km,9,1,,\n" AT ",.5,.1,,\n");
     CHECK_TEXT(noted,
@@ -168,7 +168,7 @@ static void test_derived_units_are_told_once(void)
                "T the transmittance of a segment of L metres\n"
                "2 readings in visibility_m: compared as 3.912 L / -ln(T), T "
                "the transmittance of a segment of L metres\n");
-    murk_measurements_destroy(m);
+    murk_readings_destroy(m);
 }
 
 /* ---- units ---- */
@@ -249,17 +249,17 @@ static void test_columns_are_refused(void)
 
 static void test_other_files_are_refused(void)
 {
-    murk_measurements *m = NULL;
+    murk_readings *m = NULL;
     murk_error err;
     char noise[1000];
     for (size_t i = 0; i < sizeof noise; ++i) {
         noise[i] = (char)(i * 7919 + i * i);
     }
     CHECK(read_bytes(&m, noise, sizeof noise, &err) != MURK_OK);
-    CHECK(murk_measurements_read(&m, "/tmp", scene, &scene->domain, &err) !=
+    CHECK(murk_readings_read(&m, "/tmp", scene, &scene->domain, &err) !=
           MURK_OK);
-    CHECK(murk_measurements_read(&m, "/nowhere/x.csv", scene, &scene->domain,
-                                 &err) != MURK_OK);
+    CHECK(murk_readings_read(&m, "/nowhere/x.csv", scene, &scene->domain,
+                             &err) != MURK_OK);
     CHECK(m == NULL);
     char *many = malloc(3000000);
     size_t used = (size_t)sprintf(many, "kind,value,standard_error\n");

@@ -1,7 +1,7 @@
 /* Kinds and units of readings: names, ranges, laws, and conversions from the
  * quantity of the model. */
-#ifndef MURK_CALIBRATE_READING_UNITS_H
-#define MURK_CALIBRATE_READING_UNITS_H
+#ifndef MURK_READINGS_UNITS_H
+#define MURK_READINGS_UNITS_H
 
 #include "base/photometry.h"
 #include "base/status.h"

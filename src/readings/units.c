@@ -1,6 +1,6 @@
 /* The table of units of readings, and conversions from the quantity of the
  * model to each unit. */
-#include "calibrate/reading_units.h"
+#include "readings/units.h"
 
 #include "scene/words.h"
 

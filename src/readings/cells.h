@@ -1,9 +1,9 @@
 /* The columns of a file of readings, and the cells of one line. Internal to
- * measurements. */
-#ifndef MURK_CALIBRATE_READING_CELLS_H
-#define MURK_CALIBRATE_READING_CELLS_H
+ * this room. */
+#ifndef MURK_READINGS_CELLS_H
+#define MURK_READINGS_CELLS_H
 
-#include "calibrate/reading_units.h"
+#include "readings/units.h"
 #include "scene/table.h"
 
 #define MURK_READING_NAME_SIZE 64 /* size of names of groups and factors */

@@ -4,27 +4,27 @@
  * reading, or all readings of one `group` of coverage together. Values stay in
  * the unit of the file; the prediction of the model is converted to it
  * (murk_reading_in_unit()). */
-#ifndef MURK_CALIBRATE_MEASUREMENTS_H
-#define MURK_CALIBRATE_MEASUREMENTS_H
+#ifndef MURK_READINGS_READINGS_H
+#define MURK_READINGS_READINGS_H
 
 #include "base/arena.h"
-#include "calibrate/reading_line.h"
+#include "readings/line.h"
 
 /* Limits of a file: the readings of any field campaign, and factors that fit
  * into the parameters of a fit. */
 #define MURK_READINGS_MAX      100000
 #define MURK_READING_GAINS_MAX 512
 
-typedef struct murk_measured_row {
+typedef struct murk_reading_row {
     size_t first, n; /* readings of the row, adjacent in reading[] */
-} murk_measured_row;
+} murk_reading_row;
 
-typedef struct murk_measurements {
+typedef struct murk_readings {
     char *path;
     murk_reading *reading; /* [readings]; those of a group are adjacent */
     size_t readings;
-    murk_measured_row *row; /* [rows]; in the order of their first lines */
-    size_t rows, held_out;  /* held_out: number of rows that are held out */
+    murk_reading_row *row; /* [rows]; in the order of their first lines */
+    size_t rows, held_out; /* held_out: number of rows that are held out */
     char (
         *group)[MURK_READING_NAME_SIZE]; /* [rows]; empty: none. Coverage of one
                                           * group and condition is one row; for
@@ -33,15 +33,15 @@ typedef struct murk_measurements {
     size_t gains;
     char sha256[65];
     murk_arena arena; /* of all arrays but the path */
-} murk_measurements;
+} murk_readings;
 
 /* Reads and checks a file against the scene (conditions, bands, sensor types)
  * and the domain; the message for an error has the line number. A note states
  * the law of units that are derived from a transmittance. The caller owns *out
- * (murk_measurements_destroy()). */
-murk_status murk_measurements_read(murk_measurements **out, const char *path,
-                                   const murk_scene_desc *scene,
-                                   const murk_domain *domain, murk_error *err);
-void murk_measurements_destroy(murk_measurements *measured); /* NULL is fine */
+ * (murk_readings_destroy()). */
+murk_status murk_readings_read(murk_readings **out, const char *path,
+                               const murk_scene_desc *scene,
+                               const murk_domain *domain, murk_error *err);
+void murk_readings_destroy(murk_readings *measured); /* NULL is fine */
 
 #endif

@@ -1,6 +1,6 @@
 /* Reads the cells of a table of readings, with messages that name file, line
  * and column. */
-#include "calibrate/reading_cells.h"
+#include "readings/cells.h"
 
 #include "scene/words.h"
 

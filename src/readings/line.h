@@ -1,8 +1,8 @@
 /* One reading: a line of the file. */
-#ifndef MURK_CALIBRATE_READING_LINE_H
-#define MURK_CALIBRATE_READING_LINE_H
+#ifndef MURK_READINGS_LINE_H
+#define MURK_READINGS_LINE_H
 
-#include "calibrate/reading_cells.h"
+#include "readings/cells.h"
 #include "sensing/sensor.h"
 
 typedef struct murk_reading {
