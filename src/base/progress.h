@@ -39,15 +39,16 @@ void murk_progress_begin_group(const char *step, uint64_t total,
                                const char *unit);
 void murk_progress_add_to_group(uint64_t done);
 
-/* Sets a text on the state of a search, which follows the numbers of the
- * innermost step. */
+/* Sets a text about the state of the innermost step, such as a search. The line
+ * shows the text behind the numbers of the step. */
 void murk_progress_text(const char *format, ...)
     __attribute__((format(printf, 1, 2)));
 
 /* Declares that the following steps belong to part `number` (from 1) of
- * `parts`, of which `done` are complete. The line shows the number of the part,
- * and the estimated time for all parts, which is measured from the first call
- * on. murk_progress_part(0, 0, ...) ends the parts. */
+ * `parts`, of which `done` are complete. The line shows the number of the part
+ * and the estimated time until all parts are complete, which follows from the
+ * time per part since the first call. murk_progress_part(0, 0, ...) ends the
+ * parts. */
 void murk_progress_part(uint64_t number, uint64_t parts, uint64_t done);
 
 /* To be called around fork(): no other thread may exist then. A subprocess that

@@ -33,8 +33,8 @@ typedef struct murk_free_key {
     size_t gain;      /* index of the factor; SIZE_MAX: a key */
     murk_free_kind kind;
     double start, lower, upper; /* in the unit of the key; limits may be
-                                 * infinite; lower is 0 for a key that is
-                                 * searched in logarithms */
+                                 * infinite; lower may be 0 also for a key that
+                                 * is searched in logarithms */
     bool is_log;                /* the search uses the logarithm */
     bool turns_phase;           /* changes the phase function of a medium, so
                                  * cosines are needed */

@@ -16,7 +16,7 @@
  * The same formula holds if packets are weighted instead of absorbed by Russian
  * roulette (least_weight below 1): the factor sigma_s appears in the weight
  * instead of in the probability. If the albedo is a grid, sigma_s scales with
- * sigma_t alone, because the albedo of the place is the same in both.
+ * sigma_t alone, because the parameters do not change the albedo of a place.
  *
  * Contributions are ordered by photon for any number of threads. */
 #ifndef MURK_CALIBRATE_HISTORIES_H

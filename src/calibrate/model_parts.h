@@ -37,8 +37,12 @@ struct murk_model {
     murk_arena arena; /* of all arrays here and in world[] */
 };
 
-/* True if key k changes the world of condition c, or re-weights light there. */
+/* True if key k changes the world of condition c, so that light must be traced
+ * again. */
 bool murk_model_changes_world(const murk_model *model, size_t k, size_t c);
+
+/* True if key k changes only the optics of media or the power of light sources
+ * in condition c, so that the traced light is re-weighted. */
 bool murk_model_reweighs(const murk_model *model, size_t k, size_t c);
 
 /* The optics of condition c at two values around value[k] of each key that

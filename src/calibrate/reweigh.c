@@ -221,8 +221,8 @@ static double share_of(const worth *w)
     return w->sum > 0 ? w->ratio * w->ratio / (w->sum * w->squares) : 1;
 }
 
-/* Ranges of contributions that are summed separately, so that the result does
- * not depend on threads. */
+/* The number of ranges of contributions that are summed separately, so that the
+ * result does not depend on the number of threads. */
 #define STRETCHES 64
 
 typedef struct share_job {

@@ -43,8 +43,8 @@ murk_status murk_reweigh(murk_reweighed *out, const murk_histories *histories,
                          unsigned threads, murk_error *err);
 void murk_reweighed_release(murk_reweighed *reweighed);
 
-/* The results of an evaluation of rows at re-weighted light. Arrays belong to
- * the caller. */
+/* The results of an evaluation at re-weighted light. A row is the reading of
+ * one receiver or of one group of sensors. Arrays belong to the caller. */
 typedef struct murk_row_sums {
     double *value; /* [rows] */
     double *slope; /* [rows][keys]; with respect to the keys of the

@@ -67,9 +67,10 @@ murk_status murk_fit_search_predict(murk_fit_search *search, const double *x,
 murk_status murk_fit_search_evaluate(murk_fit_search *search, const double *x,
                                      murk_error *err);
 
-/* Whitened residuals [n_fitted] of the last prediction, measured minus
- * predicted, without the offset, and their derivatives [n_fitted][n] with
- * respect to the coordinates, or NULL. */
+/* Computes the whitened residuals [n_fitted] of the last prediction, measured
+ * minus predicted, without the offset. If jacobian is not NULL, also computes
+ * the derivatives [n_fitted][n] of the residuals with respect to the search
+ * coordinates. */
 void murk_fit_search_residuals(const murk_fit_search *search, double *residual,
                                double *jacobian);
 

@@ -11,8 +11,8 @@
 murk_status murk_fit_leap(murk_fit_search *search, double *x, murk_error *err);
 
 /* From the end of least squares, moves x to the solution without the bias from
- * photon noise in the slopes. Sets search->is_undersampled if the light is not
- * valid there. */
+ * photon noise in the slopes. Stops and sets search->is_undersampled if the
+ * effective share of the light falls below MURK_MIN_SHARE on the way. */
 murk_status murk_fit_settle(murk_fit_search *search, double *x,
                             murk_error *err);
 

@@ -13,8 +13,10 @@
 /* traces of light for each key and condition: two steps of two values */
 #define MURK_WORLD_SLOPE_TRACES 4
 
-/* Computes slope[light rows] of key k at value[keys->n], and the standard error
- * by photons and step together. */
+/* Computes the slopes of the light rows (calibrate/lighting.h) with respect to
+ * key number `key` at value[keys->n]. slope and slope_error have an element for
+ * each light row; slope_error is the standard error from photon noise and the
+ * bias of the step together. */
 murk_status murk_world_slopes(double *slope, double *slope_error,
                               const murk_lighting_desc *desc,
                               const murk_readings *measured, size_t key,

@@ -228,7 +228,7 @@ static murk_status add_values(murk_study_row *row,
     double packet[MURK_SOURCES_MAX * MURK_BANDS_MAX];
     murk_estimate band[MURK_BANDS_MAX];
     char name[MURK_ROW_NAME_SIZE];
-    /* The worth of a packet in the quantity that the row shows. */
+    /* Convert the power of a photon packet to the quantity of the row. */
     if (light->tallies) {
         murk_units_packets(packet, quantity, stage, light->packet_w);
     }

@@ -1,8 +1,8 @@
 /* Keys of the rows of a study: hashes of everything that the light, the
  * placement or the whole row depends on. Rows of equal world keys are a group:
- * they differ at most by the power of their lights, so that their light is
- * traced once (lightmap/scaled_light.h). A stored row is valid as long as its
- * key is the same. */
+ * their light differs at most in the power of the light sources, so it is
+ * traced once (lightmap/scaled_light.h). A stored row is valid as long as the
+ * key of the row is the same. */
 #include "cases/sweep_keys.h"
 
 #include "base/file.h"

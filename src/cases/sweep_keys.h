@@ -7,7 +7,8 @@
 #include "world/file_sums.h"
 
 typedef struct murk_sweep_keys {
-    /* Rows of equal world keys differ at most in the power of their lights. */
+    /* The light of rows with equal world keys differs at most in the power of
+     * the light sources; sensors and placement may differ. */
     char world[65];
     /* Rows of equal light keys have the same light. */
     char light[65];

@@ -42,8 +42,9 @@ typedef struct choice {
     double *lower;             /* [n * n] Cholesky factor of the current
                                 * information */
     double *variance;          /* [candidates] with the current information */
-    double *update;            /* [k][n] vectors u of the candidates selected
-                                * since `lower` was computed */
+    double *update;            /* [k][n] vectors u (formula above) of the
+                                * candidates selected since `lower` was
+                                * computed; a workspace during exchanges */
     double *work;              /* [n * TOGETHER] */
     bool *is_picked;           /* [candidates] */
     size_t *pick;              /* [k] */

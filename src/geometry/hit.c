@@ -2,9 +2,9 @@
  * that leaves a surface.
  *
  * Embree names the nearest primitive; distance and normal are computed in
- * double precision from that primitive (geometry/walk.h). In corners of
- * opaque surfaces the hit is moved back along the ray, so that the next ray
- * starts inside the room. */
+ * double precision from that primitive (geometry/walk.h). In corners of opaque
+ * surfaces the hit is moved back along the ray, so that the next ray starts in
+ * the space that the ray came through. */
 #include "geometry/triangle.h"
 #include "geometry/walk.h"
 

@@ -161,8 +161,8 @@ static bool make_shadow(shadow *s, const murk_triangle *triangle, murk_vec3 eye,
 }
 
 /* The occlusion cache: shadows of triangles that have blocked rays to one
- * point, stored plane by plane, so that one point is tested against all of
- * them in a few wide operations. */
+ * point, the eye. Element [i][k] of the arrays belongs to plane i of shadow k,
+ * so that a point is tested against all shadows in a few wide operations. */
 typedef struct occlusion_cache {
     double x[4][SHADOWS], y[4][SHADOWS], z[4][SHADOWS], offset[4][SHADOWS];
     murk_vec3 eye; /* relative to the anchor, like everything here */

@@ -83,8 +83,8 @@ typedef struct nearness {
     bool is_near;
 } nearness;
 
-/* Computes the exact distance to a primitive. A callback of
- * murk_ray_scene_visit(). */
+/* Tests by the exact distance whether a primitive is nearer than the radius; if
+ * so, ends the visit. A callback of murk_ray_scene_visit(). */
 static bool visit_near(void *context, murk_primitive p)
 {
     nearness *near = context;

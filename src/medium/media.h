@@ -12,8 +12,8 @@
  *
  * Free flight and optical depth are computed exactly, region by region: in
  * grids cell by cell through the tree, in profiles layer by layer. Hence
- * T(ac) = T(ab) T(bc). Immutable after creation: any number of threads may
- * use it. */
+ * T(ac) = T(ab) T(bc). The media are immutable after creation and
+ * murk_media_prepare_delta(): any number of threads may use them. */
 #ifndef MURK_MEDIUM_MEDIA_H
 #define MURK_MEDIUM_MEDIA_H
 

@@ -25,8 +25,9 @@ typedef struct murk_vdb_facts {
     double index_to_world[12];                /* three rows of four */
 } murk_vdb_facts;
 
-/* Receives the result, once: bytes[size] is the NanoVDB grid (size 0 if no
- * voxel is active), valid during the call only. */
+/* A callback that receives the result; it is called at most once. bytes[size]
+ * is the NanoVDB grid (size 0 if no voxel is active), valid during the call
+ * only. */
 typedef murk_status (*murk_vdb_sink)(void *context, const murk_vdb_facts *facts,
                                      const void *bytes, size_t size);
 

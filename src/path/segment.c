@@ -101,8 +101,9 @@ bool murk_path_blocked(const murk_surfaces *surfaces, const murk_domain *domain,
     return false;
 }
 
-/* Segments overlap a periodic side by the surface tolerance, so a sheet there
- * counts once. */
+/* A segment extends beyond a periodic side by the surface tolerance, so that a
+ * sheet in the plane of the side is not missed. The sheet counts once, because
+ * the next segment begins at the opposite side. */
 double murk_path_sheets(const murk_surfaces *surfaces,
                         const murk_domain *domain, murk_vec3 from, murk_vec3 to,
                         int band)

@@ -240,10 +240,11 @@ static murk_status branch_and_bound(strict_run *r, size_t n, uint64_t *upper,
 
 /* ---- counts ---- */
 
-/* Raises `fewest` if the bound of n sensors is below the target. If every
- * smaller plan can be extended to n sensors, this excludes all smaller counts
- * as well. With conflicts between candidates a plan may not be extensible, so
- * smaller counts are excluded only if each of them was (is_closed). */
+/* Raises `fewest`, the lower bound on the number of sensors, if the upper bound
+ * on the value of n sensors is below the target. Without conflicts between
+ * candidates every smaller plan can be extended to n sensors, so all smaller
+ * numbers are excluded as well. With conflicts, `fewest` is raised only if each
+ * smaller number was excluded by the bound for that number (is_closed). */
 static void update_fewest(strict_run *r, size_t n, uint64_t upper)
 {
     const bool may_fill = !(r->run.set && r->run.set->has_conflicts);

@@ -22,10 +22,12 @@
  * less than .008 by linear interpolation between nodes, 65535 / 1024^2 / 8. */
 #define MURK_WORTH_ERROR 1.01
 
-/* Rounding alone lets a gain grow when other sensors join. A gain is the
- * difference of two worths, each wrong by less than MURK_WORTH_ERROR to one
- * side and .008 to the other; the difference of two gains is wrong by less than
- * 3, and is a whole number. */
+/* The most by which rounding lets a gain grow when other sensors are added;
+ * without rounding a gain never grows. A gain is the difference of two worths
+ * (murk_dose_worth()). Each worth is less than MURK_WORTH_ERROR too low or, if
+ * a dose counts as certainty, less than .008 too high. The difference of two
+ * gains is therefore wrong by less than 3, and as a whole number by at most 2.
+ */
 #define MURK_WORTH_SLACK 2
 
 #define MURK_DOSE_STEP 1024 /* dose between two nodes */

@@ -1,8 +1,9 @@
 /* Gains of candidates over a cover, single-threaded or spread over threads, and
- * the ranking of the candidates at the start: the value of each candidate
- * alone, the ceiling, and the dominated candidates (placement/presolve.h).
- * Results never depend on the number of threads. The caller owns the cover and
- * must not change it during a call. */
+ * the ranking of the candidates at the start of a placement: the value of each
+ * candidate alone, the ceiling (the value of all candidates together), and the
+ * dominated candidates (placement/presolve.h). Results never depend on the
+ * number of threads. The caller owns the cover and must not change the cover
+ * during a call. */
 #include "placement/evaluator.h"
 
 #include "base/interrupt.h"

@@ -5,9 +5,9 @@
 
 #include "placement/cover.h"
 
-/* The gain: sum weight * max(0, clarity - lowest layer of the cover). With
- * detection probabilities: the value of the summed doses less the value before.
- */
+/* The gain: the sum over photons of weight * max(0, clarity in the row - lowest
+ * layer of the cover). With detection probabilities: the value of the cover
+ * after the doses of the row are added, minus the value before. */
 uint64_t murk_row_gain(const murk_layout *layout, const murk_row *row,
                        const murk_cover *cover);
 

@@ -81,7 +81,8 @@ static bool keep_trial(worst *w, size_t n, uint64_t value, bool relocates)
     return is_better;
 }
 
-/* The same for a plan whose value is not known yet, with relocation. */
+/* keep_trial() for a plan whose value is not known yet; also relocates the
+ * plan. */
 static bool try_trial(worst *w, size_t n)
 {
     const uint64_t value =

@@ -40,8 +40,9 @@ int murk_by_position(const void *a, const void *b);
 /* NULL if the count is the only constraint. */
 const murk_constraints *murk_poses_constraints(const murk_poses *poses);
 
-/* The sensor types of the scene as the room sensing describes them,
- * [scene->sensors.types], to be freed with free(). NULL when out of memory. */
+/* Converts the sensor types of the scene to the struct of sensing/sensor.h. The
+ * array has scene->sensors.types elements; the caller frees it with free().
+ * NULL when out of memory. */
 murk_sensor_type *murk_poses_types(const murk_scene_desc *scene);
 
 #endif

@@ -36,9 +36,9 @@ typedef struct murk_readings {
 } murk_readings;
 
 /* Reads and checks a file against the scene (conditions, bands, sensor types)
- * and the domain; the message for an error has the line number. A note states
- * the law of units that are derived from a transmittance. The caller owns *out
- * (murk_readings_destroy()). */
+ * and the domain; the message for an error has the line number. If readings are
+ * in a unit that is derived from a transmittance, prints a note with the
+ * formula. The caller owns *out (murk_readings_destroy()). */
 murk_status murk_readings_read(murk_readings **out, const char *path,
                                const murk_scene_desc *scene,
                                const murk_domain *domain, murk_error *err);

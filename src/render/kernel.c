@@ -109,8 +109,10 @@ static double share_on_surface(const murk_probing *probing, murk_vec3 from,
         murk_surfaces_blocked_many(world->surfaces, above, MURK_PROBES, eye,
                                    false, hidden);
     }
-    /* Drop each point onto the surface below it, and add up the kernel there.
-     */
+    /* Project each visible test point along the normal onto the surface, and
+     * integrate the kernel 1 - d^2 / r^2 over the surface at these points. If
+     * nothing cuts the disc, the points stay in the plane of the disc. `whole`
+     * is the sum of a disc that is visible as a whole. */
     double sum = 0, whole = 0;
     for (int i = 0; i < MURK_PROBES; ++i) {
         const double *at = probing->disc[i];

@@ -1,6 +1,8 @@
-/* Grid tallies of a result folder as data of the page: of each band the three
- * slices through the middle of the grid, thinned to a number of cells that a
- * map can show, or the cells of a grid that is one line, with their errors. */
+/* Grid tallies of a result folder as data of the page. Each band has three
+ * slices through the middle of the grid; a grid that is one cell thick has the
+ * slices along the grid alone. If there are more cells than a map can show,
+ * every n-th cell is taken. A grid that is one line of cells also has the
+ * standard errors. */
 #include "report/fields.h"
 
 #include "base/file.h"

@@ -23,13 +23,13 @@ void murk_results_list_photons(murk_results_fields *f, const void *of);
 /* Row "sensors"; of: a murk_sensor_results. */
 void murk_results_list_sensors(murk_results_fields *f, const void *of);
 
-/* Rows of sensors[], and columns of coverage.csv; of: the same. */
+/* Rows of sensors[], and columns of coverage.csv; of: a murk_sensor_results. */
 void murk_results_list_sensor(murk_results_fields *f, const void *of, size_t i);
 
-/* Columns of sensors.csv, which sense reads; of: the same. */
+/* Columns of sensors.csv, which sense reads; of: a murk_sensor_results. */
 void murk_results_list_place(murk_results_fields *f, const void *of, size_t i);
 
-/* Rows from "weights_used" to "seen_by_at_least"; of: the same. */
+/* Rows from "weights_used" to "seen_by_at_least"; of: a murk_sensor_results. */
 void murk_results_list_shares(murk_results_fields *f, const void *of);
 
 /* Rows of one pose; scene and pose are NULL in a description. */
@@ -46,8 +46,8 @@ void murk_print_sensors(const murk_sensor_results *sensors, const char *folder);
 /* "surface 0.91 +- 0.01, no volume photons": each map's own fraction. */
 void murk_print_maps(const murk_coverage_result *coverage);
 
-/* The line that says what a coverage over two maps is; nothing where one map
- * has it all. */
+/* Prints the line with the weights of the surface map and of the volume map in
+ * the coverage. Prints nothing if one of the maps has no weight. */
 void murk_print_weights(const murk_scene_desc *scene,
                         const murk_coverage_result *coverage);
 

@@ -14,12 +14,12 @@ typedef struct murk_lit_piece {
                          sum of power / diffuse, over the area */
     float error;      /* its standard error, by emitted photon; 0 without
                          photons */
-    float coverage; /* 0..1: what is seen of the weight of what a plan looks at
-                       there; NaN: nothing lies there */
-    float clarity;  /* 0..1: what a plan would count of a photon in its middle,
-                       on the side and in the band where it is most */
-    uint16_t sensors; /* that see its middle from either side, in the band
-                         where most do */
+    float coverage; /* 0..1: coverage of the photons or targets on the piece, by
+                       weight; NaN: none lies on the piece */
+    float clarity;  /* 0..1: share that a plan would count of a photon stored at
+                       the middle of the piece; maximum over sides and bands */
+    uint16_t sensors; /* number of sensors that see the middle of the piece from
+                         either side; maximum over the bands */
 } murk_lit_piece;
 
 typedef struct murk_lit_pieces {

@@ -192,7 +192,9 @@ static murk_vec3 mixed(const murk_vec3 c[3], double u, double v)
 static void cut_out(const murk_vec3 whole[3], uint32_t k, spot at,
                     murk_vec3 c[3])
 {
-    /* corners in steps of 1 / k along the two sides of the whole */
+    /* Corners of the piece, in steps of 1 / k along the sides of the whole
+     * triangle that meet at whole[0]. A turned piece is rotated by 180 degrees.
+     */
     static const double plain[3][2] = {{0, 0}, {1, 0}, {0, 1}};
     static const double turned[3][2] = {{1, 1}, {0, 1}, {1, 0}};
     for (int i = 0; i < 3; ++i) {

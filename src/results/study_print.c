@@ -35,7 +35,8 @@ static bool is_of_band(const char *name)
            isdigit((unsigned char)last[1]);
 }
 
-/* Value k of those that are of no band; NULL: there are no more. */
+/* Value k among the values of a row that do not refer to a single band; NULL if
+ * there are fewer. */
 static const murk_study_value *value_at(const murk_study_row *one, size_t k)
 {
     for (size_t i = 0; one && i < one->values; ++i) {

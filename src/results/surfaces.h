@@ -1,16 +1,20 @@
-/* What --export surfaces writes: the scene's surfaces in pieces, each with
- * what arrives on it and who sees it, as surfaces.ply (Blender, MeshLab) and
- * surfaces.vtp (ParaView, whose PLY reader drops what faces have). Pieces whose
- * middle is outside of the domain are left out; each has three corners of its
- * own, so that colours stay within it. A face has
+/* The files that --export surfaces writes: surfaces.ply (Blender, MeshLab) and
+ * surfaces.vtp (ParaView, whose PLY reader drops the properties of faces). Both
+ * have the surfaces of the scene in triangular pieces, with the irradiance and
+ * the coverage of each piece. Pieces whose middle is outside of the domain are
+ * left out. Pieces share no corners, so that a color belongs to one piece only.
+ * A face has these properties (results/lit_pieces.h):
  *
- *     red green blue   uchar (its corners, too): coverage, else irradiance,
- *                      from dark violet to yellow; grey where nothing is known
- *     irradiance       float, W/m2: results/lit_pieces.h, as are the others
- *     irradiance_error float
+ *     red green blue   uchar, also of the corners: coverage, or without sensors
+ *                      irradiance, from dark violet to yellow; grey if nothing
+ *                      is known
+ *     irradiance       float, W/m2
+ *     irradiance_error float, W/m2
  *     photons          uint
- *     material         uchar: number, in the comments by name
- *     coverage, clarity float; sensors ushort: with sensors only
+ *     material         uchar: number; a note in the file lists the names
+ *     coverage         float, with sensors only
+ *     clarity          float, with sensors only
+ *     sensors          ushort, with sensors only
  */
 #ifndef MURK_RESULTS_SURFACES_H
 #define MURK_RESULTS_SURFACES_H

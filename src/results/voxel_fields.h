@@ -1,18 +1,21 @@
-/* What --export fields writes: fields over the domain, and photon density
- * beside the fluence rate of grid tallies.
+/* The files that --export fields writes: fields over the domain, and the photon
+ * density of each grid tally.
  *
- * extinction.vdb     extinction_Bnm [1/m] at the voxels' middles; no file where
- *                    there are no media
- * coverage.vdb       coverage_Bnm, sensors_Bnm, and clarity_Bnm where views
- *                    add up (sensing/places_seen.h), of a plan's sensors
- * optical_depth.vdb  optical_depth_Bnm, likewise; -1: no sightline
- * fields.vti         all of them, for ParaView
+ * extinction.vdb     extinction_Bnm [1/m] at the middle of each voxel; no file
+ *                    if there are no media
+ * coverage.vdb       coverage_Bnm and sensors_Bnm for the sensors of a plan;
+ *                    also clarity_Bnm if the detections of several sensors
+ *                    combine (sensing/places_seen.h)
+ * optical_depth.vdb  optical_depth_Bnm for the sensors of a plan; -1: no
+ *                    sightline
+ * fields.vti         all fields of these three files, for ParaView
  * NAME_photons.vdb   photon_density_Bnm [1/s/m2] and photon_density_error_Bnm
- *                    of the grid tally NAME, and of several bands their sum
- *                    (results/tallies.h)
- * NAME.vti           these and the tally's own, for ParaView
+ *                    of the grid tally NAME; with several bands also the sum
+ *                    over the bands (results/tallies.h)
+ * NAME.vti           the fields of NAME_photons.vdb and the fluence rate of the
+ *                    tally with the standard error, for ParaView
  *
- * B: each of the scene's bands, as 532 in coverage_532nm. */
+ * B is the wavelength of a band of the scene, such as 532 in coverage_532nm. */
 #ifndef MURK_RESULTS_VOXEL_FIELDS_H
 #define MURK_RESULTS_VOXEL_FIELDS_H
 

@@ -1,5 +1,5 @@
-/* Optical properties of a medium from a preset, for those that the scene
- * does not give itself. */
+/* Computes the optical properties of a medium from a preset, except properties
+ * that the scene gives itself. */
 #ifndef MURK_SCENE_MEDIUM_PRESET_H
 #define MURK_SCENE_MEDIUM_PRESET_H
 

@@ -10,7 +10,8 @@
 static const char *const PART_KEYS[] = {"law",    "table", "times",
                                         "scaled", "phase", NULL};
 
-/* Longest list of keys of a part: a NULL ends the keys and the parameters. */
+/* The largest number of entries in the list of the known keys of a part:
+ * parameters of the law, and PART_KEYS with the NULL at the end. */
 #define KEYS_MAX \
     (sizeof PART_KEYS / sizeof *PART_KEYS + MURK_PRESET_PARAMETERS_MAX)
 

@@ -13,7 +13,8 @@ typedef struct murk_preset_walk {
     murk_status status;
 } murk_preset_walk;
 
-/* Fails at the place of a node: "fog/kruse.yaml:7:3". Returns false. */
+/* Records an error with the place of a node, such as "fog/kruse.yaml:7:3", and
+ * returns false. */
 bool murk_preset_fail(murk_preset_walk *walk, const murk_yaml *node,
                       const char *format, ...)
     __attribute__((format(printf, 3, 4)));

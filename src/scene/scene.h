@@ -449,8 +449,9 @@ typedef struct murk_scene_idle {
 struct murk_scene_desc {
     char *path;             /* as given */
     char sha256[65];        /* of the file's bytes */
-    murk_scene_where where; /* place of a condition, for messages about the
-                               whole scene; otherwise empty */
+    murk_scene_where where; /* in the scene of a condition: the place of the
+                               condition, for messages about the whole scene;
+                               empty in other scenes */
     int bands;
     double band_nm[MURK_BANDS_MAX]; /* lines, or middles of edges */
     double band_edge_nm[MURK_BANDS_MAX + 1];

@@ -128,8 +128,9 @@ static bool is_of_world(const char *key)
            strcmp(key, "site") != 0;
 }
 
-/* Prints the resolved scene with absolute paths, and lists the files.
- * print_keys() rewrites the paths again. */
+/* Prints the resolved scene with absolute paths, and lists the files. The paths
+ * in the tree stay absolute until print_keys() replaces them by names of files.
+ */
 static murk_status print_resolved(const murk_key_reader *walk,
                                   murk_scene_desc *scene)
 {

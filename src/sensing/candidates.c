@@ -18,8 +18,9 @@
 /* Grid points that a thread takes at a time: some 100 us of work (a choice). */
 #define BATCH_POINTS 4096
 
-/* The request, with a verdict on each site: first the grid, unless it only
- * carries reach, then the listed sites. */
+/* The request, with the classification (murk_verdict) of each site. The points
+ * of the grid come first, unless the grid gives no candidates and only serves
+ * to find the free space (is_reach_grid). The listed sites follow. */
 typedef struct request {
     const murk_candidate_desc *desc;
     murk_free_space space;

@@ -11,7 +11,8 @@
  * sensor stays in place. */
 #define TRIES 100
 
-/* Slots of a sensor's random numbers: the turn first, then one for each try. */
+/* Slots of the random numbers of a sensor: one for the rotation of the axis,
+ * then one for each try of a position. */
 #define TURN_SLOT       0
 #define FIRST_STEP_SLOT 1
 

@@ -186,8 +186,8 @@ size_t murk_lamp_places(const murk_surfaces *surfaces,
                      .tolerance_m =
                          murk_path_surface_tolerance_m(surfaces, domain),
                      .place = place};
-    /* Places of the lamp itself, then places outside of the solids around each
-     * of them. */
+    /* Add the places of the lamp itself. Then, for each of these places, add
+     * places outside of the solids that contain the place. */
     choose_directions(w.direction);
     add_sides(&w, lamp);
     if (murk_surfaces_describe(surfaces).solids == 0) {

@@ -74,9 +74,10 @@ typedef struct gathered {
     double radius_m, factor;
 } gathered;
 
-/* Gathers the photons of an estimate: the nearest ones; or, for a fixed radius
- * and in a spot of light where the nearest ones lie next to each other, all
- * within the fixed radius. */
+/* Gathers the photons of an estimate. If the settings give a number of
+ * neighbours, these are the nearest photons, unless all of them lie within the
+ * radius of a spot of light. Otherwise these are all photons within the fixed
+ * radius (within_m()). */
 static gathered gather(const murk_power *power, const murk_vicinity *vicinity,
                        const worker *w, const murk_photon *of)
 {

@@ -1,9 +1,15 @@
-/* Light crosses the plane where r = h_rare t + h_dense t / sqrt(m^2 + (m^2 - 1)
- * t^2): r what the two points are apart along the plane, h their heights, m > 1
- * the ratio of the indices, t the tangent of the angle on the rare side. The
- * right side rises and is concave in t >= 0, so Newton's steps from 0 come up
- * to the root from below and cannot overshoot; all else follows from t without
- * taking near numbers from each other, however much the light grazes. */
+/* Path of light between two points on either side of a plane, by Newton's
+ * method for Snell's law
+ *
+ *     r = h_rare t + h_dense t / sqrt(m^2 + (m^2 - 1) t^2).
+ *
+ * r is the distance of the points along the plane, h_rare and h_dense are the
+ * distances of the points from the plane, m > 1 is the ratio of the refractive
+ * indices, and t is the tangent of the angle to the normal on the side of the
+ * smaller index. The right side increases with t >= 0 and is concave, so the
+ * iteration from t = 0 approaches the root from below and cannot overshoot. The
+ * crossing, the lengths and the angles follow from t without differences of
+ * nearly equal numbers, so they are precise at grazing incidence, too. */
 #include "sensing/snell.h"
 
 #include "medium/fresnel.h"

@@ -36,8 +36,8 @@ void murk_dome_table_destroy(murk_dome_table *table); /* NULL is fine */
  * face that looks straight down. */
 double murk_dome_table_irradiance(const murk_dome_table *table);
 
-/* Draws a unit direction from the face to the sky from four uniform numbers.
- * The irradiance must be above 0. */
+/* Draws a unit direction that points from the face to the sky; u has four
+ * uniform numbers. murk_dome_table_irradiance() must be above 0. */
 murk_vec3 murk_dome_table_draw(const murk_dome_table *table, const double u[4]);
 
 #endif

@@ -11,7 +11,8 @@
 
 #include "medium/waves.h"
 
-/* ln(1 - h): the first form is precise near the top, the second far below. */
+/* ln(1 - h) from ln h: the first form is precise for h near 1, the second for h
+ * near 0. */
 static double log_of_rest(double log_h)
 {
     return log_h > -0.7 ? log(-expm1(log_h)) : log1p(-exp(log_h));

@@ -1,4 +1,5 @@
-/* Converts the media and regions of a scene into those of the room medium. */
+/* Converts the media and regions of a scene file into the structs murk_medium
+ * and murk_region of medium/media.h. */
 #include "world/stage_build.h"
 
 #include "medium/waves.h"
