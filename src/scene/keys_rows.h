@@ -1,5 +1,5 @@
 /* Macros for the rows of the key tables, and checks that several tables
- * share. Only keys*.c include this file. */
+ * share. Only keys*.c and study_*.c include this file. */
 #ifndef MURK_SCENE_KEYS_ROWS_H
 #define MURK_SCENE_KEYS_ROWS_H
 
@@ -97,6 +97,9 @@ extern const murk_keys murk_box_keys, murk_sphere_keys;
 
 /* The up axis of meshes: x, y, z. */
 extern const murk_word murk_up_words[];
+
+/* The units of results: radiometric, photometric, photons, par. */
+extern const murk_word murk_units_words[];
 
 /* The shapes of an item with a box, a sphere, a mesh or none of them, by
  * murk_region_shape. */

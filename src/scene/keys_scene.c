@@ -18,6 +18,12 @@ static murk_status check_domain(murk_key_reader *walk, const murk_yaml *map,
 
 #define SCENE(member) AT(murk_scene_desc, member)
 
+const murk_word murk_units_words[] = {{"radiometric", MURK_RADIOMETRIC},
+                                      {"photometric", MURK_PHOTOMETRIC},
+                                      {"photons", MURK_PHOTONS},
+                                      {"par", MURK_PAR},
+                                      WORDS_END};
+
 static const murk_key DOMAIN_ROWS[] = {
     ROW("min_m", VECTOR, NEEDED, LONG_M, SCENE(domain.box.min)),
     ROW("max_m", VECTOR, NEEDED, LONG_M, SCENE(domain.box.max)),
@@ -63,9 +69,7 @@ static const murk_key SCENE_ROWS[] = {
     ROW("flight", WORD, .preset = "march", VARIED,
         WORDS({"march", 0}, {"delta", 1}), SCENE(by_delta)),
     ROW("units", WORD, .preset = "radiometric", SCENE(units),
-        WORDS({"radiometric", MURK_RADIOMETRIC},
-              {"photometric", MURK_PHOTOMETRIC}, {"photons", MURK_PHOTONS},
-              {"par", MURK_PAR})),
+        .words = murk_units_words),
     ROW("tallies", LIST, .keys = &murk_tally_keys, .preset = "[]",
         .may_differ = true),
     ROW("sensors", MAP, .keys = &murk_sensor_keys,

@@ -105,10 +105,9 @@ static char *absolute(const char *path)
     return out;
 }
 
-static murk_status make_absolute(murk_yaml *node, const murk_yaml *root,
-                                 const char *scene_path)
+static murk_status make_absolute(murk_yaml *node)
 {
-    char *opened = murk_value_opened(node, root, scene_path);
+    char *opened = murk_value_opened(node);
     char *full = opened ? absolute(opened) : NULL;
     const bool is_set = full && murk_yaml_set_text(node, full);
     free(opened);
@@ -139,7 +138,7 @@ static murk_status print_resolved(const murk_key_reader *walk,
         return MURK_NO_MEMORY;
     }
     for (size_t i = 0; i < walk->n_paths; ++i) {
-        if (make_absolute(walk->paths[i], walk->root, scene->path) ||
+        if (make_absolute(walk->paths[i]) ||
             !(scene->file[i] = strdup(walk->paths[i]->text))) {
             return MURK_NO_MEMORY;
         }
@@ -236,7 +235,7 @@ static murk_status read_condition(murk_scene_condition *condition,
     memcpy(condition->scene->where, condition->where, sizeof condition->where);
     murk_walk_enter(&walk, "conditions");
     murk_walk_enter(&walk, condition->name);
-    status = murk_walk_scene(&walk);
+    status = murk_walk_root(&walk, &murk_scene_keys, condition->scene);
     /* Print, and write the resolved values back before paths are shortened. */
     if (!status && (print_resolved(&walk, condition->scene) ||
                     !murk_condition_put_back(root, condition->name, &values) ||
@@ -268,7 +267,7 @@ static murk_status read_tree(reading *r, murk_scene_desc *scene,
         }
     }
     r->walk = (murk_key_reader){.scene = scene, .root = r->root, .err = err};
-    status = murk_walk_scene(&r->walk);
+    status = murk_walk_root(&r->walk, &murk_scene_keys, scene);
     for (size_t i = 0; !status && i < scene->n_conditions; ++i) {
         status =
             read_condition(&scene->conditions[i], scene, r->root, given, err);

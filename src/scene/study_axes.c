@@ -5,67 +5,45 @@
 
 #include "scene/override.h"
 #include "scene/print.h"
+#include "scene/study_file.h"
 #include "scene/study_range.h"
 #include "scene/value.h"
-#include "scene/words.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Length of "axes.NAME" in messages: the name is cut to
- * MURK_SCENE_NAME_SIZE. */
-#define KEY_SIZE 160
-
-/* An axis while it is read. */
-typedef struct reading {
-    murk_study_axis *axis;
-    const murk_yaml *node;
-    char key[KEY_SIZE];
-    murk_error *err;
-} reading;
-
-static murk_status fail(const reading *r, const murk_yaml *node,
-                        const char *text)
-{
-    return murk_study_fail(node, r->key, node == r->node, r->err, "%s", text);
-}
-
-static murk_status no_memory(const reading *r)
-{
-    return murk_study_no_memory(r->axis->where, r->err);
-}
-
 /* Stores a value and the text for tables; takes ownership of both, also on
  * failure. */
-static murk_status put(const reading *r, size_t i, murk_yaml *value, char *text)
+static murk_status put(murk_key_reader *walk, murk_study_axis *axis, size_t i,
+                       murk_yaml *value, char *text)
 {
-    r->axis->value[i] = value;
-    r->axis->text[i] = text;
-    return value && text ? MURK_OK : no_memory(r);
+    axis->value[i] = value;
+    axis->text[i] = text;
+    return value && text ? MURK_OK : murk_walk_no_memory(walk);
 }
 
-static murk_status reserve_values(const reading *r, size_t n)
+static murk_status reserve_values(murk_key_reader *walk, murk_study_axis *axis,
+                                  const murk_yaml *node, size_t n)
 {
     if (n < 1 || n > MURK_STUDY_ROWS_MAX) {
-        return murk_study_fail(r->node, r->key, true, r->err,
-                               "%zu values, must be 1..%d", n,
-                               MURK_STUDY_ROWS_MAX);
+        return murk_walk_fail(walk, node, "%zu values, must be 1..%d", n,
+                              MURK_STUDY_ROWS_MAX);
     }
-    r->axis->value = calloc(n, sizeof *r->axis->value);
-    r->axis->text = calloc(n, sizeof *r->axis->text);
-    r->axis->n = r->axis->value && r->axis->text ? n : 0;
-    return r->axis->n ? MURK_OK : no_memory(r);
+    axis->value = calloc(n, sizeof *axis->value);
+    axis->text = calloc(n, sizeof *axis->text);
+    axis->n = axis->value && axis->text ? n : 0;
+    return axis->n ? MURK_OK : murk_walk_no_memory(walk);
 }
 
 /* ---- lists and names ---- */
 
-static murk_status read_list(const reading *r)
+static murk_status read_list(murk_key_reader *walk, murk_study_axis *axis,
+                             const murk_yaml *list)
 {
-    murk_status status = reserve_values(r, r->node->n);
-    for (size_t i = 0; !status && i < r->node->n; ++i) {
-        const murk_yaml *item = r->node->child[i];
-        status = put(r, i, murk_yaml_copy(item),
+    murk_status status = reserve_values(walk, axis, list, list->n);
+    for (size_t i = 0; !status && i < list->n; ++i) {
+        const murk_yaml *item = list->child[i];
+        status = put(walk, axis, i, murk_yaml_copy(item),
                      item->kind == MURK_YAML_SCALAR ? strdup(item->text)
                                                     : murk_print_flow(item));
     }
@@ -92,55 +70,57 @@ static bool has_printable_keys(const murk_yaml *map)
     return true;
 }
 
-static murk_status read_names(const reading *r)
+static murk_status read_names(murk_key_reader *walk, murk_study_axis *axis,
+                              const murk_yaml *map)
 {
-    murk_status status = reserve_values(r, r->node->n);
-    for (size_t i = 0; !status && i < r->node->n; ++i) {
-        const murk_yaml *item = r->node->child[i];
+    murk_status status = reserve_values(walk, axis, map, map->n);
+    axis->kind = MURK_STUDY_AXIS_NAMED;
+    for (size_t i = 0; !status && i < map->n; ++i) {
+        const murk_yaml *item = map->child[i];
         if (item->kind != MURK_YAML_MAP && !murk_yaml_is_null(item)) {
-            char found[MURK_FOUND_SIZE];
-            murk_value_found(item, found);
-            return murk_study_fail(item, r->key, true, r->err,
-                                   "%s, must be a map of keys and values, or "
-                                   "from, to and steps",
-                                   found);
+            static const murk_key keys = {
+                .kind = MURK_KEY_OWN,
+                .allowed = "a map of keys and values, or from, to and steps"};
+            return murk_value_wrong(walk, &keys, item);
         }
         /* A name stands for a map of keys; nothing is an empty map. */
-        if (!is_printable(r->node->key[i]) ||
-            (item->kind == MURK_YAML_MAP && !has_printable_keys(item))) {
-            return fail(r, item, "a name with control characters");
+        if (!is_printable(map->key[i]) || !has_printable_keys(item)) {
+            return murk_walk_fail_key(walk, item,
+                                      "a name with control characters");
         }
         murk_yaml *copy = murk_yaml_copy(item);
         if (copy && copy->kind != MURK_YAML_MAP) {
             murk_yaml_clear(copy);
             copy->kind = MURK_YAML_MAP;
         }
-        status = put(r, i, copy, strdup(r->node->key[i]));
+        status = put(walk, axis, i, copy, strdup(map->key[i]));
     }
     return status;
 }
 
 /* ---- ranges ---- */
 
-static murk_status read_range(const reading *r)
+static murk_status read_range(murk_key_reader *walk, murk_study_axis *axis,
+                              murk_yaml *map)
 {
-    murk_study_range range;
-    murk_status status = murk_study_range_read(&range, r->node, r->key, r->err);
+    murk_study_range range = {0};
+    murk_status status =
+        murk_walk_map(walk, &murk_study_range_keys, map, &range);
     if (!status) {
-        status = reserve_values(r, range.steps);
+        status = reserve_values(walk, axis, map, range.steps);
     }
     for (size_t i = 0; !status && i < range.steps; ++i) {
         char text[MURK_TIME_SIZE];
         murk_study_range_print(&range, i, text);
-        murk_yaml *value = murk_yaml_make(MURK_YAML_SCALAR, r->node->source);
+        murk_yaml *value = murk_yaml_make(MURK_YAML_SCALAR, map->source);
         if (value) {
-            value->line = r->node->line;
-            value->column = r->node->column;
-            value->is_quoted = range.scale != MURK_STUDY_NUMBERS;
+            value->line = map->line;
+            value->column = map->column;
+            value->is_quoted = range.from.scale != MURK_STUDY_NUMBERS;
         }
-        status = put(r, i, value, strdup(text));
+        status = put(walk, axis, i, value, strdup(text));
         if (!status && !murk_yaml_set_text(value, text)) {
-            status = no_memory(r);
+            status = murk_walk_no_memory(walk);
         }
     }
     return status;
@@ -171,50 +151,47 @@ static bool is_range(const murk_yaml *node)
            murk_yaml_get(node, "steps");
 }
 
-static murk_status check_conditions(const reading *r)
+static murk_status check_conditions(murk_key_reader *walk,
+                                    const murk_study_axis *axis)
 {
-    for (size_t i = 0; i < r->axis->n; ++i) {
-        if (r->axis->value[i]->kind != MURK_YAML_SCALAR) {
-            return fail(r, r->axis->value[i],
-                        "must be the name of a condition");
+    for (size_t i = 0; i < axis->n; ++i) {
+        if (axis->value[i]->kind != MURK_YAML_SCALAR) {
+            return murk_walk_fail(walk, axis->value[i],
+                                  "must be the name of a condition");
         }
     }
     return MURK_OK;
 }
 
-static murk_status read_axis(murk_study_axis *axis, const char *name,
-                             const murk_yaml *node, murk_error *err)
+static murk_status read_axis(murk_key_reader *walk, murk_study_axis *axis,
+                             const char *name, murk_yaml *node)
 {
-    reading r = {.axis = axis, .node = node, .err = err};
+    static const murk_key any = {.kind = MURK_KEY_OWN,
+                                 .allowed =
+                                     "a list of values, {from, to, steps}, or "
+                                     "names with their keys"};
     murk_status status = MURK_OK;
     axis->name = name;
     axis->path = path_of(name);
-    char shown[MURK_SCENE_NAME_SIZE];
-    murk_words_show(shown, sizeof shown, name); /* it may contain line breaks */
-    snprintf(r.key, sizeof r.key, "axes.%s", shown);
-    murk_walk_where(node, r.key, true, axis->where);
+    murk_walk_where(node, walk->key, true, axis->where);
+    /* The form of the node tells the kind of axis. */
     if (name[0] == '\0') {
-        status = fail(&r, node, "an axis without a name");
+        status = murk_walk_fail_key(walk, node, "an axis without a name");
     } else if (!is_printable(name)) {
-        status = fail(&r, node, "a name with control characters");
+        status =
+            murk_walk_fail_key(walk, node, "a name with control characters");
     } else if (node->kind == MURK_YAML_LIST) {
-        status = read_list(&r);
-    } else if (node->kind == MURK_YAML_MAP && is_range(node)) {
-        status = read_range(&r);
+        status = read_list(walk, axis, node);
+    } else if (is_range(node)) {
+        status = read_range(walk, axis, node);
     } else if (node->kind == MURK_YAML_MAP && node->n > 0) {
-        axis->kind = MURK_STUDY_AXIS_NAMED;
-        status = read_names(&r);
+        status = read_names(walk, axis, node);
     } else {
-        char found[MURK_FOUND_SIZE];
-        murk_value_found(node, found);
-        status = murk_study_fail(node, r.key, true, err,
-                                 "%s, must be a list of values, {from, to, "
-                                 "steps}, or names with their keys",
-                                 found);
+        status = murk_value_wrong(walk, &any, node);
     }
     if (axis->kind == MURK_STUDY_AXIS_KEY && strcmp(name, "condition") == 0) {
         axis->kind = MURK_STUDY_AXIS_CONDITION;
-        return status ? status : check_conditions(&r);
+        return status ? status : check_conditions(walk, axis);
     }
     return status;
 }
@@ -289,8 +266,8 @@ static murk_status check_disjoint(const murk_study_file *study, size_t a,
 
 /* Counts the rows, in double precision: a product of 16 lengths cannot
  * overflow. */
-static murk_status count_rows(murk_study_file *study, const murk_yaml *map,
-                              murk_error *err)
+static murk_status count_rows(murk_key_reader *walk, const murk_yaml *map,
+                              murk_study_file *study)
 {
     double rows = 1;
     for (size_t a = 0; a < study->axes; ++a) {
@@ -298,7 +275,7 @@ static murk_status count_rows(murk_study_file *study, const murk_yaml *map,
         if (!study->is_paired) {
             rows *= (double)axis->n;
         } else if (axis->n != study->axis[0].n) {
-            return murk_fail(err, MURK_BAD_VALUE, axis->where,
+            return murk_fail(walk->err, MURK_BAD_VALUE, axis->where,
                              "%zu values, must be as many as axis %s has, %zu "
                              "(mode: paired)",
                              axis->n, study->axis[0].name, study->axis[0].n);
@@ -307,33 +284,34 @@ static murk_status count_rows(murk_study_file *study, const murk_yaml *map,
         }
     }
     if (rows > MURK_STUDY_ROWS_MAX) {
-        return murk_study_fail(map, "axes", true, err,
-                               "%.10g rows, must be at most %d", rows,
-                               MURK_STUDY_ROWS_MAX);
+        return murk_walk_fail(walk, map, "%.10g rows, must be at most %d", rows,
+                              MURK_STUDY_ROWS_MAX);
     }
     study->rows = (size_t)rows;
     return MURK_OK;
 }
 
-murk_status murk_study_axes_read(murk_study_file *study, const murk_yaml *map,
-                                 murk_error *err)
+murk_status murk_study_axes_read(murk_key_reader *walk, const murk_key *key,
+                                 murk_yaml *node, void *study)
 {
-    if (!map || map->kind != MURK_YAML_MAP || map->n > MURK_STUDY_AXES_MAX) {
-        return murk_study_fail(map ? map : study->root, "axes", true, err,
-                               "must be a map of 0..%d axes: KEY: [values]",
-                               MURK_STUDY_AXES_MAX);
+    murk_study_file *out = study;
+    if (node->kind != MURK_YAML_MAP) {
+        return murk_value_wrong(walk, key, node);
     }
-    study->axis = calloc(map->n + 1, sizeof *study->axis);
-    if (!study->axis) {
-        return murk_study_no_memory(study->path, err);
+    if (node->n > MURK_STUDY_AXES_MAX) {
+        return murk_walk_fail(walk, node, "%zu axes, must be at most %d",
+                              node->n, MURK_STUDY_AXES_MAX);
     }
-    murk_status status = MURK_OK;
-    for (size_t a = 0; a < map->n && !status; ++a) {
-        study->axes = a + 1;
-        status = read_axis(&study->axis[a], map->key[a], map->child[a], err);
+    out->axis = calloc(node->n + 1, sizeof *out->axis);
+    murk_status status = out->axis ? MURK_OK : murk_walk_no_memory(walk);
+    for (size_t a = 0; a < node->n && !status; ++a) {
+        const size_t back = murk_walk_enter(walk, node->key[a]);
+        out->axes = a + 1;
+        status = read_axis(walk, &out->axis[a], node->key[a], node->child[a]);
         if (!status) {
-            status = check_disjoint(study, a, err);
+            status = check_disjoint(out, a, walk->err);
+            murk_walk_leave(walk, back);
         }
     }
-    return status ? status : count_rows(study, map, err);
+    return status ? status : count_rows(walk, node, out);
 }

@@ -3,10 +3,11 @@
 #ifndef MURK_SCENE_STUDY_AXES_H
 #define MURK_SCENE_STUDY_AXES_H
 
-#include "scene/study_file.h"
+#include "scene/walk.h"
 
-/* Fills study->axis and study->rows from the map of axes. */
-murk_status murk_study_axes_read(murk_study_file *study, const murk_yaml *map,
-                                 murk_error *err);
+/* Fills `axis`, `axes` and `rows` of the murk_study_file `study` from the map
+ * of axes. The reader of a row of the key table (scene/keys.h). */
+murk_status murk_study_axes_read(murk_key_reader *walk, const murk_key *key,
+                                 murk_yaml *node, void *study);
 
 #endif

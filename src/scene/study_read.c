@@ -3,187 +3,95 @@
 #include "scene/study_file.h"
 
 #include "base/file.h"
+#include "scene/keys_rows.h"
 #include "scene/study_axes.h"
-#include "scene/study_range.h"
 #include "scene/value.h"
 #include "scene/words.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* The keys of a study. */
-static const char *const KEYS[] = {"murk_study",   "base", "axes",
-                                   "mode",         "plan", "outputs",
-                                   "fluence_size", "units"};
-/* The number of these keys. */
-#define N_KEYS (sizeof KEYS / sizeof *KEYS)
+/* ---- the key table ---- */
 
-/* The state of reading. */
-typedef struct reading {
-    murk_study_file *study;
-    const murk_yaml *root;
-    murk_error *err;
-} reading;
-
-static murk_status wrong(const reading *r, const murk_yaml *node,
-                         const char *key, const char *allowed)
+/* Names of outputs must be unique; whether they exist is checked later. */
+static murk_status read_outputs(murk_key_reader *walk, const murk_key *key,
+                                murk_yaml *node, void *item)
 {
-    char found[MURK_FOUND_SIZE] = "nothing";
-    if (node) {
-        murk_value_found(node, found);
-    }
-    return murk_study_fail(node ? node : r->root, key,
-                           !node || node->kind != MURK_YAML_SCALAR, r->err,
-                           "%s, must be %s", found, allowed);
-}
-
-static murk_status check_keys(const reading *r)
-{
-    for (size_t i = 0; i < r->root->n; ++i) {
-        const char *key = r->root->key[i];
-        size_t k = 0;
-        while (k < N_KEYS && strcmp(KEYS[k], key) != 0) {
-            ++k;
-        }
-        if (k == N_KEYS) {
-            char shown[MURK_SCENE_NAME_SIZE];
-            const char *meant = murk_words_meant(key, KEYS, N_KEYS);
-            murk_words_show(shown, sizeof shown, key);
-            return murk_study_fail(r->root->child[i], shown, true, r->err,
-                                   "unknown key of a study%s%s%s",
-                                   meant ? ", did you mean " : "",
-                                   meant ? meant : "", meant ? "?" : "");
-        }
-    }
-    return MURK_OK;
-}
-
-static murk_status read_version(const reading *r)
-{
-    const murk_yaml *node = murk_yaml_get(r->root, "murk_study");
-    uint64_t version = 0;
-    return node && murk_yaml_count(node, &version) && version == 1
-               ? MURK_OK
-               : wrong(r, node, "murk_study", "1, the format's version");
-}
-
-static murk_status read_file_name(const reading *r, const char *key,
-                                  bool is_needed, char **out)
-{
-    const murk_yaml *node = murk_yaml_get(r->root, key);
-    if (!node && !is_needed) {
-        return MURK_OK;
-    }
-    if (!node || node->kind != MURK_YAML_SCALAR || node->text[0] == '\0' ||
-        murk_yaml_is_null(node)) {
-        return wrong(r, node, key, "the name of a file");
-    }
-    *out = murk_path_beside(r->study->path, node->text);
-    return *out ? MURK_OK : murk_study_no_memory(r->study->path, r->err);
-}
-
-static murk_status read_mode(const reading *r)
-{
-    const murk_yaml *node = murk_yaml_get(r->root, "mode");
-    const char *word = !node                            ? "grid"
-                       : node->kind == MURK_YAML_SCALAR ? node->text
-                                                        : "";
-    r->study->is_paired = strcmp(word, "paired") == 0;
-    return r->study->is_paired || strcmp(word, "grid") == 0
-               ? MURK_OK
-               : wrong(r, node, "mode", "grid or paired");
-}
-
-static murk_status read_outputs(const reading *r)
-{
-    const murk_yaml *node = murk_yaml_get(r->root, "outputs");
-    murk_study_file *study = r->study;
-    if (!node) {
-        return MURK_OK;
-    }
-    murk_walk_where(node, "outputs", true, study->outputs_where);
+    static const murk_key name = {.kind = MURK_KEY_OWN,
+                                  .allowed = "the name of an output"};
+    murk_study_file *study = item;
+    murk_walk_where(node, walk->key, true, study->outputs_where);
     if (node->kind != MURK_YAML_LIST || node->n < 1 ||
         node->n > MURK_STUDY_OUTPUTS_MAX) {
-        return wrong(r, node, "outputs", "a list of 1..128 names");
+        return murk_value_wrong(walk, key, node);
     }
-    /* Names of outputs must be unique; whether they exist is checked later. */
     study->output = calloc(node->n, sizeof *study->output);
     if (!study->output) {
-        return murk_study_no_memory(study->path, r->err);
+        return murk_walk_no_memory(walk);
     }
-    for (size_t i = 0; i < node->n; ++i) {
-        const murk_yaml *item = node->child[i];
-        if (item->kind != MURK_YAML_SCALAR || item->text[0] == '\0') {
-            return wrong(r, item, "outputs", "the name of an output");
+    /* Each name, compared with the earlier ones. */
+    for (; study->outputs < node->n; ++study->outputs) {
+        const murk_yaml *output = node->child[study->outputs];
+        if (output->kind != MURK_YAML_SCALAR || output->text[0] == '\0') {
+            return murk_value_wrong(walk, &name, output);
         }
-        for (size_t k = 0; k < i; ++k) {
-            if (strcmp(study->output[k], item->text) == 0) {
+        for (size_t k = 0; k < study->outputs; ++k) {
+            if (strcmp(study->output[k], output->text) == 0) {
                 char shown[MURK_SCENE_NAME_SIZE];
-                murk_words_show(shown, sizeof shown, item->text);
-                return murk_study_fail(item, "outputs", false, r->err,
-                                       "%s stands there twice", shown);
+                murk_words_show(shown, sizeof shown, output->text);
+                return murk_walk_fail(walk, output, "%s stands there twice",
+                                      shown);
             }
         }
-        study->output[i] = item->text;
-        study->outputs = i + 1;
+        study->output[study->outputs] = output->text;
     }
     return MURK_OK;
 }
 
-static murk_status read_fluence_size(const reading *r)
+/* Cells of the grid of a volume file. */
+#define CELLS_MAX (UINT64_C(1) << 31)
+
+static murk_status check_cells(murk_key_reader *walk, const murk_yaml *map,
+                               void *item)
 {
-    const murk_yaml *node = murk_yaml_get(r->root, "fluence_size");
-    const char *allowed = "[nx, ny, nz], each 1..4096, at most 2^31 cells";
-    uint64_t cells = 1;
-    if (!node) {
+    const size_t *size = ((murk_study_file *)item)->fluence_size;
+    if ((uint64_t)size[0] * size[1] * size[2] <= CELLS_MAX) {
         return MURK_OK;
     }
-    if (node->kind != MURK_YAML_LIST || node->n != 3) {
-        return wrong(r, node, "fluence_size", allowed);
-    }
-    for (int i = 0; i < 3; ++i) {
-        uint64_t n;
-        if (!murk_yaml_count(node->child[i], &n) || n < 1 || n > 4096) {
-            return wrong(r, node->child[i], "fluence_size", allowed);
-        }
-        r->study->fluence_size[i] = (size_t)n;
-        cells *= n;
-    }
-    return cells <= UINT64_C(1) << 31 ? MURK_OK
-                                      : wrong(r, node, "fluence_size", allowed);
+    murk_walk_enter(walk, "fluence_size");
+    return murk_walk_fail(walk, murk_yaml_get(map, "fluence_size"),
+                          "[%zu, %zu, %zu], must be at most 2^31 cells",
+                          size[0], size[1], size[2]);
 }
 
-static murk_status read_units(const reading *r)
-{
-    const murk_yaml *node = murk_yaml_get(r->root, "units");
-    int value = 0;
-    if (node && node->kind == MURK_YAML_SCALAR &&
-        murk_scene_word_find("units", node->text, &value)) {
-        r->study->has_units = true;
-        r->study->units = (murk_quantity)value;
-    }
-    return !node || r->study->has_units
-               ? MURK_OK
-               : wrong(r, node, "units",
-                       "radiometric, photometric, photons or par");
-}
+#define STUDY(member) AT(murk_study_file, member)
 
-/* Reads all keys, in the order in which messages are most useful. */
-static murk_status read_all(const reading *r)
+/* Axes are read after the mode, by which their rows are counted. */
+static const murk_key STUDY_ROWS[] = {
+    ROW("murk_study", COUNT, NEEDED, .min = 1, .max = 1),
+    ROW("base", PATH, NEEDED, STUDY(base)),
+    ROW("plan", PATH, STUDY(plan)),
+    ROW("mode", WORD, .preset = "grid", WORDS({"grid", 0}, {"paired", 1}),
+        STUDY(is_paired)),
+    ROW("axes", OWN, NEEDED, .read = murk_study_axes_read,
+        .allowed = "a map of axes, KEY: [values]"),
+    ROW("outputs", OWN, .read = read_outputs,
+        .allowed = "a list of 1..128 names"),
+    ROW("units", WORD, .words = murk_units_words, STUDY(units),
+        FLAG(murk_study_file, has_units)),
+    ROW("fluence_size", SIZES, .min = 1, .max = 4096, STUDY(fluence_size)),
+    END,
+};
+_Static_assert(MURK_STUDY_OUTPUTS_MAX == 128, "the row of outputs states it");
+
+static const murk_keys STUDY_KEYS = {
+    .noun = "study", .check = check_cells, .key = STUDY_ROWS};
+
+/* ---- the file ---- */
+
+static murk_status no_memory(const char *path, murk_error *err)
 {
-    murk_study_file *study = r->study;
-    const murk_yaml *axes = murk_yaml_get(r->root, "axes");
-    murk_status status = check_keys(r);
-    if (status || (status = read_version(r)) ||
-        (status = read_file_name(r, "base", true, &study->base)) ||
-        (status = read_file_name(r, "plan", false, &study->plan)) ||
-        (status = read_mode(r)) ||
-        (status = murk_study_axes_read(study, axes, r->err)) ||
-        (status = read_outputs(r)) || (status = read_units(r))) {
-        return status;
-    }
-    return read_fluence_size(r);
+    return murk_fail(err, MURK_NO_MEMORY, path, "no memory for the study");
 }
 
 murk_status murk_study_file_read(murk_study_file **out, const char *path,
@@ -194,7 +102,7 @@ murk_status murk_study_file_read(murk_study_file **out, const char *path,
     murk_study_file *study = calloc(1, sizeof *study);
     if (!study || !(study->path = strdup(path))) {
         murk_study_file_destroy(study);
-        return murk_study_no_memory(path, err);
+        return no_memory(path, err);
     }
     /* Read and parse the text; the hash identifies the study. */
     murk_status status =
@@ -203,12 +111,10 @@ murk_status murk_study_file_read(murk_study_file **out, const char *path,
         murk_sha256_hex(text, size, study->sha256);
         status = murk_yaml_parse(&study->root, text, size, study->path, err);
     }
-    if (!status && study->root->kind != MURK_YAML_MAP) {
-        status = murk_fail(err, MURK_BAD_FILE, path, "must be a map of keys");
-    }
     if (!status) {
-        const reading r = {study, study->root, err};
-        status = read_all(&r);
+        murk_key_reader walk = {.root = study->root, .err = err};
+        status = murk_walk_root(&walk, &STUDY_KEYS, study);
+        free(walk.paths);
     }
     free(text);
     /* Hand over a complete study only. */
@@ -284,7 +190,7 @@ murk_status murk_study_row_scene(murk_scene_desc **out,
     }
     murk_key_change *change = calloc(max, sizeof *change);
     if (!change) {
-        return murk_study_no_memory(study->path, err);
+        return no_memory(study->path, err);
     }
     murk_variant variant = {.change = change};
     for (size_t a = 0; a < study->axes; ++a) {

@@ -339,12 +339,8 @@ static murk_status read_text(murk_key_reader *walk, const murk_key *key,
     return copy ? MURK_OK : murk_walk_no_memory(walk);
 }
 
-char *murk_value_opened(const murk_yaml *node, const murk_yaml *root,
-                        const char *scene_path)
+char *murk_value_opened(const murk_yaml *node)
 {
-    if (node->source == root->source) {
-        return murk_path_beside(scene_path, node->text);
-    }
     return strncmp(node->source, "--", 2) == 0
                ? strdup(node->text)
                : murk_path_beside(node->source, node->text);
@@ -365,7 +361,7 @@ static murk_status read_path(murk_key_reader *walk, const murk_key *key,
     }
     walk->paths = paths;
     walk->paths[walk->n_paths++] = node;
-    char *path = murk_value_opened(node, walk->root, walk->scene->path);
+    char *path = murk_value_opened(node);
     *(char **)member = path;
     return path ? MURK_OK : murk_walk_no_memory(walk);
 }

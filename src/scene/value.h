@@ -21,11 +21,10 @@ murk_status murk_value_word(murk_key_reader *walk, const murk_key *key,
                             murk_yaml *node, int *value);
 
 /* The path of a file that a node names, relative to the working folder. A
- * name in the scene is relative to the scene, a name on the command line to
- * the working folder, and a name in any other file to that file. NULL when
- * out of memory; the caller frees it with free(). */
-char *murk_value_opened(const murk_yaml *node, const murk_yaml *root,
-                        const char *scene_path);
+ * name on the command line is relative to the working folder, any other name
+ * to the file that has the node. NULL when out of memory; the caller frees the
+ * path with free(). */
+char *murk_value_opened(const murk_yaml *node);
 
 /* Stores an enum, bool or char in a member. */
 void murk_value_store(void *item, size_t at, size_t size, int value);

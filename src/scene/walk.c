@@ -88,6 +88,6 @@ murk_status murk_walk_fail_key(murk_key_reader *walk, const murk_yaml *node,
 
 murk_status murk_walk_no_memory(murk_key_reader *walk)
 {
-    return murk_fail(walk->err, MURK_NO_MEMORY, walk->scene->path,
+    return murk_fail(walk->err, MURK_NO_MEMORY, walk->root->source,
                      "no memory to read it");
 }

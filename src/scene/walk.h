@@ -12,7 +12,8 @@
 #define MURK_WALK_KEY_SIZE 160
 
 struct murk_key_reader {
-    murk_scene_desc *scene;
+    murk_scene_desc *scene; /* NULL: the tree is no scene; its tables then have
+                               no values per band and no references */
     murk_yaml *root;
     murk_error *err;
     char key[MURK_WALK_KEY_SIZE]; /* path of the current key:
@@ -23,9 +24,15 @@ struct murk_key_reader {
     size_t n_paths;
 };
 
-/* Reads the whole scene. scene->path must be set, everything else empty. If
- * the walk already has a key, all keys in messages begin with it. */
-murk_status murk_walk_scene(murk_key_reader *walk);
+/* Reads the whole tree by a table into an empty struct `item`; of a scene,
+ * scene->path must be set. If the walk already has a key, all keys in messages
+ * begin with it. */
+murk_status murk_walk_root(murk_key_reader *walk, const murk_keys *keys,
+                           void *item);
+
+/* Reads the map of the current key by a table into a struct. */
+murk_status murk_walk_map(murk_key_reader *walk, const murk_keys *keys,
+                          murk_yaml *map, void *item);
 
 /* Adds a default to a map. Defaults are parsed from text, so that they are
  * read like the values of the user. */

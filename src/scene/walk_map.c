@@ -146,8 +146,8 @@ static void mark_absent(const murk_keys *keys, const murk_yaml *map,
     }
 }
 
-static murk_status walk_map(murk_key_reader *walk, const murk_keys *keys,
-                            murk_yaml *map, void *item)
+murk_status murk_walk_map(murk_key_reader *walk, const murk_keys *keys,
+                          murk_yaml *map, void *item)
 {
     /* Any keys are allowed: check() reads them all. */
     if (keys->is_open) {
@@ -364,11 +364,11 @@ static murk_status walk_value(murk_key_reader *walk, const murk_key *key,
     case MURK_KEY_PER_BAND:
         return walk_bands(walk, key, node, item);
     case MURK_KEY_MAP:
-        return is_map
-                   ? walk_map(walk, key->keys, node, (char *)item + key->inside)
-                   : murk_value_wrong(walk, key, node);
+        return is_map ? murk_walk_map(walk, key->keys, node,
+                                      (char *)item + key->inside)
+                      : murk_value_wrong(walk, key, node);
     case MURK_KEY_SPECTRUM:
-        return key->keys && is_map ? walk_map(walk, key->keys, node, item)
+        return key->keys && is_map ? murk_walk_map(walk, key->keys, node, item)
                                    : murk_value_read(walk, key, node, item);
     case MURK_KEY_LIST:
     case MURK_KEY_MAPS:
@@ -382,13 +382,15 @@ static murk_status walk_value(murk_key_reader *walk, const murk_key *key,
     }
 }
 
-murk_status murk_walk_scene(murk_key_reader *walk)
+murk_status murk_walk_root(murk_key_reader *walk, const murk_keys *keys,
+                           void *item)
 {
     if (walk->root->kind != MURK_YAML_MAP) {
         char found[MURK_FOUND_SIZE];
         murk_value_found(walk->root, found);
         return murk_walk_fail(walk, walk->root,
-                              "%s, must be a scene: a map of keys", found);
+                              "%s, must be a %s: a map of keys", found,
+                              keys->noun);
     }
-    return walk_map(walk, &murk_scene_keys, walk->root, walk->scene);
+    return murk_walk_map(walk, keys, walk->root, item);
 }

@@ -49,7 +49,7 @@ refused() {
 head='murk_study: 1
 base: scene.yaml'
 power='lights.0.power_w'
-refused 'bad.yaml:1:1: murk_study' 'base: scene.yaml
+refused 'bad.yaml:1:1: misses murk_study' 'base: scene.yaml
 axes: {}'
 refused 'a best plan for placement.at_least, which' "$head
 axes: {placement.redundancy: [1, 2]}
@@ -57,10 +57,10 @@ outputs: [coverage_best]" --set 'sensors={types: [{name: node, range_m: 3}], tar
 refused 'murk_study: 2, must be 1' 'murk_study: 2
 base: scene.yaml
 axes: {}'
-refused 'base: nothing, must be the name of a file' 'murk_study: 1
+refused 'misses base, must be the name of a file' 'murk_study: 1
 axes: {}'
-refused 'axes: must be a map' "$head"
-refused 'axis: unknown key of a study, did you mean axes?' "$head
+refused 'misses axes, must be a map' "$head"
+refused 'axis: unknown key, did you mean axes?' "$head
 axis: {}"
 refused "nowhere.yaml" 'murk_study: 1
 base: nowhere.yaml
@@ -68,21 +68,21 @@ axes: {}'
 # rows that are too many, before any of them is made
 refused 'axes: 1000000000 rows, must be at most 10000' "$head
 axes: {lights.0.power_w: {from: 1, to: 2, steps: 1000}, seed: {from: 1, to: 1000, steps: 1000}, media.fog.albedo: {from: 0, to: 1, steps: 1000}}"
-refused 'bad.yaml:3:50: axes.lights.0.power_w: steps: 1e9, must be a whole number, 1..10000' "$head
+refused 'bad.yaml:3:50: axes.lights.0.power_w.steps: 1e9, must be 1..10000' "$head
 axes: {lights.0.power_w: {from: 1, to: 2, steps: 1e9}}"
-refused 'bad.yaml:3:40: axes.seed: steps: 1000000000, must be a whole number, 1..10000' "$head
+refused 'bad.yaml:3:40: axes.seed.steps: 1000000000, must be 1..10000' "$head
 axes: {seed: {from: 1, to: 1e9, steps: 1000000000}}"
-refused 'steps: -3, must be a whole number' "$head
+refused 'steps: -3, must be 1..10000' "$head
 axes: {$power: {from: 1, to: 2, steps: -3}}"
-refused 'steps: nothing, must be' "$head
+refused 'axes.lights.0.power_w: misses steps, must be a whole number' "$head
 axes: {$power: {from: 1, to: 2}}"
 refused 'from and to, must be two numbers' "$head
 axes: {$power: {from: 1, to: 06:00, steps: 3}}"
-refused 'from and to, must be two numbers' "$head
+refused 'from: 2026-06-21T00:00:00, must be a number, a time with the zone' "$head
 axes: {$power: {from: 2026-06-21T00:00:00, to: 2026-06-22T00:00:00, steps: 3}}"
 refused 'spacing: log, from and to must be numbers above 0' "$head
 axes: {$power: {from: 0, to: 1, steps: 3, spacing: log}}"
-refused 'step is no key of a range' "$head
+refused 'axes.lights.0.power_w.step: unknown key, did you mean steps?' "$head
 axes: {$power: {from: 0, to: 1, step: 3}}"
 refused '0 values, must be 1..10000' "$head
 axes: {$power: []}"
@@ -97,7 +97,7 @@ axes: {lamp: {on: {lights.0.power_w: 1, lights.0: {type: point, position_m: [1, 
 refused '2 values, must be as many as axis lights.0.power_w has, 3 (mode: paired)' "$head
 mode: paired
 axes: {$power: [1, 2, 3], seed: [1, 2]}"
-refused 'mode: pair, must be grid or paired' "$head
+refused 'mode: pair, must be grid, paired' "$head
 mode: pair
 axes: {}"
 refused 'axes.a\x01b: a name with control characters' "$head
