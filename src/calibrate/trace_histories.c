@@ -190,7 +190,7 @@ murk_status murk_histories_trace(murk_histories **out,
                                  .buffers = buffers,
                                  .ledger = ledger,
                                  .sink = murk_recorder_event,
-                                 .leg = murk_recorder_segment,
+                                 .segment_sink = murk_recorder_segment,
                                  .context = j.recorder,
                                  .gather = gather,
                                  .gather_context = &j};

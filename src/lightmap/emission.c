@@ -93,7 +93,7 @@ static murk_status send_wave(murk_emission *e, bool *is_done, murk_error *err)
     murk_trace trace = trace_of(e, first, end);
     if (e->sink) {
         trace.sink = e->sink;
-        trace.leg = e->leg;
+        trace.segment_sink = e->segment_sink;
         trace.context = e->context;
     } else if (e->buffers->keeps_surface || e->buffers->keeps_volume) {
         trace.sink = murk_record_buffers_event;

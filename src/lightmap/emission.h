@@ -31,8 +31,8 @@ typedef struct murk_emission {
      * photons up to and including `last`. If sink and gather are NULL, the
      * record buffers alone are used. */
     murk_event_sink sink;
-    murk_leg_sink leg;
-    void *context; /* passed to sink and leg */
+    murk_segment_sink segment_sink;
+    void *context; /* passed to both sinks */
     murk_status (*gather)(void *gather_context, uint64_t last, murk_error *err);
     void *gather_context;
 

@@ -44,9 +44,9 @@ struct murk_sampler {
     bool is_settled;  /* the class of all further light is known: */
     part settled;
     bool is_stopped, meets_light;
-    murk_trace_segment leg; /* the last segment */
-    double radiance[PARTS]; /* radiance / index^2 */
-    double *group;          /* contributions of the maps */
+    murk_trace_segment segment; /* the last segment */
+    double radiance[PARTS];     /* radiance / index^2 */
+    double *group;              /* contributions of the maps */
 };
 
 /* Adds light that the ray has hit. */
@@ -94,7 +94,7 @@ static void meet_lights(murk_sampler *s, bool is_distant, murk_vec3 from,
                         murk_vec3 sight, double weight)
 {
     const murk_sources *lights = s->scenery->world->lights;
-    const double square = s->leg.index * s->leg.index;
+    const double square = s->segment.index * s->segment.index;
     for (size_t i = 0; i < s->scenery->n_lit[s->band]; ++i) {
         const size_t light = s->scenery->lit[s->band][i];
         const murk_source *l = murk_sources_get(lights, light);
@@ -106,7 +106,7 @@ static void meet_lights(murk_sampler *s, bool is_distant, murk_vec3 from,
         if (!(glare.radiance > 0) ||
             (!is_distant &&
              !(glare.distance_m <=
-               s->leg.length_m + slack_at(s->scenery, l, sight)))) {
+               s->segment.length_m + slack_at(s->scenery, l, sight)))) {
             continue;
         }
         /* Light from the sun or sky has passed the media outside. */
@@ -120,19 +120,19 @@ static void meet_lights(murk_sampler *s, bool is_distant, murk_vec3 from,
 }
 
 static void receive_segment(void *context, uint64_t batch,
-                            const murk_trace_segment *leg)
+                            const murk_trace_segment *segment)
 {
     murk_sampler *s = context;
     (void)batch;
-    s->leg = *leg;
+    s->segment = *segment;
     if (!(s->own_index > 0)) {
-        s->own_index = leg->index;
+        s->own_index = segment->index;
     }
     if (s->has_wrapped) {
-        s->wrapped = murk_add(s->wrapped, murk_sub(s->left, leg->from));
+        s->wrapped = murk_add(s->wrapped, murk_sub(s->left, segment->from));
         s->has_wrapped = false;
     }
-    meet_lights(s, false, leg->from, leg->direction, leg->weight);
+    meet_lights(s, false, segment->from, segment->direction, segment->weight);
 }
 
 /* ---- events ---- */
@@ -185,8 +185,8 @@ static void meet_surface(murk_sampler *s, const murk_event *event)
     const murk_shading_point place = {.band = s->band,
                                       .position = event->position,
                                       .sight = event->direction_in,
-                                      .index = s->leg.index,
-                                      .is_in_solid = s->leg.is_in_solid,
+                                      .index = s->segment.index,
+                                      .is_in_solid = s->segment.is_in_solid,
                                       .normal = event->normal,
                                       .diffuse = event->reflectance};
     if (event->reflectance > 0) {
@@ -213,7 +213,7 @@ static void meet_medium(murk_sampler *s, const murk_event *event)
         .band = s->band,
         .position = event->position,
         .sight = event->direction_in,
-        .index = s->leg.index,
+        .index = s->segment.index,
         .phase = murk_media_phase(s->scenery->world->media,
                                   event->material_or_medium, s->band),
         .albedo = event->reflectance,
@@ -314,7 +314,7 @@ murk_status murk_sampler_create(murk_sampler **out, const murk_scenery *scenery,
     murk_trace own = *trace;
     own.world = scenery->world;
     own.sink = receive_event;
-    own.leg = receive_segment;
+    own.segment_sink = receive_segment;
     own.context = s;
     const murk_status status = murk_follower_create(&s->follower, &own, err);
     if (status) {

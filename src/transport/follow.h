@@ -15,10 +15,10 @@
 
 typedef struct murk_follower murk_follower;
 
-/* Creates a follower. The members seed, stream, limits, flight, sink, leg and
- * context of `trace` apply to each ray; photons, threads and tallies do not.
- * The world must outlive the follower. The caller destroys *out. Fails with
- * MURK_NO_MEMORY. */
+/* Creates a follower. The members seed, stream, limits, flight, sink,
+ * segment_sink and context of `trace` apply to each ray; photons, threads and
+ * tallies do not. The world must outlive the follower. The caller destroys
+ * *out. Fails with MURK_NO_MEMORY. */
 murk_status murk_follower_create(murk_follower **out, const murk_trace *trace,
                                  murk_error *err);
 void murk_follower_destroy(murk_follower *follower); /* NULL is fine */

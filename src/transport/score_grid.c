@@ -116,7 +116,7 @@ void murk_score_lattice(murk_scorer *scorer, const murk_lattice *lattice,
         murk_score_add(scorer, cell, length_m * quanta_per_m);
         return;
     }
-    /* Else from face to face through the part of the leg that lies in the
+    /* Else from face to face through the part of the segment that lies in the
      * grid. */
     double begin_m = 0, end_m = length_m;
     if (!murk_box_clip(&lattice->box, from, direction, &begin_m, &end_m)) {

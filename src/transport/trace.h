@@ -127,8 +127,8 @@ typedef struct murk_trace_segment {
 } murk_trace_segment;
 
 /* As murk_event_sink; called before the event at which the segment ends. */
-typedef void (*murk_leg_sink)(void *context, uint64_t batch,
-                              const murk_trace_segment *leg);
+typedef void (*murk_segment_sink)(void *context, uint64_t batch,
+                                  const murk_trace_segment *segment);
 
 #define MURK_BATCH_PHOTONS                            \
     1024 /* fixed, so that no result knows of threads \
@@ -145,9 +145,9 @@ typedef struct murk_trace {
     double least_weight; /* MURK_MIN_WEIGHT_MIN..1 */
     bool by_delta; /* free flight by delta tracking, for which the media must be
                     * prepared; otherwise by marching */
-    murk_event_sink sink;  /* may be NULL */
-    murk_leg_sink leg;     /* may be NULL */
-    void *context;         /* context of both callbacks */
+    murk_event_sink sink;           /* may be NULL */
+    murk_segment_sink segment_sink; /* may be NULL */
+    void *context;                  /* context of both callbacks */
     murk_tallies *tallies; /* may be NULL; created for at least `threads`
                             * threads */
     bool takes_back;       /* subtract the contributions of these photons from

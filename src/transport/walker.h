@@ -174,8 +174,8 @@ static inline void murk_walker_score(const murk_walker *w, murk_vec3 from,
                            (double)quanta, (murk_station){end, reach_m});
     }
     /* The sink of segments. */
-    if (trace->leg) {
-        const murk_trace_segment leg = {
+    if (trace->segment_sink) {
+        const murk_trace_segment segment = {
             .photon = w->photon,
             .light = (uint16_t)w->light,
             .band = (uint8_t)w->band,
@@ -186,7 +186,7 @@ static inline void murk_walker_score(const murk_walker *w, murk_vec3 from,
             .length_m = length_m,
             .weight = murk_packet_share(quanta),
             .index = murk_walker_index(w, &w->solids, w->path.inside)};
-        trace->leg(trace->context, w->batch, &leg);
+        trace->segment_sink(trace->context, w->batch, &segment);
     }
 }
 

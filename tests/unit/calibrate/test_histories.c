@@ -106,15 +106,15 @@ static size_t index_of(uint8_t medium)
 }
 
 static void receive_segment(void *context, uint64_t batch,
-                            const murk_trace_segment *leg)
+                            const murk_trace_segment *segment)
 {
     told *t = context;
     (void)batch;
-    t->depth += leg->is_in_solid
+    t->depth += segment->is_in_solid
                     ? 0
-                    : murk_media_optical_depth(t->stage->media, leg->band,
-                                               leg->inside, leg->from,
-                                               leg->direction, leg->length_m);
+                    : murk_media_optical_depth(
+                          t->stage->media, segment->band, segment->inside,
+                          segment->from, segment->direction, segment->length_m);
 }
 
 static void hear_record(told *t, const murk_event *event)
@@ -187,7 +187,7 @@ static void test_records_know_their_paths(const murk_stage *stage,
     murk_trace trace = murk_stage_trace(stage);
     trace.last = PHOTONS;
     trace.sink = receive_event;
-    trace.leg = receive_segment;
+    trace.segment_sink = receive_segment;
     trace.context = &t;
     murk_trace_run(&trace, ledger);
     CHECK(t.records > 20000);
