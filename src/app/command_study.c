@@ -200,12 +200,12 @@ static void print_plan(const study_run *s, int p)
 
 static void print_study(const study_run *s)
 {
-    size_t traced = 0, kept = 0;
+    size_t traced = 0, reused = 0;
     for (size_t g = 0; g < s->sweep->groups; ++g) {
         traced += s->sweep->group[g].was_traced;
     }
     for (size_t i = 0; i < s->study->rows; ++i) {
-        kept += s->sweep->row[i].is_reused;
+        reused += s->sweep->row[i].is_reused;
     }
     /* The rows, the plans for all rows, and counts. */
     murk_print_study_rows(s->sweep, s->options->out);
@@ -214,7 +214,7 @@ static void print_study(const study_run *s)
     }
     murk_print("rows        %zu, of which %zu kept from before and %zu failed; "
                "light traced for %zu groups of rows\n",
-               s->study->rows, kept, murk_sweep_failed(s->sweep), traced);
+               s->study->rows, reused, murk_sweep_failed(s->sweep), traced);
     murk_print_time(&s->session.run, NULL, 0);
     /* The files. */
     if (s->options->out) {

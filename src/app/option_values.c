@@ -51,11 +51,11 @@ murk_status murk_option_override(murk_options *out, const char *key,
     if (overrides) {
         out->overrides = overrides;
     }
-    const char *kept = keep(out, text);
-    if (!kept || !overrides) {
+    const char *owned = keep(out, text);
+    if (!owned || !overrides) {
         return no_memory(err);
     }
-    out->overrides[out->n_overrides++] = (murk_override){kept, option};
+    out->overrides[out->n_overrides++] = (murk_override){owned, option};
     return MURK_OK;
 }
 
@@ -214,12 +214,12 @@ static murk_status values_of(murk_options *out, const char *file,
     if (option) {
         snprintf(option, length, "--set @%s", file);
     }
-    const char *kept = keep(out, option);
-    if (!status && !kept) {
+    const char *source = keep(out, option);
+    if (!status && !source) {
         status = no_memory(err);
     }
     for (size_t i = 0; !status && i < root->n; ++i) {
-        status = add_value(out, root, i, kept, err);
+        status = add_value(out, root, i, source, err);
     }
     if (!status && murk_fit_refused_values(text)) {
         murk_fit_warn_refused(file);

@@ -60,11 +60,11 @@ static void keep(murk_sightlines *lines, const murk_sightlines_through *t,
         const murk_photon *p = murk_sight_photon(t->sight, photon[i]);
         const double *extinction = t->extinction + murk_photon_band(p) * media;
         const double rest = sheets[i] * exp(-other[i]);
-        double kept = 0;
+        double tau = 0;
         for (size_t m = 0; m < media; ++m) {
-            kept += extinction[m] * depth[i * media + m];
+            tau += extinction[m] * depth[i * media + m];
         }
-        if (!(rest * exp(-kept) >= MIN_THROUGH)) {
+        if (!(rest * exp(-tau) >= MIN_THROUGH)) {
             continue;
         }
         lines->contribution[lines->n] = murk_photon_emitted(p);

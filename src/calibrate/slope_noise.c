@@ -299,15 +299,15 @@ murk_status murk_slope_noise_step(double *step, double *length,
             }
             along += a.axis[q * a.rank + r] * of / a.singular[r];
         }
-        const double kept = 1 - a.part[q];
+        const double signal_share = 1 - a.part[q];
         if (a.part[q] > NOISE_MAX) {
             continue;
         }
-        *length += along * along / kept;
+        *length += along * along / signal_share;
         for (size_t r = 0; r < a.rank; ++r) {
             for (size_t k = 0; k < n; ++k) {
                 step[k] += a.axis[q * a.rank + r] / a.singular[r] *
-                           a.direction[r * n + k] * along / kept;
+                           a.direction[r * n + k] * along / signal_share;
             }
         }
     }

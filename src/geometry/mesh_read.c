@@ -102,7 +102,7 @@ static bool is_sound(const murk_mesh *mesh)
 
 static void drop_degenerate(murk_mesh *mesh)
 {
-    size_t kept = 0;
+    size_t remaining = 0;
     mesh->bounds_m = murk_box_empty();
     for (size_t i = 0; i < mesh->triangles; ++i) {
         /* Keep triangles with an area, and measure the bounding box. */
@@ -112,14 +112,14 @@ static void drop_degenerate(murk_mesh *mesh)
             ++mesh->degenerate;
             continue;
         }
-        memmove(mesh->corner + 3 * kept, mesh->corner + 3 * i,
+        memmove(mesh->corner + 3 * remaining, mesh->corner + 3 * i,
                 3 * sizeof *mesh->corner);
-        mesh->material[kept++] = mesh->material[i];
+        mesh->material[remaining++] = mesh->material[i];
         mesh->bounds_m = murk_box_with(mesh->bounds_m, t.a);
         mesh->bounds_m = murk_box_with(mesh->bounds_m, t.b);
         mesh->bounds_m = murk_box_with(mesh->bounds_m, t.c);
     }
-    mesh->triangles = kept;
+    mesh->triangles = remaining;
     /* The step of single precision at the largest coordinate. */
     const murk_box *b = &mesh->bounds_m;
     const double farthest = murk_box_largest_coordinate(b);

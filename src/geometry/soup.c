@@ -82,7 +82,7 @@ static murk_status store_vertices(murk_soup *soup, const murk_placed_shapes *g,
 /* Removes triangles that have no area after rounding. */
 static void drop_degenerate(murk_soup *soup, murk_placed_shapes *g)
 {
-    size_t kept = 0;
+    size_t remaining = 0;
     soup->degenerate = g->degenerate;
     for (size_t i = 0; i < g->triangles; ++i) {
         const murk_triangle t =
@@ -91,9 +91,9 @@ static void drop_degenerate(murk_soup *soup, murk_placed_shapes *g)
             ++soup->degenerate;
             continue;
         }
-        g->triangle[kept++] = g->triangle[i];
+        g->triangle[remaining++] = g->triangle[i];
     }
-    g->triangles = kept;
+    g->triangles = remaining;
 }
 
 /* The face of a surface that is not the boundary of a solid. */

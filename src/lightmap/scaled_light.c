@@ -166,7 +166,7 @@ static murk_status scale_map(murk_photon_map **out, const murk_photon_map *map,
     const murk_photon *from = murk_photon_map_photons(map);
     const size_t n = murk_photon_map_count(map);
     murk_photon *photon = n ? malloc(n * sizeof *photon) : NULL;
-    size_t kept = 0;
+    size_t remaining = 0;
     if (n && !photon) {
         return murk_fail(err, MURK_NO_MEMORY, "",
                          "no memory for %zu stored photons", n);
@@ -179,15 +179,15 @@ static murk_status scale_map(murk_photon_map **out, const murk_photon_map *map,
         const float power_w =
             (float)(murk_photon_power_w(&from[i]) * factor[channel]);
         if (power_w > 0) {
-            photon[kept] = from[i];
-            murk_photon_set_power_w(&photon[kept++], (double)power_w);
+            photon[remaining] = from[i];
+            murk_photon_set_power_w(&photon[remaining++], (double)power_w);
         }
     }
-    if (kept == 0) {
+    if (remaining == 0) {
         free(photon);
         photon = NULL;
     }
-    return murk_photon_map_create(out, photon, kept, threads, err);
+    return murk_photon_map_create(out, photon, remaining, threads, err);
 }
 
 murk_status murk_scaled_light_make(murk_traced **out, const murk_traced *traced,

@@ -104,19 +104,19 @@ static void start_at_plan(murk_bound *b, const uint32_t *plan, size_t n)
  * lowest index on ties. Returns how many there are. */
 static size_t find_top(murk_bound *b, size_t n)
 {
-    size_t kept = 0;
+    size_t found = 0;
     for (size_t k = 0; k < b->live_count; ++k) {
         const murk_ranked now = {b->gain[k], b->live[k]};
-        if (kept == n && now.bound <= b->top[n - 1].bound) {
+        if (found == n && now.bound <= b->top[n - 1].bound) {
             continue;
         }
-        size_t at = kept < n ? kept++ : n - 1;
+        size_t at = found < n ? found++ : n - 1;
         for (; at > 0 && b->top[at - 1].bound < now.bound; --at) {
             b->top[at] = b->top[at - 1];
         }
         b->top[at] = now;
     }
-    return kept;
+    return found;
 }
 
 /* Fixes candidates out by the last evaluation: a plan with candidate j is worth
@@ -135,7 +135,7 @@ static void fix_candidates(murk_bound *b, size_t n, size_t chosen,
     }
     /* The largest gains always stay. */
     const uint64_t last = b->partial ? UINT64_MAX : b->top[n - 1].bound;
-    size_t kept = 0;
+    size_t remaining = 0;
     for (size_t k = 0; k < b->live_count; ++k) {
         if (b->partial) {
             others =
@@ -144,11 +144,11 @@ static void fix_candidates(murk_bound *b, size_t n, size_t chosen,
         const uint64_t with =
             murk_sum_saturated(b->base, murk_sum_saturated(others, b->gain[k]));
         if (b->gain[k] >= last || with - with % b->evaluator->grain > lower) {
-            b->live[kept] = b->live[k];
-            b->gain[kept++] = b->gain[k];
+            b->live[remaining] = b->live[k];
+            b->gain[remaining++] = b->gain[k];
         }
     }
-    b->live_count = kept;
+    b->live_count = remaining;
 }
 
 /* The share of the subgradient of this round in the mean. */

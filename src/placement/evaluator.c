@@ -290,7 +290,7 @@ static size_t dominators_needed(const murk_evaluator *o, size_t max)
 static size_t split_dominated(const murk_evaluator *o, murk_ranked *ranked,
                               const uint32_t *order, const bool *is_dropped)
 {
-    size_t at = 0, kept = 0;
+    size_t at = 0, remaining = 0;
     for (int pass = 0; pass < 2; ++pass) {
         for (size_t k = 0; k < o->candidates; ++k) {
             const uint32_t j = order[k];
@@ -299,9 +299,9 @@ static size_t split_dominated(const murk_evaluator *o, murk_ranked *ranked,
                     (murk_ranked){murk_evaluator_gain_bound(o, j), j};
             }
         }
-        kept = pass == 0 ? at : kept;
+        remaining = pass == 0 ? at : remaining;
     }
-    return kept;
+    return remaining;
 }
 
 /* Ranks the candidates by value, and moves the dominated ones behind the

@@ -95,13 +95,13 @@ static size_t keep_promising(exact *e, const level *l, size_t n)
     }
     murk_evaluator_gain_bounds(e->evaluator, &l->cover, e->members, n,
                                e->evaluator->problem->threads, 0, e->gain);
-    size_t kept = 0;
+    size_t remaining = 0;
     for (size_t k = 0; k < n; ++k) {
         if (l->value + e->gain[k] > e->value) {
-            e->members[kept++] = e->members[k];
+            e->members[remaining++] = e->members[k];
         }
     }
-    return kept;
+    return remaining;
 }
 
 /* One sensor is left to choose: evaluates all candidates that may be added. */
@@ -212,14 +212,14 @@ static void add_candidate(const exact *e, level *to, const level *from,
 /* Keeps the live candidates that can be added. */
 static void keep_feasible(const exact *e, level *l)
 {
-    size_t kept = 0;
+    size_t remaining = 0;
     for (size_t k = 0; k < l->live_count; ++k) {
         if (murk_partial_plan_can_add(&e->partial, l->live[k].candidate,
                                       false)) {
-            l->live[kept++] = l->live[k];
+            l->live[remaining++] = l->live[k];
         }
     }
-    l->live_count = kept;
+    l->live_count = remaining;
 }
 
 /* Makes the child of a node that adds live candidate k. The child has the live

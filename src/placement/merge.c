@@ -57,19 +57,19 @@ typedef struct hashed_photon {
 typedef struct merge_scratch {
     uint32_t *group_count; /* [groups] photons of the group met in the row */
     uint16_t *clarity;     /* [groups] clarity of the group in the row */
-    uint32_t *seen;        /* [kept] photons of the new row */
-    uint16_t *packed;      /* [kept] clarities of the new row */
+    uint32_t *seen;        /* [representatives] photons of the new row */
+    uint16_t *packed;      /* [representatives] clarities of the new row */
 } merge_scratch;
 
 typedef struct merging {
     murk_layout *old; /* layout of the given rows */
     murk_row *row;    /* [candidates] */
-    size_t candidates, photons, groups, kept;
+    size_t candidates, photons, groups, representatives;
     uint32_t *group;  /* [photons] group of each photon */
     uint32_t *size;   /* [groups] photons in each group */
     uint32_t *number; /* [photons] index among the remaining photons, or
                          MERGED_AWAY */
-    uint32_t *weight; /* [kept] weights of the remaining photons */
+    uint32_t *weight; /* [representatives] weights of the remaining photons */
     uint32_t *photon; /* [slots] photon of each slot of the old layout */
     murk_layout layout;
     merge_scratch *scratch; /* [threads] */
@@ -141,10 +141,10 @@ static bool group_photons(merging *m, const murk_problem *problem,
     /* Number the representatives. */
     for (size_t i = 0; i < m->photons; ++i) {
         if (m->number[i] != MERGED_AWAY) {
-            m->weight[m->kept] =
-                m->weight[i]; /* kept <= i, so no weight is overwritten before
-                                 it is read */
-            m->number[i] = (uint32_t)m->kept++;
+            m->weight[m->representatives] =
+                m->weight[i]; /* representatives <= i, so no weight is
+                                 overwritten before it is read */
+            m->number[i] = (uint32_t)m->representatives++;
         }
     }
     return true;
@@ -262,8 +262,10 @@ static bool allocate_scratch(merging *m)
         s->group_count =
             murk_arena_array(&m->arena, m->groups, sizeof *s->group_count);
         s->clarity = murk_arena_array(&m->arena, m->groups, sizeof *s->clarity);
-        s->seen = murk_arena_array(&m->arena, m->kept, sizeof *s->seen);
-        s->packed = murk_arena_array(&m->arena, m->kept, sizeof *s->packed);
+        s->seen =
+            murk_arena_array(&m->arena, m->representatives, sizeof *s->seen);
+        s->packed =
+            murk_arena_array(&m->arena, m->representatives, sizeof *s->packed);
     }
     return !m->arena.is_short;
 }
@@ -295,7 +297,7 @@ murk_status murk_merge(murk_layout *layout, murk_row *row,
                       group_photons(&m, problem, hash) && allocate_scratch(&m);
     if (has_memory) {
         murk_problem fewer = *problem;
-        fewer.photons = m.kept;
+        fewer.photons = m.representatives;
         fewer.weight = m.weight;
         status = murk_layout_init(&m.layout, &fewer, true, err);
     }

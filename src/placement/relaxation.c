@@ -82,23 +82,23 @@ static uint64_t pick_by_class(murk_relaxation *r, const murk_partial_plan *s,
                               bool with_min, size_t *chosen)
 {
     const murk_constraint_set *set = r->set;
-    size_t missing = with_min ? s->missing : 0, kept = 0;
+    size_t missing = with_min ? s->missing : 0, picked = 0;
     uint64_t sum = 0;
     memcpy(r->class_count, s->class_count,
            set->classes * sizeof *r->class_count);
-    for (size_t k = 0; k < n && kept < left; ++k) {
+    for (size_t k = 0; k < n && picked < left; ++k) {
         const uint32_t class = set->class_of[ranked[k].candidate];
         const bool is_asked =
             with_min && r->class_count[class] < set->min[class];
         if (r->class_count[class] < set->max[class] &&
-            (is_asked || kept + 1 + missing <= left)) {
+            (is_asked || picked + 1 + missing <= left)) {
             ++r->class_count[class];
             missing -= is_asked;
-            r->picked[kept++] = ranked[k];
+            r->picked[picked++] = ranked[k];
             sum = murk_sum_saturated(sum, ranked[k].bound);
         }
     }
-    *chosen = kept;
+    *chosen = picked;
     return sum;
 }
 
@@ -107,18 +107,18 @@ static uint64_t pick_by_site(murk_relaxation *r, size_t n, size_t left,
                              size_t *chosen)
 {
     const murk_constraint_set *set = r->set;
-    size_t kept = 0;
+    size_t picked = 0;
     uint64_t sum = 0;
     memset(r->is_used, 0, set->sites * sizeof *r->is_used);
-    for (size_t k = 0; k < n && kept < left; ++k) {
+    for (size_t k = 0; k < n && picked < left; ++k) {
         bool *is_used = &r->is_used[set->site[r->order[k].candidate]];
         if (!*is_used) {
             *is_used = true;
-            r->picked[kept++] = r->order[k];
+            r->picked[picked++] = r->order[k];
             sum = murk_sum_saturated(sum, r->order[k].bound);
         }
     }
-    *chosen = kept;
+    *chosen = picked;
     return sum;
 }
 
@@ -272,14 +272,14 @@ uint64_t murk_relaxation_top(murk_relaxation *r, const murk_partial_plan *s,
     memcpy(top, r->picked, *chosen * sizeof *top);
     /* One sensor a site, if that bound is smaller. */
     if (set->site) {
-        size_t kept = 0;
-        const uint64_t others = pick_by_site(r, n, fewer, &kept);
+        size_t picked = 0;
+        const uint64_t others = pick_by_site(r, n, fewer, &picked);
         r->others = others < r->others ? others : r->others;
-        const uint64_t now = pick_by_site(r, n, left, &kept);
+        const uint64_t now = pick_by_site(r, n, left, &picked);
         if (now < best) {
             best = now;
-            *chosen = kept;
-            memcpy(top, r->picked, kept * sizeof *top);
+            *chosen = picked;
+            memcpy(top, r->picked, picked * sizeof *top);
         }
     }
     /* The budget, if that bound is smaller. */
@@ -339,9 +339,9 @@ uint64_t murk_relaxation_rest(murk_relaxation *r, const murk_partial_plan *s,
                               const murk_ranked *ranked, size_t n)
 {
     if (!r->set->has_budget) {
-        size_t kept = 0;
+        size_t picked = 0;
         return pick_by_class(r, s, ranked, n, s->wanted - s->size, false,
-                             &kept);
+                             &picked);
     }
     uint64_t left = r->set->budget - s->cost, sum = 0;
     for (size_t k = 0; k < n; ++k) {

@@ -143,13 +143,13 @@ static uint64_t evaluate_promising(murk_gain_scan *s, size_t n, uint64_t best)
     }
     best = murk_gain_scan_evaluate(s, 1, best);
     /* Then those that may still reach the best gain. */
-    size_t kept = 0;
+    size_t remaining = 0;
     for (size_t k = 1; k < n; ++k) {
         if (s->max[s->chunk[k]] >= best) {
-            s->chunk[kept++] = s->chunk[k];
+            s->chunk[remaining++] = s->chunk[k];
         }
     }
-    return murk_gain_scan_evaluate(s, kept, best);
+    return murk_gain_scan_evaluate(s, remaining, best);
 }
 
 /* Evaluates the undominated candidates by falling upper bound, until no bound

@@ -148,15 +148,15 @@ static size_t read_path(const search *s, size_t from, size_t *stop)
         stop[n - 1 - k] = other;
     }
     /* Leave out places that are not needed. */
-    size_t kept = 1;
+    size_t needed = 1;
     for (size_t k = 1; k < n; ++k) {
         const bool is_needed =
-            k + 1 == n || !is_open(s, stop[kept - 1], stop[k + 1]);
+            k + 1 == n || !is_open(s, stop[needed - 1], stop[k + 1]);
         if (is_needed) {
-            stop[kept++] = stop[k];
+            stop[needed++] = stop[k];
         }
     }
-    return kept;
+    return needed;
 }
 
 murk_status murk_route_find(size_t *stop, size_t *stops, double *length_m,

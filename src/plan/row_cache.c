@@ -19,40 +19,40 @@ static murk_cached_row *keep(const murk_sparse_row *row, size_t max_bytes)
     const size_t photons = row->seen * sizeof *row->photon;
     const size_t clarities =
         row->clarity ? row->seen * sizeof *row->clarity : 0;
-    murk_cached_row *kept = NULL;
+    murk_cached_row *copy = NULL;
     if (photons + clarities <= max_bytes) {
-        kept = malloc(sizeof *kept + photons + clarities);
+        copy = malloc(sizeof *copy + photons + clarities);
     }
-    if (!kept) {
+    if (!copy) {
         return NULL;
     }
-    uint16_t *clarity = (uint16_t *)(kept->photon + row->seen);
-    kept->row = (murk_sparse_row){row->seen, kept->photon, NULL};
+    uint16_t *clarity = (uint16_t *)(copy->photon + row->seen);
+    copy->row = (murk_sparse_row){row->seen, copy->photon, NULL};
     if (photons) {
-        memcpy(kept->photon, row->photon, photons);
+        memcpy(copy->photon, row->photon, photons);
     }
     if (clarities) {
         memcpy(clarity, row->clarity, clarities);
-        kept->row.clarity = clarity;
+        copy->row.clarity = clarity;
     }
-    return kept;
+    return copy;
 }
 
 static void get_row(void *context, unsigned worker, size_t candidate,
                     murk_sparse_row *row)
 {
     murk_row_cache *r = context;
-    murk_cached_row *kept = atomic_load(&r->kept[candidate]);
-    if (kept) {
-        *row = kept->row;
+    murk_cached_row *cached = atomic_load(&r->cached[candidate]);
+    if (cached) {
+        *row = cached->row;
         return;
     }
     r->source->get_row(r->source->context, worker, candidate, row);
-    kept = keep(row, MURK_ROW_CACHE_BYTES / r->source->candidates);
+    cached = keep(row, MURK_ROW_CACHE_BYTES / r->source->candidates);
     murk_cached_row *none = NULL;
-    if (kept &&
-        !atomic_compare_exchange_strong(&r->kept[candidate], &none, kept)) {
-        free(kept); /* another worker cached it first */
+    if (cached &&
+        !atomic_compare_exchange_strong(&r->cached[candidate], &none, cached)) {
+        free(cached); /* another worker cached it first */
     }
 }
 
@@ -62,8 +62,8 @@ murk_status murk_row_cache_init(murk_row_cache *out, const murk_problem *source,
     *out = (murk_row_cache){.problem = *source, .source = source};
     out->problem.get_row = get_row;
     out->problem.context = out;
-    out->kept = calloc(source->candidates + 1, sizeof *out->kept);
-    return out->kept
+    out->cached = calloc(source->candidates + 1, sizeof *out->cached);
+    return out->cached
                ? MURK_OK
                : murk_fail(err, MURK_NO_MEMORY, "",
                            "no memory for %zu candidates", source->candidates);
@@ -71,9 +71,9 @@ murk_status murk_row_cache_init(murk_row_cache *out, const murk_problem *source,
 
 void murk_row_cache_release(murk_row_cache *r)
 {
-    for (size_t j = 0; r->kept && j < r->source->candidates; ++j) {
-        free(atomic_load(&r->kept[j]));
+    for (size_t j = 0; r->cached && j < r->source->candidates; ++j) {
+        free(atomic_load(&r->cached[j]));
     }
-    free(r->kept);
+    free(r->cached);
     *r = (murk_row_cache){0};
 }

@@ -17,8 +17,8 @@ typedef struct murk_cached_row murk_cached_row;
 typedef struct murk_row_cache {
     murk_problem problem; /* the source problem with cached rows */
     const murk_problem *source;
-    _Atomic(murk_cached_row *) *kept; /* [candidates]; NULL: not yet or not
-                                       * cached */
+    _Atomic(murk_cached_row *) *cached; /* [candidates]; NULL: not yet or not
+                                         * cached */
 } murk_row_cache;
 
 /* Borrows the source. *out must not move while it is used. */

@@ -212,27 +212,27 @@ static murk_status keep_common(murk_candidates *all,
     memcpy(sorted, other->position, other->usable * sizeof *sorted);
     qsort(sorted, other->usable, sizeof *sorted, murk_by_position);
     /* Keep those that are found there. */
-    size_t kept = 0;
+    size_t remaining = 0;
     for (size_t i = 0; i < all->usable; ++i) {
         if (bsearch(&all->position[i], sorted, other->usable, sizeof *sorted,
                     murk_by_position)) {
-            all->position[kept] = all->position[i];
-            all->kind[kept] = all->kind[i];
+            all->position[remaining] = all->position[i];
+            all->kind[remaining] = all->kind[i];
             if (all->normal) {
-                all->normal[kept] = all->normal[i];
+                all->normal[remaining] = all->normal[i];
             }
-            ++kept;
+            ++remaining;
         }
     }
     free(sorted);
-    all->unreached += all->usable - kept;
-    all->usable = kept;
-    return kept > 0 ? MURK_OK
-                    : murk_fail(err, MURK_BAD_VALUE, where,
-                                "no candidate is usable in it and in all "
-                                "conditions before it: of %zu usable here "
-                                "none",
-                                other->usable);
+    all->unreached += all->usable - remaining;
+    all->usable = remaining;
+    return remaining > 0 ? MURK_OK
+                         : murk_fail(err, MURK_BAD_VALUE, where,
+                                     "no candidate is usable in it and in all "
+                                     "conditions before it: of %zu usable here "
+                                     "none",
+                                     other->usable);
 }
 
 murk_status murk_sites_find_common(murk_candidates **out,

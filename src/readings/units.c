@@ -224,11 +224,11 @@ double murk_reading_in_unit(murk_reading_unit unit, double model,
     switch (unit) {
     case MURK_UNIT_TRANSMISSION_PERCENT_PER_M:
     case MURK_UNIT_OBSCURATION_PERCENT_PER_M: {
-        const double kept = 100 * exp(-per_m);
+        const double transmitted = 100 * exp(-per_m);
         const bool is_transmission =
             unit == MURK_UNIT_TRANSMISSION_PERCENT_PER_M;
-        *slope = (is_transmission ? -kept : kept) * d_per_m;
-        return is_transmission ? kept : 100 - kept;
+        *slope = (is_transmission ? -transmitted : transmitted) * d_per_m;
+        return is_transmission ? transmitted : 100 - transmitted;
     }
     case MURK_UNIT_DB_PER_KM:
         *slope = 1000 * DECIBEL * d_per_m;

@@ -85,16 +85,16 @@ murk_status murk_false_colour_range(murk_false_colour *out,
                          "no memory for a channel's range");
     }
     const size_t step = murk_spread_step(n);
-    size_t kept = 0;
+    size_t values = 0;
     for (size_t i = 0; i < n; i += step) {
         const float v = channel->value[i];
         if (isfinite(v) && (!is_log || v > 0)) {
-            value[kept++] = v;
+            value[values++] = v;
         }
     }
-    if (kept > 0) {
-        out->low = (double)murk_spread_share(value, kept, 0.005);
-        out->high = (double)murk_spread_share(value, kept, 0.995);
+    if (values > 0) {
+        out->low = (double)murk_spread_share(value, values, 0.005);
+        out->high = (double)murk_spread_share(value, values, 0.995);
         widen(out);
     }
     free(value);

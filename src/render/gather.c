@@ -66,7 +66,7 @@ static murk_status pick(murk_photon_map **out, const murk_gathering_desc *desc,
 {
     const murk_photon *all = murk_photon_map_photons(map);
     const size_t n = murk_photon_map_count(map);
-    size_t maximum = 0, kept = 0;
+    size_t maximum = 0, picked = 0;
     for (size_t i = 0; i < n; ++i) {
         maximum += murk_photon_band(&all[i]) == band;
     }
@@ -77,12 +77,12 @@ static murk_status pick(murk_photon_map **out, const murk_gathering_desc *desc,
     }
     for (size_t i = 0; i < n; ++i) {
         if (counts(desc, &all[i], band)) {
-            photons[kept++] = all[i];
+            photons[picked++] = all[i];
         }
     }
-    murk_progress_add(maximum - kept);
-    murk_photon *fitting = realloc(photons, (kept + 1) * sizeof *photons);
-    return murk_photon_map_create(out, fitting ? fitting : photons, kept,
+    murk_progress_add(maximum - picked);
+    murk_photon *fitting = realloc(photons, (picked + 1) * sizeof *photons);
+    return murk_photon_map_create(out, fitting ? fitting : photons, picked,
                                   desc->threads, err);
 }
 

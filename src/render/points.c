@@ -57,13 +57,13 @@ murk_status murk_points_find(murk_photon **out, size_t *n,
                          "no memory for %zu points", all);
     }
     murk_pool_run(threads, rows, trace_row, &s);
-    size_t kept = 0;
+    size_t points = 0;
     for (size_t i = 0; i < all; ++i) {
         if (murk_photon_power_w(&s.point[i]) > 0) {
-            s.point[kept++] = s.point[i];
+            s.point[points++] = s.point[i];
         }
     }
     *out = s.point;
-    *n = kept;
+    *n = points;
     return MURK_OK;
 }

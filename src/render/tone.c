@@ -39,14 +39,14 @@ static murk_status find_bright(double *out, const murk_image *p,
         return murk_fail(err, MURK_NO_MEMORY, "render",
                          "no memory for an exposure");
     }
-    size_t kept = 0;
+    size_t values = 0;
     for (size_t i = 0; i < n; i += step) {
         const double l = luminance_of(p, i);
         if (l > 0 && isfinite(l)) {
-            lit[kept++] = (float)l;
+            lit[values++] = (float)l;
         }
     }
-    *out = kept > 0 ? (double)murk_spread_share(lit, kept, 0.99) : 0;
+    *out = values > 0 ? (double)murk_spread_share(lit, values, 0.99) : 0;
     free(lit);
     return MURK_OK;
 }

@@ -86,7 +86,7 @@ static murk_status walk(murk_plan_points *out, FILE *file, uint64_t vertices,
     unsigned char bytes[RECORD_MAX];
     const size_t size = murk_place_bytes(scene) + REST;
     uint64_t photon = 0;
-    size_t kept = 0;
+    size_t chosen = 0;
     for (uint64_t i = 0; i < vertices; ++i) {
         if (fread(bytes, size, 1, file) != 1) {
             return murk_fail(
@@ -98,15 +98,15 @@ static murk_status walk(murk_plan_points *out, FILE *file, uint64_t vertices,
             continue;
         }
         /* photon k * photons / n, rounded down, is the k-th one kept */
-        if (out->point && kept < out->n &&
-            photon == (uint64_t)((double)kept * (double)out->photons /
+        if (out->point && chosen < out->n &&
+            photon == (uint64_t)((double)chosen * (double)out->photons /
                                  (double)out->n)) {
-            out->point[kept++] = v.point;
+            out->point[chosen++] = v.point;
         }
         ++photon;
     }
     if (out->point) {
-        out->n = kept;
+        out->n = chosen;
     } else {
         out->photons = photon;
     }

@@ -98,7 +98,7 @@ static size_t cluster(const murk_surfaces *surfaces, size_t n, const lattice *l,
         }
     }
     /* triangles that keep three different corners, each of them once */
-    size_t kept = 0;
+    size_t remaining = 0;
     for (size_t i = 0; i < n; ++i) {
         face f = {.triangle = i};
         for (size_t k = 0; k < 3; ++k) {
@@ -111,12 +111,12 @@ static size_t cluster(const murk_surfaces *surfaces, size_t n, const lattice *l,
         order(f.sorted + 1);
         order(f.sorted);
         if (f.sorted[0] != f.sorted[1] && f.sorted[1] != f.sorted[2]) {
-            faces[kept++] = f;
+            faces[remaining++] = f;
         }
     }
-    qsort(faces, kept, sizeof *faces, by_corners);
+    qsort(faces, remaining, sizeof *faces, by_corners);
     size_t once = 0;
-    for (size_t i = 0; i < kept; ++i) {
+    for (size_t i = 0; i < remaining; ++i) {
         if (once == 0 || by_corners(&faces[i], &faces[once - 1]) != 0) {
             faces[once++] = faces[i];
         }
@@ -173,19 +173,20 @@ murk_status murk_view_mesh_make(murk_view_mesh *out,
     if (is_whole && n > 0) {
         uint32_t cells = MURK_VIEW_STEPS;
         lattice l = lattice_of(&out->box, cells);
-        size_t kept = cluster(surfaces, n, &l, all, key, faces);
-        out->is_coarse = kept > maximum;
+        size_t triangles = cluster(surfaces, n, &l, all, key, faces);
+        out->is_coarse = triangles > maximum;
         /* a surface has about as many cells as their number squared; from
          * there on by numbers that shrink, until it fits */
         cells =
             out->is_coarse ? (uint32_t)(2 * sqrt((double)maximum)) + 2 : cells;
-        while (kept > maximum) {
+        while (triangles > maximum) {
             l = lattice_of(&out->box, cells);
-            kept = cluster(surfaces, n, &l, all, key, faces);
-            const double share = sqrt((double)maximum / (double)(kept + 1));
+            triangles = cluster(surfaces, n, &l, all, key, faces);
+            const double share =
+                sqrt((double)maximum / (double)(triangles + 1));
             cells = (uint32_t)fmax(1, 0.95 * share * cells);
         }
-        is_whole = take(out, surfaces, faces, kept, all);
+        is_whole = take(out, surfaces, faces, triangles, all);
     }
     free(all);
     free(key);

@@ -273,15 +273,15 @@ static void list_plans(murk_results_fields *f, const void *of)
 static void list_run(murk_results_fields *f, const void *of)
 {
     const murk_sweep *sweep = of;
-    size_t kept = 0, traced = 0;
+    size_t reused = 0, traced = 0;
     for (size_t g = 0; sweep && g < sweep->groups; ++g) {
         traced += sweep->group[g].was_traced;
     }
     for (size_t i = 0; sweep && i < sweep->desc.study->rows; ++i) {
-        kept += sweep->row[i].is_reused;
+        reused += sweep->row[i].is_reused;
     }
     MURK_COUNT(f, "lights_traced", "by this run", traced);
-    MURK_COUNT(f, "rows_kept", "from earlier runs", kept);
+    MURK_COUNT(f, "rows_kept", "from earlier runs", reused);
 }
 
 void murk_results_list_study(murk_results_fields *f, const void *of)

@@ -166,11 +166,11 @@ static murk_status keep_usable(murk_candidates *c, const request *a,
         return murk_fail(err, MURK_NO_MEMORY, where,
                          "no memory for %zu candidates", c->usable);
     }
-    size_t kept = 0;
+    size_t copied = 0;
     for (size_t i = 0; i < c->asked; ++i) {
         if (a->verdict[i] == MURK_SITE_USABLE ||
             a->verdict[i] == MURK_SITE_DOUBTFUL) {
-            keep_one(c, kept++, a, i);
+            keep_one(c, copied++, a, i);
         }
     }
     return MURK_OK;

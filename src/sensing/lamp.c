@@ -137,13 +137,13 @@ static void find_around(lamp_search *w, murk_vec3 from)
     for (int i = 1; i < DIRECTIONS && w->n_around > 0; ++i) {
         uint16_t solid[CROSSINGS_MAX];
         const size_t n = crossed(w, from, w->direction[i], solid);
-        size_t kept = 0;
+        size_t remaining = 0;
         for (size_t k = 0; k < w->n_around; ++k) {
             if (contains(solid, n, w->around[k])) {
-                w->around[kept++] = w->around[k];
+                w->around[remaining++] = w->around[k];
             }
         }
-        w->n_around = kept;
+        w->n_around = remaining;
     }
 }
 

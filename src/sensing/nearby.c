@@ -19,17 +19,17 @@ static size_t keep_nearest(uint32_t *found, size_t n, const murk_photon *photon,
                            murk_vec3 image)
 {
     const murk_vec3 period = murk_sub(domain->box.max, domain->box.min);
-    size_t kept = 0;
+    size_t remaining = 0;
     for (size_t f = 0; f < n; ++f) {
         const murk_vec3 nearest = murk_path_nearest_image(
             domain, sensor, murk_photon_place(&photon[found[f]]));
         /* images are a whole period apart, so half a period decides */
         if (fabs(nearest.x - image.x) < period.x / 2 &&
             fabs(nearest.y - image.y) < period.y / 2) {
-            found[kept++] = found[f];
+            found[remaining++] = found[f];
         }
     }
-    return kept;
+    return remaining;
 }
 
 size_t murk_photons_nearby(const murk_photon_map *map,
@@ -40,13 +40,14 @@ size_t murk_photons_nearby(const murk_photon_map *map,
         return murk_photon_map_within(map, sensor, range_m, found);
     }
     const murk_photon *photon = murk_photon_map_photons(map);
-    size_t kept = 0;
+    size_t photons = 0;
     for (int k = 0; k < murk_domain_images(domain); ++k) {
         const murk_vec3 image = murk_domain_image(domain, sensor, k);
         const size_t n =
-            murk_photon_map_within(map, image, range_m, found + kept);
-        kept += keep_nearest(found + kept, n, photon, domain, sensor, image);
+            murk_photon_map_within(map, image, range_m, found + photons);
+        photons +=
+            keep_nearest(found + photons, n, photon, domain, sensor, image);
     }
-    qsort(found, kept, sizeof *found, by_number);
-    return kept;
+    qsort(found, photons, sizeof *found, by_number);
+    return photons;
 }

@@ -108,7 +108,7 @@ size_t murk_neighbours_find(const murk_neighbours *neighbours,
     for (size_t m = FIRST_QUERY * neighbours->k;; m *= 2) {
         const size_t n = nearest_of_images(neighbours, workspace, place, m);
         const bool ends = n < m || m >= last;
-        size_t kept = 0;
+        size_t collected = 0;
         /* The radius is the distance of the k-th photon of the kind, of the
          * last photon queried, or the maximum. */
         for (size_t i = 0; i < n; ++i) {
@@ -116,22 +116,22 @@ size_t murk_neighbours_find(const murk_neighbours *neighbours,
             const murk_photon *p = &photon[one->number];
             if (one->distance2_m2 > most2_m2) {
                 *radius_m = neighbours->max_m;
-                return kept;
+                return collected;
             }
             const bool counts = murk_photon_emitted(p) != emitted &&
                                 murk_neighbours_alike(of, p);
             const bool is_last = ends && n == m && i + 1 == n;
-            if (is_last || (counts && kept + 1 == neighbours->k)) {
+            if (is_last || (counts && collected + 1 == neighbours->k)) {
                 *radius_m = sqrt(one->distance2_m2);
-                return kept;
+                return collected;
             }
             if (counts) {
-                found[kept++] = one->number;
+                found[collected++] = one->number;
             }
         }
         if (ends) {
             *radius_m = neighbours->max_m;
-            return kept;
+            return collected;
         }
     }
 }

@@ -36,7 +36,7 @@ static murk_status halve(murk_vicinity *v, unsigned threads, murk_error *err)
     const murk_photon *photon = murk_photon_map_photons(v->map[level - 1]);
     const size_t n = murk_photon_map_count(v->map[level - 1]);
     const uint64_t half = (v->emitted[level - 1] + 1) / 2;
-    size_t of_half = 0, kept = 0;
+    size_t of_half = 0, copied = 0;
     for (size_t i = 0; i < n; ++i) {
         of_half += murk_photon_emitted(&photon[i]) < half;
     }
@@ -52,11 +52,11 @@ static murk_status halve(murk_vicinity *v, unsigned threads, murk_error *err)
     }
     for (size_t i = 0; i < n; ++i) {
         if (by_record ? i % 2 == 0 : murk_photon_emitted(&photon[i]) < half) {
-            copy[kept++] = photon[i];
+            copy[copied++] = photon[i];
         }
     }
     const murk_status status =
-        murk_photon_map_create(&v->half[level], copy, kept, threads, err);
+        murk_photon_map_create(&v->half[level], copy, copied, threads, err);
     if (!status) {
         v->map[level] = v->half[level];
         ++v->levels;

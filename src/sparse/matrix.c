@@ -86,17 +86,17 @@ typedef struct collection {
 static void get_one_row(void *context, unsigned worker, uint64_t batch)
 {
     const collection *c = context;
-    stored_row *kept = &c->block[batch];
+    stored_row *stored = &c->block[batch];
     murk_sparse_row seen;
     c->problem->get_row(c->problem->context, worker, c->first + batch, &seen);
-    *kept = (stored_row){
+    *stored = (stored_row){
         .seen = seen.seen,
-        .photon = malloc((seen.seen + 1) * sizeof *kept->photon),
-        .clarity = malloc((seen.seen + 1) * sizeof *kept->clarity)};
-    kept->has_failed = !kept->photon || !kept->clarity;
-    for (size_t k = 0; k < seen.seen && !kept->has_failed; ++k) {
-        kept->photon[k] = seen.photon[k];
-        kept->clarity[k] = seen.clarity ? seen.clarity[k] : MURK_CLEAR;
+        .photon = malloc((seen.seen + 1) * sizeof *stored->photon),
+        .clarity = malloc((seen.seen + 1) * sizeof *stored->clarity)};
+    stored->has_failed = !stored->photon || !stored->clarity;
+    for (size_t k = 0; k < seen.seen && !stored->has_failed; ++k) {
+        stored->photon[k] = seen.photon[k];
+        stored->clarity[k] = seen.clarity ? seen.clarity[k] : MURK_CLEAR;
     }
 }
 

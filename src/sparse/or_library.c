@@ -37,11 +37,11 @@ static bool read_token(reader *r)
     }
     r->at = r->place;
     const size_t length = strcspn(r->next, " \t\r\n");
-    const size_t kept = length < TOKEN_SIZE ? length : TOKEN_SIZE - 1;
-    memcpy(r->token, r->next, kept);
-    r->token[kept] = '\0';
-    if (length > kept) {
-        memcpy(r->token + kept - 3, "...", 3);
+    const size_t copied = length < TOKEN_SIZE ? length : TOKEN_SIZE - 1;
+    memcpy(r->token, r->next, copied);
+    r->token[copied] = '\0';
+    if (length > copied) {
+        memcpy(r->token + copied - 3, "...", 3);
     }
     r->next += length;
     r->place.column += length;

@@ -116,12 +116,12 @@ murk_fate murk_meet_surface(murk_walker *w, const murk_hit *hit, double path_m,
      * surface. */
     murk_random4 random = murk_walker_draw(w, MURK_SURFACE);
     const int64_t before = w->quanta;
-    const double kept = material->diffuse.band[w->band] +
-                        material->specular.band[w->band] +
-                        material->transmit.band[w->band];
-    if (kept < 1 && murk_walker_splits(w, kept, random.u[2], MURK_FATE_SURFACES,
-                                       w->absorber)) {
-        random.u[0] = w->quanta > 0 ? random.u[0] * kept : 1;
+    const double survival = material->diffuse.band[w->band] +
+                            material->specular.band[w->band] +
+                            material->transmit.band[w->band];
+    if (survival < 1 && murk_walker_splits(w, survival, random.u[2],
+                                           MURK_FATE_SURFACES, w->absorber)) {
+        random.u[0] = w->quanta > 0 ? random.u[0] * survival : 1;
     }
     /* Draw the outcome, and report the event. */
     const murk_bounce b =

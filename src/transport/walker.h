@@ -102,16 +102,16 @@ static inline void murk_walker_keep(const murk_walker *w, size_t absorber,
         w->setup->trace->takes_back ? -quanta : quanta);
 }
 
-/* Splits the packet: the absorber keeps all but the share `kept` of the quanta;
- * u in (0, 1) rounds without bias. False, without a change, if the packet has
- * too few quanta: then roulette must decide. */
-static inline bool murk_walker_splits(murk_walker *w, double kept, double u,
+/* Splits the packet: the absorber keeps all but the share `survival` of the
+ * quanta; u in (0, 1) rounds without bias. False, without a change, if the
+ * packet has too few quanta: then roulette must decide. */
+static inline bool murk_walker_splits(murk_walker *w, double survival, double u,
                                       murk_fate fate, size_t absorber)
 {
     if (w->quanta <= w->setup->min_quanta) {
         return false;
     }
-    const int64_t left = (int64_t)floor((double)w->quanta * kept + u);
+    const int64_t left = (int64_t)floor((double)w->quanta * survival + u);
     const int64_t quanta = left < w->quanta ? left : w->quanta;
     w->sums->ended[w->channel][fate] += w->quanta - quanta;
     murk_walker_keep(w, absorber, w->quanta - quanta);
