@@ -171,10 +171,11 @@ static murk_status fail_at(const murk_table *t, size_t row, const column *c,
     return murk_fail(err, MURK_BAD_VALUE, where, "%s", text);
 }
 
-/* One row; *way is that of the rows before: 0 while unknown. */
+/* Appends a row. *direction is the sign of the steps in height so far, 0 while
+ * unknown. */
 static murk_status add_row(profile *p, const murk_table *t, size_t row,
                            const column *place, const column *coefficient,
-                           int *way, murk_error *err)
+                           int *direction, murk_error *err)
 {
     char text[200];
     double z, per_m;
@@ -201,17 +202,17 @@ static murk_status add_row(profile *p, const murk_table *t, size_t row,
         const int step = (z > before) - (z < before);
         const bool is_third =
             p->n > 1 && z == p->knot[p->n - 2].z_m && step == 0;
-        if ((*way && step && step != *way) || is_third) {
+        if ((*direction && step && step != *direction) || is_third) {
             snprintf(text, sizeof text,
                      "%.9g after %.9g, must go one way, each place twice at "
                      "most%s",
                      0 + z / place->factor, 0 + before / place->factor,
-                     *way && step && step != *way
+                     *direction && step && step != *direction
                          ? " (several casts? choose with --rows)"
                          : "");
             return fail_at(t, row, place, text, err);
         }
-        *way = step ? step : *way;
+        *direction = step ? step : *direction;
     }
     p->knot[p->n++] = (knot){z, per_m * coefficient->factor};
     return MURK_OK;
@@ -250,21 +251,21 @@ static murk_status read_profile(profile *p, const murk_table *t,
         return murk_fail(err, MURK_NO_MEMORY, t->path, "no memory for %zu rows",
                          t->rows);
     }
-    int way = 0;
+    int direction = 0;
     for (size_t row = 0; row < t->rows && !status; ++row) {
         if (!value || strcmp(t->cell[row * t->columns + chosen], value) == 0) {
-            status = add_row(p, t, row, &place, &coefficient, &way, err);
+            status = add_row(p, t, row, &place, &coefficient, &direction, err);
         }
     }
     /* A profile needs two places, and runs from the top down. */
-    if (!status && !(p->n >= 2 && way)) {
+    if (!status && !(p->n >= 2 && direction)) {
         status = murk_fail(err, MURK_BAD_VALUE, t->path,
                            "%zu rows of a profile%s%s, must be 2 or more at "
                            "different places",
                            p->n, settings->rows ? " where " : "",
                            settings->rows ? settings->rows : "");
     }
-    if (way > 0) {
+    if (direction > 0) {
         reverse(p);
     }
     return status;

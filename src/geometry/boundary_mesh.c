@@ -200,11 +200,11 @@ bool murk_boundary_mesh_holds(const murk_boundary_mesh *b, murk_vec3 point)
     /* Irregular directions: a modelled edge is unlikely to be parallel to
      * one of them. They were chosen freely; any such set gives the same
      * answers away from edges. */
-    static const murk_vec3 way[DIRECTIONS] = {{0.53, 0.31, 0.79},
-                                              {-0.37, 0.83, 0.41},
-                                              {0.71, -0.43, -0.57},
-                                              {-0.61, -0.29, 0.73},
-                                              {0.23, 0.59, -0.77}};
+    static const murk_vec3 direction[DIRECTIONS] = {{0.53, 0.31, 0.79},
+                                                    {-0.37, 0.83, 0.41},
+                                                    {0.71, -0.43, -0.57},
+                                                    {-0.61, -0.29, 0.73},
+                                                    {0.23, 0.59, -0.77}};
     if (!murk_box_contains(&b->shape->reach,
                            murk_sub(point, b->shape->soup.anchor))) {
         return false;
@@ -213,7 +213,7 @@ bool murk_boundary_mesh_holds(const murk_boundary_mesh *b, murk_vec3 point)
      * direction votes by the number of crossings. */
     int votes = 0;
     for (int i = 0; i < DIRECTIONS; ++i) {
-        const murk_vec3 d = murk_unit(way[i]);
+        const murk_vec3 d = murk_unit(direction[i]);
         cluster c;
         if (b->is_inward) {
             if (!first_cluster(b, point, d, 0, INFINITY, b->shape->leave_m,

@@ -38,10 +38,10 @@ static double edge_area(const double p[2], const double q[2], double radius)
     }
     const double from[2] = {p[0] + first * d[0], p[1] + first * d[1]};
     const double to[2] = {p[0] + last * d[0], p[1] + last * d[1]};
-    const double *const way[4] = {p, from, to, q};
+    const double *const point[4] = {p, from, to, q};
     double area = 0;
     for (int i = 0; i < 3; ++i) {
-        const double *u = way[i], *v = way[i + 1];
+        const double *u = point[i], *v = point[i + 1];
         const double cross = u[0] * v[1] - u[1] * v[0];
         area += i == 1 ? 0.5 * cross
                        : 0.5 * radius * radius *
@@ -87,9 +87,9 @@ static bool visit_primitive(void *context, murk_primitive p)
             fabs(murk_dot(normal, murk_sub(t.a, f->center))) <= f->slack;
         double corner[3][2];
         for (int i = 0; i < 3; ++i) {
-            const murk_vec3 way = murk_sub(vertex[i], f->center);
-            corner[i][0] = murk_dot(way, f->across[0]);
-            corner[i][1] = murk_dot(way, f->across[1]);
+            const murk_vec3 offset = murk_sub(vertex[i], f->center);
+            corner[i][0] = murk_dot(offset, f->across[0]);
+            corner[i][1] = murk_dot(offset, f->across[1]);
         }
         if (is_flat) {
             f->area += murk_disc_area_in_triangle(corner, f->radius);

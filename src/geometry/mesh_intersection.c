@@ -69,9 +69,9 @@ static int order(const void *left, const void *right)
  * edge. */
 static void sample_edge(sampling *s, murk_vec3 from, murk_vec3 to)
 {
-    const murk_vec3 way = murk_sub(to, from);
-    const double length = murk_length(way);
-    const murk_vec3 direction = murk_scale(1 / length, way);
+    const murk_vec3 edge = murk_sub(to, from);
+    const double length = murk_length(edge);
+    const murk_vec3 direction = murk_scale(1 / length, edge);
     places p = {.n = 0};
     murk_boundary_mesh_gather(s->other, from, direction, 0, length, note, &p);
     if (p.n == 0) {

@@ -66,13 +66,13 @@ static void count_crossings(murk_boundary_mesh *b, const uint32_t *same,
                           .from = murk_vertex(soup->vertex, from),
                           .to = murk_vertex(soup->vertex, to),
                           .ends = {same[from], same[to]}};
-            const murk_vec3 way = murk_sub(p.to, p.from);
-            const double length = murk_length(way);
+            const murk_vec3 edge = murk_sub(p.to, p.from);
+            const double length = murk_length(edge);
             murk_boundary_mesh_gather(b, murk_add(p.from, soup->anchor),
-                                      murk_scale(1 / length, way), 0, length,
+                                      murk_scale(1 / length, edge), 0, length,
                                       find_piercing, &p);
             if (p.is_pierced && halves++ == 0) {
-                *first = murk_add(murk_along(p.from, 0.5, way), soup->anchor);
+                *first = murk_add(murk_along(p.from, 0.5, edge), soup->anchor);
             }
         }
     }

@@ -455,11 +455,11 @@ double murk_media_transmittance(const murk_media *media, int band,
                                 murk_inside inside, murk_vec3 from,
                                 murk_vec3 to)
 {
-    const murk_vec3 way = murk_sub(to, from);
-    const double length = murk_length(way);
+    const murk_vec3 offset = murk_sub(to, from);
+    const double length = murk_length(offset);
     if (!(length > 0) || !media->in_band[band]) {
         return 1;
     }
-    return exp(-murk_media_optical_depth(media, band, inside, from,
-                                         murk_scale(1 / length, way), length));
+    return exp(-murk_media_optical_depth(
+        media, band, inside, from, murk_scale(1 / length, offset), length));
 }

@@ -249,8 +249,8 @@ static bool sphere_and_box_separate(const body *sphere, const body *box,
 
 static bool separates(const body *a, const body *b, murk_vec3 n, double near)
 {
-    const double way = fabs(murk_dot(murk_sub(b->center, a->center), n));
-    return way >= reach(a, n) + reach(b, n) - near;
+    const double distance = fabs(murk_dot(murk_sub(b->center, a->center), n));
+    return distance >= reach(a, n) + reach(b, n) - near;
 }
 
 /* Sine of the angle below which two edges count as parallel. The common

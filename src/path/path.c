@@ -112,19 +112,19 @@ murk_inside murk_path_inside_wrapped(const murk_path_space *space,
 murk_path murk_path_between(const murk_path_space *space, murk_vec3 from,
                             murk_vec3 to)
 {
-    const murk_vec3 way = murk_sub(to, from);
-    const double length_m = murk_length(way);
+    const murk_vec3 offset = murk_sub(to, from);
+    const double length_m = murk_length(offset);
     murk_path path = {.space = space,
                       .position = from,
                       .length_m = length_m,
                       .inside = murk_path_inside(space, from)};
     if (length_m > 0) {
-        path.direction = murk_scale(1 / length_m, way);
+        path.direction = murk_scale(1 / length_m, offset);
     }
     return path;
 }
 
-/* The next face of a mesh, on the way to max_m. */
+/* The next face of a mesh, up to max_m. */
 static bool next_face(murk_path *path, double max_m, murk_crossing *crossing)
 {
     return murk_boundary_meshes_next(

@@ -98,13 +98,13 @@ murk_path_stop murk_path_piece_stop(const murk_path_pieces *p, double margin_m)
     const murk_path_space *space = &p->tiling->space;
     const murk_path_piece *piece = &p->piece;
     const bool is_jump = piece->stretch != 1;
-    const murk_vec3 way =
+    const murk_vec3 direction =
         is_jump ? murk_vec(0, 0, copysign(1, p->direction.z)) : p->direction;
     murk_path_stop stop = {.length_m =
                                murk_length(murk_sub(piece->to, piece->from))};
     /* The nearest surface; no surface lies in heights of a jump. */
     if (space->any_surfaces && !is_jump &&
-        murk_surfaces_hit(space->surfaces, piece->from, way,
+        murk_surfaces_hit(space->surfaces, piece->from, direction,
                           stop.length_m + margin_m, &stop.hit)) {
         stop.is_surface = true;
         stop.length_m = stop.hit.distance_m;
@@ -112,7 +112,7 @@ murk_path_stop murk_path_piece_stop(const murk_path_pieces *p, double margin_m)
     /* A change of the index before the surface. */
     if (murk_media_bends(space->media)) {
         const murk_vec3 end = murk_path_sides_hold(
-            &space->sides, murk_along(piece->from, stop.length_m, way));
+            &space->sides, murk_along(piece->from, stop.length_m, direction));
         murk_path path = murk_path_between(space, piece->from, end);
         murk_path_change change;
         if (path.length_m > 0 && murk_path_next_change(&path, &change)) {

@@ -65,19 +65,19 @@ int murk_path_cut(const murk_domain *domain, murk_vec3 from, murk_vec3 to,
         }
     }
     /* One segment up to each side, each moved back into the domain. */
-    const murk_vec3 way = murk_sub(to, from);
-    const double length = murk_length(way);
+    const murk_vec3 offset = murk_sub(to, from);
+    const double length = murk_length(offset);
     const double beyond = length > 0 ? beyond_m / length : 0;
     murk_vec3 shift = {0, 0, 0};
     double begin = 0;
     for (int i = 0; i < cuts; ++i) {
         const double end = fmin(1, cut[i].t + beyond);
-        segment[i].from = murk_add(murk_along(from, begin, way), shift);
-        segment[i].to = murk_add(murk_along(from, end, way), shift);
+        segment[i].from = murk_add(murk_along(from, begin, offset), shift);
+        segment[i].to = murk_add(murk_along(from, end, offset), shift);
         shift = murk_add(shift, cut[i].shift);
         begin = fmax(0, cut[i].t - beyond);
     }
-    segment[cuts].from = murk_add(murk_along(from, begin, way), shift);
+    segment[cuts].from = murk_add(murk_along(from, begin, offset), shift);
     segment[cuts].to = murk_add(to, shift);
     return cuts + 1;
 }

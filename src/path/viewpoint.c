@@ -30,14 +30,14 @@ static murk_path path_of(const murk_path_viewpoint *v, int i,
                          const murk_path_segment *segment)
 {
     const murk_path_space *space = v->space;
-    const murk_vec3 way = murk_sub(segment->to, segment->from);
-    const double length = murk_length(way);
+    const murk_vec3 offset = murk_sub(segment->to, segment->from);
+    const double length = murk_length(offset);
     murk_path p = {.space = space,
                    .position = segment->from,
                    .length_m = length,
                    .inside = v->meshes};
     if (length > 0) {
-        p.direction = murk_scale(1 / length, way);
+        p.direction = murk_scale(1 / length, offset);
     }
     if (i > 0 && space->boundary_meshes) {
         p.skip_m = space->mesh_tolerance_m;
@@ -78,11 +78,11 @@ static int depths_to(const murk_path_viewpoint *v, int band, murk_vec3 point,
             murk_path_nearest_image(space->domain, v->position, point);
         const int n = murk_path_cut(space->domain, point, to, 0, segment);
         for (int i = 0; i < n; ++i) {
-            const murk_vec3 way = murk_sub(segment[i].to, segment[i].from);
-            const double length = murk_length(way);
+            const murk_vec3 offset = murk_sub(segment[i].to, segment[i].from);
+            const double length = murk_length(offset);
             depth[i] = length > 0 ? murk_media_optical_depth(
                                         space->media, band, 0, segment[i].from,
-                                        murk_scale(1 / length, way), length)
+                                        murk_scale(1 / length, offset), length)
                                   : 0;
         }
         return n;

@@ -42,10 +42,10 @@ bool murk_explored_joins(const murk_explored *explored, uint32_t place,
 size_t murk_explored_opens(murk_explored *explored, const murk_pose *pose,
                            uint32_t place);
 
-/* The shortest path between two connected places. *way[*stops] belongs to the
+/* The shortest path between two connected places. *path[*stops] belongs to the
  * caller: free(). The path is the shortest over all seen places if there are at
  * most 2000 of them; otherwise it leads over a subset. */
-murk_status murk_explored_path(murk_explored *explored, murk_vec3 **way,
+murk_status murk_explored_path(murk_explored *explored, murk_vec3 **path,
                                size_t *stops, double *length_m, uint32_t from,
                                uint32_t to, murk_error *err);
 

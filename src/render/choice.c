@@ -30,15 +30,15 @@
 
 /* ---- lights ---- */
 
-static murk_vec3 to_nearest_image(const murk_domain *domain, murk_vec3 way)
+static murk_vec3 to_nearest_image(const murk_domain *domain, murk_vec3 offset)
 {
     if (domain->is_periodic) {
         const double x = domain->box.max.x - domain->box.min.x;
         const double y = domain->box.max.y - domain->box.min.y;
-        way.x -= x * round(way.x / x);
-        way.y -= y * round(way.y / y);
+        offset.x -= x * round(offset.x / x);
+        offset.y -= y * round(offset.y / y);
     }
-    return way;
+    return offset;
 }
 
 static double weight_of(const murk_scenery *scenery,
@@ -51,14 +51,14 @@ static double weight_of(const murk_scenery *scenery,
         return l->power_w.band[place->band]; /* irradiance */
     }
     const bool has_images = world->domain.is_periodic;
-    const murk_vec3 way =
+    const murk_vec3 offset =
         to_nearest_image(&world->domain, murk_sub(middle, place->position));
     double weight =
-        murk_source_irradiance_near(l, place->band, way, has_images);
+        murk_source_irradiance_near(l, place->band, offset, has_images);
     if (!place->phase && !has_images) {
-        const double above = murk_dot(place->normal, way) +
+        const double above = murk_dot(place->normal, offset) +
                              murk_source_extent_m(l) + scenery->margin_m;
-        const double distance = murk_length(way);
+        const double distance = murk_length(offset);
         weight *= above < distance ? fmax(0, above) / distance : 1;
     }
     return weight;

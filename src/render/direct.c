@@ -103,13 +103,13 @@ static double light_from(const murk_scenery *scenery,
     if (!is_distant) {
         /* A lamp may lie in a surface; the shadow ray ends in front of it. */
         const murk_vec3 lamp = murk_along(place->position, length, back);
-        const murk_vec3 way = murk_sub(
+        const murk_vec3 offset = murk_sub(
             murk_surfaces_leave(world->surfaces, lamp, shine.face), start);
-        length = murk_length(way);
+        length = murk_length(offset);
         if (!(length > 0)) {
             return radiance;
         }
-        back = murk_scale(1 / length, way);
+        back = murk_scale(1 / length, offset);
     }
     return radiance * murk_scenery_through(scenery, place->band, start, back,
                                            length, balance.sheets);

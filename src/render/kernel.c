@@ -71,8 +71,8 @@ static bool sees_surface(const murk_scenery *scenery, murk_vec3 from,
                          murk_vec3 up, double eye_m, murk_vec3 place)
 {
     const murk_surfaces *surfaces = scenery->world->surfaces;
-    const murk_vec3 way = murk_sub(place, from);
-    const double height = murk_dot(way, up);
+    const murk_vec3 offset = murk_sub(place, from);
+    const double height = murk_dot(offset, up);
     const murk_vec3 eye = murk_along(from, eye_m, up);
     const murk_vec3 above = murk_along(place, eye_m - height, up);
     return height < eye_m &&

@@ -234,9 +234,9 @@ void murk_print_sensors(const murk_sensor_results *sensors, const char *folder)
     /* A line for each sensor. */
     for (size_t i = 0; i < shown; ++i) {
         const murk_vec3 p = murk_scene_user(scene, sensor[i].position);
-        char way[20] = "all round";
+        char angles[20] = "all round";
         if (!is_all_round(scene, &sensor[i])) {
-            snprintf(way, sizeof way, "%7.1f %5.1f",
+            snprintf(angles, sizeof angles, "%7.1f %5.1f",
                      murk_degrees(sensor[i].heading_rad),
                      murk_degrees(sensor[i].tilt_rad));
         }
@@ -246,7 +246,7 @@ void murk_print_sensors(const murk_sensor_results *sensors, const char *folder)
         murk_print("%10zu  %-*s %*.*f %*.*f %*.*f %13s %8s %8s\n", i + 1,
                    c.type, scene->sensors.type[sensor[i].type].name, c.place[0],
                    c.decimals, p.x, c.place[1], c.decimals, p.y, c.place[2],
-                   c.decimals, p.z, way, covers, only);
+                   c.decimals, p.z, angles, covers, only);
     }
     murk_print_more(n, folder, "coverage.csv");
 }

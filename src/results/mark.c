@@ -54,10 +54,10 @@ static void join_rim(murk_mark *out, size_t sides, bool is_behind)
 static murk_vec3 rim(const murk_pose *pose, const murk_sensor_frame *frame,
                      double right, double up, double ahead, double length_m)
 {
-    const murk_vec3 way = murk_add(
+    const murk_vec3 direction = murk_add(
         murk_scale(ahead, frame->axis),
         murk_add(murk_scale(right, frame->right), murk_scale(up, frame->up)));
-    return murk_along(pose->position, length_m, murk_unit(way));
+    return murk_along(pose->position, length_m, murk_unit(direction));
 }
 
 void murk_mark_make(murk_mark *out, const murk_sensor_type *type,

@@ -12,16 +12,17 @@ static murk_status check_direction(murk_key_reader *walk, const murk_yaml *map,
 {
     const bool is_all_round = camera->projection == MURK_SCENE_EQUIRECTANGULAR;
     const murk_vec3 up = is_all_round ? murk_vec(0, 0, 1) : camera->up;
-    const murk_vec3 way = murk_sub(camera->to, camera->from);
-    if (!(murk_length(way) > 0)) {
+    const murk_vec3 direction = murk_sub(camera->to, camera->from);
+    if (!(murk_length(direction) > 0)) {
         return murk_walk_fail(
             walk, map,
             "from_m and to_m are both [%.9g, %.9g, %.9g] m, must be apart",
             camera->to.x, camera->to.y, camera->to.z);
     }
-    const double across = murk_length(murk_cross(way, up));
+    const double across = murk_length(murk_cross(direction, up));
     /* rounding of the product of parallel vectors */
-    const double slack = 4 * DBL_EPSILON * murk_length(way) * murk_length(up);
+    const double slack =
+        4 * DBL_EPSILON * murk_length(direction) * murk_length(up);
     if (across > slack) {
         return MURK_OK;
     }

@@ -65,9 +65,9 @@ static inline murk_vec3 murk_side_start(const murk_photon *photon,
 static inline bool murk_side_faces(const murk_side *s, murk_vec3 photon,
                                    murk_vec3 sensor, double position_error_m)
 {
-    const murk_vec3 way = murk_sub(sensor, photon);
-    const double above = murk_dot(s->normal, way) - position_error_m;
-    return above > 0 && above * above > s->tilt2 * murk_dot(way, way);
+    const murk_vec3 offset = murk_sub(sensor, photon);
+    const double above = murk_dot(s->normal, offset) - position_error_m;
+    return above > 0 && above * above > s->tilt2 * murk_dot(offset, offset);
 }
 
 #endif

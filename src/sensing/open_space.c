@@ -68,9 +68,9 @@ static bool leads_to(const murk_open_space *space, const start *from,
 {
     const murk_vec3 near =
         murk_path_nearest_image(&space->reach.domain, to, from->point);
-    const murk_vec3 way = murk_sub(near, from->point);
+    const murk_vec3 offset = murk_sub(near, from->point);
     const bool is_free = murk_dot(from->normal, from->normal) == 0;
-    return (is_free || murk_dot(from->normal, way) > 0) &&
+    return (is_free || murk_dot(from->normal, offset) > 0) &&
            murk_free_segment_is_open(&space->free[0].segments, from->point,
                                      near);
 }

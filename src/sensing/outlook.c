@@ -71,12 +71,12 @@ static bool is_clear_enough(const murk_outlook_view *view, murk_vec3 place)
 bool murk_outlook_sees(const murk_outlook_view *view, murk_vec3 place)
 {
     const murk_domain *domain = &view->outlook->sight->domain;
-    const murk_vec3 way = murk_sub(place, view->place);
+    const murk_vec3 offset = murk_sub(place, view->place);
     if (is_same(place, view->place)) {
         return true;
     }
-    return murk_dot(way, way) <= view->range_m * view->range_m &&
-           murk_field_contains(&view->field, way) &&
+    return murk_dot(offset, offset) <= view->range_m * view->range_m &&
+           murk_field_contains(&view->field, offset) &&
            is_same(murk_path_nearest_image(domain, place, view->place),
                    place) &&
            murk_outlook_is_open(view->outlook, view->place, place) &&

@@ -375,10 +375,11 @@ double murk_power_signal_w(const murk_power *power,
                            const murk_field *field, const murk_photon *photon,
                            size_t i, const murk_sightline *line)
 {
-    const double d2 = murk_dot(line->way, line->way);
+    const double d2 = murk_dot(line->apparent, line->apparent);
     double taken = type->aperture_m2 / (d2 + type->aperture_m2 / MURK_PI);
     if (field->view != MURK_VIEW_SPHERE) {
-        taken *= fmax(0, murk_dot(field->frame.axis, murk_unit(line->way)));
+        taken *=
+            fmax(0, murk_dot(field->frame.axis, murk_unit(line->apparent)));
     }
     const double sent =
         murk_photon_is_volume(photon)

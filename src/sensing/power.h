@@ -55,7 +55,8 @@ typedef struct murk_power murk_power;
 /* A path of light from photon to sensor. */
 typedef struct murk_sightline {
     double transmittance;
-    murk_vec3 way; /* from the sensor to the apparent position of the photon */
+    /* from the sensor to the apparent position of the photon */
+    murk_vec3 apparent;
     murk_vec3 leaving; /* unit direction in which light leaves the photon */
     double gain;       /* factor on radiance across the boundary: (n sensor / n
                           photon)^2 */

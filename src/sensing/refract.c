@@ -119,7 +119,8 @@ static bool goes_on(const murk_path_viewpoint *v, const murk_snell *path,
  * found already. */
 static size_t add_path(const murk_interfaces *at, const murk_path_viewpoint *v,
                        const murk_interface_plane *plane, murk_vec3 photon,
-                       const double n[2], murk_refracted_path *way, size_t had)
+                       const double n[2], murk_refracted_path *found,
+                       size_t had)
 {
     murk_snell path;
     murk_inside inside;
@@ -127,18 +128,21 @@ static size_t add_path(const murk_interfaces *at, const murk_path_viewpoint *v,
         !murk_snell_path(v->position, photon, plane, n, &path)) {
         return had;
     }
+    /* Drop a path whose crossing has been found with another face. */
     for (size_t i = 0; i < had; ++i) {
-        const murk_vec3 offset = murk_sub(way[i].snell.crossing, path.crossing);
+        const murk_vec3 offset =
+            murk_sub(found[i].snell.crossing, path.crossing);
         if (murk_length(offset) * path.cosine[0] <= at->near_m) {
             return had;
         }
     }
+    /* Both parts must run without a further change of the index. */
     if (!is_in_domain(at, v, path.crossing) ||
         !reaches_crossing(at, v, &path, n, &inside) ||
         !goes_on(v, &path, photon, inside)) {
         return had;
     }
-    way[had] = (murk_refracted_path){path, photon};
+    found[had] = (murk_refracted_path){path, photon};
     return had + 1;
 }
 
@@ -175,7 +179,7 @@ static bool is_beyond_critical(const murk_path_change *change,
 
 size_t murk_refracted_paths_find(
     const murk_interfaces *at, const murk_path_viewpoint *v, murk_vec3 photon,
-    double photon_index, murk_refracted_path way[MURK_REFRACTED_PATHS_MAX],
+    double photon_index, murk_refracted_path path[MURK_REFRACTED_PATHS_MAX],
     bool *is_reflected)
 {
     const murk_vec3 image =
@@ -189,10 +193,10 @@ size_t murk_refracted_paths_find(
         /* a face that does not extend from side to side may be near the sensor,
          * or near the photon in another period */
         murk_interface_plane plane = {at->flat[i].point, at->flat[i].normal};
-        paths = add_path(at, v, &plane, image, n, way, paths);
+        paths = add_path(at, v, &plane, image, n, path, paths);
         if (!is_here) {
             plane.point = murk_add(plane.point, shift);
-            paths = add_path(at, v, &plane, image, n, way, paths);
+            paths = add_path(at, v, &plane, image, n, path, paths);
         }
     }
     /* Of meshes, the face at which the straight line first changes the index is
@@ -206,7 +210,7 @@ size_t murk_refracted_paths_find(
         first_change(v, image, &change, &place)) {
         if (change.is_mesh) {
             const murk_interface_plane plane = {place, change.normal};
-            paths = add_path(at, v, &plane, image, n, way, paths);
+            paths = add_path(at, v, &plane, image, n, path, paths);
         }
         *is_reflected =
             paths == 0 &&
@@ -239,17 +243,18 @@ double murk_refracted_paths_range(const murk_interfaces *at,
 /* ---- along a path ---- */
 
 /* The crossing, moved to the period of the photon. */
-static murk_vec3 crossing_near(const murk_refracted_path *way, murk_vec3 photon)
+static murk_vec3 crossing_near(const murk_refracted_path *path,
+                               murk_vec3 photon)
 {
-    return murk_add(way->snell.crossing, murk_sub(photon, way->photon));
+    return murk_add(path->snell.crossing, murk_sub(photon, path->photon));
 }
 
-double murk_refracted_path_transmittance(const murk_refracted_path *way,
+double murk_refracted_path_transmittance(const murk_refracted_path *path,
                                          const murk_path_viewpoint *v, int band)
 {
-    const murk_vec3 photon = inside_domain(v, way->photon);
+    const murk_vec3 photon = inside_domain(v, path->photon);
     const murk_path_viewpoint back = murk_path_viewpoint_at(v->space, photon);
-    const murk_vec3 crossing = inside_domain(v, way->snell.crossing);
+    const murk_vec3 crossing = inside_domain(v, path->snell.crossing);
     return murk_path_transmittance_to(v, band, crossing) *
            murk_path_transmittance_to(&back, band, crossing);
 }
@@ -263,16 +268,16 @@ static murk_vec3 beyond(murk_vec3 from, murk_vec3 crossing, double tolerance_m,
                       direction_of(from, crossing));
 }
 
-bool murk_refracted_path_blocked(const murk_refracted_path *way,
+bool murk_refracted_path_blocked(const murk_refracted_path *path,
                                  const murk_path_viewpoint *v,
                                  const murk_surfaces *surfaces,
                                  bool through_sheets)
 {
-    const murk_snell *s = &way->snell;
+    const murk_snell *s = &path->snell;
     const double sight_tolerance =
         murk_path_surface_tolerance_m(surfaces, v->space->domain);
-    const murk_vec3 photon = inside_domain(v, way->photon);
-    const murk_vec3 crossing = crossing_near(way, photon);
+    const murk_vec3 photon = inside_domain(v, path->photon);
+    const murk_vec3 crossing = crossing_near(path, photon);
     /* each part is tested a little beyond the crossing, so that neither misses
      * a surface that lies in the boundary */
     return murk_path_blocked(surfaces, v->space->domain, v->position,
@@ -285,15 +290,15 @@ bool murk_refracted_path_blocked(const murk_refracted_path *way,
                through_sheets);
 }
 
-double murk_refracted_path_sheets(const murk_refracted_path *way,
+double murk_refracted_path_sheets(const murk_refracted_path *path,
                                   const murk_path_viewpoint *v,
                                   const murk_surfaces *surfaces, int band)
 {
-    const murk_snell *s = &way->snell;
+    const murk_snell *s = &path->snell;
     const double sight_tolerance =
         murk_path_surface_tolerance_m(surfaces, v->space->domain);
-    const murk_vec3 photon = inside_domain(v, way->photon);
-    const murk_vec3 crossing = crossing_near(way, photon);
+    const murk_vec3 photon = inside_domain(v, path->photon);
+    const murk_vec3 crossing = crossing_near(path, photon);
     double through = murk_path_sheets(
         surfaces, v->space->domain, v->position,
         beyond(v->position, s->crossing, sight_tolerance, s->length_m[1]),

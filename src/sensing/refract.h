@@ -42,7 +42,7 @@ typedef struct murk_refracted_path {
 size_t murk_refracted_paths_find(
     const murk_interfaces *interfaces, const murk_path_viewpoint *sensor,
     murk_vec3 photon, double photon_index,
-    murk_refracted_path way[MURK_REFRACTED_PATHS_MAX], bool *is_reflected);
+    murk_refracted_path path[MURK_REFRACTED_PATHS_MAX], bool *is_reflected);
 
 /* Upper bound on the distance of objects that appear nearer than range_m
  * through a face [m]; may be infinite. */
@@ -53,14 +53,14 @@ double murk_refracted_paths_range(const murk_interfaces *interfaces,
 /* Both parts of a path together: transmittance of the media, test against
  * surfaces, and transmittance of thin sheets. A surface that lies in the
  * boundary counts once. */
-double murk_refracted_path_transmittance(const murk_refracted_path *way,
+double murk_refracted_path_transmittance(const murk_refracted_path *path,
                                          const murk_path_viewpoint *sensor,
                                          int band);
-bool murk_refracted_path_blocked(const murk_refracted_path *way,
+bool murk_refracted_path_blocked(const murk_refracted_path *path,
                                  const murk_path_viewpoint *sensor,
                                  const murk_surfaces *surfaces,
                                  bool through_sheets);
-double murk_refracted_path_sheets(const murk_refracted_path *way,
+double murk_refracted_path_sheets(const murk_refracted_path *path,
                                   const murk_path_viewpoint *sensor,
                                   const murk_surfaces *surfaces, int band);
 

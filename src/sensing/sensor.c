@@ -31,30 +31,32 @@ murk_field murk_field_of(const murk_sensor_type *type, const murk_pose *pose,
                         .toward = type->toward};
 }
 
-bool murk_field_contains(const murk_field *field, murk_vec3 way)
+bool murk_field_contains(const murk_field *field, murk_vec3 offset)
 {
-    const double distance2 = murk_dot(way, way);
+    const double distance2 = murk_dot(offset, offset);
     if (!(distance2 >= field->least2_m2)) {
         return false;
     }
-    const double ahead = murk_dot(way, field->frame.axis);
+    const double ahead = murk_dot(offset, field->frame.axis);
     switch (field->view) {
     case MURK_VIEW_CONE:
         return ahead >= field->cosine * sqrt(distance2);
     case MURK_VIEW_FRUSTUM:
         return ahead > 0 &&
-               fabs(murk_dot(way, field->frame.right)) <=
+               fabs(murk_dot(offset, field->frame.right)) <=
                    field->h_slope * ahead &&
-               fabs(murk_dot(way, field->frame.up)) <= field->v_slope * ahead;
+               fabs(murk_dot(offset, field->frame.up)) <=
+                   field->v_slope * ahead;
     case MURK_VIEW_SPHERE:
         break;
     }
     return true;
 }
 
-bool murk_field_takes(const murk_field *field, murk_vec3 way, murk_vec3 travel)
+bool murk_field_takes(const murk_field *field, murk_vec3 offset,
+                      murk_vec3 travel)
 {
     const murk_vec3 against =
-        field->view == MURK_VIEW_SPHERE ? way : field->frame.axis;
+        field->view == MURK_VIEW_SPHERE ? offset : field->frame.axis;
     return !field->toward || murk_dot(travel, against) < 0;
 }

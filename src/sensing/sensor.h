@@ -56,12 +56,13 @@ typedef struct murk_field {
 murk_field murk_field_of(const murk_sensor_type *type, const murk_pose *pose,
                          murk_vec3 north);
 
-/* True if a point at `way` from the sensor is in the field of view, edges
+/* True if a point at `offset` from the sensor is in the field of view, edges
  * included. The maximum range is not tested. */
-bool murk_field_contains(const murk_field *field, murk_vec3 way);
+bool murk_field_contains(const murk_field *field, murk_vec3 offset);
 
 /* True if the type can detect light that travels along `travel`, from a point
- * at `way` from the sensor. */
-bool murk_field_takes(const murk_field *field, murk_vec3 way, murk_vec3 travel);
+ * at `offset` from the sensor. */
+bool murk_field_takes(const murk_field *field, murk_vec3 offset,
+                      murk_vec3 travel);
 
 #endif

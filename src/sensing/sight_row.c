@@ -115,10 +115,10 @@ static uint16_t clarity_of(const row_search *l, const murk_photon *p, size_t i,
     if (!sight->power) {
         return murk_sight_clarity(sight, through);
     }
-    const murk_vec3 way = murk_sub(from, to);
+    const murk_vec3 offset = murk_sub(from, to);
     const murk_sightline line = {.transmittance = through,
-                                 .way = way,
-                                 .leaving = murk_scale(-1, murk_unit(way)),
+                                 .apparent = offset,
+                                 .leaving = murk_scale(-1, murk_unit(offset)),
                                  .gain = 1};
     return clarity_along(l, p, i, &line, 1);
 }
@@ -162,19 +162,19 @@ static void add_visible(row_search *l, const murk_photon *photon,
 static bool is_detectable(const row_search *l, const murk_photon *photon,
                           murk_vec3 at, murk_vec3 sensor)
 {
-    const murk_vec3 way = murk_sub(at, sensor);
+    const murk_vec3 offset = murk_sub(at, sensor);
     return (l->bands >> murk_photon_band(photon) & 1) &&
-           murk_field_contains(&l->field, way) &&
+           murk_field_contains(&l->field, offset) &&
            (!l->field.toward ||
-            murk_field_takes(&l->field, way, murk_photon_direction(photon)));
+            murk_field_takes(&l->field, offset, murk_photon_direction(photon)));
 }
 
 /* True if the photon is beyond the range: the query is wider if objects behind
  * interfaces may appear nearer. */
 static bool is_beyond(const row_search *l, murk_vec3 at, murk_vec3 sensor)
 {
-    const murk_vec3 way = murk_sub(at, sensor);
-    return !(murk_dot(way, way) <= l->range_m * l->range_m);
+    const murk_vec3 offset = murk_sub(at, sensor);
+    return !(murk_dot(offset, offset) <= l->range_m * l->range_m);
 }
 
 /* Adds a photon in a medium of another refractive index, if it is visible.

@@ -40,15 +40,15 @@ bool murk_snell_path(murk_vec3 sensor, murk_vec3 photon,
                      murk_snell *path)
 {
     /* Heights over the plane; the points must lie on different sides. */
-    const murk_vec3 way = murk_sub(photon, sensor);
+    const murk_vec3 offset = murk_sub(photon, sensor);
     const double up = murk_dot(murk_sub(sensor, plane->point), plane->normal);
     const double down = murk_dot(murk_sub(plane->point, photon), plane->normal);
-    if (!(up * down > 0) || !isfinite(up + down) || !murk_is_finite(way)) {
+    if (!(up * down > 0) || !isfinite(up + down) || !murk_is_finite(offset)) {
         return false;
     }
     /* Distance along the plane, and the tangent of the angle on the rare side.
      */
-    const murk_vec3 along = murk_along(way, up + down, plane->normal);
+    const murk_vec3 along = murk_along(offset, up + down, plane->normal);
     const double r = murk_length(along), h[2] = {fabs(up), fabs(down)};
     const int rare = n[0] < n[1] ? 0 : 1, dense = 1 - rare;
     const double m = n[dense] / n[rare];

@@ -48,10 +48,10 @@ bool murk_meet_facets(const murk_address *address, double n_from, double n_to,
     bool is_through = false;
     for (uint32_t k = 0; k < MURK_FACETS_MAX; ++k) {
         const double cosine = fmax(-1, fmin(1, -murk_dot(direction, up)));
-        const murk_random4 way = murk_random_at(address, 1 + 2 * k);
+        const murk_random4 height = murk_random_at(address, 1 + 2 * k);
         /* Draw the height of the next facet, or leave if none is left. */
         const double seen = murk_facets_projected_area(width, cosine);
-        log_h += cosine / seen * log(way.u[0]);
+        log_h += cosine / seen * log(height.u[0]);
         if (cosine < 0 && !(log_h < 0)) {
             *bounce = (murk_bounce){
                 is_through ? MURK_TRANSMITTED : MURK_MIRRORED, direction};

@@ -34,12 +34,13 @@ static void cross(murk_scorer *scorer, const murk_tally_plane *plane, double t,
     const uint32_t angle =
         bin_at(fabs(murk_dot(plane->normal, direction)) * plane->angle_bins,
                plane->angle_bins);
-    const uint32_t way = backward ? plane->angle_bins : 0;
-    murk_score_add(
-        scorer,
-        plane->first +
-            ((way + angle) * plane->bins[1] + bin[1]) * plane->bins[0] + bin[0],
-        quanta);
+    const uint32_t first_angle = backward ? plane->angle_bins : 0;
+    murk_score_add(scorer,
+                   plane->first +
+                       ((first_angle + angle) * plane->bins[1] + bin[1]) *
+                           plane->bins[0] +
+                       bin[0],
+                   quanta);
 }
 
 /* Scores the chord of a segment through a sphere. It is computed from the point

@@ -367,7 +367,7 @@ static void test_signals_by_hand(void)
     const murk_field all = murk_field_of(&round, &pose, murk_vec(0, 1, 0));
     /* two metres off at 60 degrees from the normal, seen 30 off the axis */
     const murk_sightline line = {.transmittance = 0.7,
-                                 .way = murk_vec(1, 0, -sqrt(3)),
+                                 .apparent = murk_vec(1, 0, -sqrt(3)),
                                  .leaving = murk_vec(-sqrt(.75), 0, .5),
                                  .gain = 0.5};
     const murk_photon *stored = murk_photon_map_photons(p.surface);
@@ -399,7 +399,7 @@ static void test_nothing_takes_more_than_there_is(void)
     const murk_pose pose = {0};
     const murk_field all = murk_field_of(&type, &pose, murk_vec(0, 1, 0));
     const murk_sightline line = {.transmittance = 1,
-                                 .way = murk_vec(0, 0, -1e-9),
+                                 .apparent = murk_vec(0, 0, -1e-9),
                                  .leaving = up,
                                  .gain = 1};
     const double max = MURK_PI * murk_power_radiance(p.power, 0) * 0.05;
