@@ -37,7 +37,6 @@ static murk_candidate_grid grid_of(const murk_stage *stage)
 
 /* cos 45 degrees: a normal within 45 degrees of vertical faces up or down, any
  * other faces sideways. */
-/* cos 45 degrees: up, down or side */
 #define LEVEL_COSINE 0.70710678118654752
 
 /* Restricts the normals of surfaces, and the directions of mounts, by the key
