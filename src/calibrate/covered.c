@@ -97,33 +97,7 @@ double murk_covered_bytes(const murk_covered *covered)
     return bytes;
 }
 
-/* ---- extinction as sensors see it ---- */
-
-static double extinction_of(const murk_optics *optics, size_t medium,
-                            size_t band, double acceptance_rad)
-{
-    return murk_visible_extinction(optics->extinction_per_m[medium].band[band],
-                                   optics->albedo[medium].band[band],
-                                   &optics->phases->medium[medium][band],
-                                   acceptance_rad);
-}
-
-/* Fills extinction[acceptances][bands][media] of the re-weighted media. */
-static void fill_extinctions(double *extinction, const murk_covered *c,
-                             const murk_optics *optics)
-{
-    const murk_visible *visible = c->visible;
-    const size_t bands = (size_t)c->desc.stage->scene->bands;
-    for (size_t a = 0; a < visible->acceptances; ++a) {
-        for (size_t band = 0; band < bands; ++band) {
-            for (size_t m = 0; m < visible->media; ++m) {
-                extinction[(a * bands + band) * visible->media + m] =
-                    extinction_of(optics, c->desc.histories->medium[m], band,
-                                  visible->acceptance_rad[a]);
-            }
-        }
-    }
-}
+/* ---- evaluation ---- */
 
 /* Fails if a medium without stored density paths differs. */
 static murk_status check_others(const murk_covered *c,
@@ -138,8 +112,8 @@ static murk_status check_others(const murk_covered *c,
              ++a) {
             for (size_t band = 0; band < (size_t)scene->bands; ++band) {
                 const double rad = c->visible->acceptance_rad[a];
-                if (extinction_of(traced, medium, band, rad) !=
-                    extinction_of(at, medium, band, rad)) {
+                if (murk_visible_extinction(traced, medium, band, rad) !=
+                    murk_visible_extinction(at, medium, band, rad)) {
                     return murk_fail(err, MURK_BAD_VALUE,
                                      scene->media[medium].where,
                                      "the medium differs from that of the "
@@ -151,8 +125,6 @@ static murk_status check_others(const murk_covered *c,
     }
     return MURK_OK;
 }
-
-/* ---- evaluation ---- */
 
 /* Finds the first contribution of each batch: batch b contains the photons p
  * with p * batches / emitted = b, rounded down. */
@@ -177,6 +149,7 @@ static murk_status find_slopes(murk_coverage_sums *s, const murk_covered *c,
                                const murk_optics *traced,
                                const murk_optics_sides *sides, murk_error *err)
 {
+    const murk_histories *histories = c->desc.histories;
     const size_t cells = murk_coverage_cells(s);
     double *low = calloc(cells + 1, sizeof *low);
     murk_status status =
@@ -190,8 +163,8 @@ static murk_status find_slopes(murk_coverage_sums *s, const murk_covered *c,
             continue; /* the key has no effect */
         }
         /* Difference quotients; other media must not change. */
-        fill_extinctions(low, c, side->low);
-        fill_extinctions(slope, c, side->high);
+        murk_visible_extinctions(low, c->visible, histories, side->low);
+        murk_visible_extinctions(slope, c->visible, histories, side->high);
         for (size_t cell = 0; cell < cells; ++cell) {
             slope[cell] = (slope[cell] - low[cell]) / side->span;
         }
@@ -243,7 +216,8 @@ murk_status murk_covered_read(const murk_row_sums *out, size_t first,
     bool has_memory = status || murk_coverage_sums_allocate(&sums);
     if (!status && has_memory) {
         find_bounds(&sums, covered->desc.histories);
-        fill_extinctions(sums.extinction, covered, at);
+        murk_visible_extinctions(sums.extinction, covered->visible,
+                                 covered->desc.histories, at);
         status = find_slopes(&sums, covered, traced, sides, err);
     }
     /* Sum. */

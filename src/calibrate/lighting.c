@@ -70,6 +70,7 @@ murk_status murk_lighting_trace(murk_lighting *l, uint64_t photons,
     /* Find sightlines, if there are rows of coverage. */
     if (!status && instruments->groups) {
         const murk_visible_desc visible = {.stage = l->stage,
+                                           .optics = l->optics,
                                            .histories = l->histories,
                                            .pose = instruments->pose,
                                            .group = instruments->group,

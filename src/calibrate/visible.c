@@ -36,13 +36,30 @@ typedef struct search {
     murk_arena arena; /* of all arrays here */
 } search;
 
-double murk_visible_extinction(double extinction_per_m, double albedo,
-                               const murk_phase *phase, double acceptance_rad)
+double murk_visible_extinction(const murk_optics *optics, size_t medium,
+                               size_t band, double acceptance_rad)
 {
+    const double extinction_per_m = optics->extinction_per_m[medium].band[band];
+    const murk_phase *phase = &optics->phases->medium[medium][band];
     return acceptance_rad > 0
-               ? extinction_per_m * (1 - albedo * murk_phase_share_within(
-                                                      phase, acceptance_rad))
+               ? extinction_per_m *
+                     (1 - optics->albedo[medium].band[band] *
+                              murk_phase_share_within(phase, acceptance_rad))
                : extinction_per_m;
+}
+
+void murk_visible_extinctions(double *extinction, const murk_visible *visible,
+                              const murk_histories *histories,
+                              const murk_optics *optics)
+{
+    const size_t bands = (size_t)optics->bands;
+    for (size_t k = 0; k < visible->acceptances * bands; ++k) {
+        for (size_t m = 0; m < visible->media; ++m) {
+            extinction[k * visible->media + m] =
+                murk_visible_extinction(optics, histories->medium[m], k % bands,
+                                        visible->acceptance_rad[k / bands]);
+        }
+    }
 }
 
 bool murk_visible_has_paths(const murk_histories *histories, size_t medium)
@@ -116,27 +133,17 @@ static murk_status sort_acceptances(search *f, murk_error *err)
     return status;
 }
 
-/* The extinction of a medium for an acceptance angle. */
-static double extinction_of(const search *f, size_t medium, int band,
-                            double acceptance_rad)
-{
-    const murk_scene_medium *m = &f->scene->media[medium];
-    return murk_visible_extinction(
-        m->extinction_per_m.band[band], m->albedo.band[band],
-        &f->desc->stage->phases->medium[medium][band], acceptance_rad);
-}
-
 /* The media that are not re-weighted, for sensors of one acceptance angle. */
 static murk_status make_other(search *f, size_t a, murk_spectrum *extinction,
                               murk_error *err)
 {
     memset(extinction, 0, f->scene->n_media * sizeof *extinction);
     for (size_t i = 0; i < f->scene->n_media; ++i) {
-        for (int band = 0; !murk_visible_has_paths(f->desc->histories, i) &&
-                           band < f->scene->bands;
+        for (size_t band = 0; !murk_visible_has_paths(f->desc->histories, i) &&
+                              band < (size_t)f->scene->bands;
              ++band) {
-            extinction[i].band[band] =
-                extinction_of(f, i, band, f->visible->acceptance_rad[a]);
+            extinction[i].band[band] = murk_visible_extinction(
+                f->desc->optics, i, band, f->visible->acceptance_rad[a]);
         }
     }
     return murk_media_rescale(&f->other[a], f->desc->stage->media, extinction,
@@ -180,12 +187,9 @@ static murk_status make_media(search *f, murk_error *err)
         status = make_other(f, a, extinction, err);
     }
     /* Extinctions of the re-weighted media as traced. */
-    for (size_t k = 0; !status && k < visible->acceptances * bands; ++k) {
-        for (size_t m = 0; m < histories->media; ++m) {
-            f->extinction[k * histories->media + m] =
-                extinction_of(f, histories->medium[m], (int)(k % bands),
-                              visible->acceptance_rad[k / bands]);
-        }
+    if (!status) {
+        murk_visible_extinctions(f->extinction, visible, histories,
+                                 f->desc->optics);
     }
     return status;
 }

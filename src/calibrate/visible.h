@@ -12,6 +12,7 @@
 
 #include "base/arena.h"
 #include "calibrate/histories.h"
+#include "calibrate/optics.h"
 #include "calibrate/sightlines.h"
 
 typedef struct murk_visible {
@@ -28,6 +29,7 @@ typedef struct murk_visible {
 
 typedef struct murk_visible_desc {
     const murk_stage *stage;         /* the stage that was traced */
+    const murk_optics *optics;       /* that the light was traced with */
     const murk_histories *histories; /* with records */
     const murk_pose *pose;           /* [poses]; of all groups */
     const size_t *group;             /* [poses]; rising, below groups */
@@ -35,10 +37,15 @@ typedef struct murk_visible_desc {
     unsigned threads;
 } murk_visible_desc;
 
-/* The extinction coefficient of a medium in a band for a sensor with this
- * acceptance angle [1/m, times density]. */
-double murk_visible_extinction(double extinction_per_m, double albedo,
-                               const murk_phase *phase, double acceptance_rad);
+/* The extinction coefficient of a medium of the scene in a band for a sensor
+ * with this acceptance angle [1/m, times density]. */
+double murk_visible_extinction(const murk_optics *optics, size_t medium,
+                               size_t band, double acceptance_rad);
+
+/* Fills extinction[acceptances][bands][media] of the re-weighted media. */
+void murk_visible_extinctions(double *extinction, const murk_visible *visible,
+                              const murk_histories *histories,
+                              const murk_optics *optics);
 
 /* True if the density paths of a medium of the scene are recorded. */
 bool murk_visible_has_paths(const murk_histories *histories, size_t medium);

@@ -144,6 +144,7 @@ static inline murk_status make_covered(lit *l, const murk_pose *pose, size_t n,
                                        unsigned threads, murk_error *err)
 {
     const murk_visible_desc desc = {.stage = l->stage,
+                                    .optics = &l->traced->optics,
                                     .histories = l->followed,
                                     .pose = pose,
                                     .group = group_of,

@@ -312,6 +312,34 @@ static void test_other_media_stay(void)
     put_out(&all);
 }
 
+/* A profile whose paths are not kept attenuates sightlines as in sensing: the
+ * extinction of its optics is a factor of its values. */
+static void test_other_profile_attenuates(void)
+{
+    const char *const here[] = {
+        "media.fog={profile: {z_m: [0, 3], extinction_per_m: [0.4, 0.2]},"
+        " albedo: 0.95, phase: {hg: 0.7}}",
+        NULL};
+    lit l = lit_with(here, 1);
+    l.traced->extinction[0] = murk_spectrum_flat(1, 2);
+    CHECK(!make_covered(&l, poses, POSES, 2, NULL));
+    /* The coverage of the light as traced. */
+    const murk_optics_sides none[KEYS] = {{0}};
+    murk_reweighed reweighed =
+        reweigh(l.followed, &l.traced->optics, &l.traced->optics, none);
+    double value[GROUPS], slope[GROUPS][KEYS];
+    CHECK(!read_covered(value, slope, NULL, 0, &l, &reweighed,
+                        &l.traced->optics, none, NULL));
+    murk_estimate want[GROUPS];
+    measure(want, &l, here, as_traced);
+    for (size_t g = 0; g < GROUPS; ++g) {
+        CHECK_NEAR(value[g], want[g].value, ROUNDING);
+        CHECK(want[g].value > 0.02);
+    }
+    murk_reweighed_release(&reweighed);
+    put_out(&l);
+}
+
 static void check_refused(const char *override, const murk_pose *pose,
                           const char *why)
 {
@@ -367,6 +395,7 @@ int main(void)
     test_slopes_need_sightlines();
     test_threads_cannot_be_told();
     test_other_media_stay();
+    test_other_profile_attenuates();
     test_what_has_no_slope_is_refused();
     test_memory_is_bounded();
     return check_done();
