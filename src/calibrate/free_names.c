@@ -265,18 +265,13 @@ murk_status murk_free_check_gains(const murk_free_keys *keys, murk_error *err)
 {
     const murk_readings *m = keys->desc.measured;
     for (size_t g = 0; g < m->gains; ++g) {
-        /* Is the factor free? */
         const murk_reading *reading = reading_of(m, g, false);
         bool is_free = false;
         for (size_t k = 0; k < keys->n; ++k) {
             is_free = is_free || keys->key[k].gain == g;
         }
-        /* Is the light relative? */
-        const bool is_light = reading->kind == MURK_READ_FLUENCE ||
-                              reading->kind == MURK_READ_IRRADIANCE;
-        const bool is_relative = reading->unit == MURK_UNIT_RELATIVE ||
-                                 reading->unit == MURK_UNIT_PERCENT;
-        if (!is_free && is_light && is_relative) {
+        if (!is_free &&
+            murk_reading_unit_needs_gain(reading->unit, reading->kind)) {
             char where[320];
             snprintf(where, sizeof where, "%.250s:%zu: gain", m->path,
                      reading->line);
