@@ -209,13 +209,11 @@ static murk_status fill_rows(murk_calibration *out, const murk_fit_search *s,
 /* Computes the root mean square residual of the held-out rows. */
 static void judge_held_out(murk_calibration *out, const murk_fit_search *s)
 {
-    const murk_readings *measured = s->desc->measured;
     double squares = 0, sigmas = 0;
     bool is_one_unit = true;
     const murk_reading *first = NULL;
     for (size_t i = 0; i < s->rows; ++i) {
-        const murk_reading *reading =
-            &measured->reading[measured->row[i].first];
+        const murk_reading *reading = murk_reading_of_row(s->desc->measured, i);
         if (!reading->is_held_out) {
             continue;
         }

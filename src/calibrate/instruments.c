@@ -38,7 +38,7 @@ static void add_group(murk_instruments *p, const murk_readings *measured,
 static const murk_reading *first_of(const murk_readings *measured, size_t row,
                                     size_t condition)
 {
-    const murk_reading *reading = &measured->reading[measured->row[row].first];
+    const murk_reading *reading = murk_reading_of_row(measured, row);
     return reading->condition == condition ? reading : NULL;
 }
 
@@ -105,10 +105,10 @@ void murk_instruments_warn_of_cut(const murk_instruments *instruments,
             ++cut > CUT_NAMED) {
             continue;
         }
-        const size_t row = instruments->light_row[i];
         char where[320];
-        snprintf(where, sizeof where, "%s:%zu", measured->path,
-                 measured->reading[measured->row[row].first].line);
+        snprintf(
+            where, sizeof where, "%s:%zu", measured->path,
+            murk_reading_of_row(measured, instruments->light_row[i])->line);
         murk_warn(where,
                   "a surface cuts the receiver of %g m around %s m, behind "
                   "which it is dark: it reads low; take a smaller "

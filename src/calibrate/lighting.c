@@ -133,10 +133,11 @@ static void convert_groups(const murk_row_sums *sums,
 {
     const size_t lights = instruments->lights;
     for (size_t i = instruments->receivers; i < lights; ++i) {
-        const size_t first = measured->row[instruments->light_row[i]].first;
+        const murk_reading *reading =
+            murk_reading_of_row(measured, instruments->light_row[i]);
         double slope;
-        sums->value[i] = murk_reading_in_unit(measured->reading[first].unit,
-                                              sums->value[i], 1, &slope);
+        sums->value[i] =
+            murk_reading_in_unit(reading->unit, sums->value[i], 1, &slope);
         for (size_t k = 0; k < keys; ++k) {
             sums->slope[i * keys + k] *= slope;
         }

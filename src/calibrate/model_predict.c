@@ -116,7 +116,6 @@ static murk_status beams_at(double *out, const murk_model *m, size_t c,
                             const double *value, murk_error *err)
 {
     const murk_model_world *w = &m->world[c];
-    const murk_readings *measured = m->desc.measured;
     murk_optics *optics = NULL;
     murk_beams *beams = NULL;
     murk_status status = murk_free_optics(&optics, m->desc.keys, c, value, err);
@@ -125,7 +124,7 @@ static murk_status beams_at(double *out, const murk_model *m, size_t c,
     for (size_t i = 0; i < w->instruments.beams && !status; ++i) {
         /* Evaluate each beam. */
         const murk_reading *reading =
-            &measured->reading[measured->row[w->instruments.beam_row[i]].first];
+            murk_reading_of_row(m->desc.measured, w->instruments.beam_row[i]);
         double transmittance, unused;
         status = murk_beam_transmittance(&transmittance, beams, reading, err);
         out[i] = murk_reading_in_unit(
@@ -223,8 +222,7 @@ static murk_status predict_beams(const murk_model *m, size_t c,
 /* The key of the free factor of a row; n: none. */
 static size_t gain_of(const murk_model *m, size_t row)
 {
-    const murk_readings *measured = m->desc.measured;
-    const murk_reading *reading = &measured->reading[measured->row[row].first];
+    const murk_reading *reading = murk_reading_of_row(m->desc.measured, row);
     const murk_free_keys *keys = m->desc.keys;
     for (size_t k = 0; k < m->n && reading->gain != SIZE_MAX; ++k) {
         const murk_free_key *key = &keys->key[k];

@@ -272,7 +272,6 @@ static murk_status slopes_of_world(murk_model *m, size_t c, murk_error *err)
 static void warn_of_few(const murk_model *m, const murk_model_world *w)
 {
     const murk_histories *f = w->lighting.histories;
-    const murk_readings *measured = m->desc.measured;
     /* Count the chords of each receiver. */
     size_t *photons = calloc(w->instruments.receivers + 1, sizeof *photons);
     for (size_t i = 0; photons && i < f->n; ++i) {
@@ -288,14 +287,14 @@ static void warn_of_few(const murk_model *m, const murk_model_world *w)
         }
     }
     if (few) {
-        const size_t row = w->instruments.light_row[first];
+        const murk_reading *reading = murk_reading_of_row(
+            m->desc.measured, w->instruments.light_row[first]);
         murk_warn(
-            measured->path,
+            m->desc.measured->path,
             "line %zu%s: %zu photons pass its sphere, from which neither "
             "its value nor its noise can be told: take a larger radius_m, "
             "or more photons",
-            measured->reading[measured->row[row].first].line,
-            few > 1 ? ", and others" : "", photons[first]);
+            reading->line, few > 1 ? ", and others" : "", photons[first]);
     }
     free(photons);
 }

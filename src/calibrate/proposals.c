@@ -3,6 +3,7 @@
  * (fit/optimal.h). */
 #include "calibrate/proposals.h"
 
+#include "base/quantile.h"
 #include "plan/poses.h"
 #include "plan/sites.h"
 
@@ -27,17 +28,6 @@ void murk_proposals_release(murk_proposals *out)
     *out = (murk_proposals){0};
 }
 
-static const murk_reading *reading_of(const murk_readings *measured, size_t row)
-{
-    return &measured->reading[measured->row[row].first];
-}
-
-static int by_value(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* Determines the most frequent kind of reading, the median relative error, and
  * an example. */
 static murk_status choose_kind(murk_proposals *out,
@@ -47,7 +37,7 @@ static murk_status choose_kind(murk_proposals *out,
     /* Count the kinds. */
     size_t count[MURK_READING_KINDS] = {0};
     for (size_t i = 0; i < measured->rows; ++i) {
-        const murk_reading *reading = reading_of(measured, i);
+        const murk_reading *reading = murk_reading_of_row(measured, i);
         count[reading->kind] +=
             !reading->is_held_out && reading->kind != MURK_READ_TRANSMITTANCE;
     }
@@ -69,14 +59,14 @@ static murk_status choose_kind(murk_proposals *out,
     }
     const murk_reading *first = NULL;
     for (size_t i = 0, k = 0; i < measured->rows; ++i) {
-        const murk_reading *reading = reading_of(measured, i);
+        const murk_reading *reading = murk_reading_of_row(measured, i);
         if (reading->kind == out->kind && !reading->is_held_out) {
             first = first ? first : reading;
             error[k++] = reading->standard_error /
                          fmax(fabs(reading->value), reading->standard_error);
         }
     }
-    qsort(error, n, sizeof *error, by_value);
+    murk_sort(error, n);
     out->relative_error = error[n / 2];
     free(error);
     /* Properties of the example; n readings were counted. */

@@ -27,11 +27,10 @@ double murk_free_highest(const murk_free_key *key)
 /* Lists the fitted rows: those that need light first. */
 static void list_rows(murk_fit_search *s)
 {
-    const murk_readings *measured = s->desc->measured;
     for (size_t pass = 0; pass < 2; ++pass) {
         for (size_t i = 0; i < s->rows; ++i) {
             const murk_reading *reading =
-                &measured->reading[measured->row[i].first];
+                murk_reading_of_row(s->desc->measured, i);
             const bool needs_light = reading->kind != MURK_READ_TRANSMITTANCE;
             s->measured[i] = reading->value;
             s->error[i] = reading->standard_error;

@@ -35,6 +35,14 @@ typedef struct murk_readings {
     murk_arena arena; /* of all arrays but the path */
 } murk_readings;
 
+/* The first reading of a row, which has the kind, unit, factor and condition of
+ * the row. */
+static inline const murk_reading *
+murk_reading_of_row(const murk_readings *readings, size_t row)
+{
+    return &readings->reading[readings->row[row].first];
+}
+
 /* Reads and checks a file against the scene (conditions, bands, sensor types)
  * and the domain; the message for an error has the line number. If readings are
  * in a unit that is derived from a transmittance, prints a note with the

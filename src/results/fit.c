@@ -285,8 +285,7 @@ void murk_results_list_fit_row(murk_results_fields *fields, const void *of,
                                size_t i)
 {
     const murk_fit_facts *f = of;
-    const murk_reading *r =
-        f ? &f->measured->reading[f->measured->row[i].first] : NULL;
+    const murk_reading *r = f ? murk_reading_of_row(f->measured, i) : NULL;
     const murk_calibrated_row *c = f ? &f->found->row[i] : NULL;
     MURK_COUNT(fields, "line", "of the data", r->line);
     MURK_TEXT(fields, "kind", "coverage, fluence, irradiance or transmittance",
