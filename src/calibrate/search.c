@@ -49,6 +49,16 @@ static double best_gain(const murk_fit_search *s, size_t k)
     return with_measured / with_itself;
 }
 
+static bool has_key_of(const murk_fit_search *s, murk_free_kind kind)
+{
+    for (size_t k = 0; k < s->n; ++k) {
+        if (s->desc->keys->key[k].kind == kind) {
+            return true;
+        }
+    }
+    return false;
+}
+
 /* Sets the factors in x to their least squares values for the other values of
  * x, at which light must have been traced; a factor that no fitted row uses is
  * not changed. The counts of a meter may be any multiple of a watt, and a
@@ -57,11 +67,7 @@ static double best_gain(const murk_fit_search *s, size_t k)
 static murk_status set_gains(murk_fit_search *s, double *x, murk_error *err)
 {
     const murk_free_keys *keys = s->desc->keys;
-    bool has_gains = false;
-    for (size_t k = 0; k < s->n; ++k) {
-        has_gains = has_gains || keys->key[k].kind == MURK_FREE_GAIN;
-    }
-    if (!has_gains) {
+    if (!has_key_of(s, MURK_FREE_GAIN)) {
         return MURK_OK;
     }
     murk_fit_search_values(s, x, s->value);
@@ -153,16 +159,6 @@ static bool has_ended_away(murk_fit_search *s, const double *x,
     return to->converged && has_world_moved(s, x);
 }
 
-static bool has_world_key(const murk_fit_search *s)
-{
-    for (size_t k = 0; k < s->n; ++k) {
-        if (s->desc->keys->key[k].kind == MURK_FREE_WORLD) {
-            return true;
-        }
-    }
-    return false;
-}
-
 /* Follows the light at hand from x: least squares on the re-weighted rows for
  * any effective share, with the whitening of the last prediction. No light is
  * traced. x becomes the end, and *is_valid tells whether the light describes
@@ -202,7 +198,8 @@ static murk_status scout(murk_fit_search *s, double *x, bool *is_valid,
                    * point */
         memcpy(x, s->before, s->n * sizeof *x);
     }
-    *is_valid = !status && s->share >= MURK_MIN_SHARE && !has_world_key(s);
+    *is_valid = !status && s->share >= MURK_MIN_SHARE &&
+                !has_key_of(s, MURK_FREE_WORLD);
     if (!status && !*is_valid) { /* decide whether a trace there is worthwhile
                                   */
         murk_fit_search_residuals(s, s->residual, NULL);
