@@ -24,11 +24,12 @@ double murk_free_highest(const murk_free_key *key)
                        : key->upper;
 }
 
-/* Lists the fitted rows: those that need light first. */
+/* Lists the fitted rows: those that need light first, with their numbers among
+ * all rows that need light. */
 static void list_rows(murk_fit_search *s)
 {
     for (size_t pass = 0; pass < 2; ++pass) {
-        for (size_t i = 0; i < s->rows; ++i) {
+        for (size_t i = 0, light = 0; i < s->rows; ++i) {
             const murk_reading *reading =
                 murk_reading_of_row(s->desc->measured, i);
             const bool needs_light = reading->kind != MURK_READ_TRANSMITTANCE;
@@ -36,8 +37,11 @@ static void list_rows(murk_fit_search *s)
             s->error[i] = reading->standard_error;
             if (!reading->is_held_out && needs_light == (pass == 0)) {
                 s->fitted[s->n_fitted++] = i;
-                s->n_light += needs_light;
+                if (needs_light) {
+                    s->place[s->n_light++] = light;
+                }
             }
+            light += needs_light;
         }
     }
 }
@@ -62,6 +66,7 @@ murk_status murk_fit_search_create(murk_fit_search *out,
         *of_rows[i] = murk_arena_array(arena, rows, sizeof(double));
     }
     out->fitted = murk_arena_array(arena, rows, sizeof *out->fitted);
+    out->place = murk_arena_array(arena, rows, sizeof *out->place);
     out->slope = murk_arena_array(arena, rows * n, sizeof(double));
     out->jacobian = murk_arena_array(arena, rows * n, sizeof(double));
     if (arena->is_short) {
@@ -109,21 +114,17 @@ static murk_status whiten(murk_fit_search *s, murk_error *err)
     if (s->n_light == 0) {
         return MURK_OK;
     }
-    const murk_model_facts *facts = murk_model_facts_of(s->model);
-    const size_t *light = facts->light, n = facts->lights;
+    const size_t lights = murk_model_facts_of(s->model)->lights;
     double *all, *covariance = calloc(s->n_light * s->n_light, sizeof(double));
     murk_status status = murk_model_noise(s->model, &all, err);
     if (!status && !covariance) {
         status = murk_fail(err, MURK_NO_MEMORY, "", "no memory for the search");
     }
-    /* Copy the covariance of the fitted rows; both lists rise. */
-    for (size_t i = 0, a = 0; i < s->n_light && !status; ++i, ++a) {
-        for (; light[a] != s->fitted[i]; ++a) {
-        }
-        for (size_t j = 0, b = 0; j < s->n_light; ++j, ++b) {
-            for (; light[b] != s->fitted[j]; ++b) {
-            }
-            covariance[i * s->n_light + j] = all[a * n + b];
+    /* Copy the covariance of the fitted rows. */
+    for (size_t i = 0; i < s->n_light && !status; ++i) {
+        for (size_t j = 0; j < s->n_light; ++j) {
+            covariance[i * s->n_light + j] =
+                all[s->place[i] * lights + s->place[j]];
         }
         const double error = s->error[s->fitted[i]];
         covariance[i * s->n_light + i] += error * error;

@@ -14,6 +14,8 @@ typedef struct murk_fit_search {
     size_t *fitted, n_fitted;    /* rows that are not held out; those that need
                                   * light first */
     size_t n_light;              /* number of fitted rows that need light */
+    size_t *place;               /* [n_light]; index of such a row among the
+                                  * light rows of the model */
     double *measured, *error;    /* [rows] */
     murk_whitening *whitening;   /* of the first n_light rows; NULL: none */
     double *x;                   /* [n]; present point of the search */

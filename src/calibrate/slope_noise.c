@@ -30,14 +30,13 @@ void murk_slope_noise_release(murk_slope_noise *noise)
 
 /* Fills off[n_light][1 + n] with the whitened deviation of a run. */
 static void off_of_run(double *off, const murk_fit_search *s,
-                       const double *part, const double *total, size_t run,
-                       const size_t *place)
+                       const double *part, const double *total, size_t run)
 {
     const size_t width = s->n + 1;
     const murk_model_facts *facts = murk_model_facts_of(s->model);
     const size_t runs = facts->runs, lights = facts->lights;
     for (size_t i = 0; i < s->n_light; ++i) {
-        const size_t at = place[i] * width;
+        const size_t at = s->place[i] * width;
         for (size_t k = 0; k < width; ++k) {
             off[i * width + k] = part[run * lights * width + at + k] -
                                  total[at + k] / (double)runs;
@@ -73,11 +72,10 @@ void murk_slope_noise_add(murk_slope_noise *out, const double *off,
     }
 }
 
-/* Sums over all runs. part[runs][lights][1 + n] as murk_model_parts() gives it;
- * place[n_light] are the numbers of the fitted rows among those. */
+/* Sums over all runs. part[runs][lights][1 + n] as murk_model_parts() gives it.
+ */
 static murk_status sum_runs(murk_slope_noise *out, const murk_fit_search *s,
-                            const double *part, const size_t *place,
-                            murk_error *err)
+                            const double *part, murk_error *err)
 {
     const size_t n = s->n, width = n + 1;
     const murk_model_facts *facts = murk_model_facts_of(s->model);
@@ -99,7 +97,7 @@ static murk_status sum_runs(murk_slope_noise *out, const murk_fit_search *s,
     }
     /* Add each run, then scale. */
     for (size_t run = 0; run < runs; ++run) {
-        off_of_run(off, s, part, total, run, place);
+        off_of_run(off, s, part, total, run);
         murk_slope_noise_add(out, off, jacobian, s->n_light, n);
     }
     const double unbiased = (double)runs / ((double)runs - 1);
@@ -128,22 +126,8 @@ murk_status murk_slope_noise_find(murk_slope_noise *out,
         return MURK_OK;
     }
     double *part;
-    const size_t *light = murk_model_facts_of(s->model)->light;
     murk_status status = murk_model_parts(s->model, &part, err);
-    size_t *place = calloc(s->n_light, sizeof *place);
-    if (!status && !place) {
-        status = no_memory(err);
-    }
-    if (!status) {
-        /* The fitted rows among those of light; both lists rise. */
-        for (size_t i = 0, a = 0; i < s->n_light; ++i, ++a) {
-            for (; light[a] != s->fitted[i]; ++a) {
-            }
-            place[i] = a;
-        }
-        status = sum_runs(out, s, part, place, err);
-    }
-    free(place);
+    status = status ? status : sum_runs(out, s, part, err);
     free(part);
     return status;
 }
