@@ -144,11 +144,6 @@ murk_status murk_free_optics(murk_optics **out, const murk_free_keys *keys,
                                        err);
 }
 
-bool murk_free_key_is_in(const murk_free_keys *keys, size_t k, size_t c)
-{
-    return keys->key[k].is_in[c];
-}
-
 /* Symmetric values if there is room within the range, otherwise to the side
  * with more room. */
 void murk_free_key_beside(const murk_free_key *key, double step, double value,

@@ -38,13 +38,14 @@ typedef struct murk_free_key {
     bool is_log;                /* the search uses the logarithm */
     bool turns_phase;           /* changes the phase function of a medium, so
                                  * cosines are needed */
+    bool *is_in;                /* [conditions]; true if the condition has the
+                                 * key */
     /* Internal: the place of the key in the scene. */
     char *source;     /* "--free media.fog.albedo.0", for messages */
     char *put;        /* path that is set: that of the key, or of the list that
                        * contains it, because a list may exist by default alone
                        */
     size_t index;     /* index in the list */
-    bool *is_in;      /* [conditions]; true if the condition has the key */
     murk_yaml **list; /* [conditions]; the list; all NULL if the key is not in a
                        * list */
     double step;      /* step of differences relative to the size of the value
@@ -105,9 +106,6 @@ murk_status murk_free_scene(murk_scene_desc **out, const murk_free_keys *keys,
                             size_t c, const double *value, murk_error *err);
 murk_status murk_free_optics(murk_optics **out, const murk_free_keys *keys,
                              size_t c, const double *value, murk_error *err);
-
-/* True if key k has an effect in condition c. */
-bool murk_free_key_is_in(const murk_free_keys *keys, size_t k, size_t c);
 
 /* Two values around `value` of key k and within bounds, for derivatives:
  * df/dvalue = (f(high) - f(low)) / (high - low). They are symmetric if the

@@ -21,17 +21,15 @@ static murk_status no_memory(murk_error *err)
 
 bool murk_model_changes_world(const murk_model *m, size_t k, size_t c)
 {
-    const murk_free_keys *keys = m->desc.keys;
-    return keys->key[k].kind == MURK_FREE_WORLD &&
-           murk_free_key_is_in(keys, k, c);
+    const murk_free_key *key = &m->desc.keys->key[k];
+    return key->kind == MURK_FREE_WORLD && key->is_in[c];
 }
 
 bool murk_model_reweighs(const murk_model *m, size_t k, size_t c)
 {
-    const murk_free_keys *keys = m->desc.keys;
-    const murk_free_kind kind = keys->key[k].kind;
-    return (kind == MURK_FREE_MEDIUM || kind == MURK_FREE_LIGHT) &&
-           murk_free_key_is_in(keys, k, c);
+    const murk_free_key *key = &m->desc.keys->key[k];
+    return (key->kind == MURK_FREE_MEDIUM || key->kind == MURK_FREE_LIGHT) &&
+           key->is_in[c];
 }
 
 void murk_model_sides_release(murk_optics_sides *sides, size_t n)
@@ -210,8 +208,7 @@ static murk_status predict_beams(const murk_model *m, size_t c,
         predicted[instruments->beam_row[i]] = scratch[i];
     }
     for (size_t k = 0; slope && k < m->n && !status; ++k) {
-        if (keys->key[k].kind != MURK_FREE_GAIN &&
-            murk_free_key_is_in(keys, k, c)) {
+        if (keys->key[k].kind != MURK_FREE_GAIN && keys->key[k].is_in[c]) {
             status = beam_slopes(m, c, value, k, scratch, slope, err);
         }
     }

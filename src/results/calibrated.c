@@ -122,9 +122,8 @@ static bool find_places(places *out, const murk_fit_facts *f)
             const bool is_same =
                 find(&value, root, keys->key[k].path, keys->bands) &&
                 fabs(value - wanted) <= SAME * fabs(wanted);
-            out->is_own[k * conditions + c] = is_shared(&keys->key[k]) &&
-                                              murk_free_key_is_in(keys, k, c) &&
-                                              !is_same;
+            out->is_own[k * conditions + c] =
+                is_shared(&keys->key[k]) && keys->key[k].is_in[c] && !is_same;
         }
         murk_yaml_destroy(root);
     }

@@ -225,9 +225,9 @@ static void test_each_condition_has_its_own(void)
     CHECK_TEXT(keys->key[1].name, "media.fog.visibility_m@dawn");
     CHECK(keys->key[0].start == 80 && keys->key[1].start == 50);
     /* Each parameter is in its own condition, and the common one in both. */
-    CHECK(murk_free_key_is_in(keys, 0, 0) && !murk_free_key_is_in(keys, 0, 1));
-    CHECK(!murk_free_key_is_in(keys, 1, 0) && murk_free_key_is_in(keys, 1, 1));
-    CHECK(murk_free_key_is_in(keys, 2, 0) && murk_free_key_is_in(keys, 2, 1));
+    CHECK(keys->key[0].is_in[0] && !keys->key[0].is_in[1]);
+    CHECK(!keys->key[1].is_in[0] && keys->key[1].is_in[1]);
+    CHECK(keys->key[2].is_in[0] && keys->key[2].is_in[1]);
     /* The scene of a condition has the values of these parameters. */
     const double value[] = {60, 40, .7};
     for (size_t c = 0; c < 2; ++c) {
@@ -253,7 +253,7 @@ static void test_one_value_wins_over_a_condition(void)
     murk_free_keys *keys = made(&f, asked, 2, NULL);
     CHECK(keys->conditions == 2 && keys->n == 2);
     CHECK(keys->key[0].start == 50); /* of dawn, the first in use */
-    CHECK(murk_free_key_is_in(keys, 1, 0) && !murk_free_key_is_in(keys, 1, 1));
+    CHECK(keys->key[1].is_in[0] && !keys->key[1].is_in[1]);
     CHECK_MENTIONS(noted, "noon has no such key");
     const double value[] = {33, .4};
     for (size_t c = 0; c < 2; ++c) {
@@ -276,7 +276,7 @@ static void test_gains_are_of_readings(void)
     CHECK(keys->key[0].kind == MURK_FREE_GAIN && keys->key[0].gain == 1);
     CHECK(keys->key[0].start == 1 && keys->key[0].lower == 0);
     CHECK(keys->key[1].gain == SIZE_MAX);
-    CHECK(!murk_free_key_is_in(keys, 0, 0) && murk_free_key_is_in(keys, 0, 1));
+    CHECK(!keys->key[0].is_in[0] && keys->key[0].is_in[1]);
     murk_free_keys_destroy(keys);
 }
 
