@@ -122,9 +122,7 @@ static murk_status take_picture(job *j, murk_error *err)
                                     s->settings.threads, err);
     }
     j->render_s = murk_clock_s() - begun_s;
-    if (!status && murk_interrupted()) {
-        status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
-    }
+    status = status ? status : murk_interrupt_check(err);
     return status;
 }
 

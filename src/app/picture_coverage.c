@@ -166,9 +166,7 @@ static murk_status cover_all(strip *s, murk_error *err)
             s->band = b;
             status = sensors_of_band(s) > 0 ? cover_strip(s, err) : MURK_OK;
         }
-        if (!status && murk_interrupted()) {
-            status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
-        }
+        status = status ? status : murk_interrupt_check(err);
     }
     free((void *)s->count);
     return status;

@@ -30,6 +30,13 @@ bool murk_interrupted(void)
     return atomic_load_explicit(&requested, memory_order_relaxed) != 0;
 }
 
+murk_status murk_interrupt_check(murk_error *err)
+{
+    return murk_interrupted()
+               ? murk_fail(err, MURK_INTERRUPTED, "", "interrupted")
+               : MURK_OK;
+}
+
 void murk_interrupt_request(void)
 {
     atomic_store(&requested, 1);

@@ -224,9 +224,8 @@ murk_status murk_covered_read(const murk_row_sums *out, size_t first,
     if (!status && has_memory) {
         has_memory = murk_coverage_sums_add(&sums, covered->desc.threads);
     }
-    if (!status && murk_interrupted()) {
-        status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
-    } else if (!status && !has_memory) {
+    status = status ? status : murk_interrupt_check(err);
+    if (!status && !has_memory) {
         status = murk_fail(err, MURK_NO_MEMORY, "",
                            "no memory for the coverage of %zu groups", groups);
     }

@@ -176,9 +176,7 @@ murk_status murk_lighting_read(murk_lighting_rows *out, const murk_lighting *l,
         murk_receivers_read(&sums, instruments->receiver, l->per_watt,
                             instruments->receivers, l->histories, reweighed,
                             d->threads);
-        if (murk_interrupted()) {
-            return murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
-        }
+        status = murk_interrupt_check(err);
     }
     if (!status && instruments->groups) {
         status = murk_covered_read(&sums, instruments->receivers, l->covered,

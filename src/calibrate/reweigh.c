@@ -321,9 +321,8 @@ murk_status murk_reweigh(murk_reweighed *out, const murk_histories *histories,
     murk_pool_run_workers(threads, (n + BATCH - 1) / BATCH, reweigh_batch, &j);
     /* The effective share; errors. */
     const bool has_sums = find_effective_share(out, histories, threads);
-    if (murk_interrupted()) {
-        status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
-    } else if (!has_sums) {
+    status = murk_interrupt_check(err);
+    if (!status && !has_sums) {
         status = murk_fail(err, MURK_NO_MEMORY, "fit", "no memory for sums");
     }
 done:

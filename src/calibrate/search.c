@@ -258,9 +258,9 @@ static murk_status search(murk_fit_search *s, murk_calibration_start *to,
         bool settled_away = false;
         s->is_undersampled = false;
         status = murk_least_squares_solve(&found, x, &problem, err);
-        if (status || murk_interrupted()) {
-            return status ? status
-                          : murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
+        status = status ? status : murk_interrupt_check(err);
+        if (status) {
+            return status;
         }
         /* Correct for photon noise in the slopes. */
         if (!s->is_undersampled && s->n_light &&

@@ -168,9 +168,8 @@ static murk_status read_rows(reading *r, murk_error *err)
     murk_progress_begin_group("read", rows, "rows");
     for (size_t i = 0; i < rows && !status; ++i) {
         murk_progress_add_to_group(i > 0);
-        status = murk_interrupted()
-                     ? murk_fail(err, MURK_INTERRUPTED, "", "interrupted")
-                     : read_row(r, i, err);
+        status = murk_interrupt_check(err);
+        status = status ? status : read_row(r, i, err);
     }
     murk_progress_end();
     if (!status && murk_sweep_done(sweep) == rows) {

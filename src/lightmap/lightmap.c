@@ -93,8 +93,8 @@ murk_status murk_lightmap_forecast(murk_forecast *out, const murk_stage *stage,
     murk_progress_begin("pilot", n, "photons");
     murk_trace_run(&trace, ledger);
     murk_progress_end();
-    if (murk_interrupted()) {
-        status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
+    status = murk_interrupt_check(err);
+    if (status) {
         goto done;
     }
     /* Count the records of each map. */

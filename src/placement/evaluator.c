@@ -393,9 +393,7 @@ murk_status murk_evaluator_init(murk_evaluator *out,
                              ? murk_fail(err, MURK_NO_MEMORY, "",
                                          "no memory for %zu candidates", n)
                              : evaluate_singles(out, err);
-    if (!status && murk_interrupted()) {
-        status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
-    }
+    status = status ? status : murk_interrupt_check(err);
     if (!status) {
         status = rank(out, max, keep_dominated, err);
     }

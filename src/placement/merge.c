@@ -313,9 +313,8 @@ murk_status murk_merge(murk_layout *layout, murk_row *row,
         has_memory = murk_tally_read(&m.out_of_memory) == 0;
         *row_bytes = (uint64_t)murk_tally_read(&m.bytes);
     }
-    if (!status && murk_interrupted()) {
-        status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
-    } else if (!status && !has_memory) {
+    status = status ? status : murk_interrupt_check(err);
+    if (!status && !has_memory) {
         status = murk_fail(err, MURK_NO_MEMORY, "",
                            "no memory to merge equal ones of %zu photons",
                            problem->photons);

@@ -148,9 +148,7 @@ murk_status murk_place_run_counts(murk_place_run *run, murk_find_count find,
                         starts ? "starts at most" : "");
     const murk_status status = find_all(run, find, context, err);
     murk_progress_end();
-    return !status && murk_interrupted()
-               ? murk_fail(err, MURK_INTERRUPTED, "", "interrupted")
-               : status;
+    return status ? status : murk_interrupt_check(err);
 }
 
 void murk_place_run_join_bounds(murk_place_run *run)

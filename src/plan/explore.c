@@ -235,9 +235,8 @@ static murk_status add_stations(exploring *e, const murk_place_desc *desc,
         status = take(e, next, true, err);
     }
     /* An interrupt is an error, and so is a start that no sensor may occupy. */
-    if (!status && murk_interrupted()) {
-        status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
-    } else if (!status && e->out->stops == 0) {
+    status = status ? status : murk_interrupt_check(err);
+    if (!status && e->out->stops == 0) {
         status = murk_fail(err, MURK_BAD_VALUE, where,
                            "start_m: the rules let no sensor stand at the "
                            "start");

@@ -260,9 +260,8 @@ static murk_status draw_waves(drawing *d, murk_estimate *size, murk_error *err)
         d->first = draws;
         d->batches = (uint64_t)fmin(WAVE_BATCHES, ceil(left / BATCH_DRAWS));
         murk_pool_run(d->to->threads, d->batches, draw_batch, d);
-        status = murk_interrupted()
-                     ? murk_fail(err, MURK_INTERRUPTED, "", "interrupted")
-                     : accept_wave(d, &points, &draws, err);
+        status = murk_interrupt_check(err);
+        status = status ? status : accept_wave(d, &points, &draws, err);
         murk_progress_add(points - before);
     }
     murk_progress_end();

@@ -72,9 +72,7 @@ static murk_status locate(uint32_t **out, const murk_pieces *pieces,
     murk_progress_begin("surfaces", l.n, "photons");
     murk_pool_run(threads, (l.n + BATCH - 1) / BATCH, locate_batch, &l);
     murk_progress_end();
-    return murk_interrupted()
-               ? murk_fail(err, MURK_INTERRUPTED, "", "interrupted")
-               : MURK_OK;
+    return murk_interrupt_check(err);
 }
 
 /* ---- irradiance ---- */
@@ -245,9 +243,7 @@ static murk_status cover_all(murk_lit_pieces *out, murk_sight *sight,
     free(whole);
     free(seen);
     return !has_memory ? no_memory(out->pieces, err)
-           : murk_interrupted()
-               ? murk_fail(err, MURK_INTERRUPTED, "", "interrupted")
-               : MURK_OK;
+                       : murk_interrupt_check(err);
 }
 
 /* ---- middles ---- */

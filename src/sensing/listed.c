@@ -323,7 +323,5 @@ murk_status murk_listed_judge(uint8_t *verdict, const murk_listed *sites,
         murk_pool_run_items(threads, n, BATCH_SITES, classify, &j);
         murk_progress_end();
     }
-    return !status && murk_interrupted()
-               ? murk_fail(err, MURK_INTERRUPTED, "", "interrupted")
-               : status;
+    return status ? status : murk_interrupt_check(err);
 }

@@ -249,9 +249,7 @@ static murk_status run(work *w, unsigned threads, murk_error *err)
     if (w->is_shown) {
         murk_progress_end();
     }
-    murk_status status =
-        murk_interrupted() ? murk_fail(err, MURK_INTERRUPTED, "", "interrupted")
-                           : MURK_OK;
+    murk_status status = murk_interrupt_check(err);
     for (size_t i = 0; i < pieces && !status; ++i) {
         if (w->error[i].status) {
             status = murk_fail(err, w->error[i].status, w->error[i].where, "%s",

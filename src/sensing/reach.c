@@ -268,9 +268,7 @@ murk_status murk_free_space_find(murk_free_space *out,
                              out->place + out->places);
     }
     explore(&s);
-    if (murk_interrupted()) {
-        status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
-    }
+    status = murk_interrupt_check(err);
 done:
     free(s.open);
     free(s.stack);

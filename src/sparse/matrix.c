@@ -159,9 +159,7 @@ static murk_status get_rows(collection *c, murk_error *err)
         const size_t left = c->matrix->columns - c->first;
         const size_t n = left < capacity ? left : capacity;
         murk_pool_run_workers(c->problem->threads, n, get_one_row, c);
-        if (murk_interrupted()) {
-            status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
-        }
+        status = murk_interrupt_check(err);
         for (size_t i = 0; i < n; ++i) {
             if (!status) {
                 status = append(c, c->first + i, &c->block[i], err);
