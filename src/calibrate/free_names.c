@@ -135,11 +135,9 @@ static murk_status add_gain(murk_free_keys *keys, const char *asked,
     }
     murk_words_show(shown, sizeof shown, name);
     snprintf(where, sizeof where, SOURCE " " GAIN "%s", shown);
-    const char *meant = murk_words_meant(name, known, m->gains);
     return murk_fail(err, MURK_BAD_VALUE, where,
-                     "no reading of %.200s names this factor%s%s%s", m->path,
-                     meant ? ", did you mean " : "", meant ? meant : "",
-                     meant ? "?" : "");
+                     "no reading of %.200s names this factor%s", m->path,
+                     murk_words_suggest(name, known, m->gains).text);
 }
 
 /* Fails unless the key belongs to a part of the scene that a fit may change. */
@@ -378,10 +376,8 @@ static murk_status apply(murk_free_keys *keys, const char *text,
     if (status || is_used) {
         return status;
     }
-    const char *meant = murk_words_meant(b.key, known, keys->n);
-    return murk_fail(
-        err, MURK_BAD_VALUE, b.where, "%.200s is no free key%s%s%s", b.key,
-        meant ? ", did you mean " : "", meant ? meant : "", meant ? "?" : "");
+    return murk_fail(err, MURK_BAD_VALUE, b.where, "%.200s is no free key%s",
+                     b.key, murk_words_suggest(b.key, known, keys->n).text);
 }
 
 /* Checks the start value; a factor of readings has no start in the scene, so it

@@ -53,12 +53,10 @@ static murk_status unknown(const murk_study_file *study,
     for (size_t i = 0; i < scene->n_tallies && i < 64; ++i) {
         names[n++] = scene->tallies[i].name;
     }
-    const char *meant = murk_words_meant(word, names, n);
     murk_words_show(shown, sizeof shown, word);
     return murk_fail(err, MURK_BAD_VALUE, study->outputs_where,
-                     "%s is no output%s%s%s, must be %s or the name of a tally",
-                     shown, meant ? ", did you mean " : "", meant ? meant : "",
-                     meant ? "?" : "", allowed);
+                     "%s is no output%s, must be %s or the name of a tally",
+                     shown, murk_words_suggest(word, names, n).text, allowed);
 }
 
 static bool places(const murk_scene_desc *scene)

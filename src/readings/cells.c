@@ -69,8 +69,9 @@ static murk_status refuse_column(const char *where, const char *name,
         names[i] = COLUMNS[i].name;
     }
     murk_words_show(shown, sizeof shown, name);
-    const char *meant = murk_words_meant(name, names, MURK_READING_COLUMNS);
-    if (!meant && known == 0) {
+    const murk_suggestion suggestion =
+        murk_words_suggest(name, names, MURK_READING_COLUMNS);
+    if (!suggestion.text[0] && known == 0) {
         return murk_fail(err, MURK_BAD_FILE, where,
                          "no table of readings: must have columns kind, value, "
                          "standard_error and what each kind needs, such as "
@@ -78,9 +79,8 @@ static murk_status refuse_column(const char *where, const char *name,
                          shown);
     }
     return murk_fail(err, MURK_BAD_FILE, where,
-                     "column %s is none of a reading's%s%s%s", shown,
-                     meant ? ", did you mean " : "", meant ? meant : "",
-                     meant ? "?" : "");
+                     "column %s is none of a reading's%s", shown,
+                     suggestion.text);
 }
 
 murk_status murk_reading_columns(murk_reading_source *source, murk_error *err)

@@ -63,13 +63,12 @@ static murk_status unknown(const murk_yaml *root, const murk_yaml *all,
 {
     char shown[MURK_SCENE_NAME_SIZE];
     murk_words_show(shown, sizeof shown, name);
-    const char *meant =
-        all ? murk_words_meant(name, (const char *const *)all->key, all->n)
-            : NULL;
-    return murk_fail(err, MURK_BAD_VALUE, root->source,
-                     "conditions: %s is none of them%s%s%s", shown,
-                     meant ? ", did you mean " : "", meant ? meant : "",
-                     meant ? "?" : "");
+    return murk_fail(
+        err, MURK_BAD_VALUE, root->source, "conditions: %s is none of them%s",
+        shown,
+        murk_words_suggest(name, all ? (const char *const *)all->key : NULL,
+                           all ? all->n : 0)
+            .text);
 }
 
 murk_status murk_condition_leave(murk_yaml *root, const char *name,

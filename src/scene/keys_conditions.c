@@ -99,10 +99,9 @@ static murk_status no_such_condition(murk_key_reader *walk,
     for (size_t i = 0; i < scene->n_conditions; ++i) {
         names[i] = scene->conditions[i].name;
     }
-    const char *meant = murk_words_meant(name, names, scene->n_conditions);
-    return murk_walk_fail_key(walk, node, "no such condition%s%s%s",
-                              meant ? ", did you mean " : "",
-                              meant ? meant : "", meant ? "?" : "");
+    return murk_walk_fail_key(
+        walk, node, "no such condition%s",
+        murk_words_suggest(name, names, scene->n_conditions).text);
 }
 
 /* Reads the weights. Conditions come before placement in the key table, so

@@ -7,6 +7,7 @@
 
 #include <assert.h>
 #include <stdbool.h>
+#include <stdio.h>
 #include <string.h>
 
 /* A row of the distance table has one more entry than a word has letters. */
@@ -94,4 +95,17 @@ const char *murk_words_meant(const char *word, const char *const *known,
         }
     }
     return meant;
+}
+
+murk_suggestion murk_words_suggest(const char *word, const char *const *known,
+                                   size_t n)
+{
+    murk_suggestion out = {""};
+    char shown[64];
+    const char *meant = murk_words_meant(word, known, n);
+    if (meant) {
+        murk_words_show(shown, sizeof shown, meant);
+        snprintf(out.text, sizeof out.text, ", did you mean %s?", shown);
+    }
+    return out;
 }

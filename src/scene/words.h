@@ -18,4 +18,12 @@ void murk_words_show(char *out, size_t size, const char *text);
 const char *murk_words_meant(const char *word, const char *const *known,
                              size_t n);
 
+/* ", did you mean WORD?" for the word that was meant, with control characters
+ * escaped; empty if no word is near. */
+typedef struct murk_suggestion {
+    char text[96];
+} murk_suggestion;
+murk_suggestion murk_words_suggest(const char *word, const char *const *known,
+                                   size_t n);
+
 #endif
