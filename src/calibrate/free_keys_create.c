@@ -39,10 +39,9 @@ static murk_status place_in(murk_free_keys *keys, size_t k, size_t c,
     murk_free_key *key = &keys->key[k];
     murk_key_place place;
     murk_key_range range;
-    (void)murk_key_place_spread(root, key->path, keys->bands);
     /* Find the key; read the range. */
-    murk_status status =
-        murk_key_place_find(&place, root, key->path, key->source, err);
+    murk_status status = murk_key_place_find(&place, root, keys->bands,
+                                             key->path, key->source, err);
     if (!status && *is_first) {
         status = murk_key_range_of(&range, &place, key->path, key->source, err);
     }

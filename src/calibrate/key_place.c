@@ -5,6 +5,7 @@
 
 #include "base/number.h"
 #include "preset/check_words.h"
+#include "scene/key_path.h"
 #include "scene/presets.h"
 #include "scene/words.h"
 
@@ -17,18 +18,10 @@
 /* Names that a suggestion may choose from: more than any map of a scene has. */
 #define NAMES_MAX 400
 
-/* A position in the scene. row belongs to the node. in_item: the node is an
- * item of the list of the row, or one of the names of the row, so the keys of
- * the node are those of the row. */
-typedef struct position {
-    const murk_yaml *node;
-    const murk_key *row;
-    bool in_item;
-} position;
-
 /* The state of the search, for messages. */
 typedef struct walk {
     const char *path, *at; /* the next part of the path */
+    size_t bands;
     const char *where;
     murk_error *err;
 } walk;
@@ -54,27 +47,14 @@ static void shown_so_far(const walk *f, char *out, size_t size)
     murk_words_show(out, size, n ? part : "the scene");
 }
 
-/* True if the keys of the node are listed in the key tables. */
-static bool is_map_row(const position *at)
-{
-    return !at->row || at->in_item || at->row->kind == MURK_KEY_MAP ||
-           at->row->kind == MURK_KEY_PER_BAND ||
-           at->row->kind == MURK_KEY_SPECTRUM;
-}
-
-static const murk_keys *keys_of(const position *at)
-{
-    return at->row ? at->row->keys : &murk_scene_keys;
-}
-
-static bool is_medium(const position *at)
+static bool is_medium(const murk_key_position *at)
 {
     return at->in_item && at->row && strcmp(at->row->name, "media") == 0;
 }
 
 /* Fails if a word of presets is not used by the preset of the medium, with the
  * words that are; also if the medium has no preset. MURK_OK for other keys. */
-static murk_status check_preset(const walk *f, const position *at,
+static murk_status check_preset(const walk *f, const murk_key_position *at,
                                 const char *part)
 {
     const int word = is_medium(at) ? murk_word_find(part) : -1;
@@ -104,12 +84,13 @@ static murk_status check_preset(const walk *f, const position *at,
 }
 
 /* The error message for an unknown part of a path. */
-static murk_status unknown(const walk *f, const position *at, const char *part)
+static murk_status unknown(const walk *f, const murk_key_position *at,
+                           const char *part)
 {
     const char *names[NAMES_MAX];
     char owner[120], shown[64];
     size_t n = 0;
-    const murk_keys *keys = is_map_row(at) ? keys_of(at) : NULL;
+    const murk_keys *keys = murk_key_path_is_map(at) ? at->row->keys : NULL;
     const murk_status status = check_preset(f, at, part);
     if (status) {
         return status;
@@ -131,81 +112,49 @@ static murk_status unknown(const walk *f, const position *at, const char *part)
          k && k->name && n < NAMES_MAX; ++k) {
         names[n++] = k->name;
     }
-    const char *meant = murk_words_meant(part, names, n);
-    return fail(f, "no %s in %s%s%.60s%s", shown, owner,
-                meant ? ", did you mean " : "", meant ? meant : "",
-                meant ? "?" : "");
-}
-
-/* Length of the next part; a name that contains dots is taken as a whole. */
-static size_t part_length(const position *at, const char *path)
-{
-    size_t length = strcspn(path, ".");
-    const murk_yaml *map = at->node;
-    for (size_t i = 0; map->kind == MURK_YAML_MAP && i < map->n; ++i) {
-        const size_t n = strlen(map->key[i]);
-        if (n > length && strncmp(path, map->key[i], n) == 0 &&
-            (path[n] == '.' || path[n] == '\0')) {
-            length = n;
-        }
-    }
-    return length;
-}
-
-/* Steps into a map. */
-static murk_status step_map(const walk *f, position *at, const char *part)
-{
-    const murk_yaml *child = murk_yaml_get(at->node, part);
-    if (!child) {
-        return unknown(f, at, part);
-    }
-    at->node = child;
-    if (is_map_row(at)) {
-        const murk_keys *keys = keys_of(at);
-        at->row = keys ? murk_keys_find(keys, part) : NULL;
-        at->in_item = false;
-    } else {
-        at->in_item = true; /* one of its names */
-    }
-    return MURK_OK;
-}
-
-/* Steps into a list. */
-static murk_status step_list(const walk *f, position *at, const char *part)
-{
-    uint64_t index;
-    char owner[120], shown[64];
-    if (!murk_count_parse(part, &index) || index >= at->node->n) {
-        shown_so_far(f, owner, sizeof owner);
-        murk_words_show(shown, sizeof shown, part);
-        return fail(f, "item %s of %s, a list of %zu, must be 0..%zu", shown,
-                    owner, at->node->n, at->node->n ? at->node->n - 1 : 0);
-    }
-    at->node = at->node->child[index];
-    at->in_item = true;
-    return MURK_OK;
+    return fail(f, "no %s in %s%s", shown, owner,
+                murk_words_suggest(part, names, n).text);
 }
 
 /* Steps into a child of the present node. */
-static murk_status step(const walk *f, position *at, const char *part)
+static murk_status step(const walk *f, murk_key_position *at, const char *part)
 {
-    char owner[120];
-    if (at->node->kind == MURK_YAML_MAP) {
-        return step_map(f, at, part);
-    }
-    if (at->node->kind == MURK_YAML_LIST) {
-        return step_list(f, at, part);
+    uint64_t index = UINT64_MAX;
+    char owner[120], shown[64];
+    murk_yaml *child = NULL;
+    const bool is_index = murk_count_parse(part, &index);
+    if (is_index && index < f->bands) {
+        (void)murk_key_path_spread(at, f->bands);
     }
     shown_so_far(f, owner, sizeof owner);
-    return fail(f, "%s is %.40s, one value%s", owner, at->node->text,
-                at->row && at->row->kind == MURK_KEY_SPECTRUM
-                    ? " for all bands: must be free as it is, or by one of them"
-                    : "");
+    /* Find the child. */
+    if (at->node->kind == MURK_YAML_MAP) {
+        child = murk_yaml_get(at->node, part);
+        if (!child) {
+            return unknown(f, at, part);
+        }
+    } else if (at->node->kind == MURK_YAML_LIST) {
+        if (!is_index || index >= at->node->n) {
+            murk_words_show(shown, sizeof shown, part);
+            return fail(f, "item %s of %s, a list of %zu, must be 0..%zu",
+                        shown, owner, at->node->n,
+                        at->node->n ? at->node->n - 1 : 0);
+        }
+        child = at->node->child[index];
+    } else {
+        return fail(f, "%s is %.40s, one value%s", owner, at->node->text,
+                    at->row && at->row->kind == MURK_KEY_SPECTRUM
+                        ? " for all bands: must be free as it is, or by one "
+                          "of them"
+                        : "");
+    }
+    *at = murk_key_path_member(at, part, child);
+    return MURK_OK;
 }
 
 /* Fails unless the value is a single number that may vary continuously. */
 static murk_status check_end(murk_key_place *out, const walk *f,
-                             const position *at)
+                             const murk_key_position *at)
 {
     char shown[64];
     /* The value must be a scalar and a number. */
@@ -239,8 +188,8 @@ static murk_status check_end(murk_key_place *out, const walk *f,
 }
 
 /* Records the list that the path goes through. */
-static void note_list(murk_key_place *out, const position *before,
-                      const position *at, const walk *f)
+static void note_list(murk_key_place *out, const murk_key_position *before,
+                      const murk_key_position *at, const walk *f)
 {
     const murk_yaml *list = before->node;
     if (list->kind != MURK_YAML_LIST || at->node->kind != MURK_YAML_SCALAR) {
@@ -256,20 +205,20 @@ static void note_list(murk_key_place *out, const position *before,
     }
 }
 
-murk_status murk_key_place_find(murk_key_place *out, const murk_yaml *root,
+murk_status murk_key_place_find(murk_key_place *out, murk_yaml *root, int bands,
                                 const char *path, const char *where,
                                 murk_error *err)
 {
-    walk f = {path, path, where, err};
-    position at = {root, NULL, false};
+    walk f = {path, path, (size_t)bands, where, err};
+    murk_key_position at = murk_key_path_root(root);
     murk_key_place place = {.put = strlen(path)};
     char *part = malloc(strlen(path) + 1);
     murk_status status =
         part ? MURK_OK : murk_fail(err, MURK_NO_MEMORY, where, "no memory");
     /* Follow the path part by part. */
     while (!status) {
-        const size_t length = part_length(&at, f.at);
-        const position before = at;
+        const size_t length = murk_key_path_part(&at, f.at);
+        const murk_key_position before = at;
         memcpy(part, f.at, length);
         part[length] = '\0';
         status = length ? step(&f, &at, part)
@@ -296,38 +245,6 @@ murk_status murk_key_place_find(murk_key_place *out, const murk_yaml *root,
         *out = place;
     }
     return status;
-}
-
-bool murk_key_place_spread(murk_yaml *root, const char *path, int bands)
-{
-    const char *last = strrchr(path, '.');
-    uint64_t index;
-    murk_key_place place;
-    /* The path must be an item of a value for all bands. */
-    char *of = last ? strndup(path, (size_t)(last - path)) : NULL;
-    const bool is_it =
-        of && murk_count_parse(last + 1, &index) && index < (uint64_t)bands &&
-        murk_key_place_find(&place, root, of, "", NULL) == MURK_OK &&
-        !place.list && place.row->kind == MURK_KEY_SPECTRUM;
-    free(of);
-    if (!is_it) {
-        return false;
-    }
-    murk_yaml *node = (murk_yaml *)place.node; /* a node of root, which is not
-                                                * const */
-    /* Replace the value by a list of copies. */
-    murk_yaml *one = murk_yaml_copy(node);
-    bool is_whole = one != NULL;
-    if (is_whole) {
-        murk_yaml_clear(node);
-        node->kind = MURK_YAML_LIST;
-    }
-    for (int b = 0; is_whole && b < bands; ++b) {
-        murk_yaml *copy = murk_yaml_copy(one);
-        is_whole = copy && murk_yaml_append(node, NULL, copy);
-    }
-    murk_yaml_destroy(one);
-    return is_whole;
 }
 
 /* ---- ranges ---- */

@@ -21,18 +21,14 @@ typedef struct murk_key_place {
 } murk_key_place;
 
 /* Finds a path in a resolved scene (scene->resolved, parsed), which contains
- * all defaults. Fails at `where` if the path does not exist, or if the value is
- * not a single number that may vary continuously. The result points into `root`
- * and the key table. */
-murk_status murk_key_place_find(murk_key_place *out, const murk_yaml *root,
+ * all defaults. If the path names one band of a value that is given once for
+ * all `bands`, the value is replaced by a list with one item for each band.
+ * Fails at `where` if the path does not exist, or if the value is not a single
+ * number that may vary continuously. The result points into `root` and the key
+ * table. */
+murk_status murk_key_place_find(murk_key_place *out, murk_yaml *root, int bands,
                                 const char *path, const char *where,
                                 murk_error *err);
-
-/* If the path is an item, numbered below `bands`, of a value that is given once
- * for all bands, replaces the value by a list with one item for each band. A
- * resolved scene contains equal values of all bands only once. False if this
- * does not apply, or when out of memory. */
-bool murk_key_place_spread(murk_yaml *root, const char *path, int bands);
 
 /* The range in which a fit may vary a key. */
 typedef struct murk_key_range {

@@ -43,9 +43,8 @@ static murk_yaml *tree_of(const murk_scene_desc *scene)
 static bool find(double *value, murk_yaml *root, const char *path, int bands)
 {
     murk_key_place place;
-    (void)(root && murk_key_place_spread(root, path, bands));
-    const bool is_there =
-        root && murk_key_place_find(&place, root, path, "", NULL) == MURK_OK;
+    const bool is_there = root && murk_key_place_find(&place, root, bands, path,
+                                                      "", NULL) == MURK_OK;
     *value = is_there ? place.value : NAN;
     return is_there;
 }

@@ -9,15 +9,8 @@
 #include <string.h>
 
 #include "base/number.h"
-#include "scene/keys.h"
+#include "scene/key_path.h"
 #include "scene/words.h"
-
-/* A position on the path: the node, and the row of the key table for it
- * (NULL: none, as inside a list of numbers). */
-typedef struct spot {
-    murk_yaml *node;
-    const murk_key *key;
-} spot;
 
 typedef struct option_context {
     const char *source; /* source of nodes created on the way */
@@ -48,53 +41,19 @@ static murk_status no_memory(const option_context *option)
                      "no memory for it");
 }
 
-/* True if the keys of the node belong to the map itself, not to items in it. */
-static bool is_map(const spot *at)
+static bool is_open_map(const murk_key_position *at)
 {
-    const bool may_be_map =
-        at->key->kind == MURK_KEY_PER_BAND ||
-        (at->key->kind == MURK_KEY_SPECTRUM && at->key->keys);
-    return at->key->kind == MURK_KEY_MAP ||
-           (may_be_map && at->node->kind != MURK_YAML_LIST);
-}
-
-static bool is_open_map(const spot *at)
-{
-    return at->key && at->key->keys && at->key->keys->is_open && is_map(at);
-}
-
-/* Length of the first part of a path. A name with dots is one part if the
- * map has that name. In a map that allows any key the whole rest is one
- * part. */
-static size_t part_length(const spot *at, const char *path)
-{
-    const murk_yaml *node = at->node;
-    if (is_open_map(at)) {
-        return strlen(path);
-    }
-    size_t length = strcspn(path, ".");
-    for (size_t i = 0; node->kind == MURK_YAML_MAP && i < node->n; ++i) {
-        const size_t n = strlen(node->key[i]);
-        if (n > length && strncmp(path, node->key[i], n) == 0 &&
-            (path[n] == '.' || path[n] == '\0')) {
-            length = n;
-        }
-    }
-    return length;
+    return murk_key_path_is_map(at) && at->row->keys->is_open;
 }
 
 static murk_status unknown(const option_context *option, const murk_key *owner,
                            const char *part, const char *const *names, size_t n)
 {
-    char shown[MURK_SCENE_NAME_SIZE], meant_shown[MURK_SCENE_NAME_SIZE] = "";
+    char shown[MURK_SCENE_NAME_SIZE];
     murk_words_show(shown, sizeof shown, part);
-    const char *meant = murk_words_meant(part, names, n);
-    const char *where = owner && owner->name ? owner->name : "the scene";
-    if (meant) {
-        murk_words_show(meant_shown, sizeof meant_shown, meant);
-    }
-    return fail(option, "no %s in %s%s%s%s", shown, where,
-                meant ? ", did you mean " : "", meant_shown, meant ? "?" : "");
+    return fail(option, "no %s in %s%s", shown,
+                owner->name ? owner->name : "the scene",
+                murk_words_suggest(part, names, n).text);
 }
 
 static murk_status unknown_key(const option_context *option,
@@ -106,22 +65,6 @@ static murk_status unknown_key(const option_context *option,
         names[n++] = key->name;
     }
     return unknown(option, owner, part, names, n);
-}
-
-/* The row of the key table for a member of this node. Names and items of
- * lists are maps. */
-static const murk_key *key_of_member(const spot *at, const char *part,
-                                     murk_key *item)
-{
-    if (!at->key || !at->key->keys) {
-        return NULL;
-    }
-    if (is_map(at)) {
-        return murk_keys_find(at->key->keys, part);
-    }
-    *item = (murk_key){
-        .name = at->key->name, .kind = MURK_KEY_MAP, .keys = at->key->keys};
-    return item;
 }
 
 /* True if the tree is, or contains, a value that the same set of options put
@@ -169,11 +112,13 @@ static murk_status remove_excluded(const option_context *option, murk_yaml *map,
 
 /* Turns a word (phase: isotropic) or an empty value into an empty map if the
  * table allows a map. */
-static bool make_map(murk_yaml *node, const spot *at)
+static bool make_map(const murk_key_position *at)
 {
-    const bool can = node->kind == MURK_YAML_SCALAR && at->key &&
-                     (is_map(at) || (at->key->kind == MURK_KEY_NAMED &&
-                                     murk_yaml_is_null(node)));
+    murk_yaml *node = at->node;
+    const bool can =
+        node->kind == MURK_YAML_SCALAR && at->row &&
+        (murk_key_path_is_map(at) ||
+         (at->row->kind == MURK_KEY_NAMED && murk_yaml_is_null(node)));
     if (can) {
         murk_yaml_clear(node);
         node->kind = MURK_YAML_MAP;
@@ -193,37 +138,14 @@ static size_t bands_of(const murk_yaml *root)
                                                                 : 1;
 }
 
-/* Replaces one value for all bands by a list, so that a single band can be
- * set. */
-static bool repeat_for_bands(const option_context *option, const spot *at)
-{
-    murk_yaml *node = at->node;
-    const size_t bands = bands_of(option->root);
-    if (node->kind != MURK_YAML_SCALAR || !at->key ||
-        at->key->kind != MURK_KEY_SPECTRUM || bands < 2) {
-        return false;
-    }
-    murk_yaml *one = murk_yaml_copy(node);
-    bool is_whole = one != NULL;
-    if (is_whole) {
-        murk_yaml_clear(node);
-        node->kind = MURK_YAML_LIST;
-    }
-    for (size_t b = 0; is_whole && b < bands; ++b) {
-        murk_yaml *copy = murk_yaml_copy(one);
-        is_whole = copy && murk_yaml_append(node, NULL, copy);
-    }
-    murk_yaml_destroy(one);
-    return is_whole;
-}
-
 static bool is_index(const char *part)
 {
     return part[0] && strspn(part, "0123456789") == strlen(part);
 }
 
-static murk_status step_list(const option_context *option, spot *at,
-                             const char *part, murk_yaml **value)
+static murk_status step_list(const option_context *option,
+                             const murk_key_position *at, const char *part,
+                             murk_yaml **value, murk_yaml **child)
 {
     murk_yaml *list = at->node;
     uint64_t index;
@@ -245,83 +167,81 @@ static murk_status step_list(const option_context *option, spot *at,
         list->child[index] = *value;
         *value = NULL;
     }
-    at->node = list->child[index];
+    *child = list->child[index];
     return MURK_OK;
 }
 
-static murk_status step_map(const option_context *option, spot *at,
-                            const char *part, const murk_key *next,
-                            murk_yaml **value)
+static murk_status step_map(const option_context *option,
+                            const murk_key_position *at, const char *part,
+                            murk_yaml **value, murk_yaml **child)
 {
-    const murk_key *owner = at->key;
+    const murk_key *owner = at->row;
+    const murk_key *next = murk_key_path_member(at, part, NULL).row;
     murk_yaml *map = at->node;
-    murk_yaml *child = murk_yaml_get(map, part);
-    if (!next && !child && !is_open_map(at)) {
+    *child = murk_yaml_get(map, part);
+    if (!next && !*child && !is_open_map(at)) {
         return unknown_key(option, owner, part);
     }
     /* Names of items cannot be invented on the way, except those that are
      * built in. */
-    const bool is_named = owner && owner->kind == MURK_KEY_NAMED;
+    const bool is_named = owner->kind == MURK_KEY_NAMED && !at->in_item;
     const bool is_built_in =
         is_named && owner->keys->first && strcmp(owner->keys->first, part) == 0;
-    if (is_named && !child && !value && !is_built_in) {
+    if (is_named && !*child && !value && !is_built_in) {
         return unknown(option, owner, part, (const char *const *)map->key,
                        map->n);
     }
     /* A new key replaces those that it excludes. */
-    if (next && is_map(at)) {
+    if (next && murk_key_path_is_map(at)) {
         const murk_status status = remove_excluded(option, map, owner, next);
         if (status) {
             return status;
         }
     }
     /* Put the value, or create a map on the way. */
-    if (value || !child) {
-        child = value ? *value : murk_yaml_make(MURK_YAML_MAP, option->source);
+    if (value || !*child) {
+        *child = value ? *value : murk_yaml_make(MURK_YAML_MAP, option->source);
         if (value) {
             *value = NULL;
         }
-        if (!child || !murk_yaml_put(map, part, child)) {
+        if (!*child || !murk_yaml_put(map, part, *child)) {
             return no_memory(option);
         }
     }
-    at->node = child;
     return MURK_OK;
 }
 
 /* Descends by one part of the path; the last part puts *value there and
  * takes ownership. */
-static murk_status step(const option_context *option, spot *at,
-                        const char *part, murk_key *item, murk_yaml **value)
+static murk_status step(const option_context *option, murk_key_position *at,
+                        const char *part, murk_yaml **value)
 {
-    const murk_key *next = key_of_member(at, part, item);
+    const size_t bands = bands_of(option->root);
+    murk_yaml *child = NULL;
     murk_status status = MURK_OK;
     if (at->node->kind == MURK_YAML_LIST ||
-        (is_index(part) && repeat_for_bands(option, at))) {
-        status = step_list(option, at, part, value);
-    } else if (at->node->kind == MURK_YAML_MAP || make_map(at->node, at)) {
-        if (!at->key || !at->key->keys) {
+        (is_index(part) && bands > 1 && murk_key_path_spread(at, bands))) {
+        status = step_list(option, at, part, value, &child);
+    } else if (at->node->kind == MURK_YAML_MAP || make_map(at)) {
+        if (!at->row || !at->row->keys) {
             return fail(option, "a key that cannot be set by its path");
         }
-        status = step_map(option, at, part, next, value);
+        status = step_map(option, at, part, value, &child);
     } else {
         char shown[MURK_SCENE_NAME_SIZE];
         murk_words_show(shown, sizeof shown, part);
         return fail(option, "%s is below a single value", shown);
     }
-    at->key = next;
+    *at = murk_key_path_member(at, part, child);
     return status;
 }
 
 static murk_status descend(const option_context *option, murk_yaml *root,
                            char *path, murk_yaml **value)
 {
-    static const murk_key whole = {
-        .name = NULL, .kind = MURK_KEY_MAP, .keys = &murk_scene_keys};
-    murk_key items[2]; /* of this step and the previous one */
-    spot at = {root, &whole};
-    for (int i = 0;; i ^= 1) {
-        const size_t length = part_length(&at, path);
+    murk_key_position at = murk_key_path_root(root);
+    for (;;) {
+        const size_t length = murk_key_path_part(&at, path);
         const bool is_last = path[length] == '\0';
         path[length] = '\0';
         if (length == 0) {
@@ -329,7 +249,7 @@ static murk_status descend(const option_context *option, murk_yaml *root,
                                 "photons.emit=1e5");
         }
         const murk_status status =
-            step(option, &at, path, &items[i], is_last ? value : NULL);
+            step(option, &at, path, is_last ? value : NULL);
         if (status || is_last) {
             return status;
         }

@@ -171,7 +171,7 @@ static void test_names_of_keys(void)
         /* A path that is found has a finite value; any other is refused
          * with a message. */
         const murk_status status =
-            murk_key_place_find(&place, root, name, "--free", &err);
+            murk_key_place_find(&place, root, 1, name, "--free", &err);
         if (status) {
             check_refusal(status, &err);
         } else {

@@ -1,0 +1,70 @@
+/* The steps along the path of a key (scene/key_path.h). */
+#include "scene/key_path.h"
+
+#include <string.h>
+
+murk_key_position murk_key_path_root(murk_yaml *root)
+{
+    static const murk_key whole = {.kind = MURK_KEY_MAP,
+                                   .keys = &murk_scene_keys};
+    return (murk_key_position){root, &whole, false};
+}
+
+bool murk_key_path_is_map(const murk_key_position *at)
+{
+    if (!at->row || !at->row->keys) {
+        return false;
+    }
+    const murk_key_kind kind = at->row->kind;
+    const bool may_be_map =
+        kind == MURK_KEY_PER_BAND || kind == MURK_KEY_SPECTRUM;
+    return at->in_item || kind == MURK_KEY_MAP ||
+           (may_be_map && at->node->kind != MURK_YAML_LIST);
+}
+
+size_t murk_key_path_part(const murk_key_position *at, const char *path)
+{
+    const murk_yaml *map = at->node;
+    if (murk_key_path_is_map(at) && at->row->keys->is_open) {
+        return strlen(path);
+    }
+    size_t length = strcspn(path, ".");
+    for (size_t i = 0; map->kind == MURK_YAML_MAP && i < map->n; ++i) {
+        const size_t n = strlen(map->key[i]);
+        if (n > length && strncmp(path, map->key[i], n) == 0 &&
+            (path[n] == '.' || path[n] == '\0')) {
+            length = n;
+        }
+    }
+    return length;
+}
+
+murk_key_position murk_key_path_member(const murk_key_position *at,
+                                       const char *part, murk_yaml *child)
+{
+    return murk_key_path_is_map(at)
+               ? (murk_key_position){child, murk_keys_find(at->row->keys, part),
+                                     false}
+               : (murk_key_position){child, at->row, true};
+}
+
+bool murk_key_path_spread(const murk_key_position *at, size_t bands)
+{
+    murk_yaml *node = at->node;
+    if (node->kind != MURK_YAML_SCALAR || !at->row || at->in_item ||
+        at->row->kind != MURK_KEY_SPECTRUM) {
+        return false;
+    }
+    murk_yaml *one = murk_yaml_copy(node);
+    bool is_whole = one != NULL;
+    if (is_whole) {
+        murk_yaml_clear(node);
+        node->kind = MURK_YAML_LIST;
+    }
+    for (size_t b = 0; is_whole && b < bands; ++b) {
+        murk_yaml *copy = murk_yaml_copy(one);
+        is_whole = copy && murk_yaml_append(node, NULL, copy);
+    }
+    murk_yaml_destroy(one);
+    return is_whole;
+}
