@@ -126,23 +126,6 @@ static murk_status check_others(const murk_covered *c,
     return MURK_OK;
 }
 
-/* Finds the first contribution of each batch: batch b contains the photons p
- * with p * batches / emitted = b, rounded down. */
-static void find_bounds(murk_coverage_sums *r, const murk_histories *histories)
-{
-    size_t i = 0;
-    for (size_t b = 0; b < r->batches; ++b) {
-        r->bound[b] = i;
-        while (i < histories->n && (uint64_t)histories->contribution[i].photon *
-                                           r->batches / histories->emitted <=
-                                       b) {
-            ++i;
-        }
-    }
-    r->bound[r->batches] = i;
-    assert(i == histories->n);
-}
-
 /* Fills the derivatives of the extinctions with respect to each key, by central
  * differences. */
 static murk_status find_slopes(murk_coverage_sums *s, const murk_covered *c,
@@ -211,11 +194,14 @@ murk_status murk_covered_read(const murk_row_sums *out, size_t first,
                                .runs = out->runs,
                                .keys = keys};
     murk_coverage_mix mix;
-    /* Optics: check, allocate, fill extinctions and derivatives. */
+    /* Check the optics, allocate; batches, extinctions and derivatives. */
     murk_status status = check_others(covered, traced, at, err);
     bool has_memory = status || murk_coverage_sums_allocate(&sums);
     if (!status && has_memory) {
-        find_bounds(&sums, covered->desc.histories);
+        for (size_t b = 0; b <= sums.batches; ++b) {
+            sums.bound[b] =
+                murk_histories_first(covered->desc.histories, sums.batches, b);
+        }
         murk_visible_extinctions(sums.extinction, covered->visible,
                                  covered->desc.histories, at);
         status = find_slopes(&sums, covered, traced, sides, err);

@@ -1,5 +1,6 @@
 /* The arrays of photon histories: they grow by half, so that the number of
- * copies stays small. */
+ * copies stays small. A binary search finds the contributions of a range of
+ * photons. */
 #include "calibrate/histories.h"
 
 #include <stdlib.h>
@@ -57,6 +58,21 @@ void murk_histories_fit(murk_histories *h)
 {
     set_capacity(h, h->n);
     set_turn_capacity(h, h->turns);
+}
+
+size_t murk_histories_first(const murk_histories *h, size_t parts, size_t part)
+{
+    size_t low = 0, high = h->n;
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+        const uint64_t photon = h->contribution[middle].photon;
+        if (photon * parts / h->emitted < part) {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    return low;
 }
 
 double murk_histories_bytes(size_t media, double n, double turns)

@@ -115,6 +115,12 @@ murk_status murk_histories_trace(murk_histories **out,
                                  murk_error *err);
 void murk_histories_destroy(murk_histories *histories); /* NULL is fine */
 
+/* The first contribution of part `part` of the photons or of a later part: the
+ * photons are divided into `parts` parts, and photon p is in part p * parts /
+ * emitted, rounded down. */
+size_t murk_histories_first(const murk_histories *histories, size_t parts,
+                            size_t part);
+
 /* Memory of a growing array relative to the content. The old array does not
  * exist beside the new one: the system moves arrays of this size by remapping
  * pages. */

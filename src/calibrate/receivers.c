@@ -17,23 +17,6 @@ typedef struct job {
     const murk_reweighed *reweighed;
 } job;
 
-/* The first contribution of a run; contributions are sorted by photon. */
-static size_t first_of_run(const job *j, uint64_t run)
-{
-    const murk_histories *f = j->histories;
-    size_t low = 0, high = f->n;
-    while (low < high) {
-        const size_t middle = low + (high - low) / 2;
-        const uint64_t photon = f->contribution[middle].photon;
-        if (photon * j->out->runs / f->emitted < run) {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
-    }
-    return low;
-}
-
 /* The value of a contribution with ratio 1. */
 static double worth_of(const job *j, const murk_contribution *c)
 {
@@ -53,8 +36,8 @@ static void read_run(void *context, uint64_t run)
     const murk_row_sums *out = j->out;
     const murk_histories *f = j->histories;
     const size_t keys = j->reweighed->keys;
-    const size_t last = first_of_run(j, run + 1);
-    for (size_t i = first_of_run(j, run); i < last; ++i) {
+    const size_t last = murk_histories_first(f, out->runs, run + 1);
+    for (size_t i = murk_histories_first(f, out->runs, run); i < last; ++i) {
         const murk_contribution *c = &f->contribution[i];
         if (murk_contribution_is_record(c)) {
             continue;
