@@ -24,24 +24,25 @@ static void begin_photon(const murk_recorder *r, murk_photon_history *f)
 }
 
 /* Appends a contribution with the history so far; the caller fills path and
- * chord. NULL when out of memory. */
-static murk_contribution *add(murk_photon_history *f, float **path,
-                              float **chord)
+ * chord. False when out of memory. */
+static bool add(murk_photon_history *f, murk_contribution made, float **path,
+                float **chord)
 {
     murk_histories *buffer = &f->buffer;
     const size_t media = buffer->media;
     if (f->is_short_of_memory || !murk_histories_reserve(buffer, 1, 0)) {
         f->is_short_of_memory = true;
-        return NULL;
+        return false;
     }
     const size_t i = buffer->n++;
     *path = buffer->path_m + i * media;
     *chord = buffer->chord_m + i * media;
     memcpy(buffer->count + i * media, f->count, media * sizeof *buffer->count);
     f->needed = buffer->turns;
-    buffer->contribution[i] =
-        (murk_contribution){.first = (uint32_t)f->first, .turns = f->turns};
-    return &buffer->contribution[i];
+    made.first = (uint32_t)f->first;
+    made.turns = f->turns;
+    buffer->contribution[i] = made;
+    return true;
 }
 
 /* Density path [m] of a recorded medium along a part of the segment. */
@@ -84,19 +85,17 @@ void murk_recorder_segment(void *context, uint64_t batch,
                                   segment->length_m, f->chord);
     for (size_t i = 0; i < n; ++i) {
         const murk_chord *c = &f->chord[i];
-        const float value =
-            (float)((c->to_m - c->from_m) * segment->weight *
-                    taken(&r->desc->receiver[c->receiver], segment));
+        const murk_contribution made = {
+            .photon = (uint32_t)segment->photon,
+            .receiver = c->receiver,
+            .light = segment->light,
+            .band = segment->band,
+            .value = (float)((c->to_m - c->from_m) * segment->weight *
+                             taken(&r->desc->receiver[c->receiver], segment))};
         float *path, *chord;
-        murk_contribution *made = value > 0 ? add(f, &path, &chord) : NULL;
-        if (!made) {
+        if (!(made.value > 0) || !add(f, made, &path, &chord)) {
             continue;
         }
-        made->photon = (uint32_t)segment->photon;
-        made->receiver = c->receiver;
-        made->light = segment->light;
-        made->band = segment->band;
-        made->value = value;
         for (size_t m = 0; m < r->all->media; ++m) {
             path[m] =
                 (float)(f->path_m[m] + path_along(r, m, segment, 0, c->from_m));
@@ -114,26 +113,26 @@ static void record(const murk_recorder *r, murk_photon_history *f,
                    const murk_event *event, double share)
 {
     const bool is_volume = event->kind == MURK_EVENT_MEDIUM;
+    const murk_contribution made = {
+        .photon = (uint32_t)event->photon,
+        .receiver = is_volume ? MURK_RECORD_OF_VOLUME : MURK_RECORD_OF_SURFACE,
+        .light = event->light,
+        .band = event->band,
+        .medium = is_volume ? event->material_or_medium : 0,
+        .value = (float)share};
     float *path, *chord;
-    murk_contribution *made = add(f, &path, &chord);
-    if (!made) {
+    if (!add(f, made, &path, &chord)) {
         return;
     }
-    made->photon = (uint32_t)event->photon;
-    made->receiver = is_volume ? MURK_RECORD_OF_VOLUME : MURK_RECORD_OF_SURFACE;
-    made->light = event->light;
-    made->band = event->band;
-    made->medium = is_volume ? event->material_or_medium : 0;
-    made->value = (float)share;
     for (size_t m = 0; m < r->all->media; ++m) {
         path[m] = (float)f->path_m[m];
         chord[m] = 0;
     }
     /* A record in a medium includes its own scattering, since the power leaves
      * it. */
-    if (is_volume && r->index_of[made->medium] >= 0) {
+    if (is_volume && r->index_of[made.medium] >= 0) {
         ++f->buffer.count[(f->buffer.n - 1) * r->all->media +
-                          (size_t)r->index_of[made->medium]];
+                          (size_t)r->index_of[made.medium]];
     }
 }
 
