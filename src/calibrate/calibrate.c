@@ -191,14 +191,12 @@ static murk_status fill_rows(murk_calibration *out, const murk_fit_search *s,
     if (status) {
         return status;
     }
-    for (size_t i = 0; i < s->rows; ++i) {
-        out->row[i] = (murk_calibrated_row){.predicted = s->predicted[i]};
-    }
     for (size_t i = 0; i < n; ++i) {
         out->row[light[i]].photon_error = sqrt(noise[i * n + i]);
     }
     for (size_t i = 0; i < s->rows; ++i) {
         murk_calibrated_row *row = &out->row[i];
+        row->predicted = s->predicted[i];
         row->residual = (s->measured[i] - row->predicted) /
                         hypot(s->error[i], row->photon_error);
     }

@@ -40,7 +40,6 @@ typedef struct murk_receiver {
 
 typedef struct murk_histories_desc {
     const murk_stage *stage;
-    uint32_t stream;
     uint64_t photons; /* 0: the number of the scene */
     unsigned threads;
     const size_t *medium; /* [media]; the media that are re-weighted */

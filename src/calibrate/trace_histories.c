@@ -134,7 +134,7 @@ static murk_status check(const murk_histories_desc *desc, uint64_t emit,
                          "followed",
                          (unsigned long long)emit, (unsigned long)UINT32_MAX);
     }
-    return murk_ending_check(desc->stage, desc->stream, err);
+    return murk_ending_check(desc->stage, 0, err);
 }
 
 /* Creates record buffers if records are stored, or if their number ends the
@@ -183,7 +183,6 @@ murk_status murk_histories_trace(murk_histories **out,
         goto done;
     }
     j.emission = (murk_emission){.stage = desc->stage,
-                                 .stream = desc->stream,
                                  .threads = desc->threads,
                                  .emit = emit,
                                  .is_first_small = true,
