@@ -119,20 +119,20 @@ static void test_noise(void)
 static void test_too_large(void)
 {
     static const char head[] = "kind,value,standard_error\n";
-    const size_t rows = 10000000, room = sizeof head + 3 * rows;
+    const size_t rows = 10000000, size = sizeof head + 3 * rows;
     const double start_s = murk_clock_s();
-    char *text = malloc(room);
+    char *text = malloc(size);
     CHECK(text != NULL);
     memcpy(text, head, sizeof head - 1);
     for (size_t i = 0; i < rows; ++i) {
         memcpy(text + sizeof head - 1 + 3 * i, ",,\n", 3);
     }
     const int before = read_well;
-    try_file(text, room - 1);
-    memset(text, ',', room);
-    try_file(text, room);
-    memset(text, '"', room);
-    try_file(text, room);
+    try_file(text, size - 1);
+    memset(text, ',', size);
+    try_file(text, size);
+    memset(text, '"', size);
+    try_file(text, size);
     CHECK(read_well == before);
     CHECK(murk_clock_s() - start_s < SLOWEST_S);
     free(text);

@@ -71,8 +71,8 @@ static void place(float p[3], uint64_t i)
         const int side = (int)(6 * s.u[0]);
         for (int a = 0; a < 3; ++a) {
             const double u = side / 2 == a ? side % 2 : r.u[a];
-            const double room = a < 2 ? (double)(int)(4 * s.u[a + 1]) : 0;
-            p[a] = (float)(size[a] * (room + u));
+            const double column = a < 2 ? (double)(int)(4 * s.u[a + 1]) : 0;
+            p[a] = (float)(size[a] * (column + u));
         }
         return;
     }
@@ -226,17 +226,17 @@ static size_t prepare(contest *c)
     find_radius(c);
     /* The first timing of each leaf size only warms the caches. */
     for (size_t i = 0; i < LEAF_SIZES; ++i) {
-        peer_kd *kept = c->peer;
+        peer_kd *best_peer = c->peer;
         c->peer = peer_kd_create(c->points, c->n, leaf_sizes[i]);
         time_queries(c, batch_of_peer, 1, &hits);
         seconds = time_queries(c, batch_of_peer, 1, &hits);
         if (seconds < best_s) {
             best_s = seconds;
             best = leaf_sizes[i];
-            peer_kd_destroy(kept);
+            peer_kd_destroy(best_peer);
         } else {
             peer_kd_destroy(c->peer);
-            c->peer = kept;
+            c->peer = best_peer;
         }
     }
     return best;
@@ -321,7 +321,7 @@ static void build_case(contest *contests, size_t n, unsigned threads)
                 peer_kd *peer = peer_kd_create(contests[i].points,
                                                contests[i].n, leaf_sizes[j]);
                 peers[j][repeat] += murk_clock_s() - start;
-                peer_kd_destroy(peer);
+                peer_kd_destroy(best_peer);
             }
         }
     }

@@ -190,11 +190,12 @@ static void make_rays(contest *c)
         const murk_random4 aim = murk_random(1, MURK_TEST, i, 0, 1);
         const murk_vec3 out = murk_about(murk_vec(0, 0, 1), 2 * at.u[0] - 1,
                                          2 * MURK_PI * at.u[1]);
-        const double way[3] = {out.x, out.y, out.z};
+        const double outward[3] = {out.x, out.y, out.z};
         ray *r = &c->rays[i];
         double direction[3], length = 0;
         for (int a = 0; a < 3; ++a) {
-            r->origin[a] = on_raster(low[a] + size[a] / 2 + radius * way[a]);
+            r->origin[a] =
+                on_raster(low[a] + size[a] / 2 + radius * outward[a]);
             direction[a] = low[a] + size[a] * aim.u[a] - (double)r->origin[a];
             length += direction[a] * direction[a];
         }

@@ -63,35 +63,36 @@ static murk_surfaces *build_surfaces(const murk_mesh *mesh)
     return surfaces;
 }
 
-/* One emitted photon: stored where it is reflected. Returns how many it
- * stored, `room` at most. */
+/* One emitted photon: stored where it is reflected. Returns how many it stored,
+ * `capacity` at most. */
 static size_t trace(const murk_surfaces *surfaces, uint32_t emitted,
-                    murk_photon *photon, size_t room)
+                    murk_photon *photon, size_t capacity)
 {
     murk_random4 r = murk_random(1, MURK_TEST, emitted, 0, 0);
     murk_vec3 at = lamps[emitted % LAMPS];
-    murk_vec3 way =
+    murk_vec3 direction =
         murk_about(murk_vec(0, 0, 1), 2 * r.u[0] - 1, 2 * MURK_PI * r.u[1]);
     size_t stored = 0;
     murk_hit hit;
     /* Follow the photon from surface to surface until it is absorbed. */
     for (uint32_t event = 1;
-         stored < room && murk_surfaces_hit(surfaces, at, way, INFINITY, &hit);
+         stored < capacity &&
+         murk_surfaces_hit(surfaces, at, direction, INFINITY, &hit);
          ++event) {
         r = murk_random(1, MURK_TEST, emitted, event, 0);
-        at = murk_along(at, hit.distance_m, way);
+        at = murk_along(at, hit.distance_m, direction);
         if (r.u[0] > ALBEDO) {
             break;
         }
         /* Store the record, and leave along a cosine-distributed direction. */
         photon[stored++] =
             (murk_photon){.position_m = {(float)at.x, (float)at.y, (float)at.z},
-                          .direction = murk_direction_pack(way),
+                          .direction = murk_direction_pack(direction),
                           .normal = murk_direction_pack(hit.normal),
                           .power_w = 1,
                           .emitted = emitted};
         at = murk_surfaces_leave(surfaces, at, hit.normal);
-        way = murk_about(hit.normal, sqrt(r.u[1]), 2 * MURK_PI * r.u[2]);
+        direction = murk_about(hit.normal, sqrt(r.u[1]), 2 * MURK_PI * r.u[2]);
     }
     return stored;
 }
@@ -204,24 +205,24 @@ static void tear_down(contest *c)
     murk_surfaces_destroy(c->surfaces);
 }
 
-typedef struct looks {
+typedef struct occlusion_queries {
     murk_sight *sight;
     const murk_pose *pose;
     size_t seen[CANDIDATES];
-} looks;
+} occlusion_queries;
 
-static void look_once(void *context, unsigned worker, uint64_t batch)
+static void query_row(void *context, unsigned worker, uint64_t batch)
 {
-    looks *l = context;
+    occlusion_queries *l = context;
     murk_sparse_row row;
     murk_sight_row(l->sight, worker, &l->pose[batch], &row);
     l->seen[batch] = row.seen;
 }
 
-static double time_ours(looks *l, unsigned threads)
+static double time_ours(occlusion_queries *l, unsigned threads)
 {
     const double begun_s = murk_clock_s();
-    murk_pool_run_workers(threads, CANDIDATES, look_once, l);
+    murk_pool_run_workers(threads, CANDIDATES, query_row, l);
     return murk_clock_s() - begun_s;
 }
 
@@ -246,7 +247,8 @@ static double median(double *x)
 }
 
 /* Both count what is open; a few grazing rays in a million may differ. */
-static void compare(const contest *c, const looks *l, size_t blocked)
+static void compare(const contest *c, const occlusion_queries *l,
+                    size_t blocked)
 {
     size_t seen = 0;
     for (size_t j = 0; j < CANDIDATES; ++j) {
@@ -259,7 +261,7 @@ static void compare(const contest *c, const looks *l, size_t blocked)
     }
 }
 
-static void report(const contest *c, looks *l, unsigned threads)
+static void report(const contest *c, occlusion_queries *l, unsigned threads)
 {
     double ours[REPEATS], wide[REPEATS], coherent[REPEATS];
     size_t blocked;
@@ -283,7 +285,7 @@ int main(void)
 {
     static contest c;
     build(&c);
-    static looks l;
+    static occlusion_queries l;
     l.sight = sight_of(&c, MURK_VISIBILITY_RAY);
     l.pose = c.pose;
     for (unsigned threads = 1; threads <= THREADS; ++threads) {

@@ -28,10 +28,10 @@ static const slab slabs[] = {{1, .2, 0, 1},    {1, .9, .75, 2},
                              {1, .8, 0, 5},    {1, .99, .875, 5},
                              {1.5, .9, .5, 5}, {1, .5, .5, 1}};
 
-static const double least_weights[] = {1, .3, .1, .01, .001};
+static const double min_weights[] = {1, .3, .1, .01, .001};
 
 #define SLABS   (sizeof slabs / sizeof slabs[0])
-#define WEIGHTS (sizeof least_weights / sizeof least_weights[0])
+#define WEIGHTS (sizeof min_weights / sizeof min_weights[0])
 
 /* By photon; scenes score two things each. */
 static double x[PHOTONS], y[PHOTONS];
@@ -130,13 +130,13 @@ static void bench_slab(const slab *s)
      * roulette. */
     double roulette = 0;
     for (size_t k = 0; k < WEIGHTS; ++k) {
-        const double seconds = traced(&w, least_weights[k], ends);
+        const double seconds = traced(&w, min_weights[k], ends);
         const double worst =
             fmax(squared_error(murk_mean_estimate(x, PHOTONS)),
                  squared_error(murk_mean_estimate(y, PHOTONS)));
         const double merit = 1 / (worst * seconds);
         roulette = k == 0 ? merit : roulette;
-        tell(name, least_weights[k], "1/s", merit, roulette);
+        tell(name, min_weights[k], "1/s", merit, roulette);
     }
     test_world_unmade(&w);
 }
@@ -147,14 +147,14 @@ static void bench_maps(void)
     const murk_medium fog = test_medium(.1, .95, .8);
     const murk_region region = test_everywhere(0);
     const murk_material paint = test_material(.5, 0, 0, 0);
-    const murk_surface_desc room =
+    const murk_surface_desc walls =
         test_box(murk_vec(0, 0, 0), murk_vec(10, 10, 4), 0);
     /* A room with diffuse walls and thin fog, lit by one point source. */
     test_world w = test_world_made(
         &(test_setup){.domain = {{{-1, -1, -1}, {11, 11, 5}}, false},
                       .lights = &lamp,
                       .n_lights = 1,
-                      .surfaces = &room,
+                      .surfaces = &walls,
                       .n_surfaces = 1,
                       .materials = &paint,
                       .n_materials = 1,
@@ -166,15 +166,15 @@ static void bench_maps(void)
      * roulette. */
     double by_time = 0, by_record = 0;
     for (size_t k = 0; k < WEIGHTS; ++k) {
-        const double seconds = traced(&w, least_weights[k], stored);
+        const double seconds = traced(&w, min_weights[k], stored);
         const double error =
             murk_ratio_estimate(x, y, PHOTONS, PHOTONS).standard_error;
         const double per_s = 1 / (error * error * seconds);
         const double per_record = 1 / (error * error * records);
         by_time = k == 0 ? per_s : by_time;
         by_record = k == 0 ? per_record : by_record;
-        tell("maps", least_weights[k], "1/s", per_s, by_time);
-        tell("maps", least_weights[k], "1/record", per_record, by_record);
+        tell("maps", min_weights[k], "1/s", per_s, by_time);
+        tell("maps", min_weights[k], "1/record", per_record, by_record);
     }
     test_world_unmade(&w);
 }

@@ -28,7 +28,7 @@ struct peer_occlusion {
     RTCDevice device;
     RTCScene scene;
     packet *packet;
-    size_t packets, room;
+    size_t packets, capacity;
 };
 
 static bool add_mesh(peer_occlusion *peer, const murk_mesh *mesh)
@@ -87,9 +87,9 @@ void peer_occlusion_destroy(peer_occlusion *peer)
 
 static packet *new_packet(peer_occlusion *peer)
 {
-    if (peer->packets == peer->room) {
-        const size_t room = peer->room ? 2 * peer->room : 1024;
-        packet *grown = aligned_alloc(64, room * sizeof *grown);
+    if (peer->packets == peer->capacity) {
+        const size_t capacity = peer->capacity ? 2 * peer->capacity : 1024;
+        packet *grown = aligned_alloc(64, capacity * sizeof *grown);
         if (!grown) {
             return NULL;
         }
@@ -98,7 +98,7 @@ static packet *new_packet(peer_occlusion *peer)
         }
         free(peer->packet);
         peer->packet = grown;
-        peer->room = room;
+        peer->capacity = capacity;
     }
     packet *p = &peer->packet[peer->packets++];
     memset(p, 0, sizeof *p);
@@ -108,18 +108,18 @@ static packet *new_packet(peer_occlusion *peer)
 static void set_lane(packet *p, size_t lane, murk_vec3 from, murk_vec3 sensor,
                      double trim_m)
 {
-    murk_vec3 way = murk_sub(from, sensor);
-    const double trim = trim_m / murk_length(way);
-    const murk_vec3 origin = murk_along(sensor, trim, way);
-    way = murk_scale(1 - 2 * trim, way);
+    murk_vec3 offset = murk_sub(from, sensor);
+    const double trim = trim_m / murk_length(offset);
+    const murk_vec3 origin = murk_along(sensor, trim, offset);
+    offset = murk_scale(1 - 2 * trim, offset);
     struct RTCRay16 *r = &p->ray;
     p->valid[lane] = -1;
     r->org_x[lane] = (float)origin.x;
     r->org_y[lane] = (float)origin.y;
     r->org_z[lane] = (float)origin.z;
-    r->dir_x[lane] = (float)way.x;
-    r->dir_y[lane] = (float)way.y;
-    r->dir_z[lane] = (float)way.z;
+    r->dir_x[lane] = (float)offset.x;
+    r->dir_y[lane] = (float)offset.y;
+    r->dir_z[lane] = (float)offset.z;
     r->tfar[lane] = 1;
     r->mask[lane] = UINT32_MAX;
 }

@@ -43,7 +43,7 @@ static inline double sigmas_from(double count, double share)
 typedef struct tale {
     double up, down, lateral; /* escaped through which side */
     double above;             /* escaped above z = 0 */
-    double back;              /* escaped against the way `sent` */
+    double back;              /* escaped against the direction `sent` */
     double met[REGIONS], mirrored[REGIONS];
     double at_surfaces, mirrored_at_surfaces;
     double snell_off, normal_off; /* worst */

@@ -22,7 +22,7 @@
 
 /* Right below a lamp, so that light comes from above most; clear air in one
  * band, fog in the other. */
-static const char ROOM[] =
+static const char SCENE[] =
     "murk: 1\n"
     "bands_nm: [450, 650]\n"
     "domain: {min_m: [0, 0, 0], max_m: [4, 4, 3]}\n"
@@ -77,8 +77,8 @@ static murk_estimate mean_of(const sums *s, double n)
 /* Scalar irradiance in each band: of[] by the means of the pictures, which
  * count each pixel by solid angle; by_pixels[] by the plain means of the
  * pixels. */
-static void look_around(const murk_stage *stage, murk_estimate of[2],
-                        murk_estimate by_pixels[2])
+static void gather_around(const murk_stage *stage, murk_estimate of[2],
+                          murk_estimate by_pixels[2])
 {
     /* Render a picture of the whole sphere of directions at each point,
      * with a seed of its own. */
@@ -127,7 +127,7 @@ static double together(murk_estimate a, murk_estimate b)
 int main(void)
 {
     const double limit = murk_sidak_limit(1e-6, ZTESTS);
-    murk_stage *stage = stage_text_create(ROOM, NULL);
+    murk_stage *stage = stage_text_create(SCENE, NULL);
     murk_traced *traced = NULL;
     murk_error err = {0};
     if (!stage || murk_lightmap_trace(&traced, stage, 0, 2, &err)) {
@@ -135,7 +135,7 @@ int main(void)
         return 1;
     }
     murk_estimate seen[2], by_pixels[2];
-    look_around(stage, seen, by_pixels);
+    gather_around(stage, seen, by_pixels);
     for (int b = 0; b < 2; ++b) {
         const murk_estimate tally =
             murk_tallies_read(traced->tallies, 0, b, 0, traced->ledger->emitted,

@@ -104,14 +104,14 @@ static murk_image *taken(uint32_t seed, murk_render_method method)
 
 /* Squares of what pixels are off by, in those of what they say: 1 in the mean.
  * Whole pictures are one number, since their pixels share records. */
-static double squares_told(const murk_image *p)
+static double squares_over_stated(const murk_image *p)
 {
-    double off = 0, told = 0;
+    double off = 0, stated = 0;
     for (size_t i = 0; i < PIXELS; ++i) {
         off += pow((double)p->radiance[0][i] - TRUTH, 2);
-        told += pow((double)p->error[0][i], 2);
+        stated += pow((double)p->error[0][i], 2);
     }
-    return off / told;
+    return off / stated;
 }
 
 static void test_radiance_and_errors(murk_render_method method,
@@ -122,7 +122,7 @@ static void test_radiance_and_errors(murk_render_method method,
     for (uint32_t seed = 1; seed <= SEEDS; ++seed) {
         murk_image *p = taken(seed, method);
         take(&mean, p->mean[0]);
-        take(&pixels, squares_told(p));
+        take(&pixels, squares_over_stated(p));
         take(&whole, pow((p->mean[0] - TRUTH) / p->mean_error[0], 2));
         murk_image_destroy(p);
     }

@@ -1,5 +1,5 @@
 /* Koschmieder's law: a black target against a level horizon loses its contrast
- * as exp(-extinction * distance) in haze that is lit alike all along the way;
+ * as exp(-extinction * distance) in haze that is lit alike all along the path;
  * at 3.912 / extinction, the visibility, 2 % of it is left, and 5 % at the
  * meteorological optical range, 2.996 / extinction (Koschmieder, Beitr. Phys.
  * Freien Atmos. 12 (1924) 33; Middleton, Vision through the Atmosphere, 1952,
@@ -30,9 +30,9 @@
 #define EYE_Z_M      1.0
 #define DISTANCES    5
 
-static const murk_box room = {{0, 0, 0}, {2, 2, 12}};
-#define ROOM_AREA_M2    104.0
-#define ROOM_SECTION_M2 4.0
+static const murk_box interior = {{0, 0, 0}, {2, 2, 12}};
+#define WALLS_AREA_M2 104.0
+#define SECTION_M2    4.0
 
 static const double distance_m[DISTANCES] = {
     .5, 2, 4, VISIBILITY_M *FIVE_PERCENT / TWO_PERCENT, VISIBILITY_M};
@@ -74,7 +74,7 @@ static void see(void *context, uint64_t batch, const murk_event *event)
     const double radiance =
         event->leaving * murk_phase_density(e->phase, mu) *
         murk_media_transmittance(e->world->media, 0, 0, at, eye_at) /
-        ROOM_SECTION_M2;
+        SECTION_M2;
     for (int i = 0; i < DISTANCES; ++i) {
         e->now[i] += away < distance_m[i] ? radiance : 0;
     }
@@ -87,11 +87,11 @@ int main(int argc, char **argv)
     const uint32_t seed = argc > 1 ? (uint32_t)strtoul(argv[1], NULL, 10) : 1;
     const double limit = murk_sidak_limit(1e-6, Z_TESTS);
     murk_source lamps[TEST_WALLS];
-    test_wall_lamps(&room, lamps);
+    test_wall_lamps(&interior, lamps);
     const double extinction = TWO_PERCENT / VISIBILITY_M;
     const murk_medium haze = test_medium(extinction, 1, .5);
     const murk_region region = test_everywhere(0);
-    const murk_surface_desc walls = test_box(room.min, room.max, 0);
+    const murk_surface_desc walls = test_box(interior.min, interior.max, 0);
     const murk_material white = test_material(WALLS, 0, 0, 0);
     test_world w = test_world_made(
         &(test_setup){.domain = {{{-1, -1, -1}, {3, 3, 13}}, false},
@@ -112,7 +112,7 @@ int main(int argc, char **argv)
     close_photon(&e);
     /* The radiance of the horizon, which follows from the equilibrium of
      * the room. */
-    const double horizon = 1 / (MURK_PI * ROOM_AREA_M2 * (1 - WALLS));
+    const double horizon = 1 / (MURK_PI * WALLS_AREA_M2 * (1 - WALLS));
     for (int i = 0; i < DISTANCES; ++i) {
         /* The contrast of a black object at this distance follows the law
          * of Koschmieder. */

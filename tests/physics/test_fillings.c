@@ -87,7 +87,7 @@ static answer traced(const murk_medium *media, size_t n_media,
 }
 
 /* The largest distance between two answers, in their standard errors. */
-static double apart(const answer *a, const answer *b)
+static double deviation(const answer *a, const answer *b)
 {
     double max = 0;
     for (int i = 0; i < MEASURES; ++i) {
@@ -150,16 +150,16 @@ static void test_two_halves(uint32_t seed)
     const murk_region lies = {.shape = MURK_REGION_GRID,
                               .to_world = murk_affine_identity()};
     murk_medium two[] = {test_medium(4, 0.9, 0.5), test_medium(4, 0.3, 0.5)};
-    const murk_region boxes[] = {
+    const murk_region halves[] = {
         test_box_region(0, murk_vec(0, 0, 0), murk_vec(1, 1, 1)),
         test_box_region(1, murk_vec(1, 0, 0), murk_vec(2, 1, 1))};
     const answer by_grid = traced(&one, 1, &lies, 1, seed);
-    const answer by_boxes = traced(two, 2, boxes, 2, seed + 1000);
-    check_same(&by_grid, &by_boxes);
+    const answer by_regions = traced(two, 2, halves, 2, seed + 1000);
+    check_same(&by_grid, &by_regions);
     /* Teeth: a wrong albedo in one half is seen. */
     two[1] = test_medium(4, 0.4, 0.5);
-    const answer wrong = traced(two, 2, boxes, 2, seed + 1000);
-    CHECK(apart(&by_grid, &wrong) > 2 * limit());
+    const answer wrong = traced(two, 2, halves, 2, seed + 1000);
+    CHECK(deviation(&by_grid, &wrong) > 2 * limit());
     murk_grid_destroy(grid);
     murk_grid_destroy(albedo);
 }
@@ -194,12 +194,13 @@ static void test_layers(uint32_t seed)
     }
     /* Both give the same light. */
     const answer by_profile = traced(&layered, 1, &box, 1, seed);
-    const answer by_boxes = traced(media, LAYERS, regions, LAYERS, seed + 1000);
-    check_same(&by_profile, &by_boxes);
+    const answer by_regions =
+        traced(media, LAYERS, regions, LAYERS, seed + 1000);
+    check_same(&by_profile, &by_regions);
     /* Teeth: the profile upside down is seen. */
     box.to_world = murk_affine_place(murk_vec(180, 0, 0), 1, murk_vec(0, 1, 1));
     const answer wrong = traced(&layered, 1, &box, 1, seed);
-    CHECK(apart(&wrong, &by_boxes) > 2 * limit());
+    CHECK(deviation(&wrong, &by_regions) > 2 * limit());
 }
 
 /* ---- interpolation ---- */
@@ -240,7 +241,7 @@ static void test_nearest_and_linear(uint32_t seed)
     /* Teeth: a wrong albedo is seen. */
     puff.albedo = murk_spectrum_flat(0.75, 1);
     const answer wrong = traced(&puff, 1, &lies, 1, seed + 1000);
-    CHECK(apart(&nearest, &wrong) > 2 * limit());
+    CHECK(deviation(&nearest, &wrong) > 2 * limit());
     murk_grid_destroy(grid);
 }
 

@@ -81,17 +81,17 @@ static bool light_once(sums *out, double *square, planted_field *field,
     const size_t rows = field->measured->rows, n = field->of->n;
     murk_free_keys *keys = planted_keys(field, emit, seed);
     murk_model *model = keys ? planted_model(field, keys) : NULL;
-    double *room = calloc(rows * (n + 3), sizeof *room), share;
-    double *slope = room + rows, *weight = slope + rows * n;
+    double *predicted = calloc(rows * (n + 3), sizeof *predicted), share;
+    double *slope = predicted + rows, *weight = slope + rows * n;
     double *off = weight + rows, *covariance = NULL;
     parts p = {.width = n + 1};
     murk_whitening *whitening = NULL;
     murk_error err = {0};
     bool is_well =
-        model && room &&
+        model && predicted &&
         planted_held(murk_model_trace(model, field->of->truth, &err), &err) &&
-        planted_held(murk_model_predict(model, field->of->truth, room, slope,
-                                        &share, &err),
+        planted_held(murk_model_predict(model, field->of->truth, predicted,
+                                        slope, &share, &err),
                      &err) &&
         planted_held(murk_model_parts(model, &p.part, &err), &err) &&
         planted_held(murk_model_noise(model, &covariance, &err), &err) &&
@@ -106,13 +106,13 @@ static bool light_once(sums *out, double *square, planted_field *field,
     for (size_t i = 0; i < p.lits && is_well; ++i) {
         const murk_reading_row *row = &field->measured->row[lit[i]];
         weight[i] = 1 / field->measured->reading[row->first].standard_error;
-        off[i] = room[lit[i]] - field->truth[lit[i]];
+        off[i] = predicted[lit[i]] - field->truth[lit[i]];
     }
     /* Sums by runs, and the square of the whitened deviations per row. */
     *square = 0;
     if (is_well) {
         if (seed == 1) {
-            check_parts_add_up(&p, lit, room, slope);
+            check_parts_add_up(&p, lit, predicted, slope);
         }
         add_up(out, &p, weight);
         murk_whitening_apply(whitening, off, 1);
@@ -123,7 +123,7 @@ static bool light_once(sums *out, double *square, planted_field *field,
     murk_whitening_destroy(whitening);
     free(covariance);
     free(p.part);
-    free(room);
+    free(predicted);
     murk_model_destroy(model);
     murk_free_keys_destroy(keys);
     return is_well;

@@ -271,7 +271,7 @@ static void scene_unmade(scene *s)
 /* ---- laws ---- */
 
 /* Two counts of n flights each. */
-static double counts_apart(double a, double b)
+static double sigmas_between(double a, double b)
 {
     const double p = (a + b) / (2. * FLIGHTS);
     return a == b ? 0 : fabs(a - b) / sqrt(2. * FLIGHTS * p * (1 - p));
@@ -290,11 +290,11 @@ static void test_march_and_delta_follow_the_law(int number, uint32_t seed)
      * medium. */
     CHECK(test_flights_off_law(&march) < distance_limit());
     CHECK(test_flights_off_law(&delta) < distance_limit());
-    CHECK(test_flights_apart(&march, &delta) < distance_limit());
-    CHECK(counts_apart(march.collided, delta.collided) < z_limit());
+    CHECK(test_flights_distance(&march, &delta) < distance_limit());
+    CHECK(sigmas_between(march.collided, delta.collided) < z_limit());
     for (size_t i = 0; i < s.n; ++i) {
         CHECK(march.partner[i] > 0.002 * FLIGHTS);
-        CHECK(counts_apart(march.partner[i], delta.partner[i]) < z_limit());
+        CHECK(sigmas_between(march.partner[i], delta.partner[i]) < z_limit());
     }
     /* No collision states values other than those of the media at the
      * place, and the scene is neither too clear nor too dense for a test. */
@@ -345,7 +345,7 @@ static void test_twice_the_bound_changes_nothing_but_time(uint32_t seed)
     test_flights a = test_fly(once, &s.box, FLIGHTS, seed, true);
     test_flights b = test_fly(twice, &s.box, FLIGHTS, seed + 1, true);
     CHECK(test_flights_off_law(&b) < distance_limit());
-    CHECK(counts_apart(a.collided, b.collided) < z_limit());
+    CHECK(sigmas_between(a.collided, b.collided) < z_limit());
     const double sigma =
         sqrt(4 * tried_variance_of_mean(&a) + tried_variance_of_mean(&b));
     CHECK_WITHIN(z_limit(), tried_mean(&b), 2 * tried_mean(&a), sigma);
@@ -443,16 +443,16 @@ static void test_a_slab_of_noise(uint32_t seed)
     murk_grid *grid = grid_of(noise, 40, 32, 24, NULL, seed);
     const slab_run a = run_slab(grid, 0.3, false, seed);
     const slab_run b = run_slab(grid, 0.3, true, seed + 1);
-    CHECK(counts_apart(a.ends.back, b.ends.back) < z_limit());
-    CHECK(counts_apart(a.ends.through, b.ends.through) < z_limit());
-    CHECK(counts_apart(a.absorbed, b.absorbed) < z_limit());
+    CHECK(sigmas_between(a.ends.back, b.ends.back) < z_limit());
+    CHECK(sigmas_between(a.ends.through, b.ends.through) < z_limit());
+    CHECK(sigmas_between(a.absorbed, b.absorbed) < z_limit());
     CHECK_WITHIN(z_limit(), a.absorbed, a.collisions / 10,
                  sqrt(a.collisions / 10));
     CHECK_WITHIN(z_limit(), b.absorbed, b.collisions / 10,
                  sqrt(b.collisions / 10));
     /* Teeth: 10 % less extinction. */
     const slab_run c = run_slab(grid, 0.27, true, seed + 2);
-    CHECK(counts_apart(a.ends.through, c.ends.through) > z_limit());
+    CHECK(sigmas_between(a.ends.through, c.ends.through) > z_limit());
     murk_grid_destroy(grid);
 }
 

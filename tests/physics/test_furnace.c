@@ -26,7 +26,7 @@
 #define WALLS   0.6 /* reflectance */
 #define LAMPS   10
 
-static const murk_box room = {{0, 0, 0}, {4, 3, 2}};
+static const murk_box interior = {{0, 0, 0}, {4, 3, 2}};
 
 static double limit(void)
 {
@@ -51,7 +51,7 @@ static void light_walls(murk_source lamp[LAMPS], double index)
 {
     const murk_vec3 x = {4, 0, 0}, y = {0, 3, 0}, z = {0, 0, 1};
     const murk_vec3 far_x = x, far_y = y;
-    lamp[0] = wall_lamp(room.min, x, y, index);
+    lamp[0] = wall_lamp(interior.min, x, y, index);
     lamp[1] = wall_lamp(murk_vec(0, 0, 2), y, x, 1);
     for (int i = 0; i < 2; ++i) {
         const murk_vec3 up = murk_scale(i, z);
@@ -80,7 +80,8 @@ static void heat(double water, chords *c, uint32_t seed)
     const murk_material materials[] = {test_material(WALLS, 0, 0, 0),
                                        test_material(0, 0, 1, GLASS)};
     murk_surface_desc surfaces[] = {
-        test_box(room.min, room.max, 0), test_sphere(murk_vec(1, 1, 1), .4, 1),
+        test_box(interior.min, interior.max, 0),
+        test_sphere(murk_vec(1, 1, 1), .4, 1),
         test_box(murk_vec(-.3, -.25, -.5), murk_vec(.3, .25, .6), 1)};
     surfaces[2].to_world =
         murk_affine_place(murk_vec(3, 5, 7), 1, murk_vec(2.9, 1, .9));
@@ -105,7 +106,7 @@ static void heat(double water, chords *c, uint32_t seed)
         murk_affine_place(murk_vec(20, 30, 40), 1, murk_vec(2, 2.3, .5));
     /* Only the walls absorb: all photons end there. */
     test_world w = test_world_made(
-        &(test_setup){.domain = {room, false},
+        &(test_setup){.domain = {interior, false},
                       .lights = lamps,
                       .n_lights = LAMPS,
                       .surfaces = surfaces,

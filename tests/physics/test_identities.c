@@ -32,8 +32,8 @@ static double limit(void)
 
 /* ---- the furnace ---- */
 
-static const murk_box room = {{0, 0, 0}, {4, 3, 2}};
-#define ROOM_AREA_M2 52.0
+static const murk_box interior = {{0, 0, 0}, {4, 3, 2}};
+#define WALLS_AREA_M2 52.0
 
 typedef struct contents {
     const murk_surface_desc *surfaces;
@@ -53,12 +53,12 @@ static void heat(const contents *in, chords *c, uint64_t photons, uint32_t seed)
     /* The walls of the room come first in the list of surfaces, the
      * contents after them. */
     murk_source lamps[TEST_WALLS];
-    test_wall_lamps(&room, lamps);
+    test_wall_lamps(&interior, lamps);
     const murk_material materials[] = {
         test_material(in->reflectance, 0, 0, 0), test_material(0, 1, 0, 0),
         test_material(0, .08, .92, GLASS_INDEX), test_material(1, 0, 0, 0)};
     murk_surface_desc surfaces[CONTENTS_MAX] = {
-        test_box(room.min, room.max, 0)};
+        test_box(interior.min, interior.max, 0)};
     for (size_t i = 0; i < in->n_surfaces; ++i) {
         surfaces[i + 1] = in->surfaces[i];
     }
@@ -82,7 +82,7 @@ static void heat(const contents *in, chords *c, uint64_t photons, uint32_t seed)
 
 static double furnace_fluence(double reflectance, double index)
 {
-    return index * index * 4 / ROOM_AREA_M2 / (1 - reflectance);
+    return index * index * 4 / WALLS_AREA_M2 / (1 - reflectance);
 }
 
 static void check_furnace(const chords *c, size_t place, double index)
@@ -97,11 +97,11 @@ static const chord_place *few_places(chords *c)
     *c = (chords){.n = 3,
                   .place = {chord_ball(murk_vec(1, 1, 1), .5),
                             chord_ball(murk_vec(3.3, 2.4, .6), .4),
-                            chord_box(room.min, room.max)}};
+                            chord_box(interior.min, interior.max)}};
     return c->place;
 }
 
-static void test_empty_room(uint32_t seed)
+static void test_empty_enclosure(uint32_t seed)
 {
     chords c;
     few_places(&c);
@@ -239,9 +239,9 @@ static void test_inverse_square(uint32_t seed)
                       .n_lights = 1});
     chords c = {.n = 5};
     for (size_t i = 0; i < c.n; ++i) {
-        const murk_vec3 way = murk_unit(murk_vec(1, (double)i - 2, .5));
-        c.place[i] =
-            chord_ball(murk_along(lamp.position, distance[i], way), radius[i]);
+        const murk_vec3 direction = murk_unit(murk_vec(1, (double)i - 2, .5));
+        c.place[i] = chord_ball(
+            murk_along(lamp.position, distance[i], direction), radius[i]);
     }
     test_world_trace(&w, 200000, seed, chords_note, &c);
     test_world_unmade(&w);
@@ -263,7 +263,7 @@ static void test_inverse_square(uint32_t seed)
 int main(int argc, char **argv)
 {
     const uint32_t seed = argc > 1 ? (uint32_t)strtoul(argv[1], NULL, 10) : 1;
-    test_empty_room(seed);
+    test_empty_enclosure(seed);
     test_fog_and_mirrors_change_nothing(seed);
     test_glass_holds_n_squared(seed);
     test_murky_water_holds_n_squared(seed);

@@ -59,7 +59,7 @@ static murk_image *taken(const murk_stage *stage, const murk_traced *traced,
     return picture;
 }
 
-static void test_three_ways_agree(const char *const *overrides)
+static void test_three_methods_agree(const char *const *overrides)
 {
     const double limit = murk_sidak_limit(1e-6, ZTESTS);
     murk_error err = {0};
@@ -70,9 +70,10 @@ static void test_three_ways_agree(const char *const *overrides)
         exit(1);
     }
     murk_image *path = taken(stage, traced, MURK_BY_PATHS, 600);
-    static const murk_render_method ways[] = {MURK_BY_MAPS, MURK_BY_MAPS_ONLY};
+    static const murk_render_method methods[] = {MURK_BY_MAPS,
+                                                 MURK_BY_MAPS_ONLY};
     for (int i = 0; i < 2; ++i) {
-        murk_image *map = taken(stage, traced, ways[i], 16);
+        murk_image *map = taken(stage, traced, methods[i], 16);
         const double error = hypot(map->mean_error[0], path->mean_error[0]);
         printf("paths %.4f +- %.4f, maps %.4f +- %.4f\n", path->mean[0],
                path->mean_error[0], map->mean[0], map->mean_error[0]);
@@ -91,7 +92,7 @@ int main(void)
     static const char *const plain[] = {NULL};
     static const char *const by_water[] = {
         "media={water: {extinction_per_m: 0, albedo: 0}}", WATER, NULL};
-    test_three_ways_agree(plain);
-    test_three_ways_agree(by_water);
+    test_three_methods_agree(plain);
+    test_three_methods_agree(by_water);
     return check_done();
 }

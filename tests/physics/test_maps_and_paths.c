@@ -1,10 +1,10 @@
-/* Pictures by maps, by maps alone and by paths: one radiance, three ways.
+/* Pictures by maps, by maps alone and by paths: one radiance by three methods.
  *
  * Closed rooms have exact solutions: where walls shine and reflect alike and
  * nothing else absorbs, there is one radiance everywhere, n^2 times as much
- * where the index of refraction is n (test_light_in_solids.c says by whom);
- * a hollow ball glows evenly from a lamp in its middle. Each way's mean is
- * within 2 % of these as it stands, noise and all, with 100,000 photons; 4 %
+ * where the index of refraction is n (test_light_in_solids.c says by whom); a
+ * hollow ball glows evenly from a lamp in its middle. The mean of each method
+ * is within 2 % of these as it stands, noise and all, with 100,000 photons; 4 %
  * more or less is refused.
  *
  * In four scenes without an exact solution, a hall in smoke, a foggy room, a
@@ -45,7 +45,7 @@
 static double limit;
 static bool is_nightly;
 
-static const char ROOM[] =
+static const char FOGGY_BOX[] =
     "murk: 1\n"
     "domain: {min_m: [0, 0, 0], max_m: [4, 4, 3]}\n"
     "geometry:\n"
@@ -122,7 +122,7 @@ typedef struct view {
     bool is_round;  /* the camera sees all round */
 } view;
 
-static const view views[] = {
+static const view pictures[] = {
     {.name = "hall",
      .path = "scenes/smoke-hall.yaml",
      .mean = 0.108844,
@@ -131,7 +131,7 @@ static const view views[] = {
      .to = {19, 8, 0.5},
      .samples = 96},
     {.name = "room",
-     .yaml = ROOM,
+     .yaml = FOGGY_BOX,
      .mean = 0.258573,
      .error = 0.00026,
      .from = {0.5, 3.5, 1.6},
@@ -364,7 +364,7 @@ static void check_maps(const view *v, const char *name, const murk_image *map)
     }
 }
 
-static void test_three_ways_agree(const view *v)
+static void test_three_methods_agree(const view *v)
 {
     murk_stage *stage = made(v);
     murk_image *path =
@@ -468,7 +468,7 @@ static void test_paths_agree_with_other_seeds(void)
                           .from = {0.5, 3.5, 1.6},
                           .to = {3, 1, 0.5}};
     check_seeds(&lantern, 250, 1, 1.01);
-    check_seeds(&views[1], 700, BLOCK, 1.03);
+    check_seeds(&pictures[1], 700, BLOCK, 1.03);
 }
 
 /* Sixteen times the photons leave a quarter of the standard error of the
@@ -479,12 +479,13 @@ static void test_paths_agree_with_other_seeds(void)
 static void test_errors_fall_with_photons(void)
 {
     /* Render one view from photon maps of more and more photons. */
-    const view *room = &views[1];
-    murk_stage *stage = made(room);
+    const view *foggy_box = &pictures[1];
+    murk_stage *stage = made(foggy_box);
     double before = INFINITY, pixels_before = INFINITY;
     for (uint64_t photons = 500; photons <= 128000; photons *= 16) {
         murk_traced *traced = lit(stage, photons);
-        murk_image *map = taken(room, stage, traced, MURK_BY_MAPS_ONLY, 24, 2);
+        murk_image *map =
+            taken(foggy_box, stage, traced, MURK_BY_MAPS_ONLY, 24, 2);
         /* Root mean square of the errors of the pixels. */
         double squares = 0;
         for (size_t i = 0; i < PIXELS; ++i) {
@@ -492,11 +493,11 @@ static void test_errors_fall_with_photons(void)
         }
         const double pixels = sqrt(squares / PIXELS);
         printf("%6.0f photons: %+.4f +- %.4f, pixels +- %.4f\n",
-               (double)photons, map->mean[0] / room->mean - 1,
-               map->mean_error[0] / room->mean, pixels / room->mean);
+               (double)photons, map->mean[0] / foggy_box->mean - 1,
+               map->mean_error[0] / foggy_box->mean, pixels / foggy_box->mean);
         /* The mean is right, and both errors are smaller than those with
          * fewer photons. */
-        CHECK_WITHIN(limit, map->mean[0], room->mean, map->mean_error[0]);
+        CHECK_WITHIN(limit, map->mean[0], foggy_box->mean, map->mean_error[0]);
         CHECK(map->mean_error[0] < before / 1.5);
         CHECK(pixels < pixels_before);
         before = map->mean_error[0];
@@ -511,8 +512,8 @@ int main(int argc, char **argv)
 {
     limit = murk_sidak_limit(1e-6, ZTESTS);
     is_nightly = argc > 1 && strcmp(argv[1], "nightly") == 0;
-    for (size_t i = 0; i < sizeof views / sizeof *views; ++i) {
-        test_three_ways_agree(&views[i]);
+    for (size_t i = 0; i < sizeof pictures / sizeof *pictures; ++i) {
+        test_three_methods_agree(&pictures[i]);
     }
     test_exact_solutions();
     test_paths_agree_with_other_seeds();

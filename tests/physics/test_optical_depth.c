@@ -76,9 +76,9 @@ static double depth_through_grid(const probe *p, double factor)
     const murk_vec3 from = murk_affine_point(&region.to_world, p->from);
     const murk_vec3 to = murk_affine_point(&region.to_world, p->to);
     const double through = murk_media_transmittance(media, 0, 0, from, to);
-    const murk_vec3 way = murk_sub(to, from);
+    const murk_vec3 offset = murk_sub(to, from);
     const double depth = murk_media_optical_depth(
-        media, 0, 0, from, murk_unit(way), murk_length(way));
+        media, 0, 0, from, murk_unit(offset), murk_length(offset));
     CHECK_NEAR(through, exp(-depth), 4 * DBL_EPSILON * depth);
     murk_media_destroy(media);
     murk_grid_destroy(grid);
@@ -229,9 +229,9 @@ static double depth_through_layers(size_t n, const double *z_m,
     murk_error err = {0};
     CHECK(murk_media_create(&media, &medium, 1, &region, 1, &WORLD, &err) ==
           MURK_OK);
-    const murk_vec3 way = murk_sub(to, from);
+    const murk_vec3 offset = murk_sub(to, from);
     const double depth = murk_media_optical_depth(
-        media, 0, 0, from, murk_unit(way), murk_length(way));
+        media, 0, 0, from, murk_unit(offset), murk_length(offset));
     murk_media_destroy(media);
     return depth;
 }

@@ -32,7 +32,7 @@
 /* A room that is lit mostly by light that a wall sends back: the lamp shines at
  * the ceiling, a second one stands behind a screen, haze lies in the room, and
  * one wall is a mirror. */
-static const char ROOM[] =
+static const char INDIRECT_LIGHT[] =
     "murk: 1\n"
     "domain: {min_m: [0, 0, 0], max_m: [5, 4, 3]}\n"
     "geometry:\n"
@@ -60,14 +60,14 @@ typedef struct view {
     murk_vec3 from, to;
 } view;
 
-static const view views[] = {{.name = "room",
-                              .yaml = ROOM,
-                              .from = {0.3, 0.4, 1.6},
-                              .to = {4, 2.5, 0.8}},
-                             {.name = "hall",
-                              .path = "scenes/smoke-hall.yaml",
-                              .from = {28.6, 3, 2.2},
-                              .to = {15, 10, 3.4}}};
+static const view pictures[] = {{.name = "room",
+                                 .yaml = INDIRECT_LIGHT,
+                                 .from = {0.3, 0.4, 1.6},
+                                 .to = {4, 2.5, 0.8}},
+                                {.name = "hall",
+                                 .path = "scenes/smoke-hall.yaml",
+                                 .from = {28.6, 3, 2.2},
+                                 .to = {15, 10, 3.4}}};
 
 static murk_stage *made(const view *v)
 {
@@ -181,10 +181,10 @@ static void test_errors_are_honest(const view *v, size_t seeds,
 int main(int argc, char **argv)
 {
     if (argc > 1 && strcmp(argv[1], "nightly") == 0) {
-        test_errors_are_honest(&views[0], SEEDS_MAX, 8000);
-        test_errors_are_honest(&views[1], SEEDS_MAX, 8000);
+        test_errors_are_honest(&pictures[0], SEEDS_MAX, 8000);
+        test_errors_are_honest(&pictures[1], SEEDS_MAX, 8000);
     } else {
-        test_errors_are_honest(&views[0], 16, 1000);
+        test_errors_are_honest(&pictures[0], 16, 1000);
     }
     return check_done();
 }

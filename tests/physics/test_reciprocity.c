@@ -1,11 +1,11 @@
 /* Lamp and probe change places: a lamp at A gives to B what one at B gives to
- * A, over n^2 of the place that is lit, whatever stands and drifts between
- * them (Case, Rev. Mod. Phys. 29 (1957) 651, doi:10.1103/RevModPhys.29.651;
- * n^2: Nicodemus, Am. J. Phys. 31 (1963) 368, doi:10.1119/1.1969512).
+ * A, over n^2 of the place that is lit, whatever stands and drifts between them
+ * (Case, Rev. Mod. Phys. 29 (1957) 651, doi:10.1103/RevModPhys.29.651; n^2:
+ * Nicodemus, Am. J. Phys. 31 (1963) 368, doi:10.1119/1.1969512).
  *
  * A lamp is a ball's worth of points, the probe a ball: the mean over the eight
  * corners of a cube whose half diagonal is sqrt(3/5) of the ball's radius is
- * that over the ball for all cubics in place, so both ways average alike.
+ * that over the ball for all cubics in place, so both directions average alike.
  *
  * The z-tests of a run share a 1e-6 chance of a false alarm (Sidak). */
 #include "base/stats.h"

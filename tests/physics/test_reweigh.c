@@ -46,7 +46,7 @@ static const char scene_text[] =
     " radius_m: 0.3, power_w: 1}\n"
     "photons: {emit: 100000, store_when: hit, maps: surface}\n";
 
-static const size_t kept_media[1] = {0};
+static const size_t reweighed_media[1] = {0};
 
 static const murk_receiver receivers[RECEIVERS] = {
     {{0.5, 0.5, 1.25}, 0.2, {0, 0, 0}, 0, -1},
@@ -58,7 +58,7 @@ static const murk_receiver receivers[RECEIVERS] = {
 static followed_text lit_at(const char *const *overrides)
 {
     return followed_text_trace(scene_text, overrides,
-                               (murk_histories_desc){.medium = kept_media,
+                               (murk_histories_desc){.medium = reweighed_media,
                                                      .media = 1,
                                                      .keeps_cosines = true,
                                                      .receiver = receivers,

@@ -70,7 +70,7 @@ static void slopes_at(double extinction, const char *phase, int place,
                       murk_estimate slope[KINDS])
 {
     /* The receivers, and the scene with this extinction. */
-    static const size_t kept[1] = {0};
+    static const size_t reweighed[1] = {0};
     static murk_receiver receiver[KINDS * RECEIVERS];
     static double batch[BATCHES][KINDS];
     char text[64], seed[24];
@@ -88,7 +88,7 @@ static void slopes_at(double extinction, const char *phase, int place,
     const murk_optics_sides sides = {low, high, 2 * step};
     const murk_histories_desc desc = {.stage = stage,
                                       .threads = 2,
-                                      .medium = kept,
+                                      .medium = reweighed,
                                       .media = 1,
                                       .receiver = receiver,
                                       .receivers = KINDS * RECEIVERS};

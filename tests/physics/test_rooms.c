@@ -131,7 +131,7 @@ static void count_hits(void *context, uint64_t batch, const murk_event *event)
 }
 
 /* The room is the domain's own box, and a smaller one; no light may leak. */
-static void test_hits_in_a_closed_room(uint32_t seed)
+static void test_hits_in_a_closed_box(uint32_t seed)
 {
     const double d = 0.8, mean = 1 / (1 - d);
     const double sigma = sqrt(d) / (1 - d) / sqrt(PHOTONS);
@@ -139,16 +139,16 @@ static void test_hits_in_a_closed_room(uint32_t seed)
     const murk_source lamp = test_point(murk_vec(1, 2, 0.5));
     for (int i = 0; i < 2; ++i) {
         const double x = i == 0 ? 8 : 7.3;
-        const murk_surface_desc room =
+        const murk_surface_desc walls =
             test_box(murk_vec(-x, -8, -x / 3), murk_vec(x, 8, x / 3), 0);
         murk_domain domain = hall;
         if (i == 0) {
-            domain.box = room.box;
+            domain.box = walls.box;
         }
         test_world w = test_world_made(&(test_setup){.domain = domain,
                                                      .lights = &lamp,
                                                      .n_lights = 1,
-                                                     .surfaces = &room,
+                                                     .surfaces = &walls,
                                                      .n_surfaces = 1,
                                                      .materials = &white,
                                                      .n_materials = 1});
@@ -170,6 +170,6 @@ int main(int argc, char **argv)
     test_point_lamp_over_a_floor(seed);
     test_flat_lamp_over_a_floor(seed);
     test_point_lamp_in_a_sphere_is_even(seed);
-    test_hits_in_a_closed_room(seed);
+    test_hits_in_a_closed_box(seed);
     return check_done();
 }

@@ -51,7 +51,8 @@ static murk_table *reference(void)
     return table;
 }
 
-static double told(const murk_table *table, bool is_below, double angle_deg)
+static double tabulated(const murk_table *table, bool is_below,
+                        double angle_deg)
 {
     const long angle = murk_table_column(table, "angle_deg");
     const long column = murk_table_column(table, is_below ? "transmitted_per_sr"
@@ -128,7 +129,7 @@ static double worst(const murk_table *table, const radiances *r, int tilts)
 {
     double max = 0;
     for (int k = 0; k < 2 * tilts; ++k) {
-        const double want = told(table, k % 2, tilt_deg[k / 2]);
+        const double want = tabulated(table, k % 2, tilt_deg[k / 2]);
         const double z =
             sigmas_off(r->mean[k % 2][k / 2], want, r->error[k % 2][k / 2]);
         printf("%4.0f degrees, %s: %.5f +- %.5f, reference %.5f, z %.2f\n",

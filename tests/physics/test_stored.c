@@ -3,10 +3,10 @@
  * as the contract defines both.
  *
  * The events of one emitted photon are kept together: errors come from the
- * photons. Both ways share the photons' paths, so the difference is compared
- * with the error of the difference, photon by photon. The checks share a 1e-6
- * false-alarm budget. Teeth: a diffuse coefficient or albedo off by 10 % (25 %
- * where paths differ) in one of the two ways must fail. */
+ * photons. Both settings share the photons' paths, so the difference is
+ * compared with the error of the difference, photon by photon. The checks share
+ * a 1e-6 false-alarm budget. Teeth: a diffuse coefficient or albedo off by 10 %
+ * (25 % where paths differ) under one of the two settings must fail. */
 #include "base/stats.h"
 #include "check.h"
 #include "lightmap/lightmap.h"
@@ -36,7 +36,7 @@ static const char scene_text[] =
 static bool sums_by_photon(const char *store_when, const char *least_weight,
                            double *wall, double *fog)
 {
-    /* Trace the maps with this way of storing. */
+    /* Trace the maps with this setting of the stored records. */
     const char *const overrides[] = {store_when, least_weight, NULL};
     murk_error err = {0};
     murk_traced *traced = NULL;
@@ -68,7 +68,7 @@ done:
     return is_traced;
 }
 
-/* Sigmas between the two ways when the second is scaled by `wrong`. */
+/* Sigmas between the two settings when the second is scaled by `wrong`. */
 static double sigmas_between(const double *a, const double *b, double wrong)
 {
     double *difference = calloc(PHOTONS, sizeof *difference);
@@ -82,7 +82,7 @@ static double sigmas_between(const double *a, const double *b, double wrong)
 
 int main(void)
 {
-    static const char *const way[][2] = {
+    static const char *const settings[][2] = {
         {"photons.store_when=reflected", "photons.least_weight=1"},
         {"photons.store_when=hit", "photons.least_weight=1"},
         {"photons.store_when=reflected", "photons.least_weight=0.01"},
@@ -93,12 +93,12 @@ int main(void)
     for (size_t i = 0; i < 4; ++i) {
         wall[i] = sum + 2 * i * PHOTONS;
         fog[i] = wall[i] + PHOTONS;
-        CHECK(sums_by_photon(way[i][0], way[i][1], wall[i], fog[i]));
+        CHECK(sums_by_photon(settings[i][0], settings[i][1], wall[i], fog[i]));
     }
     for (size_t i = 1; i < 4; ++i) {
         CHECK(sigmas_between(wall[0], wall[i], 1) < limit);
         CHECK(sigmas_between(fog[0], fog[i], 1) < limit);
-        /* Ways that share no paths are told apart less finely. */
+        /* Settings that share no paths are compared less precisely. */
         const double wrong = i == 1 ? 1.1 : 1.25;
         CHECK(sigmas_between(wall[0], wall[i], wrong) > limit);
         CHECK(sigmas_between(fog[0], fog[i], wrong) > limit);

@@ -145,14 +145,14 @@ int main(void)
     lamps[0].power_w.band[0] = 10;
     lamps[1].power_w.band[0] = 3;
     const murk_material wall = test_material(0.9, 0, 0, 0);
-    const murk_surface_desc room =
+    const murk_surface_desc walls =
         test_box(murk_vec(0.01, 0.01, 0.01), murk_vec(3.99, 2.99, 1.99), 0);
     const murk_medium fog = test_medium(1.5, 0.99, 0.5);
     const murk_region region = test_everywhere(0);
     test_world w = test_world_made(&(test_setup){.domain = domain,
                                                  .lights = lamps,
                                                  .n_lights = LAMPS,
-                                                 .surfaces = &room,
+                                                 .surfaces = &walls,
                                                  .n_surfaces = 1,
                                                  .materials = &wall,
                                                  .n_materials = 1,

@@ -20,7 +20,7 @@
 /* The sensor at (1, 2, 1.5), a screen 1 m wide from floor to ceiling 1.5 m in
  * front of it, and 1.5 m behind that the wall in question: so 2 m of its 4 are
  * hidden. The gas is in the second band only. */
-static const char room[] =
+static const char SCENE[] =
     "murk: 1\n"
     "bands_nm: [450, 650]\n"
     "domain: {min_m: [0, 0, 0], max_m: [4, 4, 3]}\n"
@@ -53,7 +53,7 @@ static murk_plan_result plan_of(const char *targets, const char *more)
     snprintf(text, sizeof text, "placement.targets=%s", targets);
     const char *const overrides[] = {text, more ? more : seed_text, seed_text,
                                      NULL};
-    murk_stage *stage = stage_text_create(room, overrides);
+    murk_stage *stage = stage_text_create(SCENE, overrides);
     CHECK(stage && !murk_plan_prepare(&plan, stage, 2, &err) &&
           !murk_lightmap_trace(&traced, stage, 0, 2, &err) &&
           !murk_plan_for_scene(&plan, stage, traced, 2, &err));

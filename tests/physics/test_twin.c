@@ -92,7 +92,7 @@ static answer murk_answer(const plain_box *b, uint32_t seed)
 }
 
 /* Two independent counts of n photons each. */
-static double sigmas_apart(double a, double b)
+static double sigmas_between(double a, double b)
 {
     const double p = (a + b) / (2. * PHOTONS);
     return a == b ? 0 : fabs(a - b) / sqrt(2 * PHOTONS * p * (1 - p));
@@ -137,10 +137,10 @@ static void test_twin_agrees(uint32_t seed)
                            .majorant_per_m = .08};
     const answer a = murk_answer(&fog, seed);
     const plain_result b = plain_trace(&fog, PHOTONS, seed);
-    CHECK(sigmas_apart(a.absorbed, (double)b.absorbed) < limit());
+    CHECK(sigmas_between(a.absorbed, (double)b.absorbed) < limit());
     for (int side = 0; side < 6; ++side) {
-        CHECK(sigmas_apart(a.ends.escaped[side],
-                           (double)b.escaped[side / 2][side % 2]) < limit());
+        CHECK(sigmas_between(a.ends.escaped[side],
+                             (double)b.escaped[side / 2][side % 2]) < limit());
     }
     /* Teeth: g off by .1 shows in the light that goes on upwards. */
     plain_box wrong = fog;
@@ -149,8 +149,8 @@ static void test_twin_agrees(uint32_t seed)
     double worst = 0;
     for (int side = 0; side < 6; ++side) {
         worst =
-            fmax(worst, sigmas_apart(c.ends.escaped[side],
-                                     (double)b.escaped[side / 2][side % 2]));
+            fmax(worst, sigmas_between(c.ends.escaped[side],
+                                       (double)b.escaped[side / 2][side % 2]));
     }
     CHECK(worst > limit());
 }
@@ -168,16 +168,16 @@ static void test_a_ball_in_the_cube(uint32_t seed)
                             .ball = {.002, 5, .9}};
     const answer a = murk_answer(&cube, seed);
     const plain_result b = plain_trace(&cube, PHOTONS, seed);
-    CHECK(sigmas_apart(a.absorbed, (double)b.absorbed) < limit());
+    CHECK(sigmas_between(a.absorbed, (double)b.absorbed) < limit());
     for (int side = 0; side < 6; ++side) {
-        CHECK(sigmas_apart(a.ends.escaped[side],
-                           (double)b.escaped[side / 2][side % 2]) < limit());
+        CHECK(sigmas_between(a.ends.escaped[side],
+                             (double)b.escaped[side / 2][side % 2]) < limit());
     }
     /* Teeth: a ball that absorbs at a sixth of what it meets. */
     plain_box wrong = cube;
     wrong.ball.absorption_per_m = 1;
-    CHECK(sigmas_apart(murk_answer(&wrong, seed).absorbed, (double)b.absorbed) >
-          limit());
+    CHECK(sigmas_between(murk_answer(&wrong, seed).absorbed,
+                         (double)b.absorbed) > limit());
 }
 
 int main(int argc, char **argv)

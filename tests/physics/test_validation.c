@@ -59,7 +59,7 @@ static void test_digits(void)
 static void trace(validation *v, double albedo, uint32_t events_max)
 {
     /* The case of one quantity. */
-    static const score_of through = {.kind = SCORE_ESCAPED, .way = 1};
+    static const score_of through = {.kind = SCORE_ESCAPED, .side = 1};
     const scores score = {&through, 1};
     const validation_reference half = {"through", .5, 0};
     /* A beam through fog of optical depth ln 2. */

@@ -3,8 +3,8 @@
  *
  * Balance. Light of radiance n^2 on both sides, the same in all directions,
  * must stay so (Kirchhoff; n^2: Nicodemus, Am. J. Phys. 31 (1963) 368,
- * doi:10.1119/1.1969512), and each way that light takes must have the weight of
- * the way back (Helmholtz). The ways here are from a class of directions to
+ * doi:10.1119/1.1969512), and each path of light must have the weight of the
+ * reverse path (Helmholtz). The paths here are from a class of directions to
  * another, by side, square of the cosine and turn in azimuth. A walk without
  * hidden heights, which keeps energy just as well, is refused by the same
  * check. Then a whole sea with murk, glass and an island, which absorb nothing.
@@ -16,9 +16,9 @@
  * m/s. Of a diffuse sky over level water: Walsh's closed form; over waves it
  * falls with the wind.
  *
- * Bottom. Black, grey and white Lambertian bottoms under clear water send
- * Rs + (1 - Rs) A (1 - Ri) / (1 - A Ri) back, with Rs of the surface for the
- * sun, Ri for diffuse light from below, Ri = 1 - (1 - Re) / n^2 by balance.
+ * Bottom. Black, grey and white Lambertian bottoms under clear water send Rs +
+ * (1 - Rs) A (1 - Ri) / (1 - A Ri) back, with Rs of the surface for the sun, Ri
+ * for diffuse light from below, Ri = 1 - (1 - Re) / n^2 by balance.
  *
  * The z-tests of a run share a 1e-6 chance of a false alarm (Sidak). */
 #include "base/stats.h"
@@ -47,15 +47,16 @@ static double limit(void)
 #define CLASSES (2 * STEPS)
 #define TURNS   3 /* of azimuth, between 0 and half a turn */
 
-typedef struct ways {
+typedef struct outcomes {
     double n[CLASSES][CLASSES][TURNS];
     double from[CLASSES], to[CLASSES];
     double lost;
-} ways;
+} outcomes;
 
-typedef bool (*meeting)(const murk_address *address, double n_from, double n_to,
-                        double mean_square_slope, murk_vec3 direction,
-                        murk_vec3 normal, murk_bounce *bounce);
+typedef bool (*meet_function)(const murk_address *address, double n_from,
+                              double n_to, double mean_square_slope,
+                              murk_vec3 direction, murk_vec3 normal,
+                              murk_bounce *bounce);
 
 /* A wrong walk that looks right: the facet is drawn by the visible area,
  * and light that does not go towards the mean surface leaves. */
@@ -101,10 +102,11 @@ static int class_of(bool in_water, double cosine)
     return (in_water ? STEPS : 0) + (step < STEPS ? step : STEPS - 1);
 }
 
-/* Counts ways of Lambertian light of radiance n^2 from either side. */
-static ways follow(meeting meet, double mean_square_slope, uint32_t seed)
+/* Counts paths of Lambertian light of radiance n^2 from either side. */
+static outcomes follow(meet_function meet, double mean_square_slope,
+                       uint32_t seed)
 {
-    ways w = {.lost = 0};
+    outcomes w = {.lost = 0};
     const murk_vec3 up = {0, 0, 1};
     for (uint64_t i = 0; i < PHOTONS; ++i) {
         /* A photon comes from the water with a chance of n^2 / (1 + n^2),
@@ -121,7 +123,7 @@ static ways follow(meeting meet, double mean_square_slope, uint32_t seed)
             w.lost += 1;
             continue;
         }
-        /* Count the way by class before, class after, and turn in azimuth. */
+        /* Count the path by class before, class after, and turn in azimuth. */
         const murk_vec3 d = out.direction;
         const double turned = fabs(
             atan2(in.x * d.y - in.y * d.x, in.x * d.x + in.y * d.y) / MURK_PI);
@@ -136,7 +138,7 @@ static ways follow(meeting meet, double mean_square_slope, uint32_t seed)
 
 /* The most that a class of what leaves differs from what Lambertian light
  * would leave there, in sigmas. */
-static double off_lambert(const ways *w)
+static double off_lambert(const outcomes *w)
 {
     double worst = 0;
     for (int c = 0; c < CLASSES; ++c) {
@@ -148,8 +150,8 @@ static double off_lambert(const ways *w)
     return worst;
 }
 
-/* The most that a way differs from the way back, in sigmas. */
-static double off_balance(const ways *w)
+/* The largest difference between a path and the reverse path, in sigmas. */
+static double off_balance(const outcomes *w)
 {
     double worst = 0;
     for (int a = 0; a < CLASSES; ++a) {
@@ -171,13 +173,13 @@ static void test_isotropic_light_stays_so(uint32_t seed)
     /* 5 and 20 m/s, and steeper than any sea */
     const double slope[] = {.0286, .1054, .5};
     for (int i = 0; i < 3; ++i) {
-        const ways w = follow(murk_meet_facets, slope[i], seed);
+        const outcomes w = follow(murk_meet_facets, slope[i], seed);
         CHECK(w.lost == 0);
         CHECK(off_lambert(&w) < limit());
         CHECK(off_balance(&w) < limit());
     }
     /* Teeth: without hidden heights. */
-    const ways w = follow(meet_without_heights, .1054, seed);
+    const outcomes w = follow(meet_without_heights, .1054, seed);
     CHECK(off_lambert(&w) > limit());
     CHECK(off_balance(&w) > limit());
 }

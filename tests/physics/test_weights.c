@@ -26,10 +26,10 @@ static const slab slabs[] = {
     {.2, 0, 5, .035230, .008082},
 };
 
-static const double least_weights[] = {1, .3, 1e-2, MURK_MIN_WEIGHT_MIN};
+static const double min_weights[] = {1, .3, 1e-2, MURK_MIN_WEIGHT_MIN};
 
 #define SLABS   (sizeof slabs / sizeof slabs[0])
-#define WEIGHTS (sizeof least_weights / sizeof least_weights[0])
+#define WEIGHTS (sizeof min_weights / sizeof min_weights[0])
 #define Z_TESTS (2 * SLABS * WEIGHTS)
 
 typedef struct ends {
@@ -95,7 +95,7 @@ int main(int argc, char **argv)
     for (size_t i = 0; i < SLABS; ++i) {
         const slab *s = &slabs[i];
         for (size_t k = 0; k < WEIGHTS; ++k) {
-            const shares got = traced(s, s->albedo, least_weights[k], seed);
+            const shares got = traced(s, s->albedo, min_weights[k], seed);
             CHECK_WITHIN(limit, got.back.value, s->reflected,
                          got.back.standard_error);
             CHECK_WITHIN(limit, got.through.value, s->transmitted,

@@ -43,7 +43,7 @@ static double worst_of(const murk_grid *grid, bool is_linear,
     test_flights delta = test_fly(media, &box, FLIGHTS, seed, true);
     double worst =
         fmax(test_flights_off_law(&march), test_flights_off_law(&delta));
-    worst = fmax(worst, test_flights_apart(&march, &delta));
+    worst = fmax(worst, test_flights_distance(&march, &delta));
     CHECK(march.wrong == 0 && delta.wrong == 0);
     CHECK(march.collided > 0.1 * FLIGHTS && march.collided < 0.98 * FLIGHTS);
     test_flights_free(&march);

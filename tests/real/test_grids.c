@@ -28,11 +28,11 @@ static const char *value_of(const char *from, const char *key)
     return at ? at + strlen(quoted) : "";
 }
 
-static void read_text(const char *from, const char *key, char *to, size_t room)
+static void read_text(const char *from, const char *key, char *to, size_t size)
 {
     const char *at = strchr(value_of(from, key), '"');
     const size_t n = at ? strcspn(at + 1, "\"") : 0;
-    snprintf(to, room, "%.*s", (int)n, at ? at + 1 : "");
+    snprintf(to, size, "%.*s", (int)n, at ? at + 1 : "");
 }
 
 static double read_number(const char *from, const char *key)

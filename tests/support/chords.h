@@ -20,10 +20,10 @@ typedef struct chords {
     size_t n;
     chord_place place[CHORD_PLACES_MAX];
     uint64_t photons;              /* so far */
-    double now[CHORD_PLACES_MAX];  /* of the photon under way [m] */
+    double now[CHORD_PLACES_MAX];  /* of the current photon [m] */
     double sum[CHORD_PLACES_MAX];  /* of those before */
     double sum2[CHORD_PLACES_MAX]; /* squares */
-    murk_vec3 from, direction;     /* of the leg under way */
+    murk_vec3 from, direction;     /* of the current segment */
     double weight;
 } chords;
 

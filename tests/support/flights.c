@@ -26,8 +26,8 @@ static line line_through(const murk_box *box, uint32_t seed, uint64_t i)
     const murk_vec3 to = {box->min.x + b.u[0] * size.x,
                           box->min.y + b.u[1] * size.y,
                           box->min.z + b.u[2] * size.z};
-    const murk_vec3 way = murk_sub(to, from);
-    return (line){from, murk_unit(way), 2 * murk_length(way)};
+    const murk_vec3 offset = murk_sub(to, from);
+    return (line){from, murk_unit(offset), 2 * murk_length(offset)};
 }
 
 static bool fits(const murk_media *media, const line *l,
@@ -115,7 +115,7 @@ double test_flights_off_law(const test_flights *flights)
     return maximum * sqrt(n);
 }
 
-double test_flights_apart(const test_flights *a, const test_flights *b)
+double test_flights_distance(const test_flights *a, const test_flights *b)
 {
     const double n = (double)a->n, m = (double)b->n;
     double maximum = 0;

@@ -30,7 +30,7 @@ void test_flights_free(test_flights *flights);
  * between the y of two. Above x with probability 2 exp(-2 x^2) at most
  * (Smirnov, Ann. Math. Stat. 19 (1948) 279, doi:10.1214/aoms/1177730256). */
 double test_flights_off_law(const test_flights *flights);
-double test_flights_apart(const test_flights *a, const test_flights *b);
+double test_flights_distance(const test_flights *a, const test_flights *b);
 
 /* The limit for those at which `checks` of them together raise a false alarm
  * with probability `budget`. */

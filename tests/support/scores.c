@@ -16,7 +16,7 @@ static bool is_direct(const murk_event *event)
 
 static bool counts(const score_of *s, const murk_event *event, double mu)
 {
-    if ((s->way > 0 && !(mu > 0)) || (s->way < 0 && !(mu < 0))) {
+    if ((s->side > 0 && !(mu > 0)) || (s->side < 0 && !(mu < 0))) {
         return false;
     }
     if (s->light != SCORE_ALL_LIGHT &&
@@ -32,7 +32,8 @@ static double over_cosine(double mu)
     return m < GRAZING ? 2 / GRAZING : 1 / m;
 }
 
-/* A level belongs to the leg that ends on it, not to one that starts there. */
+/* A level belongs to the segment that ends on it, not to one that starts
+ * there. */
 static bool passes(double from_z, double to_z, double z)
 {
     return from_z < to_z ? from_z < z && z <= to_z : to_z <= z && z < from_z;

@@ -1,6 +1,6 @@
-/* What a photon scores in a world of level layers, from its legs alone.
+/* What a photon scores in a world of level layers, from its segments alone.
  *
- * Levels lie at a z; `way` is +1 along z, -1 against it, 0 both. Scores are
+ * Levels lie at a z; `side` is +1 along z, -1 against it, 0 both. Scores are
  * shares of the emitted power; a fluence is the power through a level over
  * |cosine| (fluence rate times area). */
 #ifndef MURK_TESTS_SCORES_H
@@ -25,7 +25,7 @@ typedef enum score_light {
 typedef struct score_of {
     score_kind kind;
     score_light light;
-    int way;
+    int side;
     double z_m;
     double mu_min, mu_max; /* of |cosine| with z, [least, most); both 0: any
                             */

@@ -33,7 +33,7 @@
 typedef struct batch_sums {
     bool is_begun;
     murk_event before;
-    double photon[VALIDATION_QUANTITIES_MAX]; /* of the photon under way */
+    double photon[VALIDATION_QUANTITIES_MAX]; /* of the current photon */
     double sum[VALIDATION_QUANTITIES_MAX], square[VALIDATION_QUANTITIES_MAX];
     uint64_t scorers[VALIDATION_QUANTITIES_MAX];
 } batch_sums;

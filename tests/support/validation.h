@@ -48,11 +48,11 @@ typedef struct validation_reference {
                            and whatever else the case states, in quadrature */
 } validation_reference;
 
-/* What happened to a photon on one leg: `before` is the event that the leg
- * starts from, `event` the one it ends with (never the emission); between them
- * it flew straight along event->direction_in with event->weight of its packet.
- * Adds to scores[quantities]. Called on many threads: must change nothing
- * else. */
+/* What happened to a photon on one segment: `before` is the event that the
+ * segment starts from, `event` the one it ends with (never the emission);
+ * between them it flew straight along event->direction_in with event->weight of
+ * its packet. Adds to scores[quantities]. Called on many threads: must change
+ * nothing else. */
 typedef void (*validation_score)(const void *context, const murk_event *before,
                                  const murk_event *event, double *scores);
 

@@ -14,11 +14,11 @@ validation_row *validation_add_row(validation *v, const char *name,
                                    const char *source, const char *is_wrong,
                                    const validation_reference *reference)
 {
-    if (v->rows == v->room) {
-        v->room = v->room ? 2 * v->room : 256;
-        validation_row *grown = realloc(v->row, v->room * sizeof *grown);
+    if (v->rows == v->capacity) {
+        v->capacity = v->capacity ? 2 * v->capacity : 256;
+        validation_row *grown = realloc(v->row, v->capacity * sizeof *grown);
         if (!grown) {
-            fprintf(stderr, "no memory for %zu rows\n", v->room);
+            fprintf(stderr, "no memory for %zu rows\n", v->capacity);
             exit(1);
         }
         v->row = grown;

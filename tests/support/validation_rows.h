@@ -22,7 +22,7 @@ struct validation {
     validation_settings settings;
     char group[32];
     validation_row *row;
-    size_t rows, room;
+    size_t rows, capacity;
 };
 
 /* A new row without an estimate. Ends the program where memory is short. */

@@ -117,14 +117,15 @@ static void test_frames_move(void)
     for (int i = 0; i < 2; ++i) {
         media_frame f = frame_of(moving[i]), later = f;
         later.time_s = 10;
-        const double way = 10 * *word_of(moving[i], &f, "wind_m_per_s");
+        const double drift = 10 * *word_of(moving[i], &f, "wind_m_per_s");
         double worst = 0, differ = 0;
         for (int k = 0; k < 100; ++k) {
             const murk_vec3 p = murk_vec(.5 * k, 40 - .3 * k, .2 * k + 1);
             const double now = moving[i]->value(&f, p);
-            worst = fmax(
-                worst, fabs(now - moving[i]->value(
-                                      &later, murk_vec(p.x + way, p.y, p.z))));
+            worst =
+                fmax(worst,
+                     fabs(now - moving[i]->value(
+                                    &later, murk_vec(p.x + drift, p.y, p.z))));
             differ = fmax(differ, fabs(now - moving[i]->value(&later, p)));
         }
         CHECK(worst < 1e-9);

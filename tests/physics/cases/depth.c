@@ -61,8 +61,8 @@ static void add_depth(profile *p, const murk_table *t, size_t row,
     static const char *const column[KINDS] = {"fluence", "down", "up"};
     static const score_of kind[KINDS] = {
         {.kind = SCORE_FLUENCE},
-        {.kind = SCORE_POWER, .way = 1},
-        {.kind = SCORE_POWER, .way = -1},
+        {.kind = SCORE_POWER, .side = 1},
+        {.kind = SCORE_POWER, .side = -1},
     };
     const double depth =
         reference_number(t, row, "z_cm") * p->extinction_per_cm;
@@ -131,7 +131,7 @@ static void trace_tallies(validation *v, const profile *p)
                             : layer_plane(names[n], z, 1);
         cell[n] = is_slice
                       ? (validation_cell){n, 0, 4 * HALF_WIDTH * HALF_WIDTH}
-                      : (validation_cell){n, p->score[i].way > 0 ? 0 : 1, 1};
+                      : (validation_cell){n, p->score[i].side > 0 ? 0 : 1, 1};
         reference[n] = p->reference[i];
         if (is_slice) {
             reference[n].uncertainty =

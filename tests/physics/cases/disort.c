@@ -99,7 +99,7 @@ static problem problem_of(const murk_table *t, size_t row)
         p.of[p.n] =
             (score_of){.kind = isnan(level) ? SCORE_ESCAPED : SCORE_POWER,
                        .light = light[k],
-                       .way = k == 0 ? -1 : 1,
+                       .side = k == 0 ? -1 : 1,
                        .z_m = isnan(level) ? 0 : level};
         p.reference[p.n++] = share(t, row, column[k]);
     }

@@ -150,16 +150,17 @@ static void sphere(validation *v, const char *is_wrong, double diffuse)
 
 #define REFLECTED .6
 
-static void furnished_room(validation *v, const char *is_wrong, double kept)
+static void furnished_enclosure(validation *v, const char *is_wrong,
+                                double absorbed)
 {
-    const murk_box room = {{0, 0, 0}, {4, 3, 2}};
+    const murk_box walls = {{0, 0, 0}, {4, 3, 2}};
     murk_source lamp[TEST_WALLS];
-    test_wall_lamps(&room, lamp);
+    test_wall_lamps(&walls, lamp);
     const murk_material materials[3] = {test_material(REFLECTED, 0, 0, 0),
-                                        test_material(1 - kept, 0, 0, 0),
-                                        test_material(0, 1 - kept, 0, 0)};
+                                        test_material(1 - absorbed, 0, 0, 0),
+                                        test_material(0, 1 - absorbed, 0, 0)};
     const murk_surface_desc surfaces[3] = {
-        test_box(room.min, room.max, 0),
+        test_box(walls.min, walls.max, 0),
         test_box(murk_vec(.5, .5, .3), murk_vec(1.7, 1.2, 1.4), 1),
         test_sphere(murk_vec(3, 1, .9), .6, 2)};
     test_world w = test_world_made(
@@ -200,8 +201,8 @@ void cases_enclosures(validation *v)
 {
     black_box(v, NULL, size.z);
     sphere(v, NULL, .8);
-    furnished_room(v, NULL, 0);
+    furnished_enclosure(v, NULL, 0);
     black_box(v, "height 1.55 m for 1.5", 1.55);
     sphere(v, "reflectance .81 for .8", .81);
-    furnished_room(v, "furniture that keeps 3 %", .03);
+    furnished_enclosure(v, "furniture that keeps 3 %", .03);
 }

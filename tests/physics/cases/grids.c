@@ -116,7 +116,7 @@ static int by_size(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Shares of the way at which the field's formula may change. */
+/* Fractions of the segment at which the field's formula may change. */
 static size_t cuts_of(const grid_case *c, murk_vec3 a, murk_vec3 b,
                       double cut[CUTS])
 {
@@ -142,7 +142,7 @@ static size_t cuts_of(const grid_case *c, murk_vec3 a, murk_vec3 b,
 static void integrate(const grid_case *c, double share[QUANTITIES])
 {
     const murk_vec3 a = to_voxels(c, c->from), b = to_voxels(c, c->to);
-    const murk_vec3 way = murk_sub(b, a);
+    const murk_vec3 offset = murk_sub(b, a);
     const double per_share =
         c->extinction_per_m * murk_length(murk_sub(c->to, c->from));
     double cut[CUTS], tau = 0;
@@ -154,10 +154,10 @@ static void integrate(const grid_case *c, double share[QUANTITIES])
             /* just inside both ends, so that a nearest field knows its side */
             const double t = cut[s] + i * step;
             const double first =
-                field_at(c, murk_along(a, t + 1e-9 * step, way), false);
-            const murk_vec3 middle = murk_along(a, t + step / 2, way);
-            const double last =
-                field_at(c, murk_along(a, t + (1 - 1e-9) * step, way), false);
+                field_at(c, murk_along(a, t + 1e-9 * step, offset), false);
+            const murk_vec3 middle = murk_along(a, t + step / 2, offset);
+            const double last = field_at(
+                c, murk_along(a, t + (1 - 1e-9) * step, offset), false);
             const double more = per_share * step / 6 *
                                 (first + 4 * field_at(c, middle, false) + last);
             share[SCATTERED] +=

@@ -16,7 +16,7 @@
     X(cube)                  \
     X(grids)                 \
     X(enclosures)            \
-    X(views)                 \
+    X(coverage)              \
     X(pixels)
 
 #define X(name) void cases_##name(validation *v);

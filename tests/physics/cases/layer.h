@@ -13,8 +13,8 @@ typedef struct layer {
     double tau;        /* INFINITY: so deep that nothing comes back */
     double mu0;        /* cosine of the beam with z; 0: 1 */
     bool is_diffuse;   /* lit by cosine law instead */
-    double half_width; /* of the periodic domain; 0: so wide that hardly any leg
-                          meets a side */
+    double half_width; /* of the periodic domain; 0: so wide that hardly any
+                          segment meets a side */
 } layer;
 
 test_world layer_made(const layer *of);

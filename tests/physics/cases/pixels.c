@@ -60,7 +60,7 @@ typedef struct view {
     murk_vec3 from, to;
 } view;
 
-static const view views[] = {
+static const view pictures[] = {
     {"hollow ball", BALL, OF_BALL, {.5, .1, 0}, {0, 1, .3}},
     {"fog between shining walls", FOG, OF_FOG, {.5, 1, 1}, {2, 1.1, .9}}};
 
@@ -151,8 +151,8 @@ static void compare(validation *v, const view *of, const char *is_wrong,
 
 void cases_pixels(validation *v)
 {
-    for (size_t i = 0; i < sizeof views / sizeof *views; ++i) {
-        compare(v, &views[i], NULL, 1);
+    for (size_t i = 0; i < sizeof pictures / sizeof *pictures; ++i) {
+        compare(v, &pictures[i], NULL, 1);
     }
-    compare(v, &views[0], "errors a tenth larger", 1.1);
+    compare(v, &pictures[0], "errors a tenth larger", 1.1);
 }

@@ -79,7 +79,7 @@ static double spline_at(const point_table *t, double r)
                 (b * b * b - b) * t->curvature[i]);
 }
 
-double point_table_shell(const point_table *t, double r0, double r1)
+double point_table_fluence(const point_table *t, double r0, double r1)
 {
     double sum = 0;
     for (int i = 0; i < BOUNDARY_STEPS; ++i) {
@@ -111,7 +111,7 @@ static double first_moment(double a, double r0, double r1)
            (r1 / a + 1 / (a * a)) * exp(-a * r1);
 }
 
-double point_exact_shell(double c, double r0, double r1)
+double point_exact_fluence(double c, double r0, double r1)
 {
     const double k = discrete_root(c), artanh_k = atanh(k);
     const double dc_dk = 1 / artanh_k - k / ((1 - k * k) * artanh_k * artanh_k);

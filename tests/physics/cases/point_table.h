@@ -28,11 +28,11 @@ point_table point_table_read(double albedo, double g);
 double point_table_at(const point_table *table, size_t i);
 
 /* Mean of f over [r0, r1], by the spline. */
-double point_table_shell(const point_table *table, double r0, double r1);
+double point_table_fluence(const point_table *table, double r0, double r1);
 
 /* The same for isotropic scattering, exact: Case, de Hoffmann and Placzek,
  * Introduction to the Theory of Neutron Diffusion (1953); r0 > 0. */
-double point_exact_shell(double albedo, double r0, double r1);
+double point_exact_fluence(double albedo, double r0, double r1);
 
 /* How far off the spline's means are at most, as a share, for shells from
  * r / stretch to r * stretch, stretch up to 1.25. The group measures it against

@@ -58,8 +58,8 @@ static void lay_shells(shells *s, const point_table *t, double stretch)
     *s = (shells){0};
     for (size_t i = 1; i < t->n && t->r[i] <= FARTHEST; ++i) {
         const double r = t->r[i], r0 = r / stretch, r1 = r * stretch;
-        const double f = t->g == 0 ? point_exact_shell(t->albedo, r0, r1)
-                                   : point_table_shell(t, r0, r1);
+        const double f = t->g == 0 ? point_exact_fluence(t->albedo, r0, r1)
+                                   : point_table_fluence(t, r0, r1);
         snprintf(s->quantity[s->n], sizeof s->quantity[s->n],
                  "4 pi r^2 fluence, r %.3g..%.3g", r0, r1);
         s->from[s->n] = r0;
@@ -312,15 +312,15 @@ static void check_table(double albedo)
     for (size_t i = 1; i < t.n && t.r[i] <= FARTHEST; ++i) {
         const double r = t.r[i], thin = 1e-5;
         const double at =
-            point_exact_shell(albedo, r * (1 - thin), r * (1 + thin));
+            point_exact_fluence(albedo, r * (1 - thin), r * (1 + thin));
         require(fabs(point_table_at(&t, i) / at - 1) < 3e-7,
                 "table and formula differ", albedo, r);
         for (int k = 0; k < 2; ++k) {
             const double stretch = k ? TALLY_STRETCH : MAP_STRETCH;
             const double exact =
-                point_exact_shell(albedo, r / stretch, r * stretch);
+                point_exact_fluence(albedo, r / stretch, r * stretch);
             const double spline =
-                point_table_shell(&t, r / stretch, r * stretch);
+                point_table_fluence(&t, r / stretch, r * stretch);
             require(fabs(spline / exact - 1) < point_table_error(stretch),
                     "the spline errs by more than it says", albedo, r);
         }

@@ -44,8 +44,8 @@ static void trace_layer(validation *v, const validation_case *c,
 /* The rows of one case follow one another. Returns the row after the last. */
 static size_t trace_case(validation *v, const murk_table *t, size_t row)
 {
-    static const score_of reflected = {.kind = SCORE_ESCAPED, .way = -1};
-    static const score_of transmitted = {.kind = SCORE_ESCAPED, .way = 1};
+    static const score_of reflected = {.kind = SCORE_ESCAPED, .side = -1};
+    static const score_of transmitted = {.kind = SCORE_ESCAPED, .side = 1};
     const char *name = reference_text(t, row, "case");
     score_of of[2];
     validation_reference reference[2];
@@ -150,7 +150,7 @@ static void trace_angles(validation *v, const char *is_wrong, double g,
         const double bin = (double)(k % BINS);
         of[k] = (score_of){.kind = SCORE_ESCAPED,
                            .light = SCORE_DIFFUSE,
-                           .way = k < BINS ? -1 : 1,
+                           .side = k < BINS ? -1 : 1,
                            .mu_min = bin / BINS,
                            .mu_max = bin + 1 == BINS ? 2 : (bin + 1) / BINS};
     }

@@ -86,9 +86,9 @@ static void add_depth(depths *d, const murk_table *t, size_t row)
     const double tau = reference_number(t, row, "tau");
     char(*name)[48] = &d->name[QUANTITIES_A_DEPTH * d->n];
     validation_reference *r = &d->reference[QUANTITIES_A_DEPTH * d->n];
-    d->of[2 * d->n] = (score_of){.kind = SCORE_POWER, .way = -1, .z_m = -tau};
+    d->of[2 * d->n] = (score_of){.kind = SCORE_POWER, .side = -1, .z_m = -tau};
     d->of[2 * d->n + 1] =
-        (score_of){.kind = SCORE_FLUENCE, .way = 1, .z_m = -tau};
+        (score_of){.kind = SCORE_FLUENCE, .side = 1, .z_m = -tau};
     snprintf(name[0], sizeof name[0], "Ed at tau %g", tau);
     snprintf(name[1], sizeof name[1], "Ed at tau %g, published", tau);
     snprintf(name[2], sizeof name[2], "Eou at tau %g", tau);

@@ -13,8 +13,8 @@
 
 #define SOURCE "adding-doubling, 64 to 120 nodes"
 
-static const score_of ends[] = {{.kind = SCORE_ESCAPED, .way = -1},
-                                {.kind = SCORE_ESCAPED, .way = 1}};
+static const score_of ends[] = {{.kind = SCORE_ESCAPED, .side = -1},
+                                {.kind = SCORE_ESCAPED, .side = 1}};
 
 /* The two ends, where the table has a number for both, else the first. */
 static void trace(validation *v, const char *name, const char *is_wrong,

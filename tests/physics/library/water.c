@@ -181,7 +181,7 @@ static void case_1(murk_library *library)
 /* ---- open ocean, by other authors ---- */
 
 /* Where a type's chlorophyll is told by: the least attenuation of most. */
-#define TOLD_BY_NM 475
+#define CLASSIFIED_BY_NM 475
 
 /* The most that was seen, not what is required: it holds the model there. */
 #define ELSEWHERE_OFF .4
@@ -192,7 +192,7 @@ static double chlorophyll_of(double kd_per_m)
     double low = 1e-4, high = 100;
     for (int i = 0; i < 60; ++i) {
         const double middle = sqrt(low * high);
-        *(murk_case_1_kd(TOLD_BY_NM, middle) < kd_per_m ? &low : &high) =
+        *(murk_case_1_kd(CLASSIFIED_BY_NM, middle) < kd_per_m ? &low : &high) =
             middle;
     }
     return sqrt(low * high);
@@ -205,7 +205,7 @@ static void compare_ocean(murk_library *library, const cells *c)
     murk_estimate k[OCEAN_CELLS];
     double chlorophyll = NAN;
     for (size_t i = 0; i < c->n; ++i) {
-        if (c->nm[i] == TOLD_BY_NM) {
+        if (c->nm[i] == CLASSIFIED_BY_NM) {
             chlorophyll = chlorophyll_of(c->per_m[i]);
         }
     }
@@ -225,7 +225,7 @@ static void compare_ocean(murk_library *library, const cells *c)
                  c->type, chlorophyll, c->nm[i],
                  100 * k[i].standard_error / k[i].value,
                  100 * (k[i].value / c->per_m[i] - 1));
-        if (c->nm[i] != TOLD_BY_NM) {
+        if (c->nm[i] != CLASSIFIED_BY_NM) {
             murk_library_row(library, name, "1/m", c->per_m[i], k[i].value,
                              ELSEWHERE_OFF * c->per_m[i], "40 %, as seen",
                              "Austin & Petzold 1986 (second hand)");

@@ -75,7 +75,7 @@ static void test_voxels_hold_means(void)
 }
 
 /* The same cast upwards, in other units, and one of two in a file. */
-static void test_units_and_ways(void)
+static void test_units_and_directions(void)
 {
     static const char *const same[] = {
         "height[km],b[1/km]\n-.01,0\n-.005,800\n-.005,300\n-.002,300\n0,100\n",
@@ -202,7 +202,7 @@ int main(void)
     snprintf(vdb, sizeof vdb, "%s/cast.vdb", folder);
     test_a_column_keeps_its_depth();
     test_voxels_hold_means();
-    test_units_and_ways();
+    test_units_and_directions();
     test_depth_through_the_grid();
     test_refusals();
     remove(csv);

@@ -6,60 +6,60 @@
 
 #include <stdlib.h>
 
-static bool holds(murk_cache *kept, double key, double want)
+static bool holds(murk_cache *cache, double key, double want)
 {
     size_t size = 0;
-    double *found = murk_cache_find(kept, &key, sizeof key, &size);
+    double *found = murk_cache_find(cache, &key, sizeof key, &size);
     const bool is_it = found && size == sizeof want && *found == want;
     free(found);
     return is_it;
 }
 
-static void put(murk_cache *kept, double key, double value)
+static void put(murk_cache *cache, double key, double value)
 {
-    murk_cache_put(kept, &key, sizeof key, &value, sizeof value);
+    murk_cache_put(cache, &key, sizeof key, &value, sizeof value);
 }
 
 static void test_what_is_put_is_found(void)
 {
-    static murk_cache kept = MURK_CACHE_NONE;
-    CHECK(!holds(&kept, 1, 10));
-    put(&kept, 1, 10);
-    put(&kept, 2, 20);
-    CHECK(holds(&kept, 1, 10) && holds(&kept, 2, 20));
-    CHECK(!holds(&kept, 3, 30));
-    put(&kept, 1, 11); /* there already */
-    CHECK(holds(&kept, 1, 10) && kept.n == 2);
+    static murk_cache cache = MURK_CACHE_NONE;
+    CHECK(!holds(&cache, 1, 10));
+    put(&cache, 1, 10);
+    put(&cache, 2, 20);
+    CHECK(holds(&cache, 1, 10) && holds(&cache, 2, 20));
+    CHECK(!holds(&cache, 3, 30));
+    put(&cache, 1, 11); /* there already */
+    CHECK(holds(&cache, 1, 10) && cache.n == 2);
     const float half = 1;
     size_t size;
-    CHECK(murk_cache_find(&kept, &half, sizeof half, &size) == NULL);
+    CHECK(murk_cache_find(&cache, &half, sizeof half, &size) == NULL);
 }
 
-static void test_the_oldest_makes_room(void)
+static void test_the_oldest_entry_is_dropped(void)
 {
-    static murk_cache kept = MURK_CACHE_NONE;
+    static murk_cache cache = MURK_CACHE_NONE;
     for (int i = 0; i < MURK_CACHE_MAX; ++i) {
-        put(&kept, i, 2 * i);
+        put(&cache, i, 2 * i);
     }
-    CHECK(holds(&kept, 0, 0)); /* so 1 is the oldest */
-    put(&kept, -1, 5);
-    CHECK(kept.n == MURK_CACHE_MAX);
-    CHECK(holds(&kept, 0, 0) && holds(&kept, -1, 5) && !holds(&kept, 1, 2));
+    CHECK(holds(&cache, 0, 0)); /* so 1 is the oldest */
+    put(&cache, -1, 5);
+    CHECK(cache.n == MURK_CACHE_MAX);
+    CHECK(holds(&cache, 0, 0) && holds(&cache, -1, 5) && !holds(&cache, 1, 2));
 }
 
 static void test_bytes_are_bounded(void)
 {
-    static murk_cache kept = MURK_CACHE_NONE;
+    static murk_cache cache = MURK_CACHE_NONE;
     const size_t large = MURK_CACHE_BYTES_MAX / 3;
     char *bytes = calloc(MURK_CACHE_BYTES_MAX, 1);
     for (double key = 0; key < 5; ++key) {
-        murk_cache_put(&kept, &key, sizeof key, bytes, large);
-        CHECK(kept.bytes <= MURK_CACHE_BYTES_MAX);
+        murk_cache_put(&cache, &key, sizeof key, bytes, large);
+        CHECK(cache.bytes <= MURK_CACHE_BYTES_MAX);
     }
-    CHECK(kept.n == 2);
+    CHECK(cache.n == 2);
     const double key = 9;
-    murk_cache_put(&kept, &key, sizeof key, bytes, MURK_CACHE_BYTES_MAX);
-    CHECK(kept.n == 2);
+    murk_cache_put(&cache, &key, sizeof key, bytes, MURK_CACHE_BYTES_MAX);
+    CHECK(cache.n == 2);
     free(bytes);
 }
 
@@ -91,7 +91,7 @@ static void test_threads_find_whole_values(void)
 int main(void)
 {
     test_what_is_put_is_found();
-    test_the_oldest_makes_room();
+    test_the_oldest_entry_is_dropped();
     test_bytes_are_bounded();
     test_threads_find_whole_values();
     return check_done();

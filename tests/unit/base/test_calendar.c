@@ -27,7 +27,7 @@ static void test_julian_dates(void)
     }
 }
 
-static void test_days_go_both_ways(void)
+static void test_days_convert_in_both_directions(void)
 {
     for (double days = -730000; days < 2930000; days += 97) {
         const murk_date d = murk_date_of_days(days);
@@ -152,7 +152,7 @@ static void test_printing(void)
 int main(void)
 {
     test_julian_dates();
-    test_days_go_both_ways();
+    test_days_convert_in_both_directions();
     test_reading();
     test_refusals();
     test_printing();

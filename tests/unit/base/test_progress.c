@@ -55,7 +55,7 @@ static void test_no_line_is_wider_than_its_window(void)
 }
 
 /* The bar goes first, the count later. */
-static void test_what_matters_less_gives_way(void)
+static void test_minor_lines_are_dropped(void)
 {
     CHECK(!says(&half, 60, "[##"));
     CHECK(says(&half, 60, "500000 of 1.00e6 photons"));
@@ -92,7 +92,7 @@ int main(void)
 {
     test_all_is_said();
     test_no_line_is_wider_than_its_window();
-    test_what_matters_less_gives_way();
+    test_minor_lines_are_dropped();
     test_what_is_not_known_is_not_said();
     test_a_sentence_has_no_bar();
     return check_done();

@@ -66,7 +66,7 @@ static void test_layers_by_hand(void)
         CHECK(stage != NULL);
         return;
     }
-    /* From z = 1 to z = 5, 3 across: each metre of height is 5/4 m of way. */
+    /* From z = 1 to z = 5, 3 across: each metre of height is 5/4 m of path. */
     murk_reading r = segment(0, 0, 1, 3, 0, 5);
     const double blue = (0.15 + 0.1) / 2 + 0.4 / 2 * 3 + 2 * 0.05;
     const double green = 0.1 + 0.3 * 3 + 2 * 0.02;

@@ -61,8 +61,8 @@ static void measure(murk_estimate out[GROUPS], const lit *l,
     stage_text_destroy(stage);
 }
 
-/* Ways in which a scene may count what is seen. */
-static const char *const ways[] = {
+/* Forms in which a scene may count seen photons. */
+static const char *const forms[] = {
     "placement.detection=weighted",
     "placement.detection=independent",
     "placement.weights={surface: 1, volume: 3}",
@@ -71,15 +71,15 @@ static const char *const ways[] = {
     "placement.through=block",
     "domain.sides=periodic",
 };
-#define WAYS (sizeof ways / sizeof ways[0])
+#define FORMS (sizeof forms / sizeof forms[0])
 
 static void test_is_what_sensing_measures(void)
 {
     /* Each scene as traced, and the same scene with other media. */
     const double thicker[KEYS] = {1.2, 0.7, 0.5, 0.6, 0};
-    for (size_t w = 0; w < WAYS; ++w) {
-        const char *const here[] = {ways[w], NULL};
-        const char *const there[] = {ways[w],
+    for (size_t w = 0; w < FORMS; ++w) {
+        const char *const here[] = {forms[w], NULL};
+        const char *const there[] = {forms[w],
                                      "media.fog.extinction_per_m=[0.36, 0.24]",
                                      "media.fog.phase={hg: 0.6}",
                                      "media.smoke.extinction_per_m=0.7",
@@ -136,7 +136,7 @@ static void test_slopes_are_differences(void)
 {
     const double at[KEYS] = {1.1, 0.8, 0.55, 0.65, 0};
     for (size_t w = 0; w < 4; ++w) {
-        const char *const here[] = {ways[w], NULL};
+        const char *const here[] = {forms[w], NULL};
         lit l = lit_and_seen(here);
         read_out got = read_at(&l, at, STEP, 0);
         const double off = slope_error(&l, at, got.slope[0]);
@@ -178,7 +178,7 @@ static void test_batches_tell_the_error(void)
     enum { FEW = 100 };
     const double limit = murk_sidak_limit(1e-6, 3 * GROUPS);
     for (size_t w = 0; w < 3; ++w) {
-        const char *const here[] = {ways[w], NULL};
+        const char *const here[] = {forms[w], NULL};
         murk_estimate want[GROUPS];
         lit l = lit_and_seen(here);
         const size_t all = l.followed->emitted;
@@ -251,7 +251,7 @@ static void test_slopes_need_sightlines(void)
     put_out(&l);
 }
 
-static void test_threads_cannot_be_told(void)
+static void test_threads_make_no_difference(void)
 {
     static const unsigned threads[] = {1, 2, 5};
     const double at[KEYS] = {1.1, 0.8, 0.55, 0.65, 0};
@@ -393,7 +393,7 @@ int main(void)
     test_slopes_are_differences();
     test_batches_tell_the_error();
     test_slopes_need_sightlines();
-    test_threads_cannot_be_told();
+    test_threads_make_no_difference();
     test_other_media_stay();
     test_other_profile_attenuates();
     test_what_has_no_slope_is_refused();

@@ -145,11 +145,12 @@ static void test_a_scene_has_the_values(void)
         "regions.1.translate_m.0", "regions.1.translate_m.2",
         "media.plain.albedo", "lights.1.power_w.0"};
     static const double value[] = {.25, -1, .1 + .2, 7};
-    static const char *const way[4][4] = {{"regions", "1", "translate_m", "0"},
-                                          {"regions", "1", "translate_m", "2"},
-                                          {"media", "plain", "albedo"},
-                                          {"lights", "1", "power_w", "0"}};
-    static const size_t ways[] = {4, 4, 3, 4};
+    static const char *const key_path[4][4] = {
+        {"regions", "1", "translate_m", "0"},
+        {"regions", "1", "translate_m", "2"},
+        {"media", "plain", "albedo"},
+        {"lights", "1", "power_w", "0"}};
+    static const size_t key_depth[] = {4, 4, 3, 4};
     field f;
     make_field(&f, AS_IT_STANDS);
     murk_free_keys *keys = made(&f, asked, 4, NULL);
@@ -157,7 +158,7 @@ static void test_a_scene_has_the_values(void)
     murk_optics *optics = NULL;
     CHECK(murk_free_scene(&at, keys, 0, value, NULL) == MURK_OK);
     for (size_t k = 0; k < 4; ++k) {
-        CHECK(resolved(at, way[k], ways[k]) == value[k]);
+        CHECK(resolved(at, key_path[k], key_depth[k]) == value[k]);
     }
     CHECK(at->regions[1].solid.translate_m.y == 0 && at->n_conditions == 0);
     murk_scene_desc_destroy(at);
@@ -232,9 +233,9 @@ static void test_each_condition_has_its_own(void)
     const double value[] = {60, 40, .7};
     for (size_t c = 0; c < 2; ++c) {
         murk_scene_desc *at = NULL;
-        static const char *const way[] = {"media", "fog", "visibility_m"};
+        static const char *const key_path[] = {"media", "fog", "visibility_m"};
         CHECK(murk_free_scene(&at, keys, c, value, NULL) == MURK_OK);
-        CHECK(resolved(at, way, 3) == value[c]);
+        CHECK(resolved(at, key_path, 3) == value[c]);
         CHECK(at->media[3].albedo.band[0] == .7);
         CHECK(at->media[3].albedo.band[1] == .95);
         murk_scene_desc_destroy(at);
@@ -258,9 +259,9 @@ static void test_one_value_wins_over_a_condition(void)
     const double value[] = {33, .4};
     for (size_t c = 0; c < 2; ++c) {
         murk_scene_desc *at = NULL;
-        static const char *const way[] = {"media", "fog", "visibility_m"};
+        static const char *const key_path[] = {"media", "fog", "visibility_m"};
         CHECK(murk_free_scene(&at, keys, c, value, NULL) == MURK_OK);
-        CHECK(resolved(at, way, 3) == 33);
+        CHECK(resolved(at, key_path, 3) == 33);
         CHECK(at->media[2].profile_z_m.n == (c == 0 ? 0 : 2));
         murk_scene_desc_destroy(at);
     }

@@ -1,5 +1,5 @@
-/* What is kept of a path is what the path did: told by another trace of the
- * same photons, event by event. */
+/* The stored history of a path agrees, event by event, with a second trace of
+ * the same photons. */
 #include "calibrate/histories.h"
 #include "check.h"
 #include "lightmap/lightmap.h"
@@ -41,7 +41,7 @@ static const char scene_text[] =
     "  - {name: edge, type: sphere, center_m: [2.1, 2, 1.5], radius_m: 0.25,"
     " hemispheres: true}\n";
 
-static const size_t kept_media[MEDIA] = {2, 0, 1};
+static const size_t reweighed_media[MEDIA] = {2, 0, 1};
 
 static const murk_receiver receivers[] = {
     {{1.4, 1.4, 1.4}, 0.3, {0, 0, 0}, 0, -1},
@@ -57,7 +57,7 @@ static murk_histories_desc desc_of(const murk_stage *stage)
 {
     return (murk_histories_desc){.stage = stage,
                                  .threads = 2,
-                                 .medium = kept_media,
+                                 .medium = reweighed_media,
                                  .media = MEDIA,
                                  .keeps_cosines = true,
                                  .receiver = receivers,
@@ -78,7 +78,7 @@ static murk_histories *follow(const murk_histories_desc *desc)
 
 /* ---- records: what another trace tells of its events ---- */
 
-typedef struct told {
+typedef struct retrace {
     const murk_histories *followed;
     const murk_stage *stage;
     size_t next; /* contribution that the next record should be */
@@ -86,16 +86,16 @@ typedef struct told {
     double depth; /* of all media, since the lamp */
     uint32_t count[MEDIA], turns;
     size_t wrong_place, wrong_depth, wrong_count, wrong_turn, records;
-} told;
+} retrace;
 
-/* Path times extinction over the kept media: all there are. */
-static double kept_depth(const told *t, size_t i, int band)
+/* Path times extinction over the re-weighted media: all there are. */
+static double stored_depth(const retrace *t, size_t i, int band)
 {
     double depth = 0;
     for (size_t m = 0; m < MEDIA; ++m) {
-        depth +=
-            (double)t->followed->path_m[i * MEDIA + m] *
-            t->stage->scene->media[kept_media[m]].extinction_per_m.band[band];
+        depth += (double)t->followed->path_m[i * MEDIA + m] *
+                 t->stage->scene->media[reweighed_media[m]]
+                     .extinction_per_m.band[band];
     }
     return depth;
 }
@@ -108,7 +108,7 @@ static size_t index_of(uint8_t medium)
 static void receive_segment(void *context, uint64_t batch,
                             const murk_trace_segment *segment)
 {
-    told *t = context;
+    retrace *t = context;
     (void)batch;
     t->depth += segment->is_in_solid
                     ? 0
@@ -117,7 +117,7 @@ static void receive_segment(void *context, uint64_t batch,
                           segment->from, segment->direction, segment->length_m);
 }
 
-static void hear_record(told *t, const murk_event *event)
+static void hear_record(retrace *t, const murk_event *event)
 {
     const murk_histories *f = t->followed;
     /* Find the next contribution that is a record. */
@@ -144,7 +144,7 @@ static void hear_record(told *t, const murk_event *event)
     /* Optical depth, collisions in each medium and turns are those of the
      * path. */
     t->wrong_depth +=
-        !(fabs(kept_depth(t, i, c->band) - t->depth) <= 1e-6 * t->depth);
+        !(fabs(stored_depth(t, i, c->band) - t->depth) <= 1e-6 * t->depth);
     for (size_t m = 0; m < MEDIA; ++m) {
         const bool is_own =
             is_volume && index_of(event->material_or_medium) == m;
@@ -156,7 +156,7 @@ static void hear_record(told *t, const murk_event *event)
 static void receive_event(void *context, uint64_t batch,
                           const murk_event *event)
 {
-    told *t = context;
+    retrace *t = context;
     (void)batch;
     if (event->kind == MURK_EVENT_EMITTED) {
         t->depth = 0;
@@ -180,7 +180,7 @@ static void receive_event(void *context, uint64_t batch,
 static void test_records_know_their_paths(const murk_stage *stage,
                                           const murk_histories *followed)
 {
-    told t = {.followed = followed, .stage = stage};
+    retrace t = {.followed = followed, .stage = stage};
     murk_ledger *ledger = NULL;
     murk_error err = {0};
     CHECK(!murk_ledger_create(&ledger, &stage->world, &err));
@@ -351,8 +351,8 @@ static void test_photons_may_be_asked_for(const murk_stage *stage,
     murk_histories_destroy(f);
 }
 
-static void test_less_may_be_kept(const murk_stage *stage,
-                                  const murk_histories *all)
+static void test_fewer_histories_may_be_stored(const murk_stage *stage,
+                                               const murk_histories *all)
 {
     murk_histories_desc desc = desc_of(stage);
     desc.keeps_cosines = false;
@@ -450,7 +450,7 @@ int main(void)
         test_chords_know_their_media(followed);
         test_threads_do_not_matter(stage, followed);
         test_photons_may_be_asked_for(stage, followed);
-        test_less_may_be_kept(stage, followed);
+        test_fewer_histories_may_be_stored(stage, followed);
         test_store_says_how_many();
         test_refusals(stage);
     }

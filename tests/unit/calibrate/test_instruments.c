@@ -17,7 +17,7 @@ static void keep_note(const char *where, const char *text)
 
 /* Keeps the warning about receivers at the given x in a room from 0 to 4 m
  * that a wall at x = 2 divides; all have a radius of .25 m. */
-static void look_at(const double *x, size_t n)
+static void keep_warning(const double *x, size_t n)
 {
     /* A room with a wall across. */
     const murk_material stuff = {.name = "default"};
@@ -67,9 +67,9 @@ static void look_at(const double *x, size_t n)
 /* In the open, touching on either side, and cut by a tenth of the radius. */
 static void test_cut_receivers_are_named(void)
 {
-    look_at((const double[]){1, .25, 1.75, 2.25, 3.75}, 5);
+    keep_warning((const double[]){1, .25, 1.75, 2.25, 3.75}, 5);
     CHECK_TEXT(noted, "");
-    look_at((const double[]){1, 1.775, 3}, 3);
+    keep_warning((const double[]){1, 1.775, 3}, 3);
     CHECK_TEXT(noted,
                "yard.csv:3: a surface cuts the receiver of 0.25 m around "
                "[1.775, 1, 1] m, behind which it is dark: it reads low; take "
@@ -82,7 +82,7 @@ static void test_many_are_counted(void)
     for (size_t i = 0; i < ROWS_MAX; ++i) {
         x[i] = 2;
     }
-    look_at(x, ROWS_MAX);
+    keep_warning(x, ROWS_MAX);
     size_t lines = 0;
     for (const char *c = noted; *c; ++c) {
         lines += *c == '\n';

@@ -12,8 +12,8 @@
 #define STEP  1e-3
 #define CLOSE 1e-6
 
-/* d/dvalue[k] of all rows by four predictions; room[4][rows]. */
-static bool differ(double *out, double *room, murk_model *model,
+/* d/dvalue[k] of all rows by four predictions; scratch[rows]. */
+static bool differ(double *out, double *scratch, murk_model *model,
                    const double *value, size_t n, size_t k, size_t rows)
 {
     static const double place[4] = {-2, -1, 1, 2};
@@ -29,9 +29,10 @@ static bool differ(double *out, double *room, murk_model *model,
         murk_error err = {0};
         moved[k] = value[k] + place[p] * step;
         is_well = planted_held(
-            murk_model_predict(model, moved, room, NULL, &share, &err), &err);
+            murk_model_predict(model, moved, scratch, NULL, &share, &err),
+            &err);
         for (size_t i = 0; i < rows && is_well; ++i) {
-            out[i] += weight[p] * room[i] / step;
+            out[i] += weight[p] * scratch[i] / step;
         }
     }
     return is_well;
@@ -42,14 +43,15 @@ static size_t count_off(const planted_field *field, murk_model *model,
                         const double *value, double spoil)
 {
     const size_t rows = field->measured->rows, n = field->of->n;
-    double *room = calloc(rows * (n + 3), sizeof *room), share;
-    double *predicted = room, *slope = room + rows, *by = slope + rows * n;
+    double *workspace = calloc(rows * (n + 3), sizeof *workspace), share;
+    double *predicted = workspace, *slope = workspace + rows,
+           *by = slope + rows * n;
     double *work = by + rows;
     murk_error err = {0};
     bool is_well =
-        room && planted_held(murk_model_predict(model, value, predicted, slope,
-                                                &share, &err),
-                             &err);
+        workspace && planted_held(murk_model_predict(model, value, predicted,
+                                                     slope, &share, &err),
+                                  &err);
     CHECK(is_well && share > 0 && share <= 1);
     size_t off = 0;
     for (size_t k = 0; k < n && is_well; ++k) {
@@ -62,7 +64,7 @@ static size_t count_off(const planted_field *field, murk_model *model,
         }
     }
     CHECK(is_well);
-    free(room);
+    free(workspace);
     return off;
 }
 

@@ -43,7 +43,7 @@ typedef struct foretelling {
     double given_back;      /* by darkening */
 } foretelling;
 
-static bool light(foretelling *f, double *room)
+static bool light(foretelling *f, double *workspace)
 {
     const size_t n = f->keys->n, rows = f->field.measured->rows;
     double value[PLANTED_KEYS_MAX], share;
@@ -52,8 +52,8 @@ static bool light(foretelling *f, double *room)
         value[k] = f->keys->key[k].start;
     }
     return planted_held(murk_model_trace(f->model, value, &err), &err) &&
-           planted_held(murk_model_predict(f->model, value, room, room + rows,
-                                           &share, &err),
+           planted_held(murk_model_predict(f->model, value, workspace,
+                                           workspace + rows, &share, &err),
                         &err);
 }
 
@@ -92,12 +92,12 @@ static bool foretell(foretelling *f, const planted_case *of, unsigned emit)
     bool is_well = planted_open(&f->field, of);
     f->keys = is_well ? planted_keys(&f->field, emit, 1) : NULL;
     f->model = f->keys ? planted_model(&f->field, f->keys) : NULL;
-    double *room =
-        f->model ? calloc(f->field.measured->rows * (of->n + 1), sizeof *room)
-                 : NULL;
+    double *workspace = f->model ? calloc(f->field.measured->rows * (of->n + 1),
+                                          sizeof *workspace)
+                                 : NULL;
     murk_error err = {0};
-    is_well = room && light(f, room);
-    free(room);
+    is_well = workspace && light(f, workspace);
+    free(workspace);
     if (is_well) {
         count(f);
         darken(f);

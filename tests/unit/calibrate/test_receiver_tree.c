@@ -1,5 +1,5 @@
-/* Which receivers a leg crosses, and where: a tree against trying all. Legs
- * are drawn, but what is found must be the same to the bit. */
+/* Which receivers a segment crosses, and where: a tree against trying all.
+ * Segments are drawn, but what is found must be the same to the bit. */
 #include "base/rng.h"
 #include "calibrate/receiver_tree.h"
 #include "check.h"
@@ -7,7 +7,7 @@
 #include <stdlib.h>
 
 #define RECEIVERS 300
-#define LEGS      4000
+#define SEGMENTS  4000
 
 static murk_random4 draw(uint64_t i, uint32_t slot)
 {
@@ -27,7 +27,7 @@ static void make(murk_receiver receiver[RECEIVERS])
     receiver[17] = receiver[250];
 }
 
-/* Whether a leg crosses one sphere, in the plainest way. */
+/* True if a segment crosses one sphere, by direct computation. */
 static bool crosses(const murk_receiver *r, murk_vec3 from, murk_vec3 d,
                     double length_m, double *from_m, double *to_m)
 {
@@ -40,10 +40,10 @@ static bool crosses(const murk_receiver *r, murk_vec3 from, murk_vec3 d,
     return b * b > c && *to_m > *from_m;
 }
 
-static void check_leg(const murk_receiver_tree *chords,
-                      const murk_receiver *receiver, murk_vec3 from,
-                      murk_vec3 d, double length_m, size_t *crossed,
-                      size_t *wrong)
+static void check_segment(const murk_receiver_tree *chords,
+                          const murk_receiver *receiver, murk_vec3 from,
+                          murk_vec3 d, double length_m, size_t *crossed,
+                          size_t *wrong)
 {
     murk_chord chord[RECEIVERS];
     bool seen[RECEIVERS] = {false};
@@ -70,7 +70,7 @@ static void test_all_are_found(const murk_receiver_tree *chords,
                                const murk_receiver *receiver)
 {
     size_t crossed = 0, wrong = 0;
-    for (uint64_t i = 0; i < LEGS; ++i) {
+    for (uint64_t i = 0; i < SEGMENTS; ++i) {
         const murk_random4 a = draw(i, 1), b = draw(i, 2);
         const double z = 2 * b.u[0] - 1, s = sqrt(1 - z * z);
         const double turn = 2 * MURK_PI * b.u[1];
@@ -80,8 +80,8 @@ static void test_all_are_found(const murk_receiver_tree *chords,
         }
         const murk_vec3 from =
             murk_vec(100 + 20 * a.u[0], -10 * a.u[1], 5 * a.u[2]);
-        check_leg(chords, receiver, from, d, 10 * a.u[3] * a.u[3], &crossed,
-                  &wrong);
+        check_segment(chords, receiver, from, d, 10 * a.u[3] * a.u[3], &crossed,
+                      &wrong);
     }
     CHECK(crossed > 500);
     CHECK(wrong == 0);

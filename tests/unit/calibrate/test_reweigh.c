@@ -45,7 +45,7 @@ static const char scene_format[] =
     "  - {type: point, position_m: [2, 3, 1], power_w: 2}\n"
     "photons: {emit: 4000, least_weight: 0.3}\n";
 
-static const size_t kept_media[MEDIA] = {0, 1, 2};
+static const size_t reweighed_media[MEDIA] = {0, 1, 2};
 
 static const murk_receiver receivers[RECEIVERS] = {
     {{1.5, 1.5, 1.5}, 0.5, {0, 0, 0}, 0, -1},
@@ -56,7 +56,7 @@ static const murk_receiver receivers[RECEIVERS] = {
 static followed_text lit_of(const char *const *overrides)
 {
     return followed_text_trace(scene_text, overrides,
-                               (murk_histories_desc){.medium = kept_media,
+                               (murk_histories_desc){.medium = reweighed_media,
                                                      .media = MEDIA,
                                                      .keeps_cosines = true,
                                                      .receiver = receivers,

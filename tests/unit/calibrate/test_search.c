@@ -121,24 +121,24 @@ static struct {
     int calls, iteration;
     size_t start, traces;
     double chi2, value;
-} told;
+} reported;
 
 static void tell(void *context, size_t start, size_t traces, int iteration,
                  double chi2, const double *value)
 {
     (void)context;
-    ++told.calls;
-    told.start = start;
-    told.traces = traces;
-    told.iteration = iteration;
-    told.chi2 = chi2;
-    told.value = value[0];
+    ++reported.calls;
+    reported.start = start;
+    reported.traces = traces;
+    reported.iteration = iteration;
+    reported.chi2 = chi2;
+    reported.value = value[0];
 }
 
 /* Steps that succeed are told, with chi2, which is twice the cost, and values;
  * each step counts. A search ends where less than half of the light is left,
  * after a step that succeeds, and not while it scouts. */
-static void test_steps_are_told(void)
+static void test_steps_are_reported(void)
 {
     fit f;
     make(&f);
@@ -153,17 +153,17 @@ static void test_steps_are_told(void)
     CHECK(p.watch(p.context, &step)); /* nobody listens */
     f.desc.watch = tell;
     CHECK(p.watch(p.context, &step));
-    CHECK(told.calls == 1 && told.start == 4 && told.traces == 7 &&
-          told.iteration == 6 && told.chi2 == 10);
-    CHECK_NEAR(told.value, 2, 1e-15);
+    CHECK(reported.calls == 1 && reported.start == 4 && reported.traces == 7 &&
+          reported.iteration == 6 && reported.chi2 == 10);
+    CHECK_NEAR(reported.value, 2, 1e-15);
     step.is_successful = false;
     f.search.share = .49;
     CHECK(p.watch(p.context, &step));
-    CHECK(told.calls == 1 && !f.search.is_undersampled);
+    CHECK(reported.calls == 1 && !f.search.is_undersampled);
     f.search.is_scouting = true;
     step.is_successful = true;
     CHECK(p.watch(p.context, &step));
-    CHECK(told.calls == 2 && !f.search.is_undersampled);
+    CHECK(reported.calls == 2 && !f.search.is_undersampled);
     f.search.is_scouting = false;
     CHECK(!p.watch(p.context, &step));
     CHECK(f.search.is_undersampled && f.search.iterations == 5);
@@ -224,7 +224,7 @@ int main(void)
     test_rows_that_are_fitted();
     test_residuals_and_slopes();
     test_coordinates();
-    test_steps_are_told();
+    test_steps_are_reported();
     test_leaps_have_an_end();
     return check_done();
 }

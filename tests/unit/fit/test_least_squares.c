@@ -158,7 +158,7 @@ static void test_losses_act_on_each_row(void)
 }
 
 typedef struct story {
-    int told, stop_at;
+    int calls, stop_at;
     bool is_in_order, has_fallen;
     double cost, x;
 } story;
@@ -166,11 +166,11 @@ typedef struct story {
 static bool listen(void *context, const murk_least_squares_step *step)
 {
     story *s = context;
-    s->is_in_order = s->is_in_order && step->iteration == s->told;
+    s->is_in_order = s->is_in_order && step->iteration == s->calls;
     s->has_fallen = s->has_fallen && step->cost <= s->cost;
     s->cost = step->cost;
     s->x = step->x[0];
-    return s->told++ < s->stop_at;
+    return s->calls++ < s->stop_at;
 }
 
 /* exp(x) - 2: from 10 down by some 1 a step. */
@@ -185,7 +185,7 @@ static bool steep(void *context, const double *x, double *residual,
     return true;
 }
 
-static void test_watch_is_told_and_stops(void)
+static void test_watch_is_called_and_stops(void)
 {
     for (int stop = 0; stop < 4; ++stop) {
         story s = {.stop_at = stop,
@@ -203,7 +203,7 @@ static void test_watch_is_told_and_stops(void)
         const murk_least_squares_found found = solve(&x, &p);
         CHECK(found.end == MURK_LEAST_SQUARES_STOPPED);
         CHECK_TEXT(found.why, "stopped by its watch");
-        CHECK(s.told == stop + 1 && found.iterations == stop);
+        CHECK(s.calls == stop + 1 && found.iterations == stop);
         CHECK(s.is_in_order && s.has_fallen);
         CHECK(x == s.x && found.cost == s.cost);
     }
@@ -324,7 +324,7 @@ int main(void)
     test_bound_is_left_again();
     test_fixed_stays();
     test_losses_act_on_each_row();
-    test_watch_is_told_and_stops();
+    test_watch_is_called_and_stops();
     test_iterations_run_out();
     test_singular_is_no_failure();
     test_a_free_jacobian_saves_calls();

@@ -110,13 +110,13 @@ static void test_nothing_is_printed(void)
         return;
     }
     (void)fflush(stderr);
-    const int kept = dup(STDERR_FILENO);
+    const int terminal = dup(STDERR_FILENO);
     (void)dup2(fileno(file), STDERR_FILENO);
     test_no_residuals_at_the_start();
     test_no_residuals_elsewhere();
     (void)fflush(stderr);
-    (void)dup2(kept, STDERR_FILENO);
-    (void)close(kept);
+    (void)dup2(terminal, STDERR_FILENO);
+    (void)close(terminal);
     CHECK(lseek(fileno(file), 0, SEEK_END) == 0);
     (void)fclose(file);
 }

@@ -413,7 +413,7 @@ static murk_mesh *ball(double x, double radius)
     return closed_star(murk_vec(x, 0, 0), radius, 0, 10, SEED);
 }
 
-static void test_crossing_boundaries_are_told_from_nested_ones(void)
+static void test_crossing_boundaries_are_distinguished_from_nested_ones(void)
 {
     CHECK(!meet(box(0, 0, 0, 1, 1, 1), box(2, 0, 0, 3, 1, 1)));
     CHECK(!meet(box(0, 0, 0, 1, 1, 1), box(0.2, 0.2, 0.2, 0.8, 0.8, 0.8)));
@@ -496,7 +496,7 @@ int main(void)
     test_a_mesh_that_crosses_itself_counts();
     test_copies_count_once();
     test_open_meshes_are_refused_with_their_edges();
-    test_crossing_boundaries_are_told_from_nested_ones();
+    test_crossing_boundaries_are_distinguished_from_nested_ones();
     test_crossings_with_other_shapes();
     return check_done();
 }

@@ -34,14 +34,14 @@ static murk_surfaces *create(const murk_surface_desc *desc, size_t n)
 /* Counts escapes of diffuse bounces in a box; with `aimed`, every other ray
  * starts from a point near the middle and goes exactly at an edge (1) or a
  * corner (2). */
-static size_t escapes(const murk_surface_desc *room, uint64_t bounces,
+static size_t escapes(const murk_surface_desc *walls, uint64_t bounces,
                       int aimed)
 {
     /* The first ray starts in the middle. */
-    murk_surfaces *s = create(room, 1);
-    const murk_box *b = &room->box;
+    murk_surfaces *s = create(walls, 1);
+    const murk_box *b = &walls->box;
     const murk_vec3 middle = murk_affine_point(
-        &room->to_world, murk_along(b->min, 0.47, murk_sub(b->max, b->min)));
+        &walls->to_world, murk_along(b->min, 0.47, murk_sub(b->max, b->min)));
     murk_vec3 p = middle, d = {0, 0, 1};
     size_t lost = 0;
     for (uint64_t i = 0; i < bounces; ++i) {
@@ -56,7 +56,7 @@ static size_t escapes(const murk_surface_desc *room, uint64_t bounces,
                 to.x = b->min.x + q.u[3] * (b->max.x - b->min.x);
             }
             p = murk_along(middle, 0.3, random_point(SEED, i));
-            d = murk_unit(murk_sub(murk_affine_point(&room->to_world, to), p));
+            d = murk_unit(murk_sub(murk_affine_point(&walls->to_world, to), p));
         }
         /* A ray that meets no wall has escaped; else bounce by the cosine
          * law. */
@@ -74,22 +74,22 @@ static size_t escapes(const murk_surface_desc *room, uint64_t bounces,
     return lost;
 }
 
-static void test_a_closed_room_does_not_leak(void)
+static void test_a_closed_box_does_not_leak(void)
 {
     const murk_vec3 far = {1e4, -1e4, 100};
-    murk_surface_desc room =
+    murk_surface_desc walls =
         box(murk_vec(0, 0.1, 0), murk_vec(4.3, 6.1, 2.7), 0);
-    CHECK(escapes(&room, 1000000, 0) == 0);
-    CHECK(escapes(&room, 200000, 1) == 0);
-    CHECK(escapes(&room, 200000, 2) == 0);
-    room.to_world = murk_affine_place(murk_vec(10, 20, 33), 1, far);
-    CHECK(escapes(&room, 300000, 0) == 0);
-    CHECK(escapes(&room, 200000, 1) == 0);
-    CHECK(escapes(&room, 200000, 2) == 0);
+    CHECK(escapes(&walls, 1000000, 0) == 0);
+    CHECK(escapes(&walls, 200000, 1) == 0);
+    CHECK(escapes(&walls, 200000, 2) == 0);
+    walls.to_world = murk_affine_place(murk_vec(10, 20, 33), 1, far);
+    CHECK(escapes(&walls, 300000, 0) == 0);
+    CHECK(escapes(&walls, 200000, 1) == 0);
+    CHECK(escapes(&walls, 200000, 2) == 0);
 }
 
 /* A crack of a tenth of a millimetre does leak: the test above can fail. */
-static void test_a_cracked_room_leaks(void)
+static void test_a_cracked_box_leaks(void)
 {
     murk_surface_desc wall[6];
     for (int i = 0; i < 6; ++i) {
@@ -118,9 +118,9 @@ static void test_a_cracked_room_leaks(void)
 /* A hit on the diagonal of a flat wall is not drawn back from it. */
 static void test_a_flat_wall_is_met_exactly_on_its_diagonal(void)
 {
-    const murk_surface_desc room =
+    const murk_surface_desc walls =
         box(murk_vec(-1, -1, -1), murk_vec(1, 1, 1), 0);
-    murk_surfaces *s = create(&room, 1);
+    murk_surfaces *s = create(&walls, 1);
     murk_hit hit;
     CHECK(murk_surfaces_hit(s, murk_vec(0, 0, 0), murk_vec(0, 0, 1), INFINITY,
                             &hit));
@@ -322,8 +322,8 @@ static void test_impossible_shapes_are_refused(void)
 
 int main(void)
 {
-    test_a_closed_room_does_not_leak();
-    test_a_cracked_room_leaks();
+    test_a_closed_box_does_not_leak();
+    test_a_cracked_box_leaks();
     test_a_flat_wall_is_met_exactly_on_its_diagonal();
     test_solids_know_their_inside();
     test_open_and_hollow_shapes();

@@ -43,9 +43,9 @@ static void test_smooth_surfaces_go_on(void)
     };
     for (size_t i = 0; i < sizeof table / sizeof *table; ++i) {
         const murk_mount_clearance m = upright(0, table[i].slack_m);
-        for (int way = 0; way < 4; ++way) {
+        for (int turn = 0; turn < 4; ++turn) {
             const murk_triangle t =
-                rising(table[i].slope, table[i].rise, way & 1, way & 2);
+                rising(table[i].slope, table[i].rise, turn & 1, turn & 2);
             const double got =
                 murk_mount_clearance_to_face(&m, &t, murk_vec(0, 0, 0));
             const double edge = hypot(1, table[i].rise);

@@ -48,8 +48,8 @@ static murk_mount_search lay_of(double spacing_m)
                                .max = 1000000};
 }
 
-static murk_mount_site *feet_of(const murk_surfaces *s,
-                                const murk_mount_search *search, size_t *n)
+static murk_mount_site *sites_of(const murk_surfaces *s,
+                                 const murk_mount_search *search, size_t *n)
 {
     murk_mount_site *site = NULL;
     murk_error err = {0};
@@ -87,11 +87,11 @@ static double min_gap(const murk_mount_site *site, size_t n)
 
 /* A room of 4 x 3 x 2.5 m: rows and columns half a metre apart, a quarter from
  * the edges, on six walls: 2 (8 x 6 + 8 x 5 + 6 x 5). */
-static void check_room(const murk_surfaces *s)
+static void check_walls(const murk_surfaces *s)
 {
     const murk_mount_search search = lay_of(.5);
     size_t n;
-    murk_mount_site *site = feet_of(s, &search, &n);
+    murk_mount_site *site = sites_of(s, &search, &n);
     CHECK(n == 236);
     for (size_t i = 0; i < n; ++i) {
         const double p[3] = {site[i].position.x, site[i].position.y,
@@ -116,7 +116,7 @@ static void test_walls_get_rows_and_columns(void)
     const murk_surface_desc capacity =
         box_of(murk_vec(0, 0, 0), murk_vec(4, 3, 2.5));
     murk_surfaces *s = create(&capacity, 1);
-    check_room(s);
+    check_walls(s);
     murk_surfaces_destroy(s);
 }
 
@@ -157,7 +157,7 @@ static void test_how_walls_are_cut_changes_nothing(void)
                                     .mesh = m,
                                     .to_world = murk_affine_identity()};
     murk_surfaces *s = create(&desc, 1);
-    check_room(s);
+    check_walls(s);
     murk_surfaces_destroy(s);
     murk_mesh_destroy(m);
 }
@@ -170,7 +170,7 @@ static void check_even(const murk_surfaces *s, double spacing_m, double area_m2,
 {
     const murk_mount_search search = lay_of(spacing_m);
     size_t n;
-    murk_mount_site *site = feet_of(s, &search, &n);
+    murk_mount_site *site = sites_of(s, &search, &n);
     CHECK(min_gap(site, n) >= .75 * spacing_m);
     for (size_t i = 0; i < places; ++i) {
         CHECK(has(site, n, place[i], 1.1 * spacing_m));
@@ -181,7 +181,7 @@ static void check_even(const murk_surfaces *s, double spacing_m, double area_m2,
     free(site);
 }
 
-static void test_slanting_sheets_are_laid_evenly(void)
+static void test_sites_on_slanting_sheets_are_even(void)
 {
     static const murk_vec3 edge[3][2] = {{{8, 0, 6}, {0, 10, 0}},
                                          {{7, 0, 7}, {0, 10, 0}},
@@ -204,7 +204,7 @@ static void test_slanting_sheets_are_laid_evenly(void)
 
 /* A ball of radius 2 m, once as a sphere and once as thousands of triangles
  * much smaller than the spacing. */
-static void test_round_surfaces_are_laid_evenly(void)
+static void test_sites_on_round_surfaces_are_even(void)
 {
     murk_mesh *m = closed_star(murk_vec(1, 1, 1), 2, 0, 24, SEED);
     const murk_surface_desc desc[2] = {{.shape = MURK_SHAPE_MESH,
@@ -232,7 +232,7 @@ static void test_round_surfaces_are_laid_evenly(void)
 /* Two faces 5 cm apart, and shelves 20 cm apart, each get sites of their
  * own although the spacing is 1 m; a beam of 10 cm gets sites along its
  * length. */
-static void test_neighbours_and_small_parts_get_feet(void)
+static void test_neighbours_and_small_parts_get_sites(void)
 {
     /* Four sheets of 4 m. */
     const murk_vec3 x = {4, 0, 0}, z = {0, 0, 4}, y = {0, 4, 0};
@@ -242,7 +242,7 @@ static void test_neighbours_and_small_parts_get_feet(void)
     murk_surfaces *s = create(desc, 4);
     const murk_mount_search search = lay_of(1);
     size_t n;
-    murk_mount_site *site = feet_of(s, &search, &n);
+    murk_mount_site *site = sites_of(s, &search, &n);
     /* Count the sites of each sheet: about one per square metre. */
     size_t on[4] = {0};
     for (size_t i = 0; i < n; ++i) {
@@ -262,7 +262,7 @@ static void test_neighbours_and_small_parts_get_feet(void)
     const murk_surface_desc beam =
         box_of(murk_vec(.31, .31, 3), murk_vec(8, .41, 3.1));
     s = create(&beam, 1);
-    site = feet_of(s, &search, &n);
+    site = sites_of(s, &search, &n);
     size_t under = 0;
     for (size_t i = 0; i < n; ++i) {
         under += site[i].position.z == 3;
@@ -283,19 +283,19 @@ static void test_what_is_not_wanted_gets_none(void)
     murk_mount_search search = lay_of(.5);
     size_t n;
     search.materials = other;
-    free(feet_of(s, &search, &n));
+    free(sites_of(s, &search, &n));
     CHECK(n == 4);
     search = lay_of(.5);
     search.min_rise = .8; /* floor, ceiling and sheet */
-    free(feet_of(s, &search, &n));
+    free(sites_of(s, &search, &n));
     CHECK(n == 2 * 48 + 4);
     search = lay_of(.5);
     search.max_rise = .6; /* walls, from 2 m on: one row */
     search.within.min.z = 2;
-    free(feet_of(s, &search, &n));
+    free(sites_of(s, &search, &n));
     CHECK(n == 2 * (8 + 6));
     search.within.min.z = search.within.max.z = 1.5; /* a height */
-    murk_mount_site *site = feet_of(s, &search, &n);
+    murk_mount_site *site = sites_of(s, &search, &n);
     CHECK(n == 2 * (8 + 6));
     for (size_t i = 0; i < n; ++i) {
         CHECK(site[i].position.z == 1.5);
@@ -303,7 +303,7 @@ static void test_what_is_not_wanted_gets_none(void)
     free(site);
     search = lay_of(.5);
     search.within.min.z = 7;
-    site = feet_of(s, &search, &n);
+    site = sites_of(s, &search, &n);
     CHECK(n == 0 && site == NULL);
     murk_surfaces_destroy(s);
 }
@@ -325,10 +325,10 @@ static void test_great_surfaces_are_cut_off(void)
     murk_mount_search search = lay_of(2);
     search.within = (murk_box){{-5, -5, -1}, {5, 5, 1}};
     size_t n;
-    free(feet_of(s, &search, &n));
+    free(sites_of(s, &search, &n));
     CHECK(n == 25);
     search.within = (murk_box){{-5, -5, 19}, {5, 5, 21}};
-    free(feet_of(s, &search, &n));
+    free(sites_of(s, &search, &n));
     CHECK(n >= 9 && n <= 49);
     /* Refuse all of the ground, and a maximum that is one site too low. */
     murk_mount_site *site = NULL;
@@ -350,7 +350,7 @@ static void test_great_surfaces_are_cut_off(void)
  * triangle, or 25 squares of the spacing, and gets 25 sites; 25 sites may
  * represent at most 7.4 times as many squares, which is enough for 7 floors
  * and not for 8. */
-static void test_area_beyond_all_feet_is_refused(void)
+static void test_area_beyond_all_sites_is_refused(void)
 {
     /* One triangle as eight floors in one place. */
     enum { FLOORS = 8 };
@@ -401,7 +401,7 @@ static void test_stacks_are_cut_off(void)
     murk_surfaces *s = create(&desc, 1);
     const murk_mount_search search = lay_of(1);
     size_t n;
-    free(feet_of(s, &search, &n));
+    free(sites_of(s, &search, &n));
     CHECK(n == MAX);
     murk_surfaces_destroy(s);
     murk_mesh_destroy(m);
@@ -501,12 +501,12 @@ int main(void)
 {
     test_walls_get_rows_and_columns();
     test_how_walls_are_cut_changes_nothing();
-    test_slanting_sheets_are_laid_evenly();
-    test_round_surfaces_are_laid_evenly();
-    test_neighbours_and_small_parts_get_feet();
+    test_sites_on_slanting_sheets_are_even();
+    test_sites_on_round_surfaces_are_even();
+    test_neighbours_and_small_parts_get_sites();
     test_what_is_not_wanted_gets_none();
     test_great_surfaces_are_cut_off();
-    test_area_beyond_all_feet_is_refused();
+    test_area_beyond_all_sites_is_refused();
     test_stacks_are_cut_off();
     test_own_wall_does_not_count();
     test_own_curved_wall_does_not_count();

@@ -106,9 +106,9 @@ static void test_turning_triangles_over_changes_nothing(void)
     const murk_affine here = murk_affine_identity();
     murk_surfaces *s = surfaces_of(m, &here);
     for (size_t i = 0; i < m->triangles; i += 2) {
-        const uint32_t kept = m->corner[3 * i];
+        const uint32_t swapped = m->corner[3 * i];
         m->corner[3 * i] = m->corner[3 * i + 1];
-        m->corner[3 * i + 1] = kept;
+        m->corner[3 * i + 1] = swapped;
     }
     murk_surfaces *turned = surfaces_of(m, &here);
     size_t same = 0;

@@ -50,12 +50,12 @@ static void shuffle(murk_vec3 *p, bool *with, size_t n, uint32_t seed)
         uint32_t word[4];
         murk_random_words(seed, MURK_TEST, i, 3, 0, word);
         const size_t j = murk_random_below(word[0], (uint32_t)i + 1);
-        const murk_vec3 p_kept = p[i];
-        const bool with_kept = with[i];
+        const murk_vec3 swapped_p = p[i];
+        const bool swapped_with = with[i];
         p[i] = p[j];
         with[i] = with[j];
-        p[j] = p_kept;
-        with[j] = with_kept;
+        p[j] = swapped_p;
+        with[j] = swapped_with;
     }
 }
 
@@ -107,10 +107,10 @@ static void check_mesh(double size, size_t triangles, bool film)
 /* Both ends on walls: they do not block themselves, however the line grazes. */
 static void test_ends_on_surfaces_do_not_block(void)
 {
-    const murk_surface_desc room = {.shape = MURK_SHAPE_BOX,
-                                    .box = {{0, 0, 0}, {7, 5, 3}},
-                                    .to_world = murk_affine_identity()};
-    murk_surfaces *s = create(&room, 1);
+    const murk_surface_desc walls = {.shape = MURK_SHAPE_BOX,
+                                     .box = {{0, 0, 0}, {7, 5, 3}},
+                                     .to_world = murk_affine_identity()};
+    murk_surfaces *s = create(&walls, 1);
     size_t blocked = 0, asked = 0;
     for (uint64_t i = 0; i < 100000; ++i) {
         murk_vec3 end[2];

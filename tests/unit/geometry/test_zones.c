@@ -40,7 +40,7 @@ static void test_none_hold_nothing(void)
     murk_zones_destroy(NULL);
 }
 
-static void test_boxes_and_spheres_hold_their_boundary(void)
+static void test_zones_hold_their_boundary(void)
 {
     const murk_zone zone[2] = {box_zone(murk_vec(1, 1, 1), murk_vec(2, 3, 4)),
                                {.shape = MURK_REGION_SPHERE,
@@ -118,7 +118,7 @@ static void test_bad_zones_are_named(void)
 int main(void)
 {
     test_none_hold_nothing();
-    test_boxes_and_spheres_hold_their_boundary();
+    test_zones_hold_their_boundary();
     test_moves_come_in_their_order();
     test_meshes_hold_their_inside();
     test_bad_zones_are_named();

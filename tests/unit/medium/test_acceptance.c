@@ -135,9 +135,9 @@ static murk_media *media_of(const murk_medium *medium, size_t n)
 static double depth(const murk_media *media, int band)
 {
     const murk_vec3 from = {-5, -4, -3}, to = {4, 5, 4};
-    const murk_vec3 way = murk_sub(to, from);
-    return murk_media_optical_depth(media, band, 0, from, murk_unit(way),
-                                    murk_length(way));
+    const murk_vec3 offset = murk_sub(to, from);
+    return murk_media_optical_depth(media, band, 0, from, murk_unit(offset),
+                                    murk_length(offset));
 }
 
 /* Homogeneous fog, a profile and a grid overlap: the optical depth is the

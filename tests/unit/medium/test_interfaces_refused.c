@@ -111,7 +111,7 @@ static void count_warning(const char *where, const char *text)
     warnings += strstr(text, "lies wholly in") != NULL;
 }
 
-typedef enum relation { APART, CROSSING, IN, HOLDS, SAME } relation;
+typedef enum relation { DISJOINT, CROSSING, IN, HOLDS, SAME } relation;
 
 /* How a lies to b: two that cross are refused, and of what is hidden by one
  * that is listed later there is a warning. */
@@ -147,28 +147,29 @@ static murk_region cube(murk_vec3 center, double half)
                murk_along(center, half, murk_vec(1, 1, 1)), 1.5);
 }
 
-/* Along each axis both ways. Overlaps of less than 2e-11 m, 1e-12 of the
- * farthest coordinate of the domain, do not count. */
+/* Along each axis in both directions. Overlaps of less than 2e-11 m, 1e-12 of
+ * the farthest coordinate of the domain, do not count. */
 static void test_relations_along_the_axes(void)
 {
     static const struct {
         double off; /* more than where they touch */
-        bool is_apart;
+        bool is_disjoint;
     } table[] = {{0.03, true}, {0, true}, {-5e-12, true}, {-1e-10, false}};
     for (int side = 0; side < 6; ++side) {
         const double sign = side % 2 ? -1 : 1;
         for (size_t i = 0; i < sizeof table / sizeof *table; ++i) {
-            const relation apart = table[i].is_apart ? APART : CROSSING;
-            const relation in = table[i].is_apart ? IN : CROSSING;
+            const relation disjoint =
+                table[i].is_disjoint ? DISJOINT : CROSSING;
+            const relation in = table[i].is_disjoint ? IN : CROSSING;
             const murk_vec3 far =
                 on_axis(side / 2, sign * (1.5 + table[i].off));
             const murk_vec3 near =
                 on_axis(side / 2, sign * (0.5 - table[i].off));
             const murk_vec3 none = {0, 0, 0};
-            check_relations(apart, cube(far, 0.5), cube(none, 1));
-            check_relations(apart, ball(far, 0.5, 1.3), cube(none, 1));
-            check_relations(apart, cube(far, 0.5), ball(none, 1, 1.3));
-            check_relations(apart, ball(far, 0.5, 1.3), ball(none, 1, 1.3));
+            check_relations(disjoint, cube(far, 0.5), cube(none, 1));
+            check_relations(disjoint, ball(far, 0.5, 1.3), cube(none, 1));
+            check_relations(disjoint, cube(far, 0.5), ball(none, 1, 1.3));
+            check_relations(disjoint, ball(far, 0.5, 1.3), ball(none, 1, 1.3));
             check_relations(in, cube(near, 0.5), cube(none, 1));
             check_relations(in, ball(near, 0.5, 1.3), cube(none, 1));
             check_relations(in, ball(near, 0.5, 1.3), ball(none, 1, 1.3));
@@ -186,7 +187,8 @@ static void test_relations_of_corners(void)
         const murk_vec3 corner = {i & 4 ? -1 : 1, i & 2 ? -1 : 1,
                                   i & 1 ? -1 : 1};
         const murk_vec3 at = murk_scale(2, corner);
-        check_relations(APART, ball(at, sqrt(3) * 0.999, 1.3), cube(none, 1));
+        check_relations(DISJOINT, ball(at, sqrt(3) * 0.999, 1.3),
+                        cube(none, 1));
         check_relations(CROSSING, ball(at, sqrt(3) * 1.001, 1.3),
                         cube(none, 1));
         check_relations(HOLDS, ball(corner, 2 * sqrt(3) * 1.001, 1.3),
@@ -226,7 +228,7 @@ static void test_relations_of_turned_cubes(void)
                                     on_axis(side / 2, sign * (1 + half + off));
                 check_relation(is_off ? CROSSING : IN,
                                moved(small, turn[k], 1, in), big);
-                check_relation(is_off ? APART : CROSSING,
+                check_relation(is_off ? DISJOINT : CROSSING,
                                moved(small, turn[k], 1, out), big);
             }
         }

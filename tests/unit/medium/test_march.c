@@ -222,7 +222,8 @@ static void test_many_root_cells_and_a_gap(void)
     }
     /* The empty cell is not stored. */
     CHECK(murk_grid_tree(grid)->n_cells == CELLS - 1);
-    /* Both ways along the row all voxels count; within the gap none does. */
+    /* In both directions along the row all voxels count; within the gap none
+     * does. */
     const double length = (double)size[0] + 100;
     CHECK_NEAR(grid_line_integral(grid, murk_vec(-50, 0, 0), murk_vec(1, 0, 0),
                                   length),

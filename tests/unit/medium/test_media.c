@@ -56,9 +56,9 @@ static murk_media *build(const murk_medium *media, size_t n_media,
 
 static double depth(const murk_media *media, murk_vec3 from, murk_vec3 to)
 {
-    const murk_vec3 way = murk_sub(to, from);
-    return murk_media_optical_depth(media, 0, 0, from, murk_unit(way),
-                                    murk_length(way));
+    const murk_vec3 offset = murk_sub(to, from);
+    return murk_media_optical_depth(media, 0, 0, from, murk_unit(offset),
+                                    murk_length(offset));
 }
 
 static void test_clear_air_does_nothing(void)
@@ -220,20 +220,20 @@ static void test_random_regions_against_fine_steps(uint32_t seed)
                                 14 * p.u[2] - 7};
         const murk_vec3 to = {14 * q.u[0] - 7, 14 * q.u[1] - 7,
                               14 * q.u[2] - 7};
-        const murk_vec3 way = murk_sub(to, from);
-        const double length = murk_length(way);
-        const murk_vec3 along = murk_unit(way);
+        const murk_vec3 offset = murk_sub(to, from);
+        const double length = murk_length(offset);
+        const murk_vec3 along = murk_unit(offset);
         double stepped = 0;
         for (int k = 0; k < steps; ++k) {
             stepped += murk_media_extinction(
-                all, 0, 0, murk_along(from, (k + 0.5) / steps, way));
+                all, 0, 0, murk_along(from, (k + 0.5) / steps, offset));
         }
         stepped *= length / steps;
         const double got = depth(all, from, to);
         /* Each of at most 12 ends is off by half a step of at most 6 / m. */
         CHECK_NEAR(got, stepped, 12 * 0.5 * length / steps * 6);
 
-        const murk_vec3 middle = murk_along(from, p.u[3], way);
+        const murk_vec3 middle = murk_along(from, p.u[3], offset);
         CHECK_NEAR(depth(all, from, middle) + depth(all, middle, to), got,
                    1e-12);
 
@@ -298,7 +298,7 @@ static void test_a_flight_may_end_on_the_face(void)
     murk_media_destroy(media);
 }
 
-static void test_bands_are_apart(void)
+static void test_bands_are_independent(void)
 {
     murk_medium dye = even(0, 1);
     dye.extinction_per_m.band[1] = 2;
@@ -485,7 +485,7 @@ static void count_warning(const char *where, const char *text)
     ++warnings;
 }
 
-static void test_outside_of_the_domain_is_told(void)
+static void test_outside_of_the_domain_is_reported(void)
 {
     const murk_medium fog = even(1, 1);
     const murk_region regions[] = {box(0, 30, 31), box(0, 19, 31)};
@@ -506,10 +506,10 @@ int main(int argc, char **argv)
     test_random_regions_against_fine_steps(seed);
     test_partner_by_extinction();
     test_a_flight_may_end_on_the_face();
-    test_bands_are_apart();
+    test_bands_are_independent();
     test_odd_rays_end();
     test_bad_values_are_named();
     test_ends_of_ranges();
-    test_outside_of_the_domain_is_told();
+    test_outside_of_the_domain_is_reported();
     return check_done();
 }

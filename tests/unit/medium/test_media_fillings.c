@@ -105,8 +105,8 @@ static line random_line(uint32_t seed, uint64_t i)
     const murk_vec3 from = {24 * a.u[0] - 12, 24 * a.u[1] - 12,
                             24 * a.u[2] - 12};
     const murk_vec3 to = {10 * b.u[0] - 5, 10 * b.u[1] - 2, 10 * b.u[2] - 3};
-    const murk_vec3 way = murk_sub(to, from);
-    return (line){from, murk_unit(way), 2 * murk_length(way)};
+    const murk_vec3 offset = murk_sub(to, from);
+    return (line){from, murk_unit(offset), 2 * murk_length(offset)};
 }
 
 static double depth(const murk_media *media, const line *l)
@@ -224,7 +224,7 @@ static void test_all_fillings_add(uint32_t seed)
     murk_media_destroy(together);
 }
 
-/* Each alone is crossed by a way of its own. */
+/* Each alone is crossed by a segment of its own. */
 static void test_each_filling_alone(uint32_t seed)
 {
     const murk_medium linear = of_grid(0, MURK_LINEAR, 2);

@@ -91,7 +91,7 @@ static double integral(const murk_phase_table *table, double power)
 
 /* ---- rows ---- */
 
-static void test_rows_are_kept(void)
+static void test_rows_are_stored(void)
 {
     murk_phase_table *table = must(PETZOLD, PETZOLD_ROWS, 0, 1);
     const double all = murk_phase_table_facts(table)->integral;
@@ -446,7 +446,7 @@ static void test_forand_refusals(void)
 int main(int argc, char **argv)
 {
     const uint32_t seed = argc > 1 ? (uint32_t)strtoul(argv[1], NULL, 10) : 1;
-    test_rows_are_kept();
+    test_rows_are_stored();
     test_petzold();
     test_zeros_are_linear_in_the_cosine();
     test_any_scale();

@@ -82,7 +82,7 @@ static void test_paths_add_up_to_depths(const murk_media *media)
     }
 }
 
-static void test_laws_are_told_apart(void)
+static void test_laws_are_distinguished(void)
 {
     const murk_phase phase[] = {
         murk_phase_hg(0.5),
@@ -99,7 +99,7 @@ static void test_laws_are_told_apart(void)
     }
 }
 
-static void test_tables_are_told_apart(void)
+static void test_tables_are_distinguished(void)
 {
     const double slope[3] = {3.6, 3.6, 3.7};
     murk_phase_table *table[3] = {NULL};
@@ -130,7 +130,7 @@ int main(void)
         test_paths_add_up_to_depths(media);
     }
     murk_media_destroy(media);
-    test_laws_are_told_apart();
-    test_tables_are_told_apart();
+    test_laws_are_distinguished();
+    test_tables_are_distinguished();
     return check_done();
 }

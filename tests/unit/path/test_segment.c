@@ -1,4 +1,4 @@
-/* Straight ways in a periodic domain: pieces that lie in it and add up.
+/* Straight segments in a periodic domain: pieces that lie in it and add up.
  *
  * Deterministic: never cries wolf. */
 #include "base/rng.h"
@@ -29,15 +29,15 @@ static void test_pieces_lie_inside_and_add_up(void)
         /* Each piece lies in the domain and along the path; lengths add up. */
         murk_path_segment piece[MURK_PATH_SEGMENTS_MAX];
         const int n = murk_path_cut(&around, a, to, 0, piece);
-        const murk_vec3 way = murk_sub(to, a);
+        const murk_vec3 offset = murk_sub(to, a);
         double length = 0;
         for (int k = 0; k < n; ++k) {
             const murk_vec3 part = murk_sub(piece[k].to, piece[k].from);
             CHECK(is_inside(piece[k].from) && is_inside(piece[k].to));
-            CHECK(murk_length(murk_cross(part, way)) < 1e-12);
+            CHECK(murk_length(murk_cross(part, offset)) < 1e-12);
             length += murk_length(part);
         }
-        CHECK_NEAR(length, murk_length(way), 1e-12);
+        CHECK_NEAR(length, murk_length(offset), 1e-12);
         /* The first piece begins at one point, and the last ends at the
          * other. */
         CHECK(murk_length(murk_sub(piece[0].from, a)) == 0);

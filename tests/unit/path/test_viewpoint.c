@@ -64,12 +64,12 @@ static murk_mesh *letter_u(void)
     return closed_prism(at, 8, cut, -0.5, 0.5);
 }
 
-/* Length of the way inside, from the twin's crossings. */
+/* Length of the path inside, from the twin's crossings. */
 static double length_inside(const murk_mesh *m, murk_vec3 from, murk_vec3 to)
 {
-    const murk_vec3 way = murk_sub(to, from);
-    const double length = murk_length(way);
-    const murk_vec3 d = murk_scale(1 / length, way);
+    const murk_vec3 offset = murk_sub(to, from);
+    const double length = murk_length(offset);
+    const murk_vec3 d = murk_scale(1 / length, offset);
     double sum = 0;
     for (size_t i = 0; i < m->triangles; ++i) {
         murk_vec3 v[3];
@@ -97,13 +97,13 @@ static void test_transmittance_through_a_concave_mesh_is_exact(void)
     for (uint64_t i = 0; i < PAIRS; ++i) {
         const murk_vec3 sensor = random_point(SEED, i / 8);
         const murk_vec3 photon = random_point(SEED + 1, i);
-        const murk_path_viewpoint way =
+        const murk_path_viewpoint viewpoint =
             murk_path_viewpoint_at(&p.space, sensor);
-        const double got = murk_path_transmittance_to(&way, 0, photon);
+        const double got = murk_path_transmittance_to(&viewpoint, 0, photon);
         const double inside = length_inside(u, sensor, photon);
         maximum = fmax(maximum, fabs(got - exp(-2 * inside)));
         teeth = fmax(teeth, fabs(got - exp(-2.001 * inside)));
-        CHECK(!murk_path_bends_to(&way, photon));
+        CHECK(!murk_path_bends_to(&viewpoint, photon));
     }
     /* Two crossings at most 16 float steps of 0.8 apart may cancel. */
     CHECK(maximum < 2 * 2 * 16 * 0x1p-23);

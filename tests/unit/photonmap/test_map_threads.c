@@ -21,9 +21,9 @@ static void test_order_depends_on_the_records_alone(void)
         for (size_t i = n; i-- > 1;) { /* shuffled */
             const murk_random4 r = murk_random(1, MURK_TEST, i, 3, 0);
             const size_t j = (size_t)(r.u[0] * (double)(i + 1));
-            const murk_photon kept = photons[i];
+            const murk_photon swapped = photons[i];
             photons[i] = photons[j];
-            photons[j] = kept;
+            photons[j] = swapped;
         }
         murk_photon_map *other = make_map(photons, n, 1);
         CHECK(memcmp(murk_photon_map_photons(map),

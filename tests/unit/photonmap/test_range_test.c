@@ -1,4 +1,4 @@
-/* Every way of scanning that this machine has gives the bits of plain C. */
+/* Every instruction set that this machine has gives the bits of plain C. */
 #include "check.h"
 #include "sets.h"
 
@@ -52,7 +52,7 @@ static void compare_tests(const murk_range_test *plain,
     CHECK(memcmp(a, b, MURK_WIDE * sizeof *a) == 0);
 }
 
-static void test_all_ways_give_the_same_bits(void)
+static void test_all_instruction_sets_give_the_same_bits(void)
 {
     unsigned n_tests;
     const murk_range_test *const *tests = murk_range_tests(&n_tests);
@@ -74,7 +74,7 @@ static void test_all_ways_give_the_same_bits(void)
 
 /* A leaf at the very end of its memory is not read beyond (the sanitizer
  * watches), and a box bounds what it holds exactly. */
-static void test_boxes_bound_their_photons(void)
+static void test_leaf_bounds_hold_their_photons(void)
 {
     unsigned n_tests;
     const murk_range_test *const *tests = murk_range_tests(&n_tests);
@@ -102,7 +102,7 @@ static void test_boxes_bound_their_photons(void)
 
 int main(void)
 {
-    test_all_ways_give_the_same_bits();
-    test_boxes_bound_their_photons();
+    test_all_instruction_sets_give_the_same_bits();
+    test_leaf_bounds_hold_their_photons();
     return check_done();
 }

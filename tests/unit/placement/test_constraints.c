@@ -3,7 +3,7 @@
  * Nothing is random but the fixed seeds. */
 #include "placement/place.h"
 
-#include "ruled_ways.h"
+#include "constrained_plans.h"
 
 static void test_every_rule(uint32_t seed)
 {
@@ -28,7 +28,7 @@ static void test_every_rule(uint32_t seed)
             made_up_constraints_fill(&r, own, kinds, 10);
             const size_t count =
                 kinds & BUDGET && k % 3 ? 0 : 1 + made_up_draw(own, 20, 0, 5);
-            try_all_ways(m, &r, own, count, &t);
+            try_all_methods(m, &r, own, count, &t);
             made_up_destroy(m);
         }
         /* A single kind must lead to plans, not only to refusals. */
@@ -114,7 +114,7 @@ static void test_contradictions_are_refused(void)
     const uint32_t site[] = {8, 8, 8, 9, 9, 9};
     const double place[6][3] = {{0}, {.5}, {1}, {1.5}, {2}, {2.5}};
     const size_t first[] = {0, 1, 1, 1, 1, 1, 1};
-    const uint32_t one_way[] = {3};
+    const uint32_t unilateral[] = {3};
     /* Each case has one contradiction or one bad value, and a message that
      * names it. */
     const struct {
@@ -229,7 +229,7 @@ static void test_contradictions_are_refused(void)
          3,
          0,
          "no plan: no 3 of 6 usable candidates keep all rules"},
-        {{.conflict_first = first, .conflict = one_way},
+        {{.conflict_first = first, .conflict = unilateral},
          2,
          0,
          "conflict of candidate 0 with 3: must name another one below 6, "

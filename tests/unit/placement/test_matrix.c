@@ -75,15 +75,15 @@ static void check_bounds_stop(made_up *m, murk_matrix *matrix)
     const murk_blocks blocks = {.n = 2, .first = {0, 32, 64}};
     murk_evaluator evaluator;
     murk_bound bound;
-    murk_block_layouts views;
+    murk_block_layouts layouts;
     murk_worst_bound worst;
     murk_error err = {0};
     uint64_t upper = MURK_SHARE_ONE;
     CHECK(!murk_evaluator_init(&evaluator, &m->problem, matrix, NULL, 3, true,
                                &err));
     CHECK(!murk_bound_init(&bound, &evaluator, &err));
-    CHECK(!murk_block_layouts_init(&views, &evaluator, &blocks, &err));
-    CHECK(!murk_worst_bound_init(&worst, &views, &err));
+    CHECK(!murk_block_layouts_init(&layouts, &evaluator, &blocks, &err));
+    CHECK(!murk_worst_bound_init(&worst, &layouts, &err));
     /* After a request to stop, both return the bound that needs no
      * evaluation. */
     murk_interrupt_request();
@@ -93,7 +93,7 @@ static void check_bounds_stop(made_up *m, murk_matrix *matrix)
         !murk_worst_bound_tighten(&worst, 3, 0, plan, 3, 60, 8, &upper, &err));
     CHECK(worst.bound.evaluations == 0 && upper == MURK_SHARE_ONE);
     murk_worst_bound_release(&worst);
-    murk_block_layouts_release(&views);
+    murk_block_layouts_release(&layouts);
     murk_bound_release(&bound);
     murk_evaluator_release(&evaluator);
 }

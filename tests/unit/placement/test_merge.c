@@ -48,14 +48,14 @@ static void check_methods(const made_up *m)
 {
     /* Two matrices of one problem; merging leaves fewer photons, and the
      * same pairs. */
-    murk_matrix *apart = NULL, *merged = NULL;
+    murk_matrix *unmerged = NULL, *merged = NULL;
     murk_error err = {0};
-    CHECK(murk_matrix_make(&apart, &m->problem, UINT64_MAX, MURK_MERGE_NEVER,
+    CHECK(murk_matrix_make(&unmerged, &m->problem, UINT64_MAX, MURK_MERGE_NEVER,
                            &err) == MURK_OK);
     CHECK(murk_matrix_make(&merged, &m->problem, UINT64_MAX, MURK_MERGE_ALWAYS,
                            &err) == MURK_OK);
-    CHECK(merged->layout.photons < apart->layout.photons);
-    CHECK(merged->pairs == apart->pairs);
+    CHECK(merged->layout.photons < unmerged->layout.photons);
+    CHECK(merged->pairs == unmerged->pairs);
     /* Each method finds the same plan from both, also where branch and
      * bound is cut short. */
     for (int method = 0; method < 4; ++method) {
@@ -65,14 +65,14 @@ static void check_methods(const made_up *m)
             desc.count = 4;
             desc.restarts = 3;
             desc.nodes = is_cut ? 2 : 100000;
-            murk_place_result a = place(m, apart, &desc);
+            murk_place_result a = place(m, unmerged, &desc);
             murk_place_result b = place(m, merged, &desc);
             CHECK(same(&a, &b));
             murk_place_release(&a);
             murk_place_release(&b);
         }
     }
-    murk_matrix_destroy(apart);
+    murk_matrix_destroy(unmerged);
     murk_matrix_destroy(merged);
 }
 
@@ -120,7 +120,7 @@ int main(void)
 {
     /* Merging itself. */
     test_as_few_stay_as_possible();
-    /* Plans with and without merging, for each way of combining views. */
+    /* Plans with and without merging, for each mode of combining views. */
     static const struct {
         uint32_t levels, weights;
         murk_combining combining;

@@ -1,11 +1,11 @@
-/* Ways of combining views, against brute force: covers, thresholds, plans under
- * every kind of rule, and scans against plain ones. Nothing is random but the
- * fixed seeds. */
+/* Modes of combining views, against brute force: covers, thresholds, plans
+ * under every kind of rule, and scans against plain ones. Nothing is random but
+ * the fixed seeds. */
 #include "placement/place.h"
 
+#include "constrained_plans.h"
 #include "placement/cover.h"
 #include "placement/multipliers.h"
-#include "ruled_ways.h"
 
 static const struct mode {
     const char *name;
@@ -270,7 +270,7 @@ static void test_every_rule_in_every_mode(uint32_t seed)
                 const size_t count = kinds & BUDGET && k % 3
                                          ? 0
                                          : 1 + made_up_draw(own, 20, 0, 4);
-                try_all_ways(m, &r, own, count, &t);
+                try_all_methods(m, &r, own, count, &t);
                 made_up_destroy(m);
             }
         }

@@ -1,4 +1,4 @@
-/* Ways of combining views that are refused. Nothing here is random. */
+/* Modes of combining views that are refused. Nothing here is random. */
 #include "placement/place.h"
 
 #include "check.h"

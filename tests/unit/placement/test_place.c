@@ -172,7 +172,7 @@ static void test_known_is_unknown(uint32_t seed)
 
 /* In an unknown environment greedy looks at each candidate once, and again
  * only at those that may add most to what stands: its bounds cost no look. */
-static void test_greedy_looks_again_at_few(uint32_t seed)
+static void test_greedy_evaluates_few_again(uint32_t seed)
 {
     made_up *m = made_up_create(seed, 2000, 600, 0.02, 1, 1, 2);
     murk_place_desc desc = murk_place_defaults();
@@ -477,7 +477,7 @@ int main(int argc, char **argv)
     const uint32_t seed = argc > 1 ? (uint32_t)strtoul(argv[1], NULL, 10) : 1;
     test_against_brute_force(seed);
     test_known_is_unknown(seed);
-    test_greedy_looks_again_at_few(seed);
+    test_greedy_evaluates_few_again(seed);
     test_exact(seed);
     test_target(seed);
     test_nodes_limit_all_counts_together(seed);

@@ -3,11 +3,11 @@
  * Searches usually find the best plan before branch and bound begins, so a
  * branch and bound that drops slightly better plans goes unnoticed. Here it
  * begins at plans that are known to be second best, by down to 1e-6 of their
- * value, and must reach the optimum. All ways of combining views and
+ * value, and must reach the optimum. All modes of combining views and
  * constraints of every kind are tried through the public interface as well, on
  * the same nearly tied problems. Nothing is random but the fixed seeds. */
+#include "constrained_plans.h"
 #include "placement/exact.h"
-#include "ruled_ways.h"
 
 /* Photons, of which the first are light and tell nearly equal plans apart. */
 #define PHOTONS 48
@@ -180,7 +180,7 @@ static void test_every_constraint(uint32_t seed)
                 const size_t count = kinds & BUDGET && k % 3
                                          ? 0
                                          : 1 + made_up_draw(own, 20, 0, 4);
-                try_all_ways(m, &r, own, count, &t);
+                try_all_methods(m, &r, own, count, &t);
                 made_up_destroy(m);
             }
         }

@@ -10,13 +10,13 @@
 #define CANDIDATES 40
 #define MATRIX_MAX ((uint64_t)1 << 32)
 
-/* Each candidate sees one photon in `apart` groups of 125 alone, so that most
+/* Each candidate sees one photon in `parts` groups of 125 alone, so that most
  * words of its row are empty. */
-static void set_apart(made_up *m, size_t apart)
+static void separate(made_up *m, size_t parts)
 {
     for (size_t j = 0; j < CANDIDATES; ++j) {
         for (size_t i = 0; i < PHOTONS; ++i) {
-            if (apart > 1 && (i / 125) % apart != j % apart) {
+            if (parts > 1 && (i / 125) % parts != j % parts) {
                 m->clarity[j * PHOTONS + i] = 0;
             }
         }
@@ -51,13 +51,13 @@ static void draw_weights(uint32_t *weight, const made_up *m, uint32_t seed,
     }
 }
 
-static void compare(uint32_t seed, size_t apart, uint32_t levels,
+static void compare(uint32_t seed, size_t parts, uint32_t levels,
                     uint32_t weights, int direction, murk_combining combining,
                     unsigned redundancy)
 {
     made_up *m =
         made_up_create(seed, PHOTONS, CANDIDATES, .5, levels, weights, 1);
-    set_apart(m, apart);
+    separate(m, parts);
     m->problem.combining = combining;
     m->problem.redundancy = redundancy;
     murk_matrix *first = NULL, *other = NULL, *fresh = NULL;
@@ -90,13 +90,13 @@ static void compare(uint32_t seed, size_t apart, uint32_t levels,
 int main(void)
 {
     uint32_t seed = 40;
-    for (size_t apart = 1; apart <= 16; apart *= 4) {
+    for (size_t parts = 1; parts <= 16; parts *= 4) {
         for (uint32_t levels = 1; levels <= 40; levels += 39) {
             for (int direction = 0; direction < 3; ++direction) {
                 /* photons of one weight side by side, and as they come */
-                compare(seed++, apart, levels, 3, direction,
+                compare(seed++, parts, levels, 3, direction,
                         MURK_COMBINE_CLEAREST, 1);
-                compare(seed++, apart, levels, 3000, direction,
+                compare(seed++, parts, levels, 3000, direction,
                         MURK_COMBINE_CLEAREST, 1);
             }
         }

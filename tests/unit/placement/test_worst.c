@@ -30,7 +30,7 @@ static murk_blocks blocks_of(const made_up *m, size_t n)
 
 /* Candidates of the first third see little of block 0, of the second little
  * of block 1, and so on: so that no plan is best in all. */
-static void set_apart(made_up *m, const murk_blocks *blocks)
+static void separate_blocks(made_up *m, const murk_blocks *blocks)
 {
     for (size_t j = 0; j < m->problem.candidates; ++j) {
         const size_t c = j % blocks->n;
@@ -231,7 +231,7 @@ static void test_against_brute_force(uint32_t seed)
         made_up *m = made_up_create(seed + k, 90, 10, k % 3 ? .3 : .12,
                                     k % 2 ? 1 : 40, 1 + k % 4, 1);
         const murk_blocks blocks = blocks_of(m, 2 + k % 3);
-        set_apart(m, &blocks);
+        separate_blocks(m, &blocks);
         combine_by(m, k / 3 % 4);
         made_up_constraints none;
         made_up_constraints_fill(&none, seed, 0, 10);
@@ -254,7 +254,7 @@ static void test_every_rule(uint32_t seed)
             made_up *m = made_up_create(own, 60, 9, k % 3 ? .25 : .1,
                                         k % 2 ? 1 : 40, 1 + k % 4, 1);
             const murk_blocks blocks = blocks_of(m, 2 + k % 2);
-            set_apart(m, &blocks);
+            separate_blocks(m, &blocks);
             combine_by(m, (k + kinds) % 5);
             made_up_constraints r;
             made_up_constraints_fill(&r, own, kinds, 9);
@@ -308,7 +308,7 @@ static void test_regret(uint32_t seed)
         made_up *m = made_up_create(own, 60, 9, k % 3 ? .25 : .12,
                                     k % 2 ? 1 : 40, 1 + k % 4, 1);
         murk_blocks blocks = blocks_of(m, 2 + k % 2);
-        set_apart(m, &blocks);
+        separate_blocks(m, &blocks);
         /* one block is dim: it would decide the worst */
         for (size_t i = 0; i < 9 * 60; ++i) {
             const uint32_t part = i % 60 >= blocks.first[1] ? 1 : 4;
@@ -352,7 +352,7 @@ static void test_the_bound_alone(uint32_t seed)
         made_up *m =
             made_up_create(seed + k, 300, 11, .3, k % 2 ? 1 : 40, 3, 1);
         const murk_blocks blocks = blocks_of(m, 3);
-        set_apart(m, &blocks);
+        separate_blocks(m, &blocks);
         made_up_constraints none;
         made_up_constraints_fill(&none, seed, 0, 11);
         uint64_t best[MADE_UP_MAX + 1];
@@ -407,7 +407,7 @@ static void test_target(uint32_t seed)
         /* The optimum for each count by brute force. */
         made_up *m = made_up_create(seed + k, 90, 10, .2, 1, 2, 1);
         const murk_blocks blocks = blocks_of(m, 3);
-        set_apart(m, &blocks);
+        separate_blocks(m, &blocks);
         made_up_constraints none;
         made_up_constraints_fill(&none, seed, 0, 10);
         uint64_t best[MADE_UP_MAX + 1];
@@ -449,7 +449,7 @@ static void test_threads(uint32_t seed)
         /* A problem in which no candidate sees all three blocks well. */
         made_up *m = made_up_create(seed, 3000, 60, .3, 40, 2, threads);
         const murk_blocks blocks = blocks_of(m, 3);
-        set_apart(m, &blocks);
+        separate_blocks(m, &blocks);
         murk_place_desc desc = murk_place_defaults();
         desc.count = 3;
         desc.nodes = 3000;

@@ -28,7 +28,7 @@ static const char scene_text[] =
 
 /* Clarity is a whole multiple of 1/65535, and the transmittance from depths
  * and sheets is not rounded: both agree within the rounding. */
-static void check_looks(const char *override, bool has_sheets)
+static void check_queries(const char *override, bool has_sheets)
 {
     /* The row of one sensor in the traced scene. */
     const char *const overrides[] = {override, NULL};
@@ -68,9 +68,9 @@ static void check_looks(const char *override, bool has_sheets)
 
 int main(void)
 {
-    check_looks("seed=1", true);
-    check_looks("domain.sides=periodic", true);
-    check_looks("placement.through=block", false);
-    check_looks("placement.visibility=normal", false);
+    check_queries("seed=1", true);
+    check_queries("domain.sides=periodic", true);
+    check_queries("placement.through=block", false);
+    check_queries("placement.visibility=normal", false);
     return check_done();
 }

@@ -2,8 +2,8 @@
  * is fixed: nothing here is random. */
 #include "corridor.h"
 
-/* From (1, 1) the way to (2, 9) passes the corner's edge, (2, 8), at x = 1.875;
- * that to (3, 9) would pass it at 2.75. */
+/* From (1, 1) the segment to (2, 9) passes the corner's edge, (2, 8), at x =
+ * 1.875; that to (3, 9) would pass it at 2.75. */
 static void test_nobody_jumps_round_the_corner(void)
 {
     made m = explore(NULL);
@@ -105,7 +105,7 @@ static void test_a_pane_is_not_walked_through(void)
     unmake(&m);
 }
 
-/* Whether the straight way keeps out of the block within the corner. */
+/* Whether the straight segment keeps out of the block within the corner. */
 static bool is_outside(murk_vec3 a, murk_vec3 b)
 {
     for (int k = 0; k <= 1000; ++k) {
@@ -120,7 +120,7 @@ static bool is_outside(murk_vec3 a, murk_vec3 b)
 /* From the corner, stations go down the first leg, (1, 6) and (1, 3), and
  * then to (4, 9), which is out of straight reach: the shortest path there
  * leads over (2, 9). */
-static void test_ways_go_round_corners(void)
+static void test_paths_go_round_corners(void)
 {
     /* Nodes that see 3.5 m must walk along both legs. */
     const char *const list[] = {NEAR, "placement.start_m=[1, 9, 1]", NULL};
@@ -207,7 +207,7 @@ int main(void)
     test_a_dark_corner_is_turned();
     test_fog_hides_places();
     test_a_pane_is_not_walked_through();
-    test_ways_go_round_corners();
+    test_paths_go_round_corners();
     test_threads_change_nothing();
     test_bad_starts_are_refused();
     return check_done();

@@ -22,11 +22,11 @@ static void test_targets_end_it(void)
     unmake(&m);
     /* Behind a pane, nothing can be explored, and a target of all light is
      * not reached. */
-    const char *const apart[] = {
+    const char *const spaced[] = {
         "geometry=[" WALLS PANE "]",
         "sensors={types: [{name: node, range_m: 30}], target: 1, " SITED "}",
         NULL};
-    m = explore_with(CORRIDOR, apart, 2);
+    m = explore_with(CORRIDOR, spaced, 2);
     CHECK(m.status == MURK_RUN_FAILED);
     CHECK_MENTIONS(m.err.text, "target 1 is not reached: exploring ends with ");
     CHECK_MENTIONS(m.err.text, "5 of 17 places seen: nothing in seen space");
@@ -52,7 +52,7 @@ static void test_budgets_go_by_cost(void)
     unmake(&m);
 }
 
-static void test_constraints_are_kept(void)
+static void test_constraints_are_met(void)
 {
     const char *const list[] = {NEAR, "sensors.one_per_site=true",
                                 "sensors.candidates.spacing_m=2",
@@ -67,9 +67,9 @@ static void test_constraints_are_kept(void)
     }
     unmake(&m);
     /* from (1, 7) on nobody seen is as far as this from it */
-    const char *const apart[] = {NEAR, "sensors.candidates.spacing_m=2.5",
-                                 NULL};
-    m = explore_with(CORRIDOR, apart, 2);
+    const char *const spaced[] = {NEAR, "sensors.candidates.spacing_m=2.5",
+                                  NULL};
+    m = explore_with(CORRIDOR, spaced, 2);
     CHECK_TEXT(m.err.text, "");
     CHECK(m.plan.explore.steps == 3 &&
           m.plan.explore.end == MURK_EXPLORE_CONSTRAINTS);
@@ -146,7 +146,7 @@ int main(void)
 {
     test_targets_end_it();
     test_budgets_go_by_cost();
-    test_constraints_are_kept();
+    test_constraints_are_met();
     test_fixed_sensors_see_but_do_not_walk();
     test_bounds_hold_before_min_counts_are_met();
     return check_done();

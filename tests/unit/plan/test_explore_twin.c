@@ -1,7 +1,7 @@
 /* Exploring goes as its plain twin does: rooms with random crates, two types of
  * sensors, with a fixed sensor or without. The twin weighs every pose anew at
- * each step, tests ways against the crates by hand, and finds paths by trying
- * all steps. Seeds are fixed: nothing here is random. */
+ * each step, tests segments against the crates by hand, and finds paths by
+ * trying all steps. Seeds are fixed: nothing here is random. */
 #include "base/rng.h"
 #include "check.h"
 #include "chosen.h"
@@ -14,12 +14,12 @@
 #define STEPS  7
 #define MAX    200 /* places */
 
-typedef struct room {
+typedef struct floor_plan {
     murk_box crate[CRATES];
     murk_vec3 start, fixed;
     bool has_fixed;
     char text[4096];
-} room;
+} floor_plan;
 
 static double between(const murk_random4 *r, int k, double a, double b)
 {
@@ -29,9 +29,9 @@ static double between(const murk_random4 *r, int k, double a, double b)
 /* Crates are 2.3 m high, so that all air above them can be reached. In two
  * of four rooms only the first crate reflects, so that most poses gain
  * nothing. */
-static room make_room(uint32_t seed)
+static floor_plan make_floor_plan(uint32_t seed)
 {
-    room m = {.has_fixed = seed % 2 == 0};
+    floor_plan m = {.has_fixed = seed % 2 == 0};
     /* Walls, lights and materials. */
     int at = snprintf(
         m.text, sizeof m.text,
@@ -93,7 +93,7 @@ static room make_room(uint32_t seed)
 /* ---- the twin ---- */
 
 typedef struct twin {
-    const room *room;
+    const floor_plan *floor_plan;
     const murk_plan_result *plan;
     murk_sight *sight;
     size_t places, sites;
@@ -107,11 +107,13 @@ static bool is_open(const twin *t, murk_vec3 a, murk_vec3 b)
 {
     for (int k = 0; k < CRATES; ++k) {
         double first = 0, last = 1;
-        const murk_vec3 way = murk_sub(b, a);
-        const murk_box *c = &t->room->crate[k];
-        const double from[3] = {a.x, a.y, a.z}, to[3] = {way.x, way.y, way.z};
+        const murk_vec3 offset = murk_sub(b, a);
+        const murk_box *c = &t->floor_plan->crate[k];
+        const double from[3] = {a.x, a.y, a.z},
+                     to[3] = {offset.x, offset.y, offset.z};
         const double min[3] = {c->min.x, c->min.y, c->min.z},
                      max[3] = {c->max.x, c->max.y, c->max.z};
+        /* The part of the segment inside the crate, as fractions. */
         for (int i = 0; i < 3; ++i) {
             const double p = (min[i] - from[i]) / to[i],
                          q = (max[i] - from[i]) / to[i];
@@ -134,11 +136,11 @@ static bool sees(const twin *t, const murk_pose *pose, murk_vec3 place)
     const murk_sight_desc *sight = murk_sight_described(t->sight);
     const murk_sensor_type *type = &sight->type[pose->type];
     const murk_field field = murk_field_of(type, pose, sight->north);
-    const murk_vec3 way = murk_sub(place, pose->position);
-    const double distance_m = murk_length(way);
-    return distance_m == 0 ||
-           (distance_m <= type->range_m && murk_field_contains(&field, way) &&
-            is_open(t, pose->position, place));
+    const murk_vec3 offset = murk_sub(place, pose->position);
+    const double distance_m = murk_length(offset);
+    return distance_m == 0 || (distance_m <= type->range_m &&
+                               murk_field_contains(&field, offset) &&
+                               is_open(t, pose->position, place));
 }
 
 /* All that links lead to from the start. */
@@ -237,7 +239,7 @@ static bool next_of(const twin *t, bool is_first, size_t *next)
 
 /* The length of the shortest path over seen places, by the algorithm of
  * Bellman and Ford. */
-static double way_of(const twin *t, size_t from, size_t to)
+static double path_length(const twin *t, size_t from, size_t to)
 {
     /* Distances from the place `from`, and pairs of seen places in straight
      * reach. */
@@ -255,10 +257,10 @@ static double way_of(const twin *t, size_t from, size_t to)
         is_better = false;
         for (size_t a = 0; a < t->places; ++a) {
             for (size_t b = 0; b < t->places; ++b) {
-                const double way =
+                const double distance =
                     gone[a] + murk_length(murk_sub(t->place[a], t->place[b]));
-                if (a != b && open[a][b] && way < gone[b] - 1e-12) {
-                    gone[b] = way;
+                if (a != b && open[a][b] && distance < gone[b] - 1e-12) {
+                    gone[b] = distance;
                     is_better = true;
                 }
             }
@@ -285,7 +287,7 @@ static void check_against_twin(twin *t, size_t *opened)
         CHECK(e->step[k].candidate == next);
         CHECK(e->step[k].gain == gain_of(t, next));
         *opened += e->step[k].gain == 0;
-        path_m += way_of(t, here, poses->site[next]);
+        path_m += path_length(t, here, poses->site[next]);
         here = poses->site[next];
         CHECK_NEAR(e->step[k].path_m, path_m, 1e-9);
         stand(t, next);
@@ -299,15 +301,15 @@ static void check_against_twin(twin *t, size_t *opened)
     CHECK((e->end == MURK_EXPLORE_COUNT) == (e->steps == STEPS));
 }
 
-static void check_room(uint32_t seed, size_t *steps, size_t *opened)
+static void check_floor_plan(uint32_t seed, size_t *steps, size_t *opened)
 {
-    const room m = make_room(seed);
+    const floor_plan m = make_floor_plan(seed);
     murk_stage *stage = stage_text_create(m.text, NULL);
     murk_traced *traced = NULL;
     murk_plan_result plan = {0};
     murk_error err = {0};
     static twin t;
-    t = (twin){.room = &m, .plan = &plan};
+    t = (twin){.floor_plan = &m, .plan = &plan};
     const bool is_made = stage && !murk_plan_prepare(&plan, stage, 2, &err) &&
                          !murk_lightmap_trace(&traced, stage, 0, 2, &err) &&
                          !choose_sensors(&plan, stage, traced, 2, &err) &&
@@ -337,7 +339,7 @@ int main(void)
 {
     size_t steps = 0, opened = 0;
     for (uint32_t seed = 1; seed <= CASES; ++seed) {
-        check_room(seed, &steps, &opened);
+        check_floor_plan(seed, &steps, &opened);
     }
     CHECK(steps > 5 * CASES && opened > CASES / 4); /* or little was compared */
     printf("%zu steps compared, %zu of them to see further\n", steps, opened);

@@ -259,7 +259,7 @@ static void test_escaped_light_is_by_power(void)
     check_escape("0.9", 0.9 / 1.9, NULL);
 }
 
-static void test_laid_candidates(void)
+static void test_mounted_candidates(void)
 {
     murk_error err = {0};
     murk_candidates *candidates = NULL;
@@ -303,7 +303,7 @@ int main(void)
     test_a_forecast_is_the_pilot_many_times();
     test_max_stored_counts_both_maps();
     test_escaped_light_is_by_power();
-    test_laid_candidates();
+    test_mounted_candidates();
     test_interrupt_in_the_pilot();
     return check_done();
 }

@@ -43,15 +43,16 @@ static murk_candidates *sites_of(const char *candidates, unsigned threads,
     murk_stage *stage =
         stage_text_create(scene_text, (const char *const[]){text, NULL});
     murk_candidates *sites = NULL;
-    murk_error told = {0};
+    murk_error found_err = {0};
     CHECK(stage != NULL);
     const murk_status status =
-        stage ? murk_sites_find(&sites, stage, threads, &told) : MURK_BAD_VALUE;
+        stage ? murk_sites_find(&sites, stage, threads, &found_err)
+              : MURK_BAD_VALUE;
     CHECK((status != MURK_OK) == (err != NULL));
     if (err) {
-        *err = told;
+        *err = found_err;
     } else {
-        CHECK_TEXT(told.text, "");
+        CHECK_TEXT(found_err.text, "");
     }
     stage_text_destroy(stage);
     return sites;

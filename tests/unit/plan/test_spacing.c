@@ -31,9 +31,9 @@ static double closest(const char *spacing, murk_error *err)
     }
     for (size_t i = 0; min > 0 && i < plan.place.count; ++i) {
         for (size_t j = 0; j < i; ++j) {
-            const murk_vec3 way =
+            const murk_vec3 offset =
                 murk_sub(plan.sensor[i].position, plan.sensor[j].position);
-            min = fmin(min, murk_length(way));
+            min = fmin(min, murk_length(offset));
         }
     }
     murk_plan_result_release(&plan);
@@ -46,10 +46,10 @@ int main(void)
 {
     murk_error err = {0};
     const double free_m = closest("sensors.candidates.spacing_m=0", &err);
-    const double apart_m = closest("sensors.candidates.spacing_m=2.6", &err);
+    const double spacing_m = closest("sensors.candidates.spacing_m=2.6", &err);
     CHECK_TEXT(err.text, "");
     CHECK(free_m > 0 && free_m < 2.6); /* or the spacing asked for nothing */
-    CHECK(apart_m >= 2.6);
+    CHECK(spacing_m >= 2.6);
     CHECK(closest("sensors.candidates.spacing_m=99", &err) == 0);
     CHECK_TEXT(err.text, "no plan: no 3 of 128 usable candidates keep all "
                          "rules");

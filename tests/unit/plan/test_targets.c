@@ -20,7 +20,7 @@
  * hangs free; smoke in a ball and, twice as thick, in a box of 2 x 1 x 1 m that
  * fills half of the crate's neighbourhood. Two bands: the mist is in the second
  * alone. */
-static const char room[] =
+static const char SCENE[] =
     "murk: 1\n"
     "bands_nm: [450, 650]\n"
     "domain: {min_m: [0, 0, 0], max_m: [4, 4, 3]}\n"
@@ -59,7 +59,7 @@ static murk_stage *stage_with(const char *targets)
     char text[512];
     snprintf(text, sizeof text, "placement.targets=%s", targets);
     const char *const overrides[] = {text, seed_text, NULL};
-    murk_stage *stage = stage_text_create(room, overrides);
+    murk_stage *stage = stage_text_create(SCENE, overrides);
     CHECK(stage != NULL);
     return stage;
 }

@@ -48,15 +48,15 @@ static void test_best_is_forecast(void)
     CHECK_MENTIONS(note, "method: greedy or spoq, or fewer restarts");
     CHECK_MENTIONS(note, "with 3 starts (at most 3 are made)");
     const char *about = strstr(note, "about ");
-    const double looks = about ? strtod(about + strlen("about "), NULL) : 0;
-    CHECK_NEAR(looks, STARTS * 4 * COUNT * SITES, 0.05 * looks);
+    const double queries = about ? strtod(about + strlen("about "), NULL) : 0;
+    CHECK_NEAR(queries, STARTS * 4 * COUNT * SITES, 0.05 * queries);
     /* in a place so small the search ends sooner, never later */
-    printf("foretold %g queries, made %g\n", looks, (double)m.plan.queries);
-    CHECK((double)m.plan.queries <= looks &&
-          (double)m.plan.queries > looks / 10);
+    printf("foretold %g queries, made %g\n", queries, (double)m.plan.queries);
+    CHECK((double)m.plan.queries <= queries &&
+          (double)m.plan.queries > queries / 10);
     const char *rays = strstr(note, "queries, ");
     const double each =
-        (rays ? strtod(rays + strlen("queries, "), NULL) : 0) / looks;
+        (rays ? strtod(rays + strlen("queries, "), NULL) : 0) / queries;
     const double was = (double)m.plan.shadow_rays / (double)m.plan.queries;
     printf("foretold %g rays a query, made %g\n", each, was);
     CHECK(each > 0.5 * was && each < 2 * was);

@@ -50,7 +50,7 @@ static double mie_over_rays(double nm, double diameter_m, double n_rays)
 /* Rays miss the light that falls just beside the edge: corrections to them go
  * as x^-2/3 (Nussenzveig and Wiscombe, Phys. Rev. Lett. 45 (1980) 1490,
  * doi:10.1103/PhysRevLett.45.1490), of which some three are found here, the
- * fewer the more a drop absorbs. Teeth: straight ways through the drop. */
+ * fewer the more a drop absorbs. Teeth: straight paths through the drop. */
 static void test_mie_has_the_edge_more(void)
 {
     static const double nm[] = {900, 1200, 1550};

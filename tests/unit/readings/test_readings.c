@@ -158,7 +158,7 @@ static void test_a_group_of_coverage_is_one_row(void)
     "kind,x_m,y_m,z_m,x2_m,y2_m,z2_m,unit,value,standard_error,gain,group\n"
 #define AT "transmittance,1,1,1,1,1,3,"
 
-static void test_derived_units_are_told_once(void)
+static void test_derived_units_are_logged_once(void)
 {
     murk_readings *m =
         read_text(BEAM AT "visibility_m,50,1,,\n" AT "visibility_m,60,1,,\n" AT
@@ -391,7 +391,7 @@ int main(void)
     /* Kinds, groups and units. */
     test_each_kind_is_read();
     test_a_group_of_coverage_is_one_row();
-    test_derived_units_are_told_once();
+    test_derived_units_are_logged_once();
     test_units_compare_with_a_transmittance();
     test_units_are_finite_everywhere();
     test_light_counts_by_band();

@@ -30,8 +30,8 @@ static murk_image *taken(const test_world *world, murk_camera camera,
 /* Looks with a hair's breadth of view. */
 static murk_camera narrow_camera(murk_vec3 from, murk_vec3 to)
 {
-    const murk_vec3 way = murk_sub(to, from);
-    const murk_vec3 up = fabs(way.z) > fabs(way.x) + fabs(way.y)
+    const murk_vec3 offset = murk_sub(to, from);
+    const murk_vec3 up = fabs(offset.z) > fabs(offset.x) + fabs(offset.y)
                              ? murk_vec(0, 1, 0)
                              : murk_vec(0, 0, 1);
     return murk_camera_aimed(from, to, up, 0.002, 8, 8);
@@ -77,9 +77,9 @@ static double floor_radiance(const murk_source *lamp, size_t n, murk_vec3 at)
 {
     double irradiance = 0;
     for (size_t i = 0; i < n; ++i) {
-        const murk_vec3 way = murk_sub(lamp[i].position, at);
-        const double r = murk_length(way);
-        irradiance += way.z / (4 * MURK_PI * r * r * r);
+        const murk_vec3 offset = murk_sub(lamp[i].position, at);
+        const double r = murk_length(offset);
+        irradiance += offset.z / (4 * MURK_PI * r * r * r);
     }
     return DIFFUSE / MURK_PI * irradiance;
 }
@@ -385,10 +385,10 @@ static double from_images(murk_vec3 lamp, murk_vec3 at, int cosines)
     double sum = 0;
     for (int i = -40; i <= 40; ++i) {
         for (int j = -40; j <= 40; ++j) {
-            const murk_vec3 way = murk_sub(
+            const murk_vec3 offset = murk_sub(
                 murk_vec(lamp.x + i * SIDE, lamp.y + j * SIDE, lamp.z), at);
-            const double r = murk_length(way);
-            sum += pow(way.z / r, cosines) / (r * r) * exp(-ABSORB * r);
+            const double r = murk_length(offset);
+            sum += pow(offset.z / r, cosines) / (r * r) * exp(-ABSORB * r);
         }
     }
     return sum;

@@ -67,8 +67,8 @@ static double share_before(double distance, int dimensions)
     return part / whole;
 }
 
-static test_world room(const murk_medium *media, const murk_region *regions,
-                       size_t n_regions)
+static test_world box_world(const murk_medium *media,
+                            const murk_region *regions, size_t n_regions)
 {
     static const murk_material paint = {.name = "default", .diffuse = {{0.5}}};
     const murk_surface_desc shapes[] = {
@@ -93,7 +93,7 @@ static test_world room(const murk_medium *media, const murk_region *regions,
 
 static void test_discs_end_at_walls(void)
 {
-    test_world world = room(NULL, NULL, 0);
+    test_world world = box_world(NULL, NULL, 0);
     murk_scenery scenery;
     CHECK(murk_scenery_prepare(&scenery, &world.world, NULL) == MURK_OK);
     const murk_vec3 up = {0, 0, 1};
@@ -119,7 +119,7 @@ static void test_balls_weigh_what_scatters_in_sight(void)
     const murk_region regions[] = {
         test_box_region(0, murk_vec(-1, -1, -1), murk_vec(5, 5, 2)),
         test_box_region(1, murk_vec(-1, -1, -1), murk_vec(5, 5, 1))};
-    test_world world = room(media, regions, 2);
+    test_world world = box_world(media, regions, 2);
     murk_scenery scenery;
     CHECK(murk_scenery_prepare(&scenery, &world.world, NULL) == MURK_OK);
     const murk_vec3 none = {0, 0, 0};

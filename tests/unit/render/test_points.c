@@ -66,9 +66,9 @@ static void test_sky_has_no_points(void)
         CHECK(murk_direction_unpack(p->normal).z == 1);
         CHECK(!murk_photon_is_volume(p));
         double x, y;
-        const murk_vec3 way = {(double)p->position_m[0],
-                               (double)p->position_m[1], -0.5};
-        CHECK(murk_camera_find(&c, way, &x, &y));
+        const murk_vec3 offset = {(double)p->position_m[0],
+                                  (double)p->position_m[1], -0.5};
+        CHECK(murk_camera_find(&c, offset, &x, &y));
         CHECK((size_t)y * COLUMNS + (size_t)x == p->emitted);
     }
     test_world_unmade(&world);

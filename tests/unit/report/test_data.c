@@ -8,19 +8,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-static char kept[2048];
+static char written[2048];
 
 /* What `write` puts out, as text. */
-#define WRITTEN(call)                                         \
-    do {                                                      \
-        FILE *to = tmpfile();                                 \
-        CHECK(to != NULL);                                    \
-        if (to) {                                             \
-            call;                                             \
-            rewind(to);                                       \
-            kept[fread(kept, 1, sizeof kept - 1, to)] = '\0'; \
-            fclose(to);                                       \
-        }                                                     \
+#define WRITTEN(call)                                                  \
+    do {                                                               \
+        FILE *to = tmpfile();                                          \
+        CHECK(to != NULL);                                             \
+        if (to) {                                                      \
+            call;                                                      \
+            rewind(to);                                                \
+            written[fread(written, 1, sizeof written - 1, to)] = '\0'; \
+            fclose(to);                                                \
+        }                                                              \
     } while (0)
 
 static murk_yaml *parsed(const char *text)
@@ -30,11 +30,11 @@ static murk_yaml *parsed(const char *text)
     return root;
 }
 
-static void write_yaml(FILE *to, const char *text, size_t most)
+static void write_yaml(FILE *to, const char *text, size_t items_max)
 {
     murk_yaml *root = parsed(text);
     murk_data data = {.to = to};
-    murk_data_yaml(&data, NULL, root, most);
+    murk_data_yaml(&data, NULL, root, items_max);
     murk_yaml_destroy(root);
 }
 
@@ -43,12 +43,12 @@ static void test_json_ends_no_script(void)
     WRITTEN(murk_data data = murk_data_open(to, "a");
             murk_data_text(&data, "<b>", "</script><!--\"\\");
             murk_data_close(&data));
-    CHECK_TEXT(kept, "<script type=\"application/json\" id=\"a\">"
-                     "{\"\\u003cb>\":\"\\u003c/script>\\u003c!--\\\"\\\\\"}"
-                     "</script>\n");
+    CHECK_TEXT(written, "<script type=\"application/json\" id=\"a\">"
+                        "{\"\\u003cb>\":\"\\u003c/script>\\u003c!--\\\"\\\\\"}"
+                        "</script>\n");
     WRITTEN(murk_data data = {.to = to};
             murk_data_text(&data, NULL, "a\xff\x01\n\xc2\x85z"));
-    CHECK_TEXT(kept, "\"a\\ufffd\\ufffd\\ufffd\\ufffdz\"");
+    CHECK_TEXT(written, "\"a\\ufffd\\ufffd\\ufffd\\ufffdz\"");
 }
 
 static void test_numbers_are_read_back(void)
@@ -57,25 +57,26 @@ static void test_numbers_are_read_back(void)
     for (size_t i = 0; i < sizeof values / sizeof *values; ++i) {
         WRITTEN(murk_data data = {.to = to};
                 murk_data_number(&data, NULL, values[i]));
-        CHECK(fabs(strtod(kept, NULL) - values[i]) <= 3e-16 * fabs(values[i]));
+        CHECK(fabs(strtod(written, NULL) - values[i]) <=
+              3e-16 * fabs(values[i]));
     }
     WRITTEN(murk_data data = {.to = to};
             murk_data_number(&data, NULL, (double)NAN));
-    CHECK_TEXT(kept, "null");
+    CHECK_TEXT(written, "null");
     /* little endian 1.0f is 00 00 80 3f */
     WRITTEN(murk_data data = {.to = to};
             murk_data_floats(&data, NULL, (const double[]){1}, 1));
-    CHECK_TEXT(kept, "\"AACAPw==\"");
+    CHECK_TEXT(written, "\"AACAPw==\"");
 }
 
 static void test_results_keep_their_kinds(void)
 {
     WRITTEN(write_yaml(to, "{\"a\": [1.50, \"1\", true, null, .5, 1e999]}", 9));
-    CHECK_TEXT(kept, "{\"a\":[1.5,\"1\",true,null,0.5,\"1e999\"]}");
+    CHECK_TEXT(written, "{\"a\":[1.5,\"1\",true,null,0.5,\"1e999\"]}");
     WRITTEN(
         write_yaml(to, "{\"a\": [1, 2, 3], \"b\": [[4, 5, 6]], \"c\": 1}", 2));
-    CHECK_TEXT(kept, "{\"a\":{\"of\":3,\"first\":[1,2]},"
-                     "\"b\":[{\"of\":3,\"first\":[4,5]}]}");
+    CHECK_TEXT(written, "{\"a\":{\"of\":3,\"first\":[1,2]},"
+                        "\"b\":[{\"of\":3,\"first\":[4,5]}]}");
 }
 
 static void test_sentences_have_values(void)
@@ -85,8 +86,8 @@ static void test_sentences_have_values(void)
     WRITTEN(murk_report_say(to, root,
                             "{a.n#thing|things}, {list[thing|things}, {a.n%}, "
                             "{a.n~}, {a.name$}, {a.n}, {none}, {none$}."));
-    CHECK_TEXT(kept, "1 thing, 2 things, 100.00 %, 100.00 \xc2\xb1 25.00 %, "
-                     "&lt;b&gt;, 1, \xe2\x80\x93, \xe2\x80\x93.");
+    CHECK_TEXT(written, "1 thing, 2 things, 100.00 %, 100.00 \xc2\xb1 25.00 %, "
+                        "&lt;b&gt;, 1, \xe2\x80\x93, \xe2\x80\x93.");
     murk_yaml_destroy(root);
 }
 

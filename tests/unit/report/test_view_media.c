@@ -45,7 +45,7 @@ static void test_layers(void)
     stage_text_destroy(made);
 }
 
-static void test_even_fog_is_told(void)
+static void test_even_fog_is_reported(void)
 {
     murk_stage *made = stage_text_create(EVEN, NULL);
     murk_view_media media;
@@ -80,7 +80,7 @@ static void test_nothing(void)
 int main(void)
 {
     test_layers();
-    test_even_fog_is_told();
+    test_even_fog_is_reported();
     test_nothing();
     return check_done();
 }

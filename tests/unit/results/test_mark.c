@@ -53,7 +53,7 @@ static void test_pyramid(void)
     const murk_pose pose = {.position = {1, 2, 3}, .heading_rad = 90 * DEG};
     murk_mark m;
     murk_mark_make(&m, &type, &pose, north, SIZE_M);
-    const double d = 4 * SIZE_M / 1.5; /* the way's length is 3/2 */
+    const double d = 4 * SIZE_M / 1.5; /* the length of the offset is 3/2 */
     CHECK(m.corners == 5 && m.faces == 6);
     check_place(m.corner[0], 1, 2, 3);
     check_place(m.corner[1], 1 + d, 2 + d, 3 + d / 2); /* left, up */
@@ -74,9 +74,9 @@ static void test_cone(double cone_deg)
     CHECK(m.corners == MURK_MARK_SIDES + 1);
     CHECK(m.faces == 2 * MURK_MARK_SIDES - 2);
     for (size_t k = 1; k < m.corners; ++k) {
-        const murk_vec3 way = murk_sub(m.corner[k], pose.position);
-        CHECK_NEAR(murk_length(way), length, 1e-12);
-        CHECK_NEAR(way.z, -length * cos(half), 1e-12); /* it looks down */
+        const murk_vec3 offset = murk_sub(m.corner[k], pose.position);
+        CHECK_NEAR(murk_length(offset), length, 1e-12);
+        CHECK_NEAR(offset.z, -length * cos(half), 1e-12); /* it looks down */
     }
     if (cone_deg != 180) { /* which is flat */
         check_faces_point_out(&m);

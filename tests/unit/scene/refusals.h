@@ -4,10 +4,10 @@
 
 #include "scene_files.h"
 
-#define HEAD  "murk: 1\n"
-#define LAMP  "lights: [{type: point, position_m: [0, 0, 0], power_w: 1}]\n"
-#define ROOM  "sensors: {types: [{name: a, range_m: 1}], "
-#define VALUE MURK_BAD_VALUE
+#define HEAD    "murk: 1\n"
+#define LAMP    "lights: [{type: point, position_m: [0, 0, 0], power_w: 1}]\n"
+#define SENSORS "sensors: {types: [{name: a, range_m: 1}], "
+#define VALUE   MURK_BAD_VALUE
 
 typedef struct refusal {
     const char *scene; /* from line 2 on, without lights */

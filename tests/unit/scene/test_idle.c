@@ -8,7 +8,7 @@
 
 #include <stdlib.h>
 
-static const char *const ROOM =
+static const char *const SCENE =
     "murk: 1\n"
     "domain: {min_m: [0, 0, 0], max_m: [4, 4, 3]}\n"
     "media: {fog: {extinction_per_m: 0.1, albedo: 0.9}}\n"
@@ -93,7 +93,7 @@ static murk_scene_desc *scene_with(const char *const *set)
     }
     murk_scene_desc *scene = NULL;
     murk_error err = {0};
-    if (murk_scene_desc_parse(&scene, ROOM, "room.yaml", override, n, &err)) {
+    if (murk_scene_desc_parse(&scene, SCENE, "room.yaml", override, n, &err)) {
         printf("%s: %s\n", err.where, err.text);
     }
     CHECK(scene != NULL);
@@ -188,7 +188,7 @@ static void test_the_scene_as_resolved_says_the_same(void)
 static void test_the_place_is_that_of_the_key(void)
 {
     char text[1000];
-    snprintf(text, sizeof text, "%splacement:\n  threshold: 0.3\n", ROOM);
+    snprintf(text, sizeof text, "%splacement:\n  threshold: 0.3\n", SCENE);
     murk_scene_desc *scene = NULL;
     murk_error err = {0};
     CHECK(!murk_scene_desc_parse(&scene, text, "room.yaml", NULL, 0, &err));

@@ -1,16 +1,16 @@
 /* Where sensors may stand: what light reaches, and nothing else.
  *
  * Deterministic: never cries wolf. */
-#include "candidates_room.h"
+#include "candidates_box.h"
 #include "geometry/polygon.h"
 
-static void test_an_empty_room_keeps_all_in_order(void)
+static void test_an_empty_box_keeps_all_in_order(void)
 {
     murk_surface_desc d[N_MAX];
     const murk_candidate_grid grid = {
         .min = {1, 2, 1}, .max = {9, 8, 3}, .size = {3, 2, 1}};
     const murk_reach reach = by_lamp();
-    murk_candidates *c = candidates_of(d, add_room(d, 0), &grid, &reach, 1);
+    murk_candidates *c = candidates_of(d, add_sides(d, 0), &grid, &reach, 1);
     CHECK(c && c->asked == 6 && c->usable == 6 && c->doubtful == 0);
     const murk_vec3 want[6] = {{1, 2, 2}, {5, 2, 2}, {9, 2, 2},
                                {1, 8, 2}, {5, 8, 2}, {9, 8, 2}};
@@ -23,7 +23,7 @@ static void test_an_empty_room_keeps_all_in_order(void)
 static void test_inside_a_closed_crate_is_dropped(void)
 {
     murk_surface_desc d[N_MAX];
-    size_t n = add_room(d, 0);
+    size_t n = add_sides(d, 0);
     const murk_vec3 min = {4.25, 4.25, 0.25}, max = {6.25, 6.25, 2.25};
     d[n++] = a_box(min, max);
     const murk_candidate_grid grid = half_metres();
@@ -39,7 +39,7 @@ static void test_inside_a_closed_crate_is_dropped(void)
 static void test_inside_an_open_crate_on_the_floor_is_dropped(void)
 {
     murk_surface_desc d[N_MAX];
-    size_t n = add_room(d, 0);
+    size_t n = add_sides(d, 0);
     const double a = 4.25, w = 2, h = 2.25;
     d[n++] = a_rect(murk_vec(a, a, 0), murk_vec(w, 0, 0), murk_vec(0, 0, h), 0);
     d[n++] = a_rect(murk_vec(a, a, 0), murk_vec(0, w, 0), murk_vec(0, 0, h), 0);
@@ -96,7 +96,7 @@ static void test_winding_means_nothing(void)
         .material_name = name,
         .bounds_m = {{4.25, 4.25, 0.25}, {6.25, 6.25, 2.25}}};
     murk_surface_desc d[N_MAX];
-    size_t n = add_room(d, 0);
+    size_t n = add_sides(d, 0);
     d[n++] = (murk_surface_desc){.shape = MURK_SHAPE_MESH,
                                  .mesh = &mesh,
                                  .to_world = murk_affine_identity(),
@@ -109,7 +109,7 @@ static void test_winding_means_nothing(void)
     murk_candidates_destroy(c);
 }
 
-/* The way from the lamp to a point in the crate passes exactly through the
+/* The segment from the lamp to a point in the crate passes exactly through the
  * crate's corner, through an edge, and along the diagonal of a face. */
 static void test_nothing_slips_in_through_a_corner(void)
 {
@@ -118,10 +118,10 @@ static void test_nothing_slips_in_through_a_corner(void)
         .min = {5, 5, 0.5}, .max = {7, 5, 0.5}, .size = {2, 1, 1}};
     for (int i = 0; i < 3; ++i) {
         murk_surface_desc d[N_MAX];
-        size_t n = add_room(d, 0);
+        size_t n = add_sides(d, 0);
         d[n++] = a_box(murk_vec(4, 4, 0.25), murk_vec(6, 6, 1.5));
         const murk_reach reach = {
-            .lamps = &places[i], .n_lamps = 1, .domain = room};
+            .lamps = &places[i], .n_lamps = 1, .domain = interior};
         murk_candidates *c = candidates_of(d, n, &grid, &reach, 1);
         CHECK(c && c->usable == 1 && has(c, murk_vec(7, 5, 0.5)));
         murk_candidates_destroy(c);
@@ -159,7 +159,8 @@ static void check_seam(uint32_t number)
         const murk_vec3 at = murk_candidate_grid_point(&grid, i);
         lamps[i] = murk_along(at, 2, murk_sub(corner, at));
     }
-    const murk_reach reach = {.lamps = lamps, .n_lamps = ROW, .domain = room};
+    const murk_reach reach = {
+        .lamps = lamps, .n_lamps = ROW, .domain = interior};
     /* All candidates are out of reach. */
     murk_surfaces *surfaces = surfaces_of(d, 3);
     murk_candidates *c = NULL;
@@ -202,7 +203,7 @@ static void test_light_goes_through_doors_and_windows(void)
     const int doors[3] = {-1, GLASS, WALL};
     for (int i = 0; i < 3; ++i) {
         murk_surface_desc d[N_MAX];
-        const size_t n = add_wall(d, add_room(d, 0), 5.25, doors[i]);
+        const size_t n = add_wall(d, add_sides(d, 0), 5.25, doors[i]);
         murk_candidates *c = candidates_of(d, n, &grid, &reach, 1);
         CHECK(c && c->unreached == (doors[i] == WALL ? 9 * 19 * 7 : 0));
         /* In a corner that the lamp cannot see through the door. */
@@ -218,7 +219,7 @@ static void test_a_wall_in_a_plane_of_the_grid(void)
     const murk_candidate_grid grid = half_metres();
     const murk_reach reach = by_lamp();
     murk_surface_desc d[N_MAX];
-    const size_t n = add_wall(d, add_room(d, 0), 5, GLASS);
+    const size_t n = add_wall(d, add_sides(d, 0), 5, GLASS);
     murk_candidates *c = candidates_of(d, n, &grid, &reach, 1);
     CHECK(c && c->too_close == 19 * 7 && c->unreached == 0);
     CHECK(c && c->doubtful == 0);
@@ -233,7 +234,7 @@ static void test_steps_cross_a_sheet_in_a_plane_of_the_grid(void)
     const murk_candidate_grid grid = half_metres();
     const murk_reach reach = by_lamp();
     murk_surface_desc d[N_MAX];
-    size_t n = add_wall(d, add_room(d, 0), 5, GLASS);
+    size_t n = add_wall(d, add_sides(d, 0), 5, GLASS);
     d[n++] = a_rect(murk_vec(0, 5.75, 0), murk_vec(4.4, 0, 0),
                     murk_vec(0, 0, 4), WALL);
     murk_candidates *c = candidates_of(d, n, &grid, &reach, 1);
@@ -241,13 +242,13 @@ static void test_steps_cross_a_sheet_in_a_plane_of_the_grid(void)
     murk_candidates_destroy(c);
 }
 
-static void test_points_on_the_room_itself_are_dropped(void)
+static void test_points_on_the_sides_are_dropped(void)
 {
     murk_surface_desc d[N_MAX];
     const murk_candidate_grid grid = {
         .min = {0, 0, 0}, .max = {10, 10, 4}, .size = {11, 11, 5}};
     const murk_reach reach = by_lamp();
-    murk_candidates *c = candidates_of(d, add_room(d, 0), &grid, &reach, 1);
+    murk_candidates *c = candidates_of(d, add_sides(d, 0), &grid, &reach, 1);
     CHECK(c && c->usable == 9 * 9 * 3 && c->unreached == 0);
     murk_candidates_destroy(c);
 }
@@ -255,7 +256,7 @@ static void test_points_on_the_room_itself_are_dropped(void)
 static void test_clearance(void)
 {
     murk_surface_desc d[N_MAX];
-    const size_t n = add_room(d, 0);
+    const size_t n = add_sides(d, 0);
     murk_candidate_grid grid = half_metres();
     const murk_reach reach = by_lamp();
     grid.clearance_m = 0.5; /* the outer points stand exactly there: kept */
@@ -269,11 +270,11 @@ static void test_clearance(void)
 }
 
 /* A slot 0.4 m wide between two slabs: too narrow to stand in with 0.35 m of
- * clearance, and the only way to the room behind. */
-static void test_ways_lead_through_points_too_close(void)
+ * clearance, and the only path to the room behind. */
+static void test_paths_lead_through_points_too_close(void)
 {
     murk_surface_desc d[N_MAX];
-    size_t n = add_room(d, 0);
+    size_t n = add_sides(d, 0);
     d[n++] =
         a_rect(murk_vec(5.25, 0, 0), murk_vec(0, 4.8, 0), murk_vec(0, 0, 4), 0);
     d[n++] = a_rect(murk_vec(5.25, 5.2, 0), murk_vec(0, 4.8, 0),
@@ -291,8 +292,8 @@ static void test_a_lamp_on_the_ceiling(void)
     const murk_vec3 on = {5, 5, 4};
     murk_surface_desc d[N_MAX];
     const murk_candidate_grid grid = half_metres();
-    const murk_reach reach = {.lamps = &on, .n_lamps = 1, .domain = room};
-    murk_candidates *c = candidates_of(d, add_room(d, 0), &grid, &reach, 1);
+    const murk_reach reach = {.lamps = &on, .n_lamps = 1, .domain = interior};
+    murk_candidates *c = candidates_of(d, add_sides(d, 0), &grid, &reach, 1);
     CHECK(c && c->usable == c->asked);
     murk_candidates_destroy(c);
 }
@@ -302,7 +303,7 @@ static void test_distant_light_enters_by_open_sides(void)
     murk_surface_desc d[N_MAX];
     size_t n = 0;
     const murk_candidate_grid grid = half_metres();
-    murk_reach reach = {.from_sides = true, .domain = room};
+    murk_reach reach = {.from_sides = true, .domain = interior};
     d[n++] =
         a_rect(murk_vec(0, 0, 0.1), murk_vec(10, 0, 0), murk_vec(0, 10, 0), 0);
     d[n++] = a_box(murk_vec(4.25, 4.25, 0.25), murk_vec(6.25, 6.25, 2.25));
@@ -311,7 +312,7 @@ static void test_distant_light_enters_by_open_sides(void)
     murk_candidates_destroy(c);
 
     /* Walls in the planes of the sides close them. */
-    n = add_room(d, 0);
+    n = add_sides(d, 0);
     murk_surfaces *surfaces = surfaces_of(d, n);
     murk_error err = {0};
     c = NULL;
@@ -337,7 +338,7 @@ static void test_a_periodic_domain_is_one_space(void)
     d[n++] =
         a_rect(murk_vec(8.75, 0, 0), murk_vec(0, 10, 0), murk_vec(0, 0, 4), 0);
     const murk_candidate_grid grid = half_metres();
-    murk_domain periodic = room;
+    murk_domain periodic = interior;
     periodic.is_periodic = true;
     const murk_reach reach = {.from_sides = true, .domain = periodic};
     murk_candidates *c = candidates_of(d, n, &grid, &reach, 1);
@@ -356,14 +357,15 @@ static void test_a_periodic_domain_is_one_space(void)
 static void test_doubt_is_counted(void)
 {
     murk_surface_desc d[N_MAX];
-    size_t n = add_room(d, 0);
+    size_t n = add_sides(d, 0);
     const double s = 0.8; /* walls x = 1 and y = 1 leave a gap at the corner */
     d[n++] = a_rect(murk_vec(1, 0, 0), murk_vec(0, s, 0), murk_vec(0, 0, 4), 0);
     d[n++] = a_rect(murk_vec(0, 1, 0), murk_vec(s, 0, 0), murk_vec(0, 0, 4), 0);
     const murk_candidate_grid grid = {
         .min = {0.5, 0.5, 2}, .max = {9.5, 9.5, 2}, .size = {10, 10, 1}};
     const murk_vec3 far_lamp = {9.1, 3.1, 2};
-    const murk_reach reach = {.lamps = &far_lamp, .n_lamps = 1, .domain = room};
+    const murk_reach reach = {
+        .lamps = &far_lamp, .n_lamps = 1, .domain = interior};
     murk_candidates *c = candidates_of(d, n, &grid, &reach, 1);
     CHECK(c && c->unreached == 1 && c->doubtful == 1);
     CHECK(!has(c, murk_vec(0.5, 0.5, 2)));
@@ -378,7 +380,7 @@ static void test_doubt_is_counted_across_each_pair_of_axes(void)
     for (int third = 0; third < 3; ++third) {
         for (int has_gap = 0; has_gap < 2; ++has_gap) {
             murk_surface_desc d[N_MAX];
-            size_t n = add_room(d, 0);
+            size_t n = add_sides(d, 0);
             const double s = has_gap ? 0.8 : 1;
             const int axis[2] = {(third + 1) % 3, (third + 2) % 3};
             murk_vec3 beyond = {0, 0, 0};
@@ -400,7 +402,7 @@ static void test_doubt_is_counted_across_each_pair_of_axes(void)
             murk_component_set(&far_lamp, axis[1], 1.2);
             murk_component_set(&far_lamp, third, 2.2);
             const murk_reach reach = {
-                .lamps = &far_lamp, .n_lamps = 1, .domain = room};
+                .lamps = &far_lamp, .n_lamps = 1, .domain = interior};
             murk_candidates *c = candidates_of(d, n, &grid, &reach, 1);
             CHECK(c && c->unreached == 1 && c->doubtful == (size_t)has_gap);
             murk_candidates_destroy(c);
@@ -411,7 +413,7 @@ static void test_doubt_is_counted_across_each_pair_of_axes(void)
 static void test_threads_change_nothing(void)
 {
     murk_surface_desc d[N_MAX];
-    size_t n = add_wall(d, add_room(d, 0), 5.25, -1);
+    size_t n = add_wall(d, add_sides(d, 0), 5.25, -1);
     d[n++] = a_box(murk_vec(1.25, 4.25, 0.25), murk_vec(3.25, 6.25, 2.25));
     const murk_candidate_grid grid = half_metres();
     const murk_reach reach = by_lamp();
@@ -431,7 +433,7 @@ static void test_threads_change_nothing(void)
 static void check_refused(murk_candidate_grid grid, const char *why)
 {
     murk_surface_desc d[N_MAX];
-    murk_surfaces *surfaces = surfaces_of(d, add_room(d, 0));
+    murk_surfaces *surfaces = surfaces_of(d, add_sides(d, 0));
     const murk_reach reach = by_lamp();
     murk_candidates *c = NULL;
     murk_error err = {0};
@@ -482,7 +484,7 @@ static void test_bad_grids_are_refused(void)
 
 int main(void)
 {
-    test_an_empty_room_keeps_all_in_order();
+    test_an_empty_box_keeps_all_in_order();
     test_inside_a_closed_crate_is_dropped();
     test_inside_an_open_crate_on_the_floor_is_dropped();
     test_winding_means_nothing();
@@ -491,9 +493,9 @@ int main(void)
     test_light_goes_through_doors_and_windows();
     test_a_wall_in_a_plane_of_the_grid();
     test_steps_cross_a_sheet_in_a_plane_of_the_grid();
-    test_points_on_the_room_itself_are_dropped();
+    test_points_on_the_sides_are_dropped();
     test_clearance();
-    test_ways_lead_through_points_too_close();
+    test_paths_lead_through_points_too_close();
     test_a_lamp_on_the_ceiling();
     test_distant_light_enters_by_open_sides();
     test_a_periodic_domain_is_one_space();

@@ -1,12 +1,12 @@
 /* Where sensors may stand when lamps are in glass. Deterministic: never cries
  * wolf. */
-#include "candidates_room.h"
+#include "candidates_box.h"
 
 /* ---- lamps in glass ---- */
 
 static murk_reach by_lamp_at(const murk_vec3 *place)
 {
-    return (murk_reach){.lamps = place, .n_lamps = 1, .domain = room};
+    return (murk_reach){.lamps = place, .n_lamps = 1, .domain = interior};
 }
 
 static murk_surface_desc a_globe(murk_vec3 center, double radius_m,
@@ -33,7 +33,7 @@ static long usable_in_glass(const murk_surface_desc *more, size_t n_more,
          .transmit = murk_spectrum_flat(transmit, 1),
          .ior = 1.5}};
     murk_surface_desc d[N_MAX];
-    size_t n = add_room(d, 0);
+    size_t n = add_sides(d, 0);
     for (size_t i = 0; i < n_more; ++i) {
         d[n++] = more[i];
     }
@@ -130,7 +130,7 @@ static void test_a_lamp_in_a_hollow_globe_too(void)
 
 /* Only what the lamp stands in is passed: of another body of glass, the inside
  * stays out. */
-static void test_other_glass_stays_in_the_way(void)
+static void test_other_glass_still_blocks(void)
 {
     const murk_vec3 at = {5.25, 5.25, 2.25};
     murk_surface_desc d[2] = {
@@ -145,6 +145,6 @@ int main(void)
 {
     test_a_lamp_in_glass_lights_what_is_around();
     test_a_lamp_in_a_hollow_globe_too();
-    test_other_glass_stays_in_the_way();
+    test_other_glass_still_blocks();
     return check_done();
 }

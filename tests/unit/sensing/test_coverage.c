@@ -215,7 +215,7 @@ static void draw(sample *out, uint32_t n, uint32_t repetition)
 
 typedef struct spread {
     double total, surface, volume, count; /* mean of squared pulls */
-    double binomial, apart;               /* with wrong errors, for contrast */
+    double binomial, separate;            /* with wrong errors, for contrast */
 } spread;
 
 #define REPETITIONS 400
@@ -250,8 +250,8 @@ static spread repeat(void)
         out.binomial +=
             pull2(b.value, VOLUME,
                   sqrt(b.value * (1 - b.value) / (double)s.n_volume));
-        out.apart += pull2(c.total.value, total,
-                           hypot(a.standard_error, b.standard_error) / 2);
+        out.separate += pull2(c.total.value, total,
+                              hypot(a.standard_error, b.standard_error) / 2);
         murk_coverage_result_release(&c);
         tear_down(&w);
 
@@ -281,7 +281,7 @@ static void test_the_error_is_the_spread(void)
     /* Teeth: records taken as independent, and maps taken as independent,
      * must both be seen to claim too little. */
     CHECK(s.binomial > 1 + limit * sigma);
-    CHECK(s.apart > 1 + limit * sigma);
+    CHECK(s.separate > 1 + limit * sigma);
 }
 
 /* se^2 = N / (N - 1) sum (X_e - C Y_e)^2 / (sum Y_e)^2, through mist and with

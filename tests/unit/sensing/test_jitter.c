@@ -42,16 +42,16 @@ static void test_laws(void)
     for (uint64_t d = 0; d < DRAWS; ++d) {
         murk_pose out;
         CHECK(murk_jitter_draw(&out, &pose, 1, TYPES, &jitter, d) == 0);
-        const murk_vec3 way = murk_sub(out.position, pose.position);
-        const double r = murk_length(way) / step_m;
+        const murk_vec3 offset = murk_sub(out.position, pose.position);
+        const double r = murk_length(offset) / step_m;
         const double mu =
             murk_dot(murk_pose_frame(&out, jitter.north).axis, axis);
         CHECK(r <= 1 + 1e-12 && mu >= cos(turn_rad) - 1e-12);
         volume += r * r * r / DRAWS;
         area += r * r / DRAWS;
-        x += way.x / step_m / DRAWS;
-        y += way.y / step_m / DRAWS;
-        z += way.z / step_m / DRAWS;
+        x += offset.x / step_m / DRAWS;
+        y += offset.y / step_m / DRAWS;
+        z += offset.z / step_m / DRAWS;
         cap += (1 - mu) / (1 - cos(turn_rad)) / DRAWS;
     }
     const double even = sqrt(1.0 / 12 / DRAWS), side = sqrt(1.0 / 5 / DRAWS);

@@ -10,7 +10,7 @@
 #define N_MAX 8
 
 /* A room of 4 x 3 x 2.5 m with a lamp and a crate on its floor. */
-static const murk_domain ROOM = {.box = {{0, 0, 0}, {4, 3, 2.5}}};
+static const murk_domain INTERIOR = {.box = {{0, 0, 0}, {4, 3, 2.5}}};
 static const murk_vec3 LAMP = {1, 1, 2.2};
 
 typedef struct asking {
@@ -23,10 +23,10 @@ typedef struct asking {
 
 static asking asking_of(bool has_crate)
 {
-    asking a = {.surface = {a_box(ROOM.box.min, ROOM.box.max),
+    asking a = {.surface = {a_box(INTERIOR.box.min, INTERIOR.box.max),
                             a_box(murk_vec(2, 1, 0), murk_vec(3, 2, 1))},
                 .surfaces = has_crate ? 2 : 1,
-                .domain = ROOM,
+                .domain = INTERIOR,
                 .desc = {.grid = {.min = {.25, .25, .25},
                                   .max = {3.75, 2.75, 2.25},
                                   .size = {8, 6, 5}}},
@@ -63,15 +63,15 @@ static murk_candidates *candidates_of(const asking *a, unsigned threads,
     }
     /* Candidates, or a refusal if the caller expects one. */
     murk_candidates *out = NULL;
-    murk_error told = {0};
+    murk_error found_err = {0};
     const murk_status status = murk_candidates_create(
-        &out, &desc, surfaces, &reach, threads, "here", &told);
+        &out, &desc, surfaces, &reach, threads, "here", &found_err);
     if (err) {
-        *err = told;
+        *err = found_err;
         CHECK(status == MURK_BAD_VALUE && out == NULL);
     } else {
         CHECK(status == MURK_OK);
-        CHECK_TEXT(told.text, "");
+        CHECK_TEXT(found_err.text, "");
     }
     /* Every candidate is usable or left out for one reason. */
     if (out) {
@@ -115,8 +115,8 @@ static void test_points_are_joined_to_the_grid(void)
     murk_candidates_destroy(c);
 }
 
-/* Behind a screen there is no point of the grid, but one way leads there. */
-static void test_a_way_to_any_point_of_the_grid_will_do(void)
+/* Behind a screen there is no point of the grid, but one path leads there. */
+static void test_a_path_to_any_point_of_the_grid_suffices(void)
 {
     const murk_vec3 point[2] = {{3.97, 1.5, 1.2}, {3.97, 1.5, .05}};
     asking a = asking_of(false);
@@ -266,8 +266,8 @@ static void test_mounts_do_not_pass_through(void)
     murk_candidates_destroy(c);
 }
 
-/* Where the domain repeats, a way may lead through its sides. */
-static void test_ways_through_periodic_sides(void)
+/* Where the domain repeats, a path may lead through its sides. */
+static void test_paths_through_periodic_sides(void)
 {
     const murk_vec3 point = {.1, 1.5, 1};
     asking a = asking_of(false);
@@ -416,13 +416,13 @@ static void test_bad_lists_are_refused(void)
 int main(void)
 {
     test_points_are_joined_to_the_grid();
-    test_a_way_to_any_point_of_the_grid_will_do();
+    test_a_path_to_any_point_of_the_grid_suffices();
     test_a_lamp_joins_too();
     test_duplicates_are_counted_once();
     test_mounts_stand_off_walls();
     test_mounts_face_as_asked();
     test_mounts_do_not_pass_through();
-    test_ways_through_periodic_sides();
+    test_paths_through_periodic_sides();
     test_mounts_on_a_periodic_side();
     test_zones_forbid();
     test_threads_change_nothing();

@@ -15,7 +15,7 @@
 #define SEED   11
 #define K      16
 
-static const murk_domain room = {.box = {{0, 0, 0}, {1, 1, 1}}};
+static const murk_domain interior = {.box = {{0, 0, 0}, {1, 1, 1}}};
 static const murk_domain tiled = {.box = {{0, 0, 0}, {1, 1, 1}},
                                   .is_periodic = true};
 
@@ -97,8 +97,8 @@ static void check_against_all(const murk_domain *domain, double max_m)
 
 static void test_those_of_a_search_through_all(void)
 {
-    check_against_all(&room, 0.5);
-    check_against_all(&room, 0.2);
+    check_against_all(&interior, 0.5);
+    check_against_all(&interior, 0.2);
     check_against_all(&tiled, 0.5);
     check_against_all(&tiled, 0.2);
 }
@@ -115,7 +115,7 @@ static void check_density(double max_m)
     double sum = 0, with_all = 0;
     for (uint32_t i = 0; i < MAPS; ++i) {
         murk_photon_map *map = crowd_of(N, i + 1);
-        const murk_neighbours neighbours = {map, &room, K, max_m};
+        const murk_neighbours neighbours = {map, &interior, K, max_m};
         uint32_t found[K];
         double radius_m;
         const double n = (double)murk_neighbours_find(

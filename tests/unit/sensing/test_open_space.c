@@ -1,5 +1,5 @@
-/* Free space at any point: what one open way joins to a reached point of a grid
- * or to a lamp. Deterministic: never cries wolf. */
+/* Free space at any point: what one open segment joins to a reached point of a
+ * grid or to a lamp. Deterministic: never cries wolf. */
 #include "sensing/open_space.h"
 #include "world.h"
 
@@ -107,7 +107,7 @@ static void test_small_rooms_in_large_worlds(void)
     murk_surfaces_destroy(surfaces);
 }
 
-/* Ways go through periodic sides. */
+/* Segments go through periodic sides. */
 static void test_periodic(void)
 {
     const murk_surface_desc d[] = {

@@ -122,7 +122,7 @@ static double length_to(size_t place, const murk_pose *pose)
 
 /* What each sensor's look shows of the photons there. The second type looks for
  * light that travels towards it, which places do not have. */
-static void looks_at(uint16_t *clarity, const scene *s)
+static void query_places(uint16_t *clarity, const scene *s)
 {
     murk_sensor_type type[2] = {TYPES[0], TYPES[1]};
     type[1].toward = false;
@@ -161,7 +161,7 @@ static void check_like_photons(murk_sight_desc desc)
     static uint16_t clarity[3 * PLACES];
     static murk_place_seen seen[PLACES];
     scene s = build(mist(&hall, MIST, 2 * MIST), desc);
-    looks_at(clarity, &s);
+    query_places(clarity, &s);
     see(seen, &s, false);
     size_t by[4] = {0};
     const unsigned k = desc.redundancy > 1 ? desc.redundancy : 1;
@@ -210,7 +210,7 @@ static void test_places_are_seen_as_photons(void)
 
 /* The least of the open sightlines' lengths times the extinction; a threshold
  * that hides all hides no sightline, nor does a pane. */
-static void test_depth_is_that_of_the_shortest_open_way(void)
+static void test_depth_is_that_of_the_shortest_open_path(void)
 {
     static murk_place_seen seen[PLACES], dense[PLACES];
     murk_sight_desc desc = usual();
@@ -299,7 +299,7 @@ static void test_nothing_to_see_by_or_at(void)
 int main(void)
 {
     test_places_are_seen_as_photons();
-    test_depth_is_that_of_the_shortest_open_way();
+    test_depth_is_that_of_the_shortest_open_path();
     test_any_number_of_threads();
     test_nothing_to_see_by_or_at();
     return check_done();

@@ -13,7 +13,7 @@
 #define SEED   7
 #define CHECKS 7
 
-static const murk_domain room = {.box = {{-5, -5, -5}, {5, 5, 5}}};
+static const murk_domain interior = {.box = {{-5, -5, -5}, {5, 5, 5}}};
 static const murk_domain tiled = {.box = {{-5, -5, -5}, {5, 5, 5}},
                                   .is_periodic = true};
 
@@ -32,8 +32,8 @@ static murk_media *cloud_of(double g)
                                 .where = "everywhere"};
     murk_media *media = NULL;
     murk_error err = {0};
-    CHECK(murk_media_create(&media, &medium, 1, &region, 1, &room.box, &err) ==
-          MURK_OK);
+    CHECK(murk_media_create(&media, &medium, 1, &region, 1, &interior.box,
+                            &err) == MURK_OK);
     return media;
 }
 
@@ -93,7 +93,7 @@ static void check_plate(uint32_t n, double radius_m)
                              murk_vec(0, 0, 1), i);
         photon[i].power_w = (float)(300. / n);
     }
-    place p = place_of(photon, n, n, radius_m, &room, 0, 2);
+    place p = place_of(photon, n, n, radius_m, &interior, 0, 2);
     const murk_photon *stored = murk_photon_map_photons(p.surface);
     double sum = 0, places = 0;
     for (size_t i = 0; i < n; ++i) {
@@ -139,7 +139,7 @@ static void test_a_cloud_of_known_source(void)
     }
     /* The source in two directions at known angles to the flight, averaged over
      * photons away from the sides. */
-    place p = place_of(photon, N, N, radius_m, &room, g, 2);
+    place p = place_of(photon, N, N, radius_m, &interior, g, 2);
     const murk_photon *stored = murk_photon_map_photons(p.volume);
     const murk_vec3 toward[2] = {murk_unit(murk_vec(3, 4, 0)),
                                  murk_unit(murk_vec(-3, 0, 4))};
@@ -179,7 +179,7 @@ static void test_what_counts_as_light_of_a_place(void)
                             a_photon(murk_vec(.65, 0, 0), up, 4)};
     photon[4].band = 1;
     const double r = 0.5, area = MURK_PI * MURK_PI * r * r;
-    place p = place_of(photon, 6, 10, r, &room, 0, 1);
+    place p = place_of(photon, 6, 10, r, &interior, 0, 1);
     const murk_photon *stored = murk_photon_map_photons(p.surface);
     for (size_t i = 0; i < 6; ++i) {
         const double got = murk_power_radiance(p.power, i) * area;
@@ -204,7 +204,7 @@ static void test_a_spot_is_looked_at_in_part(void)
         photon[i] = a_photon(murk_vec(1, 2, 0), murk_vec(0, 0, 1), i);
     }
     /* The radiance is that of all photons. */
-    place p = place_of(photon, N, N, 0.1, &room, 0, 1);
+    place p = place_of(photon, N, N, 0.1, &interior, 0, 1);
     for (size_t i = 0; i < N; i += 97) {
         CHECK_NEAR(murk_power_radiance(p.power, i) * MURK_PI * MURK_PI * 0.01 /
                        N,
@@ -213,8 +213,8 @@ static void test_a_spot_is_looked_at_in_part(void)
     /* The search visits only a part of them. */
     murk_vicinity *v = NULL;
     murk_error err = {0};
-    CHECK(murk_vicinity_create(&v, p.surface, &room, N, 0.1, 100, 1, &err) ==
-          MURK_OK);
+    CHECK(murk_vicinity_create(&v, p.surface, &interior, N, 0.1, 100, 1,
+                               &err) == MURK_OK);
     uint32_t *found = malloc(murk_vicinity_capacity(v) * sizeof *found);
     const murk_around around =
         murk_vicinity_find(v, murk_vec(1, 2, 0), 5, found);
@@ -238,10 +238,12 @@ static void test_few_paths_with_many_records(void)
     murk_photon_map *map = map_of(photon, N);
     murk_vicinity *v = NULL;
     murk_error err = {0};
-    CHECK(murk_vicinity_create(&v, map, &room, 10, 2, 100, 1, &err) == MURK_OK);
+    CHECK(murk_vicinity_create(&v, map, &interior, 10, 2, 100, 1, &err) ==
+          MURK_OK);
     uint32_t *found = malloc(murk_vicinity_capacity(v) * sizeof *found);
     const murk_around around =
         murk_vicinity_find(v, murk_vec(0, 0, 0), MURK_VICINITY_ALL, found);
+    /* The estimate is the number of records within the radius of 2 m. */
     const double want = N * MURK_PI * 4 / 100;
     CHECK(around.n > 20 && around.n < 200);
     CHECK_WITHIN(limit(), (double)around.n * around.factor, want,
@@ -271,7 +273,7 @@ static void test_places_that_are_no_photons(void)
         .surface_map = places,
         .volume_map = p.volume,
         .media = p.media,
-        .domain = room,
+        .domain = interior,
         .power = {.radius_m = 0.5, .light = {p.surface, p.volume, 2}},
         .threads = 1};
     murk_error err = {0};
@@ -292,7 +294,7 @@ static void test_periodic_sides_are_near_each_other(void)
     const murk_photon photon[] = {a_photon(murk_vec(-4.9, 0, 0), up, 0),
                                   a_photon(murk_vec(4.9, 0, 0), up, 1)};
     place p = place_of(photon, 2, 2, 0.5, &tiled, 0, 1);
-    place q = place_of(photon, 2, 2, 0.5, &room, 0, 1);
+    place q = place_of(photon, 2, 2, 0.5, &interior, 0, 1);
     for (size_t i = 0; i < 2; ++i) {
         CHECK_NEAR(murk_power_radiance(p.power, i) * MURK_PI * MURK_PI * .25, 2,
                    1e-6);
@@ -314,8 +316,8 @@ static void test_threads_do_not_matter(void)
         photon[i].band = i % 2;
     }
     const murk_vec3 toward = murk_unit(murk_vec(1, 2, 3));
-    place one = place_of(photon, N, N / 3 + 1, 0.2, &room, 0.5, 1);
-    place five = place_of(photon, N, N / 3 + 1, 0.2, &room, 0.5, 5);
+    place one = place_of(photon, N, N / 3 + 1, 0.2, &interior, 0.5, 1);
+    place five = place_of(photon, N, N / 3 + 1, 0.2, &interior, 0.5, 5);
     for (size_t i = 0; i < N; ++i) {
         CHECK(murk_power_source(one.power, i, toward) ==
               murk_power_source(five.power, i, toward));
@@ -326,7 +328,7 @@ static void test_threads_do_not_matter(void)
 
 static void test_bad_radii_are_refused(void)
 {
-    const murk_domain *domain[] = {&room, &room, &room, &tiled};
+    const murk_domain *domain[] = {&interior, &interior, &interior, &tiled};
     const double radius[] = {0, -1, NAN, 5.1};
     for (int i = 0; i < 4; ++i) {
         place p = {.surface = map_of(NULL, 0), .volume = map_of(NULL, 0)};
@@ -351,7 +353,7 @@ static void test_signals_by_hand(void)
     const murk_vec3 up = {0, 0, 1};
     const murk_photon photon[] = {a_photon(murk_vec(0, 0, 0), up, 0),
                                   a_photon(murk_vec(.1, 0, 0), up, 1)};
-    place p = place_of(photon, 2, 2, 0.5, &room, 0, 1);
+    place p = place_of(photon, 2, 2, 0.5, &interior, 0, 1);
     const double radiance = 2 / (MURK_PI * MURK_PI * .25);
     const murk_sensor_type type = {.range_m = 9,
                                    .view = MURK_VIEW_CONE,
@@ -394,7 +396,7 @@ static void test_nothing_takes_more_than_there_is(void)
     const murk_vec3 up = {0, 0, 1};
     const murk_photon photon[] = {a_photon(murk_vec(0, 0, 0), up, 0),
                                   a_photon(murk_vec(.1, 0, 0), up, 1)};
-    place p = place_of(photon, 2, 2, 0.5, &room, 0, 1);
+    place p = place_of(photon, 2, 2, 0.5, &interior, 0, 1);
     const murk_sensor_type type = {.aperture_m2 = 0.3, .target_m2 = 0.05};
     const murk_pose pose = {0};
     const murk_field all = murk_field_of(&type, &pose, murk_vec(0, 1, 0));

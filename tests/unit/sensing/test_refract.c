@@ -1,6 +1,6 @@
-/* Ways across boundaries: which there are is held against the least optical
+/* Paths across boundaries: which there are is held against the least optical
  * length over each face of a box by itself (Fermat's principle on a rectangle:
- * a least that lies on the rim is no way of light). Deterministic. */
+ * a least that lies on the rim is no path of light). Deterministic. */
 #include "sensing/refract.h"
 
 #include "base/rng.h"
@@ -55,7 +55,7 @@ static murk_media *media_of(const murk_region *region, size_t n,
 typedef struct answer {
     size_t n;
     bool is_reflected;
-    murk_refracted_path way[MURK_REFRACTED_PATHS_MAX];
+    murk_refracted_path path[MURK_REFRACTED_PATHS_MAX];
 } answer;
 
 static answer ask(const murk_media *media,
@@ -69,7 +69,7 @@ static answer ask(const murk_media *media,
     const murk_path_viewpoint p = murk_path_viewpoint_at(&space, sensor);
     const murk_path_viewpoint q = murk_path_viewpoint_at(&space, photon);
     answer a = {0};
-    a.n = murk_refracted_paths_find(&at, &p, photon, q.index, a.way,
+    a.n = murk_refracted_paths_find(&at, &p, photon, q.index, a.path,
                                     &a.is_reflected);
     return a;
 }
@@ -79,7 +79,7 @@ static double nearest_crossing(const answer *a, murk_vec3 point)
     double nearest = INFINITY;
     for (size_t k = 0; k < a->n; ++k) {
         nearest = fmin(nearest,
-                       murk_length(murk_sub(a->way[k].snell.crossing, point)));
+                       murk_length(murk_sub(a->path[k].snell.crossing, point)));
     }
     return nearest;
 }
@@ -143,24 +143,24 @@ static bool min_on_face(const murk_box *box, int face, murk_vec3 outside,
 static bool meets_beyond_critical(const murk_box *box, murk_vec3 out,
                                   murk_vec3 in, double ratio)
 {
-    const murk_vec3 way = murk_sub(in, out);
+    const murk_vec3 offset = murk_sub(in, out);
     double last = -1;
     int axis = 0;
     for (int k = 0; k < 3; ++k) {
         const double face =
-            part(way, k) > 0 ? part(box->min, k) : part(box->max, k);
-        const double t = (face - part(out, k)) / part(way, k);
+            part(offset, k) > 0 ? part(box->min, k) : part(box->max, k);
+        const double t = (face - part(out, k)) / part(offset, k);
         if (t > last) {
             last = t;
             axis = k;
         }
     }
-    const double cosine = fabs(part(way, axis)) / murk_length(way);
+    const double cosine = fabs(part(offset, axis)) / murk_length(offset);
     return ratio * sqrt(1 - cosine * cosine) >= 1;
 }
 
 /* A block of glass in air, or of air in glass. */
-static void check_ways_into_a_box(double n_around, double n_inside)
+static void check_paths_into_a_box(double n_around, double n_inside)
 {
     murk_region region[2] = {region_of(MURK_REGION_EVERYWHERE, n_around),
                              region_of(MURK_REGION_BOX, n_inside)};
@@ -170,7 +170,7 @@ static void check_ways_into_a_box(double n_around, double n_inside)
     murk_affine to_local;
     CHECK(murk_affine_invert(&region[1].to_world, &to_local));
     murk_media *media = media_of(region, 2, NULL, &cube);
-    size_t ways = 0, several = 0, none[2] = {0, 0};
+    size_t paths = 0, several = 0, none[2] = {0, 0};
     for (uint64_t i = 0; i < PAIRS; ++i) {
         const murk_vec3 in = point_in(&tank, i, 0);
         const murk_vec3 photon = murk_affine_point(&region[1].to_world, in);
@@ -203,11 +203,11 @@ static void check_ways_into_a_box(double n_around, double n_inside)
             meets_beyond_critical(&tank, out, in, n_around / n_inside);
         CHECK(a.is_reflected == (a.n == 0 && is_beyond));
         CHECK(a.is_reflected == back.is_reflected);
-        ways += a.n;
+        paths += a.n;
         several += a.n > 1;
         none[is_beyond] += a.n == 0;
     }
-    CHECK(ways > PAIRS / 2);
+    CHECK(paths > PAIRS / 2);
     if (n_inside > n_around) {
         CHECK(several > 0); /* a corner of glass shows things twice */
     } else {
@@ -216,15 +216,15 @@ static void check_ways_into_a_box(double n_around, double n_inside)
     murk_media_destroy(media);
 }
 
-static void test_ways_into_a_box_are_fermats(void)
+static void test_paths_into_a_box_are_fermats(void)
 {
-    check_ways_into_a_box(1, GLASS_INDEX);
-    check_ways_into_a_box(GLASS_INDEX, 1);
+    check_paths_into_a_box(1, GLASS_INDEX);
+    check_paths_into_a_box(GLASS_INDEX, 1);
 }
 
-/* ---- what is no way ---- */
+/* ---- no path ---- */
 
-static void test_two_boundaries_and_spheres_are_no_way(void)
+static void test_two_boundaries_and_spheres_give_no_path(void)
 {
     murk_region two[2] = {region_of(MURK_REGION_BELOW, WATER),
                           region_of(MURK_REGION_BOX, GLASS_INDEX)};
@@ -262,8 +262,8 @@ static void test_boundaries_that_do_not_bend_are_passed(void)
     const answer a = ask(media, NULL, &cube, sensor, murk_vec(0, 0, -1.5));
     const answer b = ask(media, NULL, &cube, sensor, murk_vec(0, 0, -3));
     CHECK(a.n == 1 && b.n == 1);
-    CHECK_NEAR(a.way[0].snell.crossing.z, 0, 1e-15);
-    CHECK_NEAR(b.way[0].snell.crossing.z, 0, 1e-15);
+    CHECK_NEAR(a.path[0].snell.crossing.z, 0, 1e-15);
+    CHECK_NEAR(b.path[0].snell.crossing.z, 0, 1e-15);
     murk_media_destroy(media);
 }
 
@@ -298,7 +298,7 @@ static void test_a_box_of_triangles_is_a_box(void)
         of += want.n > 0;
         found += got.n;
         for (size_t k = 0; k < got.n; ++k) {
-            CHECK(nearest_crossing(&want, got.way[k].snell.crossing) < 1e-9);
+            CHECK(nearest_crossing(&want, got.path[k].snell.crossing) < 1e-9);
         }
     }
     /* It misses only those that go by another face than the straight line. */
@@ -311,7 +311,7 @@ static void test_a_box_of_triangles_is_a_box(void)
 
 /* Paths in a periodic domain are those in an open domain that holds copies
  * of the block. */
-static void test_periodic_ways_are_those_to_the_nearest_image(void)
+static void test_periodic_paths_are_those_to_the_nearest_image(void)
 {
     /* A periodic domain with a sea and a block of glass, and an open domain
      * of three by three periods. */
@@ -355,7 +355,7 @@ static void test_periodic_ways_are_those_to_the_nearest_image(void)
         CHECK(got.n == want.n);
         CHECK(got.is_reflected == want.is_reflected);
         for (size_t k = 0; k < got.n; ++k) {
-            CHECK(nearest_crossing(&want, got.way[k].snell.crossing) < 1e-12);
+            CHECK(nearest_crossing(&want, got.path[k].snell.crossing) < 1e-12);
         }
         across += murk_length(shift) > 0 && got.n > 0;
         murk_media_destroy(large);
@@ -365,9 +365,9 @@ static void test_periodic_ways_are_those_to_the_nearest_image(void)
     murk_media_destroy(small);
 }
 
-/* ---- along a way ---- */
+/* ---- along a path ---- */
 
-static void test_media_attenuate_along_both_legs(void)
+static void test_media_attenuate_along_both_segments(void)
 {
     /* Absorbing air over absorbing water. */
     const double per_m[2] = {0.7, 0.3};
@@ -386,25 +386,26 @@ static void test_media_attenuate_along_both_legs(void)
         CHECK(there.n == 1 && back.n == 1);
         const murk_path_viewpoint p = murk_path_viewpoint_at(&space, sensor);
         const murk_path_viewpoint q = murk_path_viewpoint_at(&space, photon);
-        /* The transmittance is that of both legs, and the same on the way
+        /* The transmittance is that of both segments, and the same on the way
          * back. */
         const double got =
-            murk_refracted_path_transmittance(&there.way[0], &p, 0);
-        const double *leg = there.way[0].snell.length_m;
-        const double want = exp(-0.7 * leg[0] - 0.3 * leg[1]);
+            murk_refracted_path_transmittance(&there.path[0], &p, 0);
+        const double *length_m = there.path[0].snell.length_m;
+        const double want = exp(-0.7 * length_m[0] - 0.3 * length_m[1]);
         CHECK_NEAR(got, want, 1e-14);
-        CHECK_NEAR(murk_refracted_path_transmittance(&back.way[0], &q, 0), got,
+        CHECK_NEAR(murk_refracted_path_transmittance(&back.path[0], &q, 0), got,
                    1e-14);
         /* Another extinction of the water would be noticed. */
-        CHECK(fabs(exp(-0.7 * leg[0] - 0.301 * leg[1]) - got) > 1e-14);
+        CHECK(fabs(exp(-0.7 * length_m[0] - 0.301 * length_m[1]) - got) >
+              1e-14);
     }
     murk_media_destroy(media);
 }
 
-/* A wall on either leg blocks the path although the straight line is open,
- * and a wall on the straight line alone does not. Glass dims the path, and
- * only once if it lies in the boundary. */
-static void test_surfaces_count_along_both_legs(void)
+/* A wall on either segment blocks the path although the straight line is open,
+ * and a wall on the straight line alone does not. Glass dims the path, and only
+ * once if it lies in the boundary. */
+static void test_surfaces_count_along_both_segments(void)
 {
     /* A path from air into water that bends away from the straight line. */
     murk_region water = region_of(MURK_REGION_BELOW, WATER);
@@ -413,10 +414,10 @@ static void test_surfaces_count_along_both_legs(void)
     const murk_vec3 sensor = {-2, 0, 1}, photon = {2, 0, -1};
     const answer a = ask(media, NULL, &cube, sensor, photon);
     CHECK(a.n == 1);
-    const murk_refracted_path *way = &a.way[0];
-    const murk_vec3 x = way->snell.crossing;
+    const murk_refracted_path *path = &a.path[0];
+    const murk_vec3 x = path->snell.crossing;
     const murk_path_viewpoint p = murk_path_viewpoint_at(&space, sensor);
-    /* Positions on both legs, on the crossing, and on the straight line. */
+    /* Positions on both segments, on the crossing, and on the straight line. */
     const murk_vec3 at[4] = {murk_scale(0.5, murk_add(sensor, x)),
                              murk_scale(0.5, murk_add(photon, x)), x,
                              murk_scale(0.5, murk_add(sensor, photon))};
@@ -432,12 +433,14 @@ static void test_surfaces_count_along_both_legs(void)
                              murk_vec(0, 2, 0), murk_vec(0, 0, 0.2), material);
             murk_surfaces *s = surfaces_of(&rect, 1);
             /* A wall on the bent path blocks, and a pane dims once. */
-            const bool in_way = k < 3;
-            CHECK(murk_refracted_path_blocked(way, &p, s, false) == in_way);
-            CHECK(murk_refracted_path_blocked(way, &p, s, true) ==
-                  (in_way && material == WALL));
-            CHECK_NEAR(murk_refracted_path_sheets(way, &p, s, 0),
-                       in_way && material == GLASS ? GLASS_TRANSMIT : 1, 1e-15);
+            const bool is_between = k < 3;
+            CHECK(murk_refracted_path_blocked(path, &p, s, false) ==
+                  is_between);
+            CHECK(murk_refracted_path_blocked(path, &p, s, true) ==
+                  (is_between && material == WALL));
+            CHECK_NEAR(murk_refracted_path_sheets(path, &p, s, 0),
+                       is_between && material == GLASS ? GLASS_TRANSMIT : 1,
+                       1e-15);
             murk_surfaces_destroy(s);
         }
     }
@@ -466,13 +469,13 @@ static void test_reach_is_that_of_the_faces(void)
 
 int main(void)
 {
-    test_ways_into_a_box_are_fermats();
-    test_two_boundaries_and_spheres_are_no_way();
+    test_paths_into_a_box_are_fermats();
+    test_two_boundaries_and_spheres_give_no_path();
     test_boundaries_that_do_not_bend_are_passed();
     test_a_box_of_triangles_is_a_box();
-    test_periodic_ways_are_those_to_the_nearest_image();
-    test_media_attenuate_along_both_legs();
-    test_surfaces_count_along_both_legs();
+    test_periodic_paths_are_those_to_the_nearest_image();
+    test_media_attenuate_along_both_segments();
+    test_surfaces_count_along_both_segments();
     test_reach_is_that_of_the_faces();
     return check_done();
 }

@@ -70,20 +70,21 @@ static void test_fields_hold_what_their_angles_say(void)
     size_t in[3] = {0};
     for (uint32_t k = 0; k < 20000; ++k) {
         /* Cones contain directions within half the angle of the axis. */
-        const murk_vec3 way = direction(k);
+        const murk_vec3 offset = direction(k);
         const double off =
-            acos(murk_dot(way, narrow.frame.axis) / murk_length(way)) * 180 /
-            MURK_PI;
-        CHECK(murk_field_contains(&narrow, way) == (off < 35));
-        CHECK(murk_field_contains(&broad, way) == (off < 125));
+            acos(murk_dot(offset, narrow.frame.axis) / murk_length(offset)) *
+            180 / MURK_PI;
+        CHECK(murk_field_contains(&narrow, offset) == (off < 35));
+        CHECK(murk_field_contains(&broad, offset) == (off < 125));
         /* The frustum compares the azimuth, and the vertical slope over the
          * distance ahead. */
         const double azimuth =
-            remainder(atan2(way.x, way.y) * 180 / MURK_PI - 30, 360);
-        const double ahead = hypot(way.x, way.y) * cos(azimuth * MURK_PI / 180);
+            remainder(atan2(offset.x, offset.y) * 180 / MURK_PI - 30, 360);
+        const double ahead =
+            hypot(offset.x, offset.y) * cos(azimuth * MURK_PI / 180);
         const bool is_in = fabs(azimuth) < 40 &&
-                           fabs(atan(way.z / ahead)) * 180 / MURK_PI < 15;
-        CHECK(murk_field_contains(&level, way) == is_in);
+                           fabs(atan(offset.z / ahead)) * 180 / MURK_PI < 15;
+        CHECK(murk_field_contains(&level, offset) == is_in);
         in[0] += off < 35;
         in[1] += off < 125;
         in[2] += is_in;
@@ -109,22 +110,23 @@ static void test_arrival(void)
     toward.toward = true;
     const murk_sensor_type all_round_toward = {.toward = true};
     const murk_pose pose = looking(0, 0);
-    const murk_vec3 way = {3, 1, 0}, along = {0, 1, 0}, against = {0, -1, 0},
+    const murk_vec3 offset = {3, 1, 0}, along = {0, 1, 0}, against = {0, -1, 0},
                     across = {-1, 0.1, 0};
     const murk_field a = murk_field_of(&any, &pose, north),
                      t = murk_field_of(&toward, &pose, north),
                      r = murk_field_of(&all_round_toward, &pose, north);
-    CHECK(murk_field_takes(&a, way, along));
-    CHECK(murk_field_takes(&t, way, against));
-    CHECK(!murk_field_takes(&t, way, along));
-    CHECK(!murk_field_takes(&t, way, across)); /* by the axis, not the place */
-    CHECK(murk_field_takes(&r, way, across));
-    CHECK(!murk_field_takes(&r, way, along));
+    CHECK(murk_field_takes(&a, offset, along));
+    CHECK(murk_field_takes(&t, offset, against));
+    CHECK(!murk_field_takes(&t, offset, along));
+    CHECK(
+        !murk_field_takes(&t, offset, across)); /* by the axis, not the place */
+    CHECK(murk_field_takes(&r, offset, across));
+    CHECK(!murk_field_takes(&r, offset, along));
 }
 
 /* The rows of a sight with several sensor types hold the photons that
  * range, field of view, band and direction allow. */
-static void test_looks_keep_to_the_field(void)
+static void test_rows_keep_to_the_field(void)
 {
     /* Three types: one without limits, a frustum with a least range, and a type
      * for one band that takes only light toward the sensor. */
@@ -179,15 +181,15 @@ static void test_looks_keep_to_the_field(void)
             /* A photon is in the row if range, field, band and direction
              * allow it. */
             const murk_photon *p = &stored[i];
-            const murk_vec3 way = murk_sub(murk_vec((double)p->position_m[0],
-                                                    (double)p->position_m[1],
-                                                    (double)p->position_m[2]),
-                                           pose.position);
+            const murk_vec3 offset = murk_sub(
+                murk_vec((double)p->position_m[0], (double)p->position_m[1],
+                         (double)p->position_m[2]),
+                pose.position);
             const bool is_seen =
-                murk_length(way) <= types[type].range_m &&
-                murk_field_contains(&field, way) &&
+                murk_length(offset) <= types[type].range_m &&
+                murk_field_contains(&field, offset) &&
                 (types[type].bands == 0 || p->band == 1) &&
-                murk_field_takes(&field, way,
+                murk_field_takes(&field, offset,
                                  murk_direction_unpack(p->direction));
             CHECK(is_seen == (at < row.seen && row.photon[at] == i));
             at += is_seen;
@@ -207,6 +209,6 @@ int main(void)
     test_fields_hold_what_their_angles_say();
     test_what_is_too_near_is_not_seen();
     test_arrival();
-    test_looks_keep_to_the_field();
+    test_rows_keep_to_the_field();
     return check_done();
 }

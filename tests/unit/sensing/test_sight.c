@@ -40,11 +40,11 @@ static void test_a_surface_photon_is_seen_from_its_own_side(void)
         a_photon(murk_vec(5, 4, 2), murk_vec(1, 0, 0), 0),
         a_photon(murk_vec(5, 4, 2), murk_vec(-1, 0, 0), 1),
         a_photon(murk_vec(5, 4, 2), murk_unit(murk_vec(1, 1, 0)), 2)};
-    const murk_visibility ways[2] = {MURK_VISIBILITY_RAY,
-                                     MURK_VISIBILITY_NORMAL};
+    const murk_visibility visibilities[2] = {MURK_VISIBILITY_RAY,
+                                             MURK_VISIBILITY_NORMAL};
     for (int v = 0; v < 2; ++v) {
         murk_sight_desc desc = plain(&hall);
-        desc.visibility = ways[v];
+        desc.visibility = visibilities[v];
         world w = build(NULL, 0, clear_air(&hall), photon, 3, desc);
         CHECK(seen_from(&w, murk_vec(7, 4, 2), 0) == MURK_CLEAR);
         CHECK(seen_from(&w, murk_vec(7, 4, 2), 1) == 0);

@@ -1,5 +1,5 @@
 /* Looks through water's face and with an acceptance angle: what is seen, and
- * how clearly, against ways found by Fermat's principle alone. Deterministic.
+ * how clearly, against paths found by Fermat's principle alone. Deterministic.
  */
 #include "base/rng.h"
 #include "medium/rescaled.h"
@@ -104,12 +104,12 @@ static int seen_by(const scene *s, uint32_t type, murk_vec3 position,
     return clarity_of(s->sight, &row, emitted);
 }
 
-/* ---- the way through a level face, by golden section ---- */
+/* ---- the path through a level face, by golden section ---- */
 
-typedef struct way {
-    double leg[2];  /* above, below */
-    double through; /* 1 - Fresnel */
-} way;
+typedef struct bent_path {
+    double length_m[2]; /* above, below */
+    double through;     /* 1 - Fresnel */
+} bent_path;
 
 static double optical(double x, double r, const double h[2], double n)
 {
@@ -117,7 +117,7 @@ static double optical(double x, double r, const double h[2], double n)
 }
 
 /* Fresnel's sines and tangents, as in his own formulas. */
-static way way_through(murk_vec3 above, murk_vec3 below, double n)
+static bent_path path_through(murk_vec3 above, murk_vec3 below, double n)
 {
     const double r = hypot(above.x - below.x, above.y - below.y);
     const double h[2] = {above.z, -below.z}, golden = 0.6180339887498949;
@@ -132,10 +132,11 @@ static way way_through(murk_vec3 above, murk_vec3 below, double n)
     }
     const double x = (a + b) / 2, i = atan2(x, h[0]), t = atan2(r - x, h[1]);
     const double s = sin(i - t) / sin(i + t), p = tan(i - t) / tan(i + t);
-    return (way){{hypot(x, h[0]), hypot(r - x, h[1])}, 1 - (s * s + p * p) / 2};
+    return (bent_path){{hypot(x, h[0]), hypot(r - x, h[1])},
+                       1 - (s * s + p * p) / 2};
 }
 
-static void test_clarity_is_fermats_way_times_fresnel(void)
+static void test_clarity_is_fermats_path_times_fresnel(void)
 {
     /* Random photons in two bands, above and below a water surface. */
     murk_photon photon[PHOTONS];
@@ -176,11 +177,11 @@ static void test_clarity_is_fermats_way_times_fresnel(void)
              * optical length; another index would be noticed. */
             double want[2];
             for (int k2 = 0; k2 < 2; ++k2) {
-                const way w = e == 0
-                                  ? way_through(eye[e], at, WATER + .01 * k2)
-                                  : way_through(at, eye[e], WATER + .01 * k2);
+                const bent_path w =
+                    e == 0 ? path_through(eye[e], at, WATER + .01 * k2)
+                           : path_through(at, eye[e], WATER + .01 * k2);
                 want[k2] = w.through *
-                           exp(-0.05 * w.leg[0] - water * w.leg[1]) *
+                           exp(-0.05 * w.length_m[0] - water * w.length_m[1]) *
                            MURK_CLEAR;
             }
             CHECK_NEAR(row.clarity[k], want[0], 0.51);
@@ -236,8 +237,8 @@ static void test_view_is_apparent(void)
 {
     const murk_vec3 eye = {-1, 0, 1}, none = {0, 0, 0}, coin = {1, 0, -1};
     const murk_photon photon = a_photon(coin, none, 0);
-    const way w = way_through(eye, coin, WATER);
-    const double angle = acos(eye.z / w.leg[0]);
+    const bent_path w = path_through(eye, coin, WATER);
+    const double angle = acos(eye.z / w.length_m[0]);
     CHECK(angle > MURK_PI / 4 + 0.05);
     const murk_sensor_type type[] = {
         {.range_m = 9, .view = MURK_VIEW_CONE, .cone_rad = 2 * angle - 0.01},
@@ -250,7 +251,7 @@ static void test_view_is_apparent(void)
 
 /* The straight line to the sensor goes up at 27 degrees, light leaves at some
  * 40: what stands at an angle between sees it, or not, by the latter. */
-static void test_side_and_arrival_are_those_of_the_leg(void)
+static void test_side_and_arrival_are_those_of_the_segment(void)
 {
     const murk_vec3 eye = {-2, 0, 1}, at = {2, 0, -1}, none = {0, 0, 0};
     const murk_vec3 away = {-1, 0, -1.7}, toward = {1, 0, 1.7};
@@ -350,10 +351,10 @@ static void test_power_through_water_is_what_leaves_toward_the_eye(void)
 
 int main(void)
 {
-    test_clarity_is_fermats_way_times_fresnel();
+    test_clarity_is_fermats_path_times_fresnel();
     test_range_is_apparent();
     test_view_is_apparent();
-    test_side_and_arrival_are_those_of_the_leg();
+    test_side_and_arrival_are_those_of_the_segment();
     test_acceptance_is_of_the_type();
     test_power_through_water_is_what_leaves_toward_the_eye();
     return check_done();

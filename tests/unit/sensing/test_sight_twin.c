@@ -32,13 +32,13 @@ static int twin(const world *w, murk_vec3 sensor, const murk_photon *p)
     const murk_sight_desc *desc = murk_sight_described(w->sight);
     murk_vec3 from = {(double)p->position_m[0], (double)p->position_m[1],
                       (double)p->position_m[2]};
-    const murk_vec3 way = murk_sub(sensor, from);
-    if (murk_length(way) > desc->type[0].range_m) {
+    const murk_vec3 offset = murk_sub(sensor, from);
+    if (murk_length(offset) > desc->type[0].range_m) {
         return 0;
     }
     if (!murk_photon_is_volume(p)) {
         const murk_vec3 n = murk_direction_unpack(p->normal);
-        if (!(murk_dot(n, way) > 0)) {
+        if (!(murk_dot(n, offset) > 0)) {
             return 0;
         }
         from = murk_surfaces_leave(w->surfaces, from, n);
@@ -188,14 +188,14 @@ static void test_periodic_photons_are_found_once(void)
         size_t want = 0;
         for (size_t i = 0; i < MANY; ++i) {
             const float *x = photon[i].position_m;
-            murk_vec3 way = {remainder(o.x - (double)x[0], 10),
-                             remainder(o.y - (double)x[1], 8),
-                             o.z - (double)x[2]};
+            murk_vec3 offset = {remainder(o.x - (double)x[0], 10),
+                                remainder(o.y - (double)x[1], 8),
+                                o.z - (double)x[2]};
             const bool is_volume = murk_photon_is_volume(&photon[i]);
             const murk_vec3 n =
                 is_volume ? none : murk_direction_unpack(photon[i].normal);
-            want +=
-                murk_length(way) <= 5.5 && (is_volume || murk_dot(n, way) > 0);
+            want += murk_length(offset) <= 5.5 &&
+                    (is_volume || murk_dot(n, offset) > 0);
         }
         CHECK(row.seen == want && want > 100);
         /* No record is in the row twice. */

@@ -85,7 +85,7 @@ static double min_length(const setting *s, murk_vec3 *at)
     return min;
 }
 
-static void test_the_way_is_the_shortest_in_time(void)
+static void test_the_path_is_the_shortest_in_time(void)
 {
     size_t noticed = 0, pairs = 0;
     for (uint64_t i = 0; i < PAIRS / 40; ++i) {
@@ -98,7 +98,7 @@ static void test_the_way_is_the_shortest_in_time(void)
         CHECK(length <= min + PLACE_M);
         CHECK_NEAR(s.n[0] * path.length_m[0] + s.n[1] * path.length_m[1],
                    length, PLACE_M);
-        /* Teeth: an index off by a hundredth is a longer way. */
+        /* Teeth: an index off by a hundredth is a longer path. */
         const double off[2] = {s.n[0], 1.01 * s.n[1]};
         CHECK(murk_snell_path(s.sensor, s.photon, &s.plane, off, &path));
         noticed += optical_length(&s, s.n, path.crossing) > min + PLACE_M;
@@ -118,10 +118,10 @@ static void test_snells_law(void)
                                  murk_sub(s.photon, path.crossing)};
         double sine[2], error[2];
         for (int k = 0; k < 2; ++k) {
-            const double leg = murk_length(to[k]);
-            sine[k] = murk_length(murk_cross(to[k], s.plane.normal)) / leg;
+            const double length = murk_length(to[k]);
+            sine[k] = murk_length(murk_cross(to[k], s.plane.normal)) / length;
             /* places are known to a rounding of some metres */
-            error[k] = PLACE_M / leg;
+            error[k] = PLACE_M / length;
         }
         CHECK_NEAR(s.n[0] * sine[0], s.n[1] * sine[1],
                    s.n[0] * error[0] + s.n[1] * error[1] + ROUNDINGS);
@@ -269,7 +269,7 @@ static void test_reach_by_hand(void)
     CHECK_NEAR(murk_snell_reach(8, 1.5, up), 8, 1e-12);
 }
 
-static void test_no_way_on_one_side(void)
+static void test_no_path_on_one_side(void)
 {
     const murk_interface_plane plane = {{0, 0, 0}, {0, 0, 1}};
     const double n[2] = {1, 1.5};
@@ -284,13 +284,13 @@ static void test_no_way_on_one_side(void)
 
 int main(void)
 {
-    test_the_way_is_the_shortest_in_time();
+    test_the_path_is_the_shortest_in_time();
     test_snells_law();
     test_both_ends_agree();
     test_apparent_depth();
     test_apparent_distance_is_the_bundles();
     test_reach_holds_all();
     test_reach_by_hand();
-    test_no_way_on_one_side();
+    test_no_path_on_one_side();
     return check_done();
 }

@@ -45,10 +45,10 @@ static void place_on(const murk_portal *p, const murk_ray *ray, double *s,
                      double *t)
 {
     const murk_vec3 n = murk_cross(p->edge1, p->edge2);
-    const double way = murk_dot(murk_sub(p->corner, ray->origin), n) /
-                       murk_dot(ray->direction, n);
+    const double distance = murk_dot(murk_sub(p->corner, ray->origin), n) /
+                            murk_dot(ray->direction, n);
     const murk_vec3 on =
-        murk_sub(murk_along(ray->origin, way, ray->direction), p->corner);
+        murk_sub(murk_along(ray->origin, distance, ray->direction), p->corner);
     *s = murk_dot(on, p->edge1) / murk_dot(p->edge1, p->edge1);
     *t = murk_dot(on, p->edge2) / murk_dot(p->edge2, p->edge2);
 }
@@ -165,12 +165,12 @@ static void test_portals_may_overlap(uint32_t seed)
     const murk_portal p[2] = {window, {{1, 0.5, 1}, {0, 1, 0}, {0, 0, 2}}};
     const murk_source light = aimed(MURK_SOURCE_DIRECTIONAL, p, 2);
     murk_sources *lights = made(&light);
-    double kept = 0;
+    double accepted = 0;
     for (uint64_t i = 0; i < SAMPLES; ++i) {
-        kept += !murk_sources_emit(lights, seed, 0, i).is_spent;
+        accepted += !murk_sources_emit(lights, seed, 0, i).is_spent;
     }
     const double n = (double)SAMPLES;
-    CHECK_WITHIN(limit, kept / n, 0.75, sqrt(0.75 * 0.25 / n));
+    CHECK_WITHIN(limit, accepted / n, 0.75, sqrt(0.75 * 0.25 / n));
     murk_sources_destroy(lights);
 }
 

@@ -89,7 +89,7 @@ static void test_all_formats_hold_the_same_matrix(void)
     murk_sparse_matrix_destroy(m);
 }
 
-static void test_names_and_costs_are_kept(void)
+static void test_names_and_costs_are_stored(void)
 {
     murk_sparse_matrix *m =
         read_text("\"near, the door\",\"a \"\"b\"\"\",weight\n1,0,2\n");
@@ -224,7 +224,7 @@ int main(void)
     snprintf(other, sizeof other, "%s/murk-matrix-%ld.out", P_tmpdir,
              (long)getpid());
     test_all_formats_hold_the_same_matrix();
-    test_names_and_costs_are_kept();
+    test_names_and_costs_are_stored();
     test_weights_are_whole_by_a_power_of_ten();
     test_what_is_written_reads_back();
     test_lines_may_be_shuffled();

@@ -27,13 +27,13 @@ static void note(void *context, uint64_t batch, const murk_event *event)
     }
 }
 
-static story told[PHOTONS];
+static story stories[PHOTONS];
 
 static void tell(const test_setup *setup)
 {
-    memset(told, 0, sizeof told);
+    memset(stories, 0, sizeof stories);
     test_world w = test_world_made(setup);
-    test_world_trace(&w, PHOTONS, 3, note, told);
+    test_world_trace(&w, PHOTONS, 3, note, stories);
     CHECK(test_photons(&w, w.ledger->lost) == 0);
     test_world_unmade(&w);
 }
@@ -114,7 +114,7 @@ static void test_floor_under_water_is_wet(void)
         int wet = 0;
         for (int k = 0; k < PHOTONS; ++k) {
             /* After emission, each photon meets the surface of the water. */
-            const story *s = &told[k];
+            const story *s = &stories[k];
             CHECK(s->n == 3);
             CHECK(s->event[1].kind == MURK_EVENT_INTERFACE);
             CHECK(s->event[1].material_or_medium == 0);
@@ -164,7 +164,7 @@ static void test_sheet_on_the_water(void)
         for (int k = 0; k < PHOTONS; ++k) {
             /* The film comes first; light through the surface escapes, and
              * mirrored light meets the film. */
-            const story *s = &told[k];
+            const story *s = &stories[k];
             CHECK(s->event[1].kind == MURK_EVENT_SURFACE);
             for (size_t e = 1; e + 1 < s->n; ++e) {
                 if (is(&s->event[e], MURK_EVENT_INTERFACE, MURK_TRANSMITTED)) {
@@ -188,10 +188,11 @@ static void test_glass_half_in_water(void)
     const murk_surface_desc solid =
         test_box(murk_vec(.2, .2, .25), murk_vec(.8, .8, .75), 0);
     const murk_region sea = below(0, 0.5, WATER);
-    const double from[] = {0.4, 0.6}, way[] = {1, -1}, n_out[] = {1, WATER};
+    const double from[] = {0.4, 0.6}, direction_z[] = {1, -1},
+                 n_out[] = {1, WATER};
     for (int i = 0; i < 2; ++i) {
-        const murk_source beam =
-            test_beam(murk_vec(.5, .5, from[i]), murk_vec(.2, .1, way[i]));
+        const murk_source beam = test_beam(murk_vec(.5, .5, from[i]),
+                                           murk_vec(.2, .1, direction_z[i]));
         tell(&(test_setup){.domain = cell,
                            .lights = &beam,
                            .n_lights = 1,
@@ -205,7 +206,7 @@ static void test_glass_half_in_water(void)
                            .n_regions = 1});
         int left = 0;
         for (int k = 0; k < PHOTONS; ++k) {
-            const murk_event *e = told[k].event;
+            const murk_event *e = stories[k].event;
             CHECK(e[1].kind == MURK_EVENT_SURFACE); /* not the level */
             /* the whole way to it, past the level */
             CHECK_NEAR(e[1].path_m, 0.35 * sqrt(1.05), 1e-6);
@@ -247,7 +248,7 @@ static void test_walls_that_cross_the_level(void)
                            .n_regions = 1});
         int left = 0;
         for (int k = 0; k < PHOTONS; ++k) {
-            const story *s = &told[k];
+            const story *s = &stories[k];
             for (size_t e = 2; e < s->n; ++e) {
                 const murk_event *out = &s->event[e];
                 if (s->event[e - 1].kind != MURK_EVENT_SURFACE ||
@@ -282,13 +283,13 @@ static void test_equal_indices_are_silent(void)
                        .regions = regions,
                        .n_regions = 3});
     for (int k = 0; k < PHOTONS; ++k) {
-        const story *s = &told[k];
+        const story *s = &stories[k];
         CHECK(s->n == 3);
         CHECK(s->event[1].kind == MURK_EVENT_INTERFACE);
         CHECK(s->event[2].kind == MURK_EVENT_ESCAPED);
-        const murk_vec3 way =
+        const murk_vec3 offset =
             murk_sub(s->event[2].position, s->event[1].position);
-        CHECK_NEAR(s->event[2].path_m, murk_length(way), 1e-15);
+        CHECK_NEAR(s->event[2].path_m, murk_length(offset), 1e-15);
     }
 }
 
@@ -311,7 +312,7 @@ static void test_where_light_starts(void)
     tell(&setup);
     int first = 0;
     for (int k = 0; k < PHOTONS; ++k) {
-        const murk_event *e = told[k].event;
+        const murk_event *e = stories[k].event;
         if (e[1].kind == MURK_EVENT_MEDIUM) {
             ++first;
             CHECK(e[1].event_class == MURK_CLASS_FIRST);
@@ -330,7 +331,7 @@ static void test_where_light_starts(void)
     tell(&setup);
     int beneath = 0;
     for (int k = 0; k < PHOTONS; ++k) {
-        const murk_event *e = told[k].event;
+        const murk_event *e = stories[k].event;
         if (e[0].position.z < 0.5) {
             ++beneath;
             CHECK(is(&e[1], MURK_EVENT_MEDIUM, MURK_ABSORBED));
@@ -363,9 +364,9 @@ static void test_lamp_in_a_boundary(void)
                            .regions = &sea[i],
                            .n_regions = 1});
         for (int k = 0; k < PHOTONS; ++k) {
-            const murk_event *e = told[k].event;
+            const murk_event *e = stories[k].event;
             const bool is_wet = (e[0].direction_out.z < 0) == (i < 2);
-            CHECK(told[k].n == 2);
+            CHECK(stories[k].n == 2);
             CHECK(e[1].kind ==
                   (is_wet ? MURK_EVENT_MEDIUM : MURK_EVENT_ESCAPED));
         }
@@ -391,7 +392,7 @@ static void test_layers_go_on_at_periodic_sides(void)
                            .regions = &layers[i],
                            .n_regions = 1});
         for (int k = 0; k < PHOTONS; ++k) {
-            const story *s = &told[k];
+            const story *s = &stories[k];
             int wraps = 0, mirrored = 0;
             for (size_t e = 1; e + 1 < s->n; ++e) {
                 wraps += s->event[e].kind == MURK_EVENT_WRAPPED;

@@ -31,12 +31,12 @@ static void note(void *context, uint64_t batch, const murk_event *e)
 {
     absorbed *sums = context;
     (void)batch;
-    const double kept = e->weight - e->leaving;
+    const double lost = e->weight - e->leaving;
     if (e->kind == MURK_EVENT_MEDIUM) {
-        sums->medium[e->material_or_medium] += kept;
+        sums->medium[e->material_or_medium] += lost;
         sums->misplaced += !is_there(e->material_or_medium, e->position.z);
     } else if (e->kind == MURK_EVENT_SURFACE) {
-        sums->material[e->material_or_medium] += kept;
+        sums->material[e->material_or_medium] += lost;
     }
 }
 

@@ -1,7 +1,7 @@
-/* What a leg brings to planes, spheres and grids, against plain twins: a plane
- * by the signs of its two ends, a sphere by fine steps, a grid by clipping the
- * leg to every cell. Deterministic but for the drawn legs, whose seed is
- * fixed. */
+/* The scores of a segment in planes, spheres and grids, against plain twins: a
+ * plane by the signs of its two ends, a sphere by fine steps, a grid by
+ * clipping the segment to every cell. Deterministic but for the drawn segments,
+ * whose seed is fixed. */
 #include "base/rng.h"
 #include "check.h"
 #include "transport/score.h"
@@ -48,9 +48,9 @@ static void fly(const scored *s, const murk_vec3 *place, size_t n,
 {
     murk_score_start(s->scorer, 0, (murk_station){place[0], 0});
     for (size_t i = 1; i < n; ++i) {
-        const murk_vec3 way = murk_sub(place[i], place[i - 1]);
-        murk_score_segment(s->scorer, place[i - 1], murk_unit(way),
-                           murk_length(way), quanta,
+        const murk_vec3 offset = murk_sub(place[i], place[i - 1]);
+        murk_score_segment(s->scorer, place[i - 1], murk_unit(offset),
+                           murk_length(offset), quanta,
                            (murk_station){place[i], 0});
     }
     murk_score_end(s->scorer, false);
@@ -70,7 +70,7 @@ static murk_box cell_box(const murk_tally_desc *d, size_t i, size_t j, size_t k)
     return (murk_box){a, murk_add(a, e)};
 }
 
-/* The leg's length in one cell, each cut for itself. */
+/* The length of the segment in one cell, each cut for itself. */
 static double plain_length(const murk_tally_desc *d, size_t cell,
                            murk_vec3 from, murk_vec3 along, double length)
 {
@@ -89,7 +89,7 @@ static double metres(const scored *s, const murk_tally_desc *d, size_t cell)
     return sum_of(s, 0, cell) * e.x * e.y * e.z / (double)MURK_PACKET;
 }
 
-static void test_legs_through_a_grid(uint32_t seed)
+static void test_segments_through_a_grid(uint32_t seed)
 {
     const murk_tally_desc *d = &lattice;
     const size_t cells = murk_tally_cells(d);
@@ -103,12 +103,12 @@ static void test_legs_through_a_grid(uint32_t seed)
             {6 * b.u[0] - 1, 6 * b.u[1] - 2, 6 * b.u[2] - 3}};
         const scored s = begun(d, 1);
         fly(&s, p, 2, (double)MURK_PACKET);
-        const murk_vec3 way = murk_sub(p[1], p[0]);
-        const double length = murk_length(way);
+        const murk_vec3 offset = murk_sub(p[1], p[0]);
+        const double length = murk_length(offset);
         double all = 0, want_all = 0;
         for (size_t c = 0; c < cells; ++c) {
             const double want =
-                plain_length(d, c, p[0], murk_unit(way), length);
+                plain_length(d, c, p[0], murk_unit(offset), length);
             const double got = metres(&s, d, c);
             CHECK_NEAR(got, want, 2e-9); /* a quantum of a diagonal */
             crossed += got > 0;
@@ -123,7 +123,7 @@ static void test_legs_through_a_grid(uint32_t seed)
 
 /* Along an axis, on faces and edges between cells and on the grid's own sides:
  * all of the length is somewhere, once. */
-static void test_legs_on_faces(void)
+static void test_segments_on_faces(void)
 {
     const murk_tally_desc *d = &lattice;
     const murk_vec3 ends[][2] = {
@@ -150,8 +150,9 @@ static void test_legs_on_faces(void)
     murk_tallies_destroy(s.tallies);
 }
 
-/* Legs beside the grid, of no length, of no direction: nothing, and an end. */
-static void test_legs_that_bring_nothing(void)
+/* Segments beside the grid, of no length, of no direction: nothing, and an
+ * end. */
+static void test_segments_that_score_nothing(void)
 {
     const scored s = begun(&lattice, 1);
     const murk_vec3 beside[][2] = {{{-0.5, 0, 0}, {-1, 0, 0}},
@@ -178,7 +179,7 @@ static void test_legs_that_bring_nothing(void)
 
 /* ---- spheres ---- */
 
-static void test_legs_through_spheres(uint32_t seed)
+static void test_segments_through_spheres(uint32_t seed)
 {
     const murk_tally_desc descs[2] = {{.name = "probe",
                                        .type = MURK_TALLY_SPHERE,
@@ -201,18 +202,18 @@ static void test_legs_through_spheres(uint32_t seed)
         }
         const scored s = begun(descs, 2);
         fly(&s, p, 2, (double)MURK_PACKET);
-        const murk_vec3 way = murk_sub(p[1], p[0]);
-        const size_t down = way.z < 0;
+        const murk_vec3 offset = murk_sub(p[1], p[0]);
+        const size_t down = offset.z < 0;
         CHECK(sum_of(&s, 0, !down) == 0);
         for (size_t i = 0; i < 2; ++i) {
             const double r = descs[i].radius_m;
             int inside = 0;
             for (int k = 0; k < steps; ++k) {
-                inside += murk_length(
-                              murk_sub(murk_along(p[0], (k + 0.5) / steps, way),
-                                       descs[i].center)) < r;
+                inside += murk_length(murk_sub(
+                              murk_along(p[0], (k + 0.5) / steps, offset),
+                              descs[i].center)) < r;
             }
-            const double step = murk_length(way) / steps;
+            const double step = murk_length(offset) / steps;
             const double got = sum_of(&s, i, i == 0 ? down : 0) /
                                (double)MURK_PACKET * 4 / 3 * MURK_PI * r * r *
                                r;
@@ -269,7 +270,7 @@ static void test_axes_of_a_plane(void)
 }
 
 /* Forward and backward power of an undivided plane. */
-static void ways_of(const scored *s, double *forward, double *backward)
+static void directions_of(const scored *s, double *forward, double *backward)
 {
     *forward = *backward = 0;
     for (size_t c = 0; c < 24; ++c) {
@@ -310,7 +311,7 @@ static void test_every_passage_counts(uint32_t seed)
     }
     /* The scores are the same. */
     double forward, backward;
-    ways_of(&s, &forward, &backward);
+    directions_of(&s, &forward, &backward);
     CHECK(forward == up && backward == down && up > 2000);
     murk_tallies_destroy(s.tallies);
 }
@@ -344,7 +345,7 @@ static void test_a_plane_in_a_surface(void)
              * with the normal down all light to the surface has, and the
              * light that comes back. */
             double forward, backward;
-            ways_of(&s, &forward, &backward);
+            directions_of(&s, &forward, &backward);
             if (side > 0) {
                 CHECK(forward == 0 && backward == 10);
             } else {
@@ -365,7 +366,7 @@ static void test_a_jump_passes_nothing(void)
                        open_at(-1, 0, 0));
     murk_score_end(s.scorer, false);
     double forward, backward;
-    ways_of(&s, &forward, &backward);
+    directions_of(&s, &forward, &backward);
     CHECK(forward == 0 && backward == 7);
     murk_tallies_destroy(s.tallies);
 }
@@ -375,18 +376,19 @@ static void test_a_jump_passes_nothing(void)
 static void test_taken_back_leaves_nothing(void)
 {
     const scored s = begun(&lattice, 1);
-    const murk_vec3 kept[2] = {{0.1, 0.2, 0.3}, {3.9, 1.1, -0.7}};
+    const murk_vec3 ends[2] = {{0.1, 0.2, 0.3}, {3.9, 1.1, -0.7}};
     const murk_vec3 gone[2] = {{0.3, 0.2, 1}, {3.1, 1.1, -1}};
-    fly(&s, kept, 2, 12345);
+    fly(&s, ends, 2, 12345);
     double before[120], after = 0;
     for (size_t c = 0; c < 120; ++c) {
         before[c] = sum_of(&s, 0, c);
     }
     for (int sign = 0; sign < 2; ++sign) {
-        const murk_vec3 way = murk_sub(gone[1], gone[0]);
+        const murk_vec3 offset = murk_sub(gone[1], gone[0]);
         murk_score_start(s.scorer, 0, (murk_station){gone[0], 0});
-        murk_score_segment(s.scorer, gone[0], murk_unit(way), murk_length(way),
-                           1e15, (murk_station){gone[1], 0});
+        murk_score_segment(s.scorer, gone[0], murk_unit(offset),
+                           murk_length(offset), 1e15,
+                           (murk_station){gone[1], 0});
         murk_score_end(s.scorer, sign);
     }
     for (size_t c = 0; c < 120; ++c) {
@@ -481,10 +483,10 @@ static void test_error_of_one_photon(void)
 
 int main(void)
 {
-    test_legs_through_a_grid(1);
-    test_legs_on_faces();
-    test_legs_that_bring_nothing();
-    test_legs_through_spheres(1);
+    test_segments_through_a_grid(1);
+    test_segments_on_faces();
+    test_segments_that_score_nothing();
+    test_segments_through_spheres(1);
     test_bins_of_a_plane();
     test_axes_of_a_plane();
     test_every_passage_counts(1);

@@ -74,19 +74,19 @@ static void test_planes_in_the_sides(void)
     const test_setup setup = {.domain = cube, .lights = &light, .n_lights = 1};
     const double z[] = {0, 1, 2};
     for (int i = 0; i < 3; ++i) {
-        double ways[2];
+        double crossed[2];
         murk_tally_desc d = plane(z[i], 1);
-        measured(&setup, &d, 10, 2, ways);
-        CHECK(ways[0] == 0 && ways[1] == 10);
+        measured(&setup, &d, 10, 2, crossed);
+        CHECK(crossed[0] == 0 && crossed[1] == 10);
         d = plane(z[i], -1);
-        measured(&setup, &d, 10, 2, ways);
-        CHECK(ways[0] == 10 && ways[1] == 0);
+        measured(&setup, &d, 10, 2, crossed);
+        CHECK(crossed[0] == 10 && crossed[1] == 0);
     }
     light.direction = murk_vec(0, 1, 0);
     const murk_tally_desc across = plane(1, 1);
-    double ways[2];
-    measured(&setup, &across, 10, 2, ways);
-    CHECK(ways[0] == 0 && ways[1] == 0);
+    double crossed[2];
+    measured(&setup, &across, 10, 2, crossed);
+    CHECK(crossed[0] == 0 && crossed[1] == 0);
 }
 
 /* Light that wraps: a plane in the side counts each turn once, one across it
@@ -100,16 +100,16 @@ static void test_planes_and_wraps(void)
         murk_tally_desc d = plane(1, 1);
         d.point.x = 2 * side;
         d.normal = murk_vec(1, 0, 0);
-        double ways[2];
-        measured(&setup, &d, 3, 2, ways);
-        CHECK(ways[0] == 3 * 7 && ways[1] == 0);
+        double crossed[2];
+        measured(&setup, &d, 3, 2, crossed);
+        CHECK(crossed[0] == 3 * 7 && crossed[1] == 0);
     }
     for (int k = 0; k <= 8; ++k) { /* k odd: the side itself is passed there */
         const double z = 1.75 - (1.5 + k) / 8;
         const murk_tally_desc d = plane(fmax(z, 0), 1);
-        double ways[2];
-        measured(&setup, &d, 3, 2, ways);
-        CHECK(ways[0] == 0 && ways[1] == 3);
+        double crossed[2];
+        measured(&setup, &d, 3, 2, crossed);
+        CHECK(crossed[0] == 0 && crossed[1] == 3);
     }
 }
 
@@ -136,16 +136,16 @@ static void test_planes_in_a_floor(void)
                                   .n_materials = 1};
         /* Each photon passes twice, or not at all if the normal points out
          * of the floor. */
-        double ways[2];
+        double crossed[2];
         murk_tally_desc d = plane(floors[i], -1);
-        measured(&setup, &d, 20, 2, ways);
-        CHECK(ways[0] == 20 && ways[1] == 20);
+        measured(&setup, &d, 20, 2, crossed);
+        CHECK(crossed[0] == 20 && crossed[1] == 20);
         d = plane(floors[i], 1);
-        measured(&setup, &d, 20, 2, ways);
-        CHECK(ways[0] == 0 && ways[1] == 0);
+        measured(&setup, &d, 20, 2, crossed);
+        CHECK(crossed[0] == 0 && crossed[1] == 0);
         d = plane(floors[i] + 0.001, 1);
-        measured(&setup, &d, 20, 2, ways);
-        CHECK(ways[0] == 20 && ways[1] == 20);
+        measured(&setup, &d, 20, 2, crossed);
+        CHECK(crossed[0] == 20 && crossed[1] == 20);
     }
 }
 
@@ -201,13 +201,13 @@ static void test_a_lamp_in_a_plane(void)
                               .power_w = {{1}},
                               .where = "lamp"};
     const test_setup setup = {.domain = cube, .lights = &lamp, .n_lights = 1};
-    double ways[2];
+    double crossed[2];
     murk_tally_desc d = plane(1.7, 1);
-    measured(&setup, &d, 50, 2, ways);
-    CHECK(ways[0] == 0 && ways[1] == 50);
+    measured(&setup, &d, 50, 2, crossed);
+    CHECK(crossed[0] == 0 && crossed[1] == 50);
     d = plane(1.7, -1);
-    measured(&setup, &d, 50, 2, ways);
-    CHECK(ways[0] == 0 && ways[1] == 0);
+    measured(&setup, &d, 50, 2, crossed);
+    CHECK(crossed[0] == 0 && crossed[1] == 0);
 }
 
 /* In fog, between mirrors, glass and water, in a periodic domain: what a plane

@@ -19,7 +19,7 @@ static void note(void *context, uint64_t batch, const murk_event *event)
     }
 }
 
-static story told(const test_setup *setup, uint64_t photons)
+static story story_of(const test_setup *setup, uint64_t photons)
 {
     test_world w = test_world_made(setup);
     story s = {0};
@@ -45,14 +45,14 @@ static void test_events_and_classes_in_order(void)
         test_rect(murk_vec(0, 0, 0), y, z, 0),
         test_rect(murk_vec(0.9, 0, 0), y, z, 1),
         test_rect(murk_vec(0.4, 0, 0), y, z, 2)};
-    const story s = told(&(test_setup){.domain = cell,
-                                       .lights = &beam,
-                                       .n_lights = 1,
-                                       .surfaces = surfaces,
-                                       .n_surfaces = 3,
-                                       .materials = materials,
-                                       .n_materials = 3},
-                         1);
+    const story s = story_of(&(test_setup){.domain = cell,
+                                           .lights = &beam,
+                                           .n_lights = 1,
+                                           .surfaces = surfaces,
+                                           .n_surfaces = 3,
+                                           .materials = materials,
+                                           .n_materials = 3},
+                             1);
     /* Expected outcome, place, path length and normal of each event. */
     CHECK(s.n == 5);
     const murk_outcome outcomes[5] = {0, MURK_TRANSMITTED, MURK_MIRRORED,
@@ -83,14 +83,14 @@ static void test_scattering_makes_later(void)
     const murk_medium media[2] = {test_medium(1e-9, 0, 0),
                                   test_medium(1e4, 1, 0.9)};
     const murk_region regions[2] = {test_everywhere(0), test_everywhere(1)};
-    const story s = told(&(test_setup){.domain = cell,
-                                       .lights = &beam,
-                                       .n_lights = 1,
-                                       .media = media,
-                                       .n_media = 2,
-                                       .regions = regions,
-                                       .n_regions = 2},
-                         1);
+    const story s = story_of(&(test_setup){.domain = cell,
+                                           .lights = &beam,
+                                           .n_lights = 1,
+                                           .media = media,
+                                           .n_media = 2,
+                                           .regions = regions,
+                                           .n_regions = 2},
+                             1);
     CHECK(s.n > 3);
     CHECK(s.event[1].kind == MURK_EVENT_MEDIUM);
     CHECK(s.event[1].event_class == MURK_CLASS_FIRST);
@@ -106,8 +106,8 @@ static void test_wraps(void)
 {
     const murk_source beam =
         test_beam(murk_vec(0.5, 0.3, 0), murk_vec(4, 2, 1));
-    const story s =
-        told(&(test_setup){.domain = tile, .lights = &beam, .n_lights = 1}, 1);
+    const story s = story_of(
+        &(test_setup){.domain = tile, .lights = &beam, .n_lights = 1}, 1);
     int across_x = 0, across_y = 0;
     for (size_t i = 1; i + 1 < s.n; ++i) {
         CHECK(s.event[i].kind == MURK_EVENT_WRAPPED);
@@ -196,7 +196,7 @@ static void test_lamp_in_nested_solids(void)
                               .n_surfaces = 2,
                               .materials = materials,
                               .n_materials = 2};
-    const story s = told(&setup, 1);
+    const story s = story_of(&setup, 1);
     const double sine = 0.3 / sqrt(1.09);
     CHECK(s.n >= 4);
     CHECK(s.event[1].outcome == MURK_TRANSMITTED);
@@ -251,15 +251,15 @@ static void test_surfaces_in_the_sides_count(void)
 
     /* A wall in one side, and beams both ways. */
     const murk_surface_desc wall = test_rect(murk_vec(0, 0, 0), y, z, 0);
-    for (int way = -1; way <= 1; way += 2) {
+    for (int sign = -1; sign <= 1; sign += 2) {
         const murk_source beam =
-            test_beam(murk_vec(0.5, 0.5, 0.5), murk_vec(way, 0.1, 0.1));
-        const story s = told(&(test_setup){.domain = tile,
-                                           .lights = &beam,
-                                           .n_lights = 1,
-                                           .surfaces = &wall,
-                                           .n_surfaces = 1},
-                             1);
+            test_beam(murk_vec(0.5, 0.5, 0.5), murk_vec(sign, 0.1, 0.1));
+        const story s = story_of(&(test_setup){.domain = tile,
+                                               .lights = &beam,
+                                               .n_lights = 1,
+                                               .surfaces = &wall,
+                                               .n_surfaces = 1},
+                                 1);
         CHECK(s.event[s.n - 1].kind == MURK_EVENT_SURFACE);
         CHECK(s.event[s.n - 1].outcome == MURK_ABSORBED);
     }
@@ -270,8 +270,8 @@ static void test_light_that_leaves_at_once(void)
 {
     const murk_source beam =
         test_beam(murk_vec(0.5, 0.5, 1), murk_vec(0, 0, 1));
-    const story s =
-        told(&(test_setup){.domain = cell, .lights = &beam, .n_lights = 1}, 1);
+    const story s = story_of(
+        &(test_setup){.domain = cell, .lights = &beam, .n_lights = 1}, 1);
     CHECK(s.n == 2);
     CHECK(s.event[1].kind == MURK_EVENT_ESCAPED);
     CHECK(s.event[1].path_m == 0);
@@ -291,22 +291,22 @@ static void test_no_extinction_is_clear_air(void)
     /* A room with and without such a medium. */
     const murk_source lamp = test_point(murk_vec(0.4, 0.5, 0.6));
     const murk_material white = test_material(0.6, 0.2, 0.1, 0);
-    const murk_surface_desc room =
+    const murk_surface_desc walls =
         test_box(murk_vec(0.1, 0.1, 0.1), murk_vec(0.9, 0.9, 0.9), 0);
     const murk_medium nothing = test_medium(0, 1, 0.8);
     const murk_region region = test_everywhere(0);
     test_setup setup = {.domain = tile,
                         .lights = &lamp,
                         .n_lights = 1,
-                        .surfaces = &room,
+                        .surfaces = &walls,
                         .n_surfaces = 1,
                         .materials = &white,
                         .n_materials = 1};
-    const story clear = told(&setup, 20);
+    const story clear = story_of(&setup, 20);
     setup.media = &nothing;
     setup.n_media = setup.n_regions = 1;
     setup.regions = &region;
-    const story foggy = told(&setup, 20);
+    const story foggy = story_of(&setup, 20);
     /* All noted events are equal. */
     CHECK(clear.n == NOTED && foggy.n == NOTED);
     bool same = true;

@@ -71,7 +71,7 @@ static size_t escapes(const murk_surfaces *surfaces, murk_vec3 size,
     return count;
 }
 
-static void test_paper_room_has_268_triangles_and_no_seam(void)
+static void test_paper_scene_has_268_triangles_and_no_seam(void)
 {
     murk_mesh *mesh = read_mesh("scenes/meshes/paper-room.obj");
     if (!mesh) {
@@ -166,7 +166,7 @@ static void test_scenes_read_and_name_their_materials(void)
     }
 }
 
-static void test_paper_room_is_of_the_papers_size(void)
+static void test_paper_scene_is_of_the_papers_size(void)
 {
     murk_scene_desc *scene = read_scene("scenes/paper-room.yaml");
     if (scene) {
@@ -182,8 +182,8 @@ static void test_paper_room_is_of_the_papers_size(void)
 int main(void)
 {
     test_scenes_read_and_name_their_materials();
-    test_paper_room_is_of_the_papers_size();
-    test_paper_room_has_268_triangles_and_no_seam();
+    test_paper_scene_is_of_the_papers_size();
+    test_paper_scene_has_268_triangles_and_no_seam();
     test_smoke_hall_is_open_at_the_gate_only();
     return check_done();
 }

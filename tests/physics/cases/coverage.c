@@ -174,7 +174,7 @@ static void stated_errors(validation *v, const char *is_wrong,
     validation_mark_short(v, why);
 }
 
-void cases_views(validation *v)
+void cases_coverage(validation *v)
 {
     const double cap = share_in_clear_air(2), far = share_in_clear_air(2.6);
     by_hand(v, "one sensor, range 2 m", NULL, 0, 2, 1, cap);

@@ -1,7 +1,8 @@
-/* Plans under made-up rules, made in every way and held against brute force:
- * each method, known and unknown environment, with presolve and without. */
-#ifndef MURK_TESTS_RULED_WAYS_H
-#define MURK_TESTS_RULED_WAYS_H
+/* Plans under made-up constraints, made by every method and compared with brute
+ * force: each method, known and unknown environment, with presolve and
+ * without. */
+#ifndef MURK_TESTS_CONSTRAINED_PLANS_H
+#define MURK_TESTS_CONSTRAINED_PLANS_H
 
 #include "check.h"
 #include "made_up_rules.h"
@@ -96,8 +97,8 @@ static void check_plan(const made_up *m, const made_up_constraints *r,
     CHECK(r->kinds & BUDGET ? desc->count == 0 || plan->count <= desc->count
                             : plan->count == desc->count);
     CHECK(plan->value == made_up_set_value(m, set));
-    /* The optimum lies between value and upper bound, and the promised
-     * share of the optimum is reached. */
+    /* The optimum lies between value and upper bound, and the promised share of
+     * the optimum is reached. */
     CHECK(plan->value <= optimum);
     CHECK(plan->upper >= optimum);
     CHECK(!plan->proven_optimal || plan->value == optimum);
@@ -111,8 +112,8 @@ static void check_plan(const made_up *m, const made_up_constraints *r,
         cost += (uint64_t)r->cost[plan->sensor[k]];
     }
     CHECK(plan->cost == cost);
-    /* Methods that prove find the optimum in a known environment, and the
-     * best plan has no better neighbour. */
+    /* Methods that prove find the optimum in a known environment, and the best
+     * plan has no better neighbour. */
     const bool proves =
         desc->method == MURK_PLACE_BEST || desc->method == MURK_PLACE_EXACT;
     if (known && proves) {
@@ -127,8 +128,8 @@ static void check_plan(const made_up *m, const made_up_constraints *r,
     t->proven += plan->proven_optimal;
 }
 
-static void try_all_ways(const made_up *m, const made_up_constraints *r,
-                         uint32_t seed, size_t count, tally *t)
+static void try_all_methods(const made_up *m, const made_up_constraints *r,
+                            uint32_t seed, size_t count, tally *t)
 {
     uint64_t best[MADE_UP_MAX + 1];
     made_up_ruled_optima(m, r, best);
@@ -197,10 +198,10 @@ static void let_half_see_no_more(made_up *m, uint32_t seed)
 {
     const size_t n = m->problem.photons, half = m->problem.candidates / 2;
     for (uint32_t j = 0; j < half; ++j) {
-        const uint32_t kept = made_up_draw(seed, 30, j, 3);
+        const uint32_t thinning = made_up_draw(seed, 30, j, 3);
         for (size_t i = 0; i < n; ++i) {
             m->clarity[(half + j) * n + i] =
-                kept == 0 || i % (kept + 1) ? m->clarity[j * n + i] : 0;
+                thinning == 0 || i % (thinning + 1) ? m->clarity[j * n + i] : 0;
         }
     }
 }

@@ -1,7 +1,7 @@
 /* For tests of candidates: a room with a lamp, and where sensors may stand in
  * it. */
-#ifndef MURK_TESTS_CANDIDATES_ROOM_H
-#define MURK_TESTS_CANDIDATES_ROOM_H
+#ifndef MURK_TESTS_CANDIDATES_BOX_H
+#define MURK_TESTS_CANDIDATES_BOX_H
 
 #include "base/rng.h"
 #include "sensing/candidates.h"
@@ -9,19 +9,19 @@
 
 #define N_MAX 16
 
-static const murk_domain room = {.box = {{0, 0, 0}, {10, 10, 4}}};
+static const murk_domain interior = {.box = {{0, 0, 0}, {10, 10, 4}}};
 static const murk_vec3 lamp = {2.3, 3.1, 3.7};
 
 /* The room's six sides, wound either way. */
-static inline size_t add_room(murk_surface_desc *out, size_t n)
+static inline size_t add_sides(murk_surface_desc *out, size_t n)
 {
-    out[n] = a_box(room.box.min, room.box.max);
+    out[n] = a_box(interior.box.min, interior.box.max);
     return n + 1;
 }
 
 static inline murk_reach by_lamp(void)
 {
-    return (murk_reach){.lamps = &lamp, .n_lamps = 1, .domain = room};
+    return (murk_reach){.lamps = &lamp, .n_lamps = 1, .domain = interior};
 }
 
 static inline murk_candidate_grid half_metres(void)

@@ -130,7 +130,7 @@ static void test_open_ground(uint32_t seed)
 /* 4 x 3 x 2.5 m, grey; a window in the west wall, a black screen before it
  * (what a bright one turned to the window would be lost by aiming), and a hole
  * in the roof. */
-static size_t build_room(murk_surface_desc out[WALLS])
+static size_t build_walls(murk_surface_desc out[WALLS])
 {
     size_t n = 0;
     const murk_vec3 x = {4, 0, 0}, y = {0, 3, 0}, z = {0, 0, 2.5};
@@ -170,7 +170,7 @@ static void compare(const murk_source *light, uint64_t far, uint64_t near,
                         .lights = light,
                         .n_lights = 1,
                         .surfaces = wall,
-                        .n_surfaces = build_room(wall),
+                        .n_surfaces = build_walls(wall),
                         .materials = material,
                         .n_materials = 2};
     /* A ball within the room: a plane would go on outside. */
@@ -192,7 +192,7 @@ static void compare(const murk_source *light, uint64_t far, uint64_t near,
     CHECK(merit > min_merit);
 }
 
-static void test_room_with_windows(uint32_t seed)
+static void test_box_with_windows(uint32_t seed)
 {
     const murk_source even = sky_of(5), clear = sky_of(12);
     compare(&even, 1200000, 100000, 5, seed);
@@ -210,6 +210,6 @@ int main(int argc, char **argv)
     const uint32_t seed = argc > 1 ? (uint32_t)strtoul(argv[1], NULL, 10) : 1;
     limit = murk_sidak_limit(1e-6, CHECKS);
     test_open_ground(seed);
-    test_room_with_windows(seed);
+    test_box_with_windows(seed);
     return check_done();
 }
