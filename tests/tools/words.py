@@ -78,9 +78,20 @@ expect(0, "static const char *const WORDS[] = {\"1\", \"2\"};\n")
 # type: also in a room that is not asked for
 expect(1, "", name="src/other/b.h", **{"room": "struct murk_a { int b; };\n", "third": "struct murk_a { int b; };\n"})
 
-# tests: opening of sources and headers, outline
-assert len(check_words.broken_in_tests(Source({"tests/a.h": "int a;\n"}))) == 1
-assert len(check_words.broken_in_tests(Source({"tests/a.c": OPENING + LONG}))) == 1
-assert not check_words.broken_in_tests(Source({"tests/a.c": OPENING + "int shell;\n"}))
+# tests: names, opening of sources and headers, outline
+
+
+def expect_in_tests(n, text, name="tests/unit/room/test_a.c"):
+    places = check_words.broken_in_tests(Source({name: text}), GLOSSARY)
+    assert len(places) == n, (text, places)
+
+
+expect_in_tests(1, OPENING + "static void test_a_shell(void);\n")
+expect_in_tests(1, OPENING + "#define SHELL_M (x + 1)\n")
+expect_in_tests(1, OPENING + "int a;\n", name="tests/physics/test_shell.c")
+expect_in_tests(0, OPENING + "/* shell */ const char *t = \"shell\"; int shells, at_least;\n")
+expect_in_tests(1, "int a;\n", name="tests/a.h")
+expect_in_tests(1, OPENING + LONG)
+expect_in_tests(0, OPENING + LONG.replace("    g();\n", "    /* Step 1. */\n", 1))
 
 sys.exit(subprocess.run([sys.executable, "-B", TOOL]).returncode)
