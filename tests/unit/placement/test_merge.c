@@ -136,14 +136,11 @@ int main(void)
         {1, 1, MURK_COMBINE_INDEPENDENT, 1},
     };
     for (size_t kind = 0; kind < sizeof kinds / sizeof kinds[0]; ++kind) {
-        for (uint32_t seed = 1; seed <= 4; ++seed) {
-            made_up *m =
-                make_alike(seed, kinds[kind].levels, kinds[kind].weights);
-            m->problem.combining = kinds[kind].combining;
-            m->problem.redundancy = kinds[kind].redundancy;
-            check_methods(m);
-            made_up_destroy(m);
-        }
+        made_up *m = make_alike(1, kinds[kind].levels, kinds[kind].weights);
+        m->problem.combining = kinds[kind].combining;
+        m->problem.redundancy = kinds[kind].redundancy;
+        check_methods(m);
+        made_up_destroy(m);
     }
     /* Different photons with equal hashes stay apart. */
     test_prints_are_checked();
