@@ -37,13 +37,11 @@ struct murk_model {
     murk_arena arena; /* of all arrays here and in world[] */
 };
 
+murk_status murk_model_no_memory(murk_error *err);
+
 /* True if key k changes the world of condition c, so that light must be traced
  * again. */
 bool murk_model_changes_world(const murk_model *model, size_t k, size_t c);
-
-/* True if key k changes only the optics of media or the power of light sources
- * in condition c, so that the traced light is re-weighted. */
-bool murk_model_reweighs(const murk_model *model, size_t k, size_t c);
 
 /* The optics of condition c at two values around value[k] of each key that
  * re-weights it; low and high are NULL for other keys. sides[n] belongs to the

@@ -14,7 +14,7 @@
  * factor, the small one is dominated by steps of the function. */
 #define STEEP 10
 
-static murk_status no_memory(murk_error *err)
+murk_status murk_model_no_memory(murk_error *err)
 {
     return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the fit's model");
 }
@@ -25,7 +25,9 @@ bool murk_model_changes_world(const murk_model *m, size_t k, size_t c)
     return key->kind == MURK_FREE_WORLD && key->is_in[c];
 }
 
-bool murk_model_reweighs(const murk_model *m, size_t k, size_t c)
+/* True if key k changes only the optics of media or the power of light sources
+ * in condition c, so that the traced light is re-weighted. */
+static bool reweighs(const murk_model *m, size_t k, size_t c)
 {
     const murk_free_key *key = &m->desc.keys->key[k];
     return (key->kind == MURK_FREE_MEDIUM || key->kind == MURK_FREE_LIGHT) &&
@@ -47,12 +49,12 @@ murk_status murk_model_sides(murk_optics_sides **sides, const murk_model *m,
     const murk_free_keys *keys = m->desc.keys;
     double *beside = m->beside;
     *sides = calloc(m->n, sizeof **sides);
-    murk_status status = *sides ? MURK_OK : no_memory(err);
+    murk_status status = *sides ? MURK_OK : murk_model_no_memory(err);
     memcpy(beside, value, m->n * sizeof *beside);
     for (size_t k = 0; k < m->n && !status; ++k) {
         murk_optics_sides *side = &(*sides)[k];
         double low, high;
-        if (!murk_model_reweighs(m, k, c)) {
+        if (!reweighs(m, k, c)) {
             continue;
         }
         murk_free_key_around(keys, k, value[k], &low, &high);
@@ -202,8 +204,8 @@ static murk_status predict_beams(const murk_model *m, size_t c,
     const murk_instruments *instruments = &m->world[c].instruments;
     const murk_free_keys *keys = m->desc.keys;
     double *scratch = malloc(3 * instruments->beams * sizeof *scratch);
-    murk_status status =
-        scratch ? beams_at(scratch, m, c, value, err) : no_memory(err);
+    murk_status status = scratch ? beams_at(scratch, m, c, value, err)
+                                 : murk_model_no_memory(err);
     for (size_t i = 0; i < instruments->beams && !status; ++i) {
         predicted[instruments->beam_row[i]] = scratch[i];
     }
@@ -289,7 +291,7 @@ murk_status murk_model_noise(const murk_model *m, double **covariance,
     if (!batch || !out) {
         free(batch);
         free(out);
-        return no_memory(err);
+        return murk_model_no_memory(err);
     }
     /* Collect the batches of all conditions, with factors. */
     for (size_t c = 0; c < m->worlds; ++c) {
@@ -336,7 +338,7 @@ murk_status murk_model_parts(const murk_model *m, double **part,
     const size_t width = m->n + 1, each = m->facts.batches / m->facts.runs;
     double *all = calloc(m->facts.runs * m->facts.lights * width, sizeof *all);
     if (!all) {
-        return no_memory(err);
+        return murk_model_no_memory(err);
     }
     /* Values of a run: sum of the batches of that run. Slopes are stored by
      * run. */

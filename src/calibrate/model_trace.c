@@ -28,11 +28,6 @@
  * fewer suffice. */
 #define RUNS_MAX 256
 
-static murk_status no_memory(murk_error *err)
-{
-    return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the fit's model");
-}
-
 void murk_model_destroy(murk_model *m)
 {
     if (!m) {
@@ -71,7 +66,7 @@ static murk_status choose_media(murk_model *m, size_t c, const double *value,
     murk_status status = murk_model_sides(&side, m, c, value, err);
     w->medium = murk_arena_array(&m->arena, n_media, sizeof *w->medium);
     if (!status && !w->medium) {
-        status = no_memory(err);
+        status = murk_model_no_memory(err);
     }
     w->desc.medium = w->medium;
     /* A medium is recorded if a key changes extinction, albedo or phase
@@ -188,7 +183,7 @@ static murk_status lay_batches(murk_model *m, murk_error *err)
             status =
                 w->world_slope
                     ? murk_lighting_rows_create(&w->rows, &w->desc, m->n, err)
-                    : no_memory(err);
+                    : murk_model_no_memory(err);
         }
     }
     return status;
@@ -209,7 +204,7 @@ static murk_status fill(murk_model *m, murk_error *err)
     m->gain_key = murk_arena_array(arena, m->rows, sizeof *m->gain_key);
     m->facts.light = murk_arena_array(arena, m->rows, sizeof *m->facts.light);
     m->place = murk_arena_array(arena, m->rows, sizeof *m->place);
-    murk_status status = arena->is_short ? no_memory(err) : MURK_OK;
+    murk_status status = arena->is_short ? murk_model_no_memory(err) : MURK_OK;
     /* Prepare the conditions at the start values. */
     for (size_t k = 0; k < m->n && !status; ++k) {
         m->moved[k] = keys->key[k].start;
@@ -227,7 +222,7 @@ murk_status murk_model_create(murk_model **out, const murk_model_desc *desc,
 {
     murk_model *m = calloc(1, sizeof *m);
     if (!m) {
-        return no_memory(err);
+        return murk_model_no_memory(err);
     }
     m->desc = *desc;
     m->n = desc->keys->n;
@@ -248,7 +243,7 @@ static murk_status slopes_of_world(murk_model *m, size_t c, murk_error *err)
     murk_model_world *w = &m->world[c];
     const size_t lights = w->instruments.lights;
     double *slope = calloc(2 * lights + 1, sizeof *slope);
-    murk_status status = slope ? MURK_OK : no_memory(err);
+    murk_status status = slope ? MURK_OK : murk_model_no_memory(err);
     for (size_t k = 0; k < m->n && !status; ++k) {
         if (!murk_model_changes_world(m, k, c)) {
             continue;
