@@ -1,6 +1,5 @@
-/* Parser of CSV files (RFC 4180, with comment lines, blanks around cells,
- * and a byte order mark). Cells are terminated in place, so a table needs no
- * memory for texts of its own. */
+/* Tables of CSV files: the cells of base/csv.h under a header of column names.
+ * A byte order mark is passed over. */
 #include "scene/table.h"
 
 #include <limits.h>
@@ -12,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/csv.h"
 #include "base/file.h"
 #include "base/number.h"
 #include "scene/words.h"
@@ -25,23 +25,22 @@
 
 typedef struct cursor {
     const char *path;
-    char *next; /* position in the text; cells are terminated in place */
-    char *end;
-    int line;
+    murk_csv csv;
     murk_error *err;
 } cursor;
 
-static murk_status fail_at(const cursor *at, int line, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
+static murk_status fail_at(const cursor *at, size_t line, const char *format,
+                           ...) __attribute__((format(printf, 3, 4)));
 
-static murk_status fail_at(const cursor *at, int line, const char *format, ...)
+static murk_status fail_at(const cursor *at, size_t line, const char *format,
+                           ...)
 {
     char where[320], text[256];
     va_list args;
     va_start(args, format);
     vsnprintf(text, sizeof text, format, args);
     va_end(args);
-    snprintf(where, sizeof where, "%.290s:%d", at->path, line);
+    snprintf(where, sizeof where, "%.290s:%zu", at->path, line);
     return murk_fail(at->err, MURK_BAD_FILE, where, "%s", text);
 }
 
@@ -50,109 +49,17 @@ static murk_status no_memory(const char *path, murk_error *err)
     return murk_fail(err, MURK_NO_MEMORY, path, "no memory for the table");
 }
 
-static bool is_blank(char c)
-{
-    return c == ' ' || c == '\t';
-}
-
-/* Skips blank lines and comments. */
-static void skip_lines(cursor *at)
-{
-    for (;;) {
-        char *p = at->next;
-        while (p < at->end && (is_blank(*p) || *p == '\r')) {
-            ++p;
-        }
-        if (p < at->end && *p == '#') {
-            while (p < at->end && *p != '\n') {
-                ++p;
-            }
-        }
-        if (p >= at->end) {
-            at->next = at->end;
-            return;
-        }
-        if (*p != '\n') {
-            return;
-        }
-        at->next = p + 1;
-        ++at->line;
-    }
-}
-
-/* Reads a cell in quotes; "" stands for one quote. Ends behind the closing
- * quote. */
-static murk_status read_quoted(cursor *at, char **cell)
-{
-    const int line = at->line;
-    char *from = at->next + 1, *to = from;
-    *cell = from;
-    /* Copy the text in place; a quote that is not doubled ends the cell. */
-    for (;; ++from) {
-        if (from >= at->end) {
-            return fail_at(at, line, "a quote is not closed");
-        }
-        if (*from == '"') {
-            if (from + 1 >= at->end || from[1] != '"') {
-                break;
-            }
-            ++from;
-        }
-        at->line += *from == '\n';
-        *to++ = *from;
-    }
-    at->next = from + 1;
-    *to = '\0';
-    /* Only blanks may follow before the next comma or line end. */
-    while (at->next < at->end && (is_blank(*at->next) || *at->next == '\r')) {
-        ++at->next;
-    }
-    if (at->next < at->end && *at->next != ',' && *at->next != '\n') {
-        return fail_at(at, at->line,
-                       "text behind a closing quote, must be a "
-                       "comma or the end of the line");
-    }
-    return MURK_OK;
-}
-
-/* Reads one cell; *is_last is true at the end of the line. */
 static murk_status read_cell(cursor *at, char **cell, bool *is_last)
 {
-    while (at->next < at->end && is_blank(*at->next)) {
-        ++at->next;
-    }
-    char *stop = NULL;
-    if (at->next < at->end && *at->next == '"') {
-        const murk_status status = read_quoted(at, cell);
-        if (status) {
-            return status;
-        }
-    } else {
-        *cell = at->next;
-        while (at->next < at->end && *at->next != ',' && *at->next != '\n') {
-            ++at->next;
-        }
-        stop = at->next;
-        while (stop > *cell && (is_blank(stop[-1]) || stop[-1] == '\r')) {
-            --stop;
-        }
-    }
-    *is_last = at->next >= at->end || *at->next == '\n';
-    if (at->next < at->end) {
-        at->line += *at->next == '\n';
-        ++at->next;
-    }
-    if (stop) {
-        *stop = '\0'; /* the text has a '\0' behind the last byte */
-    }
-    return MURK_OK;
+    const char *fault = murk_csv_read_cell(&at->csv, cell, is_last);
+    return fault ? fail_at(at, at->csv.line, "%s", fault) : MURK_OK;
 }
 
 static murk_status read_header(murk_table *table, cursor *at)
 {
-    const int line = at->line;
+    const size_t line = at->csv.line;
     bool is_last = false;
-    table->header_line = line;
+    table->header_line = (int)line;
     while (!is_last) {
         if (table->columns == MAX_COLUMNS) {
             return fail_at(at, line, "more than 1000 columns");
@@ -188,7 +95,7 @@ static murk_status reserve(murk_table *table, size_t *capacity,
                            const cursor *at)
 {
     size_t lines = 1;
-    for (const char *p = at->next; p < at->end; ++p) {
+    for (const char *p = at->csv.next; p < at->csv.end; ++p) {
         lines += *p == '\n';
     }
     *capacity = MAX_CELLS / table->columns;
@@ -201,7 +108,7 @@ static murk_status reserve(murk_table *table, size_t *capacity,
 
 static murk_status read_row(murk_table *table, size_t capacity, cursor *at)
 {
-    const int line = at->line;
+    const size_t line = at->csv.line;
     if (table->rows == capacity) {
         return fail_at(at, line,
                        "too large, must be at most 1e7 rows and 2e7 cells");
@@ -227,18 +134,19 @@ static murk_status read_row(murk_table *table, size_t capacity, cursor *at)
             "%zu cells, must be %zu: one for each column of the header", n,
             table->columns);
     }
-    table->line[table->rows++] = line;
+    table->line[table->rows++] = (int)line;
     return MURK_OK;
 }
 
 static murk_status find_nul(const cursor *at)
 {
-    const char *nul = memchr(at->next, '\0', (size_t)(at->end - at->next));
+    const char *nul =
+        memchr(at->csv.next, '\0', (size_t)(at->csv.end - at->csv.next));
     if (!nul) {
         return MURK_OK;
     }
-    int line = 1;
-    for (const char *p = at->next; p < nul; ++p) {
+    size_t line = 1;
+    for (const char *p = at->csv.next; p < nul; ++p) {
         line += *p == '\n';
     }
     return fail_at(at, line, "a NUL byte, must be text");
@@ -255,13 +163,12 @@ murk_status murk_table_parse(murk_table **out, const char *path, char *text,
         return no_memory(path, err);
     }
     table->text = text;
-    cursor at = {path, table->text, table->text + size, 1, err};
+    cursor at = {path, {table->text, table->text + size, 1, false}, err};
     murk_status status = find_nul(&at);
-    if (size >= 3 && memcmp(at.next, "\xEF\xBB\xBF", 3) == 0) {
-        at.next += 3; /* byte order mark */
+    if (size >= 3 && memcmp(at.csv.next, "\xEF\xBB\xBF", 3) == 0) {
+        at.csv.next += 3; /* byte order mark */
     }
-    skip_lines(&at);
-    if (!status && at.next == at.end) {
+    if (!status && !murk_csv_find_line(&at.csv)) {
         status = murk_fail(err, MURK_BAD_FILE, path,
                            "empty, must begin with a row of column names");
     }
@@ -271,7 +178,7 @@ murk_status murk_table_parse(murk_table **out, const char *path, char *text,
     if (!status) {
         status = reserve(table, &capacity, &at);
     }
-    for (skip_lines(&at); !status && at.next < at.end; skip_lines(&at)) {
+    while (!status && murk_csv_find_line(&at.csv)) {
         status = read_row(table, capacity, &at);
     }
     if (!status) {

@@ -1,8 +1,9 @@
 /* Reader of coverage matrices in CSV: dense, with one line a row and one cell a
  * column; or, under a header with `row` and `column`, sparse with one line an
- * entry. Cells may be quoted. The text is cut into cells in place. */
+ * entry. */
 #include "sparse/read.h"
 
+#include "base/csv.h"
 #include "base/number.h"
 
 #include <math.h>
@@ -10,15 +11,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-typedef struct cell {
-    char *text;
-    size_t column; /* of the file, from 1 */
-} cell;
-
 typedef struct reader {
-    char *next, *end, *line_begin;
-    size_t line;
-    cell *cell; /* [cells] of the last line */
+    murk_csv csv;
+    const char *line_begin;
+    size_t line; /* the last line that was read */
+    char **cell; /* [cells] of that line */
     size_t cells, capacity;
     double *weight; /* [weight_capacity]; NAN: not given so far */
     size_t weight_capacity;
@@ -34,103 +31,34 @@ static murk_status no_memory(const reader *r)
 
 static murk_text_place place_of(const reader *r, size_t k)
 {
-    return (murk_text_place){r->b->path, r->line, r->cell[k].column};
+    return (murk_text_place){r->b->path, r->line,
+                             (size_t)(r->cell[k] - r->line_begin) + 1};
 }
 
 /* ---- lines and cells ---- */
-
-static bool is_blank(char c)
-{
-    return c == ' ' || c == '\t' || c == '\r';
-}
-
-/* Reads one cell in place, without quotes and surrounding blanks. *is_last: the
- * cell ends the line. */
-static murk_status read_cell(reader *r, cell *out, bool *is_last)
-{
-    while (is_blank(*r->next)) {
-        ++r->next;
-    }
-    *out = (cell){r->next, (size_t)(r->next - r->line_begin) + 1};
-    char *to = r->next;
-    /* Quoted: two quotes stand for one. */
-    if (*r->next == '"') {
-        ++r->next;
-        bool is_closed = false;
-        for (; *r->next && *r->next != '\n'; ++r->next) {
-            is_closed = *r->next == '"' && *++r->next != '"';
-            if (is_closed) {
-                break;
-            }
-            *to++ = *r->next;
-        }
-        if (!is_closed) {
-            return murk_fail_at(
-                r->err, (murk_text_place){r->b->path, r->line, out->column},
-                "a quote is not closed in its line");
-        }
-        while (is_blank(*r->next)) {
-            ++r->next;
-        }
-    } else {
-        r->next += strcspn(r->next, ",\n");
-        to = r->next;
-        while (to > out->text && is_blank(to[-1])) {
-            --to;
-        }
-    }
-    if (*r->next != ',' && *r->next != '\n' && *r->next != '\0') {
-        return murk_fail_at(r->err,
-                            (murk_text_place){r->b->path, r->line, out->column},
-                            "text behind a closing quote, must be a comma or "
-                            "the end of the line");
-    }
-    *is_last = *r->next != ',';
-    r->next += r->next < r->end;
-    *to = '\0';
-    return MURK_OK;
-}
-
-/* Advances to the next line that is neither blank nor a comment; false at the
- * end. */
-static bool find_line(reader *r)
-{
-    while (r->next < r->end) {
-        r->line_begin = r->next;
-        ++r->line;
-        const char *p = r->next;
-        while (is_blank(*p)) {
-            ++p;
-        }
-        if (*p != '#' && *p != '\n' && *p != '\0') {
-            return true;
-        }
-        r->next += strcspn(r->next, "\n");
-        r->next += r->next < r->end;
-    }
-    return false;
-}
 
 /* Fills cell[cells] from the next line; *is_end: there is none. */
 static murk_status read_line(reader *r, bool *is_end)
 {
     r->cells = 0;
-    *is_end = !find_line(r);
-    for (bool is_last = *is_end; !is_last;) {
+    *is_end = !murk_csv_find_line(&r->csv);
+    r->line_begin = r->csv.next;
+    r->line = r->csv.line;
+    for (bool is_last = *is_end; !is_last; ++r->cells) {
         if (r->cells == r->capacity) {
             const size_t capacity = r->capacity ? 2 * r->capacity : 64;
-            cell *grown = realloc(r->cell, capacity * sizeof *grown);
+            char **grown = realloc(r->cell, capacity * sizeof *grown);
             if (!grown) {
                 return no_memory(r);
             }
             r->cell = grown;
             r->capacity = capacity;
         }
-        const murk_status status = read_cell(r, &r->cell[r->cells], &is_last);
-        if (status) {
-            return status;
+        const char *fault =
+            murk_csv_read_cell(&r->csv, &r->cell[r->cells], &is_last);
+        if (fault) {
+            return murk_fail_at(r->err, place_of(r, r->cells), "%s", fault);
         }
-        ++r->cells;
     }
     return MURK_OK;
 }
@@ -139,21 +67,21 @@ static murk_status read_line(reader *r, bool *is_end)
 
 static murk_status read_clarity(const reader *r, size_t k, double *out)
 {
-    if (!murk_number_parse(r->cell[k].text, out) || !(*out >= 0 && *out <= 1)) {
+    if (!murk_number_parse(r->cell[k], out) || !(*out >= 0 && *out <= 1)) {
         return murk_fail_at(r->err, place_of(r, k),
                             "clarity \"%.40s\", must be a number 0..1",
-                            r->cell[k].text);
+                            r->cell[k]);
     }
     return MURK_OK;
 }
 
 static murk_status read_weight(const reader *r, size_t k, double *out)
 {
-    if (!murk_sparse_weight_parse(r->cell[k].text, out)) {
+    if (!murk_sparse_weight_parse(r->cell[k], out)) {
         return murk_fail_at(r->err, place_of(r, k),
                             "weight \"%.40s\", must be 0 or a number "
                             "1e-12..1e12",
-                            r->cell[k].text);
+                            r->cell[k]);
     }
     return MURK_OK;
 }
@@ -194,7 +122,7 @@ typedef struct dense {
 static bool is_header(const reader *r)
 {
     for (size_t k = 0; k < r->cells; ++k) {
-        const char *text = r->cell[k].text;
+        const char *text = r->cell[k];
         char *end = NULL;
         (void)strtod(text, &end);
         if (*text ? *end == '\0' : k > 0 || r->cells == 1) {
@@ -212,7 +140,7 @@ static murk_status name_columns(dense *d, const reader *r)
         return no_memory(r);
     }
     for (size_t k = 0; k < r->cells; ++k) {
-        const char *text = r->cell[k].text;
+        const char *text = r->cell[k];
         if (strcmp(text, "weight") == 0) {
             if (d->has_weight) {
                 return murk_fail_at(r->err, place_of(r, k),
@@ -299,7 +227,7 @@ static bool find_parts(sparse *s, const reader *r)
     for (int p = 0; p < PARTS; ++p) {
         s->at[p] = -1;
         for (size_t k = r->cells; k-- > 0;) {
-            if (strcmp(r->cell[k].text, part_name[p]) == 0) {
+            if (strcmp(r->cell[k], part_name[p]) == 0) {
                 s->at[p] = (long)k;
             }
         }
@@ -319,7 +247,7 @@ static murk_status check_header(const sparse *s, const reader *r)
             return murk_fail_at(r->err, place_of(r, k),
                                 "column \"%.40s\", must be row, column, "
                                 "clarity and weight, each once",
-                                r->cell[k].text);
+                                r->cell[k]);
         }
     }
     return MURK_OK;
@@ -327,7 +255,7 @@ static murk_status check_header(const sparse *s, const reader *r)
 
 static bool is_given(const sparse *s, const reader *r, int p)
 {
-    return s->at[p] >= 0 && *r->cell[s->at[p]].text;
+    return s->at[p] >= 0 && *r->cell[s->at[p]];
 }
 
 /* Reads the row (p 0) or column (1) that a line names, from 1; 0: none. Every
@@ -341,12 +269,12 @@ static murk_status read_number(sparse *s, const reader *r, int p, size_t *out)
     }
     /* A whole number within the limit. */
     const size_t k = (size_t)s->at[p];
-    const size_t max = (size_t)(r->end - r->line_begin) + s->lines;
+    const size_t max = (size_t)(r->csv.end - r->line_begin) + s->lines;
     uint64_t value = 0;
-    if (!murk_count_parse(r->cell[k].text, &value) || value < 1) {
+    if (!murk_count_parse(r->cell[k], &value) || value < 1) {
         return murk_fail_at(r->err, place_of(r, k),
                             "%s \"%.40s\", must be a whole number from 1",
-                            part_name[p], r->cell[k].text);
+                            part_name[p], r->cell[k]);
     }
     if (value > max) {
         return murk_fail_at(r->err, place_of(r, k),
@@ -467,11 +395,7 @@ static murk_status read_sparse(sparse *s, reader *r)
 murk_status murk_sparse_read_csv(murk_sparse_builder *b, char *text,
                                  size_t size, murk_error *err)
 {
-    reader r = {.next = text,
-                .end = text + size,
-                .line_begin = text,
-                .b = b,
-                .err = err};
+    reader r = {.csv = {text, text + size, 1, true}, .b = b, .err = err};
     sparse s = {0};
     bool is_end = false;
     b->format = MURK_MATRIX_DENSE_CSV;
@@ -480,7 +404,7 @@ murk_status murk_sparse_read_csv(murk_sparse_builder *b, char *text,
         status = murk_fail(err, MURK_BAD_FILE, b->path,
                            "has comments alone, must be a coverage matrix");
     }
-    if (!status && r.cells == 1 && strchr(r.cell[0].text, ';')) {
+    if (!status && r.cells == 1 && strchr(r.cell[0], ';')) {
         status = murk_fail_at(err, place_of(&r, 0),
                               "semicolons and no comma: cells are separated by "
                               "commas, decimals by points");

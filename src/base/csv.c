@@ -1,0 +1,92 @@
+/* Reads cells of CSV text (base/csv.h): a state of one position, which moves
+ * over the text while the cells behind the position are shortened and
+ * terminated. */
+#include "base/csv.h"
+
+#include <string.h>
+
+static bool is_blank(char c)
+{
+    return c == ' ' || c == '\t' || c == '\r';
+}
+
+static void skip_blanks(murk_csv *csv)
+{
+    while (is_blank(*csv->next)) {
+        ++csv->next;
+    }
+}
+
+/* Steps over a comma or a line end; stays at the end of the text. */
+static void skip_separator(murk_csv *csv)
+{
+    csv->line += *csv->next == '\n';
+    csv->next += csv->next < csv->end;
+}
+
+bool murk_csv_find_line(murk_csv *csv)
+{
+    while (csv->next < csv->end) {
+        char *const begin = csv->next;
+        skip_blanks(csv);
+        if (*csv->next != '#' && *csv->next != '\n' && *csv->next != '\0') {
+            csv->next = begin;
+            return true;
+        }
+        csv->next += strcspn(csv->next, "\n");
+        skip_separator(csv);
+    }
+    return false;
+}
+
+/* Reads a cell in quotes, at the first of them; two quotes stand for one. */
+static const char *read_quoted(murk_csv *csv)
+{
+    char *to = csv->next++;
+    const size_t line = csv->line;
+    for (;; ++csv->next) {
+        if (*csv->next == '"' && *++csv->next != '"') {
+            break;
+        }
+        if (*csv->next == '\0' || (*csv->next == '\n' && csv->is_one_line)) {
+            csv->line = line;
+            return csv->is_one_line ? "a quote is not closed in its line"
+                                    : "a quote is not closed";
+        }
+        csv->line += *csv->next == '\n';
+        *to++ = *csv->next;
+    }
+    /* Only blanks may follow before the next comma or line end. The text ends
+     * before the closing quote, so the end may be marked at once. */
+    *to = '\0';
+    skip_blanks(csv);
+    return *csv->next && *csv->next != ',' && *csv->next != '\n'
+               ? "text behind a closing quote, must be a comma or the end of "
+                 "the line"
+               : NULL;
+}
+
+const char *murk_csv_read_cell(murk_csv *csv, char **cell, bool *is_last)
+{
+    skip_blanks(csv);
+    char *stop = NULL;
+    *cell = csv->next;
+    if (*csv->next == '"') {
+        const char *fault = read_quoted(csv);
+        if (fault) {
+            return fault;
+        }
+    } else {
+        csv->next += strcspn(csv->next, ",\n");
+        stop = csv->next;
+        while (stop > *cell && is_blank(stop[-1])) {
+            --stop;
+        }
+    }
+    *is_last = *csv->next != ',';
+    skip_separator(csv);
+    if (stop) {
+        *stop = '\0'; /* perhaps over the separator */
+    }
+    return NULL;
+}
