@@ -10,7 +10,6 @@
 
 #include "base/log.h"
 #include "base/machine.h"
-#include "base/number.h"
 #include "plan/poses.h"
 #include "sensing/combined_rows.h"
 
@@ -23,118 +22,83 @@
 
 /* ---- the wish ---- */
 
-static murk_status bad_key(const char *name, const char *value,
-                           const char *allowed, murk_error *err)
-{
-    return murk_fail(err, MURK_BAD_VALUE, name, "%s, must be %s", value,
-                     allowed);
-}
-
-static murk_status set_method(murk_matrix_plan *p, const char *name,
-                              const char *value, murk_error *err)
-{
-    int method = 0;
-    if (murk_scene_word_find("placement.method", value, &method)) {
-        p->desc.method = (murk_place_method)method;
-        return MURK_OK;
-    }
-    return bad_key(name, value, "best | spoq | greedy | exact", err);
-}
-
-static murk_status set_detection(murk_matrix_plan *p, const char *name,
-                                 const char *value, murk_error *err)
-{
-    const murk_detection_text allowed =
-        murk_detection_list(MURK_DETECTION_SMOOTH, true, " | ");
-    return murk_detection_find(&p->detection, value) &&
-                   murk_detection_is(p->detection, MURK_DETECTION_SMOOTH)
-               ? MURK_OK
-               : bad_key(name, value, allowed.text, err);
-}
-
-/* A key of a scene that has a meaning for a matrix: a whole number min..max, a
- * number above 0 up to number_max, or as `set` reads it. */
-typedef struct matrix_key {
-    const char *name, *allowed;
-    size_t at, size; /* member of murk_matrix_plan */
-    uint64_t min, max;
-    double number_max; /* 0: a whole number */
-    murk_status (*set)(murk_matrix_plan *p, const char *name, const char *value,
-                       murk_error *err);
-} matrix_key;
-
-#define MEMBER(member)                        \
-    .at = offsetof(murk_matrix_plan, member), \
-    .size = sizeof(((murk_matrix_plan *)0)->member)
-
-/* The ranges are those of the keys of a scene with these names:
- * scene/keys_placement.c and scene/keys_sensors.c. */
-static const matrix_key KEYS[] = {
-    {"seed", "a whole number 0..4294967295", MEMBER(desc.seed),
-     .max = UINT32_MAX},
-    {"sensors.count", "a whole number 1..1000000", MEMBER(desc.count), .min = 1,
-     .max = 1000000},
-    {"sensors.target", "more than 0 and at most 1", MEMBER(target),
-     .number_max = 1},
-    {"sensors.budget", "more than 0 and at most 1e12", MEMBER(budget),
-     .number_max = 1e12},
-    {"placement.method", .set = set_method},
-    {"placement.detection", .set = set_detection},
-    {"placement.redundancy", "a whole number 1..16", MEMBER(redundancy),
-     .min = 1, .max = MURK_REDUNDANCY_MAX},
-    {"placement.restarts", "a whole number 1..1000000", MEMBER(desc.restarts),
-     .min = 1, .max = 1000000},
-    {"placement.nodes", "a whole number 0..1e15", MEMBER(desc.nodes),
-     .max = UINT64_C(1000000000000000)},
+/* The keys of a scene that have a meaning for a matrix. */
+static const char *const KEYS[] = {
+    "seed",
+    "sensors.count",
+    "sensors.target",
+    "sensors.budget",
+    "placement.method",
+    "placement.detection",
+    "placement.redundancy",
+    "placement.restarts",
+    "placement.nodes",
 };
 #define N_KEYS (sizeof KEYS / sizeof *KEYS)
 
-static murk_status set_number(murk_matrix_plan *p, const matrix_key *key,
-                              const char *name, const char *value,
-                              murk_error *err)
+/* Fails unless the key of an override is one of KEYS. */
+static murk_status check_key(const murk_override *override, murk_error *err)
 {
-    char *member = (char *)p + key->at;
-    uint64_t n = 0;
-    double x = 0;
-    const bool is_good =
-        key->number_max > 0
-            ? murk_number_parse(value, &x) && x > 0 && x <= key->number_max
-            : murk_count_parse(value, &n) && n >= key->min && n <= key->max;
-    if (!is_good) {
-        return bad_key(name, value, key->allowed, err);
-    }
-    const uint32_t narrow = (uint32_t)n;
-    const void *from = key->number_max > 0          ? (const void *)&x
-                       : key->size == sizeof narrow ? (const void *)&narrow
-                                                    : (const void *)&n;
-    memcpy(member, from, key->size);
-    return MURK_OK;
-}
-
-/* One override: of a scene's keys, those that mean something here. */
-static murk_status set_key(murk_matrix_plan *p, const char *key,
-                           const char *name, const char *value, murk_error *err)
-{
-    char list[256] = "";
-    size_t length = 0;
-    for (size_t i = 0; i < N_KEYS; ++i) {
-        if (strcmp(KEYS[i].name, key) == 0) {
-            return KEYS[i].set ? KEYS[i].set(p, name, value, err)
-                               : set_number(p, &KEYS[i], name, value, err);
+    const size_t length = strcspn(override->text, "=");
+    char list[256] = "", name[96];
+    for (size_t i = 0, n = 0; i < N_KEYS; ++i) {
+        if (strlen(KEYS[i]) == length &&
+            strncmp(KEYS[i], override->text, length) == 0) {
+            return MURK_OK;
         }
-        length += (size_t)snprintf(list + length, sizeof list - length, "%s%s",
-                                   i ? ", " : "", KEYS[i].name);
+        n += (size_t)snprintf(list + n, sizeof list - n, "%s%s", i ? ", " : "",
+                              KEYS[i]);
     }
+    snprintf(name, sizeof name, "%s%.*s",
+             override->option ? override->option : "--set ",
+             override->option ? 0 : (int)length, override->text);
     return murk_fail(err, MURK_BAD_VALUE, name,
                      "with --matrix there is no such key; there are %s", list);
+}
+
+/* Reads the keys that the command line sets, by the key table of scenes. */
+static murk_status read_overrides(murk_matrix_plan *p,
+                                  const murk_options *options, murk_error *err)
+{
+    murk_place_desc *desc = &p->desc;
+    murk_scene_desc asked = {.seed = desc->seed,
+                             .placement = {.method = desc->method,
+                                           .redundancy = 1,
+                                           .restarts = desc->restarts,
+                                           .nodes = desc->nodes}};
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < options->n_overrides && !status; ++i) {
+        status = check_key(&options->overrides[i], err);
+        if (!status) {
+            status =
+                murk_scene_override_read(&asked, &options->overrides[i], err);
+        }
+    }
+    if (!status &&
+        !murk_detection_is(asked.placement.detection, MURK_DETECTION_SMOOTH)) {
+        status = murk_fail(
+            err, MURK_BAD_VALUE, "placement.detection",
+            "%s, must be %s with --matrix",
+            murk_detection_name(asked.placement.detection),
+            murk_detection_list(MURK_DETECTION_SMOOTH, true, ", ").text);
+    }
+    /* The settings of the search. */
+    desc->seed = asked.seed;
+    desc->count = (size_t)asked.sensors.count;
+    desc->method = asked.placement.method;
+    desc->restarts = (size_t)asked.placement.restarts;
+    desc->nodes = asked.placement.nodes;
+    p->detection = asked.placement.detection;
+    p->redundancy = (unsigned)asked.placement.redundancy;
+    p->target = asked.sensors.target;
+    p->budget = asked.sensors.budget;
+    return status;
 }
 
 static murk_status read_settings(murk_matrix_plan *p,
                                  const murk_options *options, murk_error *err)
 {
     p->desc = murk_place_defaults();
-    p->desc.count = 0;
-    p->redundancy = 1;
     if (options->light) {
         return murk_fail(err, MURK_BAD_VALUE, "--light",
                          "a matrix has no light; leave it out with --matrix");
@@ -144,18 +108,9 @@ static murk_status read_settings(murk_matrix_plan *p,
                          "a matrix is one sample, other seeds have no other; "
                          "leave it out with --matrix");
     }
-    /* The keys that the command line sets. */
-    for (size_t i = 0; i < options->n_overrides; ++i) {
-        const murk_override *o = &options->overrides[i];
-        char key[64], name[96];
-        const char *equals = strchr(o->text, '=');
-        snprintf(key, sizeof key, "%.*s", (int)(equals - o->text), o->text);
-        snprintf(name, sizeof name, "%s%s", o->option ? o->option : "--set ",
-                 o->option ? "" : key);
-        const murk_status status = set_key(p, key, name, equals + 1, err);
-        if (status) {
-            return status;
-        }
+    const murk_status status = read_overrides(p, options, err);
+    if (status) {
+        return status;
     }
     /* One goal, and only one. */
     const int goals = (p->desc.count > 0) + (p->target > 0) + (p->budget > 0);

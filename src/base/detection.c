@@ -16,17 +16,6 @@ const char *murk_detection_name(murk_detection detection)
     return ROWS[detection].name;
 }
 
-bool murk_detection_find(murk_detection *out, const char *name)
-{
-    for (int i = 0; i < MURK_DETECTIONS_COUNT; ++i) {
-        if (strcmp(ROWS[i].name, name) == 0) {
-            *out = (murk_detection)i;
-            return true;
-        }
-    }
-    return false;
-}
-
 bool murk_detection_is(murk_detection detection, unsigned properties)
 {
     return (ROWS[detection].properties & properties) == properties;

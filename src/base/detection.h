@@ -39,9 +39,6 @@ typedef enum murk_detection {
 
 const char *murk_detection_name(murk_detection detection);
 
-/* False if no mode has that name. */
-bool murk_detection_find(murk_detection *out, const char *name);
-
 /* True if the mode has all of these properties. */
 bool murk_detection_is(murk_detection detection, unsigned properties);
 

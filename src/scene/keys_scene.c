@@ -4,9 +4,11 @@
 
 #include <assert.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "scene/keys_rows.h"
+#include "scene/override.h"
 
 /* ---- the scene ---- */
 
@@ -103,15 +105,18 @@ const murk_keys murk_scene_keys = {
     .key = SCENE_ROWS,
 };
 
-/* The row at a path such as "placement.over". */
-static const murk_key *find_path(const char *path)
+/* The row at a path such as "placement.over". *inside: where the struct of the
+ * row lies in murk_scene_desc. */
+static const murk_key *find_path(const char *path, size_t *inside)
 {
+    *inside = 0;
     const murk_keys *keys = &murk_scene_keys;
     const murk_key *key = NULL;
     while (*path && keys) {
         const size_t length = strcspn(path, ".");
         char name[MURK_SCENE_NAME_SIZE];
         snprintf(name, sizeof name, "%.*s", (int)length, path);
+        *inside += key ? key->inside : 0;
         key = murk_keys_find(keys, name);
         keys = key ? key->keys : NULL;
         path += length + (path[length] == '.');
@@ -119,32 +124,39 @@ static const murk_key *find_path(const char *path)
     return *path ? NULL : key;
 }
 
-static const murk_word *words_of(const char *path)
-{
-    const murk_key *key = find_path(path);
-    assert(key && key->words);
-    return key->words;
-}
-
 const char *murk_scene_word(const char *path, int value)
 {
-    const murk_word *word = words_of(path);
+    size_t inside;
+    const murk_key *key = find_path(path, &inside);
+    assert(key && key->words);
+    const murk_word *word = key->words;
     while (word->text && word->value != value) {
         ++word;
     }
     return word->text;
 }
 
-bool murk_scene_word_find(const char *path, const char *text, int *value)
+murk_status murk_scene_override_read(murk_scene_desc *out,
+                                     const murk_override *override,
+                                     murk_error *err)
 {
-    const murk_word *word = words_of(path);
-    while (word->text && strcmp(word->text, text) != 0) {
-        ++word;
+    murk_key_reader walk = {.scene = out, .err = err};
+    const size_t length = strcspn(override->text, "=");
+    snprintf(walk.key, sizeof walk.key, "%.*s", (int)length, override->text);
+    size_t inside;
+    const murk_key *key = find_path(walk.key, &inside);
+    const char *value = override->text + length + 1;
+    char *source = murk_override_source(override);
+    assert(key && override->text[length] == '=');
+    murk_status status =
+        source ? murk_yaml_parse(&walk.root, value, strlen(value), source, err)
+               : murk_fail(err, MURK_NO_MEMORY, walk.key, "no memory for it");
+    if (!status) {
+        status = murk_walk_value(&walk, key, walk.root, (char *)out + inside);
     }
-    if (word->text) {
-        *value = word->value;
-    }
-    return word->text != NULL;
+    murk_yaml_destroy(walk.root);
+    free(source);
+    return status;
 }
 
 murk_status murk_check_own_name(murk_key_reader *walk, const murk_yaml *map,

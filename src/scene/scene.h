@@ -552,11 +552,15 @@ murk_status murk_scene_desc_parse(murk_scene_desc **out, const char *text,
                                   size_t n_overrides, murk_error *err);
 void murk_scene_desc_destroy(murk_scene_desc *scene); /* NULL is fine */
 
+/* Reads the value of an override by the row of the key table into the member of
+ * a scene, for a command without a scene file. The key must be in the table and
+ * own no memory: a number, a count or a word. */
+murk_status murk_scene_override_read(murk_scene_desc *out,
+                                     const murk_override *override,
+                                     murk_error *err);
+
 /* The word of a key that stands for a value, such as "worst" for
  * "placement.over" and MURK_SCENE_OBJECTIVE_WORST; NULL: no word does. */
 const char *murk_scene_word(const char *path, int value);
-
-/* The value of a word of a key; false if the key has no such word. */
-bool murk_scene_word_find(const char *path, const char *text, int *value);
 
 #endif

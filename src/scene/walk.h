@@ -30,6 +30,11 @@ struct murk_key_reader {
 murk_status murk_walk_root(murk_key_reader *walk, const murk_keys *keys,
                            void *item);
 
+/* Reads one value, map or list under the current key, into the member of the
+ * struct `item`. */
+murk_status murk_walk_value(murk_key_reader *walk, const murk_key *key,
+                            murk_yaml *node, void *item);
+
 /* Reads the map of the current key by a table into a struct. */
 murk_status murk_walk_map(murk_key_reader *walk, const murk_keys *keys,
                           murk_yaml *map, void *item);

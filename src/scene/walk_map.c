@@ -11,11 +11,6 @@
 #include "scene/value.h"
 #include "scene/walk_names.h"
 
-/* Reads one value, map or list under the current key, into its member of the
- * struct `item`. */
-static murk_status walk_value(murk_key_reader *walk, const murk_key *key,
-                              murk_yaml *node, void *item);
-
 /* ---- the keys of one map ---- */
 
 murk_status murk_walk_put_preset(murk_key_reader *walk, murk_yaml *map,
@@ -182,7 +177,7 @@ murk_status murk_walk_map(murk_key_reader *walk, const murk_keys *keys,
         const murk_key *key = murk_walk_find(keys, map->key[i], variant);
         assert(key);
         const size_t back = murk_walk_enter(walk, key->name);
-        status = walk_value(walk, key, map->child[i], item);
+        status = murk_walk_value(walk, key, map->child[i], item);
         murk_walk_leave(walk, back);
         if (status) {
             return status;
@@ -205,7 +200,7 @@ static murk_status walk_item(murk_key_reader *walk, const murk_key *key,
                                                                   : NULL,
                           .at = key->keys->variant_at,
                           .size = sizeof(int)};
-    return walk_value(walk, &one, node, item);
+    return murk_walk_value(walk, &one, node, item);
 }
 
 /* Checks that an item of a list of bands has no values per band of its own. */
@@ -342,8 +337,8 @@ static murk_status walk_array(murk_key_reader *walk, const murk_key *key,
                   : walk_items(walk, key, node, items);
 }
 
-static murk_status walk_value(murk_key_reader *walk, const murk_key *key,
-                              murk_yaml *node, void *item)
+murk_status murk_walk_value(murk_key_reader *walk, const murk_key *key,
+                            murk_yaml *node, void *item)
 {
     if (key->has_flag) {
         murk_value_store(item, key->flag_at, sizeof(bool), true);
