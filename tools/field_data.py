@@ -43,7 +43,7 @@ class Field:
             writer.writerows(self.rows)
 
 
-def number(text, place, least=-math.inf, most=math.inf):
+def number(text, place, low=-math.inf, high=math.inf):
     """A finite number within a range; None where it is missing."""
     text = (text or "").strip()
     if text.lower() in MISSING:
@@ -52,13 +52,13 @@ def number(text, place, least=-math.inf, most=math.inf):
         value = float(text)
     except ValueError:
         raise FieldError(f"{place}: is {text!r}, must be a number") from None
-    if not least <= value <= most:
-        raise FieldError(f"{place}: is {text}, must be {least:g}..{most:g}")
+    if not low <= value <= high:
+        raise FieldError(f"{place}: is {text}, must be {low:g}..{high:g}")
     return value
 
 
-def needed(text, place, least=-math.inf, most=math.inf):
-    value = number(text, place, least, most)
+def needed(text, place, low=-math.inf, high=math.inf):
+    value = number(text, place, low, high)
     if value is None:
         raise FieldError(f"{place}: is missing, must be a number")
     return value
@@ -282,7 +282,7 @@ def water(path, wanted, casts=None):
 
 SEA_BAND_NM = (526.5, 536.5)
 SEA_ERROR = .05          # of the reading
-SEA_BEAM_LEAST = .01     # likewise, at least
+SEA_BEAM_MIN = .01       # likewise, at least
 SEA_DEPTHS_M = (4, 40)   # boat and waves above, weather within a cast below
 SEA_STEP_M = 4
 SEA_RADIUS_M = 1.4       # much less than 1 / K: the mean over it is 1 % high
@@ -354,7 +354,7 @@ def sea(path, station, acceptance_deg=None, with_beam=True):
             for d, e in light]
     if with_beam:
         spread = math.sqrt(sum((x - c) ** 2 for x in beam) / len(beam))
-        error = max(spread / math.sqrt(len(beam)), SEA_BEAM_LEAST * c)
+        error = max(spread / math.sqrt(len(beam)), SEA_BEAM_MIN * c)
         z = -(low + high) / 2
         rows.append({"kind": "transmittance", "x_m": 0, "y_m": 0, "z_m": z,
                      "x2_m": SEA_PATH_M, "y2_m": 0, "z2_m": z,

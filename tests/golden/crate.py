@@ -1,4 +1,4 @@
-"""A hall with a crate and a pool of mist, in plain Python: which ways are open, and through how
+"""A hall with a crate and a pool of mist, in plain Python: which segments are open, and through how
 much fog."""
 
 import math
@@ -61,8 +61,8 @@ def depth_between(a, b, band):
     return FOG[band] * length + (MIST[band] * length * (inside[1] - inside[0]) if inside else 0)
 
 
-def ways(place, sensors):
-    """The sensors' open ways to a place; None where one grazes the crate, or a range."""
+def visible_from(place, sensors):
+    """The sensors that see a place; None where a segment to one grazes the crate, or a range."""
     out = []
     for sensor in sensors:
         length = math.dist(place, sensor)

@@ -13,7 +13,7 @@ import subprocess
 import sys
 import tempfile
 
-from crate import (BANDS, CLEAR, FOG, MIST, POOL, SCENE, depth_between, ways, write_scene)
+from crate import (BANDS, CLEAR, FOG, MIST, POOL, SCENE, depth_between, visible_from, write_scene)
 from exchange import Failed, Murk, check, is_near
 from vtk_file import read_vtk
 
@@ -106,7 +106,7 @@ def test_coverage_and_depth(murk):
                 check(arrays[name][n] == value, name, ijk, "is another in fields.vti")
             inside = all(low <= x < high for x, low, high in zip(at, *POOL))
             check(is_near(have[3], FOG[band] + (MIST[band] if inside else 0), 1e-6), at, have[3])
-            open_to = ways(at, sensors)
+            open_to = visible_from(at, sensors)
             if open_to is None:
                 continue
             judged += 1
@@ -140,7 +140,7 @@ def check_targets(murk, coverage):
             check(abs(have - want) < 1e-7, "target", ijk, have, want)
 
 
-def test_views_that_add_up(murk):
+def test_shares_that_add_up(murk):
     """Of independent chances and of redundancy, from the same sensors."""
     scene = write_scene(murk)
     murk.place("one", scene)
@@ -232,7 +232,7 @@ def fails(murk, code, words, *arguments):
     check(words in done.stderr and done.stderr.count("\n") == 1, arguments, done.stderr)
 
 
-def test_bad_wishes(murk):
+def test_bad_options(murk):
     scene, out = write_scene(murk), ("-q", "-o", murk.path("bad"))
     sensors = murk.path("sensors.csv")
     with open(sensors, "w") as file:
@@ -302,8 +302,8 @@ def test_an_interrupt_costs_no_plan(murk):
 
 def main():
     program = sys.argv[1]
-    for test in (test_coverage_and_depth, test_views_that_add_up, test_photon_density,
-                 test_the_usual_size, test_bad_wishes,
+    for test in (test_coverage_and_depth, test_shares_that_add_up, test_photon_density,
+                 test_the_usual_size, test_bad_options,
                  test_what_cannot_be_written_costs_no_plan, test_an_interrupt_costs_no_plan):
         with tempfile.TemporaryDirectory() as folder:
             try:

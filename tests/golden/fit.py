@@ -18,7 +18,7 @@ import subprocess
 import sys
 import tempfile
 
-MOST_SIGMA = 4.5
+SIGMA_MAX = 4.5
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
@@ -68,7 +68,7 @@ def check_parameters(name, fit):
         sigma = (value - PLANTED[name][key]) / error
         print(f"{name}: {key} = {value:.6g} +- {error:.2g}, planted {PLANTED[name][key]:g}: "
               f"{sigma:+.2f} standard errors")
-        check(abs(sigma) <= MOST_SIGMA, name, key, value, error)
+        check(abs(sigma) <= SIGMA_MAX, name, key, value, error)
         check(error < .15 * value, name, key, "is hardly known:", value, error)
         check(parameter["lower"] < value < parameter["upper"], name, key, parameter)
         check(not parameter["at_bound"], name, key, "is at a bound")
@@ -117,7 +117,7 @@ def check_predicts(folder, case):
     for a, b in zip(rows, table(again / "fit.csv")):
         error = math.hypot(float(a["photon_standard_error"]), float(b["photon_standard_error"]))
         off = float(a["predicted"]) - float(b["predicted"])
-        check(abs(off) <= MOST_SIGMA * error + 1e-9, "predicted again", a["line"], off, error)
+        check(abs(off) <= SIGMA_MAX * error + 1e-9, "predicted again", a["line"], off, error)
     check(not (again / "fit.json").exists(), "--predict wrote a fit")
 
 

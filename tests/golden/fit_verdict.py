@@ -119,15 +119,15 @@ with tempfile.TemporaryDirectory() as made:
             "set": ["check", "scene.yaml", "--set", "@FIT/calibrated.yaml"],
             "fit": ["fit", "scene.yaml", "--data", "FIT.csv", "--free", "media.fog.extinction_per_m"]}
     for use, command in uses.items():
-        for name, is_told in (("agree", False), ("refused", True)):
+        for name, is_warned in (("agree", False), ("refused", True)):
             for more in ([], ["--quiet"], ["--format", "json"]):
                 if use == "fit" and not more:
                     continue  # its summary says it, as above
                 line = [word.replace("FIT", name) for word in command] + more
                 done = subprocess.run([program, *line], cwd=folder, capture_output=True, text=True)
                 check(done.returncode == 0, line, done.stderr)
-                told = [text for text in done.stderr.splitlines() if "refuse" in text]
-                check(len(told) == is_told, line, "says", done.stderr)
+                warnings = [text for text in done.stderr.splitlines() if "refuse" in text]
+                check(len(warnings) == is_warned, line, "says", done.stderr)
                 check(done.stdout == "" or "--quiet" not in more, line, done.stdout)
 
     fit_of_one = HEAD + "transmittance,1,1,1,3,1,1,fraction,0.5,0.01\n"

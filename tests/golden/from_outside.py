@@ -187,11 +187,11 @@ def check_robust(result, where):
         near(without["in_sample"], total - sensor["only_it_covers"], 1e-12, where,
              "without sensor", i + 1)
     held = result["coverage"]["held_out"] is not None
-    kept = [w["held_out" if held else "in_sample"] for w in drop["without"]]
+    remaining = [w["held_out" if held else "in_sample"] for w in drop["without"]]
     have = result["coverage"]["held_out"] if held else total
-    near(drop["worst_loss"], have - min(kept), 1e-12, where, "worst loss")
-    near(drop["mean_loss"], have - sum(kept) / len(kept), 1e-12, where, "mean loss")
-    check(kept[drop["worst_sensor"] - 1] == min(kept), where, drop)
+    near(drop["worst_loss"], have - min(remaining), 1e-12, where, "worst loss")
+    near(drop["mean_loss"], have - sum(remaining) / len(remaining), 1e-12, where, "mean loss")
+    check(remaining[drop["worst_sensor"] - 1] == min(remaining), where, drop)
 
     places = [s["position_m"] for s in sensors]
     joined, longest = {0}, 0

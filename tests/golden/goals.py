@@ -64,8 +64,8 @@ def test_regions(murk):
     check([r["name"] for r in regions] == ["low", "ball"], "regions", regions)
     check([r["weight"] for r in regions] == [3, 0.5], "regions' weights", regions)
     sensed = murk.run("sense", scene, *options, "--sensors", murk.path("room", "plan.json"))
-    for region, told, holds in zip(regions, sensed["regions_of_interest"],
-                                   (is_low, is_in_ball)):
+    for region, facts, holds in zip(regions, sensed["regions_of_interest"],
+                                    (is_low, is_in_ball)):
         mine = again(found, plan, holds)
         stored = sum(holds(r[0]) for name in ("surface", "volume")
                      for r in light_file.records(found[name]))
@@ -73,8 +73,8 @@ def test_regions(murk):
         near(region["coverage"], mine["in_sample"], 1e-5, region["name"])
         near(region["standard_error"] / mine["standard_error"], 1, 1e-4,
              region["name"], "error")
-        check(told["coverage"] == region["coverage"] and told["held_out"] is None,
-              "sense tells else:", told)
+        check(facts["coverage"] == region["coverage"] and facts["held_out"] is None,
+              "sense tells else:", facts)
         off = from_outside.sigmas(region["held_out"], region["held_out_standard_error"],
                              region["coverage"], region["standard_error"])
         check(off <= from_outside.SIGMA_LIMIT, region["name"], "held out is", off, "sigma off")
@@ -111,18 +111,18 @@ def test_drawn_targets(murk):
                     "--set", "placement.targets={volume: {points: 5000}, band_nm: 650}")
     where = [s["position_m"] for s in plan["sensors"]]
     points = list(seen_points(murk.path("drawn", "plan.ply")))
-    told = plan["targets"]
-    check(told["points"] == told["volume"] == len(points) == 5000, "targets", told)
-    check(told["surface"] == 0 and told["area_m2"] is None and not told["listed"] and
-          told["band_nm"] == 650, "targets", told)
-    off = abs(told["volume_m3"] - 3.8 * 3.8 * 2.8) / told["volume_m3_standard_error"]
+    facts = plan["targets"]
+    check(facts["points"] == facts["volume"] == len(points) == 5000, "targets", facts)
+    check(facts["surface"] == 0 and facts["area_m2"] is None and not facts["listed"] and
+          facts["band_nm"] == 650, "targets", facts)
+    off = abs(facts["volume_m3"] - 3.8 * 3.8 * 2.8) / facts["volume_m3_standard_error"]
     check(off <= from_outside.SIGMA_LIMIT, "the room's volume is", off, "sigma off")
-    check(abs(told["volume_m3"] - 48) > 20 * told["volume_m3_standard_error"],
+    check(abs(facts["volume_m3"] - 48) > 20 * facts["volume_m3_standard_error"],
           "the domain's volume would do as well")
-    views = [clearest(p[0], where, EXTINCTION_PER_M[1]) for p in points]
-    mean = sum(views) / len(views)
+    clarities = [clearest(p[0], where, EXTINCTION_PER_M[1]) for p in points]
+    mean = sum(clarities) / len(clarities)
     near(plan["coverage"]["in_sample"], mean, 1e-5, "coverage of targets")
-    error = math.sqrt(sum((v - mean) ** 2 for v in views) / (5000 * 4999))
+    error = math.sqrt(sum((v - mean) ** 2 for v in clarities) / (5000 * 4999))
     near(plan["coverage"]["in_sample_standard_error"] / error, 1, 1e-4, "error by target")
     check(plan["coverage"]["surface"] is None, "no surface was drawn")
     off = from_outside.sigmas(plan["coverage"]["held_out"],
@@ -208,8 +208,8 @@ class SeenMap:
         self.alike = {}
         for k, record in enumerate(stored):
             self.alike[record[1]] = self.alike.get(record[1], 0) | 1 << k
-            views = light_file.clarities(record, sensors, RANGE_M, EXTINCTION_PER_M, None)
-            for j, view in enumerate(views):
+            clarities = light_file.clarities(record, sensors, RANGE_M, EXTINCTION_PER_M, None)
+            for j, view in enumerate(clarities):
                 self.masks[j] |= (view * 65535 >= 0.5) << k
         check(len(self.alike) <= 2, "powers:", sorted(self.alike))
 
@@ -268,9 +268,9 @@ def test_at_least(murk):
         near(target["reached"], share_by_two(maps, chosen), 1e-4, "recomputed share")
         near(target["reached_standard_error"] / error_by_two(maps, chosen, emitted), 1, 1e-3,
              "recomputed error")
-        apart = abs(target["confirmed"] - target["reached"])
+        difference = abs(target["confirmed"] - target["reached"])
         error = math.hypot(target["confirmed_standard_error"], target["reached_standard_error"])
-        check(apart < 5 * error, "on a third map:", target)
+        check(difference < 5 * error, "on a third map:", target)
     check_page(murk, scene, options, best[3] - 1e-4)
 
 

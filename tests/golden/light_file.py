@@ -53,13 +53,13 @@ def clarities(record, sensors, range_m, extinction_per_m, takes):
     place, _, _, band, normal, travel, kind = record
     facing = unpack_direction(normal) if kind < 4 else None
     for j, sensor in enumerate(sensors):
-        way = [s - p for s, p in zip(sensor, place)]
-        distance_m = math.sqrt(dot(way, way))
+        offset = [s - p for s, p in zip(sensor, place)]
+        distance_m = math.sqrt(dot(offset, offset))
         if distance_m > range_m:
             yield 0.0
-        elif takes and not takes[j](band, unpack_direction(travel), [-w for w in way]):
+        elif takes and not takes[j](band, unpack_direction(travel), [-w for w in offset]):
             yield 0.0
-        elif facing and sum(f * w for f, w in zip(facing, way)) <= 0:
+        elif facing and sum(f * w for f, w in zip(facing, offset)) <= 0:
             yield 0.0
         else:
             yield math.exp(-extinction_per_m[band] * distance_m)
@@ -83,15 +83,15 @@ def coverage(found, emitted, sensors, range_m, extinction_per_m, takes=None, cou
         seen = 0.0
         per_photon = {}
         for r in stored:
-            views = list(clarities(r, sensors, range_m, extinction_per_m, takes))
+            values = list(clarities(r, sensors, range_m, extinction_per_m, takes))
             weight = r[1] / whole
-            best = max(views)
+            best = max(values)
             seen += weight * best
-            for j, view in enumerate(views):
-                others = max(views[:j] + views[j + 1:], default=0.0)
+            for j, view in enumerate(values):
+                others = max(values[:j] + values[j + 1:], default=0.0)
                 out["covers"][j] += weight * view / 2
                 out["only_it_covers"][j] += weight * max(best - others, 0) / 2
-            for k in range(sum(view * 65535 >= 0.5 for view in views)):
+            for k in range(sum(view * 65535 >= 0.5 for view in values)):
                 out["seen_by_at_least"][k] += weight / 2
             x, y = per_photon.get(r[2], (0.0, 0.0))
             per_photon[r[2]] = (x + weight * best, y + weight)

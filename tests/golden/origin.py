@@ -101,7 +101,8 @@ def check_messages(far):
     with open(far.path("across.csv"), "w", encoding="utf-8") as file:
         file.write(data % (x + 2, y + 2.75, z + 1, x + 6, y + 2.75, z + 1))
     fit = ["fit", "room.yaml", "--data", "across.csv", "--free", "media.fog.extinction_per_m"]
-    told = {"lamp": ["check", "room.yaml", "--set", "lights.0.center_m=" + outside],
+    commands = {
+            "lamp": ["check", "room.yaml", "--set", "lights.0.center_m=" + outside],
             "tally": ["check", "room.yaml", "--set", "tallies.1.center_m=" + outside],
             "fixed": ["check", "room.yaml", "--set", "sensors.fixed=[{type: node, position_m: %s}]" % outside],
             "start": ["place", "room.yaml", "--set", "placement.knowledge=explore",
@@ -114,7 +115,7 @@ def check_messages(far):
             "region": ["check", "room.yaml", "--set", "regions.2.box={min_m: %s, max_m: [%r, %r, %r]}" % (
                 outside, x + 101, y + 5, z + 2)],
             "segment": fit}
-    for what, words in told.items():
+    for what, words in commands.items():
         done = far.run(*words, want=0 if what == "region" else 2)
         # what is said, without the option that it is said of
         text = " ".join(line.rsplit(": ", 1)[-1] if what != "region" else line.split("the region fills ")[-1]

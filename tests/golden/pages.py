@@ -69,12 +69,12 @@ def check_warnings():
     for path in sorted(glob.glob(FOLDER + "/man?/*")):
         name = os.path.basename(path)
         if shutil.which("mandoc"):
-            told = run("mandoc", "-Tlint", "-Wwarning", path)
-            check(told.returncode == 0 and not told.stdout, name + ": " + told.stdout[:300])
+            done = run("mandoc", "-Tlint", "-Wwarning", path)
+            check(done.returncode == 0 and not done.stdout, name + ": " + done.stdout[:300])
         if shutil.which("man") and shutil.which("groff"):
-            told = run("man", "-l", "--warnings", "-Tutf8", path,
+            done = run("man", "-l", "--warnings", "-Tutf8", path,
                        env=dict(os.environ, MANWIDTH="80", LC_ALL="C.UTF-8"))
-            check(told.returncode == 0 and not told.stderr, name + ": " + told.stderr[:300])
+            check(done.returncode == 0 and not done.stderr, name + ": " + done.stderr[:300])
     for tool in ("mandoc", "groff"):
         if not shutil.which(tool):
             print("not checked: no", tool)

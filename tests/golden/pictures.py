@@ -152,16 +152,16 @@ def near(a, b, tolerance):
     return abs(a - b) <= tolerance
 
 
-def check_looks(width, height, channels):
+def check_directions(width, height, channels):
     """P is where the place of the pixel on the globe looks: north, +x, in the middle, and
     clockwise from there to the right."""
     for i, z in enumerate(channels["Z"]):
         longitude = 2 * math.pi * ((i % width + 0.5) / width - 0.5)
         latitude = math.pi * (0.5 - (i // width + 0.5) / height)
-        way = (math.cos(latitude) * math.cos(longitude),
-               -math.cos(latitude) * math.sin(longitude), math.sin(latitude))
+        direction = (math.cos(latitude) * math.cos(longitude),
+                     -math.cos(latitude) * math.sin(longitude), math.sin(latitude))
         for k, axis in enumerate("XYZ"):
-            want = FROM[k] + z * way[k]
+            want = FROM[k] + z * direction[k]
             check(near(channels["P." + axis][i], want, 2e-6), "P.%s of" % axis, i, "is",
                   channels["P." + axis][i], "not", want)
 
@@ -172,10 +172,10 @@ def check_mean(width, height, channels, facts):
     for b, band in enumerate(("450nm", "550nm", "650nm")):
         value = channels["S0." + band]
         mean = sum(rows[i // width] * v for i, v in enumerate(value)) / (2 * width)
-        told = facts["mean_radiance"][b]
-        check(near(mean, told, 1e-6 * told), "mean in", band, "is", mean, "not", told)
+        stated = facts["mean_radiance"][b]
+        check(near(mean, stated, 1e-6 * stated), "mean in", band, "is", mean, "not", stated)
         plain = sum(value) / len(value)
-        check(not near(plain, told, 1e-3 * told), "the mean over pixels is the same")
+        check(not near(plain, stated, 1e-3 * stated), "the mean over pixels is the same")
     check(facts["mean_over"] == "solid angle", facts["mean_over"])
 
 
@@ -306,7 +306,7 @@ def main(program):
         check((width, height) == (48, 24), width, height)
         check(header["envmap"] == b"\0", "no latitude and longitude in", header.get("envmap"))
         check(header["murkHeading"] == b"0 degrees", header["murkHeading"])
-        check_looks(width, height, channels)
+        check_directions(width, height, channels)
         check_mean(width, height, channels, facts)
         stops = facts["png"]["exposure_stops"]
         light = check_png(murk.path("x.png"), channels, stops,

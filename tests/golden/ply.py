@@ -98,19 +98,19 @@ def check_mark(sensor, at, corners, octahedron_m):
     up = cross(right, axis)
     check(math.dist(corners[0], at) < 1e-6, "the point is not at the sensor", corners[0])
     rim = [sub(c, at) for c in corners[1:]]
-    for way in rim:
-        check(abs(math.hypot(*way) / (4 * octahedron_m) - 1) < 1e-4, "length", way)
+    for edge in rim:
+        check(abs(math.hypot(*edge) / (4 * octahedron_m) - 1) < 1e-4, "length", edge)
     if sensor["type"] == "cam":
         h, v = (math.tan(math.radians(a / 2)) for a in (70, 40))
-        for way, (x, y) in zip(rim, ((-h, v), (h, v), (h, -v), (-h, -v)), strict=True):
-            ahead = dot(way, axis)
-            check(abs(dot(way, right) / ahead - x) < 1e-4, "right", way)
-            check(abs(dot(way, up) / ahead - y) < 1e-4, "up", way)
+        for edge, (x, y) in zip(rim, ((-h, v), (h, v), (h, -v), (-h, -v)), strict=True):
+            ahead = dot(edge, axis)
+            check(abs(dot(edge, right) / ahead - x) < 1e-4, "right", edge)
+            check(abs(dot(edge, up) / ahead - y) < 1e-4, "up", edge)
     else:
         check(len(rim) == CONE_SIDES, len(rim))
         half = math.radians(CONE_DEG[sensor["type"]] / 2)
-        for way in rim:
-            check(abs(dot(way, axis) / math.hypot(*way) - math.cos(half)) < 1e-4, "cone", way)
+        for edge in rim:
+            check(abs(dot(edge, axis) / math.hypot(*edge) - math.cos(half)) < 1e-4, "cone", edge)
 
 
 SHAPES = {"node": (6, 8), "cam": (5, 6), "spot": (17, 30), "wide": (17, 30)}
@@ -185,7 +185,7 @@ def test_the_plan_as_points(murk):
     check_triangles(murk, "points/plan.ply", faces)
 
 
-def test_marks_show_where_sensors_look(murk):
+def test_marks_show_the_headings_of_sensors(murk):
     murk.place("views", murk.scene(0.4), "--count", "5", "--set", "sensors.types=" + TYPES,
                "--set", "placement.nodes=0")
     plan, faces = check_plan(murk, "views")
@@ -252,7 +252,7 @@ def test_the_path_of_an_explorer(murk):
 
 def main():
     program = sys.argv[1]
-    for test in (test_the_plan_as_points, test_marks_show_where_sensors_look,
+    for test in (test_the_plan_as_points, test_marks_show_the_headings_of_sensors,
                  test_who_sees_a_photon_of_many, test_the_path_of_an_explorer):
         with tempfile.TemporaryDirectory() as folder:
             try:

@@ -144,9 +144,9 @@ def main(murk):
         write("it's <b>.yaml", SCENE)
         scene = "it's <b>.yaml"
         run("place", scene, "-o", "plan", "--quiet")
-        told = json.loads(run("report", "plan", "--format", "json"))
-        check(told["report"] == "plan/report.html", told)
-        check(told["bytes"] == os.path.getsize(at("plan/report.html")), told)
+        printed = json.loads(run("report", "plan", "--format", "json"))
+        check(printed["report"] == "plan/report.html", printed)
+        check(printed["bytes"] == os.path.getsize(at("plan/report.html")), printed)
         page = read(at("plan/report.html"))
         with open(at("plan/plan.json"), encoding="utf-8") as file:
             plan = json.load(file)
@@ -175,7 +175,7 @@ def main(murk):
         check(page.tags.count("svg") == 8, page.tags.count("svg"), "plots, want 8")
         check(page.tags.count("table") >= 5, "tables")
         photons = plan["photons"]["surface"] + plan["photons"]["volume"]
-        check(told["photons"] == photons == told["photons_shown"], told)
+        check(printed["photons"] == photons == printed["photons_shown"], printed)
 
         # the view's data: places within half a step of the photons' own, all
         # of them, in order; triangles of both boxes, one sphere, names as text
@@ -381,28 +381,28 @@ def main(murk):
         for row in (r for r in rows if r["tally"] == "ball"):
             check(re.search(rf"ball{row['direction']}{row['band_nm']} nm[\d.(]*", page.text), row)
         plot = Plot(text, "Tally strip")
-        for series, (way, band) in enumerate((w, b) for w in ("forward", "backward")
-                                             for b in ("450", "550")):
+        for series, (direction, band) in enumerate((w, b) for w in ("forward", "backward")
+                                                   for b in ("450", "550")):
             line = [r for r in rows if (r["tally"], r["direction"], r["band_nm"]) ==
-                    ("strip", way, band)]
+                    ("strip", direction, band)]
             check(len(plot.marks(series)) == len(line) == 5, "bins of the strip")
             for mark, row in zip(plot.marks(series), line):
                 plot.is_at(mark, (int(row["bin_i"]) + 0.5) * 0.8, float(row["value"]), row)
-        for way in ("forward", "backward"):
+        for direction in ("forward", "backward"):
             bins = {}
             for row in rows:
-                if row["tally"] == "floor" and row["direction"] == way:
+                if row["tally"] == "floor" and row["direction"] == direction:
                     bins.setdefault((row["bin_i"], row["bin_j"]), []).append(float(row["value"]))
-            most = max(bins, key=lambda k: sum(bins[k]))
-            at_most = [(int(i) + 0.5) * 4 / n for i, n in zip(most, (4, 3))]
-            said = re.search(rf"Tally floor, {way}, all bands and angles: 4 x 3 cells; from "
+            brightest = max(bins, key=lambda k: sum(bins[k]))
+            brightest_m = [(int(i) + 0.5) * 4 / n for i, n in zip(brightest, (4, 3))]
+            said = re.search(rf"Tally floor, {direction}, all bands and angles: 4 x 3 cells; from "
                              r"([\d.·⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+) to ([\d.·⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+) W a bin, which is at "
                              r"([\d.]+), ([\d.]+)\.", page.text)
-            check(said, "no map of", way)
+            check(said, "no map of", direction)
             if said:
                 for text_of, want in zip(said.groups(), (min(map(sum, bins.values())),
-                                                         max(map(sum, bins.values())), *at_most)):
-                    check(abs(number(text_of) - want) <= 1e-4 * want, way, said[0], want)
+                                                         max(map(sum, bins.values())), *brightest_m)):
+                    check(abs(number(text_of) - want) <= 1e-4 * want, direction, said[0], want)
         for axis in ("z = 1.5 m", "y = 2 m", "x = 2 m"):
             check(f"Fluence rate grid at 450 nm at {axis}: " in page.text, "no slice", axis)
         with open(at("tallies/ledger.json"), encoding="utf-8") as file:

@@ -220,9 +220,9 @@ def test_tallies(murk):
                      "-o", murk.path("again"))
     murk.run("place", without, "--light", murk.path("tallies", "light.murk"))
     check(not os.path.exists(murk.path("again", "tallies.csv")), "tallies of a file")
-    kept = murk.read("again", "ledger.json")
-    of_command(kept), of_command(ledger)
-    check(kept == ledger and again["photons"]["emitted"] == 4000, "ledger of a file")
+    stored = murk.read("again", "ledger.json")
+    of_command(stored), of_command(ledger)
+    check(stored == ledger and again["photons"]["emitted"] == 4000, "ledger of a file")
 
 
 PHOTON_J = 1.98644586e-25 / 1e-9  # hc over a nanometre
@@ -361,13 +361,13 @@ POSES = [("node", (1, 1, 1), None, None), ("cam", (3.5, 3, 1.5), 240, -10),
          ("cone", (2, 0.5, 2.2), 20, -35)]
 
 
-def is_ahead(way, heading, tilt, hfov, vfov):
+def is_ahead(offset, heading, tilt, hfov, vfov):
     """In a picture of such angles: turned to look north, then level."""
     h, t = math.radians(heading), math.radians(tilt)
-    right = way[0] * math.cos(h) - way[1] * math.sin(h)
-    north = way[0] * math.sin(h) + way[1] * math.cos(h)
-    ahead = north * math.cos(t) + way[2] * math.sin(t)
-    up = way[2] * math.cos(t) - north * math.sin(t)
+    right = offset[0] * math.cos(h) - offset[1] * math.sin(h)
+    north = offset[0] * math.sin(h) + offset[1] * math.cos(h)
+    ahead = north * math.cos(t) + offset[2] * math.sin(t)
+    up = offset[2] * math.cos(t) - north * math.sin(t)
     return (ahead > 0 and abs(math.degrees(math.atan2(right, ahead))) <= hfov / 2 and
             abs(math.degrees(math.atan2(up, ahead))) <= vfov / 2)
 
@@ -379,23 +379,23 @@ def axis_of(heading, tilt):
 
 def takers(turn=0):
     """What each of POSES takes up, all turned by so many degrees."""
-    def node(_, __, way):
-        return light_file.dot(way, way) >= 0.7 ** 2
+    def node(_, __, offset):
+        return light_file.dot(offset, offset) >= 0.7 ** 2
 
-    def cam(_, travel, way):
+    def cam(_, travel, offset):
         heading, tilt = POSES[1][2] + turn, POSES[1][3]
-        return (is_ahead(way, heading, tilt, 70, 40) and
+        return (is_ahead(offset, heading, tilt, 70, 40) and
                 light_file.dot(travel, axis_of(heading, tilt)) < 0)
 
-    def cone(band, _, way):
-        length = math.sqrt(light_file.dot(way, way))
-        along = light_file.dot(way, axis_of(POSES[2][2] + turn, POSES[2][3])) / length
+    def cone(band, _, offset):
+        length = math.sqrt(light_file.dot(offset, offset))
+        along = light_file.dot(offset, axis_of(POSES[2][2] + turn, POSES[2][3])) / length
         return band == 1 and math.degrees(math.acos(max(-1, min(1, along)))) <= 50
 
     return [node, cam, cone]
 
 
-def test_views(murk):
+def test_fields_of_view(murk):
     scene = murk.write("views.yaml", ROOM)
     rows = "".join("%s,%g,%g,%g,%s,%s\n" %
                    (name, *at, "" if heading is None else heading, "" if tilt is None else tilt)
@@ -446,7 +446,7 @@ def test_replay(murk):
     ledger = murk.run("trace", scene, *only, "-o", murk.path("few"))
     stored = light_file.sections(murk.path("few", "light.murk"))
     ends = dict.fromkeys(kinds.COLUMNS, 0)
-    kept = {"surface": 0, "volume": 0}
+    expected = {"surface": 0, "volume": 0}
     collisions = 0
     for photon in range(40):
         replay = murk.run("replay", scene, *only, "--photon", str(photon))
@@ -456,19 +456,19 @@ def test_replay(murk):
         check(replay["photon"] == photon, "replay of", replay["photon"])
         check_path(events, f"photon {photon}")
         collisions += sum(e["kind"] == "medium" for e in events)
-        kept["volume"] += sum(e.get("outcome") == "scattered" for e in events)
-        kept["surface"] += sum(e.get("outcome") == "reflected" for e in events)
+        expected["volume"] += sum(e.get("outcome") == "scattered" for e in events)
+        expected["surface"] += sum(e.get("outcome") == "reflected" for e in events)
         kind = events[-1]["kind"]
         ends[{"surface": "absorbed_surfaces_w", "medium": "absorbed_media_w",
               "escaped": "escaped_w", "lost": "lost_w"}[kind]] += 1
     for name, photons in ends.items():
         near(ledger[name]["total"], photons * 10 / 40, 1e-9, "replayed", name)
     check(ledger["collisions"] == collisions, "collisions", collisions)
-    for name, records in kept.items():
+    for name, records in expected.items():
         check(len(stored[name]) == 32 * records, "stored in", name, records)
-    check(min(kept.values()) > 5 and len(set(ends.values())) > 2,
-          "too few of a kind:", kept, ends)
+    check(min(expected.values()) > 5 and len(set(ends.values())) > 2,
+          "too few of a kind:", expected, ends)
 
 
 if __name__ == "__main__":
-    sys.exit(main([test_files, test_tallies, test_hemispheres, test_units, test_coverage, test_views, test_replay, test_phases]))
+    sys.exit(main([test_files, test_tallies, test_hemispheres, test_units, test_coverage, test_fields_of_view, test_replay, test_phases]))

@@ -52,11 +52,11 @@ def test_jitter(murk):
     thick = "b: {media.fog.extinction_per_m: [2, 3]}"
     both = over("mean", "a: {}, " + thick, *fixed)
     worst = over("worst", "a: {}, " + thick, *fixed)
-    apart = [over("mean", "a: {}, " + thick, "--set",
-                  f"placement.condition_weights={{{other}: 0}}", *fixed) for other in "ba"]
-    near(both["mean"], (apart[0]["mean"] + apart[1]["mean"]) / 2, 1e-12, "mean over two")
-    near(worst["mean"], min(a["mean"] for a in apart), 1e-12, "worst of two")
-    check(abs(apart[0]["mean"] - apart[1]["mean"]) > 0.1, "no teeth", apart)
+    separate = [over("mean", "a: {}, " + thick, "--set",
+                     f"placement.condition_weights={{{other}: 0}}", *fixed) for other in "ba"]
+    near(both["mean"], (separate[0]["mean"] + separate[1]["mean"]) / 2, 1e-12, "mean over two")
+    near(worst["mean"], min(a["mean"] for a in separate), 1e-12, "worst of two")
+    check(abs(separate[0]["mean"] - separate[1]["mean"]) > 0.1, "no teeth", separate)
 
 
 def spread(values):

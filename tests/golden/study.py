@@ -144,8 +144,8 @@ def test_a_row_is_a_run(f):
                     power[t["direction"]] += float(t["value"])
                 if t["tally"] == "probe" and t["band_nm"] == band:
                     near(float(row["probe_" + band + "nm"]), float(t["value"]), 1e-9)
-            for way, watts in power.items():
-                near(float(row["floor_" + way + "_" + band + "nm"]), watts / 16, 1e-8)
+            for direction, watts in power.items():
+                near(float(row["floor_" + direction + "_" + band + "nm"]), watts / 16, 1e-8)
     rows = f.json("single/study.json")["rows"]
     check([len(r["sensors"]) for r in rows] == [2, 2], "sensors")
 
@@ -360,8 +360,8 @@ def stop(f, out, how, rows):
                           cwd=f.path, stderr=subprocess.PIPE, stdout=subprocess.PIPE) as process:
         until = time.monotonic() + 60
         while time.monotonic() < until and process.poll() is None:
-            kept = f.at(out + "/rows")
-            names = [n for n in os.listdir(kept)] if os.path.isdir(kept) else []
+            folder = f.at(out + "/rows")
+            names = [n for n in os.listdir(folder)] if os.path.isdir(folder) else []
             if len([n for n in names if n.endswith(".yaml")]) >= rows:
                 break
             time.sleep(0.005)

@@ -130,21 +130,21 @@ def test_threads_and_resume(f):
     check(f.bytes("threads5/table.csv") == wanted[0], "the same table from what is kept")
     # killed once the first plan is kept, or a row's values are: 4 rows, 2 plans, 4 values
     f.write("kill.yaml", "murk_study: 1\nbase: scene.yaml\n" + text)
-    for kept in [4, 5, 7]:
-        out = f"killed{kept}"
+    for rows in [4, 5, 7]:
+        out = f"killed{rows}"
         with subprocess.Popen([f.murk, "study", "kill.yaml", "-o", out], cwd=f.path,
                               stderr=subprocess.PIPE, stdout=subprocess.PIPE) as process:
             until = time.monotonic() + 60
             while time.monotonic() < until and process.poll() is None:
                 if os.path.isdir(f.at(out + "/rows")) and len(
-                        [n for n in os.listdir(f.at(out + "/rows")) if n.endswith(".yaml")]) >= kept:
+                        [n for n in os.listdir(f.at(out + "/rows")) if n.endswith(".yaml")]) >= rows:
                     break
                 time.sleep(0.001)
             process.send_signal(signal.SIGKILL)
             process.communicate()
         f.study(text, out)
-        check(f.bytes(out + "/table.csv") == wanted[0], "after a kill", kept)
-        check(f.json(out + "/study.json")["run"]["rows_kept"] == 4, "rows are kept", kept)
+        check(f.bytes(out + "/table.csv") == wanted[0], "after a kill", rows)
+        check(f.json(out + "/study.json")["run"]["rows_kept"] == 4, "rows are kept", rows)
 
 
 def test_what_cannot_be(f):

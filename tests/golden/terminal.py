@@ -84,12 +84,12 @@ def on_terminal(words, columns, terminal="xterm", **environment):
 def photons_for(seconds, scene):
     """So many that tracing takes a processor here about that long, and the clock
     no less, whatever runs beside it."""
-    least = 1e9  # beside other work a processor's second is worth less
+    fastest_s = 1e9  # beside other work a processor's second is worth less
     for _ in range(3):
         before = os.times().children_user
         run("trace", scene, "-j1", "--emit", "20000")
-        least = min(least, max(os.times().children_user - before, 1e-2))
-    return str(int(20000 * seconds / least))
+        fastest_s = min(fastest_s, max(os.times().children_user - before, 1e-2))
+    return str(int(20000 * seconds / fastest_s))
 
 
 def check_progress(scene):
@@ -160,9 +160,9 @@ def check_summary(scene, folder):
         if words == place:
             check("-o DIR writes" in done.stdout, "where the files would be")
             check("\nbound  " in done.stdout and "\nheld out  " in done.stdout, "bound, held out")
-        told = run(*words, "--format", "json")
+        as_json = run(*words, "--format", "json")
         try:
-            json.loads(told.stdout)
+            json.loads(as_json.stdout)
         except ValueError as why:
             check(False, words[0], "--format json:", why)
         check(run(*words, "--quiet").stdout == "", words[0], "--quiet speaks")
@@ -173,12 +173,12 @@ def check_one(scene, folder):
     render = ["render", scene, "--method", "path", "-o", folder + "/one.exr", "--camera", "all",
               "--set", "cameras=[{name: all, from_m: [1, 1, 1], to_m: [2, 2, 1], pixels: [4, 3]}]"]
     for samples in (1, 2):
-        told = run(*render, "--samples", str(samples)).stdout
-        check(f" {samples} sample{'s' * (samples > 1)};" in told, told)
-        check("inf" not in told and ("+-" in told) == (samples > 1), "an error of", samples, told)
-    told = run("check", scene, "--set", "sensors.types.0.view={hfov_deg: 60, vfov_deg: 40}",
+        done = run(*render, "--samples", str(samples)).stdout
+        check(f" {samples} sample{'s' * (samples > 1)};" in done, done)
+        check("inf" not in done and ("+-" in done) == (samples > 1), "an error of", samples, done)
+    done = run("check", scene, "--set", "sensors.types.0.view={hfov_deg: 60, vfov_deg: 40}",
                "--set", "sensors.types.0.headings=1").stdout
-    check(", 1 heading, 1 tilt," in told, told)
+    check(", 1 heading, 1 tilt," in done, done)
 
 
 def check_width():

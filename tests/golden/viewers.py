@@ -11,7 +11,7 @@ import sys
 import tempfile
 
 import light_file
-from crate import BANDS, SCENE, depth_between, grown, shares, ways, write_scene
+from crate import BANDS, SCENE, depth_between, grown, shares, visible_from, write_scene
 from exchange import Failed, Murk, check, is_near
 from ply import SIZES, check_triangles, cross, dot, place_of, read_ply, sub
 from vtk_file import read_vtk
@@ -164,7 +164,7 @@ def check_middle(face, corners, sensors):
             break
     else:
         return None  # the crate's foot lies in the floor
-    open_to = ways(off, sensors)
+    open_to = visible_from(off, sensors)
     if open_to is None:
         return None
     check(face["sensors"] == len(open_to), face, at, open_to)
@@ -259,7 +259,7 @@ def test_other_sights(murk):
         check(one["irradiance"] == two["irradiance"], one, two)
 
 
-def test_bad_wishes(murk):
+def test_bad_options(murk):
     scene, out = write_scene(murk), ("-q", "-o", murk.path("bad"))
     for word, said in (("1e-4", "must be at most 10000000"), ("0", "must be more than 0"),
                        ("soup", "must be more than 0")):
@@ -275,7 +275,7 @@ def test_bad_wishes(murk):
 def main():
     program = sys.argv[1]
     for test in (test_photons, test_no_photons, test_surfaces, test_other_sights,
-                 test_bad_wishes):
+                 test_bad_options):
         with tempfile.TemporaryDirectory() as folder:
             try:
                 test(Murk(program, folder))

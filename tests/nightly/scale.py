@@ -28,7 +28,7 @@ CASES = {
 
 
 def run(murk, name):
-    options, most = CASES[name]
+    options, limits = CASES[name]
     begun_s, before = time.monotonic(), resource.getrusage(resource.RUSAGE_CHILDREN)
     done = subprocess.run(
         [murk, "place", SCENE, "--quiet", "--format", "json", *options],
@@ -44,16 +44,16 @@ def run(murk, name):
     print("%s: %d photons, %d places, coverage %.4f, gap %.2f %%, %.0f s of processor (at most "
           "%d), %.0f s by the clock (at most %d), %.2f GB"
           % (name, plan["photons"]["surface"], plan["candidates"]["usable"],
-             plan["coverage"]["in_sample"], 100 * gap, cpu_s, most["cpu_s"], wall_s, CLOCK_S,
+             plan["coverage"]["in_sample"], 100 * gap, cpu_s, limits["cpu_s"], wall_s, CLOCK_S,
              took * 1e-9))
     checks = [
-        ("photons", plan["photons"]["surface"] >= most["photons"]),
-        ("places", plan["candidates"]["usable"] >= most["places"]),
+        ("photons", plan["photons"]["surface"] >= limits["photons"]),
+        ("places", plan["candidates"]["usable"] >= limits["places"]),
         ("sensors", len(plan["sensors"]) == 20),
-        ("memory", took <= most["bytes"]),
-        ("processor time", cpu_s <= most["cpu_s"]),
+        ("memory", took <= limits["bytes"]),
+        ("processor time", cpu_s <= limits["cpu_s"]),
         ("time by the clock", wall_s <= CLOCK_S),
-        ("gap", 0 <= gap < most["gap"]),
+        ("gap", 0 <= gap < limits["gap"]),
     ]
     return ["%s: %s" % (name, what) for what, holds in checks if not holds]
 

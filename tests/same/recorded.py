@@ -122,13 +122,13 @@ def exr_data(data):
 
 def png_data(data):
     """Size and pixels of a PNG, without its texts."""
-    at, kept = 8, b""
+    at, filtered = 8, b""
     while at < len(data):
         size, = struct.unpack_from(">I", data, at)
         if data[at + 4:at + 8] in (b"IHDR", b"IDAT"):
-            kept += data[at + 4:at + 8 + size]
+            filtered += data[at + 4:at + 8 + size]
         at += 12 + size
-    return kept
+    return filtered
 
 
 def vdb_data(data):
@@ -148,14 +148,14 @@ def vdb_data(data):
         text(), text(), text()
     grids, = struct.unpack_from("<I", data, at)
     at += 4
-    kept = b""
+    filtered = b""
     for _ in range(grids):
-        kept += text() + text()
+        filtered += text() + text()
         text()
         first, _, end = struct.unpack_from("<3q", data, at)
-        kept += data[first:end]
+        filtered += data[first:end]
         at = end
-    return kept
+    return filtered
 
 
 def without_commit(data, commit):
@@ -190,7 +190,7 @@ def commit_of(murk):
     return re.search(r"commit ([^,]+),", version).group(1)
 
 
-def run_case(murk, commands, kept=None):
+def run_case(murk, commands, folder=None):
     """{what: checksum} of all that the commands print and write."""
     work = tempfile.mkdtemp(prefix="murk-recorded-")
     try:
@@ -204,8 +204,8 @@ def run_case(murk, commands, kept=None):
 
         def keep(what, data):
             found[what] = hashlib.sha256(data).hexdigest()[:16]
-            if kept:
-                path = os.path.join(kept, what.replace(" ", "-"))
+            if folder:
+                path = os.path.join(folder, what.replace(" ", "-"))
                 os.makedirs(os.path.dirname(path), exist_ok=True)
                 with open(path, "wb") as f:
                     f.write(data)
@@ -285,8 +285,8 @@ def differences(a, b):
         texts = [d.decode("utf-8", "replace") for d in data]
         numbers = [[float(x) for x in NUMBER.findall(t)] for t in texts]
         if NUMBER.sub("#", texts[0]) == NUMBER.sub("#", texts[1]):
-            most = max(abs(x - y) / max(abs(x), abs(y)) for x, y in zip(*numbers) if x != y)
-            print(f"{name}: numbers differ by {most:.2g} at most")
+            largest = max(abs(x - y) / max(abs(x), abs(y)) for x, y in zip(*numbers) if x != y)
+            print(f"{name}: numbers differ by {largest:.2g} at most")
         else:
             print(f"{name}: differs")
     print(f"{different} of {len(names)} files differ")
@@ -304,12 +304,12 @@ def main():
     murk, words = os.path.abspath(sys.argv[1]), sys.argv[2:]
     cases, (bits, table) = read_cases(), read_table()
     if words[0] in ("--update", "--keep"):
-        kept = os.path.abspath(words[1]) if words[0] == "--keep" else None
-        chosen = words[2 if kept else 1:] or list(cases)
+        folder = os.path.abspath(words[1]) if words[0] == "--keep" else None
+        chosen = words[2 if folder else 1:] or list(cases)
         for name in chosen:
-            found = run_case(murk, cases[name], kept and os.path.join(kept, name))
+            found = run_case(murk, cases[name], folder and os.path.join(folder, name))
             print(f"{name}: {len(found)} texts and files", flush=True)
-            if not kept:
+            if not folder:
                 again = run_case(murk, cases[name])
                 if again != found:
                     other = [w for w in found if again.get(w) != found[w]]

@@ -13,7 +13,7 @@ import re
 
 import browser
 
-MOST_BYTES = 3_000_000
+BYTES_MAX = 3_000_000
 VOID = {"meta", "link", "br", "hr", "img", "input", "wbr"}
 failed = []
 
@@ -127,7 +127,7 @@ def read(path, pictures=()):
     """The page's words as they are drawn, with the checks of its file."""
     with open(path, encoding="utf-8") as file:
         text = file.read()
-    check(len(text.encode()) <= MOST_BYTES, path, "has", len(text.encode()), "bytes")
+    check(len(text.encode()) <= BYTES_MAX, path, "has", len(text.encode()), "bytes")
     check(not re.search("[�\x80-\x9f]", without_script(text)), path, "has characters that are none")
     page = Page(text)
     check("default-src 'none'" in page.policy, "policy", page.policy)

@@ -20,7 +20,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 import browser  # noqa: E402
 
 # Pixels of the view that are not its ground, and a checksum of them all.
-LOOK = """(() => {
+LIT_PIXELS = """(() => {
   const gl = document.getElementById("view-canvas").getContext("webgl2");
   const w = gl.drawingBufferWidth, h = gl.drawingBufferHeight, p = new Uint8Array(4 * w * h);
   gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, p);
@@ -92,11 +92,11 @@ def check(holds, *what):
 
 
 def drawn(page):
-    return page.value(LOOK)[1]
+    return page.value(LIT_PIXELS)[1]
 
 
 def check_switches(page):
-    share = page.value(LOOK)[0]
+    share = page.value(LIT_PIXELS)[0]
     check(0.02 < share < 0.98, "of the view's pixels show something:", share)
     for part in ("surfaces", "surface-photons", "volume-photons", "sensors", "ranges", "lamps",
                  "axes", "cloud", "level"):
@@ -113,15 +113,15 @@ def check_level(page):
     for part in ("surfaces", "surface-photons", "volume-photons", "sensors", "ranges", "lamps",
                  "axes", "cloud"):
         page.value(FLIP % part)
-    check(page.value(LOOK)[0] == 0, "switched off, something is left")
-    shares, told = [], []
+    check(page.value(LIT_PIXELS)[0] == 0, "switched off, something is left")
+    shares, levels = [], []
     for value in (6, 30, 90):
         page.value(SET % ("view-level", value, "input"))
-        shares.append(page.value(LOOK)[0])
-        told.append(page.value("document.getElementById('view-level-said').textContent"))
+        shares.append(page.value(LIT_PIXELS)[0])
+        levels.append(page.value("document.getElementById('view-level-said').textContent"))
     check(page.value(IS_ON % "level"), "the slider does not switch the surface on")
     check(shares[0] > shares[1] > shares[2] > 0, "of the pixels:", shares)
-    check(all(" per m" in t for t in told) and len(set(told)) == 3, told)
+    check(all(" per m" in t for t in levels) and len(set(levels)) == 3, levels)
     before = drawn(page)
     page.value("document.getElementById('view-level').focus()")
     page.key("ArrowRight")

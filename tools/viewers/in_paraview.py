@@ -39,19 +39,19 @@ def new_view():
     return view
 
 
-WAY = -0.55, -0.85, 0.75  # from the middle to the eye
+TO_EYE = -0.55, -0.85, 0.75  # from the middle to the eye
 
 
 def middle_of(bounds):
     return [(a + b) / 2 for a, b in zip(bounds[::2], bounds[1::2])]
 
 
-def look_at(view, bounds):
+def aim_camera(view, bounds):
     middle = middle_of(bounds)
     radius = math.dist(bounds[::2], bounds[1::2]) / 2
-    length = math.hypot(*WAY)
+    length = math.hypot(*TO_EYE)
     view.CameraFocalPoint = middle
-    view.CameraPosition = [m + w / length * 3 * radius for m, w in zip(middle, WAY)]
+    view.CameraPosition = [m + w / length * 3 * radius for m, w in zip(middle, TO_EYE)]
     view.CameraViewUp = [0, 0, 1]
     ResetCamera(view)
 
@@ -69,7 +69,7 @@ def shades(path):
 
 
 def take(view, source, path):
-    look_at(view, source.GetDataInformation().GetBounds())
+    aim_camera(view, source.GetDataInformation().GetBounds())
     SaveScreenshot(path, view)
     Hide(source, view)
     n = shades(path)
@@ -121,7 +121,7 @@ def without_near_half(source):
     half = Clip(Input=source)
     half.ClipType = "Plane"
     half.ClipType.Origin = middle_of(source.GetDataInformation().GetBounds())
-    half.ClipType.Normal = WAY
+    half.ClipType.Normal = TO_EYE
     half.Invert = 1
     half.UpdatePipeline()
     return half
