@@ -85,24 +85,20 @@ static bool count_node(reader *r, yaml_mark_t mark, size_t length)
     return !r->status;
 }
 
+/* Makes a node; `text` is that of a scalar, NULL for a list or a map. */
 static murk_yaml *make_node(reader *r, murk_yaml_kind kind, yaml_mark_t mark,
-                            const char *text, size_t length)
+                            const char *text)
 {
-    if (!count_node(r, mark, length)) {
+    if (!count_node(r, mark, text ? strlen(text) : 0)) {
         return NULL;
     }
-    murk_yaml *node = calloc(1, sizeof *node);
-    if (!node) {
+    murk_yaml *node = murk_yaml_make(kind, r->source);
+    if (!node || (text && !murk_yaml_set_text(node, text))) {
+        murk_yaml_destroy(node);
         return no_memory(r);
     }
-    node->kind = kind;
     node->line = (int)mark.line + 1;
     node->column = (int)mark.column + 1;
-    node->source = r->source;
-    if (kind == MURK_YAML_SCALAR && !(node->text = strndup(text, length))) {
-        free(node);
-        return no_memory(r);
-    }
     return node;
 }
 
@@ -186,29 +182,6 @@ static murk_yaml *read_next(reader *r, int depth)
     return node;
 }
 
-static bool read_list(reader *r, murk_yaml *list, int depth)
-{
-    for (;;) {
-        yaml_event_t event;
-        if (!next_event(r, &event)) {
-            return false;
-        }
-        const bool ends = event.type == YAML_SEQUENCE_END_EVENT;
-        murk_yaml *child = ends ? NULL : read_node(r, &event, depth + 1);
-        yaml_event_delete(&event);
-        if (ends) {
-            return true;
-        }
-        if (!child) {
-            return false;
-        }
-        if (!murk_yaml_append(list, NULL, child)) {
-            no_memory(r);
-            return false;
-        }
-    }
-}
-
 /* Reads the key of a map; NULL on failure. Tags, anchors and merge keys are
  * refused. */
 static char *read_key(reader *r, const yaml_event_t *event)
@@ -238,31 +211,37 @@ static char *read_key(reader *r, const yaml_event_t *event)
     return key;
 }
 
-static bool read_map(reader *r, murk_yaml *map, int depth)
+/* Reads the children of a list or a map up to the event that ends it. */
+static bool read_children(reader *r, murk_yaml *node, int depth)
 {
+    const bool is_map = node->kind == MURK_YAML_MAP;
     for (;;) {
         yaml_event_t event;
         if (!next_event(r, &event)) {
             return false;
         }
-        /* An event is a key, or the end of the map. */
-        const bool ends = event.type == YAML_MAPPING_END_EVENT;
+        /* An event is an item, a key, or the end. */
+        const bool ends = event.type == (is_map ? YAML_MAPPING_END_EVENT
+                                                : YAML_SEQUENCE_END_EVENT);
         const yaml_mark_t mark = event.start_mark;
-        char *key = ends ? NULL : read_key(r, &event);
+        char *key = is_map && !ends ? read_key(r, &event) : NULL;
+        murk_yaml *child =
+            is_map || ends ? NULL : read_node(r, &event, depth + 1);
         yaml_event_delete(&event);
         if (ends) {
-            r->status = murk_yaml_check_keys(map, r->err);
+            r->status = is_map ? murk_yaml_check_keys(node, r->err) : MURK_OK;
             return !r->status;
         }
-        /* The value of the key. */
-        murk_yaml *child = key ? read_next(r, depth + 1) : NULL;
+        /* The value of a key. */
+        if (key && (child = read_next(r, depth + 1))) {
+            child->key_line = (int)mark.line + 1;
+            child->key_column = (int)mark.column + 1;
+        }
         if (!child) {
             free(key);
             return false;
         }
-        child->key_line = (int)mark.line + 1;
-        child->key_column = (int)mark.column + 1;
-        if (!murk_yaml_append(map, key, child)) {
+        if (!murk_yaml_append(node, key, child)) {
             no_memory(r);
             return false;
         }
@@ -272,12 +251,10 @@ static bool read_map(reader *r, murk_yaml *map, int depth)
 static murk_yaml *read_scalar(reader *r, const yaml_event_t *event)
 {
     const char *text = (const char *)event->data.scalar.value;
-    const size_t length = event->data.scalar.length;
-    if (memchr(text, '\0', length)) {
+    if (strlen(text) != event->data.scalar.length) {
         return fail_at(r, event->start_mark, "a NUL character, must be text");
     }
-    murk_yaml *node =
-        make_node(r, MURK_YAML_SCALAR, event->start_mark, text, length);
+    murk_yaml *node = make_node(r, MURK_YAML_SCALAR, event->start_mark, text);
     if (node) {
         node->is_quoted = event->data.scalar.style != YAML_PLAIN_SCALAR_STYLE;
     }
@@ -328,9 +305,8 @@ static murk_yaml *read_node(reader *r, yaml_event_t *event, int depth)
     /* Read the node and all children. */
     murk_yaml *node = kind == MURK_YAML_SCALAR
                           ? read_scalar(r, event)
-                          : make_node(r, kind, event->start_mark, NULL, 0);
-    if (node && ((kind == MURK_YAML_LIST && !read_list(r, node, depth)) ||
-                 (kind == MURK_YAML_MAP && !read_map(r, node, depth)))) {
+                          : make_node(r, kind, event->start_mark, NULL);
+    if (node && kind != MURK_YAML_SCALAR && !read_children(r, node, depth)) {
         murk_yaml_destroy(node);
         node = NULL;
     }
