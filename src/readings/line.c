@@ -57,15 +57,9 @@ static murk_status read_band(murk_reading *out, const murk_reading_line *at)
     if (status) {
         return status;
     }
-    for (int b = 0; b < scene->bands; ++b) {
-        const bool is_it = scene->has_edges
-                               ? nm >= scene->band_edge_nm[b] &&
-                                     nm < scene->band_edge_nm[b + 1]
-                               : nm == scene->band_nm[b];
-        if (is_it) {
-            out->band = b;
-            return MURK_OK;
-        }
+    out->band = murk_scene_band_of(scene, nm);
+    if (out->band >= 0) {
+        return MURK_OK;
     }
     /* Suggest the nearest band. */
     int near = 0;

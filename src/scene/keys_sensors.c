@@ -54,8 +54,7 @@ static murk_status choose_type(murk_key_reader *walk, const murk_yaml *map,
     return MURK_OK;
 }
 
-/* The band of a wavelength: equal to a line, or between two edges; -1: none. */
-static int find_band(const murk_scene_desc *scene, double nm)
+int murk_scene_band_of(const murk_scene_desc *scene, double nm)
 {
     for (int b = 0; b < scene->bands; ++b) {
         if (scene->has_edges ? nm >= scene->band_edge_nm[b] &&
@@ -72,7 +71,8 @@ static murk_status find_bands(murk_key_reader *walk, const murk_yaml *map,
 {
     const murk_yaml *list = murk_yaml_get(map, "bands");
     for (size_t i = 0; i < type->bands_nm.n; ++i) {
-        const int band = find_band(walk->scene, type->bands_nm.value[i]);
+        const int band =
+            murk_scene_band_of(walk->scene, type->bands_nm.value[i]);
         if (band < 0) {
             return murk_walk_fail(walk, list->child[i],
                                   "bands: %.9g nm is in no band of the scene",

@@ -559,6 +559,10 @@ murk_status murk_scene_override_read(murk_scene_desc *out,
                                      const murk_override *override,
                                      murk_error *err);
 
+/* The band of a wavelength: with the wavelength as line, or with edges around
+ * it; -1: none. */
+int murk_scene_band_of(const murk_scene_desc *scene, double nm);
+
 /* The word of a key that stands for a value, such as "worst" for
  * "placement.over" and MURK_SCENE_OBJECTIVE_WORST; NULL: no word does. */
 const char *murk_scene_word(const char *path, int value);
