@@ -3,7 +3,7 @@
  * that the user has set. */
 #include "scene/idle.h"
 
-#include "scene/keys.h"
+#include "scene/key_path.h"
 #include "scene/walk.h"
 
 #include <stdio.h>
@@ -157,25 +157,26 @@ static bool add(murk_scene_desc *scene, const murk_yaml *node, const char *key,
     return true;
 }
 
-/* Follows the rest of a table key from a node; the first `used` bytes of
- * key[] are the path of the node. Adds every matching key that the user has
+/* Follows the rest of a table key from a position; the first `used` bytes of
+ * key[] are the path of the position. Adds every matching key that the user has
  * set. */
 static bool follow(murk_scene_desc *scene, const murk_idle_key *inert,
-                   const char *rest, const murk_yaml *node,
-                   const murk_keys *keys, char key[MURK_WALK_KEY_SIZE],
-                   size_t used)
+                   const char *rest, const murk_key_position *at,
+                   char key[MURK_WALK_KEY_SIZE], size_t used)
 {
-    const char *dot = strchr(rest, '.');
-    const size_t length = dot ? (size_t)(dot - rest) : strlen(rest);
+    const size_t length = strcspn(rest, ".");
+    const murk_yaml *node = at->node;
     bool has_memory = true;
     for (size_t i = 0; i < node->n && has_memory; ++i) {
         char number[24];
         snprintf(number, sizeof number, "%zu", i);
         const char *name = node->key ? node->key[i] : number;
-        const bool is_any = length == 1 && rest[0] == '*';
-        const murk_key *row = is_any ? NULL : murk_keys_find(keys, name);
-        if (!is_any && (strlen(name) != length ||
-                        strncmp(name, rest, length) != 0 || !row)) {
+        const bool is_it =
+            strncmp(rest, "*", length) == 0 ||
+            (strlen(name) == length && strncmp(name, rest, length) == 0);
+        const murk_key_position next =
+            murk_key_path_member(at, name, node->child[i]);
+        if (!is_it || !next.row) {
             continue;
         }
         /* Extend the path by the name of the child. */
@@ -184,14 +185,12 @@ static bool follow(murk_scene_desc *scene, const murk_idle_key *inert,
         if (more < 0 || used + (size_t)more >= MURK_WALK_KEY_SIZE) {
             continue; /* longer than any key */
         }
-        const murk_yaml *child = node->child[i];
         /* Descend, or add the key at the end of the path. */
-        if (dot) {
-            has_memory =
-                follow(scene, inert, dot + 1, child, is_any ? keys : row->keys,
-                       key, used + (size_t)more);
-        } else if (is_set_by_user(child, row)) {
-            has_memory = add(scene, child, key, inert->text);
+        if (rest[length] == '.') {
+            has_memory = follow(scene, inert, rest + length + 1, &next, key,
+                                used + (size_t)more);
+        } else if (is_set_by_user(next.node, next.row)) {
+            has_memory = add(scene, next.node, key, inert->text);
         }
         key[used] = '\0';
     }
@@ -225,7 +224,7 @@ static bool find_media(murk_scene_desc *scene, const murk_yaml *media)
     return has_memory;
 }
 
-bool murk_idle_find(murk_scene_desc *scene, const murk_yaml *root)
+bool murk_idle_find(murk_scene_desc *scene, murk_yaml *root)
 {
     bool uses[N_USES] = {false};
     add_uses(uses, scene);
@@ -233,12 +232,12 @@ bool murk_idle_find(murk_scene_desc *scene, const murk_yaml *root)
         add_uses(uses, scene->conditions[i].scene);
     }
     bool has_memory = find_media(scene, murk_yaml_get(root, "media"));
+    const murk_key_position at = murk_key_path_root(root);
     const murk_idle_key *inert = murk_idle_keys;
     for (; inert->key && has_memory; ++inert) {
         char key[MURK_WALK_KEY_SIZE] = "";
         if (!uses[inert->use]) {
-            has_memory = follow(scene, inert, inert->key, root,
-                                &murk_scene_keys, key, 0);
+            has_memory = follow(scene, inert, inert->key, &at, key, 0);
         }
     }
     return has_memory;

@@ -22,6 +22,6 @@ extern const murk_idle_key murk_idle_keys[]; /* key NULL ends it */
  * set to another value than the default, and that have an effect neither in
  * the scene nor in any condition; and media that no region uses. False when
  * out of memory. */
-bool murk_idle_find(murk_scene_desc *scene, const murk_yaml *root);
+bool murk_idle_find(murk_scene_desc *scene, murk_yaml *root);
 
 #endif
