@@ -233,7 +233,8 @@ murk_status murk_command_check(const murk_options *options, murk_error *err)
     }
     /* The report as JSON or as text. */
     if (!status && options->json) {
-        status = murk_session_finish(&session, NULL, check_json(&f), err);
+        status = murk_session_finish(&session, NULL, check_json(&f), NULL, NULL,
+                                     err);
     } else if (!status && murk_session_speaks(&session)) {
         print_findings(&f);
     }

@@ -3,7 +3,6 @@
 #include "app/session.h"
 #include "calibrate/covered.h"
 #include "results/fit.h"
-#include "results/summary.h"
 #include "scene/yaml.h"
 
 #include "base/log.h"
@@ -250,7 +249,8 @@ static murk_status write_files(const fit *f, murk_session *session,
     if (!status) {
         status = murk_session_finish(
             session, only_predicts ? "predict.json" : "fit.json",
-            murk_results_json(murk_results_list_fit, &facts), err);
+            murk_results_json(murk_results_list_fit, &facts), murk_print_fit,
+            &facts, err);
     }
     /* where no summary is printed, a warning carries the refusal, with --quiet
      * as well: who uses the values must know */
@@ -258,10 +258,8 @@ static murk_status write_files(const fit *f, murk_session *session,
         !murk_session_speaks(session)) {
         murk_message("warning: ", "", f->found.verdict);
     }
-    if (!status && murk_session_speaks(session)) {
-        murk_print_fit(&facts);
-        murk_print_time(&session->run, NULL, 0);
-        murk_print_files(session);
+    if (!status) {
+        murk_print_run(session, NULL, 0);
     }
     return status;
 }

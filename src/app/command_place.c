@@ -63,9 +63,10 @@ static murk_status repeat_all(murk_session *session,
 {
     const murk_plan_results results = {session, plan, over, NULL};
     const murk_repeat_first first = {plan, session->stage, over};
-    const murk_status status = murk_session_keep(
-        session, "plan.json",
-        murk_results_json(murk_results_list_plan, &results), err);
+    const murk_status status =
+        murk_session_keep(session, "plan.json",
+                          murk_results_json(murk_results_list_plan, &results),
+                          murk_print_plan, &results, err);
     if (!status) {
         (void)murk_repeat_make(repeat, &first, runs, session->settings.threads,
                                late);
@@ -83,11 +84,11 @@ static murk_status finish(murk_session *session,
                   &session->results, "repeat.csv", murk_results_list_run,
                   results->repeat->repeat, results->repeat->repeat->runs, err)
             : MURK_OK;
-    return status
-               ? status
-               : murk_session_finish(
-                     session, "plan.json",
-                     murk_results_json(murk_results_list_plan, results), err);
+    return status ? status
+                  : murk_session_finish(
+                        session, "plan.json",
+                        murk_results_json(murk_results_list_plan, results),
+                        murk_print_plan, results, err);
 }
 
 static murk_status check_repeat(const murk_session *session, uint64_t runs,
@@ -268,8 +269,8 @@ murk_status murk_command_place(const murk_options *options, murk_error *err)
     if (!status) {
         status = finish(&session, &results, err);
     }
-    if (!status && murk_session_speaks(&session)) {
-        murk_print_plan(&results);
+    if (!status) {
+        murk_print_run(&session, NULL, 0);
     }
     if (!status) { /* the plan is written, what is told late is not */
         status = murk_fail(err, late.status, late.where, "%s", late.text);

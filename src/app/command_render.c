@@ -340,7 +340,8 @@ static cJSON *facts_json(const job *j)
 static murk_status tell(job *j, murk_error *err)
 {
     murk_session *s = &j->session;
-    const murk_status status = murk_session_finish(s, NULL, facts_json(j), err);
+    const murk_status status =
+        murk_session_finish(s, NULL, facts_json(j), NULL, NULL, err);
     if (!status && murk_session_speaks(s)) {
         print_summary(j);
     }

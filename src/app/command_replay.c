@@ -144,7 +144,7 @@ murk_status murk_command_replay(const murk_options *options, murk_error *err)
     trace.context = &r;
     murk_trace_run(&trace, ledger);
     if (root) {
-        status = murk_session_finish(&session, NULL, root, err);
+        status = murk_session_finish(&session, NULL, root, NULL, NULL, err);
         root = NULL;
     }
 done:

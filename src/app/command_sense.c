@@ -31,7 +31,8 @@ static murk_status write_coverage(murk_session *session,
     if (!status) {
         status = murk_session_finish(
             session, "coverage.json",
-            murk_results_json(murk_results_list_sense, results), err);
+            murk_results_json(murk_results_list_sense, results),
+            murk_print_sense, results, err);
     }
     return status;
 }
@@ -155,8 +156,8 @@ murk_status murk_command_sense(const murk_options *options, murk_error *err)
     if (!status) {
         status = write_coverage(&session, &results, err);
     }
-    if (!status && murk_session_speaks(&session)) {
-        murk_print_sense(&results);
+    if (!status) {
+        murk_print_run(&session, NULL, 0);
     }
     if (!status) { /* the coverage is written, what is told late is not */
         status = murk_fail(err, late.status, late.where, "%s", late.text);

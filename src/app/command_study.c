@@ -25,6 +25,7 @@ typedef struct study_run {
     murk_session session; /* of results alone: rows have scenes of their own */
     char *base; /* the base scene as resolved; NULL: it cannot stand alone */
     char *seen; /* notes that were shown */
+    bool is_interrupted;
 } study_run;
 
 static void warn_of_failure(const study_run *s, size_t row)
@@ -154,28 +155,6 @@ static murk_status note_fluence(study_run *s, murk_error *err)
     return status;
 }
 
-static murk_status write_files(study_run *s, bool is_interrupted,
-                               murk_error *err)
-{
-    /* The table, the base scene and the grids. */
-    murk_status status = murk_add_table(&s->session.results, s->sweep, err);
-    if (!status && s->base) {
-        status = murk_results_add_text(&s->session.results, MURK_SCENE_NAME,
-                                       s->base, err);
-    }
-    if (!status) {
-        status = note_fluence(s, err);
-    }
-    /* The JSON comes last and names the other files. */
-    if (!status) {
-        const murk_study_results study = {s->sweep, is_interrupted};
-        cJSON *root = murk_results_json(murk_results_list_study, &study);
-        status = (is_interrupted ? murk_session_keep : murk_session_finish)(
-            &s->session, "study.json", root, err);
-    }
-    return status;
-}
-
 static void print_plan(const study_run *s, int p)
 {
     static const char *const names[] = {
@@ -198,8 +177,10 @@ static void print_plan(const study_run *s, int p)
     }
 }
 
-static void print_study(const study_run *s)
+/* Prints the summary of a study_run. */
+static void print_study(const void *of)
 {
+    const study_run *s = of;
     size_t traced = 0, reused = 0;
     for (size_t g = 0; g < s->sweep->groups; ++g) {
         traced += s->sweep->group[g].was_traced;
@@ -209,14 +190,22 @@ static void print_study(const study_run *s)
     }
     /* The rows, the plans for all rows, and counts. */
     murk_print_study_rows(s->sweep, s->options->out);
-    for (int p = 0; p < MURK_SWEEP_PLANS; ++p) {
+    for (int p = 0; p < MURK_SWEEP_PLANS && !s->is_interrupted; ++p) {
         print_plan(s, p);
     }
     murk_print("rows        %zu, of which %zu kept from before and %zu failed; "
                "light traced for %zu groups of rows\n",
                s->study->rows, reused, murk_sweep_failed(s->sweep), traced);
+    if (s->is_interrupted) {
+        murk_print("            interrupted: %zu of the rows are done\n",
+                   murk_sweep_done(s->sweep));
+    }
+}
+
+/* Prints the lines of the run, which name the folder of rows, too. */
+static void print_run(const study_run *s)
+{
     murk_print_time(&s->session.run, NULL, 0);
-    /* The files. */
     if (s->options->out) {
         murk_print("files       %s: study.json table.csv %s %srows/\n",
                    s->options->out, MURK_SCENE_NAME,
@@ -230,6 +219,27 @@ static void print_study(const study_run *s)
     }
 }
 
+static murk_status write_files(study_run *s, murk_error *err)
+{
+    /* The table, the base scene and the grids. */
+    murk_status status = murk_add_table(&s->session.results, s->sweep, err);
+    if (!status && s->base) {
+        status = murk_results_add_text(&s->session.results, MURK_SCENE_NAME,
+                                       s->base, err);
+    }
+    if (!status) {
+        status = note_fluence(s, err);
+    }
+    /* The JSON comes last and names the other files. */
+    if (!status) {
+        const murk_study_results study = {s->sweep, s->is_interrupted};
+        cJSON *root = murk_results_json(murk_results_list_study, &study);
+        status = (s->is_interrupted ? murk_session_keep : murk_session_finish)(
+            &s->session, "study.json", root, print_study, s, err);
+    }
+    return status;
+}
+
 murk_status murk_command_study(const murk_options *options, murk_error *err)
 {
     study_run s = {.options = options};
@@ -238,14 +248,15 @@ murk_status murk_command_study(const murk_options *options, murk_error *err)
         status = murk_sweep_run(s.sweep, err);
         if (status == MURK_INTERRUPTED && murk_sweep_done(s.sweep) > 0) {
             murk_error late = {0}; /* the interrupt is the message */
-            (void)write_files(&s, true, &late);
+            s.is_interrupted = true;
+            (void)write_files(&s, &late);
         }
     }
     if (!status) {
-        status = write_files(&s, false, err);
+        status = write_files(&s, err);
     }
     if (!status && murk_session_speaks(&s.session)) {
-        print_study(&s);
+        print_run(&s);
     }
     if (!status && murk_sweep_failed(s.sweep) > 0) {
         status = murk_fail(err, MURK_RUN_FAILED, options->input,

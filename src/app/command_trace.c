@@ -2,8 +2,14 @@
  * the tallies. */
 #include "app/session.h"
 #include "results/exports.h"
-#include "results/summary.h"
 #include "results/tallies.h"
+
+/* Prints the summary of a murk_session. */
+static void print_trace(const void *of)
+{
+    murk_print_light(of);
+    murk_print_tallies(of);
+}
 
 murk_status murk_command_trace(const murk_options *options, murk_error *err)
 {
@@ -36,13 +42,10 @@ murk_status murk_command_trace(const murk_options *options, murk_error *err)
             murk_results_json(
                 murk_results_list_ledger,
                 &(murk_ledger_results){session.traced, session.stage}),
-            err);
+            print_trace, &session, err);
     }
-    if (!status && murk_session_speaks(&session)) {
-        murk_print_light(&session);
-        murk_print_tallies(&session);
-        murk_print_time(&session.run, NULL, 0);
-        murk_print_files(&session);
+    if (!status) {
+        murk_print_run(&session, NULL, 0);
     }
     if (!status) { /* the light is written, what is told late is not */
         status = murk_fail(err, late.status, late.where, "%s", late.text);

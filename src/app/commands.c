@@ -153,12 +153,12 @@ const murk_command murk_commands[] = {
     {"report", "DIR [-o FILE.html]",
      "one self-contained page of a result folder",
      "Writes DIR/report.html (or FILE.html) from what place, sense, study, fit "
-     "or trace left in DIR: what was asked and the answer in short, tables, "
-     "plots, tallies, sensors and photons in space, PNG pictures that lie "
-     "there (at most 0.7 MB), how it was made and the commands that make it "
-     "again. The page is one file, loads nothing from elsewhere, and can be "
-     "read without JavaScript and printed. At most 100000 photons and 40000 "
-     "triangles are shown, and it says so.",
+     "or trace left in DIR: the summary of the run, tables, plots, tallies, "
+     "sensors and photons in space, PNG pictures that lie there (at most 0.7 "
+     "MB), how it was made and the commands that make it again. The page is "
+     "one file, loads nothing from elsewhere, and can be read without "
+     "JavaScript and printed. At most 100000 photons and 40000 triangles are "
+     "shown, and it says so.",
      murk_command_report, .formats = "murk-results",
      .example = {{"murk report out", "The page of what lies in out."}},
      .file = {{"report.html", "the page"}}},

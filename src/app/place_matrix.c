@@ -315,10 +315,13 @@ murk_status murk_place_matrix(const murk_options *options, murk_error *err)
     if (!status) {
         status = murk_session_finish(
             &p.session, "plan.json",
-            murk_results_json(murk_results_list_matrix_plan, &p), err);
+            murk_results_json(murk_results_list_matrix_plan, &p),
+            murk_matrix_plan_print, &p, err);
     }
-    if (!status && murk_session_speaks(&p.session)) {
-        murk_matrix_plan_print(&p);
+    if (!status) {
+        const double read_s = p.session.run.sense_s;
+        p.session.run.sense_s = 0;
+        murk_print_run(&p.session, "matrix", read_s);
     }
     if (!status && late.status) {
         status = murk_fail(err, late.status, late.where, "%s", late.text);

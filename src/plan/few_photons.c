@@ -49,13 +49,13 @@ double murk_map_variance_share(const murk_coverage_result *coverage, int map)
     return of * of / (of * of + other * other);
 }
 
-void murk_warn_of_thin_map(const murk_scene_desc *scene,
-                           const murk_coverage_result *coverage,
-                           const char *condition)
+bool murk_thin_map_text(char *out, size_t size, const murk_scene_desc *scene,
+                        const murk_coverage_result *coverage,
+                        const char *condition)
 {
     const int p = murk_thin_map(scene, coverage);
     if (p < 0) {
-        return;
+        return false;
     }
     /* The variance is not finite if neither map has an error. */
     const double variance = murk_map_variance_share(coverage, p);
@@ -64,13 +64,26 @@ void murk_warn_of_thin_map(const murk_scene_desc *scene,
         snprintf(error, sizeof error, " and for %.3g %% of its variance",
                  100 * variance);
     }
-    murk_warn(scene->placement.where[0] ? scene->placement.where : scene->path,
-              "weights: the %zu photons stored %s%s%s stand for %.3g %% of the "
-              "coverage%s, beside %zu %s: " REMEDY,
-              coverage->map[p].photons, PLACE[p],
-              condition ? " in condition " : "", condition ? condition : "",
-              100 * coverage->map[p].weight, error,
-              coverage->map[1 - p].photons, PLACE[1 - p]);
+    snprintf(out, size,
+             "the %zu photons stored %s%s%s stand for %.3g %% of the "
+             "coverage%s, beside %zu %s",
+             coverage->map[p].photons, PLACE[p],
+             condition ? " in condition " : "", condition ? condition : "",
+             100 * coverage->map[p].weight, error, coverage->map[1 - p].photons,
+             PLACE[1 - p]);
+    return true;
+}
+
+void murk_warn_of_thin_map(const murk_scene_desc *scene,
+                           const murk_coverage_result *coverage,
+                           const char *condition)
+{
+    char text[MURK_THIN_MAP_SIZE];
+    if (murk_thin_map_text(text, sizeof text, scene, coverage, condition)) {
+        murk_warn(scene->placement.where[0] ? scene->placement.where
+                                            : scene->path,
+                  "weights: %s: " REMEDY, text);
+    }
 }
 
 void murk_warn_of_thin_forecast(const murk_scene_desc *scene,

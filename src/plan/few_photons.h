@@ -25,6 +25,14 @@ int murk_thin_map(const murk_scene_desc *scene,
  * of this map. */
 double murk_map_variance_share(const murk_coverage_result *coverage, int map);
 
+/* Writes what rests on the thin map, in words, and returns true; returns false
+ * if no map is thin. condition is the name of a condition, or NULL for the
+ * scene itself. */
+#define MURK_THIN_MAP_SIZE 320 /* with the longest name of a condition */
+bool murk_thin_map_text(char *out, size_t size, const murk_scene_desc *scene,
+                        const murk_coverage_result *coverage,
+                        const char *condition);
+
 /* Warns if a map is thin. condition is the name of a condition, or NULL for the
  * scene itself. */
 void murk_warn_of_thin_map(const murk_scene_desc *scene,

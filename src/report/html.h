@@ -1,4 +1,4 @@
-/* HTML as the report writes it: escaped text, bytes, numbers, hashes.
+/* HTML as the report writes it: escaped text, bytes, hashes.
  *
  * Whatever comes out of a file or a name goes through murk_html_text(), so it
  * can never be markup. Errors of writing are the stream's: commit asks it. */
@@ -22,16 +22,5 @@ void murk_html_base64(FILE *to, const void *bytes, size_t size);
 #define MURK_HTML_HASH_SIZE 56
 void murk_html_hash(char out[MURK_HTML_HASH_SIZE], const char *text,
                     size_t size);
-
-/* A finite value to so many digits (1..9), very large and small ones as
- * 2.5·10¹³. */
-void murk_html_power(FILE *to, double value, int digits);
-/* The same to five digits; an en dash if there is none (NaN). */
-void murk_html_number(FILE *to, double value);
-/* With its standard error, to two digits of that: 1.235 ± 0.023,
- * (8.90 ± 0.15)·10¹⁴. */
-void murk_html_estimate(FILE *to, double value, double standard_error);
-/* A share 0..1 in per cent. */
-void murk_html_share(FILE *to, double share, double standard_error);
 
 #endif

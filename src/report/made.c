@@ -2,7 +2,6 @@
  * the words of a command line are quoted for a shell here (base/utf8.h). */
 #include "base/file.h"
 #include "base/utf8.h"
-#include "report/answers.h"
 #include "report/html.h"
 #include "report/sections.h"
 
@@ -126,12 +125,25 @@ static void end_table(FILE *to)
     fputs("</tbody>\n</table>\n</div>\n", to);
 }
 
-/* A row of a name and a sentence with values (report/answers.h). */
-static void write_fact(FILE *to, const murk_yaml *root, const char *name,
-                       const char *words)
+/* A fact of the run: what lies under a path, as a text, or as a number of
+ * units. */
+typedef struct fact {
+    const char *name, *path, *unit; /* unit NULL: a text */
+    double per_unit;
+    int decimals;
+} fact;
+
+/* A row of a name and a value, an en dash where the results have none. */
+static void write_fact(FILE *to, const murk_yaml *root, const fact *f)
 {
-    fprintf(to, "<tr><th scope=\"row\">%s</th><td class=\"text\">", name);
-    murk_report_say(to, root, words);
+    const char *text = murk_result_text(root, f->path);
+    fprintf(to, "<tr><th scope=\"row\">%s</th><td class=\"text\">", f->name);
+    const double n = f->unit ? murk_result_number(root, f->path) : NAN;
+    if (isfinite(n)) {
+        fprintf(to, "%.*f %s", f->decimals, n / f->per_unit, f->unit);
+    } else {
+        murk_html_text(to, text && *text ? text : MURK_HTML_NONE);
+    }
     fputs("</td></tr>\n", to);
 }
 
@@ -142,35 +154,39 @@ static void write_packages(FILE *to, const murk_yaml *root)
     fputs("<tr><th scope=\"row\">packages</th><td class=\"text\">", to);
     for (size_t i = 0; i < n && i < MURK_REPORT_ROWS_MAX; ++i) {
         fputs(i > 0 ? ", " : "", to);
+        const char *version = murk_result_text(packages->child[i], "");
         murk_html_text(to, packages->key[i]);
-        murk_report_say(to, packages->child[i], " {$}");
+        fputc(' ', to);
+        murk_html_text(to, version && *version ? version : MURK_HTML_NONE);
     }
     fputs("</td></tr>\n", to);
 }
 
 static void write_run(FILE *to, const char *file, const murk_yaml *root)
 {
-    static const char *const facts[][2] = {
-        {"scene", "{scene$}"},
-        {"its SHA-256", "{scene_sha256$}"},
-        {"seed", "{seed$}"},
-        {"made on", "{run.date$}"},
-        {"time", "{run.seconds.total} s"},
-        {"threads", "{run.threads}"},
-        {"most memory at once", "{run.peak_memory_bytes*} MB"},
-        {"murk", "{murk.version$}"},
-        {"its commit", "{murk.commit$}"},
-        {"compiler", "{murk.compiler$}"}};
-    /* one row for each fact, an en dash where the results have none */
+    static const fact of_study[] = {
+        {.name = "study", .path = "study"},
+        {.name = "its SHA-256", .path = "study_sha256"}};
+    static const fact of_all[] = {
+        {.name = "scene", .path = "scene"},
+        {.name = "its SHA-256", .path = "scene_sha256"},
+        {.name = "seed", .path = "seed"},
+        {.name = "made on", .path = "run.date"},
+        {"time", "run.seconds.total", "s", 1, 2},
+        {.name = "threads", .path = "run.threads"},
+        {"most memory at once", "run.peak_memory_bytes", "MB", 1e6, 0},
+        {.name = "murk", .path = "murk.version"},
+        {.name = "its commit", .path = "murk.commit"},
+        {.name = "compiler", .path = "murk.compiler"}};
     char caption[64];
     snprintf(caption, sizeof caption, "How %s was made", file);
     begin_table(to, caption, "");
-    if (murk_result_text(root, "study")) {
-        write_fact(to, root, "study", "{study$}");
-        write_fact(to, root, "its SHA-256", "{study_sha256$}");
+    for (size_t i = 0; i < 2 && murk_result_text(root, "study"); ++i) {
+        write_fact(to, root, &of_study[i]);
     }
-    for (size_t i = 0; i < sizeof facts / sizeof *facts; ++i) {
-        write_fact(to, root, facts[i][0], facts[i][1]);
+    /* Facts that every result has, then the packages. */
+    for (size_t i = 0; i < sizeof of_all / sizeof *of_all; ++i) {
+        write_fact(to, root, &of_all[i]);
     }
     write_packages(to, root);
     end_table(to);
@@ -223,9 +239,7 @@ static void write_files(FILE *to, const char *folder, const char *page)
             ++rows <= MURK_REPORT_ROWS_MAX) {
             fputs("<tr><th scope=\"row\">", to);
             murk_html_text(to, name);
-            fputs("</th><td>", to);
-            murk_html_number(to, (double)known.st_size);
-            fputs("</td></tr>\n", to);
+            fprintf(to, "</th><td>%lld</td></tr>\n", (long long)known.st_size);
         }
         free(path);
         free(entry[i]);

@@ -12,7 +12,7 @@
 /* Rows of a table that the page shows; the rest is in the files. */
 #define MURK_REPORT_ROWS_MAX 200
 
-/* What was asked, the answer, what it took, and what the words mean. */
+/* The summaries of the runs, and what the words mean. */
 void murk_report_summary(FILE *to, const murk_results_in *results);
 
 /* The CSV files as tables. */

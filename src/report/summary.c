@@ -1,54 +1,97 @@
-/* The summary of the page: what was asked, the answer with its error and its
- * bound, what it took, and what the words mean. It is text, so that it needs no
- * script. */
-#include "report/answers.h"
+/* The summary of the page: the lines of the run's own summary, which the main
+ * JSON holds under run.summary, and what the words mean. It is text, so that it
+ * needs no script.
+ *
+ * A line of the summary begins with a label, or goes on with the line before.
+ * Columns count: lines that go on are rows of tables, so the text of all lines
+ * of a label keeps its columns. */
 #include "report/html.h"
 #include "report/sections.h"
 
-#include <math.h>
+#include <ctype.h>
+#include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 
-/* ---- what it took ---- */
+/* Columns of a label, with the blanks behind it (results/summary.h). */
+#define LABEL 12
 
-/* "2026-11-21T18:49:26Z" as "2026-11-21, 18:49 UTC"; else as it is. */
-static void write_date(FILE *to, const char *date)
+/* ---- lines ---- */
+
+/* The length of the label that a line begins with: up to two blanks, or as long
+ * as a label can be; 0: the line goes on with the one before. */
+static size_t label_length(const char *line)
 {
-    char shown[40];
-    if (strlen(date) == 20 && date[10] == 'T' && date[19] == 'Z') {
-        snprintf(shown, sizeof shown, "%.10s, %.5s UTC", date, date + 11);
-        murk_html_text(to, shown);
-    } else {
-        murk_html_text(to, date);
-    }
+    const char *gap = strstr(line, "  ");
+    const size_t length = gap ? (size_t)(gap - line) : strlen(line);
+    return !isalpha((unsigned char)*line) ? 0 : length < LABEL ? length : LABEL;
 }
 
-static void write_effort(FILE *to, const murk_yaml *root,
-                         const murk_yaml *ledger)
+/* The column of the text of a line, behind the label. */
+static size_t column_of(const char *line)
 {
-    const double seconds = murk_result_number(root, "run.seconds.total");
-    const char *date = murk_result_text(root, "run.date");
-    const bool is_known = isfinite(murk_result_number(root, "photons.emitted"));
-    /* time and memory, photons, who and when */
-    fputs("<div><dt>It took</dt><dd>", to);
-    murk_html_number(to, seconds < 100 ? round(100 * seconds) / 100
-                                       : round(seconds));
-    murk_report_say(to, root,
-                    " s on {run.threads#thread|threads} and "
-                    "{run.peak_memory_bytes*} MB of memory");
-    if (is_known || isfinite(murk_result_number(ledger, "photons_emitted"))) {
-        murk_report_say(
-            to, is_known ? root : ledger,
-            is_known
-                ? ", for {photons.emitted#photon|photons} that left the lights"
-                : ", for {photons_emitted#photon|photons} that left the "
-                  "lights");
+    const size_t label = label_length(line);
+    return label + strspn(line + label, " ");
+}
+
+/* Lines [i, end) of a label: the label, then their text, from the first column
+ * on in which any has text. Text with two blanks between words is a table,
+ * which is not broken. */
+static void write_item(FILE *to, const char *const *line, size_t i, size_t end)
+{
+    const size_t label = label_length(line[i]);
+    size_t first = SIZE_MAX;
+    bool is_table = false;
+    for (size_t k = i; k < end; ++k) {
+        const size_t column = column_of(line[k]);
+        first = column < first ? column : first;
+        is_table |= strstr(line[k] + column, "  ") != NULL;
     }
-    murk_report_say(to, root, "; murk {murk.version$}");
-    if (date) {
-        fputs(", on ", to);
-        write_date(to, date);
+    char name[LABEL + 1];
+    snprintf(name, sizeof name, "%.*s", (int)label, line[i]);
+    fputs("<div><dt>", to);
+    murk_html_text(to, name);
+    fputs(is_table ? "</dt><dd class=\"columns\" tabindex=\"0\">" : "</dt><dd>",
+          to);
+    for (size_t k = i; k < end; ++k) {
+        const size_t column = column_of(line[k]);
+        fprintf(to, "%s%*s", k > i ? "\n" : "", (int)(column - first), "");
+        murk_html_text(to, line[k] + column);
     }
-    fputs(".</dd></div>\n", to);
+    fputs("</dd></div>\n", to);
+}
+
+/* Writes the summary that a main JSON holds. */
+static void write_lines(FILE *to, const murk_yaml *root, const char *file)
+{
+    const murk_yaml *list = murk_result_at(root, "run.summary");
+    const size_t n = murk_result_count(root, "run.summary");
+    const char **line = calloc(n + 1, sizeof *line);
+    size_t lines = 0;
+    for (size_t i = 0; line && i < n; ++i) {
+        const char *text = murk_result_text(list->child[i], "");
+        if (text) {
+            line[lines++] = text;
+        }
+    }
+    if (lines == 0) {
+        fprintf(to,
+                "<p>%s holds no summary of its run: the sections below say "
+                "what is in it.</p>\n",
+                file);
+        free(line);
+        return;
+    }
+    /* An item for each label. */
+    fputs("<dl class=\"facts lines\">\n", to);
+    for (size_t i = 0, end; i < lines; i = end) {
+        for (end = i + 1; end < lines && label_length(line[end]) == 0;) {
+            ++end;
+        }
+        write_item(to, line, i, end);
+    }
+    fputs("</dl>\n", to);
+    free(line);
 }
 
 /* ---- words ---- */
@@ -72,8 +115,9 @@ static void explain(FILE *to, const murk_results_in *results)
          "A packet of light that is followed from a lamp or the sky. Where it "
          "is reflected by a surface or scattered in a medium (fog, smoke, "
          "water), a record of it is stored: the maps of photons."},
-        {"± and 95 % interval",
-         "A number after ± is one standard error: what chance in the photons "
+        {"± or +-, 95 % interval",
+         "A number after ± or +- is one standard error: what chance in the "
+         "photons "
          "does to the result. The true value lies within twice that in 19 of "
          "20 cases, which is the 95 % interval."}};
     static const word of_plans[] = {
@@ -123,26 +167,6 @@ static void explain(FILE *to, const murk_results_in *results)
     fputs("</dl>\n</details>\n", to);
 }
 
-static void write_one(FILE *to, murk_result_file which, const murk_yaml *root)
-{
-    switch (which) {
-    case MURK_RESULT_PLAN:
-    case MURK_RESULT_COVERAGE:
-        murk_answer_plan(to, root, which == MURK_RESULT_PLAN);
-        break;
-    case MURK_RESULT_STUDY:
-        murk_answer_study(to, root);
-        break;
-    case MURK_RESULT_FIT:
-        murk_answer_fit(to, root);
-        break;
-    case MURK_RESULT_LEDGER:
-    case MURK_RESULT_FILES:
-        murk_answer_light(to, root);
-        break;
-    }
-}
-
 void murk_report_summary(FILE *to, const murk_results_in *results)
 {
     size_t n = 0;
@@ -152,10 +176,11 @@ void murk_report_summary(FILE *to, const murk_results_in *results)
     fputs("<section id=\"summary\" data-title=\"In short\">\n"
           "<h2>In short</h2>\n",
           to);
+    /* Folders that hold more than the files of one run. */
     if (!murk_results_are_one_run(results)) {
         fputs("<p>This folder holds files of several runs. The scene, the "
               "light and the tallies are those of the last that wrote them, "
-              "and need not be those of the answers here: see how each file "
+              "and need not be those of the results here: see how each file "
               "was made.</p>\n",
               to);
     }
@@ -166,20 +191,15 @@ void murk_report_summary(FILE *to, const murk_results_in *results)
               "that was killed while it wrote them.</p>\n",
               to);
     }
+    /* The summary of each run, and the words. */
     for (int i = 0; i < MURK_RESULT_FILES; ++i) {
-        const murk_yaml *root = results->json[i];
         if (!murk_results_is_main(results, (murk_result_file)i)) {
             continue;
         }
         if (n > 1) {
             fprintf(to, "<h3>%s</h3>\n", murk_result_kinds[i].title);
         }
-        fputs("<dl class=\"facts\">\n", to);
-        write_one(to, (murk_result_file)i, root);
-        /* light of several runs is not told apart */
-        write_effort(to, root,
-                     n == 1 ? results->json[MURK_RESULT_LEDGER] : NULL);
-        fputs("</dl>\n", to);
+        write_lines(to, results->json[i], murk_result_kinds[i].file);
     }
     explain(to, results);
     fputs("</section>\n", to);

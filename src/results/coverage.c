@@ -287,6 +287,10 @@ void murk_print_weights(const murk_scene_desc *scene,
                    "%.4g of %zu volume %s\n",
                    s->weight, s->photons, what, v->weight, v->photons, what);
     }
+    char thin[MURK_THIN_MAP_SIZE];
+    if (murk_thin_map_text(thin, sizeof thin, scene, coverage, NULL)) {
+        murk_print("            few photons: %s\n", thin);
+    }
 }
 
 void murk_print_estimate(murk_estimate of)

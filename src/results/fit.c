@@ -413,8 +413,9 @@ static void print_next(const murk_fit_facts *f)
 /* Beyond this more photons would pay. */
 #define MUCH_NOISE .5
 
-void murk_print_fit(const murk_fit_facts *f)
+void murk_print_fit(const void *of)
 {
+    const murk_fit_facts *f = of;
     const murk_calibration *c = f->found;
     if (!f->only_predicts && !c->is_accepted) {
         murk_print("fit         %s\n", c->verdict);

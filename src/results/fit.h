@@ -34,6 +34,7 @@ bool murk_fit_refused_values(const char *text);
  * this is no matter of --quiet. */
 void murk_fit_warn_refused(const char *file);
 
-void murk_print_fit(const murk_fit_facts *facts);
+/* Prints the summary. `of` points to a murk_fit_facts. */
+void murk_print_fit(const void *of);
 
 #endif

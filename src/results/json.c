@@ -255,6 +255,9 @@ char *murk_json_end(cJSON *root, const murk_run_facts *run)
         strftime(date, sizeof date, "%Y-%m-%dT%H:%M:%SZ", &utc);
     }
     cJSON_AddStringToObject(object, "date", date);
+    if (run->summary) {
+        cJSON_AddItemReferenceToObject(object, "summary", run->summary);
+    }
     char zeros[65];
     snprintf(zeros, sizeof zeros, "%064d", 0);
     cJSON_AddStringToObject(object, "checksum", zeros);

@@ -17,6 +17,7 @@ typedef struct murk_run_facts {
     const char *command; /* as options->typed; NULL: not known */
     unsigned threads;
     double load_s, trace_s, map_s, sense_s, place_s, total_s;
+    cJSON *summary; /* its lines (results/summary.h), borrowed, or NULL */
 } murk_run_facts;
 
 /* Adds "run", which alone may differ between two runs (to what is there under

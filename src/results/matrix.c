@@ -174,8 +174,9 @@ void murk_results_list_matrix_plan(murk_results_fields *f, const void *of)
     MURK_OBJECT(f, "placement", "how the plan was found", list_placement, p);
 }
 
-void murk_matrix_plan_print(const murk_matrix_plan *p)
+void murk_matrix_plan_print(const void *of)
 {
+    const murk_matrix_plan *p = of;
     const murk_sparse_matrix *m = p->matrix;
     const murk_place_result *place = &p->place;
     const size_t entries = murk_sparse_matrix_entries(m);
@@ -209,8 +210,4 @@ void murk_matrix_plan_print(const murk_matrix_plan *p)
                    (double)place->cost * MURK_COST_UNIT, p->budget);
     }
     murk_print_bound(place, p->budget > 0, "matrix");
-    murk_run_facts run = p->session.run;
-    run.sense_s = 0;
-    murk_print_time(&run, "matrix", p->session.run.sense_s);
-    murk_print_files(&p->session);
 }

@@ -29,8 +29,9 @@ typedef struct murk_matrix_plan {
     murk_covering covers;
 } murk_matrix_plan;
 
-/* Rows of plan.json, yet without `run`; of: a murk_matrix_plan. */
+/* Rows of plan.json, yet without `run`, and the summary; of: a
+ * murk_matrix_plan. */
 void murk_results_list_matrix_plan(murk_results_fields *f, const void *of);
-void murk_matrix_plan_print(const murk_matrix_plan *plan);
+void murk_matrix_plan_print(const void *of);
 
 #endif

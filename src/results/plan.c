@@ -339,8 +339,9 @@ static void print_plan_bound(const murk_session *session,
     }
 }
 
-void murk_print_plan(const murk_plan_results *results)
+void murk_print_plan(const void *of)
 {
+    const murk_plan_results *results = of;
     const murk_session *session = results->session;
     const murk_plan_result *plan = results->plan;
     const murk_condition_plans *conditions = results->conditions;
@@ -374,6 +375,4 @@ void murk_print_plan(const murk_plan_results *results)
     if (results->repeat) {
         murk_print_repeat(results->repeat);
     }
-    murk_print_time(&session->run, NULL, 0);
-    murk_print_files(session);
 }

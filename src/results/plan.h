@@ -34,8 +34,9 @@ typedef struct murk_plan_results {
 murk_sensor_results murk_plan_sensor_results(const murk_scene_desc *scene,
                                              const murk_plan_result *plan);
 
-/* Rows of plan.json, yet without `run`; of: a murk_plan_results. */
+/* Rows of plan.json, yet without `run`, and the summary; of: a
+ * murk_plan_results. */
 void murk_results_list_plan(murk_results_fields *f, const void *of);
-void murk_print_plan(const murk_plan_results *results);
+void murk_print_plan(const void *of);
 
 #endif

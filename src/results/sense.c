@@ -44,8 +44,9 @@ void murk_results_list_sense(murk_results_fields *f, const void *of)
     murk_results_list_robust(f, &robust);
 }
 
-void murk_print_sense(const murk_sense_results *results)
+void murk_print_sense(const void *of)
 {
+    const murk_sense_results *results = of;
     const murk_session *session = results->session;
     const murk_coverage_result *coverage = results->sensors.coverage;
     murk_print_light(session);
@@ -66,6 +67,4 @@ void murk_print_sense(const murk_sense_results *results)
     murk_print_weights(session->scene, coverage);
     murk_print_regions(&results->sensors);
     murk_print_robust(session->scene, results->robust);
-    murk_print_time(&session->run, NULL, 0);
-    murk_print_files(session);
 }

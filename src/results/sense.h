@@ -12,8 +12,9 @@ typedef struct murk_sense_results {
     const murk_robust *robust;
 } murk_sense_results;
 
-/* Rows of coverage.json, yet without `run`; of: a murk_sense_results. */
+/* Rows of coverage.json, yet without `run`, and the summary; of: a
+ * murk_sense_results. */
 void murk_results_list_sense(murk_results_fields *f, const void *of);
-void murk_print_sense(const murk_sense_results *results);
+void murk_print_sense(const void *of);
 
 #endif

@@ -139,11 +139,13 @@ murk_status murk_session_add_ledger(murk_session *session, const char *name,
 }
 
 static murk_status show(murk_session *session, const char *name, cJSON *root,
-                        bool prints, murk_error *err)
+                        cJSON *summary, bool is_last, murk_error *err)
 {
     session->run.total_s = murk_clock_s() - session->begun_s;
     murk_json_identify(root, session->identity, &session->results, name);
-    char *text = murk_json_end(root, &session->run);
+    murk_run_facts run = session->run;
+    run.summary = summary;
+    char *text = murk_json_end(root, &run);
     murk_status status =
         text ? MURK_OK
              : murk_fail(err, MURK_NO_MEMORY, name, "no memory to write it");
@@ -153,23 +155,31 @@ static murk_status show(murk_session *session, const char *name, cJSON *root,
     if (!status) {
         status = murk_results_show(&session->results, err);
     }
-    if (!status && prints) {
+    /* What is printed follows the files. */
+    if (!status && is_last && session->settings.prints_json) {
         murk_print_json(text);
+    } else if (!status && is_last && murk_session_speaks(session)) {
+        murk_print_lines(summary);
     }
     cJSON_free(text);
+    cJSON_Delete(summary);
     return status;
 }
 
 murk_status murk_session_finish(murk_session *session, const char *name,
-                                cJSON *root, murk_error *err)
+                                cJSON *root, murk_print_results *print,
+                                const void *of, murk_error *err)
 {
-    return show(session, name, root, session->settings.prints_json, err);
+    cJSON *summary = print ? murk_print_collect(print, of) : NULL;
+    return show(session, name, root, summary, true, err);
 }
 
 murk_status murk_session_keep(murk_session *session, const char *name,
-                              cJSON *root, murk_error *err)
+                              cJSON *root, murk_print_results *print,
+                              const void *of, murk_error *err)
 {
-    return show(session, name, root, false, err);
+    cJSON *summary = print ? murk_print_collect(print, of) : NULL;
+    return show(session, name, root, summary, false, err);
 }
 
 bool murk_session_speaks(const murk_session *session)
@@ -199,9 +209,8 @@ void murk_print_light(const murk_session *session)
                percent * murk_ledger_watts(t, t->ledger->lost));
 }
 
-void murk_print_files(const murk_session *session)
+static void print_files(const murk_results *r)
 {
-    const murk_results *r = &session->results;
     if (!r->folder) {
         murk_print("files       none: -o DIR writes them\n");
         return;
@@ -211,4 +220,13 @@ void murk_print_files(const murk_session *session)
         murk_print(" %s", murk_path_name(r->file[i - 1].path));
     }
     murk_print("\n");
+}
+
+void murk_print_run(const murk_session *session, const char *other,
+                    double other_s)
+{
+    if (murk_session_speaks(session)) {
+        murk_print_time(&session->run, other, other_s);
+        print_files(&session->results);
+    }
 }

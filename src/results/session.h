@@ -7,6 +7,7 @@
 #include "results/json.h"
 #include "results/ledger.h"
 #include "results/results.h"
+#include "results/summary.h"
 
 /* What --export writes. */
 typedef enum murk_export {
@@ -57,21 +58,30 @@ murk_status murk_session_add_ledger(murk_session *session, const char *name,
                                     const murk_ledger_results *ledger,
                                     murk_error *err);
 
-/* Ends the JSON with `run`, adds it under `name` as the main one, shows all
- * files, and prints it with --format json. Deletes root. */
+/* Ends the JSON with `run`, adds it under `name` as the main one, and shows all
+ * files. Then prints the JSON with --format json, else the summary of the
+ * results, which `print` prints of `of` and which `run` holds as well; print
+ * NULL: there is none. Deletes root. */
 murk_status murk_session_finish(murk_session *session, const char *name,
-                                cJSON *root, murk_error *err);
+                                cJSON *root, murk_print_results *print,
+                                const void *of, murk_error *err);
 
 /* Shows all files with this as the main JSON, as finishing would, and prints
  * nothing: for what is not to be lost while more is worked on. Deletes root. */
 murk_status murk_session_keep(murk_session *session, const char *name,
-                              cJSON *root, murk_error *err);
+                              cJSON *root, murk_print_results *print,
+                              const void *of, murk_error *err);
 
 /* True where the summary is to be printed. */
 bool murk_session_speaks(const murk_session *session);
 
-/* Summary lines that several commands print. */
+/* The lines of the light, which several summaries have. */
 void murk_print_light(const murk_session *session);
-void murk_print_files(const murk_session *session);
+
+/* Prints the lines that follow a summary and are no part of the results: times,
+ * memory and files; of times also a part of the command's own, or NULL. Nothing
+ * where no summary is printed. */
+void murk_print_run(const murk_session *session, const char *other,
+                    double other_s);
 
 #endif

@@ -149,9 +149,10 @@ void murk_print_study_rows(const murk_sweep *sweep, const char *folder)
     print_line(&t, HEADING, "row", shown);
     for (size_t i = 0; i < t.rows; ++i) {
         const char *failed = sweep->row[i].found.failed;
+        const bool has_values = sweep->row[i].is_done && !failed[0];
         char number[24];
         snprintf(number, sizeof number, "%zu", i + 1);
-        print_line(&t, i, number, failed[0] ? t.axes : shown);
+        print_line(&t, i, number, has_values ? shown : t.axes);
         if (failed[0]) {
             murk_print("            failed: %s\n", failed);
         }

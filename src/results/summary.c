@@ -1,5 +1,7 @@
 /* Prints the summary: breaks lines at 80 columns, and escapes control
- * characters of names, so that no name can act on the terminal. */
+ * characters of names, so that no name can act on the terminal. The lines about
+ * results are first collected in a list, which goes into the main JSON, and
+ * then shown. */
 #include "results/summary.h"
 
 #include "base/machine.h"
@@ -12,7 +14,6 @@
 #include <string.h>
 
 #define COLUMNS 80 /* of a terminal */
-#define LABEL   12 /* columns before the text of a line */
 
 /* What has been printed of a line that has not ended. */
 static struct {
@@ -20,13 +21,20 @@ static struct {
     size_t size, capacity;
 } open_line;
 
+/* Where lines go that have ended. */
+static struct {
+    bool are_collected;
+    cJSON *list; /* while they are collected; NULL when out of memory */
+} lines;
+
 /* Where text goes on: under its own beginning. */
 static size_t indent_of(const char *line)
 {
     const size_t lead = strspn(line, " ");
-    const bool has_label = lead == 0 && strlen(line) > LABEL &&
-                           line[LABEL - 1] == ' ' && line[LABEL] != ' ';
-    return has_label ? LABEL : lead > 0 ? lead : 2;
+    const bool has_label = lead == 0 && strlen(line) > MURK_PRINTED_LABEL &&
+                           line[MURK_PRINTED_LABEL - 1] == ' ' &&
+                           line[MURK_PRINTED_LABEL] != ' ';
+    return has_label ? MURK_PRINTED_LABEL : lead > 0 ? lead : 2;
 }
 
 /* Prints one line, broken where it is too long. */
@@ -56,13 +64,18 @@ static void show_wrapped(const char *line)
     printf("%*s%s\n", (int)begin, "", line);
 }
 
-/* Prints one line with control characters escaped, four bytes for one. */
+/* Prints or collects one line with control characters escaped, four bytes for
+ * one. */
 static void show(const char *line)
 {
     const size_t size = 4 * strlen(line) + 1;
     char *shown = malloc(size);
     if (shown) {
         murk_utf8_escape(shown, size, line);
+    }
+    if (shown && lines.are_collected) {
+        cJSON_AddItemToArray(lines.list, cJSON_CreateString(shown));
+    } else if (shown) {
         show_wrapped(shown);
     }
     free(shown);
@@ -125,6 +138,24 @@ void murk_print(const char *format, ...)
         free(open_line.text);
         open_line.text = NULL;
         open_line.capacity = 0;
+    }
+}
+
+cJSON *murk_print_collect(murk_print_results *print, const void *of)
+{
+    cJSON *list = cJSON_CreateArray();
+    lines.list = list;
+    lines.are_collected = true;
+    print(of);
+    lines.are_collected = false;
+    return list;
+}
+
+void murk_print_lines(const cJSON *list)
+{
+    for (const cJSON *line = list ? list->child : NULL; line;
+         line = line->next) {
+        show_wrapped(line->valuestring);
     }
 }
 

@@ -15,8 +15,23 @@
 
 #include <stddef.h>
 
+/* Columns of a label, with the blanks behind it. */
+#define MURK_PRINTED_LABEL 12
+
 /* As printf(); a line is shown when it ends. */
 void murk_print(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+/* Prints the lines of some results with murk_print(). `of` points to the
+ * results. */
+typedef void murk_print_results(const void *of);
+
+/* Returns the lines that `print` prints as a list of texts, instead of showing
+ * them: escaped, and not yet broken at 80 columns. The caller deletes the list,
+ * which is NULL when out of memory. */
+cJSON *murk_print_collect(murk_print_results *print, const void *of);
+
+/* Shows lines that were collected. */
+void murk_print_lines(const cJSON *lines);
 
 /* Prints JSON text, and a line feed where it has none at its end. DEL, the
  * control characters beyond ASCII and whatever else a terminal might act on in

@@ -202,6 +202,14 @@ def main(murk, is_sanitized):
         plan(sensors=[{"type": "node", "position_m": [k, 1, 1]} for k in range(20000)])
         run(0, "The first 200 of 20000 rows")
 
+        # summaries that are none, and whose text would be markup
+        for value in (None, "x", [], {}, [{}, []], 3):
+            plan(run={"summary": value})
+            run(0, "plan.json holds no summary of its run")
+        plan(run={"summary": ["<b>bold     <i>x", {}, "  more", "", 5, "y" * 90000, "a  " * 3000]})
+        text = run(0, "&lt;b&gt;bold     &lt;i&gt;x\n  more")
+        check("<b>bold" not in text and "<i>x" not in text, "a line is a tag")
+
         # tables beside the JSON that are not what they should be
         ledger = json.dumps({"murk": {"version": "0.1.0"}})
         for rows in ("top,550,0,0,0,forward,1,0,W\n" * 2, "top,550,9,0,0,forward,1,0,W\n",

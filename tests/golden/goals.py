@@ -282,19 +282,19 @@ def page_of(murk, out):
 
 
 def check_page(murk, scene, options, asked):
-    """The page asks the strict question and answers it with the strict share,
-    not with the mean of what is seen; no other plan's page speaks of it."""
+    """The page states the strict target and the strict share, not the mean of
+    what is seen; no other plan's page speaks of it."""
     plan = murk.run("place", scene, *options, "--target", repr(asked), "-o", murk.path("strict"))
     reached, mean = plan["target"]["reached"], plan["coverage"]["in_sample"]
     check(abs(reached - mean) > 0.02, "both shares are alike:", reached, mean)
     page = page_of(murk, "strict")
-    for before, share, after in (("How few sensors see ", asked, " of the light, each part by 2 or more"),
-                                 ("the plan has ", reached, ", each part by 2 or more")):
-        found = re.search(f"{before}([0-9.]+) %{after}", page)
-        check(found, "the page lacks:", before, after)
-        near(float(found.group(1)) if found else -1, 100 * share, 0.051, before)
+    found = re.search(r"target([0-9.]+) seen by 2 or more takes \d+ sensors, and no fewer than \d+; "
+                      r"([0-9.]+) in sample", page)
+    check(found, "the page lacks the strict target and what is reached of it")
+    for shown, share in zip(found.groups() if found else (), (asked, reached)):
+        near(float(shown), share, 0.00051, "the strict share")
     murk.run("place", scene, "--emit", "400", "--target", repr(asked), "-o", murk.path("plain"))
-    check("each part by" not in page_of(murk, "plain"), "the page of a plain target")
+    check("seen by 2 or more" not in page_of(murk, "plain"), "the page of a plain target")
 
 
 def main():

@@ -8,6 +8,7 @@ usage: report.py MURK
 import array
 import base64
 import csv
+import html
 import json
 import math
 import os
@@ -91,6 +92,22 @@ def picture(width, height, size=0):
             chunk(b"zzZz", b"x" * size) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
 
 
+def in_short(path):
+    """The lines of the page's summary, without marks."""
+    with open(path, encoding="utf-8") as file:
+        (items,) = re.findall('<dl class="facts lines">(.*?)</dl>', file.read(), re.S)
+    return html.unescape(re.sub("<[^>]*>", " ", items)).splitlines()
+
+
+def check_summary(printed, path):
+    """The page has the terminal's summary: the same words in the same order, up to the times, and the columns
+    of its tables."""
+    printed, lines = re.split("^time ", printed, flags=re.M)[0], in_short(path)
+    check(len(printed) > 100 and printed.split() == " ".join(lines).split(), path, "sums up", lines, "not", printed)
+    for row in re.findall(r"^ *\d+  .*", printed, flags=re.M):
+        check(any(line.strip().startswith(row.strip()) for line in lines), path, "lacks the row", row)
+
+
 def main(murk):
     if not browser.program():
         print("skipped: no chromium")
@@ -143,8 +160,9 @@ def main(murk):
         os.mkdir(at("bin"))
         write("it's <b>.yaml", SCENE)
         scene = "it's <b>.yaml"
-        run("place", scene, "-o", "plan", "--quiet")
+        summary = run("place", scene, "-o", "plan")
         printed = json.loads(run("report", "plan", "--format", "json"))
+        check_summary(summary, at("plan/report.html"))
         check(printed["report"] == "plan/report.html", printed)
         check(printed["bytes"] == os.path.getsize(at("plan/report.html")), printed)
         page = read(at("plan/report.html"))
@@ -272,8 +290,9 @@ def main(murk):
         with open(at("plan/report.html"), "rb") as file:
             check(file.read() == want, "the page of . differs")
 
-        run("sense", scene, "--sensors", "plan/plan.json", "-o", "seen", "--quiet")
+        summary = run("sense", scene, "--sensors", "plan/plan.json", "-o", "seen")
         run("report", "seen")
+        check_summary(summary, at("seen/report.html"))
         page = read(at("seen/report.html"))
         check(f"murk sense {whole('seen')}/scene.resolved.yaml --sensors {whole('seen')}/coverage.json"
               in page.text,
@@ -285,8 +304,9 @@ def main(murk):
         check(base64.b64decode(block(text, "photon-sensors-0")) == bytes(w[4] for w in want),
               "by whom, of sense")
 
-        run("trace", scene, "-o", "light", "--quiet")
+        summary = run("trace", scene, "-o", "light")
         run("report", "light")
+        check_summary(summary, at("light/report.html"))
         check(f"murk trace {whole('light')}/scene.resolved.yaml -o again" in read(at("light/report.html")).text,
               "no command of trace")
         (state,) = view_data(at("light/report.html"))[0]["states"]
@@ -296,8 +316,9 @@ def main(murk):
         write("study.yaml", 'murk_study: 1\nbase: "it\'s <b>.yaml"\naxes:\n'
               "  lights.0.power_w: [1, 2, 4]\n  photons.emit: [500, 1000]\n"
               "outputs: [density, coverage_best]\n")
-        run("study", "study.yaml", "-o", "study", "--quiet")
+        summary = run("study", "study.yaml", "-o", "study")
         run("report", "study")
+        check_summary(summary, at("study/report.html"))
         page = read(at("study/report.html"))
         check(page.tags.count("svg") == 4, page.tags.count("svg"), "want 2 plots, 2 drawings")
         check("photons.emit 500" in page.text, "no line's name")
@@ -336,9 +357,10 @@ def main(murk):
               "fluence,3,1,2.5,,,,0.3,W/m2,0.4,0.04,fit\n"
               "fluence,1,3,1,,,,0.3,W/m2,0.3,0.03,hold_out\n"
               "transmittance,1,1,2,1,3,2,,fraction,0.5,0.05,fit\n")
-        run("fit", scene, "--data", "data.csv", "--free", "lights.0.power_w", "-o", "fit",
-            "--traces", "1", "--quiet", "--emit", "2000")
+        summary = run("fit", scene, "--data", "data.csv", "--free", "lights.0.power_w", "-o", "fit",
+                      "--traces", "1", "--emit", "2000")
         run("report", "fit")
+        check_summary(summary, at("fit/report.html"))
         page = read(at("fit/report.html"))
         check("--free lights.0.power_w" in page.text, "no command of fit")
         check("'it'\\''s <b>.yaml'" in page.text, "the scene is not quoted for a shell")
@@ -413,9 +435,10 @@ def main(murk):
                 check(f"{watts:.5g}" in page.text, key, "by band")
 
         # over conditions, with other seeds, exploring
-        run("place", scene, "-o", "over", "--quiet", "--set", "placement.over=worst", "--set",
-            "conditions={bright: {}, dim: {lights.0.power_w: 1}}", "--repeat", "1")
+        summary = run("place", scene, "-o", "over", "--set", "placement.over=worst", "--set",
+                      "conditions={bright: {}, dim: {lights.0.power_w: 1}}", "--repeat", "1")
         run("report", "over")
+        check_summary(summary, at("over/report.html"))
         page = read(at("over/report.html"))
         with open(at("over/plan.json"), encoding="utf-8") as file:
             plan = json.load(file)

@@ -80,6 +80,7 @@ HEAD = {
                         ("load", "trace", "map", "sense", "place", "total")},
             "peak_memory_bytes": whole(1000000, 2000000000),
             "date": text(r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ")}}
+SUMMARY = {"run": HEAD["run"] | {"summary": many(text(r"[ -~]+"))}}
 LIGHT = {"photons": {"emitted": whole(1), "surface": whole(1), "volume": whole(1)}}
 SENSORS = {
     "sensors": many({"type": one_of("node"), "position_m": point, "axis": point,
@@ -117,7 +118,7 @@ REPEAT = {"asked": whole(1), "runs": whole(1), "first_seed": whole(0), "sensors"
           "gap": {"value": number(-1, 1), "lower": number(-1, 1), "upper": number(-1, 2),
                   "confidence": fraction, "runs": whole(2)},
           "best_seed": whole(0), "target_met": null}
-PLAN = HEAD | LIGHT | SENSORS | ROBUST | {
+PLAN = HEAD | SUMMARY | LIGHT | SENSORS | ROBUST | {
     "candidates": CANDIDATES | {"poses": count, "after_presolve": count},
     "targets": null, "thin_map": either(null, lambda v: not list(complaints(v, THIN, ""))),
     "weights_used": {"surface": fraction, "volume": fraction},
@@ -132,7 +133,7 @@ PLAN = HEAD | LIGHT | SENSORS | ROBUST | {
                   "knowledge": one_of("known"), "restarts": count,
                   "evaluations": whole(1), "queries": whole(1),
                   "shadow_rays": whole(1), "cut_by": null}}
-COVERAGE = HEAD | LIGHT | SENSORS | ROBUST | {
+COVERAGE = HEAD | SUMMARY | LIGHT | SENSORS | ROBUST | {
     "coverage": {"in_sample": fraction, "standard_error": number(1e-9, 1),
                  "held_out": null, "held_out_standard_error": null,
                  "surface": fraction, "volume": fraction,

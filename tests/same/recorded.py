@@ -48,12 +48,10 @@ DIGITS = 6         # of a number in a text
 ONE_RUN = [
     # the summary's paragraph of times and memory, up to the next paragraph
     (re.compile(r"^time {2,}.*\n(?: .*\n)*", re.M), ""),
-    (re.compile(r"\b[\d.]+ (?:s|min|h) on \d+ threads? and [\d.]+ [kMG]B of memory"), "TIME"),
     (re.compile(r'<th scope="row">(made on|threads|most memory at once|time)</th><td class="text">[^<]*</td>'), "RUN"),
     (re.compile(r"\b[0-9a-f]{64}\b|sha256-[A-Za-z0-9+/]{43}="), "CHECKSUM"),
     # sizes of files, which hold times and the commit
     (re.compile(r'(<th scope="row">[\w.-]+\.\w+</th><td>)\d+'), r"\1SIZE"),
-    (re.compile(r"murk \d+\.\d+\.\d+, on \d{4}-\d\d-\d\d, \d\d:\d\d UTC"), "DATE"),
     (re.compile(r"\b(?:gcc|clang) \d+\.\d+\.\d+ ?"), "COMPILER"),
     # the date and the program version of a manual page
     (re.compile(r'^(\.TH \S+ 1) [\d-]+ "murk [\d.]+"', re.M), r"\1"),

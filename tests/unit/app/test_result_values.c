@@ -99,8 +99,12 @@ static void test_numbers_that_json_has_not(void)
     CHECK_NEAR(at(root, "box", "min_m", 2), 3, 0);
     CHECK_NEAR(at(root, "box", "max_m", 0), 4, 0);
     /* The text ends with the facts of the run, and parses as YAML. */
-    const murk_run_facts run = {.threads = 3, .trace_s = 1.5, .total_s = 2};
+    cJSON *summary = cJSON_CreateArray();
+    cJSON_AddItemToArray(summary, cJSON_CreateString("a \"b\""));
+    const murk_run_facts run = {
+        .threads = 3, .trace_s = 1.5, .total_s = 2, .summary = summary};
     char *text = murk_json_end(root, &run);
+    cJSON_Delete(summary);
     CHECK(text != NULL && strchr(text, '\t') == NULL);
     CHECK(text && text[strlen(text) - 1] == '\n');
     murk_yaml *read = NULL;
@@ -110,6 +114,7 @@ static void test_numbers_that_json_has_not(void)
     CHECK_NEAR(murk_result_number(read, "run.seconds.trace"), 1.5, 0);
     CHECK_NEAR(murk_result_number(read, "run.seconds.total"), 2, 0);
     CHECK_NEAR(murk_result_number(read, "run.seconds.load"), 0, 0);
+    CHECK_TEXT(murk_result_at(read, "run.summary")->child[0]->text, "a \"b\"");
     CHECK(isnan(murk_result_number(read, "nan")));
     CHECK(isnan(murk_result_number(read, "run.none")));
     CHECK(isnan(murk_result_number(read, "run")));

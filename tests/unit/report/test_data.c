@@ -1,7 +1,6 @@
 /* Data of a page: JSON that ends no script element, lists that are cut, numbers
- * that are read back, sentences with values. Nothing here is random. */
+ * that are read back. Nothing here is random. */
 #include "check.h"
-#include "report/answers.h"
 #include "report/data.h"
 
 #include <math.h>
@@ -79,23 +78,10 @@ static void test_results_keep_their_kinds(void)
                         "\"b\":[{\"of\":3,\"first\":[4,5]}]}");
 }
 
-static void test_sentences_have_values(void)
-{
-    murk_yaml *root = parsed("{\"a\": {\"n\": 1, \"n_standard_error\": 0.25, "
-                             "\"name\": \"<b>\"}, \"list\": [1, 2]}");
-    WRITTEN(murk_report_say(to, root,
-                            "{a.n#thing|things}, {list[thing|things}, {a.n%}, "
-                            "{a.n~}, {a.name$}, {a.n}, {none}, {none$}."));
-    CHECK_TEXT(written, "1 thing, 2 things, 100.00 %, 100.00 \xc2\xb1 25.00 %, "
-                        "&lt;b&gt;, 1, \xe2\x80\x93, \xe2\x80\x93.");
-    murk_yaml_destroy(root);
-}
-
 int main(void)
 {
     test_json_ends_no_script();
     test_numbers_are_read_back();
     test_results_keep_their_kinds();
-    test_sentences_have_values();
     return check_done();
 }

@@ -1,5 +1,6 @@
-/* Lines of the summary: where they are broken, where they go on, and that
- * nothing of a name reaches a terminal as a command. Nothing here is random. */
+/* Lines of the summary: where they are broken, where they go on, that nothing
+ * of a name reaches a terminal as a command, and that lines can be collected
+ * and shown later. Nothing here is random. */
 #include "check.h"
 #include "results/summary.h"
 
@@ -106,6 +107,31 @@ static void test_names_are_escaped(void)
     CHECK_TEXT(shown(), "name  a\\x1b[2J\\nb, c\\rd\\xc2\\x9b\n");
 }
 
+static void print_two_lines(const void *of)
+{
+    murk_print("label       %s %s\n", word('a', 60), (const char *)of);
+    murk_print("next\n");
+}
+
+static void test_collected_lines_are_those_shown(void)
+{
+    char want[200];
+    begin();
+    cJSON *lines = murk_print_collect(print_two_lines, "end\033");
+    CHECK_TEXT(shown(), "");
+    snprintf(want, sizeof want, "label       %s end\\x1b", word('a', 60));
+    CHECK(cJSON_GetArraySize(lines) == 2);
+    CHECK_TEXT(cJSON_GetArrayItem(lines, 0)->valuestring, want);
+    /* Shown now, they are as if they had been shown at once. */
+    begin();
+    murk_print_lines(lines);
+    snprintf(want, sizeof want, "%s", shown());
+    begin();
+    print_two_lines("end\033");
+    CHECK_TEXT(shown(), want);
+    cJSON_Delete(lines);
+}
+
 static void test_json_means_the_same(void)
 {
     begin();
@@ -154,6 +180,7 @@ int main(void)
     test_rows_of_tables_leave_no_blanks_behind();
     test_a_line_is_put_together();
     test_names_are_escaped();
+    test_collected_lines_are_those_shown();
     test_json_means_the_same();
     test_times_of_what_took_time();
     test_more_rows_than_are_shown();
