@@ -101,7 +101,7 @@ static murk_status ask_for(fit *f, const murk_yaml *list, murk_error *err)
         const size_t size = length + sizeof "@each";
         char *asked = malloc(size);
         if (!asked) {
-            return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the fit");
+            return murk_no_memory(err, "", "for the fit");
         }
         snprintf(asked, size, "%.*s%s", (int)length, name,
                  name[length] ? "@each" : "");

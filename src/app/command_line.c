@@ -170,7 +170,7 @@ static murk_status take(murk_options *out, const murk_option *option,
 {
     murk_given *grown = realloc(out->given, (out->n_given + 1) * sizeof *grown);
     if (!grown) {
-        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the options");
+        return murk_no_memory(err, "", "for the options");
     }
     out->given = grown;
     murk_given *given = &out->given[out->n_given++];
@@ -357,8 +357,7 @@ static murk_status take_all(murk_options *out, FILE *typed, int argc,
         for (int k = first; k <= i && !is_left_out && !status; ++k) {
             char *word = murk_utf8_shell_word(argv[k]);
             if (!word) {
-                status = murk_fail(err, MURK_NO_MEMORY, "",
-                                   "no memory for the options");
+                status = murk_no_memory(err, "", "for the options");
             } else {
                 fprintf(typed, " %s", word);
             }

@@ -116,7 +116,7 @@ static murk_status read_scene(resolved *r, const murk_options *options,
     const murk_status status =
         is_whole ? murk_scene_desc_parse(&r->scene, yaml, r->preset->name, set,
                                          n, err)
-                 : murk_fail(err, MURK_NO_MEMORY, "", "no memory for a preset");
+                 : murk_no_memory(err, "", "for a preset");
     for (size_t i = 0; i < n && text; ++i) {
         free(text[i]);
     }

@@ -71,7 +71,7 @@ murk_status murk_command_report(const murk_options *options, murk_error *err)
     murk_report_facts facts = {0};
     murk_status status = murk_report_read(&report, options->input, err);
     if (!status && !path) {
-        status = murk_fail(err, MURK_NO_MEMORY, "", "no memory for the page");
+        status = murk_no_memory(err, "", "for the page");
     }
     if (!status) {
         /* Name files of other runs, and replace no page that murk did not

@@ -71,7 +71,7 @@ static murk_status identify(study_run *s, murk_error *err)
     const size_t size = sizeof s->sweep->row->key, rows = s->study->rows;
     char *keys = calloc(rows + 2, size);
     if (!keys) {
-        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the rows");
+        return murk_no_memory(err, "", "for the rows");
     }
     size_t n = (size_t)snprintf(keys, size, "%s", s->study->sha256);
     for (size_t i = 0; i < rows; ++i) {

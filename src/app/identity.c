@@ -52,7 +52,7 @@ static murk_status write_all(FILE *to, const murk_options *options,
 
 static murk_status no_memory(murk_error *err)
 {
-    return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the identity");
+    return murk_no_memory(err, "", "for the identity");
 }
 
 /* Either scene or `of` says what the input is. */
@@ -130,7 +130,7 @@ murk_status murk_print_alone(cJSON *root, const murk_options *options,
     if (text) {
         murk_print_json(text);
     } else if (!status) {
-        status = murk_fail(err, MURK_NO_MEMORY, "", "no memory for the JSON");
+        status = murk_no_memory(err, "", "for the JSON");
     }
     cJSON_free(text);
     cJSON_Delete(root);

@@ -75,7 +75,7 @@ static murk_status find_channel(murk_image_files *out,
     const bool has_coverage = options->sensors != NULL;
     murk_channel *list = calloc(MURK_CHANNELS_MAX, sizeof *list);
     if (!list) {
-        return murk_fail(err, MURK_NO_MEMORY, "render", "no memory for names");
+        return murk_no_memory(err, "render", "for names");
     }
     const size_t n = murk_channels_list(NULL, scene->bands, scene->band_nm,
                                         has_coverage, list);
@@ -164,7 +164,7 @@ murk_status murk_images_name(murk_image_files *out, const murk_options *options,
     }
     if (!out->exr || (settings->png && !out->png) ||
         (settings->false_colour && !out->false_colour)) {
-        return murk_fail(err, MURK_NO_MEMORY, "render", "no memory for a name");
+        return murk_no_memory(err, "render", "for a name");
     }
     return check_writable(out, options->force, err);
 }
@@ -304,7 +304,7 @@ static murk_status write_false_colour(murk_image_files *images,
 {
     murk_channel *list = calloc(MURK_CHANNELS_MAX, sizeof *list);
     if (!list) {
-        return murk_fail(err, MURK_NO_MEMORY, "render", "no memory for names");
+        return murk_no_memory(err, "render", "for names");
     }
     /* The channel and its range. */
     const size_t n =

@@ -248,8 +248,7 @@ static murk_status read_profile(profile *p, const murk_table *t,
     snprintf(name, 64, "%.63s", t->name[coefficient.at]);
     p->knot = calloc(t->rows + 1, sizeof *p->knot);
     if (!p->knot) {
-        return murk_fail(err, MURK_NO_MEMORY, t->path, "no memory for %zu rows",
-                         t->rows);
+        return murk_no_memory(err, t->path, "for %zu rows", t->rows);
     }
     int direction = 0;
     for (size_t row = 0; row < t->rows && !status; ++row) {
@@ -318,8 +317,7 @@ static murk_status make_layers(murk_profile_layers *out, const profile *p,
     double *sum = calloc(out->n, sizeof *sum);
     if (!out->per_m || !sum) {
         free(sum);
-        return murk_fail(err, MURK_NO_MEMORY, settings->csv,
-                         "no memory for %zu voxels", out->n);
+        return murk_no_memory(err, settings->csv, "for %zu voxels", out->n);
     }
     fill(out, p, sum);
     double left = 0;
@@ -365,8 +363,7 @@ murk_status murk_profile_layers_write(const murk_profile_layers *layers,
     const size_t size[3] = {1, 1, layers->n};
     float *upwards = malloc(layers->n * sizeof *upwards);
     if (!upwards) {
-        return murk_fail(err, MURK_NO_MEMORY, path, "no memory for %zu voxels",
-                         layers->n);
+        return murk_no_memory(err, path, "for %zu voxels", layers->n);
     }
     for (size_t i = 0; i < layers->n; ++i) {
         upwards[i] = layers->per_m[layers->n - 1 - i];

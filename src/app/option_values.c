@@ -19,7 +19,7 @@
 
 static murk_status no_memory(murk_error *err)
 {
-    return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the options");
+    return murk_no_memory(err, "", "for the options");
 }
 
 /* Takes over a text until the options are released. NULL when out of memory,

@@ -150,8 +150,8 @@ static murk_status cover_all(strip *s, murk_error *err)
     /* Counts and clarities of the rows that are looked at together. */
     s->count = calloc(2 * cells, sizeof *s->count);
     if (!s->count) {
-        return murk_fail(err, MURK_NO_MEMORY, "render",
-                         "no memory for the coverage of %zu pixels", cells);
+        return murk_no_memory(err, "render", "for the coverage of %zu pixels",
+                              cells);
     }
     s->clearest = s->count + cells;
     murk_status status = MURK_OK;

@@ -129,8 +129,7 @@ static murk_status price(murk_matrix_plan *p, murk_error *err)
     const murk_sparse_matrix *m = p->matrix;
     p->cost = calloc(m->columns + 1, sizeof *p->cost);
     if (!p->cost) {
-        return murk_fail(err, MURK_NO_MEMORY, p->file,
-                         "no memory for the costs");
+        return murk_no_memory(err, p->file, "for the costs");
     }
     for (size_t j = 0; j < m->columns; ++j) {
         const double cost = m->cost ? m->cost[j] : 1;
@@ -178,8 +177,7 @@ static murk_status set_aside(murk_matrix_plan *p, murk_combined_rows *combined,
                                    p->redundancy) &&
                    p->covers.alone && p->covers.only && p->covers.seen_by
                ? MURK_OK
-               : murk_fail(err, MURK_NO_MEMORY, p->file,
-                           "no memory for the plan");
+               : murk_no_memory(err, p->file, "for the plan");
 }
 
 /* What the chosen columns cover, alone and together. */

@@ -52,7 +52,7 @@ static murk_status read_scene(murk_scene_desc **out,
     char seed[32], number[64];
     size_t n = 0;
     if (!all) {
-        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the options");
+        return murk_no_memory(err, "", "for the options");
     }
     if (!is_given(options, "seed")) {
         snprintf(seed, sizeof seed, "seed=%lu", (unsigned long)counts.seed);

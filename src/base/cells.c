@@ -44,8 +44,7 @@ static uint32_t hash_of(const int64_t cell[3])
 
 static murk_status no_memory(size_t n, murk_error *err)
 {
-    return murk_fail(err, MURK_NO_MEMORY, "", "no memory to sort %zu points",
-                     n);
+    return murk_no_memory(err, "", "to sort %zu points", n);
 }
 
 murk_status murk_cells_create(murk_cells **out, double size_m, murk_error *err)

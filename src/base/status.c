@@ -19,6 +19,17 @@ murk_status murk_fail(murk_error *err, murk_status status, const char *where,
     return status;
 }
 
+murk_status murk_no_memory(murk_error *err, const char *where,
+                           const char *purpose, ...)
+{
+    char text[sizeof err->text];
+    va_list args;
+    va_start(args, purpose);
+    vsnprintf(text, sizeof text, purpose, args);
+    va_end(args);
+    return murk_fail(err, MURK_NO_MEMORY, where, "no memory %s", text);
+}
+
 const char *murk_status_text(murk_status status)
 {
     switch (status) {

@@ -35,6 +35,12 @@ murk_status murk_fail(murk_error *err, murk_status status, const char *where,
                       const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
+/* Fails with MURK_NO_MEMORY and the text "no memory " and the given purpose, as
+ * "for %zu points" or "to write it". */
+murk_status murk_no_memory(murk_error *err, const char *where,
+                           const char *purpose, ...)
+    __attribute__((format(printf, 3, 4)));
+
 /* The meaning of a status in words, as in MURK_STATUSES. */
 const char *murk_status_text(murk_status status);
 

@@ -113,8 +113,8 @@ murk_status murk_beams_create(murk_beams **out, const murk_stage *stage,
         beams->profile = calloc(scene->n_media + 1, sizeof *beams->profile);
     }
     if (!beams || !beams->profile) {
-        status = murk_fail(err, MURK_NO_MEMORY, scene->path,
-                           "no memory for the media of its segments");
+        status =
+            murk_no_memory(err, scene->path, "for the media of its segments");
         goto done;
     }
     for (size_t i = 0; i < scene->n_media; ++i) {

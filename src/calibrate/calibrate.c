@@ -49,9 +49,7 @@ static murk_status allocate(murk_calibration *out, size_t n, size_t rows,
         out->start[i].to = murk_arena_array(arena, n, sizeof(double));
         out->start[i].chi2 = NAN;
     }
-    return arena->is_short
-               ? murk_fail(err, MURK_NO_MEMORY, "", "no memory for the fit")
-               : MURK_OK;
+    return arena->is_short ? murk_no_memory(err, "", "for the fit") : MURK_OK;
 }
 
 void murk_calibration_release(murk_calibration *c)

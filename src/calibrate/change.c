@@ -161,8 +161,7 @@ murk_status murk_changes_create(murk_changes *c,
     c->power_slope =
         murk_arena_array(arena, keys * c->channels, sizeof *c->power_slope);
     if (arena->is_short) {
-        return murk_fail(err, MURK_NO_MEMORY, "fit",
-                         "no memory for %zu parameters", keys);
+        return murk_no_memory(err, "fit", "for %zu parameters", keys);
     }
     /* Step of each key; 0 for keys without effect. */
     for (size_t k = 0; k < keys; ++k) {

@@ -58,7 +58,7 @@ murk_status murk_covered_create(murk_covered **out,
     }
     made = calloc(1, sizeof *made);
     if (!made) {
-        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for coverage");
+        return murk_no_memory(err, "", "for coverage");
     }
     /* Settings of the scene. */
     made->desc = *desc;
@@ -135,9 +135,7 @@ static murk_status find_slopes(murk_coverage_sums *s, const murk_covered *c,
     const murk_histories *histories = c->desc.histories;
     const size_t cells = murk_coverage_cells(s);
     double *low = calloc(cells + 1, sizeof *low);
-    murk_status status =
-        low ? MURK_OK
-            : murk_fail(err, MURK_NO_MEMORY, "", "no memory for slopes");
+    murk_status status = low ? MURK_OK : murk_no_memory(err, "", "for slopes");
     for (size_t k = 0; k < s->keys && !status; ++k) {
         const murk_optics_sides *side = &sides[k];
         double *slope = s->steepness + k * cells;
@@ -212,8 +210,8 @@ murk_status murk_covered_read(const murk_row_sums *out, size_t first,
     }
     status = status ? status : murk_interrupt_check(err);
     if (!status && !has_memory) {
-        status = murk_fail(err, MURK_NO_MEMORY, "",
-                           "no memory for the coverage of %zu groups", groups);
+        status =
+            murk_no_memory(err, "", "for the coverage of %zu groups", groups);
     }
     status = status ? status : mix_all(&mix, &sums, covered, err);
     /* Ratio, slopes and contributions of each group. */

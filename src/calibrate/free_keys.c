@@ -26,12 +26,6 @@ void murk_free_keys_destroy(murk_free_keys *keys)
     free(keys);
 }
 
-static murk_status no_memory(const murk_free_keys *keys, murk_error *err)
-{
-    return murk_fail(err, MURK_NO_MEMORY, keys->desc.scene_path,
-                     "no memory for a variant of the scene");
-}
-
 /* The changes of a scene. */
 typedef struct changes {
     murk_key_change *change; /* [n]; owned: the new values */
@@ -121,7 +115,8 @@ murk_status murk_free_scene(murk_scene_desc **out, const murk_free_keys *keys,
                              ? murk_scene_desc_read_variant(
                                    &scene, desc->scene_path, desc->overrides,
                                    desc->n_overrides, &variant, err)
-                             : no_memory(keys, err);
+                             : murk_no_memory(err, keys->desc.scene_path,
+                                              "for a variant of the scene");
     murk_warn_quiet(was_silent);
     status = status ? status : check_file(keys, scene, err);
     release(&all);

@@ -26,7 +26,7 @@
 
 static murk_status no_memory(murk_error *err)
 {
-    return murk_fail(err, MURK_NO_MEMORY, SOURCE, "no memory for free keys");
+    return murk_no_memory(err, SOURCE, "for free keys");
 }
 
 /* ---- places ---- */

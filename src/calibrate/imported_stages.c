@@ -25,8 +25,7 @@ murk_status murk_imported_stages_import(murk_imported_stages *out,
     *out = (murk_imported_stages){
         .stage = calloc(scene->n_conditions + 1, sizeof *out->stage)};
     if (!out->stage) {
-        return murk_fail(err, MURK_NO_MEMORY, scene->path,
-                         "no memory for its conditions");
+        return murk_no_memory(err, scene->path, "for its conditions");
     }
     murk_status status = MURK_OK;
     for (size_t i = 0; i <= scene->n_conditions && !status; ++i) {

@@ -57,8 +57,8 @@ murk_status murk_instruments_create(murk_instruments *out,
         .beam_row = murk_arena_array(&arena, rows, sizeof *out->beam_row)};
     out->arena = arena;
     if (arena.is_short) {
-        return murk_fail(err, MURK_NO_MEMORY, measured->path,
-                         "no memory for %zu readings", readings);
+        return murk_no_memory(err, measured->path, "for %zu readings",
+                              readings);
     }
     /* Beams and receivers, then groups of coverage. */
     for (size_t i = 0; i < measured->rows; ++i) {

@@ -14,8 +14,7 @@
 
 static murk_status no_memory(murk_error *err)
 {
-    return murk_fail(err, MURK_NO_MEMORY, "",
-                     "no memory to compare two scenes");
+    return murk_no_memory(err, "", "to compare two scenes");
 }
 
 /* ---- the world ---- */

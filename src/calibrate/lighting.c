@@ -18,7 +18,7 @@ static murk_status count_watts(murk_lighting *l, murk_error *err)
     l->per_watt =
         calloc(instruments->receivers * sources + 1, sizeof *l->per_watt);
     if (!l->per_watt) {
-        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for receivers");
+        return murk_no_memory(err, "", "for receivers");
     }
     for (size_t i = 0; i < instruments->receivers * sources; ++i) {
         for (int b = 0; b < l->scene->bands; ++b) {
@@ -113,9 +113,9 @@ murk_status murk_lighting_rows_create(murk_lighting_rows *out,
         .batch = murk_arena_array(&arena, lights * desc->batches, size),
         .run = murk_arena_array(&arena, lights * desc->runs * keys, size)};
     out->arena = arena;
-    return arena.is_short ? murk_fail(err, MURK_NO_MEMORY, "",
-                                      "no memory for %zu rows of light", lights)
-                          : MURK_OK;
+    return arena.is_short
+               ? murk_no_memory(err, "", "for %zu rows of light", lights)
+               : MURK_OK;
 }
 
 void murk_lighting_rows_release(murk_lighting_rows *rows)

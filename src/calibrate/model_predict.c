@@ -16,7 +16,7 @@
 
 murk_status murk_model_no_memory(murk_error *err)
 {
-    return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the fit's model");
+    return murk_no_memory(err, "", "for the fit's model");
 }
 
 bool murk_model_changes_world(const murk_model *m, size_t k, size_t c)

@@ -10,8 +10,7 @@
 
 static murk_status no_memory(const murk_scene_desc *scene, murk_error *err)
 {
-    return murk_fail(err, MURK_NO_MEMORY, scene->path,
-                     "no memory for its optics");
+    return murk_no_memory(err, scene->path, "for its optics");
 }
 
 static murk_status fill_media(murk_optics *o, murk_error *err)

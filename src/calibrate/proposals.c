@@ -18,7 +18,7 @@
 
 static murk_status no_memory(murk_error *err)
 {
-    return murk_fail(err, MURK_NO_MEMORY, "", "no memory for proposals");
+    return murk_no_memory(err, "", "for proposals");
 }
 
 void murk_proposals_release(murk_proposals *out)

@@ -108,8 +108,7 @@ murk_status murk_receiver_tree_create(murk_receiver_tree **out,
     if (!c || !scratch || !c->order || !c->nodes) {
         murk_receiver_tree_destroy(c);
         free(scratch);
-        return murk_fail(err, MURK_NO_MEMORY, "receivers",
-                         "no memory for %zu receivers", n);
+        return murk_no_memory(err, "receivers", "for %zu receivers", n);
     }
     /* Build. */
     for (size_t i = 0; i < n; ++i) {

@@ -251,10 +251,9 @@ murk_status murk_recorder_gather(murk_recorder *r, uint64_t last,
     const size_t volume = r->buffers ? r->buffers->volume.n : 0;
     for (size_t b = 0; b < MURK_WAVE_BATCHES; ++b) {
         if (!move(r, &r->photon[b], last)) {
-            return murk_fail(err, MURK_NO_MEMORY, "fit",
-                             "no memory for more than %.3g contributions and "
-                             "%.3g cosines",
-                             (double)r->all->n, (double)r->all->turns);
+            return murk_no_memory(
+                err, "fit", "for more than %.3g contributions and %.3g cosines",
+                (double)r->all->n, (double)r->all->turns);
         }
     }
     if (r->buffers) {
@@ -294,7 +293,7 @@ murk_status murk_recorder_create(murk_recorder **out,
 {
     murk_recorder *r = calloc(1, sizeof *r);
     if (!r) {
-        return murk_fail(err, MURK_NO_MEMORY, "fit", "no memory to trace");
+        return murk_no_memory(err, "fit", "to trace");
     }
     r->desc = desc;
     r->all = all;
@@ -312,10 +311,9 @@ murk_status murk_recorder_create(murk_recorder **out,
             murk_arena_array(&r->arena, desc->receivers, sizeof *f->chord);
     }
     /* Media by themselves, and the receivers. */
-    murk_status status =
-        r->arena.is_short
-            ? murk_fail(err, MURK_NO_MEMORY, "fit", "no memory to trace")
-            : make_alone(r, err);
+    murk_status status = r->arena.is_short
+                             ? murk_no_memory(err, "fit", "to trace")
+                             : make_alone(r, err);
     status = status ? status
                     : murk_receiver_tree_create(&r->tree, desc->receiver,
                                                 desc->receivers, err);

@@ -311,10 +311,10 @@ murk_status murk_reweigh(murk_reweighed *out, const murk_histories *histories,
     /* Allocate; then re-weight in parallel. */
     slope = malloc((threads * keys + 1) * sizeof *slope);
     if (!slope || !reserve(out, n, keys)) {
-        status = murk_fail(err, MURK_NO_MEMORY, "fit",
-                           "no memory for %zu contributions and their slopes "
-                           "by %zu parameters",
-                           n, keys);
+        status = murk_no_memory(
+            err, "fit",
+            "for %zu contributions and their slopes by %zu parameters", n,
+            keys);
         goto done;
     }
     job j = {histories, &changes, out, slope};
@@ -323,7 +323,7 @@ murk_status murk_reweigh(murk_reweighed *out, const murk_histories *histories,
     const bool has_sums = find_effective_share(out, histories, threads);
     status = murk_interrupt_check(err);
     if (!status && !has_sums) {
-        status = murk_fail(err, MURK_NO_MEMORY, "fit", "no memory for sums");
+        status = murk_no_memory(err, "fit", "for sums");
     }
 done:
     free(slope);

@@ -70,7 +70,7 @@ murk_status murk_fit_search_create(murk_fit_search *out,
     out->slope = murk_arena_array(arena, rows * n, sizeof(double));
     out->jacobian = murk_arena_array(arena, rows * n, sizeof(double));
     if (arena->is_short) {
-        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the search");
+        return murk_no_memory(err, "", "for the search");
     }
     list_rows(out);
     for (size_t k = 0; k < n; ++k) {
@@ -118,7 +118,7 @@ static murk_status whiten(murk_fit_search *s, murk_error *err)
     double *all, *covariance = calloc(s->n_light * s->n_light, sizeof(double));
     murk_status status = murk_model_noise(s->model, &all, err);
     if (!status && !covariance) {
-        status = murk_fail(err, MURK_NO_MEMORY, "", "no memory for the search");
+        status = murk_no_memory(err, "", "for the search");
     }
     /* Copy the covariance of the fitted rows. */
     for (size_t i = 0; i < s->n_light && !status; ++i) {

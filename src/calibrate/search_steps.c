@@ -18,11 +18,6 @@
 #define SETTLED    .02
 #define SETTLE_MAX 8
 
-static murk_status no_memory(murk_error *err)
-{
-    return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the search");
-}
-
 /* The model linearised about a point. */
 typedef struct linear {
     const murk_fit_search *search;
@@ -52,7 +47,8 @@ murk_status murk_fit_leap(murk_fit_search *s, double *x, murk_error *err)
     double *from = murk_arena_array(&arena, s->n, sizeof *from);
     double *lower = murk_arena_array(&arena, s->n, sizeof *lower);
     double *upper = murk_arena_array(&arena, s->n, sizeof *upper);
-    murk_status status = arena.is_short ? no_memory(err) : MURK_OK;
+    murk_status status =
+        arena.is_short ? murk_no_memory(err, "", "for the search") : MURK_OK;
     /* The trust region about x. */
     for (size_t k = 0; k < s->n && !status; ++k) {
         const double reach = /* infinite if a bound is */
@@ -128,7 +124,8 @@ murk_status murk_fit_settle(murk_fit_search *s, double *x, murk_error *err)
     double *before = murk_arena_array(&arena, n, sizeof *before);
     double *scratch =
         murk_arena_array(&arena, s->n_fitted * (n + 1) + n, sizeof *scratch);
-    murk_status status = arena.is_short ? no_memory(err) : MURK_OK;
+    murk_status status =
+        arena.is_short ? murk_no_memory(err, "", "for the search") : MURK_OK;
     double length = INFINITY;
     for (int i = 0; i < SETTLE_MAX && !status && length > SETTLED; ++i) {
         memcpy(before, x, n * sizeof *x);

@@ -19,7 +19,7 @@
 
 static murk_status no_memory(murk_error *err)
 {
-    return murk_fail(err, MURK_NO_MEMORY, "", "no memory for slopes' noise");
+    return murk_no_memory(err, "", "for slopes' noise");
 }
 
 void murk_slope_noise_release(murk_slope_noise *noise)

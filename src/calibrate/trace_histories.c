@@ -148,9 +148,7 @@ static murk_status make_buffers(murk_record_buffers **out,
         return MURK_OK;
     }
     *out = murk_record_buffers_create(&desc->stage->scene->photons);
-    return *out ? MURK_OK
-                : murk_fail(err, MURK_NO_MEMORY, where_of(desc),
-                            "no memory to trace");
+    return *out ? MURK_OK : murk_no_memory(err, where_of(desc), "to trace");
 }
 
 murk_status murk_histories_trace(murk_histories **out,
@@ -173,8 +171,7 @@ murk_status murk_histories_trace(murk_histories **out,
     if (!status) {
         histories = create(desc);
         status = histories ? MURK_OK
-                           : murk_fail(err, MURK_NO_MEMORY, where_of(desc),
-                                       "no memory to trace");
+                           : murk_no_memory(err, where_of(desc), "to trace");
     }
     if (status ||
         (status = murk_recorder_create(&j.recorder, desc, histories, buffers,

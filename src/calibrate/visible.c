@@ -169,11 +169,10 @@ static murk_status make_media(search *f, murk_error *err)
     f->extinction = murk_arena_array(
         &f->arena, visible->acceptances * bands * histories->media,
         sizeof *f->extinction);
-    murk_status status = f->arena.is_short
-                             ? murk_fail(err, MURK_NO_MEMORY, "media",
-                                         "no memory for what sensors see "
-                                         "through")
-                             : MURK_OK;
+    murk_status status =
+        f->arena.is_short
+            ? murk_no_memory(err, "media", "for what sensors see through")
+            : MURK_OK;
     /* Media without extinction: surfaces alone decide. */
     if (!status) {
         status = murk_media_rescale(&f->clear, stage->media, extinction, err);
@@ -203,8 +202,8 @@ static murk_status make_sight(search *f, murk_error *err)
     const murk_scene_placement *settings = &f->scene->placement;
     murk_sensor_type *types = murk_poses_types(f->scene);
     if (!types) {
-        return murk_fail(err, MURK_NO_MEMORY, f->scene->sensors.where,
-                         "no memory for the sensors' types");
+        return murk_no_memory(err, f->scene->sensors.where,
+                              "for the sensors' types");
     }
     /* Acceptance is part of the extinctions here. */
     for (size_t k = 0; k < f->scene->sensors.types; ++k) {
@@ -301,8 +300,7 @@ static murk_status allocate(search *f, murk_error *err)
     }
     return visible && !visible->arena.is_short && !f->arena.is_short
                ? MURK_OK
-               : murk_fail(err, MURK_NO_MEMORY, "",
-                           "no memory to look at %zu records", n);
+               : murk_no_memory(err, "", "to look at %zu records", n);
 }
 
 /* Errors of the parallel steps. */

@@ -80,8 +80,7 @@ static murk_status differ_by_step(difference *out,
     murk_lighting_rows side[2] = {{0}, {0}};
     double *moved = malloc(n * sizeof *moved), end[2];
     murk_status status =
-        moved ? MURK_OK
-              : murk_fail(err, MURK_NO_MEMORY, "", "no memory for slopes");
+        moved ? MURK_OK : murk_no_memory(err, "", "for slopes");
     murk_world_span(&desc->keys->key[key], value[key], share, &end[0], &end[1]);
     /* Evaluate at both values. */
     for (int i = 0; i < 2 && !status; ++i) {
@@ -106,7 +105,7 @@ murk_status murk_world_slopes(double *slope, double *slope_error,
     const size_t lights = desc->instruments->lights;
     double *scratch = calloc(4 * lights + 1, sizeof *scratch);
     if (!scratch) {
-        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for slopes");
+        return murk_no_memory(err, "", "for slopes");
     }
     difference wide = {scratch, scratch + lights},
                narrow = {scratch + 2 * lights, scratch + 3 * lights};

@@ -70,8 +70,8 @@ static murk_status keep(choosing *ch, const char *made_for,
     plan->count = place->count;
     plan->sensor = calloc(place->count + 1, sizeof *plan->sensor);
     if (!plan->sensor) {
-        return murk_fail(err, MURK_NO_MEMORY, "",
-                         "no memory for a plan of %zu sensors", place->count);
+        return murk_no_memory(err, "", "for a plan of %zu sensors",
+                              place->count);
     }
     for (size_t k = 0; k < place->count; ++k) {
         plan->sensor[k] = ch->plan->poses->pose[place->sensor[k]];

@@ -141,8 +141,8 @@ static murk_status shake(murk_condition_plans *plans, size_t c,
 static murk_status no_memory_for_draws(const murk_condition_plans *plans,
                                        murk_error *err)
 {
-    return murk_fail(err, MURK_NO_MEMORY, plans->conditions->scene->path,
-                     "no memory for %zu draws of jitter", draws_of(plans));
+    return murk_no_memory(err, plans->conditions->scene->path,
+                          "for %zu draws of jitter", draws_of(plans));
 }
 
 static murk_status allocate_jitter(murk_condition_plans *plans, murk_error *err)
@@ -440,8 +440,7 @@ murk_status murk_plan_for_scene(murk_plan_result *plan, const murk_stage *stage,
 {
     murk_condition_plans *plans = calloc(1, sizeof *plans);
     if (!plans) {
-        return murk_fail(err, MURK_NO_MEMORY, stage->scene->path,
-                         "no memory for the plan");
+        return murk_no_memory(err, stage->scene->path, "for the plan");
     }
     murk_status status =
         murk_conditions_of_stage(&plans->conditions, stage, traced, err);

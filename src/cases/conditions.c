@@ -40,8 +40,7 @@ murk_status murk_conditions_create(murk_conditions **out,
 {
     murk_conditions *all = calloc(1, sizeof *all);
     if (!all) {
-        return murk_fail(err, MURK_NO_MEMORY, scene->path,
-                         "no memory for conditions");
+        return murk_no_memory(err, scene->path, "for conditions");
     }
     all->scene = scene;
     all->n = scene->n_conditions;
@@ -132,8 +131,7 @@ murk_status murk_conditions_again(murk_conditions **out,
     }
     if (!has_memory) {
         murk_conditions_destroy(all);
-        return murk_fail(err, MURK_NO_MEMORY, from->scene->path,
-                         "no memory for conditions");
+        return murk_no_memory(err, from->scene->path, "for conditions");
     }
     *out = all;
     return MURK_OK;

@@ -14,7 +14,7 @@
 
 static murk_status no_memory(size_t runs, murk_error *err)
 {
-    return murk_fail(err, MURK_NO_MEMORY, "", "no memory for %zu runs", runs);
+    return murk_no_memory(err, "", "for %zu runs", runs);
 }
 
 /* ---- runs ---- */

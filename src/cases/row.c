@@ -23,7 +23,7 @@ murk_status murk_study_row_add(murk_study_row *row, const char *name,
     murk_study_value *grown =
         realloc(row->value, (row->values + 1) * sizeof *grown);
     if (!grown) {
-        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for a row");
+        return murk_no_memory(err, "", "for a row");
     }
     row->value = grown;
     murk_study_value *v = &row->value[row->values++];
@@ -42,7 +42,7 @@ murk_status murk_study_row_set_sensors(murk_study_row *row,
     row->sensors = 0;
     row->sensor = calloc(n + 1, sizeof *row->sensor);
     if (!row->sensor) {
-        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for a row");
+        return murk_no_memory(err, "", "for a row");
     }
     row->sensors = n;
     for (size_t i = 0; i < n; ++i) {
@@ -77,8 +77,8 @@ murk_status murk_study_row_poses(murk_pose **out, const murk_study_row *row,
 {
     murk_pose *pose = calloc(row->sensors + 1, sizeof *pose);
     if (!pose) {
-        return murk_fail(err, MURK_NO_MEMORY, scene->path,
-                         "no memory for %zu sensors", row->sensors);
+        return murk_no_memory(err, scene->path, "for %zu sensors",
+                              row->sensors);
     }
     for (size_t i = 0; i < row->sensors; ++i) {
         const murk_study_sensor *s = &row->sensor[i];

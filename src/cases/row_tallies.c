@@ -15,12 +15,6 @@
 /* Of the grid of fluence where the study says nothing. */
 #define FLUENCE_CELLS 32768
 
-static murk_status no_memory(const murk_scene_desc *scene, murk_error *err)
-{
-    return murk_fail(err, MURK_NO_MEMORY, scene->path,
-                     "no memory for what is measured");
-}
-
 static void note(murk_row_tallies *g, const char *text, const char *name)
 {
     const size_t n = strlen(g->note);
@@ -142,7 +136,7 @@ murk_status murk_row_tallies_create(murk_row_tallies *out,
                               .row_tally =
                                   calloc(maximum, sizeof *out->row_tally)};
     if (!out->desc || !out->row_tally) {
-        return no_memory(scene, err);
+        return murk_no_memory(err, scene->path, "for what is measured");
     }
     /* Densities of the domain and of the regions. */
     if (outputs->wants[MURK_OUTPUT_DENSITY]) {
@@ -318,7 +312,7 @@ murk_status murk_row_tallies_write_fluence(const char *path,
     char names[MURK_BANDS_MAX][48];
     float *value = malloc((size_t)scene->bands * cells * sizeof *value);
     if (!value) {
-        return no_memory(scene, err);
+        return murk_no_memory(err, scene->path, "for what is measured");
     }
     /* One field for each band. */
     for (int b = 0; b < scene->bands; ++b) {

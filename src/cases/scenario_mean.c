@@ -73,8 +73,8 @@ murk_status murk_scenario_mean_coverage(murk_coverage_result *out,
     if (!murk_coverage_result_create(&mean, sensors, regions) || !sums.region) {
         free(sums.region);
         murk_coverage_result_release(&mean);
-        return murk_fail(err, MURK_NO_MEMORY, "",
-                         "no memory for the coverage of %zu sensors", sensors);
+        return murk_no_memory(err, "", "for the coverage of %zu sensors",
+                              sensors);
     }
     for (size_t c = 0; c < n; ++c) {
         if (weight[c] > 0) {

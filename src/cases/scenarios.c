@@ -122,8 +122,7 @@ murk_status murk_scenarios_create(murk_scenarios **out,
     assert(n >= 1 && n <= MURK_BLOCKS_MAX);
     murk_scenarios *j = calloc(1, sizeof *j);
     if (!j) {
-        return murk_fail(err, MURK_NO_MEMORY, "",
-                         "no memory for %zu conditions", n);
+        return murk_no_memory(err, "", "for %zu conditions", n);
     }
     j->scene = scene;
     j->poses = poses;
@@ -148,9 +147,8 @@ murk_status murk_scenarios_create(murk_scenarios **out,
                            "below 2^32",
                            j->problem.photons, n);
     } else if (!set_aside(j)) {
-        status = murk_fail(err, MURK_NO_MEMORY, "",
-                           "no memory for %zu photons of %zu conditions",
-                           j->problem.photons, n);
+        status = murk_no_memory(err, "", "for %zu photons of %zu conditions",
+                                j->problem.photons, n);
     }
 
     /* Each candidate looks once where the environment is known. */
@@ -235,8 +233,7 @@ murk_status murk_scenarios_place_one(murk_place_result *out,
     const size_t first = j->blocks.first[block];
     uint32_t *weight = calloc(problem.photons + 1, sizeof *weight);
     if (!weight) {
-        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for %zu photons",
-                         problem.photons);
+        return murk_no_memory(err, "", "for %zu photons", problem.photons);
     }
     /* Weights of all other scenarios are 0. */
     memcpy(weight + first,

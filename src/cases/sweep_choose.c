@@ -44,11 +44,6 @@ static size_t number_of(const murk_sweep *sweep, size_t row)
     return i;
 }
 
-static murk_status no_memory(murk_error *err)
-{
-    return murk_fail(err, MURK_NO_MEMORY, "", "no memory for a plan of rows");
-}
-
 /* ---- worlds and light ---- */
 
 static murk_status import_group(choosing *ch, size_t g, murk_error *err)
@@ -182,7 +177,7 @@ static murk_status tell(const choosing *ch, const murk_place_result *found,
 {
     murk_pose *sensor = calloc(found->count + 1, sizeof *sensor);
     if (!sensor) {
-        return no_memory(err);
+        return murk_no_memory(err, "", "for a plan of rows");
     }
     /* The sensors of the plan. */
     for (size_t i = 0; i < found->count; ++i) {
@@ -256,7 +251,9 @@ murk_status murk_sweep_choose(murk_isolated *isolated, void *context,
     choosing ch = {.sweep = sweep,
                    .light = calloc(sweep->groups + 1, sizeof *ch.light)};
     murk_warn_to(NULL); /* the rows have told them */
-    murk_status status = ch.light ? light_all(&ch, err) : no_memory(err);
+    murk_status status = ch.light
+                             ? light_all(&ch, err)
+                             : murk_no_memory(err, "", "for a plan of rows");
     if (!status) {
         status = join(&ch, err);
     }

@@ -17,7 +17,7 @@
 
 static murk_status no_memory(murk_error *err)
 {
-    return murk_fail(err, MURK_NO_MEMORY, "", "no memory for a row");
+    return murk_no_memory(err, "", "for a row");
 }
 
 /* What the keys of a row are made from. */

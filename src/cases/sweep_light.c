@@ -17,7 +17,7 @@ static murk_status allocate(murk_sweep_light *l, murk_error *err)
     l->power_w = calloc(l->n, sizeof *l->power_w);
     return l->scene && l->stage && l->why && l->power_w
                ? MURK_OK
-               : murk_fail(err, MURK_NO_MEMORY, "", "no memory for rows");
+               : murk_no_memory(err, "", "for rows");
 }
 
 bool murk_sweep_job_wants(const murk_sweep_job *job, size_t k)

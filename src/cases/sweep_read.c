@@ -13,12 +13,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static murk_status no_memory(const murk_sweep_desc *desc, murk_error *err)
-{
-    return murk_fail(err, MURK_NO_MEMORY, desc->study->path,
-                     "no memory for %zu rows", desc->study->rows);
-}
-
 /* ---- rows and groups ---- */
 
 /* While rows are read. */
@@ -197,7 +191,10 @@ murk_status murk_sweep_create(murk_sweep **out, const murk_sweep_desc *desc,
         sweep->row = calloc(rows, sizeof *sweep->row);
     }
     murk_status status =
-        sweep && sweep->row && r.keys ? MURK_OK : no_memory(desc, err);
+        sweep && sweep->row && r.keys
+            ? MURK_OK
+            : murk_no_memory(err, desc->study->path, "for %zu rows",
+                             desc->study->rows);
     /* Check the study and read the scenes of all rows. */
     if (!status) {
         status = check_overrides(desc, err);

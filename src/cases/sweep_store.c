@@ -164,7 +164,7 @@ murk_status murk_sweep_send(murk_isolated *isolated, size_t number,
     char *message = murk_study_row_print(row, number);
     const murk_status status =
         message ? murk_isolated_send(isolated, message, strlen(message), err)
-                : murk_fail(err, MURK_NO_MEMORY, "", "no memory for a row");
+                : murk_no_memory(err, "", "for a row");
     free(message);
     return status;
 }

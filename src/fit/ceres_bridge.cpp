@@ -255,7 +255,7 @@ template <typename Work> murk_status guard(murk_error *err, Work work)
         work();
         return MURK_OK;
     } catch (const std::bad_alloc &) {
-        return murk_fail(err, MURK_NO_MEMORY, "fit", "no memory for a fit");
+        return murk_no_memory(err, "fit", "for a fit");
     } catch (const std::exception &e) {
         return murk_fail(err, MURK_RUN_FAILED, "fit", "%s", e.what());
     } catch (...) {

@@ -73,8 +73,8 @@ static murk_status scaled_create(scaled *s, const double *jacobian, size_t rows,
     s->singular = murk_arena_array(&s->arena, n, sizeof(double));
     s->direction = murk_arena_array(&s->arena, n * n, sizeof(double));
     if (s->arena.is_short) {
-        return murk_fail(err, MURK_NO_MEMORY, "fit",
-                         "no memory for the errors of %zu parameters", n);
+        return murk_no_memory(err, "fit", "for the errors of %zu parameters",
+                              n);
     }
     for (size_t j = 0; j < n; ++j) {
         if (!is_fixed || !is_fixed[j]) {
@@ -179,8 +179,8 @@ murk_status murk_certainty_create(murk_certainty *out, const double *jacobian,
     c.direction = murk_arena_array(&c.arena, n * n, sizeof(double));
     c.direction_error = murk_arena_array(&c.arena, n, sizeof(double));
     if (c.arena.is_short) {
-        status = murk_fail(err, MURK_NO_MEMORY, "fit",
-                           "no memory for the errors of %zu parameters", n);
+        status =
+            murk_no_memory(err, "fit", "for the errors of %zu parameters", n);
         goto done;
     }
     read_directions(&c, &s, undetermined);

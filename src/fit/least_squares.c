@@ -386,9 +386,8 @@ murk_status murk_least_squares_solve(murk_least_squares_found *found, double *x,
     }
     search s = {.problem = problem};
     if (!allocate(&s)) {
-        status = murk_fail(err, MURK_NO_MEMORY, "fit",
-                           "no memory for %zu rows of %zu parameters",
-                           problem->rows, problem->n);
+        status = murk_no_memory(err, "fit", "for %zu rows of %zu parameters",
+                                problem->rows, problem->n);
         goto done;
     }
     /* Evaluate the start. */

@@ -355,11 +355,10 @@ static murk_status choice_create(choice *c, murk_error *err)
     c->work = murk_arena_array(arena, n * TOGETHER, size);
     c->is_picked = murk_arena_array(arena, c->candidates, sizeof(bool));
     c->pick = murk_arena_array(arena, c->k, sizeof *c->pick);
-    return arena->is_short ? murk_fail(err, MURK_NO_MEMORY, "fit",
-                                       "no memory to choose among %zu "
-                                       "candidates",
-                                       c->candidates)
-                           : MURK_OK;
+    return arena->is_short
+               ? murk_no_memory(err, "fit", "to choose among %zu candidates",
+                                c->candidates)
+               : MURK_OK;
 }
 
 murk_status murk_optimal_choose(murk_optimal_pick *pick, size_t k,

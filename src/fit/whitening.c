@@ -50,8 +50,8 @@ murk_status murk_whitening_create(murk_whitening **out,
     const size_t cells = rows * rows;
     whitening = malloc(sizeof *whitening + cells * sizeof(double));
     if (!whitening) {
-        status = murk_fail(err, MURK_NO_MEMORY, "fit",
-                           "no memory for the covariance of %zu rows", rows);
+        status =
+            murk_no_memory(err, "fit", "for the covariance of %zu rows", rows);
         goto done;
     }
     whitening->rows = rows;

@@ -38,9 +38,8 @@ murk_status murk_area_create(murk_area **out, const murk_surfaces *surfaces,
         malloc((soup->triangles + soup->spheres + 1) * sizeof *up_to);
     murk_status status = MURK_OK;
     if (!area || !up_to) {
-        status = murk_fail(err, MURK_NO_MEMORY, where,
-                           "no memory for the area of %zu triangles",
-                           soup->triangles);
+        status = murk_no_memory(err, where, "for the area of %zu triangles",
+                                soup->triangles);
         goto done;
     }
     area->surfaces = surfaces;

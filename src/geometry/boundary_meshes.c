@@ -44,8 +44,7 @@ murk_status murk_boundary_meshes_create(murk_boundary_meshes **out,
     murk_boundary_meshes *made =
         calloc(1, sizeof *made + n * sizeof *made->boundary_mesh);
     if (!made) {
-        return murk_fail(err, MURK_NO_MEMORY, "regions",
-                         "no memory for %zu meshes", n);
+        return murk_no_memory(err, "regions", "for %zu meshes", n);
     }
     /* Build the ray scene of each mesh. */
     murk_status status = MURK_OK;

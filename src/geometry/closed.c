@@ -171,10 +171,8 @@ murk_status murk_closed_parts(const float *vertex, size_t vertices,
     bool *odd = calloc(n + 1, sizeof *odd);
     murk_status status = MURK_OK;
     if (!topology_init(&t, vertex, vertices, corner, n) || !odd) {
-        status = murk_fail(err, MURK_NO_MEMORY, "geometry",
-                           "no memory to look for closed parts of %zu "
-                           "triangles",
-                           n);
+        status = murk_no_memory(err, "geometry",
+                                "to look for closed parts of %zu triangles", n);
         goto done;
     }
     /* Join the triangles around each edge, and mark one triangle of each edge
@@ -275,9 +273,8 @@ murk_status murk_patches_find(murk_patches *p, const float *vertex,
     murk_status status = MURK_OK;
     if (!topology_init(&t, vertex, vertices, corner, n) || !p->patch ||
         !p->is_turned || !p->is_copy) {
-        status =
-            murk_fail(err, MURK_NO_MEMORY, "geometry",
-                      "no memory to look for the sides of %zu triangles", n);
+        status = murk_no_memory(err, "geometry",
+                                "to look for the sides of %zu triangles", n);
         goto done;
     }
     /* Join patches along the sorted edges, then number them. A root is the

@@ -367,8 +367,7 @@ murk_status murk_import_work(murk_subprocess *subprocess, void *context,
     }
     traversal *t = calloc(1, sizeof *t);
     if (!t) {
-        return murk_fail(err, MURK_NO_MEMORY, request->where,
-                         "no memory to read %s", request->path);
+        return murk_no_memory(err, request->where, "to read %s", request->path);
     }
     t->subprocess = subprocess;
     t->request = request;

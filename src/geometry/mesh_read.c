@@ -158,9 +158,8 @@ static murk_status unpack(murk_mesh *mesh, const unsigned char *bytes,
     }
     /* Copy the arrays and check each value. */
     if (!allocate(mesh, &head)) {
-        return murk_fail(err, MURK_NO_MEMORY, where,
-                         "no memory for the %zu triangles of %s",
-                         mesh->triangles, path);
+        return murk_no_memory(err, where, "for the %zu triangles of %s",
+                              mesh->triangles, path);
     }
     take(mesh->vertex_m, 3 * mesh->vertices * sizeof(float), &bytes);
     for (size_t i = 0; i < mesh->triangles; ++i) {
@@ -212,9 +211,8 @@ murk_status murk_mesh_read(murk_mesh **out, const char *path,
     }
     /* Unpack and check the result. */
     murk_mesh *mesh = calloc(1, sizeof *mesh);
-    status =
-        mesh ? unpack(mesh, bytes, size, path, where, err)
-             : murk_fail(err, MURK_NO_MEMORY, where, "no memory for %s", path);
+    status = mesh ? unpack(mesh, bytes, size, path, where, err)
+                  : murk_no_memory(err, where, "for %s", path);
     free(bytes);
     if (status) {
         murk_mesh_destroy(mesh);

@@ -60,8 +60,8 @@ static murk_status append_site(murk_mount_builder *l,
         const size_t capacity = l->capacity ? 2 * l->capacity : 256;
         murk_mount_site *grown = realloc(l->site, capacity * sizeof *grown);
         if (!grown) {
-            return murk_fail(l->err, MURK_NO_MEMORY, l->where,
-                             "no memory for %zu places on surfaces", capacity);
+            return murk_no_memory(l->err, l->where,
+                                  "for %zu places on surfaces", capacity);
         }
         l->site = grown;
         l->capacity = capacity;

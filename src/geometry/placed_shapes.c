@@ -107,8 +107,8 @@ static murk_status allocate(murk_placed_shapes *g, murk_error *err)
     g->triangle = malloc((g->triangles + 1) * sizeof *g->triangle);
     g->sphere = malloc((g->spheres + 1) * sizeof *g->sphere);
     if (!g->vertex || !g->triangle || !g->sphere) {
-        return murk_fail(err, MURK_NO_MEMORY, "geometry",
-                         "no memory for %zu triangles", g->triangles);
+        return murk_no_memory(err, "geometry", "for %zu triangles",
+                              g->triangles);
     }
     g->vertices = g->triangles = g->spheres = 0;
     return MURK_OK;
@@ -161,8 +161,8 @@ static murk_status add_mesh(murk_placed_shapes *g, const murk_surface_desc *d,
     const murk_mesh *m = d->mesh;
     uint8_t *own = malloc(m->materials + 1);
     if (!own) {
-        return murk_fail(err, MURK_NO_MEMORY, murk_place_of(d),
-                         "no memory for %zu materials", m->materials);
+        return murk_no_memory(err, murk_place_of(d), "for %zu materials",
+                              m->materials);
     }
     for (size_t i = 0; i < m->materials; ++i) {
         bool is_named;

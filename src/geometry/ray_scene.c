@@ -139,9 +139,9 @@ static murk_status embree_failed(murk_surfaces *s, murk_error *err)
     case RTC_ERROR_NONE:
         return MURK_OK;
     case RTC_ERROR_OUT_OF_MEMORY:
-        return murk_fail(err, MURK_NO_MEMORY, "geometry",
-                         "no memory to prepare rays through %zu triangles",
-                         s->soup.triangles);
+        return murk_no_memory(err, "geometry",
+                              "to prepare rays through %zu triangles",
+                              s->soup.triangles);
     default:
         return murk_fail(err, MURK_RUN_FAILED, "geometry",
                          "Embree cannot prepare rays through %zu triangles "

@@ -113,9 +113,8 @@ static murk_status learn_sides(murk_boundary_mesh *b, const murk_patches *p,
     double *area = calloc(p->patches + 1, sizeof *area);
     bool *is_inward = malloc(soup->triangles + 1);
     if (!largest || !area || !is_inward) {
-        status = murk_fail(err, MURK_NO_MEMORY, where,
-                           "no memory for the sides of %zu triangles",
-                           soup->triangles);
+        status = murk_no_memory(err, where, "for the sides of %zu triangles",
+                                soup->triangles);
         goto done;
     }
     /* The largest triangle of each patch, where rounding matters least. */

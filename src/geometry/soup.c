@@ -63,8 +63,7 @@ static murk_status store_vertices(murk_soup *soup, const murk_placed_shapes *g,
     soup->vertices = g->vertices;
     soup->vertex = malloc(3 * (g->vertices + 1) * sizeof *soup->vertex);
     if (!soup->vertex) {
-        return murk_fail(err, MURK_NO_MEMORY, "geometry",
-                         "no memory for %zu vertices", g->vertices);
+        return murk_no_memory(err, "geometry", "for %zu vertices", g->vertices);
     }
     for (size_t i = 0; i < g->vertices; ++i) {
         const murk_vec3 p = murk_sub(g->vertex[i], soup->anchor);
@@ -133,8 +132,8 @@ static murk_status find_solid(murk_soup *soup, murk_placed_shapes *g,
     uint32_t *corner = malloc(3 * (last - first) * sizeof *corner);
     bool *is_closed = malloc((last - first) * sizeof *is_closed);
     if (!index || !corner || !is_closed) {
-        status = murk_fail(err, MURK_NO_MEMORY, murk_place_of(d),
-                           "no memory to look for closed parts");
+        status =
+            murk_no_memory(err, murk_place_of(d), "to look for closed parts");
         goto done;
     }
     /* Collect the triangles of this material, with vertices numbered from
@@ -242,8 +241,8 @@ static murk_status store_faces(murk_soup *soup, const murk_placed_shapes *g,
     soup->solid = malloc((g->triangles + 1) * sizeof *soup->solid);
     soup->sphere = malloc((g->spheres + 1) * sizeof *soup->sphere);
     if (!soup->corner || !soup->material || !soup->solid || !soup->sphere) {
-        return murk_fail(err, MURK_NO_MEMORY, "geometry",
-                         "no memory for %zu triangles", g->triangles);
+        return murk_no_memory(err, "geometry", "for %zu triangles",
+                              g->triangles);
     }
     /* One pass for each kind of face. */
     for (int face = 0; face < MURK_FACES; ++face) {

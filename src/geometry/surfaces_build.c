@@ -42,8 +42,7 @@ static murk_status prepare(murk_surfaces *s, const murk_surface_desc *surfaces,
     s->material = malloc(n * sizeof *s->material);
     s->material_area_m2 = calloc(n, sizeof *s->material_area_m2);
     if (!s->material || !s->material_area_m2) {
-        return murk_fail(err, MURK_NO_MEMORY, "materials",
-                         "no memory for %zu materials", n);
+        return murk_no_memory(err, "materials", "for %zu materials", n);
     }
     memcpy(s->material, materials, n * sizeof *s->material);
     const murk_status status =
@@ -72,8 +71,7 @@ murk_status murk_surfaces_create(murk_surfaces **out,
     }
     murk_surfaces *s = calloc(1, sizeof *s);
     if (!s) {
-        return murk_fail(err, MURK_NO_MEMORY, "geometry",
-                         "no memory for surfaces");
+        return murk_no_memory(err, "geometry", "for surfaces");
     }
     /* Copy the materials, store the shapes and build the ray scene. */
     s->n_materials = n_materials;

@@ -73,8 +73,7 @@ murk_status murk_zones_create(murk_zones **out, const murk_zone *zones,
     murk_status status = MURK_OK;
     murk_zones *made = calloc(1, sizeof *made);
     if (!made || !(made->plain = calloc(n + 1, sizeof *made->plain))) {
-        status = murk_fail(err, MURK_NO_MEMORY, "zones",
-                           "no memory for %zu zones", n);
+        status = murk_no_memory(err, "zones", "for %zu zones", n);
         goto done;
     }
     status = fill(made, zones, n, err);

@@ -76,8 +76,7 @@ murk_status murk_lightmap_forecast(murk_forecast *out, const murk_stage *stage,
     }
     h = murk_record_buffers_create(settings);
     if (!h) {
-        return murk_fail(err, MURK_NO_MEMORY, settings->where,
-                         "no memory to trace");
+        return murk_no_memory(err, settings->where, "to trace");
     }
     status = murk_ledger_create(&ledger, &stage->world, err);
     if (status) {
@@ -164,8 +163,8 @@ static murk_status set_packet_powers(murk_traced *traced,
 {
     uint64_t *count = calloc(traced->channels, sizeof *count);
     if (!count) {
-        return murk_fail(err, MURK_NO_MEMORY, emission->stage->scene->path,
-                         "no memory for the lights");
+        return murk_no_memory(err, emission->stage->scene->path,
+                              "for the lights");
     }
     murk_emission_packet_powers(emission, count, traced->packet_w);
     free(count);
@@ -228,8 +227,7 @@ murk_status murk_lightmap_trace(murk_traced **out, const murk_stage *stage,
     traced = murk_traced_create(stage, stream, err);
     e.buffers = murk_record_buffers_create(settings);
     if (!traced || !e.buffers) {
-        status = murk_fail(err, MURK_NO_MEMORY, settings->where,
-                           "no memory to trace");
+        status = murk_no_memory(err, settings->where, "to trace");
         goto done;
     }
     e.ledger = traced->ledger;
@@ -279,8 +277,7 @@ murk_traced *murk_traced_create(const murk_stage *stage, uint32_t stream,
     }
     if (!traced || !traced->packet_w ||
         murk_ledger_create(&traced->ledger, &stage->world, err)) {
-        murk_fail(err, MURK_NO_MEMORY, stage->scene->path,
-                  "no memory to trace");
+        murk_no_memory(err, stage->scene->path, "to trace");
         murk_traced_destroy(traced);
         return NULL;
     }

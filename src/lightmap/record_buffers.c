@@ -125,9 +125,9 @@ murk_status murk_record_buffers_gather(murk_record_buffers *h, uint64_t last,
                 photon);
         }
         if (!fits) {
-            return murk_fail(err, MURK_NO_MEMORY, h->settings->where,
-                             "no memory for more than %.3g stored photons",
-                             (double)(h->surface.n + h->volume.n));
+            return murk_no_memory(err, h->settings->where,
+                                  "for more than %.3g stored photons",
+                                  (double)(h->surface.n + h->volume.n));
         }
         buffer->n = 0;
     }

@@ -11,8 +11,7 @@
 
 static murk_status no_memory(const murk_scene_desc *scene, murk_error *err)
 {
-    return murk_fail(err, MURK_NO_MEMORY, scene->path,
-                     "no memory for the lights");
+    return murk_no_memory(err, scene->path, "for the lights");
 }
 
 /* Converts the light sources of a scene, to be freed with free(); *shines is
@@ -168,8 +167,7 @@ static murk_status scale_map(murk_photon_map **out, const murk_photon_map *map,
     murk_photon *photon = n ? malloc(n * sizeof *photon) : NULL;
     size_t remaining = 0;
     if (n && !photon) {
-        return murk_fail(err, MURK_NO_MEMORY, "",
-                         "no memory for %zu stored photons", n);
+        return murk_no_memory(err, "", "for %zu stored photons", n);
     }
     /* The factor depends on the channel of the record. */
     for (size_t i = 0; i < n; ++i) {
@@ -209,7 +207,7 @@ murk_status murk_scaled_light_make(murk_traced **out, const murk_traced *traced,
         made->packet_w = calloc(channels + 1, sizeof *made->packet_w);
     }
     if (!factor || !made || !made->packet_w) {
-        status = murk_fail(err, MURK_NO_MEMORY, "", "no memory for light");
+        status = murk_no_memory(err, "", "for light");
         goto done;
     }
     /* Ratio of the wanted to the traced power of each channel. */

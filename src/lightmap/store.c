@@ -89,7 +89,7 @@ murk_status murk_lightmap_save(const murk_traced *traced,
     int64_t *energy =
         malloc((LEDGER_COLUMNS * channels + n_absorbed) * sizeof *energy);
     if (!energy) {
-        return murk_fail(err, MURK_NO_MEMORY, path, "no memory to write it");
+        return murk_no_memory(err, path, "to write it");
     }
     /* Copy the energies of the ledger. */
     murk_tally *column[LEDGER_COLUMNS];
@@ -208,8 +208,7 @@ static murk_status load_map(murk_photon_map **out, const murk_traced *traced,
     if (section->size) {
         photons = malloc(section->size);
         if (!photons) {
-            return murk_fail(err, MURK_NO_MEMORY, path,
-                             "no memory for its photons");
+            return murk_no_memory(err, path, "for its photons");
         }
         memcpy(photons, section->bytes, section->size);
     }

@@ -98,7 +98,7 @@ murk_status murk_lightmap_check_numbers(const murk_lightmap_numbers *f,
     /* The number of photons of each channel, then each channel. */
     uint64_t *count = calloc(channels + 1, sizeof *count);
     if (!count) {
-        return murk_fail(err, MURK_NO_MEMORY, path, "no memory to check it");
+        return murk_no_memory(err, path, "to check it");
     }
     murk_sources_deal(stage->lights, f->emitted, count);
     murk_status status = MURK_OK;

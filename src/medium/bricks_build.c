@@ -266,8 +266,7 @@ murk_status murk_bricks_create(murk_bricks **out, const murk_tree *tree,
     }
     if (!b || !grow(b) || !add_tree(b, tree)) {
         murk_bricks_destroy(b);
-        return murk_fail(err, MURK_NO_MEMORY, where,
-                         "no memory for the bounds of a grid's bricks");
+        return murk_no_memory(err, where, "for the bounds of a grid's bricks");
     }
     *out = b;
     return MURK_OK;

@@ -115,8 +115,7 @@ static murk_status copy_buffer(murk_grid *grid, const unsigned char *bytes,
     const size_t rounded = (size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
     grid->buffer = aligned_alloc(ALIGNMENT, rounded);
     if (!grid->buffer) {
-        return murk_fail(err, MURK_NO_MEMORY, where,
-                         "no memory for a grid of %zu bytes", size);
+        return murk_no_memory(err, where, "for a grid of %zu bytes", size);
     }
     memcpy(grid->buffer, bytes, size);
     grid->facts.memory_bytes = rounded;
@@ -137,7 +136,7 @@ static murk_status build_received(murk_grid **out, const unsigned char *sent,
     memcpy(&facts, sent, sizeof facts);
     murk_grid *grid = calloc(1, sizeof *grid);
     if (!grid) {
-        return murk_fail(err, MURK_NO_MEMORY, where, "no memory for a grid");
+        return murk_no_memory(err, where, "for a grid");
     }
     /* Copy the grid and open the tree. */
     grid->facts = facts_from_vdb(&facts);

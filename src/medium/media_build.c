@@ -310,8 +310,7 @@ murk_status murk_media_create(murk_media **out, const murk_medium *media,
         made->boundaries = calloc(n_regions + 1, sizeof *made->boundaries);
     }
     if (!made || !made->media || !made->places || !made->boundaries) {
-        status = murk_fail(err, MURK_NO_MEMORY, "regions",
-                           "no memory for %zu regions", n_regions);
+        status = murk_no_memory(err, "regions", "for %zu regions", n_regions);
         goto done;
     }
     /* Place the regions and find their refractive boundaries. */

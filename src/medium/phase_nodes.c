@@ -173,10 +173,9 @@ murk_status murk_phase_nodes_finish(murk_phase_table **out,
         nodes->is_full ? NULL : malloc(murk_phase_table_bytes(&sizes));
     if (!table) {
         free(nodes->node);
-        return murk_fail(err, MURK_NO_MEMORY, where,
-                         "no memory for a phase function, or more than %u "
-                         "nodes",
-                         MURK_PHASE_NODES_MAX);
+        return murk_no_memory(err, where,
+                              "for a phase function, or more than %u nodes",
+                              MURK_PHASE_NODES_MAX);
     }
     *table = sizes;
     murk_phase_table_attach(table);

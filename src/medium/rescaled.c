@@ -17,8 +17,7 @@ static murk_status copy_media(murk_media **out, const murk_media *media,
     if (!made || !list) {
         free(made);
         free(list);
-        return murk_fail(err, MURK_NO_MEMORY, where, "no memory for %zu media",
-                         media->n_media);
+        return murk_no_memory(err, where, "for %zu media", media->n_media);
     }
     *made = *media;
     made->borrows_places = true;

@@ -62,8 +62,7 @@ murk_status murk_tree_open(murk_tree *tree, const unsigned char *buffer,
         const uint32_t n = pnanovdb_root_get_tile_count(words, root);
         opened.cells = calloc(n + (size_t)1, sizeof *opened.cells);
         if (!opened.cells) {
-            return murk_fail(err, MURK_NO_MEMORY, where,
-                             "no memory for a grid's root");
+            return murk_no_memory(err, where, "for a grid's root");
         }
         for (uint32_t i = 0; i < n; ++i) {
             const murk_root_cell cell = read_cell(

@@ -104,8 +104,7 @@ murk_status murk_photon_map_create(murk_photon_map **out, murk_photon *photons,
     }
     map = calloc(1, sizeof *map);
     if (!map) {
-        status =
-            murk_fail(err, MURK_NO_MEMORY, WHERE, "no memory for its tree");
+        status = murk_no_memory(err, WHERE, "for its tree");
         goto done;
     }
     /* Use the fastest implementation that this machine supports. */
@@ -118,8 +117,7 @@ murk_status murk_photon_map_create(murk_photon_map **out, murk_photon *photons,
     if (groups > 0) {
         map->memory = aligned_alloc(64, groups * sizeof *map->memory);
         if (!map->memory) {
-            status =
-                murk_fail(err, MURK_NO_MEMORY, WHERE, "no memory for its tree");
+            status = murk_no_memory(err, WHERE, "for its tree");
             goto done;
         }
     }

@@ -239,9 +239,8 @@ static murk_status read_section(murk_section *section, const entry *from,
     section->size = size;
     section->bytes = aligned_alloc(64, (size / 64 + 1) * 64);
     if (!section->bytes) {
-        return murk_fail(err, MURK_NO_MEMORY, path,
-                         "no memory for section %s, %.4g MB", from->name,
-                         (double)size / 1e6);
+        return murk_no_memory(err, path, "for section %s, %.4g MB", from->name,
+                              (double)size / 1e6);
     }
     murk_status status =
         murk_file_read_bytes(fd, section->bytes, size, path, err);
@@ -274,7 +273,7 @@ static murk_status read_sections(murk_section **out, size_t *n,
     /* Read or skip one section after the other. */
     sections = calloc(head.n_sections + 1, sizeof *sections);
     if (!sections) {
-        status = murk_fail(err, MURK_NO_MEMORY, path, "no memory to read it");
+        status = murk_no_memory(err, path, "to read it");
         goto done;
     }
     for (size_t i = 0; i < head.n_sections; ++i) {

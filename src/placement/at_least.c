@@ -325,8 +325,8 @@ static murk_status begin(strict_run *r, murk_error *err)
     r->rows_max = murk_gain_scan_rows_max(o);
     if (run->arena.is_short ||
         !murk_cover_init_single(&r->one_missing, o->layout, true)) {
-        return murk_fail(err, MURK_NO_MEMORY, "",
-                         "no memory to search %zu candidates", o->candidates);
+        return murk_no_memory(err, "", "to search %zu candidates",
+                              o->candidates);
     }
     murk_status status = murk_gain_scan_init(&r->scan, o, 0, 1, err);
     if (status) {

@@ -81,9 +81,8 @@ static murk_status find_gain_bounds(murk_block_layouts *v, murk_error *err)
     uint32_t *all = malloc((o->candidates + 1) * sizeof *all);
     if (!all || !murk_cover_init(&cover, o->layout, o->is_binary)) {
         free(all);
-        return murk_fail(err, MURK_NO_MEMORY, "",
-                         "no memory for the coverage of %zu photons",
-                         o->layout->photons);
+        return murk_no_memory(err, "", "for the coverage of %zu photons",
+                              o->layout->photons);
     }
     for (uint32_t j = 0; j < o->candidates; ++j) {
         all[j] = j;
@@ -117,9 +116,8 @@ murk_status murk_block_layouts_init(murk_block_layouts *out,
     murk_status status =
         weight && out->max
             ? MURK_OK
-            : murk_fail(err, MURK_NO_MEMORY, "",
-                        "no memory for %zu conditions of %zu candidates",
-                        blocks->n, evaluator->candidates);
+            : murk_no_memory(err, "", "for %zu conditions of %zu candidates",
+                             blocks->n, evaluator->candidates);
     for (size_t c = 0; !status && c < blocks->n; ++c) {
         status = view_block(out, c, weight, err);
     }

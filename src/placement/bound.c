@@ -52,9 +52,8 @@ murk_status murk_bound_init(murk_bound *out, const murk_evaluator *evaluator,
         murk_multipliers_init(&out->multipliers, evaluator, err);
     if (!status && (arena->is_short ||
                     !murk_cover_init(&out->cover, evaluator->layout, false))) {
-        status = murk_fail(err, MURK_NO_MEMORY, "",
-                           "no memory to bound plans for %zu photons",
-                           evaluator->layout->photons);
+        status = murk_no_memory(err, "", "to bound plans for %zu photons",
+                                evaluator->layout->photons);
     }
     /* Constraints need a relaxation and the partial plan of the fixed sensors.
      */

@@ -467,9 +467,8 @@ murk_status murk_constraint_set_init(murk_constraint_set *out,
     keyed *scratch = calloc(candidates + 1, sizeof *scratch);
     status = scratch && allocate(out)
                  ? index_classes(out, err)
-                 : murk_fail(err, MURK_NO_MEMORY, "",
-                             "no memory for the rules of %zu candidates",
-                             candidates);
+                 : murk_no_memory(err, "", "for the rules of %zu candidates",
+                                  candidates);
     if (!status) {
         if (constraints->site) {
             index_sites(out, scratch);

@@ -207,9 +207,8 @@ static murk_status evaluate_singles(murk_evaluator *o, murk_error *err)
     }
     murk_status status = MURK_OK;
     if (!has_memory) {
-        status = murk_fail(err, MURK_NO_MEMORY, "",
-                           "no memory for the coverage of %zu photons",
-                           o->layout->photons);
+        status = murk_no_memory(err, "", "for the coverage of %zu photons",
+                                o->layout->photons);
         goto done;
     }
     evaluation w = {.evaluator = o,
@@ -327,8 +326,7 @@ static murk_status rank(murk_evaluator *o, size_t max, bool keep_dominated,
     costed *key = murk_arena_array(&scratch, n, sizeof *key);
     murk_status status = MURK_OK;
     if (scratch.is_short) {
-        status = murk_fail(err, MURK_NO_MEMORY, "",
-                           "no memory to rank %zu candidates", n);
+        status = murk_no_memory(err, "", "to rank %zu candidates", n);
         goto done;
     }
     order_by_cost(o, key, order);
@@ -390,8 +388,7 @@ murk_status murk_evaluator_init(murk_evaluator *out,
         out->slack = murk_arena_array(arena, n, sizeof *out->slack);
     }
     murk_status status = arena->is_short
-                             ? murk_fail(err, MURK_NO_MEMORY, "",
-                                         "no memory for %zu candidates", n)
+                             ? murk_no_memory(err, "", "for %zu candidates", n)
                              : evaluate_singles(out, err);
     status = status ? status : murk_interrupt_check(err);
     if (!status) {

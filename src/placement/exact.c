@@ -349,8 +349,7 @@ murk_status murk_exact_search(murk_exact *out, murk_bound *bound,
         status = murk_partial_plan_init(&e.partial, evaluator->set, err);
     }
     if (!status && !exact_init(&e)) {
-        status = murk_fail(err, MURK_NO_MEMORY, "",
-                           "no memory to search %zu sensors", n);
+        status = murk_no_memory(err, "", "to search %zu sensors", n);
     }
     if (status) {
         goto done;
@@ -374,8 +373,7 @@ murk_status murk_exact_search(murk_exact *out, murk_bound *bound,
                evaluator->layout->slots * sizeof *bound->multiplier);
     }
     if (e.lacks_memory) {
-        status = murk_fail(err, MURK_NO_MEMORY, "",
-                           "no memory to search %zu sensors", n);
+        status = murk_no_memory(err, "", "to search %zu sensors", n);
         goto done;
     }
     *out = (murk_exact){.value = e.value,

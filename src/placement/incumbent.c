@@ -246,8 +246,7 @@ murk_status murk_incumbent_init(murk_incumbent *p, murk_place_run *run,
     p->greedy_value = murk_arena_array(&run->arena, n, sizeof *p->greedy_value);
     p->greedy_bound = murk_arena_array(&run->arena, n, sizeof *p->greedy_bound);
     if (run->arena.is_short) {
-        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for %zu sensors",
-                         n);
+        return murk_no_memory(err, "", "for %zu sensors", n);
     }
     /* No bound is known yet. */
     memset(p->greedy_bound, 0xff, n * sizeof *p->greedy_bound);

@@ -160,8 +160,7 @@ murk_status murk_layout_init(murk_layout *out, const murk_problem *problem,
     l = (murk_layout){0};
     goto done;
 no_memory:
-    status = murk_fail(err, MURK_NO_MEMORY, "",
-                       "no memory for the weights of %zu photons", photons);
+    status = murk_no_memory(err, "", "for the weights of %zu photons", photons);
 done:
     murk_layout_release(&l);
     return status;
@@ -195,9 +194,8 @@ murk_status murk_layout_reweigh(murk_layout *out, const murk_layout *from,
         out->is_borrowed = true;
         if (!allocate(out)) {
             murk_layout_release(out);
-            return murk_fail(err, MURK_NO_MEMORY, "",
-                             "no memory for the weights of %zu photons",
-                             from->photons);
+            return murk_no_memory(err, "", "for the weights of %zu photons",
+                                  from->photons);
         }
     }
     set_weights(out, weight);

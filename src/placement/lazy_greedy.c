@@ -34,8 +34,7 @@ murk_status murk_lazy_greedy_init(murk_lazy_greedy *out,
     out->chunk_bound = murk_arena_array(arena, CHUNK, sizeof *out->chunk_bound);
     if (arena->is_short || !murk_cover_init(&out->cover, &out->layout, false)) {
         murk_lazy_greedy_release(out);
-        return murk_fail(err, MURK_NO_MEMORY, "",
-                         "no memory to weigh %zu candidates", n);
+        return murk_no_memory(err, "", "to weigh %zu candidates", n);
     }
     /* Before the first evaluation each bound is the value of everything. */
     for (size_t j = 0; j < n; ++j) {

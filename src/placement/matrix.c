@@ -120,10 +120,10 @@ static murk_status fill(murk_matrix *matrix, const murk_problem *problem,
         return murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
     }
     if (murk_tally_read(&f.out_of_memory) > 0) {
-        return murk_fail(err, MURK_NO_MEMORY, "",
-                         "no memory for the coverage matrix of %zu candidates "
-                         "and %zu photons",
-                         problem->candidates, problem->photons);
+        return murk_no_memory(
+            err, "",
+            "for the coverage matrix of %zu candidates and %zu photons",
+            problem->candidates, problem->photons);
     }
     if ((uint64_t)murk_tally_read(&f.bytes) > max_bytes) {
         return too_big(err, problem, "more than", gigabytes(max_bytes),
@@ -172,9 +172,8 @@ murk_status murk_matrix_make(murk_matrix **out, const murk_problem *problem,
         matrix->row = calloc(problem->candidates + 1, sizeof *matrix->row);
     }
     if (!matrix || !matrix->row) {
-        status = murk_fail(err, MURK_NO_MEMORY, "",
-                           "no memory for a matrix of %zu candidates",
-                           problem->candidates);
+        status = murk_no_memory(err, "", "for a matrix of %zu candidates",
+                                problem->candidates);
         goto done;
     }
     /* Check the size with a pilot sample, fill, and merge. */
@@ -208,7 +207,7 @@ murk_status murk_matrix_reweigh(murk_matrix **out, const murk_matrix *from,
 {
     murk_matrix *matrix = malloc(sizeof *matrix);
     if (!matrix) {
-        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for a matrix");
+        return murk_no_memory(err, "", "for a matrix");
     }
     *matrix = *from;
     matrix->borrows_rows = true;

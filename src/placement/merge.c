@@ -315,9 +315,8 @@ murk_status murk_merge(murk_layout *layout, murk_row *row,
     }
     status = status ? status : murk_interrupt_check(err);
     if (!status && !has_memory) {
-        status = murk_fail(err, MURK_NO_MEMORY, "",
-                           "no memory to merge equal ones of %zu photons",
-                           problem->photons);
+        status = murk_no_memory(err, "", "to merge equal ones of %zu photons",
+                                problem->photons);
     }
     murk_layout_release(&m.layout);
     murk_arena_release(&m.arena);

@@ -33,9 +33,8 @@ murk_status murk_multipliers_init(murk_multipliers *out,
     if (arena->is_short ||
         !murk_cover_init_single(&out->rounded, evaluator->layout, false)) {
         murk_multipliers_release(out);
-        return murk_fail(err, MURK_NO_MEMORY, "",
-                         "no memory to bound plans for %zu photons",
-                         evaluator->layout->photons);
+        return murk_no_memory(err, "", "to bound plans for %zu photons",
+                              evaluator->layout->photons);
     }
     return MURK_OK;
 }

@@ -24,8 +24,7 @@ murk_status murk_partial_plan_init(murk_partial_plan *out,
         murk_arena_array(&out->arena, set->classes, sizeof *out->class_count);
     if (out->arena.is_short) {
         murk_partial_plan_release(out);
-        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for %zu sensors",
-                         set->max_sensors);
+        return murk_no_memory(err, "", "for %zu sensors", set->max_sensors);
     }
     murk_partial_plan_clear(out, set->max_sensors);
     return MURK_OK;

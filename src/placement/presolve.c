@@ -81,8 +81,7 @@ murk_status murk_presolve(uint32_t *dominator, const murk_matrix *matrix,
                                             matrix->is_binary);
     }
     if (!has_memory) {
-        status = murk_fail(err, MURK_NO_MEMORY, "",
-                           "no memory to compare %zu candidates", n);
+        status = murk_no_memory(err, "", "to compare %zu candidates", n);
         goto done;
     }
     for (uint32_t k = 0; k < n; ++k) {
@@ -141,8 +140,7 @@ murk_status murk_presolve_many(bool *is_dropped, const murk_matrix *matrix,
     if (!dominators ||
         !murk_cover_init_single(&cover, &matrix->layout, matrix->is_binary)) {
         free(dominators);
-        return murk_fail(err, MURK_NO_MEMORY, "",
-                         "no memory to compare %zu candidates", n);
+        return murk_no_memory(err, "", "to compare %zu candidates", n);
     }
     drop_many(is_dropped, dominators, &cover, matrix, set, order, needed);
     murk_cover_release(&cover);

@@ -63,8 +63,7 @@ murk_status murk_relaxation_init(murk_relaxation *out,
     }
     if (arena->is_short) {
         murk_relaxation_release(out);
-        return murk_fail(err, MURK_NO_MEMORY, "",
-                         "no memory to bound plans under rules");
+        return murk_no_memory(err, "", "to bound plans under rules");
     }
     return MURK_OK;
 }

@@ -53,8 +53,7 @@ murk_status murk_place_run_begin(murk_place_run *run,
     result->curve = is_curve ? calloc(n, sizeof *result->curve) : NULL;
     return run->arena.is_short || !result->sensor ||
                    (is_curve && !result->curve)
-               ? murk_fail(err, MURK_NO_MEMORY, "", "no memory for %zu sensors",
-                           n)
+               ? murk_no_memory(err, "", "for %zu sensors", n)
                : MURK_OK;
 }
 
@@ -109,8 +108,7 @@ static murk_status find_all(murk_place_run *run, murk_find_count find,
     uint32_t *last_plan =
         murk_arena_array(&run->arena, run->last, sizeof *last_plan);
     if (!last_plan) {
-        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for %zu sensors",
-                         run->last);
+        return murk_no_memory(err, "", "for %zu sensors", run->last);
     }
     /* Each count builds on the plan of the count before. */
     murk_curve_point point = {0};

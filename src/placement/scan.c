@@ -52,8 +52,8 @@ murk_status murk_gain_scan_init(murk_gain_scan *out,
     murk_status status = MURK_OK;
     if (arena->is_short || !murk_cover_init(&out->cover, evaluator->layout,
                                             evaluator->is_binary)) {
-        status = murk_fail(err, MURK_NO_MEMORY, "",
-                           "no memory to search %zu candidates for %zu photons",
+        status =
+            murk_no_memory(err, "", "to search %zu candidates for %zu photons",
                            evaluator->candidates, evaluator->layout->photons);
     } else if (evaluator->set) {
         status = murk_partial_plan_init(&out->partial, evaluator->set, err);

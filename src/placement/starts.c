@@ -56,8 +56,7 @@ murk_status murk_starts_init(murk_starts *t, const murk_evaluator *evaluator,
     t->plan = murk_arena_array(&t->arena, wave * count, sizeof *t->plan);
     t->start = murk_arena_array(&t->arena, wave, sizeof *t->start);
     if (t->arena.is_short) {
-        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for %zu sensors",
-                         count);
+        return murk_no_memory(err, "", "for %zu sensors", count);
     }
     murk_status status = MURK_OK;
     for (; t->workers < workers && !status; ++t->workers) {

@@ -57,8 +57,8 @@ murk_status murk_worst_bound_init(murk_worst_bound *out,
     murk_status status =
         out->weight && out->top && out->gains
             ? murk_worst_bound_set_lambda(out, lambda, err)
-            : murk_fail(err, MURK_NO_MEMORY, "",
-                        "no memory to bound plans for %zu conditions", blocks);
+            : murk_no_memory(err, "", "to bound plans for %zu conditions",
+                             blocks);
     out->evaluator.layout = &out->layout;
     return status ? status : murk_bound_init(&out->bound, &out->evaluator, err);
 }

@@ -29,8 +29,7 @@ murk_status murk_worst_search_init(murk_worst_search *out,
     out->candidate_bound =
         murk_arena_array(arena, n, sizeof *out->candidate_bound);
     return arena->is_short
-               ? murk_fail(err, MURK_NO_MEMORY, "",
-                           "no memory to search %zu candidates", n - 1)
+               ? murk_no_memory(err, "", "to search %zu candidates", n - 1)
                : MURK_OK;
 }
 

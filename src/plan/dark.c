@@ -14,8 +14,7 @@ murk_status murk_dark_coverage(murk_coverage_result *out,
     const size_t regions = stage->scene->placement.n_interests;
     if (!murk_coverage_result_create(out, n, regions)) {
         murk_coverage_result_release(out);
-        return murk_fail(err, MURK_NO_MEMORY, stage->scene->path,
-                         "no memory for %zu sensors", n);
+        return murk_no_memory(err, stage->scene->path, "for %zu sensors", n);
     }
     /* The totals, the values of each sensor, and the regions of interest. */
     out->total = out->surface = out->volume = NOTHING;

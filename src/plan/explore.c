@@ -133,7 +133,7 @@ static murk_status go_to(exploring *e, uint32_t place, double *length_m,
         out->stops += stops - first;
         e->here = place;
     } else {
-        status = murk_fail(err, MURK_NO_MEMORY, "", "no memory for the path");
+        status = murk_no_memory(err, "", "for the path");
     }
     free(path);
     return status;
@@ -291,7 +291,7 @@ static murk_status fill(murk_place_result *place, const exploring *e,
     const murk_explore *out = e->out;
     size_t *sensor = calloc(out->steps + 1, sizeof *sensor);
     if (!sensor) {
-        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the plan");
+        return murk_no_memory(err, "", "for the plan");
     }
     for (size_t k = 0; k < out->steps; ++k) {
         sensor[k] = out->step[k].candidate;
@@ -318,9 +318,8 @@ static murk_status allocate(exploring *e, murk_error *err)
     e->ranked = malloc(n * sizeof *e->ranked);
     e->out->step = calloc(steps, sizeof *e->out->step);
     if (!e->open || !e->opens || !e->ranked || !e->out->step) {
-        return murk_fail(err, MURK_NO_MEMORY, "",
-                         "no memory to explore %zu candidates",
-                         e->poses->count);
+        return murk_no_memory(err, "", "to explore %zu candidates",
+                              e->poses->count);
     }
     memset(e->opens, 0xff, n * sizeof *e->opens);
     return MURK_OK;

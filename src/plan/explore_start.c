@@ -72,8 +72,8 @@ murk_status murk_explore_start(uint32_t *start, const murk_stage *stage,
     /* Search. */
     far_place *order = calloc(sites->usable + 1, sizeof *order);
     if (!order) {
-        return murk_fail(err, MURK_NO_MEMORY, settings->where,
-                         "no memory for %zu candidates", sites->usable);
+        return murk_no_memory(err, settings->where, "for %zu candidates",
+                              sites->usable);
     }
     const murk_sight_desc seen = {.surfaces = stage->surfaces,
                                   .domain = *domain};

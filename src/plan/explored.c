@@ -29,8 +29,7 @@ murk_status murk_explored_init(murk_explored *out, const murk_sight_desc *sight,
     out->joined = calloc(places + 1, sizeof *out->joined);
     if (!out->place || !out->is_seen || !out->is_always_used || !out->joined) {
         murk_explored_release(out);
-        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for %zu places",
-                         places);
+        return murk_no_memory(err, "", "for %zu places", places);
     }
     /* Positions; at first every place is a set of its own. */
     for (size_t j = 0; j < poses->count; ++j) {
@@ -167,8 +166,8 @@ murk_status murk_explored_path(murk_explored *e, murk_vec3 **path,
     murk_vec3 *out = malloc((n + 1) * sizeof *out);
     murk_status status = MURK_OK;
     if (!list || !place || !stop || !out) {
-        status = murk_fail(err, MURK_NO_MEMORY, "",
-                           "no memory for a way over %zu places", e->places);
+        status =
+            murk_no_memory(err, "", "for a way over %zu places", e->places);
         goto done;
     }
     size_t first = 0, last = 0;

@@ -50,8 +50,7 @@ murk_status murk_entrances(murk_reach *out, murk_vec3 **places,
     }
     murk_vec3 *place = calloc(capacity, sizeof *place);
     if (!place) {
-        return murk_fail(err, MURK_NO_MEMORY, where,
-                         "no memory for the lamps' places");
+        return murk_no_memory(err, where, "for the lamps' places");
     }
     /* Lamps, and whether any light is distant. */
     murk_reach reach = {.lamps = place, .domain = stage->world.domain};

@@ -29,9 +29,7 @@ static murk_status allocate(reading *r, size_t n, murk_error *err)
 {
     r->n = n;
     r->sensor = calloc(n + 1, sizeof *r->sensor);
-    return r->sensor ? MURK_OK
-                     : murk_fail(err, MURK_NO_MEMORY, r->path,
-                                 "no memory to read it");
+    return r->sensor ? MURK_OK : murk_no_memory(err, r->path, "to read it");
 }
 
 /* The numbers of a sensor in a file; angles are NAN if the file gives none. */

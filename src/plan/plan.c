@@ -289,8 +289,7 @@ murk_status murk_plan_take_sensors(murk_plan_result *plan,
 {
     plan->sensor = calloc(plan->place.count + 1, sizeof *plan->sensor);
     if (!plan->sensor) {
-        return murk_fail(err, MURK_NO_MEMORY, scene->path,
-                         "no memory for the plan");
+        return murk_no_memory(err, scene->path, "for the plan");
     }
     for (size_t i = 0; i < plan->place.count; ++i) {
         plan->sensor[i] = plan->poses->pose[plan->place.sensor[i]];
@@ -324,8 +323,7 @@ murk_status murk_plan_result_make_dark(murk_plan_result *plan,
     plan->explore.end = MURK_EXPLORE_NOTHING;
     plan->place.sensor = calloc(n + 1, sizeof *plan->place.sensor);
     if (!plan->place.sensor) {
-        return murk_fail(err, MURK_NO_MEMORY, stage->scene->path,
-                         "no memory for the plan");
+        return murk_no_memory(err, stage->scene->path, "for the plan");
     }
     /* The plan consists of the fixed sensors. */
     plan->place.count = n;

@@ -110,8 +110,8 @@ static murk_status create(murk_sight **out, const murk_stage *stage,
 {
     murk_sensor_type *types = murk_poses_types(stage->scene);
     if (!types) {
-        return murk_fail(err, MURK_NO_MEMORY, stage->scene->sensors.where,
-                         "no memory for the sensors' types");
+        return murk_no_memory(err, stage->scene->sensors.where,
+                              "for the sensors' types");
     }
     for (size_t k = 0; k < desc->types && are_points; ++k) {
         types[k].toward = false;

@@ -126,8 +126,7 @@ static murk_status join_sites(murk_poses *p, size_t first, murk_error *err)
 {
     place *order = malloc((p->count + 1) * sizeof *order);
     if (!order) {
-        return murk_fail(err, MURK_NO_MEMORY, "",
-                         "no memory for the candidates");
+        return murk_no_memory(err, "", "for the candidates");
     }
     for (size_t j = 0; j < p->count; ++j) {
         order[j] = (place){p->pose[j].position, j};
@@ -289,8 +288,7 @@ murk_status murk_poses_create(murk_poses **out, const murk_scene_desc *scene,
     }
     /* Allocate, and write the poses of each site. */
     if (!p || !allocate(p, settings->types)) {
-        status = murk_fail(err, MURK_NO_MEMORY, settings->where,
-                           "no memory for the candidates");
+        status = murk_no_memory(err, settings->where, "for the candidates");
         goto done;
     }
     size_t at = 0;

@@ -18,8 +18,7 @@
 
 static murk_status no_memory(size_t n, murk_error *err)
 {
-    return murk_fail(err, MURK_NO_MEMORY, "",
-                     "no memory for how robust %zu sensors are", n);
+    return murk_no_memory(err, "", "for how robust %zu sensors are", n);
 }
 
 /* ---- each sensor ---- */

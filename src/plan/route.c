@@ -187,8 +187,7 @@ murk_status murk_route_find(size_t *stop, size_t *stops, double *length_m,
     /* Otherwise search. */
     if (!s.before || !s.gone_m ||
         (s.before[to] == NOWHERE && !find_goal(&s, from))) {
-        status = murk_fail(err, MURK_NO_MEMORY, "",
-                           "no memory for a way over %zu places", n);
+        status = murk_no_memory(err, "", "for a way over %zu places", n);
         goto done;
     }
     /* Read the path and measure it. */

@@ -63,10 +63,9 @@ murk_status murk_row_cache_init(murk_row_cache *out, const murk_problem *source,
     out->problem.get_row = get_row;
     out->problem.context = out;
     out->cached = calloc(source->candidates + 1, sizeof *out->cached);
-    return out->cached
-               ? MURK_OK
-               : murk_fail(err, MURK_NO_MEMORY, "",
-                           "no memory for %zu candidates", source->candidates);
+    return out->cached ? MURK_OK
+                       : murk_no_memory(err, "", "for %zu candidates",
+                                        source->candidates);
 }
 
 void murk_row_cache_release(murk_row_cache *r)

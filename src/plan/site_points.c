@@ -66,8 +66,7 @@ static murk_status reserve(murk_vec3 **point, size_t n, const char *where,
 {
     murk_vec3 *grown = realloc(*point, (n + 1) * sizeof *grown);
     if (!grown) {
-        return murk_fail(err, MURK_NO_MEMORY, where, "no memory for %zu points",
-                         n);
+        return murk_no_memory(err, where, "for %zu points", n);
     }
     *point = grown;
     return MURK_OK;

@@ -152,8 +152,7 @@ static murk_status describe_candidates(asked_candidates *a,
     a->mount = calloc(settings->mounts + 1, sizeof *a->mount);
     a->site = calloc(settings->mounts + 1, sizeof *a->site);
     if (!a->mount || !a->site) {
-        return murk_fail(err, MURK_NO_MEMORY, settings->where,
-                         "no memory for its mounts");
+        return murk_no_memory(err, settings->where, "for its mounts");
     }
     a->desc.mount = a->mount;
     for (size_t i = 0; i < settings->mounts && !status; ++i) {
@@ -205,8 +204,7 @@ static murk_status keep_common(murk_candidates *all,
     /* Sort the positions of the other. */
     murk_vec3 *sorted = malloc((other->usable + 1) * sizeof *sorted);
     if (!sorted) {
-        return murk_fail(err, MURK_NO_MEMORY, where,
-                         "no memory for %zu candidates", other->usable);
+        return murk_no_memory(err, where, "for %zu candidates", other->usable);
     }
     memcpy(sorted, other->position, other->usable * sizeof *sorted);
     qsort(sorted, other->usable, sizeof *sorted, murk_by_position);

@@ -184,9 +184,8 @@ static murk_status accept_wave(drawing *d, uint64_t *points, uint64_t *draws,
             murk_photon_set_emitted(&f->photon[k],
                                     (uint32_t)(d->to->facts.points + *points));
             if (!murk_record_list_put(d->list, &f->photon[k])) {
-                return murk_fail(err, MURK_NO_MEMORY, "placement.targets",
-                                 "no memory for more than %zu targets",
-                                 d->list->n);
+                return murk_no_memory(err, "placement.targets",
+                                      "for more than %zu targets", d->list->n);
             }
         }
         *points += f->n > 0;
@@ -238,7 +237,7 @@ static murk_status begin(drawing *d, murk_error *err)
 {
     d->wave = malloc(WAVE_DRAWS * sizeof *d->wave);
     if (!d->wave) {
-        return murk_fail(err, MURK_NO_MEMORY, d->where, "no memory to draw");
+        return murk_no_memory(err, d->where, "to draw");
     }
     const murk_status status =
         murk_stage_free_space(&d->space, d->to->stage, d->to->threads, err);

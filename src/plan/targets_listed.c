@@ -133,8 +133,7 @@ static murk_status read_row(list *l, size_t row, murk_error *err)
     return murk_record_list_put(is_volume ? &l->to->volume : &l->to->surface,
                                 &photon)
                ? MURK_OK
-               : murk_fail(err, MURK_NO_MEMORY, l->table->path,
-                           "no memory for its targets");
+               : murk_no_memory(err, l->table->path, "for its targets");
 }
 
 murk_status murk_targets_read(murk_target_records *records, murk_error *err)

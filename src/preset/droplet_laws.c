@@ -84,8 +84,7 @@ static murk_status choose_nodes(nodes *all, const murk_law_call *call,
         all->phase = calloc(all->n * all->angles, sizeof *all->phase);
     }
     if (!all->node || !all->phase) {
-        return murk_fail(err, MURK_NO_MEMORY, call->where,
-                         "no memory for droplets");
+        return murk_no_memory(err, call->where, "for droplets");
     }
     for (size_t i = 0; i < all->n; ++i) {
         all->node[i].phase = all->phase + i * all->angles;

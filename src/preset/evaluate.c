@@ -254,7 +254,7 @@ murk_status murk_preset_evaluate(murk_preset_result *out,
     murk_preset_result result = {0};
     evaluation *e = calloc(1, sizeof *e);
     if (!e) {
-        return murk_fail(err, MURK_NO_MEMORY, where, "no memory for a preset");
+        return murk_no_memory(err, where, "for a preset");
     }
     /* Complete the words and choose the wavelengths. */
     e->preset = preset;

@@ -79,7 +79,7 @@ murk_status murk_mie_create(murk_mie **out, double largest, murk_error *err)
     }
     if (!mie || !mie->a || !mie->b || !mie->d || !mie->ratio) {
         murk_mie_destroy(mie);
-        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for a sphere");
+        return murk_no_memory(err, "", "for a sphere");
     }
     *out = mie;
     return MURK_OK;

@@ -99,8 +99,7 @@ murk_status murk_mixing_finish(murk_mixture **out, const murk_mixing *mixing,
     }
     if (!is_whole) {
         murk_mixture_destroy(mixture);
-        return murk_fail(err, MURK_NO_MEMORY, where,
-                         "no memory for a phase function");
+        return murk_no_memory(err, where, "for a phase function");
     }
     *out = mixture;
     return MURK_OK;

@@ -21,8 +21,7 @@ murk_status murk_preset_angles_create(murk_preset_angles **out, size_t angles,
     if (!made || !made->angle_deg || !made->phase_per_sr ||
         (by_wavelength && !made->wavelength_nm)) {
         murk_preset_angles_destroy(made);
-        return murk_fail(err, MURK_NO_MEMORY, "",
-                         "no memory for a phase function");
+        return murk_no_memory(err, "", "for a phase function");
     }
     *out = made;
     return MURK_OK;

@@ -246,8 +246,7 @@ murk_status murk_law_diffuse_attenuation(murk_law_result *out,
     const daylight d = {p[0], p[1], p[2], murk_water_sun_cosine(p[3]), call};
     double *beside = calloc(call->table->n, sizeof *beside);
     if (!beside) {
-        return murk_fail(err, MURK_NO_MEMORY, call->where,
-                         "no memory for a preset");
+        return murk_no_memory(err, call->where, "for a preset");
     }
     for (size_t row = 0; row < call->table->n; ++row) {
         beside[row] = beside_water(&d, row);

@@ -30,7 +30,7 @@ typedef struct listing {
 
 static murk_status no_memory(const char *path, murk_error *err)
 {
-    return murk_fail(err, MURK_NO_MEMORY, path, "no memory for its readings");
+    return murk_no_memory(err, path, "for its readings");
 }
 
 /* The place of a cell for messages. */

@@ -114,8 +114,8 @@ murk_status murk_balls_create(murk_balls **out, const murk_ball_extent *ball,
     }
     if (!is_there) {
         murk_balls_destroy(b);
-        return murk_fail(err, MURK_NO_MEMORY, "render",
-                         "no memory for the kernels of %zu photons", n);
+        return murk_no_memory(err, "render", "for the kernels of %zu photons",
+                              n);
     }
     /* Fill the levels. */
     if (n > 0) {

@@ -134,7 +134,7 @@ murk_status murk_exr_write(const murk_exr *exr, const char *path,
 {
     murk_channel *list = calloc(MURK_CHANNELS_MAX, sizeof *list);
     if (!list) {
-        return murk_fail(err, MURK_NO_MEMORY, path, "no memory for an image");
+        return murk_no_memory(err, path, "for an image");
     }
     /* The channels of the picture, and the file that receives them. */
     const murk_image *p = exr->picture;

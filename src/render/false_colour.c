@@ -81,8 +81,7 @@ murk_status murk_false_colour_range(murk_false_colour *out,
     /* All other channels: quantiles of the pixels that have a value. */
     float *value = malloc(MURK_SPREAD_MAX * sizeof *value);
     if (!value) {
-        return murk_fail(err, MURK_NO_MEMORY, "render",
-                         "no memory for a channel's range");
+        return murk_no_memory(err, "render", "for a channel's range");
     }
     const size_t step = murk_spread_step(n);
     size_t values = 0;

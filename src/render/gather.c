@@ -72,8 +72,7 @@ static murk_status pick(murk_photon_map **out, const murk_gathering_desc *desc,
     }
     murk_photon *photons = malloc((maximum + 1) * sizeof *photons);
     if (!photons) {
-        return murk_fail(err, MURK_NO_MEMORY, "render",
-                         "no memory for %zu photons", maximum);
+        return murk_no_memory(err, "render", "for %zu photons", maximum);
     }
     for (size_t i = 0; i < n; ++i) {
         if (counts(desc, &all[i], band)) {
@@ -152,8 +151,8 @@ static murk_status make(layer *out, const murk_gathering_desc *desc,
     /* Lay the kernels on all threads, and build the hierarchy that finds them.
      */
     if (!l.extent || !out->kernel) {
-        status = murk_fail(err, MURK_NO_MEMORY, "render",
-                           "no memory for the kernels of %zu photons", n);
+        status =
+            murk_no_memory(err, "render", "for the kernels of %zu photons", n);
     } else {
         murk_pool_run_items(desc->threads, n, RECORDS_AT_ONCE, lay, &l);
         status = murk_balls_create(&out->balls, l.extent, n, err);
@@ -179,7 +178,7 @@ murk_status murk_gather_create(murk_gather **out,
 {
     murk_gather *g = calloc(1, sizeof *g);
     if (!g) {
-        return murk_fail(err, MURK_NO_MEMORY, "render", "no memory for maps");
+        return murk_no_memory(err, "render", "for maps");
     }
     /* Groups of photons emitted one after the other. */
     g->scenery = desc->scenery;

@@ -23,9 +23,9 @@ murk_status murk_raster_create(murk_raster *out, size_t width, size_t height,
 {
     *out = (murk_raster){width, height, calloc(width * height, 3)};
     return out->rgb ? MURK_OK
-                    : murk_fail(err, MURK_NO_MEMORY, "render",
-                                "no memory for an image of %zu x %zu pixels",
-                                width, height);
+                    : murk_no_memory(err, "render",
+                                     "for an image of %zu x %zu pixels", width,
+                                     height);
 }
 
 void murk_raster_fill(murk_raster *raster, size_t left, size_t top,
@@ -103,8 +103,7 @@ murk_status murk_png_write(const murk_raster *raster,
     murk_file *file = NULL;
     murk_status status = murk_file_create(&file, path, err);
     if (!status && !set_up(&w, n_text)) {
-        status =
-            murk_fail(err, MURK_NO_MEMORY, path, "no memory to write an image");
+        status = murk_no_memory(err, path, "to write an image");
     }
     if (!status &&
         !write_all(&w, raster, text, n_text, murk_file_stream(file))) {

@@ -53,8 +53,7 @@ murk_status murk_points_find(murk_photon **out, size_t *n,
     const size_t all = rows * camera->width;
     search s = {scenery, camera, first_row, band, calloc(all, sizeof *s.point)};
     if (!s.point) {
-        return murk_fail(err, MURK_NO_MEMORY, "render",
-                         "no memory for %zu points", all);
+        return murk_no_memory(err, "render", "for %zu points", all);
     }
     murk_pool_run(threads, rows, trace_row, &s);
     size_t points = 0;

@@ -300,8 +300,8 @@ murk_status murk_image_add_coverage(murk_image *picture, murk_error *err)
     const size_t n = picture->width * picture->height;
     picture->seen_by = malloc(2 * n * sizeof *picture->seen_by);
     if (!picture->seen_by) {
-        return murk_fail(err, MURK_NO_MEMORY, "render",
-                         "no memory for the coverage of %zu pixels", n);
+        return murk_no_memory(err, "render", "for the coverage of %zu pixels",
+                              n);
     }
     picture->clarity = picture->seen_by + n;
     for (size_t i = 0; i < 2 * n; ++i) {
@@ -328,11 +328,9 @@ static murk_status set_up(run *r, size_t tiles, murk_error *err)
     }
     if (!r->sampler || !r->tile || !r->picture ||
         (by_paths && !(r->is_lit && r->scratch))) {
-        return murk_fail(err, MURK_NO_MEMORY, "render",
-                         "no memory for a picture of %zu x %zu pixels in %d "
-                         "bands",
-                         render->camera.width, render->camera.height,
-                         world->bands);
+        return murk_no_memory(
+            err, "render", "for a picture of %zu x %zu pixels in %d bands",
+            render->camera.width, render->camera.height, world->bands);
     }
     /* Prepare the world for shadow rays, and the maps for density estimates. */
     murk_status status = murk_scenery_prepare(&r->scenery, world, err);

@@ -302,7 +302,7 @@ murk_status murk_sampler_create(murk_sampler **out, const murk_scenery *scenery,
     if (!s || !cone) {
         free(s);
         free(cone);
-        return murk_fail(err, MURK_NO_MEMORY, "render", "no memory for a ray");
+        return murk_no_memory(err, "render", "for a ray");
     }
     /* The ray is followed as a photon is, with sinks of its own. */
     s->cone = cone;

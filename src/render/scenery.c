@@ -126,8 +126,7 @@ static murk_status add_lights(murk_scenery *scenery, int band, murk_error *err)
     scenery->lit[band] = lit;
     scenery->chance[band] = chance;
     if (!lit || !chance) {
-        return murk_fail(err, MURK_NO_MEMORY, "render",
-                         "no memory for %zu lights", n);
+        return murk_no_memory(err, "render", "for %zu lights", n);
     }
     /* The lights that have power in the band. */
     size_t n_lit = 0;

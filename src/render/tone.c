@@ -36,8 +36,7 @@ static murk_status find_bright(double *out, const murk_image *p,
     const size_t n = p->width * p->height, step = murk_spread_step(n);
     float *lit = malloc(MURK_SPREAD_MAX * sizeof *lit);
     if (!lit) {
-        return murk_fail(err, MURK_NO_MEMORY, "render",
-                         "no memory for an exposure");
+        return murk_no_memory(err, "render", "for an exposure");
     }
     size_t values = 0;
     for (size_t i = 0; i < n; i += step) {

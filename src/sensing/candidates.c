@@ -76,8 +76,7 @@ static murk_status classify_sites(request *a, const murk_surfaces *surfaces,
     }
     a->verdict = malloc(all);
     if (!a->verdict) {
-        return murk_fail(err, MURK_NO_MEMORY, where,
-                         "no memory for %zu candidates", all);
+        return murk_no_memory(err, where, "for %zu candidates", all);
     }
     /* Find the free space and classify the grid, then the listed sites. */
     status = murk_free_space_find(&a->space, &a->desc->grid, surfaces, reach,
@@ -163,8 +162,7 @@ static murk_status keep_usable(murk_candidates *c, const request *a,
     c->kind = malloc(c->usable);
     c->normal = has_normals ? calloc(c->usable, sizeof *c->normal) : NULL;
     if (!c->position || !c->kind || (has_normals && !c->normal)) {
-        return murk_fail(err, MURK_NO_MEMORY, where,
-                         "no memory for %zu candidates", c->usable);
+        return murk_no_memory(err, where, "for %zu candidates", c->usable);
     }
     size_t copied = 0;
     for (size_t i = 0; i < c->asked; ++i) {
@@ -185,10 +183,9 @@ murk_status murk_candidates_create(murk_candidates **out,
     assert(out && desc && surfaces && reach && threads >= 1 && where);
     request a = {.desc = desc};
     murk_candidates *c = calloc(1, sizeof *c);
-    murk_status status =
-        c ? murk_candidate_desc_check(desc, surfaces, &reach->domain, where,
-                                      err)
-          : murk_fail(err, MURK_NO_MEMORY, where, "no memory for candidates");
+    murk_status status = c ? murk_candidate_desc_check(
+                                 desc, surfaces, &reach->domain, where, err)
+                           : murk_no_memory(err, where, "for candidates");
     /* Classify, count, and keep the usable sites. */
     if (!status) {
         status = classify_sites(&a, surfaces, reach, threads, where, err);

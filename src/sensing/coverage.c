@@ -112,8 +112,7 @@ static murk_status find_rows(measure *m, murk_error *err)
         }
         for (size_t i = 0; i < n; ++i) {
             if (!m->block[i].photon) {
-                return murk_fail(err, MURK_NO_MEMORY, "",
-                                 "no memory to look from %zu sensors", n);
+                return murk_no_memory(err, "", "to look from %zu sensors", n);
             }
             add_row(m, (uint32_t)(m->first + i), &m->block[i]);
         }
@@ -314,8 +313,8 @@ static murk_status find_errors(murk_coverage_result *out, const measure *m,
     uint64_t *other = malloc(m->sight->photons * sizeof *other);
     murk_status status = MURK_OK;
     if (!keys || !other) {
-        status = murk_fail(err, MURK_NO_MEMORY, "",
-                           "no memory to sort %zu photons", m->sight->photons);
+        status =
+            murk_no_memory(err, "", "to sort %zu photons", m->sight->photons);
         goto done;
     }
     /* Sort the records by emitted photon, then sum. */
@@ -402,9 +401,8 @@ static murk_status allocate(measure *m, murk_coverage_result *out,
         m->block && m->single_value && m->only && m->seen_by) {
         return MURK_OK;
     }
-    return murk_fail(err, MURK_NO_MEMORY, "",
-                     "no memory to measure %zu sensors over %zu photons", n,
-                     photons);
+    return murk_no_memory(err, "", "to measure %zu sensors over %zu photons", n,
+                          photons);
 }
 
 murk_status murk_coverage_result_measure(murk_coverage_result *out,

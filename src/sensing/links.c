@@ -102,8 +102,7 @@ murk_status murk_links_find(murk_links *out, const murk_pose *pose, size_t n,
     links.link = malloc(n * sizeof *links.link);
     murk_status status = MURK_OK;
     if (!s.nearest || !s.is_in || !plain.link || !links.link) {
-        status = murk_fail(err, MURK_NO_MEMORY, "",
-                           "no memory for the links of %zu sensors", n);
+        status = murk_no_memory(err, "", "for the links of %zu sensors", n);
         goto done;
     }
     /* First with all segments open, then with surfaces. */

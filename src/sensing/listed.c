@@ -72,8 +72,7 @@ murk_status murk_listed_all(murk_listed **out, size_t *n,
     }
     murk_listed *site = malloc((all + 1) * sizeof *site);
     if (!site) {
-        return murk_fail(err, MURK_NO_MEMORY, where,
-                         "no memory for %zu candidates", all);
+        return murk_no_memory(err, where, "for %zu candidates", all);
     }
     for (size_t i = 0; i < desc->points; ++i) {
         site[i] = (murk_listed){.position = desc->point[i]};

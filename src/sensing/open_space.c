@@ -26,8 +26,7 @@ murk_status murk_open_space_create(murk_open_space **out,
     assert(n_grids >= 1 && n_grids <= MURK_OPEN_SPACE_GRIDS);
     murk_open_space *space = calloc(1, sizeof *space);
     if (!space) {
-        return murk_fail(err, MURK_NO_MEMORY, where,
-                         "no memory for the free space");
+        return murk_no_memory(err, where, "for the free space");
     }
     /* The free space of each grid. */
     space->reach = *reach;

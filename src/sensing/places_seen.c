@@ -41,7 +41,7 @@ typedef struct piece {
 
 static murk_status no_memory(murk_error *err)
 {
-    return murk_fail(err, MURK_NO_MEMORY, "", "no memory to look at places");
+    return murk_no_memory(err, "", "to look at places");
 }
 
 static murk_status piece_fill(piece *p, const work *w, murk_error *err)

@@ -222,8 +222,7 @@ static murk_status check(const murk_power *power, murk_error *err)
 
 static murk_status no_memory(size_t photons, murk_error *err)
 {
-    return murk_fail(err, MURK_NO_MEMORY, "",
-                     "no memory for the light around %zu photons", photons);
+    return murk_no_memory(err, "", "for the light around %zu photons", photons);
 }
 
 static murk_status allocate(murk_power *power, size_t surface, size_t volume,

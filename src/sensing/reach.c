@@ -257,8 +257,7 @@ murk_status murk_free_space_find(murk_free_space *out,
     murk_status status = MURK_OK;
     if (!out->place || !out->closeness || !out->is_reached ||
         !out->is_doubtful || !s.open || !s.stack) {
-        status = murk_fail(err, MURK_NO_MEMORY, where,
-                           "no memory for %zu candidates", n);
+        status = murk_no_memory(err, where, "for %zu candidates", n);
         goto done;
     }
     /* List the places of light, and explore. */

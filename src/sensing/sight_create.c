@@ -110,7 +110,7 @@ static murk_status check(const murk_sight_desc *desc, murk_error *err)
 
 static murk_status no_memory(murk_error *err)
 {
-    return murk_fail(err, MURK_NO_MEMORY, "", "no memory for a sight");
+    return murk_no_memory(err, "", "for a sight");
 }
 
 static murk_status allocate(murk_sight *sight, murk_error *err)
@@ -136,10 +136,9 @@ static murk_status allocate(murk_sight *sight, murk_error *err)
         has_memory = s->photon && (s->clarity || !attenuates);
     }
     return has_memory ? MURK_OK
-                      : murk_fail(err, MURK_NO_MEMORY, "",
-                                  "no memory to look at %zu photons with %u "
-                                  "threads",
-                                  n, desc->threads);
+                      : murk_no_memory(err, "",
+                                       "to look at %zu photons with %u threads",
+                                       n, desc->threads);
 }
 
 static void find_regions(murk_sight *sight)

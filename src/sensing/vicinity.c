@@ -47,8 +47,7 @@ static murk_status halve(murk_vicinity *v, unsigned threads, murk_error *err)
     murk_photon *copy =
         malloc((by_record ? (n + 1) / 2 : of_half) * sizeof *copy + 1);
     if (!copy) {
-        return murk_fail(err, MURK_NO_MEMORY, "",
-                         "no memory for half of %zu photons", n);
+        return murk_no_memory(err, "", "for half of %zu photons", n);
     }
     for (size_t i = 0; i < n; ++i) {
         if (by_record ? i % 2 == 0 : murk_photon_emitted(&photon[i]) < half) {
@@ -75,7 +74,7 @@ murk_status murk_vicinity_create(murk_vicinity **out,
     /* Add levels until one holds no more than the maximum. */
     murk_vicinity *v = calloc(1, sizeof *v);
     if (!v) {
-        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for a vicinity");
+        return murk_no_memory(err, "", "for a vicinity");
     }
     v->domain = domain;
     v->radius_m = radius_m;

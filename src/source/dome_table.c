@@ -146,7 +146,7 @@ murk_status murk_dome_table_create(murk_dome_table **out, const murk_dome *dome,
     uint32_t *stack = malloc(ALL * sizeof *stack);
     murk_status status = MURK_OK;
     if (!table || !share || !stack) {
-        status = murk_fail(err, MURK_NO_MEMORY, where, "no memory for a sky");
+        status = murk_no_memory(err, where, "for a sky");
         goto done;
     }
     /* Tabulate the sky, then build the alias table of the cells. */

@@ -184,8 +184,7 @@ murk_status murk_entry_faces_create(murk_entry_faces **out,
     }
     if (!o || !o->entry_face || !o->table || !o->outward) {
         murk_entry_faces_destroy(o);
-        return murk_fail(err, MURK_NO_MEMORY, light->where,
-                         "no memory for a light");
+        return murk_no_memory(err, light->where, "for a light");
     }
     o->at_once_m = AT_ONCE * murk_box_largest_coordinate(&o->box);
     /* Positions and power of the faces, then the shares of power. */

@@ -56,7 +56,7 @@ static murk_status add(murk_sources *lights, size_t i, const murk_source *light,
     if (!copy || !portal) {
         free(copy);
         free(portal);
-        return murk_fail(err, MURK_NO_MEMORY, where, "no memory for a light");
+        return murk_no_memory(err, where, "for a light");
     }
     s->light = *light;
     s->light.where = strcpy(copy, where);
@@ -91,8 +91,7 @@ static murk_status deal_out(murk_sources *lights, murk_error *err)
     }
     double *weight = calloc(channels, sizeof *weight);
     if (!weight) {
-        return murk_fail(err, MURK_NO_MEMORY, "lights",
-                         "no memory for %zu channels", channels);
+        return murk_no_memory(err, "lights", "for %zu channels", channels);
     }
     for (size_t c = 0; c < channels; ++c) {
         if (lights->power_w[c] > 0) {
@@ -128,8 +127,7 @@ murk_status murk_sources_create(murk_sources **out, const murk_source *lights,
     }
     if (!made || !made->sources || !made->power_w || !made->lit ||
         !made->limit) {
-        status = murk_fail(err, MURK_NO_MEMORY, "lights",
-                           "no memory for %zu lights", n_lights);
+        status = murk_no_memory(err, "lights", "for %zu lights", n_lights);
         goto done;
     }
     /* Prepare each light, then the shares of the channels. */

@@ -14,7 +14,7 @@
 
 static murk_status no_memory(const murk_sparse_builder *b, murk_error *err)
 {
-    return murk_fail(err, MURK_NO_MEMORY, b->path, "no memory for the matrix");
+    return murk_no_memory(err, b->path, "for the matrix");
 }
 
 murk_status murk_sparse_builder_put(murk_sparse_builder *b, size_t row,

@@ -25,8 +25,7 @@ typedef struct reader {
 
 static murk_status no_memory(const reader *r)
 {
-    return murk_fail(r->err, MURK_NO_MEMORY, r->b->path,
-                     "no memory for the matrix");
+    return murk_no_memory(r->err, r->b->path, "for the matrix");
 }
 
 static murk_text_place place_of(const reader *r, size_t k)

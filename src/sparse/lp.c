@@ -348,7 +348,7 @@ static murk_status print_constraints(FILE *to, const murk_sparse_matrix *m,
         fprintf(to, " fixed%zu: x%zu = 1\n", k + 1, constraints->fixed[k] + 1);
     }
     if (set.site && !print_sites(to, &set)) {
-        status = murk_fail(err, MURK_NO_MEMORY, path, "no memory to write it");
+        status = murk_no_memory(err, path, "to write it");
     }
     if (!status && set.has_conflicts && !print_pairs(to, &set)) {
         status = murk_fail(err, MURK_RUN_FAILED, path,
@@ -386,7 +386,7 @@ murk_status murk_sparse_matrix_write_lp(const murk_sparse_matrix *m,
     murk_status status = MURK_OK;
     /* Refuse what an LP file cannot hold before the file is created. */
     if (!group(&k, m)) {
-        status = murk_fail(err, MURK_NO_MEMORY, path, "no memory to write it");
+        status = murk_no_memory(err, path, "to write it");
     } else if (k.rows.begin[m->rows] > ENTRIES_MAX) {
         status = murk_fail(err, MURK_RUN_FAILED, path,
                            "%zu entries of rows that differ, an LP file may "

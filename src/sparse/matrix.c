@@ -135,7 +135,7 @@ static murk_status append(collection *c, size_t candidate,
                          candidate + 1, m->columns, have + seen->seen, c->max);
     }
     if (seen->has_failed || !make_space(c, have, seen->seen)) {
-        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the matrix");
+        return murk_no_memory(err, "", "for the matrix");
     }
     memcpy(m->row + have, seen->photon, seen->seen * sizeof *m->row);
     memcpy(m->clarity + have, seen->clarity, seen->seen * sizeof *m->clarity);
@@ -152,7 +152,7 @@ static murk_status get_rows(collection *c, murk_error *err)
     murk_status status = MURK_OK;
     c->block = calloc(capacity, sizeof *c->block);
     if (!c->block) {
-        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the matrix");
+        return murk_no_memory(err, "", "for the matrix");
     }
     /* One block after the other. */
     for (; c->first < c->matrix->columns && !status; c->first += capacity) {
@@ -208,8 +208,7 @@ murk_status murk_sparse_matrix_collect(murk_sparse_matrix **out,
     reduce_weights(m);
     collection c = {.problem = problem, .matrix = m, .max = max_entries};
     status = make_space(&c, 0, 1) ? get_rows(&c, err)
-                                  : murk_fail(err, MURK_NO_MEMORY, "",
-                                              "no memory for the matrix");
+                                  : murk_no_memory(err, "", "for the matrix");
     if (status) {
         murk_sparse_matrix_destroy(m);
         return status;

@@ -121,8 +121,7 @@ static murk_status read_weights(reader *r, murk_sparse_builder *b)
     }
     b->weight = malloc(b->rows * sizeof *b->weight);
     if (!b->weight) {
-        return murk_fail(r->err, MURK_NO_MEMORY, b->path,
-                         "no memory for the weights");
+        return murk_no_memory(r->err, b->path, "for the weights");
     }
     /* One weight for each row, and nothing behind them. */
     murk_status status = MURK_OK;
@@ -153,8 +152,7 @@ murk_status murk_sparse_read_or_library(murk_sparse_builder *b,
     }
     b->cost = malloc(b->columns * sizeof *b->cost);
     if (!b->cost) {
-        return murk_fail(err, MURK_NO_MEMORY, b->path,
-                         "no memory for the costs");
+        return murk_no_memory(err, b->path, "for the costs");
     }
     for (size_t j = 0; j < b->columns && !status; ++j) {
         char what[128];

@@ -44,9 +44,8 @@ static bool *find_covered(const murk_sparse_matrix *m)
 static murk_status open_for(murk_file **file, const char *path, void *memory,
                             murk_error *err)
 {
-    return memory
-               ? murk_file_create(file, path, err)
-               : murk_fail(err, MURK_NO_MEMORY, path, "no memory to write it");
+    return memory ? murk_file_create(file, path, err)
+                  : murk_no_memory(err, path, "to write it");
 }
 
 murk_status murk_sparse_matrix_write_csv(const murk_sparse_matrix *m,

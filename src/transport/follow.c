@@ -27,8 +27,7 @@ murk_status murk_follower_create(murk_follower **out, const murk_trace *trace,
     if (!f || !absorber) {
         free(f);
         free(absorber);
-        return murk_fail(err, MURK_NO_MEMORY, "render",
-                         "no memory for a ray's way");
+        return murk_no_memory(err, "render", "for a ray's way");
     }
     /* The walk, without tallies. */
     f->trace = *trace;

@@ -43,8 +43,8 @@ murk_status murk_jump_heights(double (**out)[2], size_t *n,
     const size_t lights = murk_sources_count(world->lights);
     double(*height)[2] = calloc(lights + 2, sizeof *height);
     if (!height) {
-        return murk_fail(err, MURK_NO_MEMORY, "render",
-                         "no memory for the heights of %zu lights", lights);
+        return murk_no_memory(err, "render", "for the heights of %zu lights",
+                              lights);
     }
     /* The heights of surfaces, bounded regions and lamps, enlarged by the
      * rounding error. */

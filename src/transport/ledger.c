@@ -37,8 +37,7 @@ murk_status murk_ledger_create(murk_ledger **out,
     if (!ledger || !cells) {
         free(ledger);
         free(cells);
-        return murk_fail(err, MURK_NO_MEMORY, "ledger",
-                         "no memory for %zu channels", channels);
+        return murk_no_memory(err, "ledger", "for %zu channels", channels);
     }
     ledger->channels = channels;
     ledger->materials = materials;

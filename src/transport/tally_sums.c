@@ -180,8 +180,8 @@ murk_status murk_tallies_create(murk_tallies **out,
     }
     if (!t || !provide(t, threads)) {
         murk_tallies_destroy(t);
-        return murk_fail(err, MURK_NO_MEMORY, descs[0].where,
-                         "no memory for the tallies: %.3g GB", bytes / 1e9);
+        return murk_no_memory(err, descs[0].where, "for the tallies: %.3g GB",
+                              bytes / 1e9);
     }
     *out = t;
     return MURK_OK;

@@ -74,10 +74,10 @@ murk_status murk_fillings_create(murk_fillings **out,
         f->profile = calloc(f->n + 1, sizeof *f->profile);
         has_memory = f->grid && f->albedo && f->profile;
     }
-    murk_status status = has_memory
-                             ? MURK_OK
-                             : murk_fail(err, MURK_NO_MEMORY, scene->path,
-                                         "no memory for what fills its media");
+    murk_status status =
+        has_memory
+            ? MURK_OK
+            : murk_no_memory(err, scene->path, "for what fills its media");
     /* Read the files of each medium. */
     for (size_t i = 0; i < scene->n_media && !status; ++i) {
         status = fill(f, &scene->media[i], i, err);

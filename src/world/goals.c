@@ -190,8 +190,8 @@ murk_status murk_goals_create(murk_goals **out, const murk_scene_desc *scene,
     if (!goals || !region) {
         free(goals);
         free(region);
-        return murk_fail(err, MURK_NO_MEMORY, settings->where,
-                         "no memory for what plans are to see");
+        return murk_no_memory(err, settings->where,
+                              "for what plans are to see");
     }
     /* Build the meshes, and check and convert each region. */
     goals->scene = scene;

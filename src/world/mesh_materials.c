@@ -58,8 +58,8 @@ murk_status murk_mesh_materials(murk_mesh_material **out, size_t *n,
     if (!list || !area_m2) {
         free(list);
         free(area_m2);
-        return murk_fail(err, MURK_NO_MEMORY, scene->path,
-                         "no memory for %zu names of materials", all);
+        return murk_no_memory(err, scene->path, "for %zu names of materials",
+                              all);
     }
     /* Sum the areas of each mesh and list the names that have an area. */
     size_t found = 0;

@@ -32,12 +32,6 @@ typedef struct mixing {
     size_t angles;
 } mixing;
 
-static murk_status no_memory(const char *where, murk_error *err)
-{
-    return murk_fail(err, MURK_NO_MEMORY, where,
-                     "no memory for a phase function");
-}
-
 /* The table of a part that has no closed form with an inverse cumulative
  * distribution: Fournier-Forand or given rows. */
 static murk_status table_of(murk_phase_table **out,
@@ -107,7 +101,7 @@ static murk_status add_up(murk_phase_table **out, const mixing *m,
 {
     double *value = calloc(m->angles, sizeof *value);
     if (!value) {
-        return no_memory(where, err);
+        return murk_no_memory(err, where, "for a phase function");
     }
     for (size_t k = 0; k < m->angles; ++k) {
         const double mu = cos(m->angle_deg[k] * RADIANS);
@@ -142,7 +136,9 @@ murk_status murk_mixture_table(murk_phase_table **out,
                 .table = calloc(mixture->n, sizeof *m.table),
                 .angle_deg = calloc(max, sizeof *m.angle_deg)};
     murk_status status =
-        m.phase && m.table && m.angle_deg ? MURK_OK : no_memory(where, err);
+        m.phase && m.table && m.angle_deg
+            ? MURK_OK
+            : murk_no_memory(err, where, "for a phase function");
     for (size_t i = 0; i < mixture->n && !status; ++i) {
         status = make_part(&m, i, where, err);
     }

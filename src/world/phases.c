@@ -21,12 +21,6 @@
  * share of the scattered light lies in such an extension. */
 #define BEYOND_ROWS .1
 
-static murk_status no_memory(const char *where, murk_error *err)
-{
-    return murk_fail(err, MURK_NO_MEMORY, where,
-                     "no memory for a phase function");
-}
-
 /* Reads the numbers of one column. The caller owns *out. */
 static murk_status read_column(double **out, const murk_table *csv,
                                const char *name, murk_error *err)
@@ -39,7 +33,8 @@ static murk_status read_column(double **out, const murk_table *csv,
                          name);
     }
     *out = malloc((csv->rows + 1) * sizeof **out);
-    murk_status status = *out ? MURK_OK : no_memory(csv->path, err);
+    murk_status status =
+        *out ? MURK_OK : murk_no_memory(err, csv->path, "for a phase function");
     for (size_t i = 0; i < csv->rows && !status; ++i) {
         status = murk_table_number(csv, i, column, NAN, &(*out)[i], err);
     }
@@ -200,7 +195,7 @@ murk_status murk_phases_create(murk_phases **out, const murk_scene_desc *scene,
         phases->medium = calloc(scene->n_media + 1, sizeof *phases->medium);
     }
     if (!phases || !phases->table || !phases->of || !phases->medium) {
-        status = no_memory(scene->path, err);
+        status = murk_no_memory(err, scene->path, "for a phase function");
         goto done;
     }
     /* Build the phase functions of each medium. */

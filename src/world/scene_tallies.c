@@ -33,8 +33,7 @@ murk_status murk_tallies_asked(murk_tally_desc **out,
     }
     murk_tally_desc *descs = calloc(scene->n_tallies, sizeof *descs);
     if (!descs) {
-        return murk_fail(err, MURK_NO_MEMORY, scene->path,
-                         "no memory for the tallies");
+        return murk_no_memory(err, scene->path, "for the tallies");
     }
     for (size_t i = 0; i < scene->n_tallies; ++i) {
         descs[i] = desc_of(&scene->tallies[i]);

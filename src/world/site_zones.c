@@ -24,7 +24,7 @@ static murk_status create(murk_zones **out, const murk_scene_site_zone *zones,
     }
     murk_zone *zone = calloc(n, sizeof *zone);
     if (!zone) {
-        return murk_fail(err, MURK_NO_MEMORY, where, "no memory for its zones");
+        return murk_no_memory(err, where, "for its zones");
     }
     for (size_t i = 0; i < n; ++i) {
         zone[i] = zone_of(&zones[i], mesh[i]);

@@ -39,7 +39,7 @@ static murk_status add_checksum(murk_stage *stage, const char *path,
     const size_t old = strlen(stage->light_key), added = 64;
     char *key = realloc(stage->light_key, old + added);
     if (!key) {
-        return murk_fail(err, MURK_NO_MEMORY, where, "no memory for its sum");
+        return murk_no_memory(err, where, "for its sum");
     }
     snprintf(key + old, added, "checksum: %016" PRIx64 "%016" PRIx64 "\n",
              sum[1], sum[0]);
@@ -137,8 +137,7 @@ static murk_status borrow_world(murk_stage *stage, const murk_stage *other,
     const size_t size = strlen(stage->light_key) + strlen(sums) + 1;
     char *key = realloc(stage->light_key, size);
     if (!key) {
-        return murk_fail(err, MURK_NO_MEMORY, scene->path,
-                         "no memory for the world");
+        return murk_no_memory(err, scene->path, "for the world");
     }
     strcat(key, sums);
     stage->light_key = key;
@@ -189,8 +188,7 @@ static murk_status build_surfaces(murk_stage *stage, murk_error *err)
     murk_material *material = calloc(scene->n_materials, sizeof *material);
     murk_status status = MURK_OK;
     if (!surface || !material) {
-        status = murk_fail(err, MURK_NO_MEMORY, scene->path,
-                           "no memory for the surfaces");
+        status = murk_no_memory(err, scene->path, "for the surfaces");
         goto done;
     }
     for (size_t i = 0; i < scene->geometries; ++i) {
@@ -249,8 +247,7 @@ static murk_status build_lights(murk_stage *stage, murk_error *err)
     stage->sky = calloc(scene->n_lights + 1, sizeof *stage->sky);
     murk_status status = MURK_OK;
     if (!light || !portal || !stage->sky) {
-        status = murk_fail(err, MURK_NO_MEMORY, scene->path,
-                           "no memory for the lights");
+        status = murk_no_memory(err, scene->path, "for the lights");
         goto done;
     }
     /* Convert each light source, with the portals that belong to it. */
@@ -289,8 +286,7 @@ murk_status murk_stage_import_beside(murk_stage **out,
     murk_status status = MURK_OK;
     murk_stage *stage = calloc(1, sizeof *stage);
     if (!stage) {
-        return murk_fail(err, MURK_NO_MEMORY, scene->path,
-                         "no memory for the world");
+        return murk_no_memory(err, scene->path, "for the world");
     }
     /* Allocate; messages about positions use the origin of the scene. */
     stage->scene = scene;
@@ -299,8 +295,7 @@ murk_status murk_stage_import_beside(murk_stage **out,
     stage->mesh = calloc(meshes, sizeof *stage->mesh);
     stage->light_key = strdup(scene->light_key);
     if (!stage->mesh || !stage->light_key) {
-        status = murk_fail(err, MURK_NO_MEMORY, scene->path,
-                           "no memory for the world");
+        status = murk_no_memory(err, scene->path, "for the world");
     } else {
         stage->region_mesh = stage->mesh + scene->geometries;
         stage->goal_mesh = stage->region_mesh + scene->n_regions;

@@ -49,8 +49,7 @@ murk_status murk_stage_media(murk_media **out, const murk_stage *stage,
     murk_region *region = calloc(scene->n_regions + 1, sizeof *region);
     murk_status status = MURK_OK;
     if (!medium || !region) {
-        status = murk_fail(err, MURK_NO_MEMORY, scene->path,
-                           "no memory for the media");
+        status = murk_no_memory(err, scene->path, "for the media");
         goto done;
     }
     /* Convert the media. */
