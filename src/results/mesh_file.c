@@ -15,6 +15,7 @@
 
 #define SHOWN_EVERY 65536 /* items between two updates of the progress bar */
 #define RECORD_MAX  64    /* bytes of a record; the longest is 40 */
+#define NAME_SIZE   32    /* of a file: "surfaces.vtp" */
 
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
                "numbers are written as they lie in memory");
@@ -30,6 +31,24 @@ static const struct {
 static size_t bytes_of(const murk_mesh_column *column)
 {
     return types[column->type].bytes * column->components;
+}
+
+/* Counts an item that is written, so many of which are shown at a time. False
+ * when interrupted. */
+static bool count(size_t i)
+{
+    if ((i + 1) % SHOWN_EVERY != 0) {
+        return true;
+    }
+    murk_progress_add(SHOWN_EVERY);
+    return !murk_interrupted();
+}
+
+static murk_status interrupted(const murk_mesh_export *v, bool goes_on,
+                               murk_error *err)
+{
+    return goes_on ? MURK_OK
+                   : murk_fail(err, MURK_INTERRUPTED, v->name, "interrupted");
 }
 
 /* ---- PLY ---- */
@@ -110,18 +129,18 @@ typedef struct array {
 } array;
 
 /* Polygons; points without triangles are one cell. */
-static size_t cells_of(const murk_vtp *v)
+static size_t cells_of(const murk_mesh_export *v)
 {
     return v->has_triangles ? v->points / 3 : v->points > 0;
 }
 
 /* Items of columns. */
-static size_t items_of(const murk_vtp *v)
+static size_t items_of(const murk_mesh_export *v)
 {
     return v->has_triangles ? v->points / 3 : v->points;
 }
 
-static array array_of(const murk_vtp *v, size_t number)
+static array array_of(const murk_mesh_export *v, size_t number)
 {
     if (number == PLACES) {
         return (array){murk_place_vtk(v->scene),   "place",   3,
@@ -145,7 +164,7 @@ static array array_of(const murk_vtp *v, size_t number)
 }
 
 /* Announces an array, whose bytes begin at *offset. */
-static void announce(FILE *to, const murk_vtp *v, size_t number,
+static void announce(FILE *to, const murk_mesh_export *v, size_t number,
                      uint64_t *offset)
 {
     const array a = array_of(v, number);
@@ -157,7 +176,7 @@ static void announce(FILE *to, const murk_vtp *v, size_t number,
     *offset += sizeof(uint64_t) + a.items * a.item_bytes;
 }
 
-static void put_header(FILE *to, const murk_vtp *v)
+static void put_header(FILE *to, const murk_mesh_export *v)
 {
     const char *cells = v->has_triangles ? "Polys" : "Verts";
     const char *data = v->has_triangles ? "CellData" : "PointData";
@@ -178,7 +197,7 @@ static void put_header(FILE *to, const murk_vtp *v)
     announce(to, v, OFFSETS, &offset);
     fprintf(to, "      </%s>\n      <%s Scalars=\"%s\">\n", cells, data,
             v->column[v->order[0]].name);
-    for (size_t k = 0; k < v->arrays; ++k) {
+    for (size_t k = 0; k < v->columns; ++k) {
         announce(to, v, FIRST_COLUMN + k, &offset);
     }
     fprintf(to,
@@ -187,8 +206,8 @@ static void put_header(FILE *to, const murk_vtp *v)
             data);
 }
 
-static void put_item(FILE *to, const murk_vtp *v, size_t number, const array *a,
-                     size_t i)
+static void put_item(FILE *to, const murk_mesh_export *v, size_t number,
+                     const array *a, size_t i)
 {
     unsigned char bytes[RECORD_MAX];
     if (number == PLACES) {
@@ -205,36 +224,78 @@ static void put_item(FILE *to, const murk_vtp *v, size_t number, const array *a,
 }
 
 /* False when interrupted. */
-static bool put_array(FILE *to, const murk_vtp *v, size_t number)
+static bool put_array(FILE *to, const murk_mesh_export *v, size_t number)
 {
     const array a = array_of(v, number);
     const uint64_t bytes = a.items * a.item_bytes;
     (void)fwrite(&bytes, sizeof bytes, 1, to);
-    for (size_t i = 0; i < a.items; ++i) {
+    bool goes_on = true;
+    for (size_t i = 0; goes_on && i < a.items; ++i) {
         put_item(to, v, number, &a, i);
-        if ((i + 1) % SHOWN_EVERY == 0) {
-            murk_progress_add(SHOWN_EVERY);
-            if (murk_interrupted()) {
-                return false;
-            }
-        }
+        goes_on = count(i);
     }
     murk_progress_add(a.items % SHOWN_EVERY);
-    return true;
+    return goes_on;
 }
 
-murk_status murk_vtp_write(FILE *to, const murk_vtp *v, murk_error *err)
+murk_status murk_vtp_write(FILE *to, const void *mesh, murk_error *err)
 {
+    const murk_mesh_export *v = mesh;
+    char step[NAME_SIZE];
     bool goes_on = true;
     put_header(to, v);
-    murk_progress_begin(v->step,
-                        2 * v->points + cells_of(v) + v->arrays * items_of(v),
-                        "values");
-    for (size_t k = 0; goes_on && k < FIRST_COLUMN + v->arrays; ++k) {
+    snprintf(step, sizeof step, "%s.vtp", v->name);
+    murk_progress_begin(
+        step, 2 * v->points + cells_of(v) + v->columns * items_of(v), "values");
+    for (size_t k = 0; goes_on && k < FIRST_COLUMN + v->columns; ++k) {
         goes_on = put_array(to, v, k);
     }
     murk_progress_end();
     fputs("\n  </AppendedData>\n</VTKFile>\n", to);
-    return goes_on ? MURK_OK
-                   : murk_fail(err, MURK_INTERRUPTED, v->step, "interrupted");
+    return interrupted(v, goes_on, err);
+}
+
+/* ---- both files ---- */
+
+static murk_status write_ply(FILE *to, const void *context, murk_error *err)
+{
+    const murk_mesh_export *v = context;
+    const size_t faces = v->has_triangles ? items_of(v) : 0;
+    unsigned char record[RECORD_MAX];
+    char step[NAME_SIZE];
+    bool goes_on = true;
+    /* The header: origin, meaning of numbers, properties. */
+    murk_ply ply = murk_mesh_begin(to, v->scene, v->comment);
+    murk_ply_put_facts(to, v->scene, v->notes);
+    murk_mesh_vertices(&ply, v->points, v->column,
+                       v->has_triangles ? 1 : v->columns);
+    if (v->has_triangles) {
+        murk_mesh_faces(&ply, faces, v->column, v->columns);
+    }
+    murk_mesh_end_header(&ply);
+    /* Points, then triangles. */
+    snprintf(step, sizeof step, "%s.ply", v->name);
+    murk_progress_begin(step, v->points + faces, v->name);
+    for (size_t i = 0; goes_on && i < v->points; ++i) {
+        v->record(v->context, v->has_triangles ? i / 3 : i, record);
+        murk_mesh_put_vertex(&ply, v->position(v->context, i), record);
+        goes_on = count(i);
+    }
+    for (size_t i = 0; goes_on && i < faces; ++i) {
+        v->record(v->context, i, record);
+        murk_mesh_put_face(&ply, 3 * i, 3 * i + 1, 3 * i + 2, record);
+        goes_on = count(i);
+    }
+    murk_progress_end();
+    return interrupted(v, goes_on, err);
+}
+
+void murk_mesh_add(murk_results *results, const murk_mesh_export *mesh,
+                   murk_error *late)
+{
+    char name[NAME_SIZE];
+    snprintf(name, sizeof name, "%s.ply", mesh->name);
+    (void)murk_results_add_stream(results, name, write_ply, mesh, late);
+    snprintf(name, sizeof name, "%s.vtp", mesh->name);
+    (void)murk_results_add_stream(results, name, murk_vtp_write, mesh, late);
 }

@@ -7,7 +7,7 @@
 #ifndef MURK_RESULTS_MESH_FILE_H
 #define MURK_RESULTS_MESH_FILE_H
 
-#include "base/status.h"
+#include "results/results.h"
 #include "scene/scene.h"
 
 #include <stdio.h>
@@ -61,25 +61,32 @@ void murk_mesh_put_vertex(const murk_ply *ply, murk_vec3 position,
 void murk_mesh_put_face(const murk_ply *ply, size_t a, size_t b, size_t c,
                         const void *record);
 
-/* ---- .vtp ---- */
+/* ---- both files from one description ---- */
 
 /* Points, and triangles that have three of their own each, in order, or no
  * triangles: then the points are shown by themselves. */
-typedef struct murk_vtp {
+typedef struct murk_mesh_export {
+    const char *name;    /* of both files, without .ply and .vtp */
+    const char *comment; /* the first of the PLY file: whole lines */
     const murk_scene_desc *scene;
-    const char *const *notes; /* more field data: name, text, ..., NULL */
+    const char *const *notes; /* more facts: name, text, ..., NULL */
     size_t points;
     bool has_triangles;             /* points / 3 */
-    const murk_mesh_column *column; /* of triangles, or of points */
-    const uint8_t *order;           /* [arrays] of columns in the file */
-    size_t arrays;
+    const murk_mesh_column *column; /* [columns] of triangles, or of points */
+    size_t columns;       /* vertices of triangles have the first of them */
+    const uint8_t *order; /* [columns] of their arrays in the .vtp file */
     murk_vec3 (*position)(const void *context, size_t i); /* of points */
     void (*record)(const void *context, size_t i, void *out);
     const void *context;
-    const char *step; /* of a progress bar */
-} murk_vtp;
+} murk_mesh_export;
 
-/* Streams it: nothing is held twice. Fails with MURK_INTERRUPTED. */
-murk_status murk_vtp_write(FILE *to, const murk_vtp *vtp, murk_error *err);
+/* Streams the .vtp file of a murk_mesh_export, as murk_results_add_stream()
+ * calls it: nothing is held twice. Fails with MURK_INTERRUPTED. */
+murk_status murk_vtp_write(FILE *to, const void *mesh, murk_error *err);
+
+/* Adds NAME.ply and NAME.vtp, the latter also if the former fails; late has the
+ * first failure. */
+void murk_mesh_add(murk_results *results, const murk_mesh_export *mesh,
+                   murk_error *late);
 
 #endif

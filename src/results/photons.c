@@ -4,8 +4,6 @@
  */
 #include "results/photons.h"
 
-#include "base/interrupt.h"
-#include "base/progress.h"
 #include "render/colour.h"
 #include "results/mesh_file.h"
 #include "results/vtk.h"
@@ -14,15 +12,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define SHOWN_EVERY                                          \
-    65536 /* photons between two updates of the progress bar \
-           */
-
 typedef struct photons {
     const murk_session *session;
     const murk_photon *surface, *volume;
     size_t on, in; /* of them */
-    bool is_vtp;   /* the file that is written: .vtp or .ply */
     uint8_t band_color[MURK_BANDS_MAX][3];
 } photons;
 
@@ -160,82 +153,39 @@ static bool meanings_of(meanings *m, const murk_scene_desc *scene)
     return m->materials && m->media;
 }
 
-/* ---- files ---- */
-
-static murk_status put_ply(FILE *to, const photons *p, const meanings *m,
-                           murk_error *err)
-{
-    const size_t n = p->on + p->in;
-    /* The header: origin, meaning of numbers, properties. */
-    murk_ply ply =
-        murk_mesh_begin(to, p->session->scene,
-                        "comment murk photons: those of the surface map, then "
-                        "of the volume map\n");
-    murk_ply_put_facts(to, p->session->scene, m->note);
-    murk_mesh_vertices(&ply, n, columns, COLUMNS);
-    murk_mesh_end_header(&ply);
-
-    murk_status status = MURK_OK;
-    murk_progress_begin("photons.ply", n, "photons");
-    for (size_t i = 0; !status && i < n; ++i) {
-        record r;
-        put_record(p, i, &r);
-        murk_mesh_put_vertex(&ply, position_of(p, i), &r);
-        if ((i + 1) % SHOWN_EVERY == 0) {
-            murk_progress_add(SHOWN_EVERY);
-            status = murk_interrupted() ? murk_fail(err, MURK_INTERRUPTED,
-                                                    "--export", "interrupted")
-                                        : MURK_OK;
-        }
-    }
-    murk_progress_end();
-    return status;
-}
-
-static murk_status put_vtp(FILE *to, const photons *p, const meanings *m,
-                           murk_error *err)
-{
-    /* the color first: what ParaView shows unasked */
-    static const uint8_t order[] = {9, 0, 1, 2, 3, 4, 5, 6, 7, 8};
-    const murk_vtp vtp = {.scene = p->session->scene,
-                          .notes = m->note,
-                          .points = p->on + p->in,
-                          .column = columns,
-                          .order = order,
-                          .arrays = sizeof order,
-                          .position = position_of,
-                          .record = put_record,
-                          .context = p,
-                          .step = "photons.vtp"};
-    return murk_vtp_write(to, &vtp, err);
-}
-
-static murk_status write_photons(FILE *to, const void *context, murk_error *err)
-{
-    const photons *p = context;
-    meanings m;
-    const murk_status status = !meanings_of(&m, p->session->scene)
-                                   ? murk_fail(err, MURK_NO_MEMORY, "--export",
-                                               "no memory to write it")
-                               : p->is_vtp ? put_vtp(to, p, &m, err)
-                                           : put_ply(to, p, &m, err);
-    free(m.materials);
-    free(m.media);
-    return status;
-}
+/* ---- all ---- */
 
 void murk_photons_add(murk_session *session, murk_error *late)
 {
+    /* the color first: what ParaView shows unasked */
+    static const uint8_t order[] = {9, 0, 1, 2, 3, 4, 5, 6, 7, 8};
     const murk_traced *traced = session->traced;
     photons p = {.session = session,
                  .surface = murk_photon_map_photons(traced->surface),
                  .volume = murk_photon_map_photons(traced->volume),
                  .on = murk_photon_map_count(traced->surface),
                  .in = murk_photon_map_count(traced->volume)};
+    meanings m;
+    const murk_mesh_export mesh = {
+        .name = "photons",
+        .comment = "comment murk photons: those of the surface map, then of "
+                   "the volume map\n",
+        .scene = session->scene,
+        .notes = m.note,
+        .points = p.on + p.in,
+        .column = columns,
+        .columns = COLUMNS,
+        .order = order,
+        .position = position_of,
+        .record = put_record,
+        .context = &p};
     color_bands(&p);
-    (void)murk_results_add_stream(&session->results, "photons.ply",
-                                  write_photons, &p, late);
-    p.is_vtp = true;
-    (void)murk_results_add_stream(&session->results, "photons.vtp",
-                                  write_photons, &p, late);
+    if (meanings_of(&m, session->scene)) {
+        murk_mesh_add(&session->results, &mesh, late);
+    } else {
+        (void)murk_fail(late, MURK_NO_MEMORY, "--export",
+                        "photons: no memory to write them");
+    }
+    free(m.materials);
+    free(m.media);
 }

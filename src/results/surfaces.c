@@ -118,11 +118,6 @@ typedef struct __attribute__((packed)) record {
     uint16_t sensors;
 } record;
 
-static size_t columns_of(const surfaces *s)
-{
-    return s->lit->is_seen ? COLUMNS : WITHOUT_SENSORS;
-}
-
 static murk_vec3 corner_of(const void *context, size_t i)
 {
     const surfaces *s = context;
@@ -173,57 +168,6 @@ static void meanings_of(const surfaces *s, const char *note[16])
     note[n] = NULL;
 }
 
-/* ---- files ---- */
-
-static murk_status write_ply(FILE *to, const void *context, murk_error *err)
-{
-    const surfaces *s = context;
-    const char *note[16];
-    record r;
-    murk_ply ply = murk_mesh_begin(to, s->session->scene,
-                                   "comment murk surfaces, in pieces\n");
-    meanings_of(s, note);
-    murk_ply_put_facts(to, s->session->scene, note);
-    murk_mesh_vertices(&ply, 3 * s->n, columns, 1); /* the color of the face */
-    murk_mesh_faces(&ply, s->n, columns, columns_of(s));
-    murk_mesh_end_header(&ply);
-
-    for (size_t i = 0; i < s->n; ++i) {
-        put_record(s, i, &r);
-        for (size_t c = 0; c < 3; ++c) {
-            murk_mesh_put_vertex(&ply, corner_of(s, 3 * i + c), r.color);
-        }
-    }
-    for (size_t i = 0; i < s->n; ++i) {
-        put_record(s, i, &r);
-        murk_mesh_put_face(&ply, 3 * i, 3 * i + 1, 3 * i + 2, &r);
-    }
-    (void)err;
-    return MURK_OK;
-}
-
-static murk_status write_vtp(FILE *to, const void *context, murk_error *err)
-{
-    /* as the files of earlier versions have them */
-    static const uint8_t order[] = {4, 3, 2, 1, 0};
-    static const uint8_t with_sensors[] = {4, 3, 2, 1, 7, 6, 5, 0};
-    const surfaces *s = context;
-    const char *note[16];
-    meanings_of(s, note);
-    const murk_vtp vtp = {.scene = s->session->scene,
-                          .notes = note,
-                          .points = 3 * s->n,
-                          .has_triangles = true,
-                          .column = columns,
-                          .order = s->lit->is_seen ? with_sensors : order,
-                          .arrays = columns_of(s),
-                          .position = corner_of,
-                          .record = put_record,
-                          .context = s,
-                          .step = "surfaces.vtp"};
-    return murk_vtp_write(to, &vtp, err);
-}
-
 /* ---- all ---- */
 
 /* Those in the domain, and their mean irradiance. */
@@ -246,6 +190,9 @@ static void choose(surfaces *s)
 static void add_files(murk_session *session, const murk_lit_pieces *lit,
                       murk_error *late)
 {
+    /* arrays of surfaces.vtp, as the files of earlier versions have them */
+    static const uint8_t order[] = {4, 3, 2, 1, 0};
+    static const uint8_t with_sensors[] = {4, 3, 2, 1, 7, 6, 5, 0};
     const murk_scene_desc *scene = session->scene;
     surfaces s = {.session = session,
                   .lit = lit,
@@ -259,12 +206,24 @@ static void add_files(murk_session *session, const murk_lit_pieces *lit,
                         "surfaces: no memory for %zu pieces", lit->pieces->n);
     } else {
         /* Both files have the same pieces. */
+        const char *note[16];
         choose(&s);
         snprintf(s.lost, sizeof s.lost, "%llu", (unsigned long long)lit->lost);
-        (void)murk_results_add_stream(&session->results, "surfaces.ply",
-                                      write_ply, &s, late);
-        (void)murk_results_add_stream(&session->results, "surfaces.vtp",
-                                      write_vtp, &s, late);
+        meanings_of(&s, note);
+        const murk_mesh_export mesh = {
+            .name = "surfaces",
+            .comment = "comment murk surfaces, in pieces\n",
+            .scene = scene,
+            .notes = note,
+            .points = 3 * s.n,
+            .has_triangles = true,
+            .column = columns,
+            .columns = lit->is_seen ? COLUMNS : WITHOUT_SENSORS,
+            .order = lit->is_seen ? with_sensors : order,
+            .position = corner_of,
+            .record = put_record,
+            .context = &s};
+        murk_mesh_add(&session->results, &mesh, late);
     }
     free(s.piece);
     free(s.material);

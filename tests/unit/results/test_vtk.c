@@ -80,21 +80,21 @@ static void check_mesh(bool has_triangles, size_t points)
      * into memory. */
     const double y = 2.5;
     const murk_scene_desc scene = hostile_scene();
-    const murk_vtp vtp = {.scene = &scene,
-                          .points = points,
-                          .has_triangles = has_triangles,
-                          .column = &number,
-                          .order = first_alone,
-                          .arrays = 1,
-                          .position = position_of,
-                          .record = put_record,
-                          .context = &y,
-                          .step = "test"};
+    const murk_mesh_export mesh = {.name = "test",
+                                   .scene = &scene,
+                                   .points = points,
+                                   .has_triangles = has_triangles,
+                                   .column = &number,
+                                   .order = first_alone,
+                                   .columns = 1,
+                                   .position = position_of,
+                                   .record = put_record,
+                                   .context = &y};
     murk_error err = {0};
     char *text = NULL;
     size_t size = 0;
     FILE *to = open_memstream(&text, &size);
-    CHECK(to != NULL && !murk_vtp_write(to, &vtp, &err));
+    CHECK(to != NULL && !murk_vtp_write(to, &mesh, &err));
     CHECK(!fclose(to));
     /* Positions, connectivity, offsets of cells and the column follow each
      * other, each after the length in bytes. */
