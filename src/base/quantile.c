@@ -4,6 +4,7 @@
 #include "base/quantile.h"
 
 #include "base/log_gamma.h"
+#include "base/sort.h"
 
 #include <assert.h>
 #include <math.h>
@@ -11,15 +12,9 @@
 
 #define HALF_PI 1.5707963267948966 /* pi / 2 */
 
-static int by_value(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 void murk_sort(double *x, size_t n)
 {
-    qsort(x, n, sizeof *x, by_value);
+    qsort(x, n, sizeof *x, murk_by_double);
 }
 
 /* P(|T| <= t). With tan(angle) = t / sqrt(degrees), the probability is a sum of

@@ -5,6 +5,8 @@
  * axis. */
 #include "calibrate/receiver_tree.h"
 
+#include "base/sort.h"
+
 #include <assert.h>
 #include <stdlib.h>
 
@@ -43,9 +45,8 @@ typedef struct sorted {
 static int compare(const void *a, const void *b)
 {
     const sorted *x = a, *y = b;
-    return x->at != y->at
-               ? (x->at < y->at ? -1 : 1)
-               : (x->receiver > y->receiver) - (x->receiver < y->receiver);
+    const int order = MURK_ORDER(x->at, y->at);
+    return order ? order : MURK_ORDER(x->receiver, y->receiver);
 }
 
 static murk_box box_of(const murk_receiver_tree *c, uint32_t first, uint32_t n)

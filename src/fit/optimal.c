@@ -9,6 +9,7 @@
 #include "fit/optimal.h"
 
 #include "base/arena.h"
+#include "base/sort.h"
 #include "fit/ceres_bridge.h"
 
 #include <assert.h>
@@ -283,12 +284,6 @@ static murk_status choose_better(choice *c, murk_error *err)
     return MURK_OK;
 }
 
-static int by_number(const void *a, const void *b)
-{
-    const size_t x = *(const size_t *)a, y = *(const size_t *)b;
-    return (x > y) - (x < y);
-}
-
 /* Sorts the selected candidates by gain, largest first. */
 static murk_status order(choice *c, murk_optimal_pick *pick, murk_error *err)
 {
@@ -296,7 +291,7 @@ static murk_status order(choice *c, murk_optimal_pick *pick, murk_error *err)
     if (status) {
         return status;
     }
-    qsort(c->pick, c->k, sizeof *c->pick, by_number);
+    qsort(c->pick, c->k, sizeof *c->pick, murk_by_size);
     for (size_t p = 0; p < c->k; ++p) {
         double max = -1;
         size_t at = p;

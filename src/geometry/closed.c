@@ -7,6 +7,8 @@
  * the winding of a triangle agrees with the winding of the root. */
 #include "geometry/closed.h"
 
+#include "base/sort.h"
+
 #include <stdlib.h>
 
 /* A vertex position, to be sorted. */
@@ -21,29 +23,23 @@ typedef struct edge {
     uint32_t low, high, opposite, triangle;
 } edge;
 
-static int order(double a, double b)
-{
-    return (a > b) - (a < b);
-}
-
 static int order_places(const void *left, const void *right)
 {
     const place *a = left, *b = right;
-    const int by_x = order((double)a->x, (double)b->x);
-    const int by_y = order((double)a->y, (double)b->y);
-    return by_x ? by_x : by_y ? by_y : order((double)a->z, (double)b->z);
+    const int by_x = MURK_ORDER(a->x, b->x), by_y = MURK_ORDER(a->y, b->y);
+    return by_x ? by_x : by_y ? by_y : MURK_ORDER(a->z, b->z);
 }
 
 static int order_edges(const void *left, const void *right)
 {
     const edge *a = left, *b = right;
-    const int by_low = order(a->low, b->low);
-    const int by_high = order(a->high, b->high);
-    const int by_opposite = order(a->opposite, b->opposite);
+    const int by_low = MURK_ORDER(a->low, b->low);
+    const int by_high = MURK_ORDER(a->high, b->high);
+    const int by_opposite = MURK_ORDER(a->opposite, b->opposite);
     return by_low        ? by_low
            : by_high     ? by_high
            : by_opposite ? by_opposite
-                         : order(a->triangle, b->triangle);
+                         : MURK_ORDER(a->triangle, b->triangle);
 }
 
 /* Sets same[v] to one representative of all vertices with the coordinates of

@@ -6,6 +6,7 @@
  * mesh. Points closer to the other surface than the tolerance are touching
  * and do not count. If two surfaces intersect, an edge of one of them passes
  * through a triangle of the other, so each mesh is tested against the other. */
+#include "base/sort.h"
 #include "geometry/boundary_mesh.h"
 #include "geometry/boundary_meshes.h"
 
@@ -59,12 +60,6 @@ static void note(void *context, size_t triangle, double distance_m)
     }
 }
 
-static int order(const void *left, const void *right)
-{
-    const double a = *(const double *)left, b = *(const double *)right;
-    return (a > b) - (a < b);
-}
-
 /* Samples the middles of the parts into which the other mesh divides an
  * edge. */
 static void sample_edge(sampling *s, murk_vec3 from, murk_vec3 to)
@@ -77,7 +72,7 @@ static void sample_edge(sampling *s, murk_vec3 from, murk_vec3 to)
     if (p.n == 0) {
         return;
     }
-    qsort(p.at_m, p.n, sizeof *p.at_m, order);
+    qsort(p.at_m, p.n, sizeof *p.at_m, murk_by_double);
     double last = 0;
     for (size_t i = 0; i <= p.n; ++i) {
         const double next = i < p.n ? fmin(p.at_m[i], length) : length;

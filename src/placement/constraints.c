@@ -4,6 +4,8 @@
  * a search only (murk_partial_plan_complete). */
 #include "placement/constraints.h"
 
+#include "base/sort.h"
+
 #include <assert.h>
 #include <math.h>
 #include <stdio.h>
@@ -18,13 +20,9 @@ typedef struct keyed {
 static int by_key(const void *a, const void *b)
 {
     const keyed *x = a, *y = b;
-    if (x->key != y->key) {
-        return x->key < y->key ? -1 : 1;
-    }
-    if (x->then != y->then) {
-        return x->then < y->then ? -1 : 1;
-    }
-    return (x->candidate > y->candidate) - (x->candidate < y->candidate);
+    const int key = MURK_ORDER(x->key, y->key);
+    const int then = MURK_ORDER(x->then, y->then);
+    return key ? key : then ? then : MURK_ORDER(x->candidate, y->candidate);
 }
 
 static bool is_too_close(const murk_constraints *constraints, uint32_t a,
@@ -42,12 +40,6 @@ static bool is_too_close(const murk_constraints *constraints, uint32_t a,
     return square < constraints->spacing_m * constraints->spacing_m;
 }
 
-static int by_index(const void *a, const void *b)
-{
-    const uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
-    return (x > y) - (x < y);
-}
-
 /* True if b is in a's list of conflicts. */
 static bool is_listed(const murk_constraints *constraints, uint32_t a,
                       uint32_t b)
@@ -55,7 +47,7 @@ static bool is_listed(const murk_constraints *constraints, uint32_t a,
     const size_t *first = constraints->conflict_first;
     return first && bsearch(&b, constraints->conflict + first[a],
                             first[a + 1] - first[a],
-                            sizeof *constraints->conflict, by_index);
+                            sizeof *constraints->conflict, murk_by_uint32);
 }
 
 /* ---- for messages ---- */

@@ -8,6 +8,7 @@
 
 #include "base/interrupt.h"
 #include "base/progress.h"
+#include "base/sort.h"
 #include "placement/presolve.h"
 
 #include <stdlib.h>
@@ -184,10 +185,8 @@ void murk_evaluator_gain_bounds(const murk_evaluator *evaluator,
 static int by_rank(const void *a, const void *b)
 {
     const murk_ranked *x = a, *y = b;
-    if (x->bound != y->bound) {
-        return x->bound > y->bound ? -1 : 1;
-    }
-    return (x->candidate > y->candidate) - (x->candidate < y->candidate);
+    const int falling = MURK_ORDER(y->bound, x->bound);
+    return falling ? falling : MURK_ORDER(x->candidate, y->candidate);
 }
 
 void murk_ranked_sort(murk_ranked *ranked, size_t n)
@@ -246,13 +245,9 @@ typedef struct costed {
 static int by_cost(const void *a, const void *b)
 {
     const costed *x = a, *y = b;
-    if (x->number != y->number) {
-        return x->number < y->number ? -1 : 1;
-    }
-    if (x->cost != y->cost) {
-        return x->cost < y->cost ? -1 : 1;
-    }
-    return (x->rank > y->rank) - (x->rank < y->rank);
+    const int number = MURK_ORDER(x->number, y->number);
+    const int cost = MURK_ORDER(x->cost, y->cost);
+    return number ? number : cost ? cost : MURK_ORDER(x->rank, y->rank);
 }
 
 /* Fills order[] with the ranked candidates, those of equal value by cost, so

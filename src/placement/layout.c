@@ -5,18 +5,14 @@
  * i. */
 #include "placement/layout.h"
 
+#include "base/sort.h"
+
 #include <stdlib.h>
 #include <string.h>
 
 /* Regrouping may leave one slot in four unused. With more distinct weights the
  * longer rows cost more than bit counts save (a choice). */
 #define PHOTONS_PER_PADDING 4
-
-static int by_key(const void *a, const void *b)
-{
-    const uint64_t x = *(const uint64_t *)a, y = *(const uint64_t *)b;
-    return (x > y) - (x < y);
-}
 
 uint32_t murk_common_divisor(const uint32_t *weight, size_t n)
 {
@@ -44,7 +40,7 @@ static bool assign_slots(murk_layout *out, const uint32_t *weight,
     for (size_t i = 0; i < n; ++i) {
         key[i] = (uint64_t)weight[i] << 32 | i;
     }
-    qsort(key, n, sizeof *key, by_key);
+    qsort(key, n, sizeof *key, murk_by_uint64);
     for (size_t k = 1; k < n; ++k) {
         distinct += key[k] >> 32 != key[k - 1] >> 32;
     }

@@ -9,6 +9,7 @@
 #include "base/arena.h"
 #include "base/interrupt.h"
 #include "base/pool.h"
+#include "base/sort.h"
 #include "base/tally.h"
 
 #include <stdlib.h>
@@ -81,13 +82,9 @@ typedef struct merging {
 static int by_hash(const void *a, const void *b)
 {
     const hashed_photon *x = a, *y = b;
-    if (x->hash != y->hash) {
-        return x->hash < y->hash ? -1 : 1;
-    }
-    if (x->weight != y->weight) {
-        return x->weight < y->weight ? -1 : 1;
-    }
-    return (x->photon > y->photon) - (x->photon < y->photon);
+    const int hash = MURK_ORDER(x->hash, y->hash);
+    const int weight = MURK_ORDER(x->weight, y->weight);
+    return hash ? hash : weight ? weight : MURK_ORDER(x->photon, y->photon);
 }
 
 /* Chooses the representatives of a group of n photons: one for each binary

@@ -6,6 +6,7 @@
 
 #include "base/interrupt.h"
 #include "base/progress.h"
+#include "base/sort.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -162,12 +163,6 @@ void murk_place_run_join_bounds(murk_place_run *run)
     }
 }
 
-static int by_number(const void *a, const void *b)
-{
-    const size_t x = *(const size_t *)a, y = *(const size_t *)b;
-    return (x > y) - (x < y);
-}
-
 murk_status murk_place_run_end(murk_place_result *out, murk_place_run *run,
                                murk_status status)
 {
@@ -178,7 +173,8 @@ murk_status murk_place_run_end(murk_place_result *out, murk_place_run *run,
             run->set ? murk_constraint_set_cost(run->set, run->plan[k]) : 0;
     }
     if (!status) {
-        qsort(result->sensor, result->count, sizeof *result->sensor, by_number);
+        qsort(result->sensor, result->count, sizeof *result->sensor,
+              murk_by_size);
         result->proven_optimal = result->value == result->upper;
         result->after_presolve = run->evaluator.undominated;
         *out = *result;

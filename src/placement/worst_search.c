@@ -5,6 +5,7 @@
 #include "placement/worst_search.h"
 
 #include "base/interrupt.h"
+#include "base/sort.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -99,7 +100,7 @@ static int by_bound(const void *a, const void *b)
         return murk_objective_is_greater(x->value_bound, y->value_bound) ? -1
                                                                          : 1;
     }
-    return (x->candidate > y->candidate) - (x->candidate < y->candidate);
+    return MURK_ORDER(x->candidate, y->candidate);
 }
 
 /* Finds the candidate that makes the objective value largest, if that exceeds

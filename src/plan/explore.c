@@ -8,6 +8,7 @@
 #include "base/interrupt.h"
 #include "base/pool.h"
 #include "base/progress.h"
+#include "base/sort.h"
 #include "placement/lazy_greedy.h"
 #include "plan/explored.h"
 
@@ -278,12 +279,6 @@ static murk_status check_end(const exploring *e, const murk_place_desc *desc,
     return MURK_OK;
 }
 
-static int by_number(const void *a, const void *b)
-{
-    const size_t x = *(const size_t *)a, y = *(const size_t *)b;
-    return (x > y) - (x < y);
-}
-
 /* Fills the result with the sensors in rising order. */
 static murk_status fill(murk_place_result *place, const exploring *e,
                         murk_error *err)
@@ -296,7 +291,7 @@ static murk_status fill(murk_place_result *place, const exploring *e,
     for (size_t k = 0; k < out->steps; ++k) {
         sensor[k] = out->step[k].candidate;
     }
-    qsort(sensor, out->steps, sizeof *sensor, by_number);
+    qsort(sensor, out->steps, sizeof *sensor, murk_by_size);
     *place = (murk_place_result){.count = out->steps,
                                  .sensor = sensor,
                                  .value = e->greedy.value,

@@ -3,6 +3,7 @@
  * line. */
 #include "base/interrupt.h"
 #include "base/position.h"
+#include "base/sort.h"
 #include "plan/explore.h"
 #include "sensing/outlook.h"
 
@@ -17,10 +18,8 @@ typedef struct far_place {
 static int by_distance(const void *a, const void *b)
 {
     const far_place *x = a, *y = b;
-    if (x->distance_m != y->distance_m) {
-        return x->distance_m < y->distance_m ? -1 : 1;
-    }
-    return (x->place > y->place) - (x->place < y->place);
+    const int order = MURK_ORDER(x->distance_m, y->distance_m);
+    return order ? order : MURK_ORDER(x->place, y->place);
 }
 
 /* Finds the nearest visible site; false if there is none. */

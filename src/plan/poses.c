@@ -5,6 +5,7 @@
 #include "plan/poses.h"
 
 #include "base/position.h"
+#include "base/sort.h"
 
 #include <assert.h>
 #include <math.h>
@@ -103,13 +104,8 @@ typedef struct place {
 int murk_by_position(const void *a, const void *b)
 {
     const murk_vec3 *p = a, *q = b;
-    const double x[3] = {p->x, p->y, p->z}, y[3] = {q->x, q->y, q->z};
-    for (int i = 0; i < 3; ++i) {
-        if (x[i] != y[i]) {
-            return x[i] < y[i] ? -1 : 1;
-        }
-    }
-    return 0;
+    const int x = MURK_ORDER(p->x, q->x), y = MURK_ORDER(p->y, q->y);
+    return x ? x : y ? y : MURK_ORDER(p->z, q->z);
 }
 
 /* Order by position, then by number. */
@@ -117,7 +113,7 @@ static int by_place(const void *a, const void *b)
 {
     const place *x = a, *y = b;
     const int order = murk_by_position(&x->at, &y->at);
-    return order ? order : (x->pose > y->pose) - (x->pose < y->pose);
+    return order ? order : MURK_ORDER(x->pose, y->pose);
 }
 
 /* A fixed sensor (pose `first` or later) at the position of a site gets the

@@ -15,6 +15,7 @@
 #include "base/cache.h"
 #include "base/interrupt.h"
 #include "base/pool.h"
+#include "base/sort.h"
 #include "preset/droplets.h"
 #include "preset/refraction.h"
 
@@ -46,8 +47,7 @@ typedef struct nodes {
 
 static int by_wavelength(const void *a, const void *b)
 {
-    const double x = ((const node *)a)->nm, y = ((const node *)b)->nm;
-    return (x > y) - (x < y);
+    return MURK_ORDER(((const node *)a)->nm, ((const node *)b)->nm);
 }
 
 /* Thins out the rising wavelengths: both ends stay, and between them those

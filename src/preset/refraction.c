@@ -3,6 +3,8 @@
  * see preset/refraction.h. */
 #include "preset/refraction.h"
 
+#include "base/interval.h"
+
 #include <assert.h>
 #include <math.h>
 #include <stddef.h>
@@ -127,16 +129,9 @@ static const node imaginary_part[] = {
 /* Returns the last node at or before a wavelength. */
 static const node *before(const node *nodes, size_t count, double wavelength_nm)
 {
-    size_t low = 0, high = count - 1;
-    while (high - low > 1) {
-        const size_t middle = (low + high) / 2;
-        if (nodes[middle].wavelength_nm <= wavelength_nm) {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    return nodes + low;
+    return nodes + murk_interval_of(&nodes->wavelength_nm,
+                                    sizeof *nodes / sizeof(double), count,
+                                    wavelength_nm);
 }
 
 static double fraction_along(const node *from, double wavelength_nm)

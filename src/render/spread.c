@@ -2,6 +2,8 @@
  * even steps. */
 #include "render/spread.h"
 
+#include "base/sort.h"
+
 #include <stdlib.h>
 
 size_t murk_spread_step(size_t n)
@@ -10,14 +12,8 @@ size_t murk_spread_step(size_t n)
     return (n > 0 ? (n - 1) / MURK_SPREAD_MAX + 1 : 1) | 1;
 }
 
-static int compare(const void *a, const void *b)
-{
-    const float x = *(const float *)a, y = *(const float *)b;
-    return (x > y) - (x < y);
-}
-
 float murk_spread_share(float *value, size_t n, double share)
 {
-    qsort(value, n, sizeof *value, compare);
+    qsort(value, n, sizeof *value, murk_by_float);
     return value[(size_t)(share * (double)(n - 1) + 0.5)];
 }

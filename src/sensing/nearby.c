@@ -2,15 +2,10 @@
  */
 #include "sensing/nearby.h"
 
+#include "base/sort.h"
 #include "path/segment.h"
 
 #include <stdlib.h>
-
-static int by_number(const void *a, const void *b)
-{
-    const uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
-    return (x > y) - (x < y);
-}
 
 /* Keeps the photons whose nearest image of the sensor is `image`. Returns their
  * number. */
@@ -48,6 +43,6 @@ size_t murk_photons_nearby(const murk_photon_map *map,
         photons +=
             keep_nearest(found + photons, n, photon, domain, sensor, image);
     }
-    qsort(found, photons, sizeof *found, by_number);
+    qsort(found, photons, sizeof *found, murk_by_uint32);
     return photons;
 }

@@ -3,6 +3,8 @@
  * In a periodic domain the nine nearest images are queried and merged. */
 #include "sensing/neighbours.h"
 
+#include "base/sort.h"
+
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
@@ -53,10 +55,8 @@ void murk_neighbours_workspace_destroy(murk_neighbours_workspace *workspace)
 static int by_distance(const void *a, const void *b)
 {
     const near_one *x = a, *y = b;
-    const int farther = (x->distance2_m2 > y->distance2_m2) -
-                        (x->distance2_m2 < y->distance2_m2);
-    return farther ? farther
-                   : (x->number > y->number) - (x->number < y->number);
+    const int farther = MURK_ORDER(x->distance2_m2, y->distance2_m2);
+    return farther ? farther : MURK_ORDER(x->number, y->number);
 }
 
 /* The m nearest photons over all images of the place. A photon beyond half a

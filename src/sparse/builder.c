@@ -3,6 +3,8 @@
  * numbers. */
 #include "sparse/builder.h"
 
+#include "base/sort.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -43,12 +45,9 @@ murk_status murk_sparse_builder_put(murk_sparse_builder *b, size_t row,
 static int by_row(const void *a, const void *b)
 {
     const murk_sparse_entry *x = a, *y = b;
-    if (x->row != y->row) {
-        return x->row < y->row ? -1 : 1;
-    }
-    return x->line != y->line
-               ? (x->line > y->line) - (x->line < y->line)
-               : (x->column > y->column) - (x->column < y->column);
+    const int row = MURK_ORDER(x->row, y->row);
+    const int line = MURK_ORDER(x->line, y->line);
+    return row ? row : line ? line : MURK_ORDER(x->column, y->column);
 }
 
 /* Sorts by row, unless the entries are sorted already. */

@@ -6,6 +6,7 @@
 #include "sparse/matrix.h"
 
 #include "base/file.h"
+#include "base/sort.h"
 
 #include <stdarg.h>
 #include <stdlib.h>
@@ -41,13 +42,9 @@ static uint64_t mix(uint64_t hash, uint64_t number, uint64_t factor)
 static int by_hash(const void *a, const void *b)
 {
     const row_hash *x = a, *y = b;
-    if (x->low != y->low) {
-        return x->low < y->low ? -1 : 1;
-    }
-    if (x->high != y->high) {
-        return x->high < y->high ? -1 : 1;
-    }
-    return (x->row > y->row) - (x->row < y->row);
+    const int low = MURK_ORDER(x->low, y->low);
+    const int high = MURK_ORDER(x->high, y->high);
+    return low ? low : high ? high : MURK_ORDER(x->row, y->row);
 }
 
 static row_hash *hash_rows(const murk_sparse_matrix *m)
@@ -252,13 +249,6 @@ static void print_class(FILE *to, const murk_constraint_set *set,
             is_min ? ">=" : "<=", is_min ? set->min[number] : set->max[number]);
 }
 
-/* Comparison of site and column in one number. */
-static int by_site(const void *a, const void *b)
-{
-    const uint64_t x = *(const uint64_t *)a, y = *(const uint64_t *)b;
-    return (x > y) - (x < y);
-}
-
 static bool print_sites(FILE *to, const murk_constraint_set *set)
 {
     const size_t n = set->candidates;
@@ -270,7 +260,7 @@ static bool print_sites(FILE *to, const murk_constraint_set *set)
         return false;
     }
     /* Runs of one site. */
-    qsort(order, n, sizeof *order, by_site);
+    qsort(order, n, sizeof *order, murk_by_uint64);
     for (size_t k = 0; k < n;) {
         size_t end = k + 1;
         while (end < n && order[end] >> 32 == order[k] >> 32) {

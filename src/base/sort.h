@@ -1,0 +1,24 @@
+/* Comparisons for qsort() and bsearch(). */
+#ifndef MURK_BASE_SORT_H
+#define MURK_BASE_SORT_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* -1, 0 or 1: a comes before b, both are equal, or a comes after b. */
+#define MURK_ORDER(a, b) (((a) > (b)) - ((a) < (b)))
+
+/* Defines murk_by_NAME(), which compares two numbers of a type. */
+#define MURK_BY(name, type)                                        \
+    static inline int murk_by_##name(const void *a, const void *b) \
+    {                                                              \
+        return MURK_ORDER(*(const type *)a, *(const type *)b);     \
+    }
+MURK_BY(double, double)
+MURK_BY(float, float)
+MURK_BY(size, size_t)
+MURK_BY(uint32, uint32_t)
+MURK_BY(uint64, uint64_t)
+#undef MURK_BY
+
+#endif
