@@ -189,11 +189,11 @@ static void print_sources(const murk_preset *preset)
                    s->quoted_by ? " (second hand: " : "",
                    s->quoted_by ? s->quoted_by : "", s->quoted_by ? ")" : "");
     }
-    if (preset->doubts > 0) {
+    if (preset->doubts.n > 0) {
         murk_print("\ndoubts\n");
     }
-    for (size_t i = 0; i < preset->doubts; ++i) {
-        murk_print("  %s\n", preset->doubt[i]);
+    for (size_t i = 0; i < preset->doubts.n; ++i) {
+        murk_print("  %s\n", preset->doubts.text[i]);
     }
 }
 
@@ -304,8 +304,9 @@ static cJSON *one_json(const resolved *r)
         cJSON_AddItemToArray(sources, item);
     }
     cJSON *doubts = cJSON_AddArrayToObject(root, "doubts");
-    for (size_t i = 0; i < preset->doubts; ++i) {
-        cJSON_AddItemToArray(doubts, cJSON_CreateString(preset->doubt[i]));
+    for (size_t i = 0; i < preset->doubts.n; ++i) {
+        cJSON_AddItemToArray(doubts,
+                             cJSON_CreateString(preset->doubts.text[i]));
     }
     return root;
 }

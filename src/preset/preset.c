@@ -80,14 +80,14 @@ void murk_preset_destroy(murk_preset *preset)
         free(preset->source[i].from);
         free(preset->source[i].quoted_by);
     }
-    for (size_t i = 0; i < preset->doubts; ++i) {
-        free(preset->doubt[i]);
+    for (size_t i = 0; i < preset->doubts.n; ++i) {
+        free(preset->doubts.text[i]);
     }
     for (size_t i = 0; i < preset->parts; ++i) {
         release_part(&preset->part[i]);
     }
     free(preset->source);
-    free(preset->doubt);
+    free(preset->doubts.text);
     free(preset->name);
     free(preset->about);
     free(preset);

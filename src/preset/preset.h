@@ -100,6 +100,12 @@ typedef struct murk_preset_source {
                         * source itself */
 } murk_preset_source;
 
+/* A list of texts. */
+typedef struct murk_preset_texts {
+    size_t n;
+    char **text; /* [n] */
+} murk_preset_texts;
+
 /* A word of a preset, with the default and the range of each number. */
 typedef struct murk_preset_word {
     bool is_known, has_preset;
@@ -112,8 +118,7 @@ typedef struct murk_preset {
     char *about;
     murk_preset_source *source; /* [sources], at least 1 */
     size_t sources;
-    char **doubt; /* [doubts] */
-    size_t doubts;
+    murk_preset_texts doubts;
     double wavelength_nm[2];           /* smallest, largest */
     murk_preset_word word[MURK_WORDS]; /* mor_m is known if visibility_m is */
     murk_preset_part part[MURK_PRESET_PARTS_MAX];

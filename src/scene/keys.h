@@ -24,6 +24,7 @@ typedef enum murk_key_kind {
     MURK_KEY_BANDS,       /* 1..16 rising doubles: the scene's bands */
     MURK_KEY_BAND_EDGES,  /* 2..17 rising doubles: the scene's bands */
     MURK_KEY_NUMBER_LIST, /* murk_scene_numbers; or one of `words`: empty */
+    MURK_KEY_TEXT_LIST,   /* murk_preset_texts */
     MURK_KEY_SPECTRUM_LIST, /* murk_scene_spectra: each as a spectrum */
     MURK_KEY_SPECTRUM, /* one value for all bands, or a list; or a map, if there
                           are `keys` */
@@ -51,7 +52,8 @@ typedef struct murk_key {
     murk_key_kind kind;
     bool required;      /* in a group: one of the group is */
     bool above, below;  /* `least`, `most` themselves are refused */
-    double min, max;    /* both 0: any finite number */
+    double min, max;    /* both 0: any finite number; of a text: max is the
+                           largest number of bytes, 0: 63 or 255 */
     const char *unit;   /* NULL: none */
     const char *preset; /* default, in YAML; NULL: none, may be absent */
     unsigned variants;  /* bit set of the map's variants; 0: all */

@@ -31,30 +31,23 @@ static murk_status choose_medium(murk_key_reader *walk, const murk_yaml *map,
     return MURK_OK;
 }
 
-/* A mean cosine: at -1 and 1 the phase function has no density. */
-#define COSINE .min = -1, .max = 1, .above = true, .below = true
-
 #define PHASE(member) AT(murk_scene_phase, member)
 
 static const murk_key PHASE_ROWS[] = {
     ROW("hg", SPECTRUM, .group = 1, NEEDED, COSINE, PHASE(mean_cosine)),
-    ROW("two_hg", NUMBERS, .group = 1, NEEDED, PHASE(value),
-        LIST_ITEMS(ROW("g1", NUMBER, COSINE), ROW("g2", NUMBER, COSINE),
-                   ROW("weight1", NUMBER, SHARE))),
-    ROW("fournier_forand", NUMBERS, .group = 1, NEEDED, PHASE(value),
-        LIST_ITEMS(ROW("n", NUMBER, .min = 1.001, .max = 2),
-                   ROW("mu", NUMBER, .min = 3.0001, .max = 4.9999))),
+    TWO_HG_ROW(PHASE(value)),
+    FOURNIER_FORAND_ROW(PHASE(value)),
     ROW("table", PATH, .group = 1, NEEDED, PHASE(table)),
     END,
 };
 
 #define PHASE_NAME(id, name, numbers) name,
-static const char *const PHASE_VARIANTS[] = {MURK_PHASE_KINDS(PHASE_NAME) NULL};
+const char *const murk_phase_variants[] = {MURK_PHASE_KINDS(PHASE_NAME) NULL};
 
 static const murk_keys PHASE_KEYS = {
     .noun = "phase",
     .by_key = true,
-    .variant_names = PHASE_VARIANTS,
+    .variant_names = murk_phase_variants,
     VARIANT(murk_scene_phase, kind),
     WHERE(murk_scene_phase, where),
     .item_size = sizeof(murk_scene_phase),
@@ -168,7 +161,7 @@ static murk_status check_medium(murk_key_reader *walk, const murk_yaml *map,
 static const char *const MEDIUM_VARIANTS[] = {"homogeneous", "grid", "profile",
                                               "preset", "preset in a grid"};
 
-static const murk_word PHASE_WORDS[] = {
+const murk_word murk_phase_words[] = {
     {"isotropic", MURK_PHASE_HG}, {"rayleigh", MURK_PHASE_RAYLEIGH}, WORDS_END};
 
 #define GRIDS   BIT(MEDIUM_GRID) | BIT(MEDIUM_PRESET_GRID)
@@ -221,8 +214,8 @@ static const murk_key MEDIUM_ROWS[] = {
     ROW("albedo", SPECTRUM, SHARE, .keys = &ALBEDO, .variants = PRESETS,
         MEDIUM(albedo)),
     ROW("phase", PER_BAND, .keys = &PHASE_KEYS, .preset = "isotropic",
-        .words = PHASE_WORDS, .variants = PLAIN, MEDIUM(phase)),
-    ROW("phase", PER_BAND, .keys = &PHASE_KEYS, .words = PHASE_WORDS,
+        .words = murk_phase_words, .variants = PLAIN, MEDIUM(phase)),
+    ROW("phase", PER_BAND, .keys = &PHASE_KEYS, .words = murk_phase_words,
         .variants = PRESETS, MEDIUM(phase)),
     END,
 };

@@ -63,6 +63,22 @@
 #define MURK_SCHEDULE_ALLOWED \
     "always, night, never, or a list of spans such as [[06:00, 22:00]]"
 
+/* A mean cosine: at -1 and 1 the phase function has no density. */
+#define COSINE .min = -1, .max = 1, .above = true, .below = true
+
+/* Phase functions of several numbers, of scenes and of presets. The argument
+ * is AT(...) of the numbers. */
+#define TWO_HG_ROW(...)                                                  \
+    ROW("two_hg", NUMBERS, .group = 1, NEEDED,                           \
+        LIST_ITEMS(ROW("g1", NUMBER, COSINE), ROW("g2", NUMBER, COSINE), \
+                   ROW("weight1", NUMBER, SHARE)),                       \
+        __VA_ARGS__)
+#define FOURNIER_FORAND_ROW(...)                                     \
+    ROW("fournier_forand", NUMBERS, .group = 1, NEEDED,              \
+        LIST_ITEMS(ROW("n", NUMBER, .min = 1.001, .max = 2),         \
+                   ROW("mu", NUMBER, .min = 3.0001, .max = 4.9999)), \
+        __VA_ARGS__)
+
 /* Rows of a struct that has a murk_scene_solid as the member `solid`. The
  * further arguments are added to each row: group, variants. */
 #define BOX_ROW(type, ...)                                           \
@@ -97,6 +113,11 @@ extern const murk_keys murk_box_keys, murk_sphere_keys;
 
 /* The up axis of meshes: x, y, z. */
 extern const murk_word murk_up_words[];
+
+/* Phase functions that are words: isotropic, rayleigh; and the names of all
+ * kinds, by murk_phase_kind. */
+extern const murk_word murk_phase_words[];
+extern const char *const murk_phase_variants[];
 
 /* The units of results: radiometric, photometric, photons, par. */
 extern const murk_word murk_units_words[];

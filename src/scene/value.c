@@ -296,6 +296,7 @@ static murk_status read_list(murk_key_reader *walk, const murk_key *key,
 {
     const murk_key_kind kind =
         key->kind == MURK_KEY_REFERENCES      ? MURK_KEY_REFERENCE
+        : key->kind == MURK_KEY_TEXT_LIST     ? MURK_KEY_TEXT
         : key->kind == MURK_KEY_SPECTRUM_LIST ? MURK_KEY_SPECTRUM
                                               : MURK_KEY_NUMBER;
     const size_t size = kind == MURK_KEY_REFERENCE  ? sizeof(size_t)
@@ -414,6 +415,7 @@ murk_status murk_value_read(murk_key_reader *walk, const murk_key *key,
         [MURK_KEY_BANDS] = read_bands,
         [MURK_KEY_BAND_EDGES] = read_bands,
         [MURK_KEY_NUMBER_LIST] = read_list,
+        [MURK_KEY_TEXT_LIST] = read_list,
         [MURK_KEY_SPECTRUM_LIST] = read_list,
         [MURK_KEY_SPECTRUM] = read_spectrum,
         [MURK_KEY_SHARED] = read_spectrum,

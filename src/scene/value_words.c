@@ -88,6 +88,9 @@ static void add_items(char out[MURK_ALLOWED_SIZE], const murk_key *items)
 
 size_t murk_value_max_bytes(const murk_key *key)
 {
+    if (key->max > 0) {
+        return (size_t)key->max;
+    }
     return (key->size == sizeof(murk_scene_name) ? MURK_SCENE_NAME_SIZE
                                                  : MURK_SCENE_LONG_NAME_SIZE) -
            1;
@@ -114,6 +117,7 @@ static const struct {
     [MURK_KEY_BAND_EDGES] = {"a list of 2..17 rising wavelengths, each ", true,
                              ""},
     [MURK_KEY_NUMBER_LIST] = {"a list of numbers, each ", true, ""},
+    [MURK_KEY_TEXT_LIST] = {"a list of texts", false, ""},
     [MURK_KEY_SPECTRUM_LIST] = {"a list of numbers, each ", true,
                                 ", or of lists, one a band"},
     [MURK_KEY_SPECTRUM] = {"a number, ", true,

@@ -317,20 +317,21 @@ static void test_files_that_are_wrong(void)
     static const struct {
         const char *rest, *where, *text;
     } wrong[] = {
-        {"wavelength_nm: [500, 400]\nparts: []\n", "x.yaml:4:16",
-         "must rise and be above 0"},
-        {"wavelength_nm: [400, 500]\nparts: []\n", "x.yaml:5:8",
-         "must be a list of 1..8 parts"},
-        {"wavelength_nm: [400, 500]\nparts: [{law: none}]\n", "x.yaml:5:15",
-         "no law of that name"},
+        {"wavelength_nm: [500, 400]\nparts: [{table: {wavelength_nm: [400, "
+         "500], scattering_per_m: [1, 1]}}]\n",
+         "x.yaml:4:1", "wavelength_nm must rise"},
+        {"wavelength_nm: [400, 500]\nparts: []\n", "x.yaml:5:1: parts",
+         "an empty list, must be a list of 1..8 parts"},
+        {"wavelength_nm: [400, 500]\nparts: [{law: none}]\n",
+         "x.yaml:5:15: parts.0.law", "none, must be the name of a law"},
         {"wavelength_nm: [400, 500]\nparts: [{law: kim, albedo: 1}]\n",
-         "x.yaml:5:15",
+         "x.yaml:5:15: parts.0",
          "the law kim needs the word visibility_m with a default"},
         {"wavelength_nm: [400, 500]\nparts: [{table: {wavelength_nm: [400, "
          "450], scattering_per_m: [1, 1]}}]\n",
-         "x.yaml:5:17", "spans 400..450 nm, less than wavelength_nm"},
-        {"wavelength_nm: [400, 500]\nparts: [{table: none.csv}]\n",
-         "x.yaml:5:17", "no file none.csv in media"},
+         "x.yaml:5:10: parts.0", "spans 400..450 nm, less than wavelength_nm"},
+        {"wavelength_nm: [400, 500]\nparts: [{phase: {table: none.csv}}]\n",
+         "x.yaml:5:25: parts.0.phase.table", "no file none.csv in media"},
     };
     /* The message names line, column and fault. */
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; ++i) {
@@ -339,7 +340,7 @@ static void test_files_that_are_wrong(void)
         murk_error err = {0};
         snprintf(text, sizeof text, "%s%s", HEAD, wrong[i].rest);
         CHECK(murk_preset_parse(&preset, "x", text, strlen(text), &err) ==
-              MURK_BAD_FILE);
+              MURK_BAD_VALUE);
         CHECK(preset == NULL);
         CHECK_TEXT(err.where, wrong[i].where);
         CHECK_TEXT(err.text, wrong[i].text);
