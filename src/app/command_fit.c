@@ -236,8 +236,7 @@ static murk_status write_files(const fit *f, murk_session *session,
                                   .next = f->next.place ? &f->next : NULL,
                                   .only_predicts = only_predicts};
     session->run.trace_s = f->found.trace_s;
-    murk_status status = murk_results_add_text(
-        &session->results, MURK_SCENE_NAME, session->scene->resolved, err);
+    murk_status status = murk_session_add_scene(session, err);
     if (!status) {
         status = murk_results_add_csv(&session->results, "fit.csv",
                                       murk_results_list_fit_row, &facts,

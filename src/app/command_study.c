@@ -22,9 +22,9 @@ typedef struct study_run {
     const murk_options *options;
     murk_study_file *study;
     murk_sweep *sweep;
-    murk_session session; /* of results alone: rows have scenes of their own */
-    char *base; /* the base scene as resolved; NULL: it cannot stand alone */
-    char *seen; /* notes that were shown */
+    murk_session session; /* of results; its scene is the base scene, NULL if
+                             that cannot stand alone */
+    char *seen;           /* notes that were shown */
     bool is_interrupted;
 } study_run;
 
@@ -50,19 +50,16 @@ static void report_row(void *context, size_t row)
     }
 }
 
-/* The scene that rows differ from, as resolved; none, where it cannot stand
- * without a row's own values. */
+/* The scene that rows differ from; none, where it cannot stand without a row's
+ * own values. */
 static void read_base(study_run *s)
 {
-    murk_scene_desc *scene = NULL;
     murk_error why = {0};
     const murk_warn_sink sink = murk_warn_to(NULL); /* by the rows */
-    if (!murk_scene_desc_read(&scene, s->study->base, s->options->overrides,
-                              s->options->n_overrides, &why)) {
-        s->base = strdup(scene->resolved);
-    }
+    (void)murk_scene_desc_read(&s->session.scene, s->study->base,
+                               s->options->overrides, s->options->n_overrides,
+                               &why);
     murk_warn_to(sink);
-    murk_scene_desc_destroy(scene);
 }
 
 /* The rows' keys say all that rows follow from. */
@@ -83,23 +80,9 @@ static murk_status identify(study_run *s, murk_error *err)
     return status;
 }
 
-static murk_status expect_files(study_run *s, murk_error *err)
-{
-    murk_status status =
-        murk_results_expect(&s->session.results, "study.json", NULL, err);
-    if (!status) {
-        status =
-            murk_results_expect(&s->session.results, "table.csv", NULL, err);
-    }
-    if (!status && s->base) {
-        status = murk_results_expect(&s->session.results, MURK_SCENE_NAME,
-                                     s->base, err);
-    }
-    return status;
-}
-
 static murk_status begin(study_run *s, murk_error *err)
 {
+    static const char *const names[] = {"study.json", "table.csv", NULL};
     static char version[VERSION_SIZE];
     const murk_options *o = s->options;
     murk_session_set(&s->session, o);
@@ -126,7 +109,7 @@ static murk_status begin(study_run *s, murk_error *err)
     /* Judge the files that will be written before any row runs. */
     if (!status) {
         read_base(s);
-        status = expect_files(s, err);
+        status = murk_session_expect(&s->session, names, err);
     }
     if (!status) {
         status = identify(s, err);
@@ -223,9 +206,8 @@ static murk_status write_files(study_run *s, murk_error *err)
 {
     /* The table, the base scene and the grids. */
     murk_status status = murk_add_table(&s->session.results, s->sweep, err);
-    if (!status && s->base) {
-        status = murk_results_add_text(&s->session.results, MURK_SCENE_NAME,
-                                       s->base, err);
+    if (!status) {
+        status = murk_session_add_scene(&s->session, err);
     }
     if (!status) {
         status = note_fluence(s, err);
@@ -267,7 +249,6 @@ murk_status murk_command_study(const murk_options *options, murk_error *err)
                            "no plan for all rows: %s",
                            murk_sweep_why_no_plan(s.sweep));
     }
-    free(s.base);
     free(s.seen);
     murk_session_end(&s.session);
     murk_sweep_destroy(s.sweep);

@@ -147,8 +147,7 @@ murk_status murk_add_condition_files(murk_session *session,
             add_condition(session, plan, &r->conditions->condition[c], err);
     }
     if (!status) {
-        status = murk_results_add_text(&session->results, MURK_SCENE_NAME,
-                                       session->scene->resolved, err);
+        status = murk_session_add_scene(session, err);
     }
     return status ? status
                   : murk_results_add_csv(&session->results, "regret.csv",

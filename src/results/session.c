@@ -112,6 +112,14 @@ murk_status murk_session_expect_light(murk_session *session, murk_error *err)
     return status ? status : expect_tallies(session, err);
 }
 
+murk_status murk_session_add_scene(murk_session *session, murk_error *err)
+{
+    return session->scene
+               ? murk_results_add_text(&session->results, MURK_SCENE_NAME,
+                                       session->scene->resolved, err)
+               : MURK_OK;
+}
+
 murk_status murk_session_add_light(murk_session *session, murk_error *err)
 {
     murk_progress_begin_group("write light", 0, "");
@@ -119,9 +127,7 @@ murk_status murk_session_add_light(murk_session *session, murk_error *err)
         murk_results_add_light(&session->results, MURK_MAP_FILE_NAME,
                                session->traced, session->stage, err);
     murk_progress_end();
-    return status ? status
-                  : murk_results_add_text(&session->results, MURK_SCENE_NAME,
-                                          session->scene->resolved, err);
+    return status ? status : murk_session_add_scene(session, err);
 }
 
 murk_status murk_session_add_ledger(murk_session *session, const char *name,

@@ -50,7 +50,9 @@ murk_status murk_session_expect(murk_session *session, const char *const *names,
                                 murk_error *err);
 murk_status murk_session_expect_light(murk_session *session, murk_error *err);
 
-/* Adds light.murk and scene.resolved.yaml, the scene as resolved. */
+/* Adds scene.resolved.yaml, the scene as resolved, if there is one; and with it
+ * light.murk. */
+murk_status murk_session_add_scene(murk_session *session, murk_error *err);
 murk_status murk_session_add_light(murk_session *session, murk_error *err);
 
 /* Adds a ledger with the session's `run`, but not as the main JSON. */
