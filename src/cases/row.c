@@ -16,21 +16,25 @@
 /* Degrees in a radian. */
 #define DEG (180 / MURK_PI)
 
-murk_status murk_study_row_add(murk_study_row *row, const char *name,
-                               const char *unit, murk_estimate of,
-                               murk_error *err)
+void murk_study_row_add(murk_study_row *row, const char *name, const char *unit,
+                        murk_estimate of)
 {
     murk_study_value *grown =
         realloc(row->value, (row->values + 1) * sizeof *grown);
     if (!grown) {
-        return murk_no_memory(err, "", "for a row");
+        row->lacks_memory = true;
+        return;
     }
     row->value = grown;
     murk_study_value *v = &row->value[row->values++];
     snprintf(v->name, sizeof v->name, "%s", name);
     snprintf(v->unit, sizeof v->unit, "%s", unit);
     v->of = of;
-    return MURK_OK;
+}
+
+murk_status murk_study_row_check(const murk_study_row *row, murk_error *err)
+{
+    return row->lacks_memory ? murk_no_memory(err, "", "for a row") : MURK_OK;
 }
 
 murk_status murk_study_row_set_sensors(murk_study_row *row,
@@ -96,13 +100,13 @@ murk_status murk_study_row_poses(murk_pose **out, const murk_study_row *row,
     return MURK_OK;
 }
 
-void murk_study_row_add_note(murk_study_row *row, const char *text)
+void murk_study_add_note(char notes[MURK_ROW_TEXT_SIZE], const char *text)
 {
     static const char cut[] = " ...";
-    const size_t n = strlen(row->note), capacity = sizeof row->note - n;
-    if (text[0] && (size_t)snprintf(row->note + n, capacity, "%s%s",
-                                    n ? "; " : "", text) >= capacity) {
-        memcpy(row->note + sizeof row->note - sizeof cut, cut, sizeof cut);
+    const size_t n = strlen(notes), capacity = MURK_ROW_TEXT_SIZE - n;
+    if (text[0] && (size_t)snprintf(notes + n, capacity, "%s%s", n ? "; " : "",
+                                    text) >= capacity) {
+        memcpy(notes + MURK_ROW_TEXT_SIZE - sizeof cut, cut, sizeof cut);
     }
 }
 

@@ -38,12 +38,15 @@ typedef struct murk_study_row {
     size_t values;
     murk_study_sensor *sensor; /* [sensors] the best plan for this row */
     size_t sensors;
+    bool lacks_memory; /* a value could not be added */
 } murk_study_row;
 
-/* Adds a value. Fails with MURK_NO_MEMORY. */
-murk_status murk_study_row_add(murk_study_row *row, const char *name,
-                               const char *unit, murk_estimate of,
-                               murk_error *err);
+/* Adds a value. The row remembers a lack of memory, which the check tells once
+ * all values are added. */
+void murk_study_row_add(murk_study_row *row, const char *name, const char *unit,
+                        murk_estimate of);
+/* Fails with MURK_NO_MEMORY if a value could not be added. */
+murk_status murk_study_row_check(const murk_study_row *row, murk_error *err);
 /* Replaces the sensors, in the coordinates of the user. Fails with
  * MURK_NO_MEMORY. */
 murk_status murk_study_row_set_sensors(murk_study_row *row,
@@ -55,9 +58,9 @@ murk_status murk_study_row_set_sensors(murk_study_row *row,
  * with MURK_NO_MEMORY. */
 murk_status murk_study_row_poses(murk_pose **out, const murk_study_row *row,
                                  const murk_scene_desc *scene, murk_error *err);
-/* Appends a text to the note. A text that does not fit is cut, with "..." at
- * the end; an empty text changes nothing. */
-void murk_study_row_add_note(murk_study_row *row, const char *text);
+/* Appends a text to a list of notes, "; " between. A text that does not fit is
+ * cut, with "..." at the end; an empty text changes nothing. */
+void murk_study_add_note(char notes[MURK_ROW_TEXT_SIZE], const char *text);
 /* Marks the row as failed, for this reason. */
 void murk_study_row_fail(murk_study_row *row, const murk_error *why);
 /* The value of that name, or NULL. */

@@ -208,12 +208,10 @@ static murk_estimate divide(murk_estimate e, const murk_estimate *share)
 }
 
 /* One number in all bands together, and where they are several in each. */
-static murk_status add_values(murk_study_row *row,
-                              const murk_row_tallies *row_tallies,
-                              size_t number, size_t cell, const char *suffix,
-                              const murk_estimate *share,
-                              const murk_stage *stage,
-                              const murk_row_light *light, murk_error *err)
+static void add_values(murk_study_row *row, const murk_row_tallies *row_tallies,
+                       size_t number, size_t cell, const char *suffix,
+                       const murk_estimate *share, const murk_stage *stage,
+                       const murk_row_light *light)
 {
     const murk_row_tally *row_tally = &row_tallies->row_tally[number];
     const murk_scene_desc *scene = stage->scene;
@@ -234,16 +232,13 @@ static murk_status add_values(murk_study_row *row,
     }
     /* The sum of all bands, then each band if there are several. */
     snprintf(name, sizeof name, "%.120s%s", row_tally->name, suffix);
-    murk_status status = murk_study_row_add(
-        row, name, units.irradiance,
-        divide(murk_units_sum(band, scene->bands), share), err);
-    for (int b = 0; scene->bands > 1 && b < scene->bands && !status; ++b) {
+    murk_study_row_add(row, name, units.irradiance,
+                       divide(murk_units_sum(band, scene->bands), share));
+    for (int b = 0; scene->bands > 1 && b < scene->bands; ++b) {
         snprintf(name, sizeof name, "%.120s%s_%.9gnm", row_tally->name, suffix,
                  scene->band_nm[b]);
-        status = murk_study_row_add(row, name, units.irradiance,
-                                    divide(band[b], share), err);
+        murk_study_row_add(row, name, units.irradiance, divide(band[b], share));
     }
-    return status;
 }
 
 static const char *suffix_of(const murk_tally_desc *d, size_t cell)
@@ -279,10 +274,10 @@ murk_status murk_row_tallies_read(murk_study_row *row,
                                                     stage->scene->seed, threads)
                                   : (murk_estimate){1, 0};
         const size_t cells = murk_tally_cells(&row_tallies->desc[i]);
-        for (size_t c = 0; c < cells && !status; ++c) {
-            status = add_values(row, row_tallies, i, c,
-                                suffix_of(&row_tallies->desc[i], c), &share,
-                                stage, light, err);
+        for (size_t c = 0; c < cells; ++c) {
+            add_values(row, row_tallies, i, c,
+                       suffix_of(&row_tallies->desc[i], c), &share, stage,
+                       light);
         }
     }
     murk_open_space_destroy(space);

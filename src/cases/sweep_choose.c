@@ -185,20 +185,16 @@ static murk_status tell(const choosing *ch, const murk_place_result *found,
     }
     /* Value and upper bound of the plan, as shares. */
     const double whole = (double)found->whole;
-    murk_status status = murk_study_row_set_sensors(
+    const murk_status status = murk_study_row_set_sensors(
         out, ch->row[0].stage->scene, sensor, found->count, err);
-    if (!status) {
-        status = murk_study_row_add(
-            out, "in_sample", "",
-            (murk_estimate){(double)found->value / whole, NAN}, err);
-    }
-    if (!status) {
-        status = murk_study_row_add(
-            out, "upper_bound", "",
-            (murk_estimate){(double)found->upper / whole, NAN}, err);
-    }
     free(sensor);
-    return status;
+    if (!status) {
+        murk_study_row_add(out, "in_sample", "",
+                           (murk_estimate){(double)found->value / whole, NAN});
+        murk_study_row_add(out, "upper_bound", "",
+                           (murk_estimate){(double)found->upper / whole, NAN});
+    }
+    return status ? status : murk_study_row_check(out, err);
 }
 
 /* One that cannot be found says why. */

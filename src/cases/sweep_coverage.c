@@ -91,8 +91,10 @@ static murk_status measure_fixed(const murk_sweep_light *l, size_t k,
         status = murk_coverage_total_measure(&value, sight, sensor, n, err);
     }
     free(sensor);
-    return status ? status
-                  : murk_study_row_add(row, "coverage_fixed", "", value, err);
+    if (!status) {
+        murk_study_row_add(row, "coverage_fixed", "", value);
+    }
+    return status;
 }
 
 static murk_status measure_best(murk_sweep_light *l, size_t k,
@@ -122,20 +124,10 @@ static murk_status measure_best(murk_sweep_light *l, size_t k,
             murk_coverage_total_measure(&value, sight, plan.sensor, n, err);
     }
     murk_plan_result_release(&plan);
-    return status ? status
-                  : murk_study_row_add(row, "coverage_best", "", value, err);
-}
-
-static murk_status add_nothing(const murk_outputs *outputs, murk_study_row *row,
-                               murk_error *err)
-{
-    murk_status status = MURK_OK;
-    if (outputs->wants[MURK_OUTPUT_FIXED]) {
-        status = murk_study_row_add(row, "coverage_fixed", "", NONE, err);
+    if (!status) {
+        murk_study_row_add(row, "coverage_best", "", value);
     }
-    return !status && outputs->wants[MURK_OUTPUT_BEST]
-               ? murk_study_row_add(row, "coverage_best", "", NONE, err)
-               : status;
+    return status;
 }
 
 murk_status murk_sweep_measure_coverage(murk_sweep_light *l, size_t k,
@@ -154,10 +146,16 @@ murk_status murk_sweep_measure_coverage(murk_sweep_light *l, size_t k,
     /* Without anything to see all coverages are NaN. */
     if (!traced || !murk_sweep_has_seen(stage, traced)) {
         if (traced) {
-            murk_study_row_add_note(row,
-                                    "no photon is stored: nothing to cover");
+            murk_study_add_note(row->note,
+                                "no photon is stored: nothing to cover");
         }
-        return add_nothing(outputs, row, err);
+        if (is_fixed) {
+            murk_study_row_add(row, "coverage_fixed", "", NONE);
+        }
+        if (is_best) {
+            murk_study_row_add(row, "coverage_best", "", NONE);
+        }
+        return MURK_OK;
     }
     /* One sight serves both coverages. */
     murk_status status =

@@ -58,24 +58,22 @@ static murk_status add_values(murk_sweep *sweep, size_t i,
                               const murk_study_row *from, murk_error *err)
 {
     murk_sweep_row *row = &sweep->row[i];
-    murk_status status = MURK_OK;
-    for (int p = 0; p < MURK_SWEEP_PLANS && !status; ++p) {
+    for (int p = 0; p < MURK_SWEEP_PLANS; ++p) {
         const char *name = murk_sweep_plan_name(p);
         const murk_study_value *value = murk_study_row_get(from, name);
         if (sweep->plan[p].is_wanted) {
-            status = murk_study_row_add(
-                &row->found, name, "",
-                value ? value->of : (murk_estimate){NAN, NAN}, err);
+            murk_study_row_add(&row->found, name, "",
+                               value ? value->of : (murk_estimate){NAN, NAN});
         }
     }
     if (from->failed[0]) {
         char text[MURK_ROW_TEXT_SIZE];
         snprintf(text, sizeof text, "the plans for all rows: %.900s",
                  from->failed);
-        murk_study_row_add_note(&row->found, text);
+        murk_study_add_note(row->found.note, text);
     }
     row->has_plans = true;
-    return status;
+    return murk_study_row_check(&row->found, err);
 }
 
 /* A murk_sweep_put. */

@@ -31,14 +31,10 @@ static char warnings[MURK_ROW_TEXT_SIZE];
 
 static void add_warning(const char *where, const char *text)
 {
-    static const char cut[] = " ...";
     char line[MURK_ROW_TEXT_SIZE];
     snprintf(line, sizeof line, "%s: %s", where, text);
-    const size_t n = strlen(warnings), capacity = sizeof warnings - n;
-    if (!strstr(warnings, line) &&
-        (size_t)snprintf(warnings + n, capacity, "%s%s", n ? "; " : "", line) >=
-            capacity) {
-        memcpy(warnings + sizeof warnings - sizeof cut, cut, sizeof cut);
+    if (!strstr(warnings, line)) {
+        murk_study_add_note(warnings, line);
     }
 }
 
@@ -50,18 +46,15 @@ static void take_warnings(char out[MURK_ROW_TEXT_SIZE])
 
 /* ---- what a row measures ---- */
 
-static murk_status add_stored(murk_study_row *row, const murk_traced *traced,
-                              murk_error *err)
+static void add_stored(murk_study_row *row, const murk_traced *traced)
 {
     murk_estimate surface = {0, NAN}, volume = {0, NAN};
     if (traced) {
         surface.value = (double)murk_photon_map_count(traced->surface);
         volume.value = (double)murk_photon_map_count(traced->volume);
     }
-    const murk_status status =
-        murk_study_row_add(row, "stored_surface", "", surface, err);
-    return status ? status
-                  : murk_study_row_add(row, "stored_volume", "", volume, err);
+    murk_study_row_add(row, "stored_surface", "", surface);
+    murk_study_row_add(row, "stored_volume", "", volume);
 }
 
 /* Its checksum goes with the row: another study may write a file of that
@@ -97,7 +90,7 @@ static murk_status measure_light(const group_work *w, size_t k,
     murk_status status = murk_row_tallies_read(
         row, &l->row_tallies, l->stage[k], &light, l->sweep->desc.threads, err);
     if (!status && wants[MURK_OUTPUT_STORED]) {
-        status = add_stored(row, traced, err);
+        add_stored(row, traced);
     }
     if (!status && wants[MURK_OUTPUT_FLUENCE]) {
         status = write_fluence(w, k, row, &light, err);
@@ -113,11 +106,11 @@ static murk_status measure_row(group_work *w, size_t k, murk_study_row *row,
     bool is_own = false;
     const bool shines = murk_sweep_light_shines(l, k);
     murk_status status = MURK_OK;
-    murk_study_row_add_note(row, l->row_tallies.note);
+    murk_study_add_note(row->note, l->row_tallies.note);
     if (shines) {
         status = murk_sweep_light_of(l, k, 0, &traced, &is_own, err);
     } else {
-        murk_study_row_add_note(row, "dark: no light shines");
+        murk_study_add_note(row->note, "dark: no light shines");
     }
     if (!status) {
         status = measure_light(w, k, row, traced, err);
@@ -155,8 +148,7 @@ static murk_status measure_plans(group_work *w, size_t k, murk_study_row *row,
                                         &value, err);
         }
         if (!status) {
-            status = murk_study_row_add(row, murk_sweep_plan_name(p), "", value,
-                                        err);
+            murk_study_row_add(row, murk_sweep_plan_name(p), "", value);
         }
         free(sensor);
     }
@@ -196,14 +188,14 @@ static murk_status do_row(group_work *w, size_t k, murk_error *err)
                      ? measure_plans(w, k, &row, &why)
                      : measure_row(w, k, &row, &why);
     }
-    if (status) {
+    if (status || murk_study_row_check(&row, &why)) {
         murk_study_row_fail(&row, &why);
     }
     /* Warnings of the import, of the first world and of the row. */
-    murk_study_row_add_note(&row, w->of_world);
-    murk_study_row_add_note(&row, l->stage[k] == l->first ? w->of_first : "");
+    murk_study_add_note(row.note, w->of_world);
+    murk_study_add_note(row.note, l->stage[k] == l->first ? w->of_first : "");
     take_warnings(own);
-    murk_study_row_add_note(&row, own);
+    murk_study_add_note(row.note, own);
     status = send_row(w, k, &row, err);
     murk_progress_add_to_group(1);
     murk_study_row_release(&row);
