@@ -6,6 +6,7 @@
  * angles and bands and thinned by whole bins, whose values add up. */
 #include "report/sections.h"
 
+#include "base/quantile.h"
 #include "report/data.h"
 #include "report/fields.h"
 #include "transport/tallies.h"
@@ -211,12 +212,6 @@ static bool add_maps(murk_data *data, const part *p, const double *values,
     return sum != NULL;
 }
 
-static int by_size(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* How many values are above 0, and the middle one of their relative errors. */
 static bool add_errors(murk_data *data, const part *p, const double *values)
 {
@@ -229,7 +224,7 @@ static bool add_errors(murk_data *data, const part *p, const double *values)
         }
     }
     if (lit > 0) {
-        qsort(share, lit, sizeof *share, by_size);
+        murk_sort(share, lit);
     }
     murk_data_number(data, "rows", (double)n);
     murk_data_number(data, "lit", (double)lit);

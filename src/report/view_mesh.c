@@ -3,6 +3,8 @@
  * Computer Graphics (1993) 455, doi:10.1007/978-3-642-78114-8_29). */
 #include "report/view_mesh.h"
 
+#include "base/sort.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -48,12 +50,6 @@ static uint64_t step_of(const lattice *l, murk_vec3 p, int axis)
     return (uint64_t)within(share * MURK_VIEW_STEPS, MURK_VIEW_STEPS);
 }
 
-static int by_key(const void *a, const void *b)
-{
-    const uint64_t x = *(const uint64_t *)a, y = *(const uint64_t *)b;
-    return (x > y) - (x < y);
-}
-
 typedef struct face {
     uint32_t corner[3];
     uint32_t sorted[3];
@@ -90,7 +86,7 @@ static size_t cluster(const murk_surfaces *surfaces, size_t n, const lattice *l,
     }
     /* distinct cells, sorted: the corners that are left */
     memcpy(key, all, 3 * n * sizeof *key);
-    qsort(key, 3 * n, sizeof *key, by_key);
+    qsort(key, 3 * n, sizeof *key, murk_by_uint64);
     size_t distinct = 0;
     for (size_t i = 0; i < 3 * n; ++i) {
         if (distinct == 0 || key[i] != key[distinct - 1]) {
@@ -102,8 +98,8 @@ static size_t cluster(const murk_surfaces *surfaces, size_t n, const lattice *l,
     for (size_t i = 0; i < n; ++i) {
         face f = {.triangle = i};
         for (size_t k = 0; k < 3; ++k) {
-            const uint64_t *at =
-                bsearch(&all[3 * i + k], key, distinct, sizeof *key, by_key);
+            const uint64_t *at = bsearch(&all[3 * i + k], key, distinct,
+                                         sizeof *key, murk_by_uint64);
             f.corner[k] = (uint32_t)(at - key);
         }
         memcpy(f.sorted, f.corner, sizeof f.sorted);

@@ -5,6 +5,7 @@
 #include "results/tallies.h"
 
 #include "base/log.h"
+#include "base/quantile.h"
 #include "results/field_files.h"
 #include "results/summary.h"
 #include "transport/tallies.h"
@@ -320,12 +321,6 @@ static void print_values(const tally *t)
     }
 }
 
-static int by_size(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 static void print_errors(const tally *t)
 {
     const size_t cells = murk_tally_cells(t->desc);
@@ -342,7 +337,7 @@ static void print_errors(const tally *t)
         }
     }
     if (share) {
-        qsort(share, lit, sizeof *share, by_size);
+        murk_sort(share, lit);
         murk_print("tally       %s: %zu values, %zu of them lit", t->desc->name,
                    values, lit);
         if (lit > 0) {
