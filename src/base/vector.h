@@ -127,6 +127,25 @@ static inline murk_box murk_box_of_ball(murk_vec3 center, double radius)
     return (murk_box){murk_sub(center, r), murk_add(center, r)};
 }
 
+/* The bounding box of a parallelogram. */
+static inline murk_box
+murk_box_of_parallelogram(murk_vec3 corner, murk_vec3 edge1, murk_vec3 edge2)
+{
+    const murk_vec3 a = murk_add(corner, edge1);
+    murk_box box = murk_box_with(murk_box_empty(), corner);
+    box = murk_box_with(box, a);
+    box = murk_box_with(box, murk_add(corner, edge2));
+    return murk_box_with(box, murk_add(a, edge2));
+}
+
+/* True if two boxes have a point in common, at least on their faces. */
+static inline bool murk_box_overlaps(const murk_box *a, const murk_box *b)
+{
+    return a->min.x <= b->max.x && b->min.x <= a->max.x &&
+           a->min.y <= b->max.y && b->min.y <= a->max.y &&
+           a->min.z <= b->max.z && b->min.z <= a->max.z;
+}
+
 /* The part that two boxes have in common; min exceeds max on some axis if there
  * is none. */
 static inline murk_box murk_box_meet(murk_box a, murk_box b)

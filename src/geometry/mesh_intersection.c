@@ -83,13 +83,6 @@ static void sample_edge(sampling *s, murk_vec3 from, murk_vec3 to)
     }
 }
 
-static bool overlaps(const murk_box *a, const murk_box *b)
-{
-    return a->min.x <= b->max.x && b->min.x <= a->max.x &&
-           a->min.y <= b->max.y && b->min.y <= a->max.y &&
-           a->min.z <= b->max.z && b->min.z <= a->max.z;
-}
-
 static bool has_parts_on_both_sides(const murk_boundary_mesh *one,
                                     const murk_boundary_mesh *other,
                                     double tolerance_m, murk_vec3 *place)
@@ -115,7 +108,7 @@ bool murk_boundary_meshes_meet(const murk_boundary_meshes *b, int region,
     const murk_boundary_mesh *two = murk_boundary_mesh_of(b, other);
     const murk_box box = murk_surfaces_describe(one->shape).bounds_m;
     const murk_box box2 = murk_surfaces_describe(two->shape).bounds_m;
-    return overlaps(&box, &box2) &&
+    return murk_box_overlaps(&box, &box2) &&
            (has_parts_on_both_sides(one, two, b->tolerance_m, place) ||
             has_parts_on_both_sides(two, one, b->tolerance_m, place));
 }

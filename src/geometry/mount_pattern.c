@@ -59,19 +59,9 @@ static bool searched_face(const murk_mount_builder *l, size_t i,
     if (!(rise >= l->search->min_rise && rise <= l->search->max_rise)) {
         return false;
     }
-    *part = murk_triangle_in_box(t, &l->search->within);
+    *part =
+        murk_polygon_in_box(murk_polygon_of_triangle(t), &l->search->within);
     return part->n > 0;
-}
-
-static double area_of(const murk_polygon *p)
-{
-    murk_vec3 twice = {0, 0, 0};
-    for (size_t i = 2; i < p->n; ++i) {
-        twice =
-            murk_add(twice, murk_cross(murk_sub(p->corner[i - 1], p->corner[0]),
-                                       murk_sub(p->corner[i], p->corner[0])));
-    }
-    return 0.5 * murk_length(twice);
 }
 
 /* The interval to[0]..to[1] on the axis `along` in which a row of the
@@ -262,8 +252,8 @@ static bool search_spheres(murk_mount_builder *l, sphere_part part)
 static bool goes_on(murk_mount_builder *l, size_t i)
 {
     murk_progress_add(1);
-    if (!l->status && (i & INTERRUPT_MASK) == 0 && murk_interrupted()) {
-        l->status = murk_fail(l->err, MURK_INTERRUPTED, "", "interrupted");
+    if (!l->status && (i & INTERRUPT_MASK) == 0) {
+        l->status = murk_interrupt_check(l->err);
     }
     return !l->status;
 }
@@ -280,7 +270,7 @@ static bool measure(murk_mount_builder *l)
         murk_vec3 normal;
         murk_polygon part;
         if (searched_face(l, i, &t, &normal, &part)) {
-            l->squares += area_of(&part) / square;
+            l->squares += murk_polygon_area_m2(&part) / square;
             for (size_t k = 0; k < part.n; ++k) {
                 box = murk_box_with(box, part.corner[k]);
             }

@@ -1,6 +1,6 @@
-/* Clips triangles by planes. Each plane is applied in turn to the polygon
+/* Clips polygons by planes. Each plane is applied in turn to the polygon
  * that is left (Sutherland & Hodgman, Commun. ACM 17 (1974) 32,
- * doi:10.1145/360767.360802). */
+ * doi:10.1145/360767.360802). The area is the sum of the triangles of a fan. */
 #include "geometry/polygon.h"
 
 static void add(murk_polygon *p, murk_vec3 corner)
@@ -36,14 +36,13 @@ static murk_polygon cut(const murk_polygon *p, const double *height, int axis,
     return out;
 }
 
-static murk_polygon whole(const murk_triangle *t)
+murk_polygon murk_polygon_of_triangle(const murk_triangle *t)
 {
     return (murk_polygon){3, {t->a, t->b, t->c}};
 }
 
-murk_polygon murk_triangle_in_box(const murk_triangle *t, const murk_box *box)
+murk_polygon murk_polygon_in_box(murk_polygon p, const murk_box *box)
 {
-    murk_polygon p = whole(t);
     for (int face = 0; face < 6 && p.n > 0; ++face) {
         const int axis = face / 2;
         const bool is_low = face % 2 == 0;
@@ -62,10 +61,21 @@ murk_polygon murk_triangle_in_box(const murk_triangle *t, const murk_box *box)
     return p;
 }
 
+double murk_polygon_area_m2(const murk_polygon *p)
+{
+    murk_vec3 twice = {0, 0, 0};
+    for (size_t i = 2; i < p->n; ++i) {
+        twice =
+            murk_add(twice, murk_cross(murk_sub(p->corner[i - 1], p->corner[0]),
+                                       murk_sub(p->corner[i], p->corner[0])));
+    }
+    return 0.5 * murk_length(twice);
+}
+
 murk_polygon murk_triangle_above(const murk_triangle *t, murk_vec3 normal,
                                  double height)
 {
-    const murk_polygon p = whole(t);
+    const murk_polygon p = murk_polygon_of_triangle(t);
     double above[MURK_POLYGON_MAX];
     for (size_t i = 0; i < p.n; ++i) {
         above[i] = murk_dot(normal, p.corner[i]) - height;

@@ -347,17 +347,10 @@ static murk_box box_of_medium(const murk_stage *stage, int medium)
 static murk_box box_to_draw_from(const murk_stage *stage)
 {
     const murk_scene_targets *settings = &stage->scene->placement.targets;
-    murk_box box = stage->world.domain.box;
-    if (settings->shape == MURK_REGION_BOX) {
-        box = murk_box_meet(box, settings->solid.box);
-    } else if (settings->shape == MURK_REGION_SPHERE) {
-        box = murk_box_meet(box, murk_box_of_ball(settings->solid.center,
-                                                  settings->solid.radius_m));
-    } else if (settings->shape == MURK_REGION_MESH) {
-        box = murk_box_meet(box, murk_boundary_meshes_describe(
-                                     murk_goals_target_mesh(stage->goals), 0)
-                                     .bounds_m);
-    }
+    const murk_box box =
+        murk_box_meet(stage->world.domain.box,
+                      murk_goals_box(settings->shape, &settings->solid,
+                                     murk_goals_target_mesh(stage->goals), 0));
     return settings->medium >= 0
                ? murk_box_meet(box, box_of_medium(stage, settings->medium))
                : box;

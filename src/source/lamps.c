@@ -205,11 +205,7 @@ static murk_glare rect_glare(const murk_source_state *s, int band,
 
 static murk_box rect_box(const murk_source *l)
 {
-    const murk_vec3 a = murk_add(l->position, l->edge1);
-    murk_box box = murk_box_with(murk_box_empty(), l->position);
-    box = murk_box_with(box, a);
-    box = murk_box_with(box, murk_add(l->position, l->edge2));
-    return murk_box_with(box, murk_add(a, l->edge2));
+    return murk_box_of_parallelogram(l->position, l->edge1, l->edge2);
 }
 
 static double rect_extent(const murk_source *l)

@@ -9,15 +9,6 @@
  */
 #define DOMAIN_MARGIN 0.01
 
-static murk_box box_of_rect(murk_vec3 corner, murk_vec3 edge1, murk_vec3 edge2)
-{
-    const murk_vec3 a = murk_add(corner, edge1);
-    murk_box box = murk_box_with(murk_box_empty(), corner);
-    box = murk_box_with(box, a);
-    box = murk_box_with(box, murk_add(corner, edge2));
-    return murk_box_with(box, murk_add(a, edge2));
-}
-
 static bool is_empty(const murk_box *box)
 {
     return !(box->min.x <= box->max.x);
@@ -30,25 +21,25 @@ static murk_box join(murk_box a, murk_box b)
                           : murk_box_with(murk_box_with(a, b.min), b.max);
 }
 
+/* The box of a placed sphere. */
+static murk_box box_of_sphere(const murk_scene_solid *solid)
+{
+    const murk_affine placed = murk_scene_placed(solid);
+    return murk_box_of_ball(murk_affine_point(&placed, solid->center),
+                            solid->radius_m * solid->scale);
+}
+
 murk_box murk_extent_geometry(const murk_scene_geometry *g,
                               const murk_mesh *mesh)
 {
     const murk_affine placed = murk_scene_placed(&g->solid);
-    murk_box box = g->solid.box;
-    switch (g->shape) {
-    case MURK_SHAPE_SPHERE:
-        return murk_box_of_ball(murk_affine_point(&placed, g->solid.center),
-                                g->solid.radius_m * g->solid.scale);
-    case MURK_SHAPE_MESH:
-        box = mesh->bounds_m;
-        break;
-    case MURK_SHAPE_RECT:
-        box = box_of_rect(g->corner, g->edge1, g->edge2);
-        break;
-    case MURK_SHAPE_BOX:
-        break;
-    }
-    return murk_affine_box(&placed, &box);
+    const murk_box box =
+        g->shape == MURK_SHAPE_MESH ? mesh->bounds_m
+        : g->shape == MURK_SHAPE_RECT
+            ? murk_box_of_parallelogram(g->corner, g->edge1, g->edge2)
+            : g->solid.box;
+    return g->shape == MURK_SHAPE_SPHERE ? box_of_sphere(&g->solid)
+                                         : murk_affine_box(&placed, &box);
 }
 
 bool murk_extent_is_bounded(const murk_scene_region *r)
@@ -108,8 +99,7 @@ murk_box murk_extent_region(const murk_scene_desc *scene,
     murk_box box = murk_box_empty();
     switch (r->shape) {
     case MURK_REGION_SPHERE:
-        box = murk_box_of_ball(murk_affine_point(&placed, r->solid.center),
-                               r->solid.radius_m * r->solid.scale);
+        box = box_of_sphere(&r->solid);
         break;
     case MURK_REGION_BOX:
         box = murk_affine_box(&placed, &r->solid.box);

@@ -44,33 +44,6 @@ static murk_status check_name(const murk_scene_placement *settings, size_t i,
     return MURK_OK;
 }
 
-/* The bounding box of the i-th region of interest; infinite if the region has
- * no shape. */
-static murk_box box_of(const murk_goals *goals, size_t i)
-{
-    const murk_scene_interest *r = &goals->scene->placement.interest[i];
-    switch (r->shape) {
-    case MURK_REGION_BOX:
-        return r->solid.box;
-    case MURK_REGION_SPHERE:
-        return murk_box_of_ball(r->solid.center, r->solid.radius_m);
-    case MURK_REGION_MESH:
-        return murk_boundary_meshes_describe(goals->boundary_meshes, (int)i)
-            .bounds_m;
-    default: /* everywhere */
-        break;
-    }
-    const murk_vec3 far = {INFINITY, INFINITY, INFINITY};
-    return (murk_box){murk_scale(-1, far), far};
-}
-
-static bool overlap(const murk_box *a, const murk_box *b)
-{
-    return a->min.x <= b->max.x && b->min.x <= a->max.x &&
-           a->min.y <= b->max.y && b->min.y <= a->max.y &&
-           a->min.z <= b->max.z && b->min.z <= a->max.z;
-}
-
 static bool fills_a_region(const murk_scene_desc *scene, int medium)
 {
     for (size_t i = 0; i < scene->n_regions; ++i) {
@@ -90,9 +63,10 @@ static murk_status check_place(const murk_goals *goals, size_t i,
 {
     const murk_scene_desc *scene = goals->scene;
     const murk_scene_interest *r = &scene->placement.interest[i];
-    const murk_box box = box_of(goals, i);
+    const murk_box box =
+        murk_goals_box(r->shape, &r->solid, goals->boundary_meshes, (int)i);
     /* The shape lies outside the domain. */
-    if (!overlap(&box, domain)) {
+    if (!murk_box_overlaps(&box, domain)) {
         return murk_fail(err, MURK_BAD_VALUE, r->where,
                          "%s is empty: it spans %s to %s m, outside of the "
                          "domain",
@@ -227,6 +201,23 @@ const murk_interest *murk_goals_interest(const murk_goals *goals)
 const murk_boundary_meshes *murk_goals_target_mesh(const murk_goals *goals)
 {
     return goals->target_mesh;
+}
+
+murk_box murk_goals_box(murk_region_shape shape, const murk_scene_solid *solid,
+                        const murk_boundary_meshes *meshes, int number)
+{
+    switch (shape) {
+    case MURK_REGION_BOX:
+        return solid->box;
+    case MURK_REGION_SPHERE:
+        return murk_box_of_ball(solid->center, solid->radius_m);
+    case MURK_REGION_MESH:
+        return murk_boundary_meshes_describe(meshes, number).bounds_m;
+    default: /* everywhere */
+        break;
+    }
+    const murk_vec3 far = {INFINITY, INFINITY, INFINITY};
+    return (murk_box){murk_scale(-1, far), far};
 }
 
 uint64_t murk_goals_seen(const murk_sight *sight)

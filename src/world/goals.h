@@ -31,6 +31,11 @@ const murk_interest *murk_goals_interest(const murk_goals *goals);
  * scene has none. */
 const murk_boundary_meshes *murk_goals_target_mesh(const murk_goals *goals);
 
+/* The bounding box of a region of interest or of the targets: a shape of the
+ * scene, or boundary mesh `number` of meshes; infinite for everywhere. */
+murk_box murk_goals_box(murk_region_shape shape, const murk_scene_solid *solid,
+                        const murk_boundary_meshes *meshes, int number);
+
 /* The regions of interest that contain at least one record of the sight: bit i
  * is set for region i. */
 uint64_t murk_goals_seen(const murk_sight *sight);
