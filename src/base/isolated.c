@@ -75,8 +75,7 @@ static bool take_message(int fd, const murk_pipe_head *h,
     }
     char *bytes = malloc((size_t)h->size + 1);
     if (!bytes) {
-        end->received =
-            murk_fail(err, MURK_NO_MEMORY, "", "no memory for a message");
+        end->received = murk_no_memory(err, "", "for a message");
         return false;
     }
     end->verdict = murk_pipe_read(fd, bytes, (size_t)h->size, INFINITY);

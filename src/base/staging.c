@@ -98,7 +98,7 @@ murk_status murk_staging_begin(murk_staging *out, const char *parent,
     for (int i = 0; i < TRIES; ++i) {
         char *folder = murk_path_join(parent, PREFIX "XXXXXX");
         if (!folder) {
-            return murk_fail(err, MURK_NO_MEMORY, parent, "no memory for it");
+            return murk_no_memory(err, parent, "for it");
         }
         if (!mkdtemp(folder)) {
             free(folder);

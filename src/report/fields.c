@@ -95,14 +95,12 @@ static murk_status read_grid(double **out, const murk_results_in *results,
     snprintf(grid_name, sizeof grid_name, "fluence_%.9gnm", field->band_nm);
     char *path = murk_path_join(results->folder, name);
     if (!path) {
-        return murk_fail(why, MURK_NO_MEMORY, name, "no memory to read it");
+        return murk_no_memory(why, name, "to read it");
     }
     murk_status status = murk_grid_read(&grid, path, grid_name, path, why);
     if (!status) {
         *out = take_slices(grid, field->asked);
-        status =
-            *out ? MURK_OK
-                 : murk_fail(why, MURK_NO_MEMORY, name, "no memory to draw it");
+        status = *out ? MURK_OK : murk_no_memory(why, name, "to draw it");
     }
     murk_grid_destroy(grid);
     free(path);

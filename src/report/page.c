@@ -256,7 +256,7 @@ murk_status murk_report_read(murk_report **out, const char *folder,
     murk_report *c = calloc(1, sizeof *c);
     *out = c;
     if (!c) {
-        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the page");
+        return murk_no_memory(err, "", "for the page");
     }
     murk_status status = murk_results_read(&c->results, folder, err);
     if (!status) {

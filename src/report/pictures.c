@@ -116,7 +116,7 @@ static murk_status add_png(murk_report_pictures *out, const char *folder,
     murk_report_picture p = {0};
     char *path = murk_path_join(folder, name);
     if (!path) {
-        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for pictures");
+        return murk_no_memory(err, "", "for pictures");
     }
     /* what a folder names may be a pipe that nobody writes to */
     FILE *file = murk_results_has(folder, name) ? murk_inputs_open(path) : NULL;

@@ -133,7 +133,7 @@ static murk_status read_points(murk_plan_points *out, FILE *file,
     out->n = out->photons < max ? (size_t)out->photons : max;
     out->point = malloc((out->n + 1) * sizeof *out->point);
     if (!out->point) {
-        return murk_fail(err, MURK_NO_MEMORY, path, "no memory to read it");
+        return murk_no_memory(err, path, "to read it");
     }
     if (start < 0 || fseek(file, start, SEEK_SET) != 0) {
         return murk_fail(err, MURK_BAD_FILE, path, "%s", strerror(errno));
@@ -198,7 +198,7 @@ static murk_status take_light(murk_plan_points *out,
     const size_t capacity = out->photons < max ? (size_t)out->photons : max;
     out->point = malloc((capacity + 1) * sizeof *out->point);
     if (!out->point) {
-        return murk_fail(err, MURK_NO_MEMORY, path, "no memory to read it");
+        return murk_no_memory(err, path, "to read it");
     }
     take_map(out, capacity, map[0], 0);
     take_map(out, capacity, map[1], map[0]->size / sizeof(murk_photon));

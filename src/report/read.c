@@ -131,8 +131,7 @@ murk_status murk_report_read_fit(murk_report_scene *out, const char *folder,
         }
     }
     return out->reading ? MURK_OK
-                        : murk_fail(err, MURK_NO_MEMORY, "fit.csv",
-                                    "no memory to read it");
+                        : murk_no_memory(err, "fit.csv", "to read it");
 }
 
 /* ---- explorations ---- */
@@ -177,7 +176,5 @@ murk_status murk_report_read_path(murk_report_scene *out, const char *folder,
         murk_report_scene_note(out, "The path is not shown", &why);
     }
     free(path);
-    return out->stop ? MURK_OK
-                     : murk_fail(err, MURK_NO_MEMORY, "path.ply",
-                                 "no memory to read it");
+    return out->stop ? MURK_OK : murk_no_memory(err, "path.ply", "to read it");
 }

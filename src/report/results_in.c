@@ -55,9 +55,8 @@ murk_status murk_results_table(murk_table **out, const char *folder,
         return MURK_OK;
     }
     char *path = murk_path_join(folder, name);
-    const murk_status status =
-        path ? murk_table_read(out, path, err)
-             : murk_fail(err, MURK_NO_MEMORY, name, "no memory to read it");
+    const murk_status status = path ? murk_table_read(out, path, err)
+                                    : murk_no_memory(err, name, "to read it");
     free(path);
     return status;
 }
@@ -169,7 +168,7 @@ static murk_status read_json(murk_results_in *out, murk_result_file which,
     const char *name = murk_result_kinds[which].file;
     out->path[which] = murk_path_join(out->folder, name);
     if (!out->path[which]) {
-        return murk_fail(err, MURK_NO_MEMORY, name, "no memory to read it");
+        return murk_no_memory(err, name, "to read it");
     }
     if (!murk_results_has(out->folder, name)) {
         return MURK_OK;
@@ -186,7 +185,7 @@ static murk_status read_scene(murk_results_in *out, murk_error *err)
     const char *name = murk_results_scene(out->folder);
     char *path = murk_path_join(out->folder, name);
     if (!path) {
-        return murk_fail(err, MURK_NO_MEMORY, name, "no memory to read it");
+        return murk_no_memory(err, name, "to read it");
     }
     const murk_warn_sink sink = murk_warn_to(NULL); /* the run has warned */
     if (murk_results_has(out->folder, name)) {
@@ -211,7 +210,7 @@ murk_status murk_results_read(murk_results_in *out, const char *folder,
     out->whole = realpath(folder, NULL);
     out->whole = out->whole ? out->whole : strdup(folder);
     if (!out->whole) {
-        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the folder");
+        return murk_no_memory(err, "", "for the folder");
     }
     /* each main file that is there; one is enough */
     bool has_any = false;

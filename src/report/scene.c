@@ -72,7 +72,7 @@ murk_status murk_report_read_sensors(murk_shown_sensor **out, size_t *n,
     const size_t asked = list && list->kind == MURK_YAML_LIST ? list->n : 0;
     murk_shown_sensor *sensor = calloc(asked + 1, sizeof *sensor);
     if (!sensor) {
-        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the sensors");
+        return murk_no_memory(err, "", "for the sensors");
     }
     /* those that have a place */
     *n = 0;

@@ -304,7 +304,5 @@ murk_status murk_report_tallies(murk_data *data, const murk_results_in *results,
     }
     murk_data_end(data, ']');
     murk_table_destroy(table);
-    return is_whole
-               ? MURK_OK
-               : murk_fail(err, MURK_NO_MEMORY, "", "no memory for the plots");
+    return is_whole ? MURK_OK : murk_no_memory(err, "", "for the plots");
 }

@@ -242,9 +242,7 @@ static murk_status write_all(FILE *to, const murk_view_data *data,
     for (size_t i = 0; i < s->states && is_whole; ++i) {
         is_whole = write_photons(to, &s->state[i], i);
     }
-    return is_whole
-               ? MURK_OK
-               : murk_fail(err, MURK_NO_MEMORY, "", "no memory for the view");
+    return is_whole ? MURK_OK : murk_no_memory(err, "", "for the view");
 }
 
 murk_status murk_view_data_write(FILE *to, const murk_report_scene *scene,

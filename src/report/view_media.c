@@ -55,7 +55,7 @@ murk_status murk_view_media_make(murk_view_media *out, const murk_media *media,
     out->cell = malloc(n);
     if (!value || !out->cell) {
         free(value);
-        return murk_fail(err, MURK_NO_MEMORY, "", "no memory for the media");
+        return murk_no_memory(err, "", "for the media");
     }
     /* values first, since bytes are shares of the largest */
     for (size_t i = 0; i < n; ++i) {

@@ -188,8 +188,7 @@ murk_status murk_view_mesh_make(murk_view_mesh *out,
     free(key);
     free(faces);
     return is_whole ? MURK_OK
-                    : murk_fail(err, MURK_NO_MEMORY, "",
-                                "no memory for the view's surfaces");
+                    : murk_no_memory(err, "", "for the view's surfaces");
 }
 
 void murk_view_mesh_release(murk_view_mesh *mesh)

@@ -137,7 +137,7 @@ static murk_status write_vdb(const char *path, const void *context,
     if (!note || !density) {
         free(note);
         free(density);
-        return murk_fail(err, MURK_NO_MEMORY, path, "no memory to write it");
+        return murk_no_memory(err, path, "to write it");
     }
     for (size_t i = 0; i < f->n; ++i) {
         make_notes(&note[i], f->scene, &f->field[i]);

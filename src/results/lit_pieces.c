@@ -21,8 +21,7 @@
 
 static murk_status no_memory(const murk_pieces *pieces, murk_error *err)
 {
-    return murk_fail(err, MURK_NO_MEMORY, "--export",
-                     "no memory for %zu pieces", pieces->n);
+    return murk_no_memory(err, "--export", "for %zu pieces", pieces->n);
 }
 
 bool murk_piece_is_within(const murk_piece *piece, const murk_domain *domain)

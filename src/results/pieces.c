@@ -109,8 +109,7 @@ murk_status murk_pieces_create(murk_pieces *out, const murk_surfaces *surfaces,
     out->first = malloc((out->wholes + 1) * sizeof *out->first);
     murk_status status = MURK_OK;
     if (!longest_m || !out->cut || !out->first) {
-        status = murk_fail(err, MURK_NO_MEMORY, where,
-                           "no memory for %zu triangles", out->wholes);
+        status = murk_no_memory(err, where, "for %zu triangles", out->wholes);
     }
     for (size_t i = 0; !status && i < out->wholes; ++i) {
         longest_m[i] = longest_edge_m(out, i);

@@ -199,8 +199,7 @@ murk_status murk_add_plan_ply(murk_results *results, const char *name,
                .mark_m = MARK_SIZE * murk_length(murk_sub(box->max, box->min))};
     p.seen = calloc(p.photons + 1, sizeof *p.seen);
     murk_status status =
-        p.seen ? see_all(&p, err)
-               : murk_fail(err, MURK_NO_MEMORY, name, "no memory to write it");
+        p.seen ? see_all(&p, err) : murk_no_memory(err, name, "to write it");
     if (!status) {
         status = murk_results_add_stream(results, name, write_ply, &p, err);
     }

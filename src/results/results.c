@@ -93,7 +93,7 @@ murk_status murk_results_expect(murk_results *results, const char *name,
     }
     char *path = murk_path_join(results->folder, name);
     if (!path) {
-        return murk_fail(err, MURK_NO_MEMORY, name, "no memory to write it");
+        return murk_no_memory(err, name, "to write it");
     }
     murk_status status = check_owner(results, path, name, err);
     if (!status && murk_inputs_has(path) && strcmp(name, MURK_MAP_FILE_NAME)) {
@@ -155,7 +155,7 @@ static murk_status stage_name(murk_results *results, const char *name,
         file.staged = murk_path_join(results->staging.folder, name);
     }
     if (!status && (!file.path || !file.staged || !grow(results))) {
-        status = murk_fail(err, MURK_NO_MEMORY, name, "no memory to write it");
+        status = murk_no_memory(err, name, "to write it");
     }
     if (!status) {
         status = check_name(results, file.path, name, err);
@@ -240,7 +240,7 @@ murk_status murk_results_add_text(murk_results *results, const char *name,
                                   const char *text, murk_error *err)
 {
     if (results->folder && !text) {
-        return murk_fail(err, MURK_NO_MEMORY, name, "no memory to write it");
+        return murk_no_memory(err, name, "to write it");
     }
     return murk_results_add(results, name, write_text, text, err);
 }
@@ -274,7 +274,7 @@ murk_status murk_results_note(murk_results *results, const char *name,
     murk_result file = {.path = murk_path_join(results->folder, name)};
     murk_status status = MURK_OK;
     if (!file.path || !grow(results)) {
-        status = murk_fail(err, MURK_NO_MEMORY, name, "no memory to list it");
+        status = murk_no_memory(err, name, "to list it");
     }
     if (!status) {
         status = murk_file_sha256(file.path, file.sum, err);

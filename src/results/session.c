@@ -153,8 +153,7 @@ static murk_status show(murk_session *session, const char *name, cJSON *root,
     run.summary = summary;
     char *text = murk_json_end(root, &run);
     murk_status status =
-        text ? MURK_OK
-             : murk_fail(err, MURK_NO_MEMORY, name, "no memory to write it");
+        text ? MURK_OK : murk_no_memory(err, name, "to write it");
     if (!status && name) {
         status = murk_results_add_text(&session->results, name, text, err);
     }

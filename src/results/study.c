@@ -80,8 +80,7 @@ static murk_status write_table(FILE *file, const void *context, murk_error *err)
     size_t n;
     const char **name = names_of(sweep, &n);
     if (!name) {
-        return murk_fail(err, MURK_NO_MEMORY, "table.csv",
-                         "no memory to write it");
+        return murk_no_memory(err, "table.csv", "to write it");
     }
     /* the heading: axes, values with their errors, `failed` */
     for (size_t a = 0; a < study->axes; ++a) {

@@ -174,9 +174,8 @@ static bool add_pair(murk_voxel_fields *fields, const tally *t, int band,
 
 static murk_status no_memory(const tally *t, murk_error *err)
 {
-    return murk_fail(err, MURK_NO_MEMORY, t->desc->name,
-                     "no memory for the fields of %zu cells",
-                     murk_tally_cells(t->desc));
+    return murk_no_memory(err, t->desc->name, "for the fields of %zu cells",
+                          murk_tally_cells(t->desc));
 }
 
 static murk_status add_grid(murk_results *results, const tally *t,

@@ -100,12 +100,6 @@ static float *new_field(domain_fields *f, const murk_voxel_field *like)
     return murk_voxel_fields_add(&f->list, like, f->band);
 }
 
-static murk_status no_memory(const domain_fields *f, murk_error *err)
-{
-    return murk_fail(err, MURK_NO_MEMORY, "--export",
-                     "no memory for %zu voxels", f->voxels);
-}
-
 static murk_status make_extinction(domain_fields *f, murk_error *err)
 {
     static const murk_voxel_field like = {
@@ -123,7 +117,8 @@ static murk_status make_extinction(domain_fields *f, murk_error *err)
         value[i] =
             (float)murk_media_extinction(f->stage->media, f->band, inside, p);
     }
-    return value ? MURK_OK : no_memory(f, err);
+    return value ? MURK_OK
+                 : murk_no_memory(err, "--export", "for %zu voxels", f->voxels);
 }
 
 /* A photon in the middle of a voxel. */
@@ -184,8 +179,9 @@ static murk_status make_seen(domain_fields *f, const murk_sight *sight,
                                 .wants_depth = true,
                                 .step = "fields"};
     const murk_status status =
-        has_memory ? murk_places_see(seen, &places, sight, sensor, n, err)
-                   : no_memory(f, err);
+        has_memory
+            ? murk_places_see(seen, &places, sight, sensor, n, err)
+            : murk_no_memory(err, "--export", "for %zu voxels", f->voxels);
     for (size_t i = 0; !status && i < f->voxels; ++i) {
         value[COVERAGE][i] = seen[i].worth;
         value[SENSORS][i] = (float)seen[i].sensors;

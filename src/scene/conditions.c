@@ -35,8 +35,7 @@ murk_status murk_condition_apply(murk_condition_values *out, murk_yaml *root,
     murk_yaml **value = map ? calloc(map->n + 1, sizeof *value) : NULL;
     murk_status status = MURK_OK;
     if (!value) {
-        status = murk_fail(err, MURK_NO_MEMORY, root->source,
-                           "no memory for condition %s", name);
+        status = murk_no_memory(err, root->source, "for condition %s", name);
     }
     /* Put each value at its path. Values put before must not be replaced. */
     for (size_t i = 0; !status && i < map->n; ++i) {

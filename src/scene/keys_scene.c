@@ -150,7 +150,7 @@ murk_status murk_scene_override_read(murk_scene_desc *out,
     assert(key && override->text[length] == '=');
     murk_status status =
         source ? murk_yaml_parse(&walk.root, value, strlen(value), source, err)
-               : murk_fail(err, MURK_NO_MEMORY, walk.key, "no memory for it");
+               : murk_no_memory(err, walk.key, "for it");
     if (!status) {
         status = murk_walk_value(&walk, key, walk.root, (char *)out + inside);
     }

@@ -35,12 +35,6 @@ static murk_status fail(const option_context *option, const char *format, ...)
     return murk_fail(option->err, MURK_BAD_VALUE, option->where, "%s", text);
 }
 
-static murk_status no_memory(const option_context *option)
-{
-    return murk_fail(option->err, MURK_NO_MEMORY, option->where,
-                     "no memory for it");
-}
-
 static bool is_open_map(const murk_key_position *at)
 {
     return murk_key_path_is_map(at) && at->row->keys->is_open;
@@ -205,7 +199,7 @@ static murk_status step_map(const option_context *option,
             *value = NULL;
         }
         if (!*child || !murk_yaml_put(map, part, *child)) {
-            return no_memory(option);
+            return murk_no_memory(option->err, option->where, "for it");
         }
     }
     return MURK_OK;
@@ -281,7 +275,7 @@ static murk_status put(const option_context *option, murk_yaml *root,
     char *own_path = strndup(path, length);
     if (!own_path) {
         murk_yaml_destroy(value);
-        return no_memory(option);
+        return murk_no_memory(option->err, option->where, "for it");
     }
     const murk_status status = descend(option, root, own_path, &value);
     free(own_path);

@@ -19,8 +19,7 @@ static murk_status open_table(murk_table **out, const murk_media_file *file,
 {
     char *text = malloc(file->size + 1);
     if (!text) {
-        return murk_fail(err, MURK_NO_MEMORY, file->name,
-                         "no memory for a table");
+        return murk_no_memory(err, file->name, "for a table");
     }
     memcpy(text, file->text, file->size + 1);
     return murk_table_parse(out, file->name, text, file->size, err);

@@ -23,8 +23,7 @@ murk_status murk_preset_parse(murk_preset **out, const char *name,
     murk_preset *preset = calloc(1, sizeof *preset);
     murk_status status = MURK_OK;
     if (!preset || !(preset->name = strdup(name))) {
-        status =
-            murk_fail(err, MURK_NO_MEMORY, source, "no memory for a preset");
+        status = murk_no_memory(err, source, "for a preset");
     }
     if (!status) {
         status = murk_yaml_parse(&walk.root, text, size, source, err);

@@ -44,7 +44,7 @@ static void release(reading *r)
 
 static murk_status no_memory(const char *path, murk_error *err)
 {
-    return murk_fail(err, MURK_NO_MEMORY, path, "no memory for the scene");
+    return murk_no_memory(err, path, "for the scene");
 }
 
 static murk_status apply_overrides(reading *r, const char *path,

@@ -89,11 +89,6 @@ static const murk_keys STUDY_KEYS = {
 
 /* ---- the file ---- */
 
-static murk_status no_memory(const char *path, murk_error *err)
-{
-    return murk_fail(err, MURK_NO_MEMORY, path, "no memory for the study");
-}
-
 murk_status murk_study_file_read(murk_study_file **out, const char *path,
                                  murk_error *err)
 {
@@ -102,7 +97,7 @@ murk_status murk_study_file_read(murk_study_file **out, const char *path,
     murk_study_file *study = calloc(1, sizeof *study);
     if (!study || !(study->path = strdup(path))) {
         murk_study_file_destroy(study);
-        return no_memory(path, err);
+        return murk_no_memory(err, path, "for the study");
     }
     /* Read and parse the text; the hash identifies the study. */
     murk_status status =
@@ -190,7 +185,7 @@ murk_status murk_study_row_scene(murk_scene_desc **out,
     }
     murk_key_change *change = calloc(max, sizeof *change);
     if (!change) {
-        return no_memory(study->path, err);
+        return murk_no_memory(err, study->path, "for the study");
     }
     murk_variant variant = {.change = change};
     for (size_t a = 0; a < study->axes; ++a) {

@@ -46,7 +46,7 @@ static murk_status fail_at(const cursor *at, size_t line, const char *format,
 
 static murk_status no_memory(const char *path, murk_error *err)
 {
-    return murk_fail(err, MURK_NO_MEMORY, path, "no memory for the table");
+    return murk_no_memory(err, path, "for the table");
 }
 
 static murk_status read_cell(cursor *at, char **cell, bool *is_last)

@@ -88,6 +88,5 @@ murk_status murk_walk_fail_key(murk_key_reader *walk, const murk_yaml *node,
 
 murk_status murk_walk_no_memory(murk_key_reader *walk)
 {
-    return murk_fail(walk->err, MURK_NO_MEMORY, walk->root->source,
-                     "no memory to read it");
+    return murk_no_memory(walk->err, walk->root->source, "to read it");
 }

@@ -72,8 +72,7 @@ murk_status murk_yaml_check_keys(const murk_yaml *map, murk_error *err)
     }
     key_order *order = malloc(map->n * sizeof *order);
     if (!order) {
-        return murk_fail(err, MURK_NO_MEMORY, map->source,
-                         "no memory to read it");
+        return murk_no_memory(err, map->source, "to read it");
     }
     for (size_t i = 0; i < map->n; ++i) {
         order[i] = (key_order){map->key[i], i};

@@ -47,8 +47,7 @@ static void *fail_at(reader *r, yaml_mark_t mark, const char *text)
 
 static void *no_memory(reader *r)
 {
-    r->status =
-        murk_fail(r->err, MURK_NO_MEMORY, r->source, "no memory to read it");
+    r->status = murk_no_memory(r->err, r->source, "to read it");
     return NULL;
 }
 
@@ -369,7 +368,7 @@ murk_status murk_yaml_parse(murk_yaml **out, const char *text, size_t size,
     reader *r = calloc(1, sizeof *r);
     if (!r || !yaml_parser_initialize(&r->parser)) {
         free(r);
-        return murk_fail(err, MURK_NO_MEMORY, source, "no memory to read it");
+        return murk_no_memory(err, source, "to read it");
     }
     r->source = source;
     r->err = err;
