@@ -41,6 +41,9 @@ murk_status murk_boundary_meshes_create(murk_boundary_meshes **out,
                                         size_t n, murk_error *err)
 {
     assert(out && n <= MURK_BOUNDARY_MESHES_MAX);
+    if (n == 0) {
+        return MURK_OK;
+    }
     murk_boundary_meshes *made =
         calloc(1, sizeof *made + n * sizeof *made->boundary_mesh);
     if (!made) {

@@ -45,7 +45,8 @@ typedef struct murk_boundary_mesh_desc {
 
 typedef struct murk_boundary_meshes murk_boundary_meshes;
 
-/* The caller owns *out and releases it with murk_boundary_meshes_destroy().
+/* The caller owns *out and releases it with murk_boundary_meshes_destroy();
+ * without meshes *out stays as it is.
  * Fails with MURK_BAD_VALUE at the `where` of a mesh that is open (the
  * message counts the open edges), out of range or without area, or with
  * MURK_NO_MEMORY. */

@@ -61,9 +61,8 @@ static murk_status fill(murk_zones *made, const murk_zone *zones, size_t n,
     }
     /* All meshes share one set of boundary meshes, each as a region of its
      * own. */
-    return meshes > 0 ? murk_boundary_meshes_create(&made->boundary_meshes,
-                                                    desc, meshes, err)
-                      : MURK_OK;
+    return murk_boundary_meshes_create(&made->boundary_meshes, desc, meshes,
+                                       err);
 }
 
 murk_status murk_zones_create(murk_zones **out, const murk_zone *zones,

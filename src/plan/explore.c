@@ -165,8 +165,8 @@ static murk_status take(exploring *e, uint32_t j, bool is_gone_to,
         .path_m = gone_m + length_m,
         .places_seen = murk_explored_see(&e->explored, &e->poses->pose[j],
                                          e->poses->site[j]),
-        .queries = murk_sight_queries(e->sight),
-        .shadow_rays = murk_sight_shadow_rays(e->sight),
+        .queries = murk_sight_work_of(e->sight).queries,
+        .shadow_rays = murk_sight_work_of(e->sight).shadow_rays,
         .stops = out->stops};
     ++out->steps;
     murk_progress_add(1);
@@ -292,13 +292,14 @@ static murk_status fill(murk_place_result *place, const exploring *e,
         sensor[k] = out->step[k].candidate;
     }
     qsort(sensor, out->steps, sizeof *sensor, murk_by_size);
-    *place = (murk_place_result){.count = out->steps,
-                                 .sensor = sensor,
-                                 .value = e->greedy.value,
-                                 .cost = e->partial.cost,
-                                 .whole = e->greedy.layout.whole,
-                                 .evaluations = e->greedy.queries,
-                                 .queries = murk_sight_queries(e->sight)};
+    *place =
+        (murk_place_result){.count = out->steps,
+                            .sensor = sensor,
+                            .value = e->greedy.value,
+                            .cost = e->partial.cost,
+                            .whole = e->greedy.layout.whole,
+                            .evaluations = e->greedy.queries,
+                            .queries = murk_sight_work_of(e->sight).queries};
     return MURK_OK;
 }
 

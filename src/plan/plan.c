@@ -122,10 +122,11 @@ uint64_t murk_plan_value_of(double share, const murk_problem *problem)
 
 void murk_plan_add_work(murk_plan_result *plan, const murk_sight *sight)
 {
-    plan->queries += murk_sight_queries(sight) - plan->forecast_queries;
-    plan->shadow_rays += murk_sight_shadow_rays(sight) - plan->forecast_rays;
-    plan->blocked_by_interfaces += murk_sight_blocked_by_interfaces(sight);
-    plan->totally_reflected += murk_sight_totally_reflected(sight);
+    const murk_sight_work work = murk_sight_work_of(sight);
+    plan->queries += work.queries - plan->forecast_queries;
+    plan->shadow_rays += work.shadow_rays - plan->forecast_rays;
+    plan->blocked_by_interfaces += work.blocked_by_interfaces;
+    plan->totally_reflected += work.totally_reflected;
 }
 
 /* Explores with a cache of coverage rows, then computes bounds. The queries of
@@ -167,7 +168,7 @@ static void forecast_unknown(murk_plan_result *plan, murk_sight *sight,
 {
     const size_t n = problem->candidates;
     const size_t sample = n < FORECAST_CANDIDATES ? n : FORECAST_CANDIDATES;
-    const uint64_t rays = murk_sight_shadow_rays(sight);
+    const uint64_t rays = murk_sight_work_of(sight).shadow_rays;
     const double begun_s = murk_clock_s();
     /* Other methods need no warning. */
     if (desc->method != MURK_PLACE_BEST || desc->count < 2 || desc->target) {
@@ -179,7 +180,7 @@ static void forecast_unknown(murk_plan_result *plan, murk_sight *sight,
         problem->get_row(problem->context, 0, k * n / sample, &row);
     }
     plan->forecast_queries = sample;
-    plan->forecast_rays = murk_sight_shadow_rays(sight) - rays;
+    plan->forecast_rays = murk_sight_work_of(sight).shadow_rays - rays;
     /* Scale to all evaluations. */
     const double each = (double)plan->forecast_rays / (double)sample;
     const double each_s =

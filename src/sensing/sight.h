@@ -172,17 +172,15 @@ const murk_sight_desc *murk_sight_described(const murk_sight *sight);
  * others; 0 without detection by power. */
 size_t murk_sight_power_few(const murk_sight *sight);
 
-/* Counters since creation: rows (each queries both maps), and sightlines tested
- * against surfaces. */
-uint64_t murk_sight_queries(const murk_sight *sight);
-uint64_t murk_sight_shadow_rays(const murk_sight *sight);
-
-/* Sightlines lost to boundaries between refractive indices: those that no
- * surface blocks and a boundary does, and with refraction the photons without a
- * path across one flat boundary. Totally reflected ones are counted separately
- * as well. */
-uint64_t murk_sight_blocked_by_interfaces(const murk_sight *sight);
-uint64_t murk_sight_totally_reflected(const murk_sight *sight);
+/* Counters since creation: rows (each queries both maps), sightlines tested
+ * against surfaces, and sightlines lost to boundaries between refractive
+ * indices: those that no surface blocks and a boundary does, and with
+ * refraction the photons without a path across one flat boundary. Totally
+ * reflected ones are counted separately. */
+typedef struct murk_sight_work {
+    uint64_t queries, shadow_rays, blocked_by_interfaces, totally_reflected;
+} murk_sight_work;
+murk_sight_work murk_sight_work_of(const murk_sight *sight);
 
 /* Coverage of a region of interest: the total that would result if all other
  * photons were absent and every region had weight 1. NaN if the region contains

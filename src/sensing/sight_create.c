@@ -345,22 +345,13 @@ size_t murk_sight_power_few(const murk_sight *sight)
     return sight->power ? murk_power_few(sight->power) : 0;
 }
 
-uint64_t murk_sight_queries(const murk_sight *sight)
+murk_sight_work murk_sight_work_of(const murk_sight *sight)
 {
-    return (uint64_t)murk_tally_read(&sight->queries);
-}
-
-uint64_t murk_sight_shadow_rays(const murk_sight *sight)
-{
-    return (uint64_t)murk_tally_read(&sight->shadow_rays);
-}
-
-uint64_t murk_sight_blocked_by_interfaces(const murk_sight *sight)
-{
-    return (uint64_t)murk_tally_read(&sight->blocked_by_interfaces);
-}
-
-uint64_t murk_sight_totally_reflected(const murk_sight *sight)
-{
-    return (uint64_t)murk_tally_read(&sight->totally_reflected);
+    return (murk_sight_work){
+        .queries = (uint64_t)murk_tally_read(&sight->queries),
+        .shadow_rays = (uint64_t)murk_tally_read(&sight->shadow_rays),
+        .blocked_by_interfaces =
+            (uint64_t)murk_tally_read(&sight->blocked_by_interfaces),
+        .totally_reflected =
+            (uint64_t)murk_tally_read(&sight->totally_reflected)};
 }

@@ -126,10 +126,7 @@ murk_status murk_stage_boundary_meshes(murk_boundary_meshes **out,
         }
     }
     /* Build the meshes, then test every pair of regions. */
-    murk_status status = MURK_OK;
-    if (n > 0) {
-        status = murk_boundary_meshes_create(&made, desc, n, err);
-    }
+    murk_status status = murk_boundary_meshes_create(&made, desc, n, err);
     if (!status && made) {
         status = check_pairs(made, scene, domain, err);
     }

@@ -120,9 +120,7 @@ static murk_status build_boundary_meshes(murk_goals *goals,
         }
     }
     murk_status status =
-        n > 0
-            ? murk_boundary_meshes_create(&goals->boundary_meshes, desc, n, err)
-            : MURK_OK;
+        murk_boundary_meshes_create(&goals->boundary_meshes, desc, n, err);
     /* The mesh of the targets is a set of its own. */
     const murk_scene_targets *t = &settings->targets;
     if (!status && t->solid.mesh) {

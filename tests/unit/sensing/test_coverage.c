@@ -428,7 +428,7 @@ static void test_threads_change_nothing(void)
         world w = build(s.surface, s.n_surface, s.volume, s.n_volume, 500,
                         balanced, 0.2, threads[k]);
         c[k] = measure(&w, sensor, 40);
-        CHECK(murk_sight_queries(w.sight) == 40);
+        CHECK(murk_sight_work_of(w.sight).queries == 40);
         tear_down(&w);
         CHECK(memcmp(&c[k].total, &c[0].total, sizeof c[k].total) == 0);
         CHECK(memcmp(c[k].covers, c[0].covers, 40 * sizeof(double)) == 0);

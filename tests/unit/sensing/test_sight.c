@@ -29,8 +29,8 @@ static void test_a_wall_hides_what_is_behind(void)
         }
     }
     /* Each photon takes one shadow ray from each sensor. */
-    CHECK(murk_sight_queries(w.sight) == 2);
-    CHECK(murk_sight_shadow_rays(w.sight) == 2000);
+    CHECK(murk_sight_work_of(w.sight).queries == 2);
+    CHECK(murk_sight_work_of(w.sight).shadow_rays == 2000);
     tear_down(&w);
 }
 
@@ -53,7 +53,7 @@ static void test_a_surface_photon_is_seen_from_its_own_side(void)
         /* Behind the plane x = 5, before the tilted one. */
         CHECK(seen_from(&w, murk_vec(4, 7, 2), 2) == MURK_CLEAR);
         CHECK(seen_from(&w, murk_vec(4, 4.9, 2), 2) == 0);
-        CHECK((murk_sight_shadow_rays(w.sight) == 0) == (v == 1));
+        CHECK((murk_sight_work_of(w.sight).shadow_rays == 0) == (v == 1));
         tear_down(&w);
     }
 }

@@ -191,7 +191,7 @@ static void test_clarity_is_fermats_path_times_fresnel(void)
     }
     CHECK(across > PHOTONS / 2);
     CHECK(noticed > across * 9 / 10);
-    CHECK(murk_sight_blocked_by_interfaces(s.sight) == 0);
+    CHECK(murk_sight_work_of(s.sight).blocked_by_interfaces == 0);
     leave(&s);
 
     /* Without refraction, the surface of the water blocks all paths across. */
@@ -200,7 +200,8 @@ static void test_clarity_is_fermats_path_times_fresnel(void)
     murk_sparse_row row;
     murk_sight_row(s.sight, 0, &pose, &row);
     CHECK(row.seen < PHOTONS);
-    CHECK(murk_sight_blocked_by_interfaces(s.sight) == PHOTONS - row.seen);
+    CHECK(murk_sight_work_of(s.sight).blocked_by_interfaces ==
+          PHOTONS - row.seen);
     leave(&s);
 }
 
