@@ -25,18 +25,16 @@ void murk_json_cameras(cJSON *root, const murk_scene_desc *scene,
     cJSON *list = cJSON_AddArrayToObject(root, "cameras");
     for (size_t i = 0; i < scene->n_cameras; ++i) {
         const murk_scene_camera *c = &scene->cameras[i];
-        cJSON *item = cJSON_CreateObject();
+        cJSON *item = murk_json_item(list);
         cJSON_AddStringToObject(item, "name", c->name);
         cJSON_AddStringToObject(item, "type",
                                 c->projection == MURK_SCENE_EQUIRECTANGULAR
                                     ? "equirectangular"
                                     : "perspective");
         const double pixels[] = {(double)c->pixels[0], (double)c->pixels[1]};
-        cJSON_AddItemToObject(item, "pixels",
-                              cJSON_CreateDoubleArray(pixels, 2));
+        murk_json_numbers(item, "pixels", pixels, 2);
         murk_json_number(item, "samples", (double)c->samples);
         murk_json_number(item, "memory_bytes", bytes_of(scene, forecast, i));
-        cJSON_AddItemToArray(list, item);
     }
 }
 

@@ -76,7 +76,7 @@ static void add_phases(cJSON *item, const murk_stage *stage, size_t medium)
         mean.band[band] = murk_phase_mean_cosine(phase_of(stage, medium, band));
         cJSON_AddItemToArray(list, phase_json(stage, medium, band));
     }
-    murk_json_spectrum(item, "mean_cosine", &mean, bands);
+    murk_json_numbers(item, "mean_cosine", mean.band, bands);
 }
 
 static murk_spectrum profile_maximum(const murk_scene_medium *m)
@@ -100,8 +100,8 @@ static void add_profile(cJSON *item, const murk_scene_medium *m, double up_m,
     const murk_spectrum upper = profile_maximum(m);
     cJSON *profile = cJSON_AddObjectToObject(item, "profile");
     murk_json_number(profile, "heights", (double)z->n);
-    cJSON_AddItemToObject(profile, "z_m", cJSON_CreateDoubleArray(ends, 2));
-    murk_json_spectrum(profile, "maximum_per_m", &upper, bands);
+    murk_json_numbers(profile, "z_m", ends, 2);
+    murk_json_numbers(profile, "maximum_per_m", upper.band, bands);
 }
 
 static void add_grid(cJSON *item, const char *key, const murk_grid *grid)
@@ -116,8 +116,7 @@ static void add_grid(cJSON *item, const char *key, const murk_grid *grid)
     murk_json_number(g, "minimum", facts->minimum);
     murk_json_number(g, "maximum", facts->maximum);
     murk_json_number(g, "sum", facts->sum);
-    cJSON_AddItemToObject(g, "voxel_m",
-                          cJSON_CreateDoubleArray(facts->voxel_m, 3));
+    murk_json_numbers(g, "voxel_m", facts->voxel_m, 3);
 }
 
 void murk_json_media(cJSON *root, const murk_stage *stage)
@@ -126,27 +125,26 @@ void murk_json_media(cJSON *root, const murk_stage *stage)
     cJSON *media = cJSON_AddArrayToObject(root, "media");
     for (size_t i = 0; i < scene->n_media; ++i) {
         const murk_scene_medium *m = &scene->media[i];
-        cJSON *item = cJSON_CreateObject();
+        cJSON *item = murk_json_item(media);
         cJSON_AddStringToObject(item, "name", m->name);
         /* Coefficients: a profile, a spectrum or grids. */
         if (m->profile_z_m.n > 0) {
             add_profile(item, m, scene->origin.z, scene->bands);
         } else {
-            murk_json_spectrum(item, "extinction_per_m", &m->extinction_per_m,
-                               scene->bands);
+            murk_json_numbers(item, "extinction_per_m",
+                              m->extinction_per_m.band, scene->bands);
         }
         if (!m->albedo_grid) {
-            murk_json_spectrum(item, "albedo", &m->albedo, scene->bands);
+            murk_json_numbers(item, "albedo", m->albedo.band, scene->bands);
         }
         add_phases(item, stage, i);
         add_grid(item, "grid", stage->fillings->grid[i]);
         add_grid(item, "albedo_grid", stage->fillings->albedo[i]);
-        cJSON_AddItemToArray(media, item);
     }
     cJSON *regions = cJSON_AddArrayToObject(root, "regions");
     for (size_t i = 0; i < scene->n_regions; ++i) {
         const murk_scene_region *r = &scene->regions[i];
-        cJSON *item = cJSON_CreateObject();
+        cJSON *item = murk_json_item(regions);
         cJSON_AddStringToObject(item, "medium", scene->media[r->medium].name);
         const murk_box box = region_box(stage, i);
         murk_json_box(item, "bounds", &box);
@@ -162,7 +160,6 @@ void murk_json_media(cJSON *root, const murk_stage *stage)
         if (r->wind_m_per_s > 0) {
             murk_json_number(item, "wind_m_per_s", r->wind_m_per_s);
         }
-        cJSON_AddItemToArray(regions, item);
     }
 }
 

@@ -36,14 +36,13 @@ void murk_json_sensor_types(cJSON *root, const murk_scene_desc *scene,
     cJSON *list = cJSON_AddArrayToObject(root, "sensors");
     for (size_t k = 0; k < scene->sensors.types; ++k) {
         const murk_scene_sensor_type *type = &scene->sensors.type[k];
-        cJSON *item = cJSON_CreateObject();
+        cJSON *item = murk_json_item(list);
         cJSON_AddStringToObject(item, "type", type->name);
         cJSON_AddStringToObject(item, "view", murk_view_name(type->view));
         murk_json_number(item, "least_range_m", type->least_range_m);
         murk_json_number(item, "range_m", type->range_m);
         murk_json_number(item, "cost", type->cost);
         murk_json_number(item, "candidates", (double)poses_of(poses, k));
-        cJSON_AddItemToArray(list, item);
     }
 }
 

@@ -109,12 +109,8 @@ static void add_taken(cJSON *item, const murk_stage *stage, size_t light)
     }
     cJSON *object = cJSON_AddObjectToObject(item, "taken_again");
     murk_json_number(object, "share", taken.share);
-    cJSON_AddItemToObject(
-        object, "optical_depth",
-        cJSON_CreateDoubleArray(taken.optical_depth.band, bands));
-    cJSON_AddItemToObject(
-        object, "transmittance",
-        cJSON_CreateDoubleArray(taken.transmittance.band, bands));
+    murk_json_numbers(object, "optical_depth", taken.optical_depth.band, bands);
+    murk_json_numbers(object, "transmittance", taken.transmittance.band, bands);
 }
 
 void murk_json_lights(cJSON *root, const murk_stage *stage)
@@ -135,7 +131,7 @@ void murk_json_lights(cJSON *root, const murk_stage *stage)
     cJSON *list = cJSON_AddArrayToObject(lights, "sky");
     for (size_t i = 0; i < scene->n_lights; ++i) {
         const murk_sky_facts *facts = &stage->sky[i];
-        cJSON *item = cJSON_CreateObject();
+        cJSON *item = murk_json_item(list);
         murk_json_number(item, "light", (double)i);
         cJSON_AddStringToObject(item, "type",
                                 murk_source_type_name(scene->lights[i].type));
@@ -152,6 +148,5 @@ void murk_json_lights(cJSON *root, const murk_stage *stage)
             cJSON_AddNullToObject(item, "unit");
         }
         add_taken(item, stage, i);
-        cJSON_AddItemToArray(list, item);
     }
 }

@@ -53,15 +53,14 @@ static void add_surfaces(cJSON *root, const findings *f)
     cJSON *materials = cJSON_AddArrayToObject(object, "materials");
     for (size_t i = 0; i < scene->n_materials; ++i) {
         const murk_scene_material *m = &scene->materials[i];
-        cJSON *item = cJSON_CreateObject();
+        cJSON *item = murk_json_item(materials);
         cJSON_AddStringToObject(item, "name", m->name);
         murk_json_number(
             item, "area_m2",
             murk_surfaces_material_area(f->session->stage->surfaces, i));
-        murk_json_spectrum(item, "diffuse", &m->diffuse, scene->bands);
-        murk_json_spectrum(item, "specular", &m->specular, scene->bands);
-        murk_json_spectrum(item, "transmit", &m->transmit, scene->bands);
-        cJSON_AddItemToArray(materials, item);
+        murk_json_numbers(item, "diffuse", m->diffuse.band, scene->bands);
+        murk_json_numbers(item, "specular", m->specular.band, scene->bands);
+        murk_json_numbers(item, "transmit", m->transmit.band, scene->bands);
     }
 }
 
@@ -72,7 +71,7 @@ static void add_mesh_materials(cJSON *root, const findings *f)
     cJSON *list = cJSON_AddArrayToObject(root, "mesh_materials");
     for (size_t i = 0; i < f->mesh_names; ++i) {
         const murk_mesh_material *m = &f->mesh_name[i];
-        cJSON *item = cJSON_CreateObject();
+        cJSON *item = murk_json_item(list);
         murk_json_number(item, "geometry", (double)m->geometry);
         cJSON_AddStringToObject(item, "file",
                                 scene->geometry[m->geometry].solid.mesh);
@@ -80,7 +79,6 @@ static void add_mesh_materials(cJSON *root, const findings *f)
         murk_json_number(item, "area_m2", m->area_m2);
         cJSON_AddStringToObject(item, "material",
                                 scene->materials[m->material].name);
-        cJSON_AddItemToArray(list, item);
     }
 }
 

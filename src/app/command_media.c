@@ -34,12 +34,10 @@ static void show_list(cJSON *list)
         }
         const double *range = preset->wavelength_nm;
         if (list) {
-            cJSON *item = cJSON_CreateObject();
+            cJSON *item = murk_json_item(list);
             cJSON_AddStringToObject(item, "name", name);
             cJSON_AddStringToObject(item, "about", preset->about);
-            cJSON_AddItemToObject(item, "wavelength_nm",
-                                  cJSON_CreateDoubleArray(range, 2));
-            cJSON_AddItemToArray(list, item);
+            murk_json_numbers(item, "wavelength_nm", range, 2);
         } else {
             murk_print("%-*s %5g..%-5g nm  %s\n", WIDTH, name, range[0],
                        range[1], preset->about);
@@ -260,14 +258,13 @@ static void add_bands(cJSON *root, const resolved *r)
     const murk_scene_medium *medium = &scene->media[0];
     cJSON *bands = cJSON_AddArrayToObject(root, "bands");
     for (int band = 0; band < scene->bands; ++band) {
-        cJSON *item = cJSON_CreateObject();
+        cJSON *item = murk_json_item(bands);
         const double extinction = medium->extinction_per_m.band[band];
         const double albedo = medium->albedo.band[band];
         murk_json_number(item, "band_nm", scene->band_nm[band]);
         if (scene->has_edges) {
-            cJSON_AddItemToObject(
-                item, "band_edges_nm",
-                cJSON_CreateDoubleArray(&scene->band_edge_nm[band], 2));
+            murk_json_numbers(item, "band_edges_nm", &scene->band_edge_nm[band],
+                              2);
         }
         murk_json_number(item, "extinction_per_m", extinction);
         murk_json_number(item, "albedo", albedo);
@@ -276,7 +273,6 @@ static void add_bands(cJSON *root, const resolved *r)
         murk_json_number(item, "mean_cosine",
                          murk_phase_mean_cosine(&r->phases->medium[0][band]));
         cJSON_AddStringToObject(item, "phase", murk_phases_kind(medium, band));
-        cJSON_AddItemToArray(bands, item);
     }
 }
 
@@ -286,8 +282,7 @@ static cJSON *one_json(const resolved *r)
     cJSON *root = murk_json_begin_murk();
     cJSON_AddStringToObject(root, "preset", preset->name);
     cJSON_AddStringToObject(root, "about", preset->about);
-    cJSON_AddItemToObject(root, "wavelength_nm",
-                          cJSON_CreateDoubleArray(preset->wavelength_nm, 2));
+    murk_json_numbers(root, "wavelength_nm", preset->wavelength_nm, 2);
     /* The words that the preset knows, and the optics of each band. */
     add_words(root, r);
     add_bands(root, r);
@@ -295,13 +290,12 @@ static cJSON *one_json(const resolved *r)
     cJSON *sources = cJSON_AddArrayToObject(root, "sources");
     for (size_t i = 0; i < preset->sources; ++i) {
         const murk_preset_source *s = &preset->source[i];
-        cJSON *item = cJSON_CreateObject();
+        cJSON *item = murk_json_item(sources);
         cJSON_AddStringToObject(item, "what", s->what);
         cJSON_AddStringToObject(item, "from", s->from);
         cJSON_AddItemToObject(item, "quoted_by",
                               s->quoted_by ? cJSON_CreateString(s->quoted_by)
                                            : cJSON_CreateNull());
-        cJSON_AddItemToArray(sources, item);
     }
     cJSON *doubts = cJSON_AddArrayToObject(root, "doubts");
     for (size_t i = 0; i < preset->doubts.n; ++i) {

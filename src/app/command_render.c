@@ -318,7 +318,7 @@ static cJSON *facts_json(const job *j)
     cJSON_AddStringToObject(root, "method", j->method->name);
     /* Size, samples and rays. */
     const double pixels[] = {(double)p->width, (double)p->height};
-    cJSON_AddItemToObject(root, "pixels", cJSON_CreateDoubleArray(pixels, 2));
+    murk_json_numbers(root, "pixels", pixels, 2);
     murk_json_number(root, "samples", (double)v->samples);
     murk_json_number(root, "sensors", (double)v->sensors);
     murk_json_number(root, "rays", (double)p->rays);
@@ -327,10 +327,9 @@ static cJSON *facts_json(const job *j)
     /* The mean radiance with its error, and the checksums of the files. */
     cJSON_AddStringToObject(root, "mean_over",
                             is_all_round(j) ? "solid angle" : "pixels");
-    cJSON_AddItemToObject(root, "mean_radiance",
-                          cJSON_CreateDoubleArray(p->mean, p->bands));
-    cJSON_AddItemToObject(root, "mean_radiance_standard_error",
-                          cJSON_CreateDoubleArray(p->mean_error, p->bands));
+    murk_json_numbers(root, "mean_radiance", p->mean, p->bands);
+    murk_json_numbers(root, "mean_radiance_standard_error", p->mean_error,
+                      p->bands);
     murk_json_file(root, j->images.exr);
     murk_json_file(root, j->images.png);
     murk_json_file(root, j->images.false_colour);

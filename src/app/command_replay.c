@@ -70,7 +70,7 @@ static void print_event(const replay *r, const murk_event *event)
 
 static void add_event(const replay *r, const murk_event *event)
 {
-    cJSON *item = cJSON_CreateObject();
+    cJSON *item = murk_json_item(r->events);
     murk_json_number(item, "number", event->number);
     cJSON_AddStringToObject(item, "kind", kind_name[event->kind]);
     cJSON_AddStringToObject(item, "partner", partner(r, event));
@@ -82,7 +82,6 @@ static void add_event(const replay *r, const murk_event *event)
     murk_json_vector(item, "direction_in", event->direction_in);
     murk_json_vector(item, "direction_out", event->direction_out);
     murk_json_number(item, "path_m", event->path_m);
-    cJSON_AddItemToArray(r->events, item);
 }
 
 static void on_event(void *context, uint64_t batch, const murk_event *event)

@@ -25,10 +25,22 @@ void murk_json_number(cJSON *object, const char *key, double value)
     }
 }
 
+void murk_json_numbers(cJSON *object, const char *key, const double *value,
+                       int n)
+{
+    cJSON_AddItemToObject(object, key, cJSON_CreateDoubleArray(value, n));
+}
+
+cJSON *murk_json_item(cJSON *list)
+{
+    cJSON *item = cJSON_CreateObject();
+    cJSON_AddItemToArray(list, item);
+    return item;
+}
+
 void murk_json_vector(cJSON *object, const char *key, murk_vec3 v)
 {
-    const double xyz[3] = {v.x, v.y, v.z};
-    cJSON_AddItemToObject(object, key, cJSON_CreateDoubleArray(xyz, 3));
+    murk_json_numbers(object, key, (const double[]){v.x, v.y, v.z}, 3);
 }
 
 void murk_json_box(cJSON *object, const char *key, const murk_box *box)
@@ -40,13 +52,6 @@ void murk_json_box(cJSON *object, const char *key, const murk_box *box)
     cJSON *item = cJSON_AddObjectToObject(object, key);
     murk_json_vector(item, "min_m", box->min);
     murk_json_vector(item, "max_m", box->max);
-}
-
-void murk_json_spectrum(cJSON *object, const char *key,
-                        const murk_spectrum *spectrum, int bands)
-{
-    cJSON_AddItemToObject(object, key,
-                          cJSON_CreateDoubleArray(spectrum->band, bands));
 }
 
 static void list_packages(murk_results_fields *f, const void *of)

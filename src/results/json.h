@@ -41,8 +41,9 @@ void murk_json_number(cJSON *object, const char *key, double value);
 void murk_json_vector(cJSON *object, const char *key, murk_vec3 v);
 /* {min_m, max_m}; null for an empty box. */
 void murk_json_box(cJSON *object, const char *key, const murk_box *box);
-/* A list, band by band. */
-void murk_json_spectrum(cJSON *object, const char *key,
-                        const murk_spectrum *spectrum, int bands);
+void murk_json_numbers(cJSON *object, const char *key, const double *value,
+                       int n);
+/* Adds an object at the end of a list. */
+cJSON *murk_json_item(cJSON *list);
 
 #endif

@@ -38,7 +38,7 @@ static cJSON *worth_json(const murk_ledger_results *l, const int64_t *quanta,
     }
     cJSON *both = cJSON_CreateObject();
     murk_json_number(both, "total", total);
-    cJSON_AddItemToObject(both, "bands", cJSON_CreateDoubleArray(band, bands));
+    murk_json_numbers(both, "bands", band, bands);
     return both;
 }
 

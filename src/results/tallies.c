@@ -377,12 +377,11 @@ void murk_json_tallies(cJSON *root, const murk_session *session)
     cJSON *list = cJSON_AddArrayToObject(root, "tallies");
     for (size_t i = 0; i < session->scene->n_tallies; ++i) {
         const murk_tally_desc *d = &session->stage->tally[i];
-        cJSON *item = cJSON_CreateObject();
+        cJSON *item = murk_json_item(list);
         cJSON_AddStringToObject(item, "name", d->name);
         cJSON_AddStringToObject(item, "type", murk_tally_type_name(d->type));
         cJSON_AddNumberToObject(item, "cells", (double)murk_tally_cells(d));
         cJSON_AddStringToObject(item, "unit", unit_of(d, &units));
-        cJSON_AddItemToArray(list, item);
     }
 }
 
