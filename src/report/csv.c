@@ -8,7 +8,6 @@
 #include "base/file.h"
 #include "report/html.h"
 
-#include <dirent.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -21,13 +20,6 @@
 
 /* A file that is larger, and that the page does not need, is passed over. */
 #define FILE_BYTES_MAX 16000000
-
-static int is_csv(const struct dirent *entry)
-{
-    const size_t length = strlen(entry->d_name);
-    return entry->d_name[0] != '.' && length > 4 &&
-           strcmp(entry->d_name + length - 4, ".csv") == 0;
-}
 
 /* True if the page's script draws from this file, so that a file that cannot
  * be read is an error of the results. */
@@ -110,20 +102,18 @@ static murk_status add_file(FILE *to, const murk_results_in *results,
 murk_status murk_report_csv(FILE *to, const murk_results_in *results,
                             murk_error *err)
 {
-    struct dirent **entry = NULL;
-    size_t left = ALL_BYTES;
+    size_t left = ALL_BYTES, n = 0;
     murk_status status = MURK_OK;
-    const int n = scandir(results->folder, &entry, is_csv, alphasort);
-    if (n > 0) {
-        fputs("<noscript>\n<section>\n<h2>Tables of the folder</h2>\n", to);
-    }
-    for (int i = 0; i < n; ++i) {
-        if (!status) {
-            status = add_file(to, results, entry[i]->d_name, &left, err);
+    for (int i = 0; i < results->entries && !status; ++i) {
+        const char *name = results->entry[i]->d_name;
+        if (murk_name_ends(name, ".csv")) {
+            fputs(n++ ? ""
+                      : "<noscript>\n<section>\n<h2>Tables of the "
+                        "folder</h2>\n",
+                  to);
+            status = add_file(to, results, name, &left, err);
         }
-        free(entry[i]);
     }
-    free(entry);
     fputs(n > 0 ? "</section>\n</noscript>\n" : "", to);
     return status;
 }

@@ -5,7 +5,6 @@
 #include "report/html.h"
 #include "report/sections.h"
 
-#include <dirent.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
@@ -194,11 +193,6 @@ static void write_run(FILE *to, const char *file, const murk_yaml *root)
 
 /* ---- files ---- */
 
-static int is_shown(const struct dirent *entry)
-{
-    return entry->d_name[0] != '.';
-}
-
 /* The page's own name in the folder; NULL where it is written elsewhere. */
 static const char *name_in(const char *folder, const char *page)
 {
@@ -214,27 +208,25 @@ static const char *name_in(const char *folder, const char *page)
 }
 
 /* But the page, which would tell of itself: two of one folder are the same. */
-static void write_files(FILE *to, const char *folder, const char *page)
+static void write_files(FILE *to, const murk_results_in *results,
+                        const char *page)
 {
-    const char *own = name_in(folder, page);
-    struct dirent **entry = NULL;
+    const char *own = name_in(results->folder, page);
     size_t rows = 0;
-    const int n = scandir(folder, &entry, is_shown, alphasort);
-    if (n <= 0) {
-        free(entry);
+    if (results->entries <= 0) {
         return;
     }
     begin_table(to, "Files of the folder",
                 "<thead><tr><th scope=\"col\">file</th><th scope=\"col\">bytes"
                 "</th></tr></thead>\n");
     /* regular files by name, without the page itself */
-    for (int i = 0; i < n; ++i) {
+    for (int i = 0; i < results->entries; ++i) {
         struct stat known;
-        const char *name = entry[i]->d_name;
+        const char *name = results->entry[i]->d_name;
         char *path =
             (own && strcmp(name, own) == 0) || strcmp(name, "report.html") == 0
                 ? NULL
-                : murk_path_join(folder, name);
+                : murk_path_join(results->folder, name);
         if (path && stat(path, &known) == 0 && S_ISREG(known.st_mode) &&
             ++rows <= MURK_REPORT_ROWS_MAX) {
             fputs("<tr><th scope=\"row\">", to);
@@ -242,9 +234,7 @@ static void write_files(FILE *to, const char *folder, const char *page)
             fprintf(to, "</th><td>%lld</td></tr>\n", (long long)known.st_size);
         }
         free(path);
-        free(entry[i]);
     }
-    free(entry);
     end_table(to);
     if (rows > MURK_REPORT_ROWS_MAX) {
         fprintf(to,
@@ -266,6 +256,6 @@ void murk_report_made(FILE *to, const murk_results_in *results,
             write_run(to, murk_result_kinds[i].file, results->json[i]);
         }
     }
-    write_files(to, results->folder, page);
+    write_files(to, results, page);
     fputs("</section>\n", to);
 }

@@ -265,7 +265,7 @@ murk_status murk_report_read(murk_report **out, const char *folder,
         status = murk_report_fields_read(&c->fields, &c->results, err);
     }
     if (!status) {
-        status = murk_report_pictures_read(&c->pictures, folder, err);
+        status = murk_report_pictures_read(&c->pictures, &c->results, err);
     }
     return status ? status
                   : murk_report_scene_read(&c->scene, &c->results, err);

@@ -6,7 +6,6 @@
 #include "base/file.h"
 #include "base/inputs.h"
 #include "report/html.h"
-#include "report/results_in.h"
 
 #include <stdint.h>
 #include <stdlib.h>
@@ -74,18 +73,6 @@ static char *text_of(const murk_report_picture *p, const char *name)
 
 /* ---- reading ---- */
 
-static bool ends_in(const struct dirent *entry, const char *extension)
-{
-    const char *dot = strrchr(entry->d_name, '.');
-    return dot && strcmp(dot, extension) == 0;
-}
-
-static int is_picture(const struct dirent *entry)
-{
-    return entry->d_name[0] != '.' &&
-           (ends_in(entry, ".png") || ends_in(entry, ".exr"));
-}
-
 /* Opens what may be carried; false where it is no picture. */
 static bool read_file(murk_report_picture *p, FILE *file, size_t max)
 {
@@ -139,17 +126,17 @@ static murk_status add_png(murk_report_pictures *out, const char *folder,
 }
 
 murk_status murk_report_pictures_read(murk_report_pictures *out,
-                                      const char *folder, murk_error *err)
+                                      const murk_results_in *results,
+                                      murk_error *err)
 {
     size_t left = MURK_REPORT_PICTURES_BYTES;
     murk_status status = MURK_OK;
-    *out = (murk_report_pictures){0};
-    out->entries = scandir(folder, &out->entry, is_picture, alphasort);
-    for (int i = 0; i < out->entries && !status; ++i) {
-        if (ends_in(out->entry[i], ".exr")) {
-            ++out->exr;
-        } else {
-            status = add_png(out, folder, out->entry[i]->d_name, &left, err);
+    *out = (murk_report_pictures){.results = results};
+    for (int i = 0; i < results->entries && !status; ++i) {
+        const char *name = results->entry[i]->d_name;
+        out->exr += murk_name_ends(name, ".exr");
+        if (murk_name_ends(name, ".png")) {
+            status = add_png(out, results->folder, name, &left, err);
         }
     }
     return status;
@@ -160,10 +147,6 @@ void murk_report_pictures_release(murk_report_pictures *pictures)
     for (size_t i = 0; i < pictures->n; ++i) {
         free(pictures->picture[i].bytes);
     }
-    for (int i = 0; i < pictures->entries; ++i) {
-        free(pictures->entry[i]);
-    }
-    free(pictures->entry);
     *pictures = (murk_report_pictures){0};
 }
 
@@ -253,10 +236,11 @@ void murk_report_pictures_write(FILE *to, const murk_report_pictures *pictures)
     const char *before =
         "<p class=\"note\">Radiances with their errors are in ";
     size_t named = 0;
-    for (int i = 0; i < pictures->entries && named < NAMED_MAX; ++i) {
-        if (ends_in(pictures->entry[i], ".exr")) {
+    const murk_results_in *results = pictures->results;
+    for (int i = 0; i < results->entries && named < NAMED_MAX; ++i) {
+        if (murk_name_ends(results->entry[i]->d_name, ".exr")) {
             fputs(before, to);
-            murk_html_text(to, pictures->entry[i]->d_name);
+            murk_html_text(to, results->entry[i]->d_name);
             before = ", ";
             ++named;
         }

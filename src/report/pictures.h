@@ -3,9 +3,8 @@
 #ifndef MURK_REPORT_PICTURES_H
 #define MURK_REPORT_PICTURES_H
 
-#include "base/status.h"
+#include "report/results_in.h"
 
-#include <dirent.h>
 #include <stddef.h>
 #include <stdio.h>
 
@@ -19,7 +18,7 @@
 #define MURK_REPORT_PICTURES_BYTES 700000
 
 typedef struct murk_report_picture {
-    const char *name;     /* of the file; borrowed of an entry below */
+    const char *name;     /* of the file, borrowed of the results */
     unsigned char *bytes; /* [size]; NULL: too large to be carried */
     size_t size;
     unsigned width, height; /* pixels */
@@ -28,16 +27,16 @@ typedef struct murk_report_picture {
 typedef struct murk_report_pictures {
     murk_report_picture picture[MURK_REPORT_PICTURES_MAX];
     size_t n, carried;
-    size_t more;           /* PNG files beyond those, not read */
-    size_t exr;            /* EXR files */
-    struct dirent **entry; /* [entries] PNG and EXR files, by name */
-    int entries;           /* or -1: none */
+    size_t more;                    /* PNG files beyond those, not read */
+    size_t exr;                     /* EXR files */
+    const murk_results_in *results; /* borrowed: the files of the folder */
 } murk_report_pictures;
 
 /* What is no PNG is passed over. Fails with MURK_NO_MEMORY. Release in any
  * case. */
 murk_status murk_report_pictures_read(murk_report_pictures *out,
-                                      const char *folder, murk_error *err);
+                                      const murk_results_in *results,
+                                      murk_error *err);
 void murk_report_pictures_release(murk_report_pictures *pictures);
 
 /* The section; nothing where there are none. */

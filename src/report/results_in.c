@@ -42,6 +42,17 @@ bool murk_results_has(const char *folder, const char *name)
     return path != NULL;
 }
 
+bool murk_name_ends(const char *name, const char *extension)
+{
+    const char *dot = strrchr(name, '.');
+    return dot && strcmp(dot, extension) == 0;
+}
+
+static int is_visible(const struct dirent *entry)
+{
+    return entry->d_name[0] != '.';
+}
+
 const char *murk_results_scene(const char *folder)
 {
     static const char name[] = "scene.resolved.yaml";
@@ -212,6 +223,7 @@ murk_status murk_results_read(murk_results_in *out, const char *folder,
     if (!out->whole) {
         return murk_no_memory(err, "", "for the folder");
     }
+    out->entries = scandir(folder, &out->entry, is_visible, alphasort);
     /* each main file that is there; one is enough */
     bool has_any = false;
     for (int i = 0; i < MURK_RESULT_FILES; ++i) {
@@ -352,6 +364,10 @@ void murk_results_release(murk_results_in *results)
         free(results->path[i]);
         murk_yaml_destroy(results->json[i]);
     }
+    for (int i = 0; i < results->entries; ++i) {
+        free(results->entry[i]);
+    }
+    free(results->entry);
     murk_scene_desc_destroy(results->scene);
     free(results->whole);
     free(results->strangers);

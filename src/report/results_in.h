@@ -11,6 +11,7 @@
 #include "scene/table.h"
 #include "scene/yaml.h"
 
+#include <dirent.h>
 #include <stdbool.h>
 
 typedef enum murk_result_file {
@@ -34,6 +35,9 @@ typedef struct murk_results_in {
     char *whole;        /* its whole path; as named, where there is none */
     char *path[MURK_RESULT_FILES];      /* of each, there or not */
     murk_yaml *json[MURK_RESULT_FILES]; /* NULL: not there */
+    struct dirent **entry; /* [entries] of the folder by name, without those
+                              that begin with a dot */
+    int entries;
     char *strangers;        /* murk_results_strangers(); NULL: not looked for */
     murk_scene_desc *scene; /* as resolved; NULL: not there, or cannot be read,
                                for the reason in no_scene */
@@ -62,6 +66,9 @@ void murk_results_release(murk_results_in *results);
 
 /* Whether there is such a regular file. */
 bool murk_results_has(const char *folder, const char *name);
+
+/* True if a name ends in an extension, as ".csv". */
+bool murk_name_ends(const char *name, const char *extension);
 
 /* The name of the resolved scene in the folder: scene.yaml, as older versions
  * wrote it, where there is no scene.resolved.yaml. */
