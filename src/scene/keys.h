@@ -64,7 +64,9 @@ typedef struct murk_key {
     const struct murk_key *items; /* numbers: name and range of each item */
     const char *of;               /* references: "media" or "materials" */
     size_t at, size;              /* member; size 0: not stored */
-    size_t inside; /* a map: the member into which the keys of the map go */
+    size_t inside;    /* a map: the member into which the keys of the map go */
+    bool is_position; /* moved to the local origin (origin.h): a vector, or
+                         heights, which are numbers */
     bool has_flag;
     size_t flag_at;  /* a bool that is true if the key is given */
     bool lights;     /* top level: the traced light depends on it */
@@ -103,6 +105,13 @@ struct murk_keys {
 };
 
 extern const murk_keys murk_scene_keys;
+
+/* Calls a function for each row that fills members of a struct, after the rows
+ * of the structs below: of maps, and of the items of arrays. Rows of other
+ * variants than that of the struct are left out. */
+typedef void murk_key_visit(void *context, const murk_key *key, void *item);
+void murk_keys_visit(const murk_keys *keys, void *item, murk_key_visit *visit,
+                     void *context);
 
 /* The first row with a name, of any variant, or NULL. */
 const murk_key *murk_keys_find(const murk_keys *keys, const char *name);

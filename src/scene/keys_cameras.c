@@ -59,7 +59,7 @@ static murk_status check_camera(murk_key_reader *walk, const murk_yaml *map,
 
 #define PERSPECTIVE .variants = BIT(MURK_SCENE_PERSPECTIVE)
 #define ALL_ROUND   .variants = BIT(MURK_SCENE_EQUIRECTANGULAR)
-#define TO          LONG_M, FLAG(murk_scene_camera, has_to), CAMERA(to)
+#define TO          PLACE_M, FLAG(murk_scene_camera, has_to), CAMERA(to)
 /* Pictures with longer edges fit no memory. */
 #define PIXELS .min = 1, .max = 65536, .unit = "pixels", CAMERA(pixels)
 
@@ -68,7 +68,7 @@ static const murk_key CAMERA_ROWS[] = {
     ROW("type", WORD, .preset = "perspective",
         WORDS({"perspective", MURK_SCENE_PERSPECTIVE},
               {"equirectangular", MURK_SCENE_EQUIRECTANGULAR})),
-    ROW("from_m", VECTOR, NEEDED, LONG_M, CAMERA(from)),
+    ROW("from_m", VECTOR, NEEDED, PLACE_M, CAMERA(from)),
     ROW("to_m", VECTOR, NEEDED, PERSPECTIVE, TO),
     ROW("to_m", VECTOR, ALL_ROUND, TO),
     ROW("up", VECTOR, ANY_UNIT, .preset = "[0, 0, 1]", PERSPECTIVE, CAMERA(up)),

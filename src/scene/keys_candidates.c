@@ -65,8 +65,8 @@ static murk_status check_grid(murk_key_reader *walk, const murk_yaml *map,
 #define CANDIDATES(member) AT(murk_scene_sensors, candidates.member)
 
 static const murk_key GRID_ROWS[] = {
-    ROW("min_m", VECTOR, NEEDED, LONG_M, CANDIDATES(grid_min)),
-    ROW("max_m", VECTOR, NEEDED, LONG_M, CANDIDATES(grid_max)),
+    ROW("min_m", VECTOR, NEEDED, PLACE_M, CANDIDATES(grid_min)),
+    ROW("max_m", VECTOR, NEEDED, PLACE_M, CANDIDATES(grid_max)),
     ROW("size", SIZES, .group = 1, NEEDED, .min = 1, .max = MAX_CANDIDATES,
         .unit = "points", CANDIDATES(grid_size)),
     ROW("spacing_m", NUMBER, .group = 1, NEEDED, SIZE_M),
@@ -145,7 +145,7 @@ static const murk_key MOUNT_ROWS[] = {
     ROW("offset_m", NUMBER, SIZE_M, .preset = "0.05", MOUNT(offset_m)),
     ROW("z_m", NUMBERS,
         LIST_ITEMS(ROW("low", NUMBER, LONG_M), ROW("high", NUMBER, LONG_M)),
-        MOUNT(band_m), FLAG(murk_scene_mount, has_band)),
+        .is_position = true, MOUNT(band_m), FLAG(murk_scene_mount, has_band)),
     ROW("facing", WORD, .preset = "any", MOUNT(facing),
         WORDS({"any", MURK_SCENE_FACING_ANY}, {"up", MURK_SCENE_FACING_UP},
               {"down", MURK_SCENE_FACING_DOWN},

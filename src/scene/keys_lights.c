@@ -52,12 +52,12 @@ static const murk_word TYPE_WORDS[] = {MURK_SOURCE_TYPES(TYPE_WORD) WORDS_END};
 
 static const murk_key LIGHT_ROWS[] = {
     ROW("type", WORD, NEEDED, .words = TYPE_WORDS),
-    ROW("center_m", VECTOR, NEEDED, LONG_M, FOR(SPHERE), LIGHT(position)),
-    ROW("corner_m", VECTOR, NEEDED, LONG_M, FOR(RECT), LIGHT(position)),
+    ROW("center_m", VECTOR, NEEDED, PLACE_M, FOR(SPHERE), LIGHT(position)),
+    ROW("corner_m", VECTOR, NEEDED, PLACE_M, FOR(RECT), LIGHT(position)),
     ROW("edge1_m", VECTOR, NEEDED, LONG_M, FOR(RECT), LIGHT(edge1)),
     ROW("edge2_m", VECTOR, NEEDED, LONG_M, FOR(RECT), LIGHT(edge2)),
-    ROW("position_m", VECTOR, NEEDED, LONG_M, FOR(POINT), LIGHT(position)),
-    ROW("origin_m", VECTOR, NEEDED, LONG_M, FOR(BEAM), LIGHT(position)),
+    ROW("position_m", VECTOR, NEEDED, PLACE_M, FOR(POINT), LIGHT(position)),
+    ROW("origin_m", VECTOR, NEEDED, PLACE_M, FOR(BEAM), LIGHT(position)),
     ROW("direction", VECTOR, NEEDED, ANY_UNIT, FOR(BEAM | DIRECTIONAL),
         LIGHT(direction)),
     ROW("radius_m", NUMBER, NEEDED, SIZE_M, FOR(SPHERE), LIGHT(radius_m)),

@@ -95,7 +95,7 @@ static murk_status check_profile(murk_key_reader *walk, const murk_yaml *map,
 }
 
 static const murk_key PROFILE_ROWS[] = {
-    ROW("z_m", NUMBER_LIST, NEEDED, LONG_M, MEDIUM(profile_z_m)),
+    ROW("z_m", NUMBER_LIST, NEEDED, PLACE_M, MEDIUM(profile_z_m)),
     ROW("extinction_per_m", SPECTRUM_LIST, NEEDED, .max = 1e9, .unit = "1/m",
         MEDIUM(profile_per_m)),
     END,
@@ -290,7 +290,7 @@ static const murk_key REGION_ROWS[] = {
     ROW("medium", REFERENCE, .of = "media", NEEDED, REGION(medium)),
     BOX_ROW(murk_scene_region, .group = 1),
     SPHERE_ROW(murk_scene_region, .group = 1),
-    ROW("below_z_m", NUMBER, .group = 1, LONG_M, REGION(below_z_m)),
+    ROW("below_z_m", NUMBER, .group = 1, PLACE_M, REGION(below_z_m)),
     MESH_ROWS(murk_scene_region, .group = 1),
     PLACEMENT_ROWS(murk_scene_region, MOVABLE),
     ROW("replace", BOOL, .preset = "false", REGION(replaces)),

@@ -48,7 +48,7 @@ static const murk_key PLACEMENT_ROWS[] = {
     ROW("knowledge", WORD, .preset = "known", PLAN(knowledge),
         WORDS({"known", MURK_SCENE_KNOWN}, {"unknown", MURK_SCENE_UNKNOWN},
               {"explore", MURK_SCENE_EXPLORE})),
-    ROW("start_m", VECTOR, LONG_M, PLAN(start),
+    ROW("start_m", VECTOR, PLACE_M, PLAN(start),
         FLAG(murk_scene_placement, has_start)),
     ROW("restarts", COUNT, .min = 1, .max = 1e6, .preset = "200",
         PLAN(restarts)),

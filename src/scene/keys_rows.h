@@ -51,6 +51,7 @@
  * squares and products stay finite in double precision, and lengths in
  * single precision. */
 #define LONG_M    .min = -1e9, .max = 1e9, .unit = "m"
+#define PLACE_M   LONG_M, .is_position = true
 #define SIZE_M    .above = true, .max = 1e9, .unit = "m"
 #define ANY_UNIT  .min = -1e9, .max = 1e9
 #define SHARE     .max = 1

@@ -9,6 +9,7 @@
 
 #include "scene/keys_rows.h"
 #include "scene/override.h"
+#include "scene/walk_names.h"
 
 /* ---- the scene ---- */
 
@@ -27,8 +28,8 @@ const murk_word murk_units_words[] = {{"radiometric", MURK_RADIOMETRIC},
                                       WORDS_END};
 
 static const murk_key DOMAIN_ROWS[] = {
-    ROW("min_m", VECTOR, NEEDED, LONG_M, SCENE(domain.box.min)),
-    ROW("max_m", VECTOR, NEEDED, LONG_M, SCENE(domain.box.max)),
+    ROW("min_m", VECTOR, NEEDED, PLACE_M, SCENE(domain.box.min)),
+    ROW("max_m", VECTOR, NEEDED, PLACE_M, SCENE(domain.box.max)),
     ROW("sides", WORD, .preset = "open", WORDS({"open", 0}, {"periodic", 1}),
         SCENE(domain.is_periodic)),
     ROW("outside", WORD, .preset = "empty",
@@ -104,6 +105,49 @@ const murk_keys murk_scene_keys = {
     .check = check_scene,
     .key = SCENE_ROWS,
 };
+
+/* ---- visits ---- */
+
+/* The variant of a struct that stores it; otherwise -1, which stands for any.
+ */
+static int variant_of(const murk_keys *keys, const void *item)
+{
+    int variant = -1;
+    if (keys->has_variant_at) {
+        memcpy(&variant, (const char *)item + keys->variant_at, sizeof variant);
+    }
+    return variant;
+}
+
+void murk_keys_visit(const murk_keys *keys, void *item, murk_key_visit *visit,
+                     void *context)
+{
+    const int variant = variant_of(keys, item);
+    for (const murk_key *key = keys->key; key->name; ++key) {
+        const murk_keys *below = key->keys;
+        char *items = (char *)item + key->inside;
+        size_t n = 1;
+        if (!murk_walk_fits(key, variant)) {
+            continue;
+        }
+        /* The structs below: a map, an array of the struct, or an array that
+         * is allocated. */
+        if (below && below->item_size > 0) {
+            memcpy(&n, (char *)item + below->count_at, sizeof n);
+            items = (char *)item + key->at;
+        }
+        if (below && below->item_size > 0 && key->kind != MURK_KEY_PER_BAND) {
+            memcpy(&items, (char *)item + below->array_at, sizeof items);
+        }
+        for (size_t i = 0; below && items && i < n; ++i) {
+            murk_keys_visit(below, items + i * below->item_size, visit,
+                            context);
+        }
+        visit(context, key, item);
+    }
+}
+
+/* ---- paths ---- */
 
 /* The row at a path such as "placement.over". *inside: where the struct of the
  * row lies in murk_scene_desc. */

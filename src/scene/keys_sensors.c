@@ -195,7 +195,7 @@ static murk_status check_fixed(murk_key_reader *walk, const murk_yaml *map,
 
 static const murk_key FIXED_ROWS[] = {
     ROW("type", TEXT, FIXED(type_name)),
-    ROW("position_m", VECTOR, NEEDED, LONG_M, FIXED(position)),
+    ROW("position_m", VECTOR, NEEDED, PLACE_M, FIXED(position)),
     ROW("heading_deg", NUMBER, .min = -360, .max = 360, RADIANS,
         FIXED(heading_rad)),
     ROW("tilt_deg", NUMBER, .min = -90, .max = 90, RADIANS, FIXED(tilt_rad)),

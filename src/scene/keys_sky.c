@@ -189,7 +189,7 @@ static murk_status check_portal(murk_key_reader *walk, const murk_yaml *map,
 }
 
 static const murk_key PORTAL_ROWS[] = {
-    ROW("corner_m", VECTOR, NEEDED, LONG_M, AT(murk_scene_portal, corner)),
+    ROW("corner_m", VECTOR, NEEDED, PLACE_M, AT(murk_scene_portal, corner)),
     ROW("edge1_m", VECTOR, NEEDED, LONG_M, AT(murk_scene_portal, edge1)),
     ROW("edge2_m", VECTOR, NEEDED, LONG_M, AT(murk_scene_portal, edge2)),
     END,

@@ -1,8 +1,11 @@
 /* Chooses a scene's local origin and moves every position of the scene's
- * structs there. See scene/origin.h for the rule. */
+ * structs there. See scene/origin.h for the rule. Rows of the key table say
+ * which members are positions; solids are moved with their placement. */
 #include "scene/origin.h"
 
 #include <math.h>
+
+#include "scene/keys.h"
 
 static double largest(murk_vec3 v)
 {
@@ -191,7 +194,6 @@ static void move_region(murk_scene_region *r, const murk_scene_medium *medium,
     move_solid(&r->solid,
                r->shape == MURK_REGION_BOX ? r->solid.box.min : r->solid.center,
                origin, is_file, medium->profile_z_m.n > 0);
-    r->below_z_m -= origin.z;
 }
 
 static void move_zones(murk_scene_site_zone *zone, size_t n, murk_vec3 origin)
@@ -212,75 +214,48 @@ static void move_in_world(murk_scene_solid *s, murk_vec3 origin)
     move(&s->translate_m, origin);
 }
 
-static void move_sensors(murk_scene_sensors *s, murk_vec3 origin)
+/* Moves the member of a row for a position: a vector, or heights. */
+static void move_member(void *context, const murk_key *key, void *item)
 {
-    murk_scene_candidates *c = &s->candidates;
-    for (size_t i = 0; i < s->n_fixed; ++i) {
-        move(&s->fixed[i].position, origin);
+    const murk_vec3 origin = *(const murk_vec3 *)context;
+    void *const member = (char *)item + key->at;
+    murk_scene_numbers z = {key->size / sizeof(double), member};
+    if (!key->is_position) {
+        return;
     }
-    move(&c->grid_min, origin);
-    move(&c->grid_max, origin);
-    for (size_t i = 0; i < c->points.positions; ++i) {
-        move(&c->points.position[i], origin);
+    if (key->kind == MURK_KEY_VECTOR) {
+        move(member, origin);
+        return;
     }
-    for (size_t i = 0; i < c->mounts; ++i) {
-        c->mount[i].band_m[0] -= origin.z;
-        c->mount[i].band_m[1] -= origin.z;
+    if (key->kind == MURK_KEY_NUMBER_LIST) {
+        z = *(murk_scene_numbers *)member;
     }
-    move_zones(c->avoid, c->avoids, origin);
-    move_zones(c->within, c->withins, origin);
-}
-
-static void move_placement(murk_scene_placement *p, murk_vec3 origin)
-{
-    move(&p->start, origin);
-    for (size_t i = 0; i < p->n_interests; ++i) {
-        move_in_world(&p->interest[i].solid, origin);
-    }
-    move_in_world(&p->targets.solid, origin);
-}
-
-static void move_lights(murk_scene_desc *s, murk_vec3 origin)
-{
-    for (size_t i = 0; i < s->n_lights; ++i) {
-        murk_scene_light *l = &s->lights[i];
-        move(&l->position, origin);
-        for (size_t k = 0; k < l->portals; ++k) {
-            move(&l->portal[k].corner, origin);
-        }
+    for (size_t i = 0; i < z.n; ++i) {
+        z.value[i] -= origin.z;
     }
 }
 
 static void move_scene(murk_scene_desc *s, murk_vec3 origin)
 {
+    murk_scene_candidates *c = &s->sensors.candidates;
     s->origin = origin;
-    move_box(&s->domain.box, origin);
+    murk_keys_visit(&murk_scene_keys, s, move_member, &origin);
+    for (size_t i = 0; i < c->points.positions; ++i) {
+        move(&c->points.position[i], origin);
+    }
+    /* Solids: some have coordinates of their own. */
     for (size_t i = 0; i < s->geometries; ++i) {
         move_geometry(&s->geometry[i], origin);
     }
     for (size_t i = 0; i < s->n_regions; ++i) {
         move_region(&s->regions[i], &s->media[s->regions[i].medium], origin);
     }
-    for (size_t i = 0; i < s->n_media; ++i) {
-        const murk_scene_numbers *z = &s->media[i].profile_z_m;
-        for (size_t k = 0; k < z->n; ++k) {
-            z->value[k] -= origin.z;
-        }
+    move_zones(c->avoid, c->avoids, origin);
+    move_zones(c->within, c->withins, origin);
+    for (size_t i = 0; i < s->placement.n_interests; ++i) {
+        move_in_world(&s->placement.interest[i].solid, origin);
     }
-    /* Profiles were moved in z above; now lights, tallies, cameras, sensors
-     * and targets. */
-    move_lights(s, origin);
-    for (size_t i = 0; i < s->n_tallies; ++i) {
-        move(&s->tallies[i].point, origin);
-        move_box(&s->tallies[i].box, origin);
-        move(&s->tallies[i].center, origin);
-    }
-    for (size_t i = 0; i < s->n_cameras; ++i) {
-        move(&s->cameras[i].from, origin);
-        move(&s->cameras[i].to, origin);
-    }
-    move_sensors(&s->sensors, origin);
-    move_placement(&s->placement, origin);
+    move_in_world(&s->placement.targets.solid, origin);
 }
 
 void murk_origin_move(murk_scene_desc *scene)

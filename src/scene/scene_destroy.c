@@ -18,56 +18,33 @@ static void free_member(void *item, size_t at)
     memcpy((char *)item + at, &none, sizeof none);
 }
 
-static void release(const murk_keys *keys, void *item);
-
-static void release_items(const murk_keys *keys, void *owner, char *items)
+/* Frees what a row has allocated for a struct. */
+static void release(void *context, const murk_key *key, void *item)
 {
-    size_t n;
-    memcpy(&n, (char *)owner + keys->count_at, sizeof n);
-    for (size_t i = 0; i < n && items; ++i) {
-        release(keys, items + i * keys->item_size);
-    }
-}
-
-/* Frees all that the keys of a table have allocated for a struct. */
-static void release(const murk_keys *keys, void *item)
-{
-    for (const murk_key *key = keys->key; key->name; ++key) {
-        char *items;
-        /* Memory of the member, and of the structs below it. */
-        switch (key->kind) {
-        case MURK_KEY_TEXT:
-            if (key->size == sizeof(char *)) {
-                free_member(item, key->at);
-            }
-            break;
-        case MURK_KEY_PATH:
+    (void)context;
+    switch (key->kind) {
+    /* Texts and lists. */
+    case MURK_KEY_TEXT:
+        if (key->size == sizeof(char *)) {
             free_member(item, key->at);
-            break;
-        case MURK_KEY_NUMBER_LIST:
-        case MURK_KEY_SPECTRUM_LIST:
-        case MURK_KEY_REFERENCES:
-            free_member(item, key->at + offsetof(murk_scene_numbers, value));
-            break;
-        case MURK_KEY_MAP:
-        case MURK_KEY_SPECTRUM:
-            if (key->keys) {
-                release(key->keys, (char *)item + key->inside);
-            }
-            break;
-        case MURK_KEY_PER_BAND:
-            release_items(key->keys, item, (char *)item + key->at);
-            break;
-        case MURK_KEY_LIST:
-        case MURK_KEY_MAPS:
-        case MURK_KEY_NAMED:
-            memcpy(&items, (char *)item + key->keys->array_at, sizeof items);
-            release_items(key->keys, item, items);
-            free_member(item, key->keys->array_at);
-            break;
-        default:
-            break;
         }
+        break;
+    case MURK_KEY_PATH:
+        free_member(item, key->at);
+        break;
+    case MURK_KEY_NUMBER_LIST:
+    case MURK_KEY_SPECTRUM_LIST:
+    case MURK_KEY_REFERENCES:
+        free_member(item, key->at + offsetof(murk_scene_numbers, value));
+        break;
+    /* Arrays of structs, after the structs. */
+    case MURK_KEY_LIST:
+    case MURK_KEY_MAPS:
+    case MURK_KEY_NAMED:
+        free_member(item, key->keys->array_at);
+        break;
+    default:
+        break;
     }
 }
 
@@ -93,7 +70,7 @@ void murk_scene_desc_destroy(murk_scene_desc *scene)
         murk_scene_desc_destroy(scene->conditions[i].scene);
     }
     /* Members that keys fill, then the texts of the scene. */
-    release(&murk_scene_keys, scene);
+    murk_keys_visit(&murk_scene_keys, scene, release, NULL);
     free(scene->idle);
     free(scene->resolved);
     free(scene->light_key);
