@@ -71,8 +71,8 @@ static bool plant(planted_field *field)
         return false;
     }
     for (size_t i = 0; i < field->measured->rows; ++i) {
-        murk_reading *reading = murk_reading_of_row(field->measured, i);
-        reading->standard_error = .02 * field->truth[i];
+        const size_t first = field->measured->row[i].first;
+        field->measured->reading[first].standard_error = .02 * field->truth[i];
     }
     planted_read(field, 1);
     return true;
