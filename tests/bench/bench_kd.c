@@ -321,7 +321,7 @@ static void build_case(contest *contests, size_t n, unsigned threads)
                 peer_kd *peer = peer_kd_create(contests[i].points,
                                                contests[i].n, leaf_sizes[j]);
                 peers[j][repeat] += murk_clock_s() - start;
-                peer_kd_destroy(best_peer);
+                peer_kd_destroy(peer);
             }
         }
     }
