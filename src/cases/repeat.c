@@ -50,7 +50,9 @@ static void release_again(murk_plan_result *plan)
     murk_plan_result_release(plan);
 }
 
-/* The plan's coverage over conditions as they are lit and seen. */
+/* Measures the coverage of the plan with the present sight of each condition
+ * (the photons or targets of this run), and combines the coverages of the
+ * conditions by the objective of the scene. */
 static murk_status measure(murk_estimate *out, const murk_plan_result *plan,
                            const murk_conditions *all, murk_error *err)
 {

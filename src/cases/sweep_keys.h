@@ -15,7 +15,8 @@ typedef struct murk_sweep_keys {
     /* Rows of equal placement keys have the same sensors and the same settings
      * of the placement. Only filled if a plan for all rows is asked for. */
     char placement[65];
-    /* Everything that the row depends on but the other rows of its group. */
+    /* A hash of everything that the row depends on, except for the other rows
+     * of its group. */
     char own[65];
 } murk_sweep_keys;
 

@@ -49,8 +49,8 @@ typedef struct corner_search {
     bool is_corner;
 } corner_search;
 
-/* Finds an opaque or solid triangle near the point that is tilted against the
- * hit triangle. A callback of murk_ray_scene_visit(). */
+/* Finds a triangle of any kind of face near the point that is tilted against
+ * the hit triangle. A callback of murk_ray_scene_visit(). */
 static bool find_corner(void *context, murk_primitive p)
 {
     corner_search *search = context;
@@ -68,7 +68,9 @@ static bool find_corner(void *context, murk_primitive p)
     return search->is_corner;
 }
 
-/* True if a tilted triangle is within twice EDGE_UNITS of the point. */
+/* True if a triangle that is tilted against the hit triangle by more than
+ * EDGE_SINE lies within 2 * EDGE_UNITS float steps of the point. `normal` is
+ * the normal of the hit triangle. */
 static bool is_in_corner(const murk_walk *w, murk_vec3 point, murk_vec3 normal)
 {
     corner_search search = {.soup = &w->s->soup,

@@ -14,8 +14,9 @@
 
 #include <stdlib.h>
 
-/* Intersections considered on one edge. More are ignored: neighbouring edges
- * give the same answer. */
+/* The maximum number of intersections with the other mesh that are kept for one
+ * edge. Further intersections are ignored, on the assumption that the samples
+ * between the kept ones or on other edges lead to the same decision. */
 #define PLACES_MAX 64
 
 typedef struct sampling {

@@ -10,8 +10,10 @@ typedef struct even_box {
     float value[8]; /* values of the nodes, by the axes along which they lie
                        behind the cell */
     int32_t size;   /* edge of the smallest node */
-    unsigned
-        behind; /* the axes at whose upper end the cell is: 4 x, 2 y, 1 z */
+    /* Bit mask of axes: 4 x, 2 y, 1 z. A bit is set if the cell is the last one
+     * along that axis in the aligned cube of edge `size`, so that the upper
+     * corners of the cell lie in the next node. */
+    unsigned behind;
 } even_box;
 
 static unsigned axes_at_end(const int32_t at[3], int32_t size)

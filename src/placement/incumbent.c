@@ -1,7 +1,10 @@
 /* Plans of one count after another. MURK_PLACE_BEST takes greedy's plan, or the
- * plan of one sensor fewer with one more, relocates it, tries random starts,
- * and tightens the bound before and after; branch and bound follows for the
- * wanted count. The other methods make one plan and one bound. */
+ * plan of one sensor fewer with one sensor added, relocates the sensors, tries
+ * random starts, and tightens the bound before and after the random starts. The
+ * other methods make one plan and one bound. In a known environment branch and
+ * bound follows with MURK_PLACE_BEST and MURK_PLACE_EXACT: for the wanted
+ * count, or, with a target, for each count whose plan misses the target while
+ * the bound reaches it. */
 #include "placement/incumbent.h"
 
 #include "base/interrupt.h"

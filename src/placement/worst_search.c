@@ -194,8 +194,12 @@ uint64_t murk_worst_greedy(murk_worst_search *s,
     s->scan->size = given;
     for (size_t k = given; k < n && !murk_interrupted(); ++k) {
         murk_objective_value value_bound = objective_with(s, objective, NULL);
-        /* The best candidate; if none increases the objective, by the smallest
-         * share; else any. */
+        /* Choose the candidate that increases the objective most. If no
+         * candidate increases the objective, choose the candidate that most
+         * increases the smallest share, or, with equal smallest shares, the sum
+         * of the shares. If no candidate increases these either, take the first
+         * candidate that can be added; but with a budget stop here, once the
+         * plan has the required sensors. */
         bool is_found = find_best(s, objective, &value_bound, &plan[k]);
         if (!is_found) {
             value_bound = objective_with(s, &MURK_MINIMUM_FIRST, NULL);

@@ -17,8 +17,8 @@
 
 #include <math.h>
 
-/* Constants and dry air by volume as in Bodhaine et al. 1999, sections 2
- * and 3. */
+/* Physical constants, and the composition of dry air in percent by volume, as
+ * in Bodhaine et al. 1999, sections 2 and 3, with 300 ppm of CO2. */
 #define PI               3.14159265358979323846
 #define PER_CM3          2.546899e19 /* molecules at 288.15 K, 1013.25 hPa */
 #define STANDARD_K       288.15

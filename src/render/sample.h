@@ -33,8 +33,11 @@ typedef enum murk_render_method {
 
 /* The radiance along a ray. */
 typedef struct murk_found {
-    double surface, volume; /* radiance [W/m2/sr] by the last event of the
-                             * light: on a surface or none; in a medium */
+    /* The radiance [W/m2/sr], split by the last scattering or diffuse
+     * reflection of the light on the way to the camera: `volume` if that event
+     * was in a medium, `surface` if that event was on a surface or if there was
+     * none. Mirror reflection and refraction are not counted as events. */
+    double surface, volume;
     bool meets_light; /* the ray has hit a light before it was scattered or
                        * reflected diffusely */
 } murk_found;

@@ -108,8 +108,10 @@ murk_status murk_results_expect(murk_results *results, const char *name,
 
 /* ---- adding ---- */
 
-/* Refuses a path that a file of this run has, unless that file is in its place
- * already: then the file is forgotten, as it will be written anew. */
+/* Fails if the file at the path may not be replaced (check_owner()), or if a
+ * staged file of this run has the same path. If this run has already moved a
+ * file of that path into place, removes the entry of that file from the list,
+ * because the file will be written again. */
 static murk_status check_name(murk_results *results, const char *path,
                               const char *name, murk_error *err)
 {

@@ -1,7 +1,9 @@
-/* Writes the tallies of planes and spheres as tallies.csv and as lines of the
- * summary, and the tallies of grids as OpenVDB files of value and standard
- * error. Values are turned from watts into the units of the scene
- * (world/units.h). */
+/* Writes the tallies of planes and spheres as tallies.csv, and the tallies of
+ * grids as OpenVDB files of value and standard error. With --export fields,
+ * also writes the photon density of grids (NAME_photons.vdb), and the photon
+ * density and fluence rate together for ParaView (NAME.vti). All tallies have
+ * lines in the summary. Values are converted from watts into the units of the
+ * scene, and for the photon density into photons per second (world/units.h). */
 #include "results/tallies.h"
 
 #include "base/log.h"

@@ -3,20 +3,24 @@
  *
  * A direction is the direction of the light plus a point of a disc of radius
  * tan(angular radius) across it, uniformly. The radiance is then proportional
- * to the fourth power of the cosine, which for the disc of the sun is constant
- * to 5e-5, and all results of this file are exact for it. */
+ * to 1 / cosine^4 of the angle from the direction of the light, which for the
+ * disc of the sun is constant to 5e-5, and all results of this file are exact
+ * for this radiance. */
 #ifndef MURK_SOURCE_DISC_H
 #define MURK_SOURCE_DISC_H
 
 #include "base/vector.h"
 
-/* The mean over the disc of max(0, cosine between the direction of travel and
- * `inward`): the irradiance on an entry face for 1 W/m2 on a plane across the
- * light. radius: tan(angular radius), 0 or more. Vectors are unit. */
+/* The mean over the disc of max(0, p . inward), where p = direction + point of
+ * the disc, a vector that is not normalised. This is the irradiance on an entry
+ * face for an irradiance of 1 W/m2 on a plane perpendicular to `direction`.
+ * radius: tan(angular radius), 0 or more. `direction` and `inward` are unit
+ * vectors. */
 double murk_disc_cosine(murk_vec3 direction, double radius, murk_vec3 inward);
 
-/* Draws a unit direction of travel with a density proportional to that cosine
- * from three uniform numbers. murk_disc_cosine() must be above 0. */
+/* Draws a point of the disc with a density proportional to max(0, p . inward)
+ * from three uniform numbers, and returns p as a unit direction of travel.
+ * murk_disc_cosine() must be above 0. */
 murk_vec3 murk_disc_draw(murk_vec3 direction, double radius, murk_vec3 inward,
                          const double u[3]);
 

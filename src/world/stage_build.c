@@ -1,7 +1,10 @@
-/* Imports the files of a scene and builds the world of the photon tracer from
- * it: phase functions, domain, boundary meshes, surfaces, media, light sources,
- * goals and tallies, in this order, because each step uses earlier ones. Every
- * file that the light depends on adds its checksum to the light key. */
+/* Imports the files of a scene, and then builds the world of the photon tracer:
+ * phase functions, domain, boundary meshes, surfaces, media, light sources,
+ * goals and tallies. The order follows from the steps that use earlier ones:
+ * boundary meshes use the domain, media the phase functions, light sources the
+ * media and the domain, goals the surfaces and the domain, and tallies the
+ * domain. The checksum of every file that the light depends on is appended to
+ * the light key. */
 #include "world/stage_build.h"
 
 #include "base/file.h"
