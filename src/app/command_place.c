@@ -10,7 +10,7 @@
 #include "results/explore.h"
 #include "results/exports.h"
 #include "results/goals.h"
-#include "results/plan.h"
+#include "results/plan_files.h"
 #include "results/repeat.h"
 #include "results/robust.h"
 #include "results/summary.h"
@@ -22,36 +22,6 @@
 
 /* Bytes of the name of a result file of a condition, "scene-NAME.yaml". */
 #define FILE_SIZE (MURK_SCENE_NAME_SIZE + 16)
-
-static murk_status add_files(murk_session *session,
-                             const murk_plan_result *plan,
-                             const murk_condition_plans *over, murk_error *late,
-                             murk_error *err)
-{
-    const murk_sensor_results sensors =
-        murk_plan_sensor_results(session->scene, plan);
-    /* The light of each condition, or that of the scene; then the plan. */
-    murk_status status =
-        over ? murk_add_condition_files(session, plan, over, err)
-             : murk_session_add_all_of_light(session, err);
-    if (!status) {
-        status = murk_results_add_csv(&session->results, "sensors.csv",
-                                      murk_results_list_place, &sensors,
-                                      sensors.n, err);
-    }
-    if (!status) {
-        status = murk_results_add_csv(&session->results, "coverage.csv",
-                                      murk_results_list_sensor, &sensors,
-                                      sensors.n, err);
-    }
-    if (!status) {
-        status = murk_add_explore(&session->results, session->stage, plan, err);
-    }
-    if (!status && !over) {
-        status = murk_exports_add_plan(session, plan, late, err);
-    }
-    return status;
-}
 
 /* The plan is shown before other seeds are run: hours of them may end in a
  * failure or an interrupt, which is told late, too. */
@@ -251,7 +221,7 @@ murk_status murk_command_place(const murk_options *options, murk_error *err)
         session.run.map_s = plan.map_s;
         session.run.sense_s = plan.sense_s;
         session.run.place_s = plan.place_s;
-        status = add_files(&session, &plan, over, &late, err);
+        status = murk_add_plan_files(&session, &plan, over, &late, err);
     }
     if (!status && seeds && plan.is_dark) {
         murk_note("--repeat", "it is dark, so nothing hangs on chance: once is "
@@ -273,7 +243,7 @@ murk_status murk_command_place(const murk_options *options, murk_error *err)
         murk_print_run(&session, NULL, 0);
     }
     if (!status) { /* the plan is written, what is told late is not */
-        status = murk_fail(err, late.status, late.where, "%s", late.text);
+        status = murk_fail(err, late.code, late.where, "%s", late.text);
     }
     if (over) {
         murk_condition_plans_release(over);

@@ -1,22 +1,16 @@
 /* murk sense: measures the coverage of given sensors on the light of a scene,
  * and writes the results. */
 #include "app/session.h"
-#include "plan/few_photons.h"
+#include "plan/measured.h"
 #include "plan/placement_in.h"
 #include "plan/plan.h"
 #include "results/exports.h"
 #include "results/plan_ply.h"
 #include "results/sense.h"
+#include "results/tallies.h"
 
 #include <math.h>
 #include <stdlib.h>
-
-/* Of the sensors given. */
-typedef struct measured {
-    murk_target_facts targets;
-    murk_coverage_result coverage;
-    murk_robust robust;
-} measured;
 
 static murk_status write_coverage(murk_session *session,
                                   const murk_sense_results *results,
@@ -37,65 +31,22 @@ static murk_status write_coverage(murk_session *session,
     return status;
 }
 
-static murk_status measure_dark(measured *of, murk_session *session,
-                                const murk_pose *sensor, size_t n,
-                                murk_error *late, murk_error *err)
-{
-    const murk_stage *stage = session->stage;
-    const murk_status status = murk_dark_coverage(&of->coverage, stage, n, err);
-    murk_exports_add_scene(session, NULL, NULL, 0, late);
-    return status ? status
-                  : murk_robust_begin(&of->robust, stage, sensor, n,
-                                      &of->coverage, err);
-}
-
-/* Who sees what, for viewers and the report. */
-static murk_status add_points(murk_session *session, murk_sight *sight,
-                              const murk_pose *sensor, size_t n,
-                              murk_error *err)
-{
-    if (!session->results.folder) {
-        return MURK_OK;
-    }
-    return murk_add_plan_ply(&session->results, "coverage.ply", session->stage,
-                             sight, sensor, n, err);
-}
-
-static murk_status measure(measured *of, murk_session *session,
+/* Measures, and adds who sees what, for viewers and the report, and the
+ * exports. */
+static murk_status measure(murk_measured *of, murk_session *session,
                            const murk_pose *sensor, size_t n, murk_error *late,
                            murk_error *err)
 {
-    const murk_stage *stage = session->stage;
     murk_sight *sight = NULL;
-    murk_status status = murk_plan_sight_and_targets(
-        &sight, &of->targets, stage, session->traced, session->settings.threads,
-        err);
-    if (!status) {
-        status =
-            murk_goals_check_seen(stage->goals, murk_goals_seen(sight), err);
-    }
-    /* Coverage, robustness and jitter. */
-    if (!status) {
-        status =
-            murk_coverage_result_measure(&of->coverage, sight, sensor, n, err);
+    murk_status status =
+        murk_measured_make(of, &sight, session->stage, session->traced, sensor,
+                           n, session->settings.threads, err);
+    if (!status && sight && session->results.folder) {
+        status = murk_add_plan_ply(&session->results, "coverage.ply",
+                                   session->stage, sight, sensor, n, err);
     }
     if (!status) {
-        murk_warn_of_thin_map(stage->scene, &of->coverage, NULL);
-    }
-    if (!status) {
-        status = murk_robust_begin(&of->robust, stage, sensor, n, &of->coverage,
-                                   err);
-    }
-    if (!status) {
-        status = murk_robust_jitter(&of->robust, stage, sight, sensor,
-                                    &of->coverage, false, err);
-    }
-    /* The cloud of photons for viewers, and the exports. */
-    if (!status) {
-        status = add_points(session, sight, sensor, n, err);
-    }
-    if (!status) {
-        murk_exports_add_scene(session, sight, sensor, n, late);
+        murk_exports_add_scene(session, sight, sensor, sight ? n : 0, late);
     }
     murk_sight_destroy(sight);
     return status;
@@ -104,7 +55,7 @@ static murk_status measure(measured *of, murk_session *session,
 murk_status murk_command_sense(const murk_options *options, murk_error *err)
 {
     murk_session session;
-    measured of = {0};
+    murk_measured of = {0};
     murk_error late = {0};
     murk_pose *sensor = NULL;
     size_t n = 0;
@@ -144,8 +95,7 @@ murk_status murk_command_sense(const murk_options *options, murk_error *err)
     }
     const double begun_s = murk_clock_s();
     if (!status) {
-        status = is_dark ? measure_dark(&of, &session, sensor, n, &late, err)
-                         : measure(&of, &session, sensor, n, &late, err);
+        status = measure(&of, &session, sensor, n, &late, err);
     }
     session.run.sense_s = murk_clock_s() - begun_s;
     const murk_sense_results results = {
@@ -160,10 +110,9 @@ murk_status murk_command_sense(const murk_options *options, murk_error *err)
         murk_print_run(&session, NULL, 0);
     }
     if (!status) { /* the coverage is written, what is told late is not */
-        status = murk_fail(err, late.status, late.where, "%s", late.text);
+        status = murk_fail(err, late.code, late.where, "%s", late.text);
     }
-    murk_robust_release(&of.robust);
-    murk_coverage_result_release(&of.coverage);
+    murk_measured_release(&of);
     free(sensor);
     murk_session_end(&session);
     return status;

@@ -4,13 +4,6 @@
 #include "results/exports.h"
 #include "results/tallies.h"
 
-/* Prints the summary of a murk_session. */
-static void print_trace(const void *of)
-{
-    murk_print_light(of);
-    murk_print_tallies(of);
-}
-
 murk_status murk_command_trace(const murk_options *options, murk_error *err)
 {
     murk_session session;
@@ -42,13 +35,13 @@ murk_status murk_command_trace(const murk_options *options, murk_error *err)
             murk_results_json(
                 murk_results_list_ledger,
                 &(murk_ledger_results){session.traced, session.stage}),
-            print_trace, &session, err);
+            murk_print_trace, &session, err);
     }
     if (!status) {
         murk_print_run(&session, NULL, 0);
     }
     if (!status) { /* the light is written, what is told late is not */
-        status = murk_fail(err, late.status, late.where, "%s", late.text);
+        status = murk_fail(err, late.code, late.where, "%s", late.text);
     }
     murk_session_end(&session);
     return status;

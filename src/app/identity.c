@@ -5,10 +5,9 @@
 
 #include "app/options.h"
 #include "base/file.h"
+#include "results/identity.h"
 #include "results/json.h"
 #include "results/summary.h"
-#include "results/version.h"
-#include "world/file_sums.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -33,11 +32,9 @@ static murk_status write_option(FILE *to, const murk_option *option,
 
 /* Options in the table's order, and those of a name in the order given. */
 static murk_status write_all(FILE *to, const murk_options *options,
-                             const char *of, uint32_t seed, murk_error *err)
+                             murk_error *err)
 {
     murk_status status = MURK_OK;
-    fprintf(to, "murk %s\ncommand %s\nseed %lu\n", MURK_VERSION,
-            options->command->name, (unsigned long)seed);
     for (size_t i = 0; i < murk_option_table_size; ++i) {
         for (size_t k = 0; k < options->n_given && !status; ++k) {
             if (options->given[k].option == &murk_option_table[i]) {
@@ -46,7 +43,6 @@ static murk_status write_all(FILE *to, const murk_options *options,
             }
         }
     }
-    fputs(of, to);
     return status;
 }
 
@@ -60,28 +56,21 @@ static murk_status identify(char out[65], const murk_options *options,
                             const murk_scene_desc *scene, const char *of,
                             uint32_t seed, murk_error *err)
 {
-    char *text = NULL;
+    char *asked = NULL;
     size_t size = 0;
-    FILE *to = open_memstream(&text, &size);
+    FILE *to = open_memstream(&asked, &size);
     if (!to) {
         return no_memory(err);
     }
-    /* Write all that results follow from, with the scene wherever it lies. */
-    murk_status status = write_all(to, options, of, seed, err);
-    if (!status && scene) {
-        murk_file_sums sums = {0};
-        fputs(scene->whole_key, to);
-        status =
-            murk_file_sums_scene(to, &sums, scene) ? MURK_OK : no_memory(err);
-        murk_file_sums_release(&sums);
-    }
+    murk_status status = write_all(to, options, err);
     if (fclose(to) != 0 && !status) {
         status = no_memory(err);
     }
     if (!status) {
-        murk_sha256_hex(text, size, out);
+        status = murk_identity_of(out, options->command->name, asked, scene, of,
+                                  seed, err);
     }
-    free(text);
+    free(asked);
     return status;
 }
 

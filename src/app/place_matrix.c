@@ -321,8 +321,8 @@ murk_status murk_place_matrix(const murk_options *options, murk_error *err)
         p.session.run.sense_s = 0;
         murk_print_run(&p.session, "matrix", read_s);
     }
-    if (!status && late.status) {
-        status = murk_fail(err, late.status, late.where, "%s", late.text);
+    if (!status && late.code) {
+        status = murk_fail(err, late.code, late.where, "%s", late.text);
     }
     murk_session_end(&p.session);
     murk_place_release(&p.place);

@@ -46,7 +46,7 @@ static murk_status read_scene(murk_scene_desc **out,
         if (status || (*out)->placement.over != MURK_SCENE_OBJECTIVE_NONE) {
             return status;
         }
-        return murk_fail(err, unread.status, unread.where, "%s", unread.text);
+        return murk_fail(err, unread.code, unread.where, "%s", unread.text);
     }
     murk_override *all = calloc(options->n_overrides + 2, sizeof *all);
     char seed[32], number[64];
@@ -169,16 +169,4 @@ murk_status murk_session_light(murk_session *session, murk_error *err)
         session->run.map_s = session->traced->map_s;
     }
     return status;
-}
-
-murk_status murk_session_add_all_of_light(murk_session *session,
-                                          murk_error *err)
-{
-    murk_status status = murk_session_add_light(session, err);
-    if (!status) {
-        status = murk_session_add_ledger(
-            session, "ledger.json",
-            &(murk_ledger_results){session->traced, session->stage}, err);
-    }
-    return status ? status : murk_add_tallies(session, err);
 }

@@ -24,8 +24,4 @@ murk_status murk_session_read(murk_session *session,
 murk_status murk_session_build(murk_session *session, murk_error *err);
 murk_status murk_session_light(murk_session *session, murk_error *err);
 
-/* Adds light.murk, the resolved scene, ledger.json and the tallies. */
-murk_status murk_session_add_all_of_light(murk_session *session,
-                                          murk_error *err);
-
 #endif

@@ -5,6 +5,7 @@
 #include "base/file.h"
 
 #include "base/inputs.h"
+#include "base/memory_files.h"
 #include "base/staging.h"
 
 #include <errno.h>
@@ -87,7 +88,7 @@ murk_status murk_file_create(murk_file **out, const char *path, murk_error *err)
     int fd = -1;
     /* Refuse paths that are no regular file or an input of this run. */
     if (!file || !(file->path = strdup(path))) {
-        status = murk_fail(err, MURK_NO_MEMORY, path, "no memory to open it");
+        status = murk_no_memory(err, path, "to open it");
         goto done;
     }
     if (stat(path, &known) == 0 && !S_ISREG(known.st_mode)) {
@@ -269,7 +270,7 @@ static murk_status read_whole(char **out, size_t *size, const char *path,
     const size_t length = (size_t)info.st_size;
     bytes = malloc(length + 1);
     if (!bytes) {
-        status = murk_fail(err, MURK_NO_MEMORY, path, "no memory to read it");
+        status = murk_no_memory(err, path, "to read it");
         goto done;
     }
     status = murk_file_read_bytes(fd, bytes, length, path, err);
@@ -289,7 +290,18 @@ done:
 murk_status murk_file_read(char **out, size_t *size, const char *path,
                            size_t max, murk_error *err)
 {
-    return read_whole(out, size, path, max, INPUT, err);
+    if (!murk_memory_is(path)) {
+        return read_whole(out, size, path, max, INPUT, err);
+    }
+    const murk_memory_file *file = NULL;
+    const murk_status status =
+        murk_memory_find(&file, path, MURK_MEMORY_TABLE, path, err);
+    if (status) {
+        return status;
+    }
+    *size = strlen(file->data);
+    *out = strdup(file->data);
+    return *out ? MURK_OK : murk_no_memory(err, path, "to read it");
 }
 
 murk_status murk_file_read_own(char **out, size_t *size, const char *path,
@@ -339,7 +351,7 @@ murk_status murk_folder_make(const char *path, murk_error *err)
 {
     char *part = murk_path_join(path, "");
     if (!part) {
-        return murk_fail(err, MURK_NO_MEMORY, path, "no memory for its name");
+        return murk_no_memory(err, path, "for its name");
     }
     /* create each folder on the path that does not exist yet */
     int refusal = 0;
@@ -395,7 +407,7 @@ static murk_status read_pieces(const char *path, uint64_t max, owner whose,
     }
     unsigned char *piece = malloc(PIECE_BYTES);
     if (!piece) {
-        status = murk_fail(err, MURK_NO_MEMORY, path, "no memory to read it");
+        status = murk_no_memory(err, path, "to read it");
     }
     /* Read block by block until the end of the file. */
     ssize_t n;
@@ -422,7 +434,7 @@ static murk_status checksum(const char *path, uint64_t max, uint64_t out[2],
 {
     XXH3_state_t *state = XXH3_createState();
     if (!state) {
-        return murk_fail(err, MURK_NO_MEMORY, path, "no memory to read it");
+        return murk_no_memory(err, path, "to read it");
     }
     XXH3_128bits_reset(state);
     const murk_status status =
@@ -437,7 +449,15 @@ static murk_status checksum(const char *path, uint64_t max, uint64_t out[2],
 murk_status murk_file_checksum(const char *path, uint64_t max, uint64_t out[2],
                                murk_error *err)
 {
-    return checksum(path, max, out, INPUT, err);
+    const murk_memory_file *file = murk_memory_at(path);
+    if (file) {
+        memcpy(out, file->checksum, sizeof file->checksum);
+        return MURK_OK;
+    }
+    return murk_memory_is(path)
+               ? murk_fail(err, MURK_BAD_FILE, path,
+                           "nothing of that name was added to the scene")
+               : checksum(path, max, out, INPUT, err);
 }
 
 murk_status murk_file_checksum_own(const char *path, uint64_t max,

@@ -2,11 +2,14 @@
  * memory that processes share.
  *
  * A slot holds a 64-bit hash of device and inode, or 0 if the slot is free.
- * Slots are claimed by compare-and-swap and never freed, so no lock is needed,
- * and a process that is killed cannot leave a lock behind. Two files with the
- * same hash would at worst make a run refuse to write one of them: the
- * probability is 2^-64 for a pair. */
+ * The table belongs to a host (base/host.h). When a file did not fit, every
+ * file counts as an input. Slots are claimed by compare-and-swap and never
+ * freed, so no lock is needed, and a process that is killed cannot leave a lock
+ * behind. Two files with the same hash would at worst make a run refuse to
+ * write one of them: the probability is 2^-64 for a pair. */
 #include "base/inputs.h"
+
+#include "base/host.h"
 
 #include <stdatomic.h>
 #include <stdint.h>
@@ -17,16 +20,23 @@
  * never touched take no memory. */
 #define SLOTS ((size_t)1 << 20)
 
-static _Atomic uint64_t *slots; /* [SLOTS]; NULL: the set was not begun */
-static atomic_bool is_full;     /* set when a file did not fit: then every file
-                                 * counts as an input */
-
 void murk_inputs_begin(void)
 {
-    void *memory = mmap(NULL, SLOTS * sizeof *slots, PROT_READ | PROT_WRITE,
-                        MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-    slots = memory == MAP_FAILED ? NULL : memory;
-    atomic_store(&is_full, !slots);
+    murk_host *host = murk_host_now();
+    void *memory =
+        mmap(NULL, SLOTS * sizeof *host->inputs, PROT_READ | PROT_WRITE,
+             MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    host->inputs = memory == MAP_FAILED ? NULL : memory;
+    atomic_store(&host->inputs_are_full, !host->inputs);
+}
+
+void murk_inputs_end(void)
+{
+    murk_host *host = murk_host_now();
+    if (host->inputs) {
+        (void)munmap((void *)host->inputs, SLOTS * sizeof *host->inputs);
+    }
+    host->inputs = NULL;
 }
 
 static uint64_t hash_of(const struct stat *file)
@@ -38,19 +48,20 @@ static uint64_t hash_of(const struct stat *file)
 
 void murk_inputs_add(const struct stat *file)
 {
+    murk_host *host = murk_host_now();
     const uint64_t hash = hash_of(file);
-    if (!slots) {
+    if (!host->inputs) {
         return;
     }
     for (size_t tried = 0; tried < SLOTS; ++tried) {
         uint64_t found = 0;
-        _Atomic uint64_t *slot = &slots[(hash + tried) % SLOTS];
+        _Atomic uint64_t *slot = &host->inputs[(hash + tried) % SLOTS];
         if (atomic_compare_exchange_strong(slot, &found, hash) ||
             found == hash) {
             return;
         }
     }
-    atomic_store(&is_full, true);
+    atomic_store(&host->inputs_are_full, true);
 }
 
 FILE *murk_inputs_open(const char *path)
@@ -65,16 +76,18 @@ FILE *murk_inputs_open(const char *path)
 
 bool murk_inputs_has(const char *path)
 {
+    const murk_host *host = murk_host_now();
     struct stat known;
     if (stat(path, &known) != 0) {
         return false;
     }
-    if (atomic_load(&is_full)) {
+    if (atomic_load(&host->inputs_are_full)) {
         return true;
     }
     const uint64_t hash = hash_of(&known);
-    for (size_t tried = 0; slots && tried < SLOTS; ++tried) {
-        const uint64_t found = atomic_load(&slots[(hash + tried) % SLOTS]);
+    for (size_t tried = 0; host->inputs && tried < SLOTS; ++tried) {
+        const uint64_t found =
+            atomic_load(&host->inputs[(hash + tried) % SLOTS]);
         if (found == hash || found == 0) {
             return found == hash;
         }

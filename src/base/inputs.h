@@ -1,5 +1,5 @@
-/* The set of files that a run reads, so that the run never writes over one of
- * them.
+/* The set of files that a host reads (base/host.h), so that the host never
+ * writes over one of them.
  *
  * The set is shared by the process and all processes that it starts: readers of
  * meshes and grids and the rows of a study run in subprocesses, and the files
@@ -16,9 +16,11 @@
 #include <stdio.h>
 #include <sys/stat.h>
 
-/* Begins the set. Call it once, before any thread or subprocess starts; without
- * it the set stays empty. */
+/* Begins the set of the host of the calling thread (base/host.h). Call it once,
+ * before any thread or subprocess of the host starts; without it the set stays
+ * empty. murk_inputs_end() releases it. */
 void murk_inputs_begin(void);
+void murk_inputs_end(void);
 
 /* Adds a file that is opened for reading, as fstat() describes it. */
 void murk_inputs_add(const struct stat *file);

@@ -1,23 +1,27 @@
-/* One atomic flag that the handler of SIGINT and SIGTERM sets and long
- * computations poll. The handler is installed for one signal only, so that a
- * second signal kills a program that does not react. */
+/* One atomic flag of each host (base/host.h), which long computations poll. The
+ * handler of SIGINT and SIGTERM sets that of the host that installed it. The
+ * handler is installed for one signal only, so that a second signal kills a
+ * program that does not react. */
 #include "base/interrupt.h"
 
+#include "base/host.h"
+
 #include <signal.h>
-#include <stdatomic.h>
 #include <stddef.h>
 
-static atomic_int requested; /* lock-free, so a signal handler may set it */
+/* The host that has installed the handlers. */
+static murk_host *_Atomic signalled;
 
 static void on_signal(int number)
 {
     (void)number;
-    atomic_store(&requested, 1);
+    atomic_store(&atomic_load(&signalled)->stop, 1);
 }
 
 void murk_interrupt_install(void)
 {
     struct sigaction action = {.sa_handler = on_signal};
+    atomic_store(&signalled, murk_host_now());
     sigemptyset(&action.sa_mask);
     action.sa_flags = (int)SA_RESETHAND; /* the second signal kills the
                                           * process */
@@ -27,7 +31,8 @@ void murk_interrupt_install(void)
 
 bool murk_interrupted(void)
 {
-    return atomic_load_explicit(&requested, memory_order_relaxed) != 0;
+    return atomic_load_explicit(&murk_host_now()->stop, memory_order_relaxed) !=
+           0;
 }
 
 murk_status murk_interrupt_check(murk_error *err)
@@ -39,5 +44,5 @@ murk_status murk_interrupt_check(murk_error *err)
 
 void murk_interrupt_request(void)
 {
-    atomic_store(&requested, 1);
+    atomic_store(&murk_host_now()->stop, 1);
 }

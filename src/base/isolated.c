@@ -129,10 +129,9 @@ static murk_status explain(const ending *end, int ended, murk_error *err)
                    : murk_fail(err, MURK_RUN_FAILED, "",
                                "its process ended without a word");
     }
-    return end->error.status
-               ? murk_fail(err, end->error.status, end->error.where, "%s",
-                           end->error.text)
-               : MURK_OK;
+    return end->error.code ? murk_fail(err, end->error.code, end->error.where,
+                                       "%s", end->error.text)
+                           : MURK_OK;
 }
 
 murk_status murk_isolated_run(murk_isolated_work work, void *work_context,

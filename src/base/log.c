@@ -6,6 +6,7 @@
 #include "base/log.h"
 
 #include "base/file.h"
+#include "base/host.h"
 #include "base/progress.h"
 #include "base/utf8.h"
 
@@ -59,21 +60,38 @@ static bool is_said_before(const char *kind, const char *where,
     return found;
 }
 
-static murk_warn_sink current = murk_warn_to_stderr;
 static _Thread_local bool is_quiet;
 
+/* The sink of a host whose caller has given a receiver with an argument. It is
+ * recognised by report(), which knows the kind of the message. */
+static void to_log(const char *where, const char *text)
+{
+    const murk_host *host = murk_host_now();
+    host->log(host->user, true, where, text);
+}
+
+static murk_warn_sink sink_of(const murk_host *host)
+{
+    return host->has_warn ? host->warn : murk_warn_to_stderr;
+}
+
 /* Passes a message to the sink; on standard error it is printed once. */
-static void report(const char *kind, const char *where, const char *format,
+static void report(bool is_warning, const char *where, const char *format,
                    va_list args)
 {
-    if (!current || is_quiet) {
+    const murk_host *host = murk_host_now();
+    const murk_warn_sink sink = sink_of(host);
+    const char *kind = is_warning ? "warning: " : "note: ";
+    if (!sink || is_quiet) {
         return;
     }
     char text[TEXT_SIZE];
     vsnprintf(text, sizeof text, format, args);
     where = where ? where : "";
-    if (current != murk_warn_to_stderr) {
-        current(where, text);
+    if (sink == to_log) {
+        host->log(host->user, is_warning, where, text);
+    } else if (sink != murk_warn_to_stderr) {
+        sink(where, text);
     } else if (!is_said_before(kind, where, text)) {
         murk_message(kind, where, text);
     }
@@ -83,7 +101,7 @@ void murk_warn(const char *where, const char *format, ...)
 {
     va_list args;
     va_start(args, format);
-    report("warning: ", where, format, args);
+    report(true, where, format, args);
     va_end(args);
 }
 
@@ -91,15 +109,26 @@ void murk_note(const char *where, const char *format, ...)
 {
     va_list args;
     va_start(args, format);
-    report("note: ", where, format, args);
+    report(false, where, format, args);
     va_end(args);
 }
 
 murk_warn_sink murk_warn_to(murk_warn_sink sink)
 {
-    const murk_warn_sink before = current;
-    current = sink;
+    murk_host *host = murk_host_now();
+    const murk_warn_sink before = sink_of(host);
+    host->has_warn = true;
+    host->warn = sink;
     return before;
+}
+
+void murk_log_to(murk_log_sink log, void *user)
+{
+    murk_host *host = murk_host_now();
+    host->log = log;
+    host->user = user;
+    host->has_warn = true;
+    host->warn = log ? to_log : NULL;
 }
 
 bool murk_warn_quiet(bool is_silent)

@@ -15,11 +15,18 @@ void murk_warn(const char *where, const char *format, ...)
 void murk_note(const char *where, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* Redirects warnings and notes to `sink`; NULL silences them. Returns the
- * previous sink. Call it while no thread runs that might warn. */
+/* Redirects the warnings and notes of the host of the calling thread
+ * (base/host.h) to `sink`; NULL silences them. Returns the previous sink. Call
+ * it while no thread of the host runs that might warn. */
 typedef void (*murk_warn_sink)(const char *where, const char *text);
 murk_warn_sink murk_warn_to(murk_warn_sink sink);
 void murk_warn_to_stderr(const char *where, const char *text);
+
+/* A receiver with an argument. murk_log_to() redirects the warnings and notes
+ * of the host of the calling thread to it (base/host.h). */
+typedef void (*murk_log_sink)(void *user, bool is_warning, const char *where,
+                              const char *text);
+void murk_log_to(murk_log_sink log, void *user);
 
 /* Prints "murk: KINDWHERE: TEXT" as one line on standard error. All messages to
  * a terminal are printed by this function. `where` may be empty. `where` and

@@ -3,6 +3,7 @@
  * taken alone. Threads are started for each run and joined at its end. */
 #include "base/pool.h"
 
+#include "base/host.h"
 #include "base/interrupt.h"
 
 #include <pthread.h>
@@ -21,12 +22,11 @@
  * less. */
 #define STACK_BYTES ((size_t)1 << 20)
 
-static unsigned threads_allowed = THREADS_MAX;
-
 typedef struct pool {
     murk_job job;
     murk_worker_job worker_job;
     void *context;
+    murk_host *host;      /* of the calling thread */
     uint64_t items, each; /* a worker takes `each` items at a time */
     atomic_uint_fast64_t next;
 } pool;
@@ -36,10 +36,18 @@ typedef struct worker {
     unsigned number;
 } worker;
 
+/* The number of threads that the host of the calling thread may use. */
+static unsigned threads_allowed(void)
+{
+    const unsigned allowed = murk_host_now()->threads_allowed;
+    return allowed > 0 && allowed < THREADS_MAX ? allowed : THREADS_MAX;
+}
+
 static void *work(void *argument)
 {
     const worker *me = argument;
     pool *c = me->pool;
+    (void)murk_host_enter(c->host); /* a new thread belongs to no host yet */
     while (!murk_interrupted()) {
         const uint64_t first = atomic_fetch_add(&c->next, c->each);
         if (first >= c->items) {
@@ -82,6 +90,7 @@ static int start(pthread_t *thread, void *(*begin)(void *), void *argument)
 struct task {
     void (*run)(void *);
     void *context;
+    murk_host *host;  /* of the caller */
     sigset_t signals; /* the signal mask of the caller */
 };
 
@@ -89,13 +98,15 @@ static void *run_task(void *argument)
 {
     const struct task *e = argument;
     pthread_sigmask(SIG_SETMASK, &e->signals, NULL);
+    (void)murk_host_enter(e->host);
     e->run(e->context);
     return NULL;
 }
 
 void murk_pool_run_with_stack(void (*run_it)(void *), void *context)
 {
-    struct task e = {.run = run_it, .context = context};
+    struct task e = {
+        .run = run_it, .context = context, .host = murk_host_now()};
     struct rlimit limit;
     const bool is_small = getrlimit(RLIMIT_STACK, &limit) == 0 &&
                           limit.rlim_cur != RLIM_INFINITY &&
@@ -123,8 +134,8 @@ static void run(unsigned threads, pool *c)
     worker workers[THREADS_MAX];
     pthread_t thread[THREADS_MAX];
     unsigned started = 0;
-    if (threads > threads_allowed) {
-        threads = threads_allowed;
+    if (threads > threads_allowed()) {
+        threads = threads_allowed();
     }
     if (threads > c->items) {
         threads = c->items > 0 ? (unsigned)c->items : 1;
@@ -157,10 +168,10 @@ murk_status murk_pool_allow(unsigned threads, murk_error *err)
     pthread_mutex_t held = PTHREAD_MUTEX_INITIALIZER;
     unsigned started = 0;
     int refusal = 0;
-    threads_allowed = threads < THREADS_MAX ? threads : THREADS_MAX;
+    murk_host_now()->threads_allowed = threads;
     /* the calling thread works, too, so one thread less is started */
     pthread_mutex_lock(&held);
-    while (!refusal && started + 1 < threads_allowed) {
+    while (!refusal && started + 1 < threads_allowed()) {
         refusal = start(&thread[started], wait_for_release, &held);
         started += !refusal;
     }
@@ -168,11 +179,12 @@ murk_status murk_pool_allow(unsigned threads, murk_error *err)
     for (unsigned i = 0; i < started; ++i) {
         pthread_join(thread[i], NULL);
     }
-    return refusal ? murk_fail(err, MURK_RUN_FAILED, "",
-                               "cannot start %u threads, only %u: %s; "
-                               "--threads N asks for fewer",
-                               threads_allowed, started + 1, strerror(refusal))
-                   : MURK_OK;
+    return refusal
+               ? murk_fail(err, MURK_RUN_FAILED, "",
+                           "cannot start %u threads, only %u: %s; "
+                           "--threads N asks for fewer",
+                           threads_allowed(), started + 1, strerror(refusal))
+               : MURK_OK;
 }
 
 void murk_pool_run(unsigned threads, uint64_t batches, murk_job job,
@@ -190,7 +202,11 @@ void murk_pool_run_workers(unsigned threads, uint64_t batches,
 void murk_pool_run_items(unsigned threads, uint64_t items, uint64_t each,
                          murk_job job, void *context)
 {
-    pool c = {.job = job, .context = context, .items = items, .each = each};
+    pool c = {.job = job,
+              .context = context,
+              .host = murk_host_now(),
+              .items = items,
+              .each = each};
     run(threads, &c);
 }
 
@@ -198,8 +214,11 @@ void murk_pool_run_items_of_workers(unsigned threads, uint64_t items,
                                     uint64_t each, murk_worker_job job,
                                     void *context)
 {
-    pool c = {
-        .worker_job = job, .context = context, .items = items, .each = each};
+    pool c = {.worker_job = job,
+              .context = context,
+              .host = murk_host_now(),
+              .items = items,
+              .each = each};
     run(threads, &c);
 }
 

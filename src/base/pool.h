@@ -21,9 +21,10 @@ typedef void (*murk_job)(void *context, uint64_t batch);
  * batch to the next. */
 typedef void (*murk_worker_job)(void *context, unsigned worker, uint64_t batch);
 
-/* Sets the largest number of threads that any later run may use; without this
- * call the number is 256. Starts that many threads once, so that a machine that
- * refuses them is recognised before long computations: then MURK_RUN_FAILED. */
+/* Sets the largest number of threads that any later run of the host of the
+ * calling thread may use (base/host.h); without this call the number is 256.
+ * Starts that many threads once, so that a machine that refuses them is
+ * recognised before long computations: then MURK_RUN_FAILED. */
 murk_status murk_pool_allow(unsigned threads, murk_error *err);
 
 /* Runs all batches; threads >= 1. If the machine refuses a thread, the other

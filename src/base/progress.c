@@ -1,9 +1,11 @@
 /* The progress line: a stack of open steps, a count of each that workers
- * increase atomically, and a thread that redraws the line every fifth of a
- * second. The thread is stopped at every fork, because only the forking thread
- * survives in the subprocess. */
+ * increase atomically, and a thread that redraws the line, or tells a receiver,
+ * every fifth of a second. The thread is stopped at every fork, because only
+ * the forking thread survives in the subprocess. Each host has a line of its
+ * own (base/host.h), made when it is first used. */
 #include "base/progress.h"
 
+#include "base/host.h"
 #include "base/progress_line.h"
 
 #include <math.h>
@@ -34,7 +36,8 @@
 #define COLUMNS_MIN 20  /* narrower windows wrap */
 #define LINE_SIZE   512 /* all pieces of a line */
 
-typedef enum style { SILENT, REDRAWN_LINE, WHOLE_LINES } style;
+/* TO_RECEIVER: a receiver is called. */
+typedef enum style { SILENT, REDRAWN_LINE, WHOLE_LINES, TO_RECEIVER } style;
 
 typedef struct step {
     const char *name, *unit;
@@ -48,8 +51,10 @@ typedef struct step {
 /* The state of the display. `lock` guards all members except `done`, which
  * workers increase without it. `steps` and `parts` change only while no worker
  * runs. */
-static struct {
+struct murk_progress_bar {
     style style;
+    murk_progress_sink sink; /* of style TO_RECEIVER */
+    void *user;
     pthread_mutex_t lock;
     pthread_cond_t wakes;
     pthread_t drawer;
@@ -61,7 +66,43 @@ static struct {
                        * step */
     uint64_t part, parts, parts_done, parts_done_first;
     double parts_begun_s;
-} bar = {.lock = PTHREAD_MUTEX_INITIALIZER};
+};
+
+/* The line of the host of the process. */
+static murk_progress_bar process = {.lock = PTHREAD_MUTEX_INITIALIZER};
+
+/* The line of the host of the calling thread. */
+static murk_progress_bar *bar_now(void)
+{
+    murk_progress_bar *own = murk_host_now()->bar;
+    return own ? own : &process;
+}
+
+murk_progress_bar *murk_progress_create(void)
+{
+    murk_progress_bar *bar = calloc(1, sizeof *bar);
+    if (bar && pthread_mutex_init(&bar->lock, NULL) != 0) {
+        free(bar);
+        bar = NULL;
+    }
+    return bar;
+}
+
+void murk_progress_destroy(murk_progress_bar *bar)
+{
+    if (bar) {
+        pthread_mutex_destroy(&bar->lock);
+        free(bar);
+    }
+}
+
+void murk_progress_to(murk_progress_sink sink, void *user)
+{
+    murk_progress_bar *bar = bar_now();
+    bar->style = sink ? TO_RECEIVER : SILENT;
+    bar->sink = sink;
+    bar->user = user;
+}
 
 static size_t window_columns(void)
 {
@@ -75,14 +116,15 @@ static size_t window_columns(void)
 
 static murk_progress_facts facts_of(const step *s, double now_s)
 {
-    const uint64_t made = bar.parts_done - bar.parts_done_first;
-    const double spent_s = now_s - bar.parts_begun_s;
+    murk_progress_bar *bar = bar_now();
+    const uint64_t made = bar->parts_done - bar->parts_done_first;
+    const double spent_s = now_s - bar->parts_begun_s;
     /* The step that counts the parts shows its own count instead of the number
      * of a part. Its own estimate covers all parts, unless parts were done
      * before it began. */
-    const bool counts_parts = s->is_group && s->total == bar.parts;
+    const bool counts_parts = s->is_group && s->total == bar->parts;
     const bool knows_all =
-        made > 0 && !(counts_parts && bar.parts_done_first == 0);
+        made > 0 && !(counts_parts && bar->parts_done_first == 0);
     return (murk_progress_facts){
         .step = s->name,
         .unit = s->unit,
@@ -90,10 +132,10 @@ static murk_progress_facts facts_of(const step *s, double now_s)
         .done = atomic_load(&s->done),
         .total = s->total,
         .elapsed_s = now_s - s->begun_s,
-        .part = counts_parts ? 0 : bar.part,
-        .parts = bar.parts,
+        .part = counts_parts ? 0 : bar->part,
+        .parts = bar->parts,
         .parts_left_s = knows_all ? spent_s / (double)made *
-                                        (double)(bar.parts - bar.parts_done)
+                                        (double)(bar->parts - bar->parts_done)
                                   : NAN};
 }
 
@@ -105,76 +147,85 @@ static void put(const char *text)
 
 static void wipe(void)
 {
-    if (bar.is_drawn) {
+    murk_progress_bar *bar = bar_now();
+    if (bar->is_drawn) {
         put("\r\033[K");
-        bar.is_drawn = false;
+        bar->is_drawn = false;
     }
 }
 
 /* Redraws the line of the innermost step that has lasted long enough. */
 static void redraw_line(double now_s)
 {
-    int top = bar.steps < STEPS_MAX ? bar.steps : STEPS_MAX;
-    while (top > 0 && now_s - bar.step[top - 1].begun_s < FIRST_DRAW_S) {
+    murk_progress_bar *bar = bar_now();
+    int top = bar->steps < STEPS_MAX ? bar->steps : STEPS_MAX;
+    while (top > 0 && now_s - bar->step[top - 1].begun_s < FIRST_DRAW_S) {
         --top;
     }
     if (top == 0) {
         return;
     }
-    const murk_progress_facts facts = facts_of(&bar.step[top - 1], now_s);
+    const murk_progress_facts facts = facts_of(&bar->step[top - 1], now_s);
     char line[LINE_SIZE], both[DRAWN_SIZE];
     murk_progress_line(line, sizeof line, &facts, window_columns());
     snprintf(both, sizeof both, "\r%s\033[K", line);
     put(both);
-    bar.is_drawn = true;
+    bar->is_drawn = true;
 }
 
 /* Returns the outermost step with a known total or a text, else the innermost
  * step. */
 static const step *printed_step(void)
 {
-    const int open = bar.steps < STEPS_MAX ? bar.steps : STEPS_MAX;
+    murk_progress_bar *bar = bar_now();
+    const int open = bar->steps < STEPS_MAX ? bar->steps : STEPS_MAX;
     for (int k = 0; k < open; ++k) {
-        if (bar.step[k].total > 0 || bar.step[k].text[0]) {
-            return &bar.step[k];
+        if (bar->step[k].total > 0 || bar->step[k].text[0]) {
+            return &bar->step[k];
         }
     }
-    return &bar.step[open - 1];
+    return &bar->step[open - 1];
 }
 
 static void print_line(double now_s)
 {
+    murk_progress_bar *bar = bar_now();
     const murk_progress_facts facts = facts_of(printed_step(), now_s);
     char line[LINE_SIZE], both[DRAWN_SIZE];
     murk_progress_sentence(line, sizeof line, &facts);
     snprintf(both, sizeof both, "%s\n", line);
     put(both);
-    bar.has_printed = true;
-    const double spent_s = now_s - bar.step[0].begun_s;
-    bar.next_s = bar.step[0].begun_s +
-                 fmax(LINE_GROWTH * spent_s, spent_s + FIRST_LINE_S);
+    bar->has_printed = true;
+    const double spent_s = now_s - bar->step[0].begun_s;
+    bar->next_s = bar->step[0].begun_s +
+                  fmax(LINE_GROWTH * spent_s, spent_s + FIRST_LINE_S);
 }
 
 /* Draws or prints the line if it is time to do so; the caller holds the
  * lock. */
 static void draw(void)
 {
+    murk_progress_bar *bar = bar_now();
     const double now_s = murk_clock_s();
-    if (bar.steps == 0) {
+    if (bar->steps == 0) {
         return;
     }
-    if (bar.style == REDRAWN_LINE) {
+    if (bar->style == REDRAWN_LINE) {
         redraw_line(now_s);
-    } else if (bar.style == WHOLE_LINES && now_s >= bar.next_s) {
+    } else if (bar->style == WHOLE_LINES && now_s >= bar->next_s) {
         print_line(now_s);
+    } else if (bar->style == TO_RECEIVER) {
+        const murk_progress_facts facts = facts_of(printed_step(), now_s);
+        bar->sink(bar->user, &facts);
     }
 }
 
-static void *keep_drawing(void *unused)
+static void *keep_drawing(void *host)
 {
-    (void)unused;
-    pthread_mutex_lock(&bar.lock);
-    while (!bar.is_ending) {
+    (void)murk_host_enter(host);
+    murk_progress_bar *bar = bar_now();
+    pthread_mutex_lock(&bar->lock);
+    while (!bar->is_ending) {
         draw();
         struct timespec until;
         clock_gettime(CLOCK_MONOTONIC, &until);
@@ -183,61 +234,66 @@ static void *keep_drawing(void *unused)
             until.tv_nsec -= 1000000000;
             ++until.tv_sec;
         }
-        pthread_cond_timedwait(&bar.wakes, &bar.lock, &until);
+        pthread_cond_timedwait(&bar->wakes, &bar->lock, &until);
     }
-    pthread_mutex_unlock(&bar.lock);
+    pthread_mutex_unlock(&bar->lock);
     return NULL;
 }
 
 static void start_drawer(void)
 {
-    if (bar.has_drawer || bar.style == SILENT) {
+    murk_progress_bar *bar = bar_now();
+    if (bar->has_drawer || bar->style == SILENT) {
         return;
     }
     pthread_condattr_t attributes;
     sigset_t all, before;
     pthread_condattr_init(&attributes);
     pthread_condattr_setclock(&attributes, CLOCK_MONOTONIC);
-    pthread_cond_init(&bar.wakes, &attributes);
+    pthread_cond_init(&bar->wakes, &attributes);
     pthread_condattr_destroy(&attributes);
-    bar.is_ending = false;
+    bar->is_ending = false;
     sigfillset(&all); /* signals go to the main thread */
     pthread_sigmask(SIG_SETMASK, &all, &before);
-    bar.has_drawer = pthread_create(&bar.drawer, NULL, keep_drawing, NULL) == 0;
+    bar->has_drawer =
+        pthread_create(&bar->drawer, NULL, keep_drawing, murk_host_now()) == 0;
     pthread_sigmask(SIG_SETMASK, &before, NULL);
 }
 
 static void stop_drawer(void)
 {
-    if (!bar.has_drawer) {
+    murk_progress_bar *bar = bar_now();
+    if (!bar->has_drawer) {
         return;
     }
-    pthread_mutex_lock(&bar.lock);
-    bar.is_ending = true;
-    pthread_cond_signal(&bar.wakes);
-    pthread_mutex_unlock(&bar.lock);
-    pthread_join(bar.drawer, NULL);
-    pthread_cond_destroy(&bar.wakes);
-    bar.has_drawer = false;
+    pthread_mutex_lock(&bar->lock);
+    bar->is_ending = true;
+    pthread_cond_signal(&bar->wakes);
+    pthread_mutex_unlock(&bar->lock);
+    pthread_join(bar->drawer, NULL);
+    pthread_cond_destroy(&bar->wakes);
+    bar->has_drawer = false;
 }
 
 void murk_progress_set(murk_progress_mode mode)
 {
+    murk_progress_bar *bar = bar_now();
     const char *terminal = getenv("TERM");
     const bool is_terminal = isatty(STDERR_FILENO);
     const bool can_wipe =
         is_terminal && terminal && *terminal && strcmp(terminal, "dumb") != 0;
     const bool speaks = mode == MURK_PROGRESS_ALWAYS ||
                         (mode == MURK_PROGRESS_AUTO && is_terminal);
-    bar.style = !speaks ? SILENT : can_wipe ? REDRAWN_LINE : WHOLE_LINES;
+    bar->style = !speaks ? SILENT : can_wipe ? REDRAWN_LINE : WHOLE_LINES;
 }
 
 static void begin(const char *name, uint64_t total, const char *unit,
                   bool is_group)
 {
-    pthread_mutex_lock(&bar.lock);
-    if (bar.steps < STEPS_MAX) {
-        step *s = &bar.step[bar.steps];
+    murk_progress_bar *bar = bar_now();
+    pthread_mutex_lock(&bar->lock);
+    if (bar->steps < STEPS_MAX) {
+        step *s = &bar->step[bar->steps];
         s->name = name;
         s->unit = unit;
         s->total = total;
@@ -246,12 +302,12 @@ static void begin(const char *name, uint64_t total, const char *unit,
         s->begun_s = murk_clock_s();
         atomic_store(&s->done, 0);
     }
-    if (bar.steps == 0) {
-        bar.next_s = bar.step[0].begun_s + FIRST_LINE_S;
-        bar.has_printed = false;
+    if (bar->steps == 0) {
+        bar->next_s = bar->step[0].begun_s + FIRST_LINE_S;
+        bar->has_printed = false;
     }
-    ++bar.steps;
-    pthread_mutex_unlock(&bar.lock);
+    ++bar->steps;
+    pthread_mutex_unlock(&bar->lock);
     start_drawer();
 }
 
@@ -268,25 +324,30 @@ void murk_progress_begin_group(const char *name, uint64_t total,
 
 void murk_progress_end(void)
 {
-    if (bar.steps == 1) {
+    murk_progress_bar *bar = bar_now();
+    if (bar->steps == 1) {
         stop_drawer();
     }
-    pthread_mutex_lock(&bar.lock);
-    if (bar.steps == 1 && bar.style == WHOLE_LINES && bar.has_printed) {
+    pthread_mutex_lock(&bar->lock);
+    if (bar->steps == 1 && bar->style == WHOLE_LINES && bar->has_printed) {
         print_line(murk_clock_s());
     }
-    if (bar.steps == 1) {
+    if (bar->steps == 1 && bar->style == TO_RECEIVER) {
+        draw(); /* the end of the step */
+    }
+    if (bar->steps == 1) {
         wipe();
     }
-    bar.steps -= bar.steps > 0;
-    pthread_mutex_unlock(&bar.lock);
+    bar->steps -= bar->steps > 0;
+    pthread_mutex_unlock(&bar->lock);
 }
 
 static void add(uint64_t done, bool to_group)
 {
-    const int top = bar.steps < STEPS_MAX ? bar.steps : STEPS_MAX;
-    if (top > 0 && bar.step[top - 1].is_group == to_group) {
-        atomic_fetch_add(&bar.step[top - 1].done, done);
+    murk_progress_bar *bar = bar_now();
+    const int top = bar->steps < STEPS_MAX ? bar->steps : STEPS_MAX;
+    if (top > 0 && bar->step[top - 1].is_group == to_group) {
+        atomic_fetch_add(&bar->step[top - 1].done, done);
     }
 }
 
@@ -297,75 +358,83 @@ void murk_progress_add(uint64_t done)
 
 void murk_progress_add_to_group(uint64_t done)
 {
+    murk_progress_bar *bar = bar_now();
     add(done, true);
-    if (!bar.has_drawer && bar.style == WHOLE_LINES) { /* the drawing thread is
-                                                        * stopped */
-        pthread_mutex_lock(&bar.lock);
+    if (!bar->has_drawer && bar->style == WHOLE_LINES) { /* the drawing thread
+                                                          * is stopped */
+        pthread_mutex_lock(&bar->lock);
         draw();
-        pthread_mutex_unlock(&bar.lock);
+        pthread_mutex_unlock(&bar->lock);
     }
 }
 
 void murk_progress_text(const char *format, ...)
 {
-    pthread_mutex_lock(&bar.lock);
-    if (bar.steps > 0 && bar.steps <= STEPS_MAX) {
-        char *text = bar.step[bar.steps - 1].text;
+    murk_progress_bar *bar = bar_now();
+    pthread_mutex_lock(&bar->lock);
+    if (bar->steps > 0 && bar->steps <= STEPS_MAX) {
+        char *text = bar->step[bar->steps - 1].text;
         va_list args;
         va_start(args, format);
         vsnprintf(text, MURK_PROGRESS_TEXT_SIZE, format, args);
         va_end(args);
     }
-    pthread_mutex_unlock(&bar.lock);
+    pthread_mutex_unlock(&bar->lock);
 }
 
 void murk_progress_part(uint64_t number, uint64_t parts, uint64_t done)
 {
-    pthread_mutex_lock(&bar.lock);
-    if (bar.parts == 0) {
-        bar.parts_begun_s = murk_clock_s();
-        bar.parts_done_first = done;
+    murk_progress_bar *bar = bar_now();
+    pthread_mutex_lock(&bar->lock);
+    if (bar->parts == 0) {
+        bar->parts_begun_s = murk_clock_s();
+        bar->parts_done_first = done;
     }
-    bar.part = number;
-    bar.parts = parts;
-    bar.parts_done = done;
-    pthread_mutex_unlock(&bar.lock);
+    bar->part = number;
+    bar->parts = parts;
+    bar->parts_done = done;
+    pthread_mutex_unlock(&bar->lock);
 }
 
 void murk_progress_pause(void)
 {
+    murk_progress_bar *bar = bar_now();
     stop_drawer();
-    bar.is_drawn |= bar.style == REDRAWN_LINE; /* a subprocess may have drawn a
-                                                * line */
+    bar->is_drawn |= bar->style == REDRAWN_LINE; /* a subprocess may have drawn
+                                                  * a line */
 }
 
 void murk_progress_resume(void)
 {
-    if (bar.steps > 0) {
+    murk_progress_bar *bar = bar_now();
+    if (bar->steps > 0) {
         start_drawer();
     }
 }
 
 void murk_progress_in_subprocess(void)
 {
-    if (bar.style == WHOLE_LINES) {
-        bar.style = SILENT;
+    murk_progress_bar *bar = bar_now();
+    if (bar->style == WHOLE_LINES || bar->style == TO_RECEIVER) {
+        bar->style = SILENT;
     }
     murk_progress_resume();
 }
 
 void murk_progress_hide(void)
 {
-    pthread_mutex_lock(&bar.lock);
-    if (bar.style == REDRAWN_LINE) {
-        bar.is_drawn = true; /* a subprocess may have drawn a line */
+    murk_progress_bar *bar = bar_now();
+    pthread_mutex_lock(&bar->lock);
+    if (bar->style == REDRAWN_LINE) {
+        bar->is_drawn = true; /* a subprocess may have drawn a line */
         wipe();
     }
 }
 
 void murk_progress_show(void)
 {
-    pthread_mutex_unlock(&bar.lock);
+    murk_progress_bar *bar = bar_now();
+    pthread_mutex_unlock(&bar->lock);
 }
 
 double murk_clock_s(void)

@@ -12,6 +12,8 @@
 #ifndef MURK_BASE_PROGRESS_H
 #define MURK_BASE_PROGRESS_H
 
+#include "base/progress_line.h"
+
 #include <stdint.h>
 
 typedef enum murk_progress_mode {
@@ -22,6 +24,18 @@ typedef enum murk_progress_mode {
 
 /* The mode of a new process is NEVER. Set the mode before any thread starts. */
 void murk_progress_set(murk_progress_mode mode);
+
+/* Tells a receiver about the step that whole lines would report, five times a
+ * second from a thread of murk, in place of showing a line; NULL: tells nobody.
+ * Call it while no step is open. Subprocesses tell nothing. */
+typedef void (*murk_progress_sink)(void *user,
+                                   const murk_progress_facts *facts);
+void murk_progress_to(murk_progress_sink sink, void *user);
+
+/* The line of a host (base/host.h). NULL when out of memory. */
+typedef struct murk_progress_bar murk_progress_bar;
+murk_progress_bar *murk_progress_create(void);
+void murk_progress_destroy(murk_progress_bar *bar); /* NULL is fine */
 
 /* Begins and ends a step, inside the open step if there is one; the same thread
  * begins and ends it. total 0: unknown. `step` and `unit` ("photons"; "":

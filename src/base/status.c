@@ -8,8 +8,8 @@
 murk_status murk_fail(murk_error *err, murk_status status, const char *where,
                       const char *format, ...)
 {
-    if (err && err->status == MURK_OK) {
-        err->status = status;
+    if (err && err->code == MURK_OK) {
+        err->code = status;
         snprintf(err->where, sizeof err->where, "%s", where ? where : "");
         va_list args;
         va_start(args, format);
@@ -32,14 +32,16 @@ murk_status murk_no_memory(murk_error *err, const char *where,
 
 const char *murk_status_text(murk_status status)
 {
-    switch (status) {
-#define X(name, text) \
-    case name:        \
-        return text;
-        MURK_STATUSES(X)
-#undef X
-    }
-    return "unknown status";
+    static const char *const texts[] = {
+        [MURK_OK] = "ok",
+        [MURK_BAD_VALUE] = "a value is outside its allowed range",
+        [MURK_BAD_FILE] = "a file is missing or malformed",
+        [MURK_UNSUPPORTED] = "not supported yet",
+        [MURK_NO_MEMORY] = "out of memory",
+        [MURK_RUN_FAILED] = "the run failed",
+        [MURK_INTERRUPTED] = "interrupted"};
+    return (unsigned)status < sizeof texts / sizeof *texts ? texts[status]
+                                                           : "unknown status";
 }
 
 int murk_status_exit_code(murk_status status)

@@ -289,9 +289,9 @@ murk_status murk_subprocess_run(unsigned char **out, size_t *size,
         free(in.bytes);
         return explain(v, ended, limits, where, err);
     }
-    if (reported.status) {
+    if (reported.code) {
         free(in.bytes);
-        return murk_fail(err, reported.status, reported.where, "%s",
+        return murk_fail(err, reported.code, reported.where, "%s",
                          reported.text);
     }
     *out = in.bytes;

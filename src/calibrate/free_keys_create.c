@@ -117,10 +117,10 @@ static murk_status place_key(murk_free_keys *keys, size_t k,
         if (status == MURK_NO_MEMORY) {
             return no_memory(err);
         }
-        first = status && !first.status ? failure : first;
+        first = status && !first.code ? failure : first;
     }
     if (is_first) { /* nowhere */
-        return murk_fail(err, first.status, first.where, "%s", first.text);
+        return murk_fail(err, first.code, first.where, "%s", first.text);
     }
     note_absence(keys, k);
     return MURK_OK;

@@ -155,7 +155,7 @@ static bool has_ended_away(murk_fit_search *s, const double *x,
     const bool has_failed = found->end == MURK_LEAST_SQUARES_FAILED;
     to->converged = found->end == MURK_LEAST_SQUARES_CONVERGED;
     snprintf(to->why, sizeof to->why, "%.250s",
-             has_failed && s->err.status ? s->err.text : found->why);
+             has_failed && s->err.code ? s->err.text : found->why);
     return to->converged && has_world_moved(s, x);
 }
 

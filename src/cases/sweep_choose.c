@@ -56,8 +56,8 @@ static murk_status import_group(choosing *ch, size_t g, murk_error *err)
     murk_status status = murk_sweep_light_import(&ch->light[g], &job, err);
     for (size_t k = 0; k < job.group->n && !status; ++k) {
         const murk_error *why = &ch->light[g].why[k];
-        if (why->status) {
-            status = murk_fail(err, why->status, why->where, "%s", why->text);
+        if (why->code) {
+            status = murk_fail(err, why->code, why->where, "%s", why->text);
         }
     }
     return status;

@@ -42,7 +42,7 @@ static murk_status check_plan(const murk_sweep_desc *desc,
         &sensor, &n, desc->study->plan, 1, scene, &everywhere, &why);
     free(sensor);
     return status && status != MURK_BAD_VALUE
-               ? murk_fail(err, why.status, why.where, "%s", why.text)
+               ? murk_fail(err, why.code, why.where, "%s", why.text)
                : MURK_OK;
 }
 
@@ -89,10 +89,10 @@ static murk_status read_row(reading *r, size_t i, murk_error *err)
                            desc->version, &why);
     }
 done:
-    if (!status && why.status) {
+    if (!status && why.code) {
         murk_study_row_fail(&sweep->row[i].found, &why);
         sweep->row[i].is_done = true;
-        r->first = r->first.status ? r->first : why;
+        r->first = r->first.code ? r->first : why;
     }
     murk_scene_desc_destroy(scene);
     return status;
@@ -167,8 +167,8 @@ static murk_status read_rows(reading *r, murk_error *err)
     }
     murk_progress_end();
     if (!status && murk_sweep_done(sweep) == rows) {
-        status = murk_fail(err, r->first.status, r->first.where, "%s",
-                           r->first.text);
+        status =
+            murk_fail(err, r->first.code, r->first.where, "%s", r->first.text);
     }
     if (!status) {
         status = check_placement(r, err);

@@ -199,7 +199,7 @@ static murk_status make_plans(murk_sweep *sweep, murk_error *err)
     const murk_status status = murk_sweep_process(
         sweep, murk_sweep_choose, sweep, MURK_SWEEP_PLANS, put_plan, &why, err);
     /* A plan that the subprocess did not reach has failed. */
-    for (int p = 0; p < MURK_SWEEP_PLANS && why.status; ++p) {
+    for (int p = 0; p < MURK_SWEEP_PLANS && why.code; ++p) {
         murk_sweep_plan *plan = &sweep->plan[p];
         if (plan->is_wanted && !plan->is_reused && plan->found.sensors == 0) {
             murk_study_row_fail(&plan->found, &why);

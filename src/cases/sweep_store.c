@@ -209,6 +209,6 @@ murk_status murk_sweep_process(murk_sweep *sweep, murk_isolated_work work,
         return murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
     }
     return status && sweep->cannot_keep
-               ? murk_fail(err, why->status, why->where, "%s", why->text)
+               ? murk_fail(err, why->code, why->where, "%s", why->text)
                : MURK_OK;
 }

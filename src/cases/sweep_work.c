@@ -209,7 +209,7 @@ static murk_status import_wanted(group_work *w, murk_error *err)
 {
     murk_status status = murk_sweep_light_import(&w->light, w->job, err);
     for (size_t k = 0; k < w->job->group->n && !status; ++k) {
-        if (w->light.why[k].status) {
+        if (w->light.why[k].code) {
             status = send_failure(w, k, &w->light.why[k], err);
         }
     }

@@ -32,8 +32,7 @@
 
 /* ---- axes and units ---- */
 
-/* Rotation that turns the given up axis to z. */
-static murk_affine up_to_z(char up)
+murk_affine murk_import_up_to_z(char up)
 {
     switch (up) {
     case 'x':
@@ -129,13 +128,13 @@ static murk_affine to_metres(const struct aiScene *scene,
                              const murk_mesh_import *import)
 {
     const conventions c = conventions_of(scene);
-    murk_affine out = up_to_z(c.up);
+    murk_affine out = murk_import_up_to_z(c.up);
     if (import->up) {
         /* The user's up axis refers to the axes of the file: undo Assimp's
          * rotation first. Formats that Assimp rotates are z up. */
-        const murk_affine own =
-            c.up == c.own_up ? murk_affine_identity() : up_to_z(c.up);
-        const murk_affine turn = up_to_z(import->up);
+        const murk_affine own = c.up == c.own_up ? murk_affine_identity()
+                                                 : murk_import_up_to_z(c.up);
+        const murk_affine turn = murk_import_up_to_z(import->up);
         out = murk_affine_compose(&turn, &own);
     }
     const double scale = import->unit_m > 0

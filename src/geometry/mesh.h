@@ -43,7 +43,10 @@ typedef struct murk_mesh_import {
     const char *allow;
 } murk_mesh_import;
 
-/* The caller owns *out and releases it with murk_mesh_destroy(). Fails with
+/* A path "memory:NAME" names a mesh in memory (base/memory_files.h), whose data
+ * is a murk_mesh with arrays in the unit and axes of the caller.
+ *
+ * The caller owns *out and releases it with murk_mesh_destroy(). Fails with
  * MURK_BAD_FILE at `where` if the file is missing, malformed, without
  * triangles, not finite, or has an index out of range. */
 murk_status murk_mesh_read(murk_mesh **out, const char *path,

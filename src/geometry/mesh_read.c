@@ -5,6 +5,7 @@
  * sizes, coordinates and indices are checked again. */
 #include "geometry/mesh.h"
 
+#include "base/memory_files.h"
 #include "geometry/import.h"
 #include "geometry/triangle.h"
 
@@ -182,6 +183,59 @@ static murk_status unpack(murk_mesh *mesh, const unsigned char *bytes,
     return MURK_OK;
 }
 
+/* Copies a mesh of the caller of the library, in the unit and with the up axis
+ * of the request. */
+static murk_status read_memory(murk_mesh **out, const char *path,
+                               const murk_mesh_import *import,
+                               const char *where, murk_error *err)
+{
+    const murk_memory_file *file = NULL;
+    murk_status status = check_import(import, where, err);
+    if (!status) {
+        status = murk_memory_find(&file, path, MURK_MEMORY_MESH, where, err);
+    }
+    if (status) {
+        return status;
+    }
+    const murk_mesh *given = file->data;
+    const murk_import_head head = {.vertices = given->vertices,
+                                   .triangles = given->triangles,
+                                   .materials = given->materials};
+    murk_mesh *mesh = calloc(1, sizeof *mesh);
+    if (!mesh || !allocate(mesh, &head)) {
+        murk_mesh_destroy(mesh);
+        return murk_no_memory(err, where, "for the %zu triangles of %s",
+                              given->triangles, path);
+    }
+    /* Copy, and turn the up axis to z. */
+    const murk_affine turn = murk_import_up_to_z(import->up ? import->up : 'z'),
+                      scale = murk_affine_place(
+                          murk_vec(0, 0, 0),
+                          import->unit_m > 0 ? import->unit_m : 1,
+                          murk_vec(0, 0, 0)),
+                      place = murk_affine_compose(&scale, &turn);
+    for (size_t i = 0; i < 3 * mesh->vertices; i += 3) {
+        const float *v = given->vertex_m + i;
+        const murk_vec3 at = murk_affine_point(
+            &place, murk_vec((double)v[0], (double)v[1], (double)v[2]));
+        mesh->vertex_m[i] = (float)at.x;
+        mesh->vertex_m[i + 1] = (float)at.y;
+        mesh->vertex_m[i + 2] = (float)at.z;
+    }
+    memcpy(mesh->corner, given->corner, 3 * mesh->triangles * sizeof(uint32_t));
+    memcpy(mesh->material, given->material, mesh->triangles * sizeof(uint32_t));
+    memcpy(mesh->material_name, given->material_name,
+           mesh->materials * sizeof *mesh->material_name);
+    drop_degenerate(mesh);
+    if (mesh->triangles == 0) {
+        murk_mesh_destroy(mesh);
+        return murk_fail(err, MURK_BAD_FILE, where,
+                         "%s: none of its triangles has an area", path);
+    }
+    *out = mesh;
+    return MURK_OK;
+}
+
 murk_status murk_mesh_read(murk_mesh **out, const char *path,
                            const murk_mesh_import *import, const char *where,
                            murk_error *err)
@@ -193,6 +247,9 @@ murk_status murk_mesh_read(murk_mesh **out, const char *path,
     uint64_t file_bytes = 0;
     unsigned char *bytes = NULL;
     size_t size = 0;
+    if (murk_memory_is(path)) {
+        return read_memory(out, path, &request.import, where, err);
+    }
     /* Check the request and the file. */
     murk_status status = check_import(&request.import, where, err);
     if (!status) {

@@ -8,6 +8,7 @@
 
 #include "base/inputs.h"
 #include "base/log.h"
+#include "base/memory_files.h"
 #include "base/subprocess.h"
 #include "medium/tree.h"
 #include "medium/vdb_bridge.h"
@@ -226,6 +227,26 @@ static murk_status check_file(const char *path, uint64_t *size,
     return MURK_OK;
 }
 
+/* Makes a grid of the samples of the caller of the library. */
+static murk_status read_memory(murk_grid **out, const char *path,
+                               bool is_albedo, const char *where,
+                               murk_error *err)
+{
+    const murk_memory_file *file = NULL;
+    const murk_status status =
+        murk_memory_find(&file, path, MURK_MEMORY_GRID, where, err);
+    if (status) {
+        return status;
+    }
+    if (is_albedo) {
+        return murk_fail(err, MURK_UNSUPPORTED, where,
+                         "a grid of albedos must be an OpenVDB file");
+    }
+    const murk_grid_samples *given = file->data;
+    return murk_grid_from_samples(out, given->size, given->value,
+                                  &given->index_to_world, where, err);
+}
+
 /* Reads a grid of densities or albedos, and warns if it has no effect. */
 static murk_status read_grid(murk_grid **out, const char *path,
                              const char *name, bool is_albedo,
@@ -234,10 +255,13 @@ static murk_status read_grid(murk_grid **out, const char *path,
     char place[sizeof err->where];
     uint64_t size = 0;
     snprintf(place, sizeof place, "%s: %s", where, path);
-    murk_status status = check_file(path, &size, place, err);
+    const bool is_in_memory = murk_memory_is(path);
+    murk_status status = is_in_memory
+                             ? read_memory(out, path, is_albedo, place, err)
+                             : check_file(path, &size, place, err);
     job j = {
         .path = path, .name = name, .is_albedo = is_albedo, .where = place};
-    if (!status) {
+    if (!status && !is_in_memory) {
         status = run(out, read_in_subprocess, &j, size, err);
     }
     if (status) {

@@ -30,6 +30,16 @@ typedef struct murk_grid_facts {
     size_t memory_bytes;
 } murk_grid_facts;
 
+/* Dense samples in memory: the data of a file "memory:NAME"
+ * (base/memory_files.h). */
+typedef struct murk_grid_samples {
+    size_t size[3];
+    const float *value; /* [size[2]][size[1]][size[0]]: x fastest */
+    murk_affine index_to_world;
+    void (*release)(void *user); /* NULL: `user` is freed by free() */
+    void *user;
+} murk_grid_samples;
+
 /* Reads a grid. `name` selects it: NULL for the only grid (or for `density`
  * if there are several), "density[1]" for the second of that name. The
  * caller owns *out and releases it with murk_grid_destroy(). Warns of empty

@@ -295,15 +295,15 @@ murk_status murk_results_note(murk_results *results, const char *name,
  * the run may have read more files since they were added. */
 static murk_status check_all(murk_results *results, murk_error *err)
 {
-    for (size_t i = 0; i < results->n && !results->refused.status; ++i) {
+    for (size_t i = 0; i < results->n && !results->refused.code; ++i) {
         if (results->file[i].staged) {
             (void)check_input(results, i, &results->refused);
         }
     }
     const murk_error *refused = &results->refused;
-    return refused->status ? murk_fail(err, refused->status, refused->where,
-                                       "%s", refused->text)
-                           : MURK_OK;
+    return refused->code ? murk_fail(err, refused->code, refused->where, "%s",
+                                     refused->text)
+                         : MURK_OK;
 }
 
 murk_status murk_results_show(murk_results *results, murk_error *err)

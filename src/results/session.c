@@ -87,7 +87,7 @@ static murk_status expect_exports(murk_session *session, murk_error *err)
         if (session->settings.exports & files[i].what &&
             expect_all(&session->results, files[i].names, &why) ==
                 MURK_BAD_VALUE) { /* what fails else is told late */
-            status = murk_fail(err, why.status, why.where, "%s", why.text);
+            status = murk_fail(err, why.code, why.where, "%s", why.text);
         }
     }
     return status;

@@ -16,13 +16,13 @@
 #define COLUMNS 80 /* of a terminal */
 
 /* What has been printed of a line that has not ended. */
-static struct {
+static _Thread_local struct {
     char *text;
     size_t size, capacity;
 } open_line;
 
 /* Where lines go that have ended. */
-static struct {
+static _Thread_local struct {
     bool are_collected;
     cJSON *list; /* while they are collected; NULL when out of memory */
 } lines;

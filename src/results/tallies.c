@@ -422,3 +422,21 @@ void murk_print_asked_tallies(const murk_session *session)
                 1e6);
     }
 }
+
+murk_status murk_session_add_all_of_light(murk_session *session,
+                                          murk_error *err)
+{
+    murk_status status = murk_session_add_light(session, err);
+    if (!status) {
+        status = murk_session_add_ledger(
+            session, "ledger.json",
+            &(murk_ledger_results){session->traced, session->stage}, err);
+    }
+    return status ? status : murk_add_tallies(session, err);
+}
+
+void murk_print_trace(const void *of)
+{
+    murk_print_light(of);
+    murk_print_tallies(of);
+}

@@ -9,6 +9,13 @@
  * where the scene has no tallies or the light came from a file. */
 murk_status murk_add_tallies(murk_session *session, murk_error *err);
 
+/* Adds light.murk, the resolved scene, ledger.json and the tallies. */
+murk_status murk_session_add_all_of_light(murk_session *session,
+                                          murk_error *err);
+
+/* The summary of a trace; of: a murk_session. */
+void murk_print_trace(const void *of);
+
 /* Adds the files of --export fields: NAME_photons.vdb and NAME.vti of each grid
  * (results/voxel_fields.h). Files that cannot be had are told in *late. */
 void murk_add_tally_fields(murk_session *session, murk_error *late);

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "base/file.h"
+#include "base/memory_files.h"
 #include "scene/conditions.h"
 #include "scene/idle.h"
 #include "scene/medium_preset.h"
@@ -97,7 +98,8 @@ static void tidy(char *path)
 static char *absolute(const char *path)
 {
     char folder[PATH_MAX];
-    const bool is_whole = path[0] == '/' || !getcwd(folder, sizeof folder);
+    const bool is_whole = path[0] == '/' || murk_memory_is(path) ||
+                          !getcwd(folder, sizeof folder);
     char *out = is_whole ? strdup(path) : murk_path_join(folder, path);
     if (out) {
         tidy(out);

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "base/file.h"
+#include "base/memory_files.h"
 #include "base/number.h"
 #include "scene/words.h"
 
@@ -342,7 +343,7 @@ static murk_status read_text(murk_key_reader *walk, const murk_key *key,
 
 char *murk_value_opened(const murk_yaml *node)
 {
-    return strncmp(node->source, "--", 2) == 0
+    return murk_yaml_is_option(node->source) || murk_memory_is(node->text)
                ? strdup(node->text)
                : murk_path_beside(node->source, node->text);
 }

@@ -32,14 +32,16 @@ void murk_walk_leave(murk_key_reader *walk, size_t length)
     walk->key[length] = '\0';
 }
 
-/* True if an option names the key itself: --set KEY=VALUE, or --seed 3. */
+/* True if an option names the key itself: --set KEY=VALUE, set KEY=VALUE of the
+ * library, or --seed 3. */
 static bool names_key(const char *source, const char *key)
 {
     const size_t length = strlen(key);
-    if (strncmp(source, "--set ", 6) != 0) {
-        return strncmp(source, "--", 2) == 0;
+    const char *set = strncmp(source, "--", 2) == 0 ? source + 2 : source;
+    if (strncmp(set, "set ", 4) != 0) {
+        return murk_yaml_is_option(source);
     }
-    return strncmp(source + 6, key, length) == 0 && source[6 + length] == '=';
+    return strncmp(set + 4, key, length) == 0 && set[4 + length] == '=';
 }
 
 void murk_walk_where(const murk_yaml *node, const char *key, bool at_key,

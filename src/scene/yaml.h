@@ -38,8 +38,8 @@ struct murk_yaml {
 
 /* Parses text. The caller owns *out and releases it with
  * murk_yaml_destroy(). `source` is borrowed and must outlive the tree. A
- * source that begins with -- is an option of the command line; messages then
- * have no line and column. Empty text fails. */
+ * source that is an option (murk_yaml_is_option()) has no line and column in
+ * messages. Empty text fails. */
 murk_status murk_yaml_parse(murk_yaml **out, const char *text, size_t size,
                             const char *source, murk_error *err);
 murk_status murk_yaml_read(murk_yaml **out, const char *path, murk_error *err);
@@ -67,6 +67,11 @@ bool murk_yaml_put(murk_yaml *map, const char *key, murk_yaml *child);
 void murk_yaml_remove(murk_yaml *map, const char *key);
 void murk_yaml_clear(murk_yaml *node); /* removes all children and the text */
 bool murk_yaml_set_text(murk_yaml *scalar, const char *text);
+
+/* True if a source is no file but an option of the command line, which begins
+ * with "--", or a call of the library, "set KEY=VALUE". Paths in its value are
+ * relative to the working folder. */
+bool murk_yaml_is_option(const char *source);
 
 /* The place of a node: "fog.yaml:12:5", the file alone for a node made by
  * the program, or the option. Long names are cut, and control characters are

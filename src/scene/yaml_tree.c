@@ -17,9 +17,9 @@
 
 #define MAX_SOURCE 120 /* bytes of a name that a message shows */
 
-static bool is_option(const char *source)
+bool murk_yaml_is_option(const char *source)
 {
-    return strncmp(source, "--", 2) == 0;
+    return strncmp(source, "--", 2) == 0 || strncmp(source, "set ", 4) == 0;
 }
 
 void murk_yaml_show_place(const char *source, int line, int column, char *out,
@@ -29,13 +29,13 @@ void murk_yaml_show_place(const char *source, int line, int column, char *out,
     const size_t length = strlen(source);
     if (length <= MAX_SOURCE) {
         snprintf(name, sizeof name, "%s", source);
-    } else if (is_option(source)) {
+    } else if (murk_yaml_is_option(source)) {
         snprintf(name, sizeof name, "%.*s...", MAX_SOURCE - 3, source);
     } else { /* the end of a path tells more than the beginning */
         snprintf(name, sizeof name, "...%s", source + length - MAX_SOURCE + 3);
     }
     murk_words_show(shown, sizeof shown, name);
-    if (line == 0 || is_option(source)) {
+    if (line == 0 || murk_yaml_is_option(source)) {
         snprintf(out, size, "%s", shown);
     } else {
         snprintf(out, size, "%s:%d:%d", shown, line, column);

@@ -251,8 +251,8 @@ static murk_status run(work *w, unsigned threads, murk_error *err)
     }
     murk_status status = murk_interrupt_check(err);
     for (size_t i = 0; i < pieces && !status; ++i) {
-        if (w->error[i].status) {
-            status = murk_fail(err, w->error[i].status, w->error[i].where, "%s",
+        if (w->error[i].code) {
+            status = murk_fail(err, w->error[i].code, w->error[i].where, "%s",
                                w->error[i].text);
         }
     }

@@ -41,7 +41,7 @@ static murk_status exits(murk_subprocess *child, void *context, murk_error *err)
 {
     (void)child;
     (void)context;
-    if (!err->status) {
+    if (!err->code) {
         _exit(3);
     }
     return MURK_OK;
@@ -88,7 +88,7 @@ static murk_error run(murk_subprocess_work work, void *context,
     *size = 0;
     const murk_status status =
         murk_subprocess_run(bytes, size, work, context, limits, "a.vdb", &err);
-    CHECK(status == err.status);
+    CHECK(status == err.code);
     return err;
 }
 
@@ -164,7 +164,7 @@ test_hostile_readers_are_confined(const murk_subprocess_limits *limits)
     if (notes > 0) {
         printf("this kernel confines nothing: not judged\n");
     } else {
-        CHECK(err.status == MURK_OK);
+        CHECK(err.code == MURK_OK);
         CHECK(bytes && size == ATTEMPTS + 1);
         CHECK_TEXT(bytes ? (const char *)bytes : "", "nnnnnnnnnnnnYY");
         struct stat is;
@@ -194,33 +194,33 @@ int main(void)
     /* A result comes back. */
     char hello[] = "hello";
     murk_error err = run(sends, hello, &limits, &bytes, &size);
-    CHECK(err.status == MURK_OK);
+    CHECK(err.code == MURK_OK);
     CHECK(size == 7 && bytes && strcmp((char *)bytes, "hello!") == 0);
     free(bytes);
 
     /* An error of the work comes back with place and text. */
     err = run(fails, NULL, &limits, &bytes, &size);
-    CHECK(err.status == MURK_BAD_VALUE && !bytes);
+    CHECK(err.code == MURK_BAD_VALUE && !bytes);
     CHECK_TEXT(err.where, "deep.vdb");
     CHECK_TEXT(err.text, "density is -1");
 
     /* A crash and an exit are a bad file. */
     err = run(crashes, NULL, &limits, &bytes, &size);
-    CHECK(err.status == MURK_BAD_FILE && !bytes);
+    CHECK(err.code == MURK_BAD_FILE && !bytes);
     CHECK_TEXT(err.where, "a.vdb");
 
     err = run(exits, NULL, &limits, &bytes, &size);
-    CHECK(err.status == MURK_BAD_FILE && !bytes);
+    CHECK(err.code == MURK_BAD_FILE && !bytes);
     CHECK_MENTIONS(err.text, "gave up");
 
     /* Work that takes too long or sends too much is ended. */
     unsigned count = 0;
     err = run(spins, &count, &limits, &bytes, &size);
-    CHECK(err.status == MURK_BAD_FILE && !bytes);
+    CHECK(err.code == MURK_BAD_FILE && !bytes);
     CHECK_MENTIONS(err.text, "takes more than 1 s");
 
     err = run(floods, NULL, &limits, &bytes, &size);
-    CHECK(err.status == MURK_BAD_FILE && !bytes);
+    CHECK(err.code == MURK_BAD_FILE && !bytes);
     CHECK_MENTIONS(err.text, "holds more than");
 
     test_hostile_readers_are_confined(&limits);

@@ -153,7 +153,7 @@ static murk_error refusal(const char *yaml, murk_reading reading)
     if (stage) {
         const murk_status status =
             murk_beams_check(stage, &measured, SIZE_MAX, &err);
-        CHECK(status == err.status);
+        CHECK(status == err.code);
         /* another condition's readings are not its business */
         CHECK(murk_beams_check(stage, &measured, 0, NULL) == MURK_OK);
     }
@@ -179,7 +179,7 @@ static const char walled[] =
 static void test_refusals(void)
 {
     murk_error err = refusal(walled, segment(0, 0, 0, 3, 0, 0));
-    CHECK(err.status == MURK_BAD_VALUE);
+    CHECK(err.code == MURK_BAD_VALUE);
     CHECK_TEXT(err.where, "beams.csv:7");
     CHECK_TEXT(err.text, "a surface stands across the segment [0, 0, 0] to "
                          "[3, 0, 0] m, which must be open");

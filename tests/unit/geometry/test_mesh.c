@@ -213,7 +213,7 @@ static void check_refused(const char *file, const char *part)
     murk_error err;
     murk_mesh *m = read_mesh(file, 0, 0, &err);
     CHECK(m == NULL);
-    CHECK(err.status == MURK_BAD_FILE);
+    CHECK(err.code == MURK_BAD_FILE);
     CHECK_TEXT(err.where, "scene.yaml:3:5");
     CHECK_MENTIONS(err.text, part);
     CHECK(strchr(err.text, '\n') == NULL);
@@ -255,7 +255,7 @@ static void test_bad_units_and_axes_are_named(void)
     const double bad[] = {-0.01, 1.01e9, NAN};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
         CHECK(!read_mesh(file, bad[i], 0, &err));
-        CHECK(err.status == MURK_BAD_VALUE);
+        CHECK(err.code == MURK_BAD_VALUE);
         CHECK_MENTIONS(err.text, "must be above 0 and at most 1e9 m");
     }
     CHECK(!read_mesh(file, 1, 'w', &err));

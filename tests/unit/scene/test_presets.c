@@ -58,7 +58,7 @@ static void test_all_that_are_built_in(void)
             CHECK(murk_preset_evaluate(&result, preset, &words, &bands, "",
                                        &err) == MURK_OK);
             CHECK_TEXT(err.text, "");
-            if (err.status == MURK_OK) {
+            if (err.code == MURK_OK) {
                 check_result(&result, name);
             }
             murk_preset_result_release(&result);

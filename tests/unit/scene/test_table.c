@@ -19,7 +19,7 @@ static murk_table *read_table(const char *text, size_t size, murk_error *err)
     do {                                                                    \
         murk_error err_;                                                    \
         murk_table *table_ = read_table((input), sizeof(input) - 1, &err_); \
-        CHECK(table_ == NULL && err_.status == MURK_BAD_FILE);              \
+        CHECK(table_ == NULL && err_.code == MURK_BAD_FILE);                \
         CHECK_TEXT(err_.where, want_where);                                 \
         CHECK_TEXT(err_.text, want_text);                                   \
         murk_table_destroy(table_);                                         \
@@ -93,7 +93,7 @@ static void test_broken_bytes(void)
             ",\"\n\r# \0x"[(size_t)(8 * u.u[1])];
         murk_error err;
         murk_table *table = read_table(bytes, size, &err);
-        CHECK((table != NULL) == (err.status == MURK_OK));
+        CHECK((table != NULL) == (err.code == MURK_OK));
         CHECK(strchr(err.text, '\n') == NULL);
         for (size_t k = 0; table && k < table->rows * table->columns; ++k) {
             CHECK(strlen(table->cell[k]) <= size);

@@ -14,14 +14,14 @@ static murk_yaml *parse(const char *text, murk_error *err)
     return root;
 }
 
-#define CHECK_REFUSES(input, want_where, want_text)           \
-    do {                                                      \
-        murk_error err_;                                      \
-        murk_yaml *root_ = parse((input), &err_);             \
-        CHECK(root_ == NULL && err_.status == MURK_BAD_FILE); \
-        CHECK_TEXT(err_.where, want_where);                   \
-        CHECK_TEXT(err_.text, want_text);                     \
-        murk_yaml_destroy(root_);                             \
+#define CHECK_REFUSES(input, want_where, want_text)         \
+    do {                                                    \
+        murk_error err_;                                    \
+        murk_yaml *root_ = parse((input), &err_);           \
+        CHECK(root_ == NULL && err_.code == MURK_BAD_FILE); \
+        CHECK_TEXT(err_.where, want_where);                 \
+        CHECK_TEXT(err_.text, want_text);                   \
+        murk_yaml_destroy(root_);                           \
     } while (0)
 
 static void test_places(void)

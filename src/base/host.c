@@ -1,0 +1,18 @@
+/* The host of each thread, a thread-local pointer, and the host of the
+ * process. */
+#include "base/host.h"
+
+static murk_host process;
+static _Thread_local murk_host *entered; /* NULL: the host of the process */
+
+murk_host *murk_host_now(void)
+{
+    return entered ? entered : &process;
+}
+
+murk_host *murk_host_enter(murk_host *host)
+{
+    murk_host *before = murk_host_now();
+    entered = host;
+    return before;
+}

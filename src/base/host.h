@@ -1,0 +1,48 @@
+/* The caller of the library: where messages and progress go, how many threads
+ * may run, whether the caller has asked to stop, and other settings that would
+ * otherwise be variables of the process.
+ *
+ * A thread belongs to one host at a time. murk_host_enter() binds the calling
+ * thread; threads that murk starts (base/pool.h, base/progress.h) belong to the
+ * host of the thread that starts them. A thread that is bound to no host
+ * belongs to the host of the process, which always exists. Two threads with
+ * different hosts do not disturb each other. */
+#ifndef MURK_BASE_HOST_H
+#define MURK_BASE_HOST_H
+
+#include "base/vector.h"
+
+#include <stdatomic.h>
+#include <stdbool.h>
+#include <stdint.h>
+
+typedef struct murk_host {
+    /* Receives warnings and notes, NULL for none, and the receiver with an
+     * argument of the caller that murk_warn_to_log() passes them to:
+     * base/log.h */
+    bool has_warn; /* false: warnings and notes go to standard error */
+    void (*warn)(const char *where, const char *text);
+    void (*log)(void *user, bool is_warning, const char *where,
+                const char *text);
+    void *user;
+    /* Set to 1 by a request to stop; lock-free, so a signal handler may set it.
+     * base/interrupt.h */
+    atomic_int stop;
+    unsigned threads_allowed; /* 0: no limit but that of base/pool.h */
+    murk_vec3 origin;         /* of positions in messages: base/position.h */
+    _Atomic uint64_t *inputs; /* the set of files that are read, NULL before it
+                               * is begun: base/inputs.h */
+    atomic_bool inputs_are_full;
+    struct murk_progress_bar *bar;         /* base/progress.h */
+    const struct murk_memory_files *files; /* of paths "memory:NAME", or NULL:
+                                            * base/memory_files.h */
+} murk_host;
+
+/* The host that the calling thread belongs to. */
+murk_host *murk_host_now(void);
+
+/* Binds the calling thread; NULL: to the host of the process. Returns the host
+ * that the thread belonged to, to be bound again at the end. */
+murk_host *murk_host_enter(murk_host *host);
+
+#endif

@@ -1,0 +1,29 @@
+/* Makes a host of the parts that belong to it: the progress line, and the set
+ * of inputs, which is released with it. */
+#include "base/host_make.h"
+
+#include "base/inputs.h"
+#include "base/progress.h"
+
+#include <stdlib.h>
+
+murk_host *murk_host_create(void)
+{
+    murk_host *host = calloc(1, sizeof *host);
+    if (host && !(host->bar = murk_progress_create())) {
+        free(host);
+        host = NULL;
+    }
+    return host;
+}
+
+void murk_host_destroy(murk_host *host)
+{
+    if (host) {
+        murk_host *before = murk_host_enter(host);
+        murk_inputs_end();
+        (void)murk_host_enter(before);
+        murk_progress_destroy(host->bar);
+        free(host);
+    }
+}

@@ -1,0 +1,62 @@
+/* Files in memory: meshes, grids and tables that the caller of the library
+ * gives as arrays. A path "memory:NAME" names one of them wherever a scene
+ * takes a file.
+ *
+ * The host of the calling thread (base/host.h) has the set that such paths are
+ * looked up in; rooms that read files ask here first. A file is shared by the
+ * sets that contain it and is destroyed with the last of them. */
+#ifndef MURK_BASE_MEMORY_FILES_H
+#define MURK_BASE_MEMORY_FILES_H
+
+#include "base/status.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+#define MURK_MEMORY_PREFIX    "memory:"
+#define MURK_MEMORY_NAME_SIZE 64 /* of a name with the '\0' */
+
+/* Triangles, dense samples, the text of a table. */
+typedef enum murk_memory_kind {
+    MURK_MEMORY_MESH,
+    MURK_MEMORY_GRID,
+    MURK_MEMORY_TABLE
+} murk_memory_kind;
+
+typedef struct murk_memory_file {
+    murk_memory_kind kind;
+    size_t sets; /* that contain the file */
+    uint64_t checksum[2];
+    void *data; /* in the form of the room that reads it */
+    void (*release)(void *data);
+} murk_memory_file;
+
+typedef struct murk_memory_files {
+    size_t n;
+    char (*name)[MURK_MEMORY_NAME_SIZE]; /* [n] */
+    murk_memory_file **file;             /* [n] */
+} murk_memory_files;
+
+/* Adds a file, or replaces the file of that name. Takes ownership of `data`,
+ * also on failure. Fails if the name is empty, too long, or contains characters
+ * other than letters, digits, '.', '_' and '-'. */
+murk_status murk_memory_add(murk_memory_files *set, const char *name,
+                            murk_memory_file file, murk_error *err);
+
+/* Makes *out a set of the same files. False when out of memory. */
+bool murk_memory_copy(murk_memory_files *out, const murk_memory_files *set);
+void murk_memory_release(murk_memory_files *set);
+
+/* True if the path begins with "memory:". */
+bool murk_memory_is(const char *path);
+
+/* The file of a path in the set of the host. Fails with MURK_BAD_FILE at
+ * `where` if there is none of that name and kind. */
+murk_status murk_memory_find(const murk_memory_file **out, const char *path,
+                             murk_memory_kind kind, const char *where,
+                             murk_error *err);
+
+/* The file of a path of any kind; NULL if there is none. */
+const murk_memory_file *murk_memory_at(const char *path);
+
+#endif

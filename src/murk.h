@@ -1,0 +1,500 @@
+/* murk: light in fog, smoke, rain and water, and the places of sensors in it.
+ *
+ * This header is the whole public interface of the library (-lmurk). C11, C17,
+ * C++17.
+ *
+ *     murk_scene -> murk_world -> murk_light -> murk_coverage, murk_plan,
+ *                                               murk_picture
+ *     murk_study, murk_fit: many scenes at once, and media from readings
+ *
+ * Each handle is created by one call and released by murk_<handle>_destroy(),
+ * which takes NULL. A handle keeps the handles that it was made from alive, so
+ * handles may be destroyed in any order. World, light, coverage, plan, study,
+ * fit and picture do not change after they are made.
+ *
+ * Units: metres, watts, 1/m, nanometres, degrees where a name ends in _deg.
+ * Directions are unit vectors along the travel of light.
+ *
+ * Errors: a function that can fail returns a murk_status and fills *error if it
+ * is not NULL. Nothing is printed, no signal handler is installed, and no call
+ * ends the process. On failure *out is NULL.
+ *
+ * Threads: handles of one context are used by one thread at a time; two threads
+ * with two contexts do not disturb each other. murk_context_cancel() may be
+ * called from any thread and from a signal handler.
+ *
+ * Strings are UTF-8. Strings and views that a call returns belong to the handle
+ * and are valid until the handle is destroyed, unless the call says less. */
+#ifndef MURK_H
+#define MURK_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- library ---- */
+
+/* The version of this header: programs compiled against it run with libraries
+ * of the same major number. */
+#define MURK_VERSION_MAJOR 0
+#define MURK_VERSION_MINOR 1
+
+/* "0.1.0": the version of the library that runs. */
+const char *murk_version(void);
+
+typedef enum murk_status {
+    MURK_OK,
+    MURK_BAD_VALUE,   /* a value is outside of the allowed range */
+    MURK_BAD_FILE,    /* a file is missing or malformed */
+    MURK_UNSUPPORTED, /* not supported yet */
+    MURK_NO_MEMORY,   /* out of memory */
+    MURK_RUN_FAILED,  /* the run failed */
+    MURK_INTERRUPTED  /* cancelled by murk_context_cancel() */
+} murk_status;
+
+/* "a file is missing or malformed"; for any other number "unknown status". */
+const char *murk_status_text(murk_status status);
+
+/* The reason for a failure. The caller sets `size` to sizeof(murk_error) and
+ * all else to 0, as MURK_ERROR_NONE does. A message that the struct contains
+ * already is kept: the deepest cause is the most useful one. */
+typedef struct murk_error {
+    size_t size;
+    murk_status code;
+    int line, column; /* in `file`, from 1; 0: the whole file */
+    char file[320];   /* the file, or the name of a text; "" if there is none */
+    char key[160];   /* path of the key in a scene, "media.fog.albedo"; or "" */
+    char where[320]; /* file, line, column and key as one text */
+    char text[640];  /* the value found and the allowed values, with units */
+} murk_error;
+
+/* An error without a message: murk_error error = MURK_ERROR_NONE; */
+#define MURK_ERROR_NONE                                   \
+    {                                                     \
+        sizeof(murk_error), MURK_OK, 0, 0, "", "", "", "" \
+    }
+
+/* ---- arrays ---- */
+
+typedef enum murk_type {
+    MURK_TYPE_UINT8,
+    MURK_TYPE_UINT16,
+    MURK_TYPE_UINT32,
+    MURK_TYPE_UINT64,
+    MURK_TYPE_FLOAT32,
+    MURK_TYPE_FLOAT64
+} murk_type;
+
+/* Band, three axes and direction of a tally. */
+#define MURK_ARRAY_DIMENSIONS 5
+
+/* An array: element (i, j, ...) lies at data + i * stride[0] + j * stride[1] +
+ * ... bytes. Shapes are in the order of C: the last index is the fastest of a
+ * dense array. */
+typedef struct murk_array {
+    size_t size; /* sizeof(murk_array), set by the caller */
+    const void *data;
+    murk_type type;
+    int dimensions;
+    size_t shape[MURK_ARRAY_DIMENSIONS];
+    ptrdiff_t stride[MURK_ARRAY_DIMENSIONS]; /* [bytes] */
+    bool is_copy; /* of a result: made for this call, because murk stores the
+                   * values in another form; false: the values of the handle
+                   * themselves */
+} murk_array;
+
+/* A dense array of the caller. */
+murk_array murk_array_of(const void *data, murk_type type, int dimensions,
+                         const size_t *shape);
+
+/* ---- context ---- */
+
+typedef struct murk_context murk_context;
+
+/* A warning (something is probably wrong) or a note (correct input with an
+ * effect that may surprise). `where` is "" or a place as in murk_error. Called
+ * from the thread that uses the context, or from a thread of murk while that
+ * thread waits for it. */
+typedef void (*murk_log_function)(void *user, bool is_warning,
+                                  const char *where, const char *text);
+
+/* The state of a long step, such as "trace", in `unit` ("photons"). */
+typedef struct murk_progress {
+    size_t size;
+    const char *step, *unit, *text; /* text: state of a search, or "" */
+    uint64_t done, total;           /* total 0: unknown */
+    double elapsed_s;
+} murk_progress;
+
+/* Called some five times a second from a thread of murk, and at the end of a
+ * step. */
+typedef void (*murk_progress_function)(void *user,
+                                       const murk_progress *progress);
+
+typedef struct murk_context_options {
+    size_t size;                     /* sizeof(murk_context_options) */
+    unsigned threads;                /* 0: as many as there are processors */
+    murk_log_function log;           /* NULL: warnings and notes are dropped */
+    murk_progress_function progress; /* NULL: none */
+    void *user;                      /* passed to both */
+} murk_context_options;
+
+/* options NULL: zeros. Fails with MURK_NO_MEMORY, or with MURK_RUN_FAILED if
+ * the machine refuses the threads. */
+murk_status murk_context_create(murk_context **out,
+                                const murk_context_options *options,
+                                murk_error *error);
+void murk_context_destroy(murk_context *context);
+
+/* Makes the call that runs in the context, or else the next one, stop at the
+ * next batch and return MURK_INTERRUPTED; the call after that one works as
+ * usual. */
+void murk_context_cancel(murk_context *context);
+
+/* Writes the page of a folder of results (plan.json, ledger.json, study.json,
+ * ...) to `page`, one HTML file; NULL: to report.html in the folder. A file
+ * that murk did not write is not replaced. */
+murk_status murk_context_write_report(murk_context *context, const char *folder,
+                                      const char *page, murk_error *error);
+
+/* ---- scene ---- */
+
+typedef struct murk_scene murk_scene;
+
+/* An empty scene, whose keys murk_scene_set() gives. */
+murk_status murk_scene_create(murk_scene **out, murk_context *context,
+                              murk_error *error);
+
+/* A scene from a file, or from YAML text. `name` stands for the file in
+ * messages; files that the text names are relative to the folder of `name`;
+ * NULL: "scene", in the working folder. The text is checked as YAML; keys and
+ * values are checked by murk_scene_check() and murk_world_create(). */
+murk_status murk_scene_read(murk_scene **out, murk_context *context,
+                            const char *path, murk_error *error);
+murk_status murk_scene_parse(murk_scene **out, murk_context *context,
+                             const char *text, const char *name,
+                             murk_error *error);
+void murk_scene_destroy(murk_scene *scene);
+
+/* Sets a key by its path, "sensors.count" or "lights.0.power_w", to a value in
+ * YAML flow style: "5", "[1, 2, 3]", "{preset: fog/radiation, mor_m: 80}". The
+ * last value of a key counts. The value is parsed here and checked with the
+ * whole scene. Worlds that exist do not change. */
+murk_status murk_scene_set(murk_scene *scene, const char *key,
+                           const char *value, murk_error *error);
+
+/* *json: the value of a key in the resolved scene as JSON, defaults included:
+ * "0.2", "[1,2,3]", "{...}"; key "": the whole scene. Valid until the next call
+ * of this function with the scene. */
+murk_status murk_scene_get(murk_scene *scene, const char *key,
+                           const char **json, murk_error *error);
+
+/* Reads the whole scene and checks each value. */
+murk_status murk_scene_check(murk_scene *scene, murk_error *error);
+
+/* *text: the scene as resolved, with all defaults, as scene.resolved.yaml;
+ * valid until the next call with this scene. */
+murk_status murk_scene_resolved(murk_scene *scene, const char **text,
+                                murk_error *error);
+
+/* Adds a mesh that keys for files take as "memory:NAME", for example
+ * murk_scene_set(scene, "geometry", "[{file: memory:hall, material: wall}]").
+ *
+ * vertices_m: n x 3, floats or doubles; triangles: m x 3 indices, uint32 or
+ * uint64; material: m indices into material_names[n_materials], uint32, or NULL
+ * if all triangles have the first material. material_names NULL: the name of
+ * the only material is "". The arrays are copied. A name that exists is
+ * replaced. Fails if an index is out of range or a coordinate is not finite. */
+murk_status murk_scene_add_mesh(murk_scene *scene, const char *name,
+                                const murk_array *vertices_m,
+                                const murk_array *triangles,
+                                const murk_array *material,
+                                const char *const *material_names,
+                                size_t n_materials, murk_error *error);
+
+/* Adds a grid that the key `vdb` of a medium takes as "memory:NAME".
+ *
+ * values: nx x ny x nz, floats or doubles, finite, at least 0. Value (i, j, k)
+ * fills the cell around the point index_to_world * (i, j, k, 1);
+ * index_to_world is 3 x 4, row by row, in metres. release NULL: the values are
+ * copied; else they must be dense floats with x fastest (stride[0] = 4), are
+ * used in place, and release(user) is called when the scene and all worlds of
+ * it are destroyed. */
+murk_status murk_scene_add_grid(murk_scene *scene, const char *name,
+                                const murk_array *values,
+                                const double index_to_world[12],
+                                void (*release)(void *user), void *user,
+                                murk_error *error);
+
+/* Adds a table that keys for CSV files take as "memory:NAME": candidate places,
+ * targets, spectra, profiles, phase functions.
+ *
+ * values: rows x columns, floats or doubles; columns[]: the heads of the file
+ * that the key describes. Copied. */
+murk_status murk_scene_add_table(murk_scene *scene, const char *name,
+                                 const char *const *columns,
+                                 const murk_array *values, murk_error *error);
+
+/* ---- results ---- */
+
+/* The fields of a result by the names of the JSON files of the program, listed
+ * in murk-results(5). A path joins names and indices by dots:
+ * "coverage.held_out", "sensors.0.position_m.2". A result belongs to the handle
+ * that it was asked of. */
+typedef struct murk_fields murk_fields;
+
+typedef enum murk_field_kind {
+    MURK_FIELD_UNKNOWN, /* there is no such field */
+    MURK_FIELD_ABSENT,  /* the field has no value: null in JSON */
+    MURK_FIELD_NUMBER,
+    MURK_FIELD_BOOL,
+    MURK_FIELD_STRING,
+    MURK_FIELD_LIST,
+    MURK_FIELD_OBJECT
+} murk_field_kind;
+
+murk_field_kind murk_fields_kind(const murk_fields *fields, const char *path);
+
+/* The value of a field. Fail with MURK_BAD_VALUE if there is no such field or
+ * if it is of another kind. An absent number is NaN, an absent string NULL; for
+ * int64 and bool an absent value is an error. */
+murk_status murk_fields_double(const murk_fields *fields, const char *path,
+                               double *value, murk_error *error);
+murk_status murk_fields_int64(const murk_fields *fields, const char *path,
+                              int64_t *value, murk_error *error);
+murk_status murk_fields_bool(const murk_fields *fields, const char *path,
+                             bool *value, murk_error *error);
+murk_status murk_fields_string(const murk_fields *fields, const char *path,
+                               const char **value, murk_error *error);
+
+/* The number of items of a list or of fields of an object ("": of the whole
+ * result); 0 for any other field. */
+size_t murk_fields_length(const murk_fields *fields, const char *path);
+
+/* The name of field i of an object; NULL if there is none. */
+const char *murk_fields_name(const murk_fields *fields, const char *path,
+                             size_t i);
+
+/* The whole result as JSON. */
+const char *murk_fields_json(const murk_fields *fields);
+
+/* ---- world ---- */
+
+typedef struct murk_world murk_world;
+
+/* Checks the whole scene, reads its files and builds surfaces, media and light
+ * sources. Mesh and grid files are read in subprocesses with limits on memory
+ * and time. */
+murk_status murk_world_create(murk_world **out, murk_scene *scene,
+                              murk_error *error);
+void murk_world_destroy(murk_world *world);
+
+/* The box of the domain: min x, y, z, max x, y, z [m]. */
+void murk_world_bounds(const murk_world *world, double bounds_m[6]);
+
+/* The number of bands, and the wavelength of band i [nm] (NaN: no such band).
+ */
+int murk_world_bands(const murk_world *world);
+double murk_world_band_nm(const murk_world *world, int i);
+
+/* ---- light ---- */
+
+typedef struct murk_light murk_light;
+
+typedef enum murk_map { MURK_MAP_SURFACE, MURK_MAP_VOLUME } murk_map;
+
+/* Traces the light of a world: both photon maps, the energy ledger and the
+ * tallies. */
+murk_status murk_light_trace(murk_light **out, murk_world *world,
+                             murk_error *error);
+
+/* Reads and writes light.murk. Reading fails if the seed, or a key that light
+ * depends on, differs from that of the world. */
+murk_status murk_light_read(murk_light **out, murk_world *world,
+                            const char *path, murk_error *error);
+murk_status murk_light_write(const murk_light *light, const char *path,
+                             murk_error *error);
+void murk_light_destroy(murk_light *light);
+
+/* The number of records of a map. */
+size_t murk_light_count(const murk_light *light, murk_map map);
+
+/* A field of the records of a map, in the order of the map:
+ *
+ *   position_m   n x 3 float32
+ *   power_w      n     float32
+ *   emitted      n     uint32   number of the photon
+ *   band, light  n     uint8
+ *   material     n     uint8    number of the material or of the medium
+ *   direction    n x 3 float32  of travel, unit; a copy
+ *   normal       n x 3 float32  faces the photon, unit; 0 in the volume map; a
+ *                               copy
+ *   event_class  n     uint8    0 first event, 1 specular events before, 2
+ * later; a copy
+ *
+ * Copies are made once and belong to the light. Fails with MURK_BAD_VALUE for
+ * another name. */
+murk_status murk_light_array(murk_light *light, murk_map map, const char *field,
+                             murk_array *view, murk_error *error);
+
+/* The values of a tally and their standard errors, float64: planes band x bin_i
+ * x bin_j x angle bin x direction [W], grids band x i x j x k and spheres band
+ * x direction [W/m2]; made once, owned by the light. Either view may be NULL.
+ */
+murk_status murk_light_tally(murk_light *light, const char *name,
+                             murk_array *values, murk_array *errors,
+                             murk_error *error);
+
+/* The fields of ledger.json. */
+murk_status murk_light_fields(murk_light *light, const murk_fields **fields,
+                              murk_error *error);
+
+/* Writes the files of murk trace to a folder: light.murk, ledger.json,
+ * tallies.csv, grids. Files that murk did not write are not replaced. */
+murk_status murk_light_save(murk_light *light, const char *folder,
+                            murk_error *error);
+
+/* ---- sensors ---- */
+
+typedef struct murk_sensors murk_sensors;
+
+typedef struct murk_sensor {
+    size_t size;
+    const char *type; /* the name of a sensor type of the scene */
+    double position_m[3];
+    double heading_deg; /* clockwise from north; NaN for a sphere */
+    double tilt_deg;    /* upward from the horizon; NaN for a sphere */
+} murk_sensor;
+
+/* An empty list of sensors for a world, and one from a file, sensors.csv or
+ * plan.json. */
+murk_status murk_sensors_create(murk_sensors **out, murk_world *world,
+                                murk_error *error);
+murk_status murk_sensors_read(murk_sensors **out, murk_world *world,
+                              const char *path, murk_error *error);
+void murk_sensors_destroy(murk_sensors *sensors);
+
+/* Adds a sensor. Fails if the type is not one of the scene, if a type with a
+ * view has no heading or tilt, or if the position is outside of the domain. */
+murk_status murk_sensors_add(murk_sensors *sensors, const murk_sensor *sensor,
+                             murk_error *error);
+
+size_t murk_sensors_count(const murk_sensors *sensors);
+/* Sensor i; the caller has set sensor->size. */
+murk_status murk_sensors_get(const murk_sensors *sensors, size_t i,
+                             murk_sensor *sensor, murk_error *error);
+
+/* ---- coverage ---- */
+
+typedef struct murk_coverage murk_coverage;
+
+/* Measures what sensors see of a light, as murk sense. Their world must be that
+ * of the light. */
+murk_status murk_coverage_measure(murk_coverage **out, murk_light *light,
+                                  const murk_sensors *sensors,
+                                  murk_error *error);
+void murk_coverage_destroy(murk_coverage *coverage);
+
+/* The fields of coverage.json. */
+murk_status murk_coverage_fields(murk_coverage *coverage,
+                                 const murk_fields **fields, murk_error *error);
+
+/* The coverage matrix: sensors x records, uint16; 65535 is full clarity, 0 not
+ * seen. Records of the surface map come first, then those of the volume map,
+ * each in the order of murk_light_array(); with targets in place of photons,
+ * the targets. Made once, owned by the coverage. */
+murk_status murk_coverage_matrix(murk_coverage *coverage, murk_array *view,
+                                 murk_error *error);
+
+/* ---- plan ---- */
+
+typedef struct murk_plan murk_plan;
+
+/* Chooses the sensors, as murk place: light of the world is traced unless the
+ * scene has conditions to place over. */
+murk_status murk_plan_make(murk_plan **out, murk_world *world,
+                           murk_error *error);
+/* The same for light that is there; not over conditions. */
+murk_status murk_plan_for_light(murk_plan **out, murk_light *light,
+                                murk_error *error);
+void murk_plan_destroy(murk_plan *plan);
+
+/* The fields of plan.json. */
+murk_status murk_plan_fields(murk_plan *plan, const murk_fields **fields,
+                             murk_error *error);
+
+/* The chosen sensors, a list of the caller's. */
+murk_status murk_plan_sensors(murk_sensors **out, const murk_plan *plan,
+                              murk_error *error);
+
+/* Writes the files of murk place to a folder. */
+murk_status murk_plan_save(murk_plan *plan, const char *folder,
+                           murk_error *error);
+
+/* ---- study ---- */
+
+typedef struct murk_study murk_study;
+
+/* Runs the rows of a study file, as murk study. folder: keeps the finished
+ * rows, which are not run again by the next call; NULL: nothing is kept. A row
+ * that fails is no failure of the study: its field `failed` has the reason.
+ * Groups of rows run in subprocesses. */
+murk_status murk_study_run(murk_study **out, murk_context *context,
+                           const char *path, const char *folder,
+                           murk_error *error);
+void murk_study_destroy(murk_study *study);
+
+/* The fields of study.json. */
+murk_status murk_study_fields(murk_study *study, const murk_fields **fields,
+                              murk_error *error);
+
+/* ---- fit ---- */
+
+typedef struct murk_fit murk_fit;
+
+/* Fits keys[n] of a scene, such as "media.fog.visibility_m" or
+ * "media.fog.albedo@each", to the readings of a CSV file, as murk fit. */
+murk_status murk_fit_run(murk_fit **out, murk_scene *scene, const char *data,
+                         const char *const *keys, size_t n, murk_error *error);
+void murk_fit_destroy(murk_fit *fit);
+
+/* The fields of fit.json. */
+murk_status murk_fit_fields(murk_fit *fit, const murk_fields **fields,
+                            murk_error *error);
+
+/* ---- picture ---- */
+
+typedef struct murk_picture murk_picture;
+
+typedef enum murk_method {
+    MURK_METHOD_MAPS,     /* shadow rays, density estimate of later records */
+    MURK_METHOD_PATHS,    /* path tracing with shadow rays */
+    MURK_METHOD_MAPS_ONLY /* density estimate of all records */
+} murk_method;
+
+/* Renders the picture of a camera of the scene; NULL: of the first one. */
+murk_status murk_picture_render(murk_picture **out, murk_light *light,
+                                const char *camera, murk_method method,
+                                murk_error *error);
+void murk_picture_destroy(murk_picture *picture);
+
+/* A channel, height x width float32, rows from the top: "distance_m"; of band b
+ * "radiance.b" and "error.b" (its standard error) [W/m2/sr], "surface.b" and
+ * "volume.b" (parts of the radiance), "depth.b" (optical depth); "rgb.0" to
+ * "rgb.2", "rgb_error.0" to "rgb_error.2"; "position_m.0" to "position_m.2". */
+murk_status murk_picture_array(const murk_picture *picture, const char *channel,
+                               murk_array *view, murk_error *error);
+
+/* Writes an OpenEXR file. A file that murk did not write is not replaced. */
+murk_status murk_picture_write(const murk_picture *picture, const char *path,
+                               murk_error *error);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

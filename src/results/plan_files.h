@@ -1,0 +1,16 @@
+/* The files of a plan, but for plan.json: the light with its ledger and
+ * tallies, sensors.csv, coverage.csv, and what the scene and --export ask
+ * for. */
+#ifndef MURK_RESULTS_PLAN_FILES_H
+#define MURK_RESULTS_PLAN_FILES_H
+
+#include "results/plan.h"
+
+/* conditions: NULL for the scene as it stands. An export that cannot be had is
+ * told in *late, and the other files are added all the same. */
+murk_status murk_add_plan_files(murk_session *session,
+                                const murk_plan_result *plan,
+                                const murk_condition_plans *conditions,
+                                murk_error *late, murk_error *err);
+
+#endif
