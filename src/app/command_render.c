@@ -1,4 +1,5 @@
 /* A picture of the scene, by one of its cameras or from a sensor's place. */
+#include "api/scene_picture.h"
 #include "app/images.h"
 #include "app/picture_coverage.h"
 #include "app/session.h"
@@ -98,22 +99,11 @@ static murk_status check_maps(const job *j, murk_error *err)
 static murk_status take_picture(job *j, murk_error *err)
 {
     const murk_session *s = &j->session;
-    const murk_scene_desc *scene = s->scene;
     const murk_trace trace = murk_stage_trace(s->stage);
-    murk_render render = {.trace = &trace,
-                          .camera = j->viewpoint.camera,
-                          .samples = j->viewpoint.samples,
-                          .method = j->method->kind,
-                          .surface = s->traced ? s->traced->surface : NULL,
-                          .volume = s->traced ? s->traced->volume : NULL,
-                          .threads = s->settings.threads};
-    /* The edges of each band, for the colours. */
-    for (int b = 0; b < scene->bands; ++b) {
-        const bool edges = scene->has_edges;
-        render.from_nm[b] = edges ? scene->band_edge_nm[b] : scene->band_nm[b];
-        render.to_nm[b] =
-            edges ? scene->band_edge_nm[b + 1] : scene->band_nm[b];
-    }
+    murk_render render = murk_render_of_stage(
+        s->stage, &trace, j->viewpoint.camera, s->traced, s->settings.threads);
+    render.samples = j->viewpoint.samples;
+    render.method = j->method->kind;
     /* Render, then add the coverage by sensors. */
     const double begun_s = murk_clock_s();
     murk_status status = murk_render_run(&j->picture, &render, err);

@@ -2,6 +2,7 @@
  * place and direction, and doubts about the place. */
 #include "app/viewpoint.h"
 
+#include "api/scene_picture.h"
 #include "base/log.h"
 #include "base/position.h"
 #include "plan/free_space.h"
@@ -89,16 +90,9 @@ static void stand_at_camera(murk_viewpoint *v, const murk_scene_desc *scene,
                             const size_t asked[2])
 {
     const murk_scene_camera *c = v->named;
-    const size_t *pixels = asked[0] ? asked : c->pixels;
     snprintf(v->name, sizeof v->name, "%s", c->name);
     v->where = c->where;
-    v->camera = c->projection == MURK_SCENE_EQUIRECTANGULAR
-                    ? murk_camera_around(c->from,
-                                         c->has_to ? murk_sub(c->to, c->from)
-                                                   : scene->north,
-                                         pixels[0], pixels[1])
-                    : murk_camera_aimed(c->from, c->to, c->up, c->vfov_rad,
-                                        pixels[0], pixels[1]);
+    v->camera = murk_camera_of_scene(c, scene, asked);
 }
 
 /* Rows that make pixels of a picture so much wider than high square. */

@@ -1,0 +1,111 @@
+/* The frame of each public call: the host of the context is entered, the work
+ * is done with an error of murk's own, and at the end the message goes to the
+ * error of the caller, with the place split into file, line, column and key. */
+#include "api/handles.h"
+
+#include "base/version.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char *murk_version(void)
+{
+    return MURK_VERSION;
+}
+
+murk_call murk_call_begin(murk_context *context, const murk_memory_files *files,
+                          murk_error *error)
+{
+    murk_call call = {.host = context->host, .error = error};
+    call.before = murk_host_enter(context->host);
+    context->host->files = files;
+    return call;
+}
+
+/* Removes ":NUMBER" from the end of a text. Returns the number, or 0. */
+static int take_number(char *text)
+{
+    char *colon = strrchr(text, ':');
+    const size_t digits = colon ? strspn(colon + 1, "0123456789") : 0;
+    if (digits == 0 || digits > 9 || colon[1 + digits] != '\0') {
+        return 0;
+    }
+    *colon = '\0';
+    return (int)strtol(colon + 1, NULL, 10);
+}
+
+/* True if the text has the form of a path of keys. */
+static bool is_key(const char *text)
+{
+    return strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                        "0123456789._@-") == strlen(text);
+}
+
+/* "FILE:LINE:COLUMN: KEY", "set KEY=VALUE: KEY" or "FILE" as members. */
+static void split_place(murk_error *error)
+{
+    char place[sizeof error->where];
+    snprintf(place, sizeof place, "%s", error->where);
+    char *key = NULL;
+    for (char *at = strstr(place, ": "); at; at = strstr(at + 1, ": ")) {
+        key = at;
+    }
+    if (key && is_key(key + 2)) {
+        *key = '\0';
+        snprintf(error->key, sizeof error->key, "%s", key + 2);
+    }
+    /* The rest is a file, or a value that the caller set. */
+    if (strncmp(place, "set ", 4) == 0) {
+        if (error->key[0] == '\0') {
+            snprintf(error->key, sizeof error->key, "%.*s",
+                     (int)strcspn(place + 4, "="), place + 4);
+        }
+        return;
+    }
+    const int last = take_number(place), line = last ? take_number(place) : 0;
+    error->line = line ? line : last;
+    error->column = line ? last : 0;
+    snprintf(error->file, sizeof error->file, "%s", place);
+}
+
+void murk_call_report(murk_error *to, murk_error *failure)
+{
+    if (!to || to->code != MURK_OK) {
+        return;
+    }
+    const size_t size =
+        to->size > 0 && to->size < sizeof *failure ? to->size : sizeof *failure;
+    failure->size = to->size;
+    split_place(failure);
+    memcpy(to, failure, size);
+}
+
+murk_status murk_call_end(murk_call *call, murk_status status)
+{
+    call->host->files = NULL;
+    (void)murk_host_enter(call->before);
+    if (status) {
+        (void)murk_fail(&call->failure, status, "", "%s",
+                        murk_status_text(status));
+        call->failure.code = status;
+        murk_call_report(call->error, &call->failure);
+    }
+    return status;
+}
+
+murk_status murk_call_end_long(murk_call *call, murk_status status)
+{
+    if (atomic_exchange(&call->host->stop, 0) && !status) {
+        status = murk_fail(&call->failure, MURK_INTERRUPTED, "", "interrupted");
+    }
+    return murk_call_end(call, status);
+}
+
+murk_status murk_call_refuse(murk_error *error, const char *text)
+{
+    murk_error failure = {0};
+    (void)murk_fail(&failure, MURK_BAD_VALUE, "", "%s", text);
+    murk_call_report(error, &failure);
+    return MURK_BAD_VALUE;
+}

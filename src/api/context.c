@@ -1,0 +1,83 @@
+/* Contexts: a host of murk (base/host.h) with the functions of the caller. */
+#include "api/handles.h"
+
+#include "base/host_make.h"
+#include "base/inputs.h"
+#include "base/log.h"
+#include "base/pool.h"
+#include "base/progress.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static void show_progress(void *user, const murk_progress_facts *facts)
+{
+    const murk_context *context = user;
+    const murk_progress progress = {.size = sizeof progress,
+                                    .step = facts->step,
+                                    .unit = facts->unit,
+                                    .text = facts->text,
+                                    .done = facts->done,
+                                    .total = facts->total,
+                                    .elapsed_s = facts->elapsed_s};
+    context->options.progress(context->options.user, &progress);
+}
+
+murk_status murk_context_create(murk_context **out,
+                                const murk_context_options *options,
+                                murk_error *error)
+{
+    if (!out) {
+        return murk_call_refuse(error, "out is NULL");
+    }
+    *out = NULL;
+    murk_context *context = calloc(1, sizeof *context);
+    murk_host *host = murk_host_create();
+    if (!context || !host) {
+        free(context);
+        murk_host_destroy(host);
+        murk_call_refuse(error, "no memory for a context");
+        return MURK_NO_MEMORY;
+    }
+    context->references = 1;
+    context->host = host;
+    if (options) { /* the members that the caller's struct has */
+        memcpy(&context->options, options,
+               options->size < sizeof *options ? options->size
+                                               : sizeof *options);
+    }
+    context->threads = context->options.threads ? context->options.threads
+                                                : murk_pool_processors();
+    /* Set up the host. */
+    murk_call call = murk_call_begin(context, NULL, error);
+    murk_inputs_begin();
+    murk_log_to(context->options.log, context->options.user);
+    murk_progress_to(context->options.progress ? show_progress : NULL, context);
+    const murk_status status = murk_pool_allow(context->threads, &call.failure);
+    if (murk_call_end(&call, status)) {
+        murk_context_release(context);
+        return status;
+    }
+    *out = context;
+    return MURK_OK;
+}
+
+void murk_context_release(murk_context *context)
+{
+    if (context && --context->references == 0) {
+        murk_host_destroy(context->host);
+        free(context);
+    }
+}
+
+void murk_context_destroy(murk_context *context)
+{
+    murk_context_release(context);
+}
+
+void murk_context_cancel(murk_context *context)
+{
+    if (context) {
+        atomic_store(&context->host->stop, 1);
+    }
+}

@@ -1,0 +1,156 @@
+/* Fields of results: a JSON object, made of the table that the JSON file of the
+ * program is made of, and read by paths. */
+#include "api/handles.h"
+
+#include "results/fields.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define NAME_SIZE                                              \
+    128 /* of one part of a path; names of results are shorter \
+         */
+
+murk_status murk_fields_make(murk_fields *fields, murk_results_list list,
+                             const void *of, murk_error *err)
+{
+    if (!fields->root) {
+        fields->root = murk_results_json(list, of);
+        fields->json = fields->root ? cJSON_Print(fields->root) : NULL;
+    }
+    if (!fields->json) {
+        murk_fields_release(fields);
+        return murk_no_memory(err, "", "for the results");
+    }
+    return MURK_OK;
+}
+
+void murk_fields_release(murk_fields *fields)
+{
+    cJSON_Delete(fields->root);
+    cJSON_free(fields->json);
+    *fields = (murk_fields){0};
+}
+
+/* The item at a path; NULL if there is none. */
+static const cJSON *find(const murk_fields *fields, const char *path)
+{
+    const cJSON *at = fields ? fields->root : NULL;
+    while (at && path && *path) {
+        char name[NAME_SIZE];
+        const size_t length = strcspn(path, ".");
+        if (length >= sizeof name) {
+            return NULL;
+        }
+        memcpy(name, path, length);
+        name[length] = '\0';
+        if (cJSON_IsArray(at)) {
+            const size_t digits = strspn(name, "0123456789");
+            at = digits > 0 && digits < 10 && name[digits] == '\0'
+                     ? cJSON_GetArrayItem(at, atoi(name))
+                     : NULL;
+        } else {
+            at = cJSON_GetObjectItemCaseSensitive(at, name);
+        }
+        path += length + (path[length] == '.');
+    }
+    return at;
+}
+
+murk_field_kind murk_fields_kind(const murk_fields *fields, const char *path)
+{
+    const cJSON *item = find(fields, path);
+    return !item                  ? MURK_FIELD_UNKNOWN
+           : cJSON_IsNull(item)   ? MURK_FIELD_ABSENT
+           : cJSON_IsNumber(item) ? MURK_FIELD_NUMBER
+           : cJSON_IsBool(item)   ? MURK_FIELD_BOOL
+           : cJSON_IsString(item) ? MURK_FIELD_STRING
+           : cJSON_IsArray(item)  ? MURK_FIELD_LIST
+                                  : MURK_FIELD_OBJECT;
+}
+
+/* Fails, because the field at a path is not of the wanted kind. */
+static murk_status refuse(const murk_fields *fields, const char *path,
+                          const char *wanted, murk_error *error)
+{
+    static const char *const kinds[] = {"no field",      "absent",   "a number",
+                                        "true or false", "a string", "a list",
+                                        "an object"};
+    murk_error failure = {0};
+    (void)murk_fail(&failure, MURK_BAD_VALUE, path ? path : "",
+                    "is %s, must be %s", kinds[murk_fields_kind(fields, path)],
+                    wanted);
+    murk_call_report(error, &failure);
+    return MURK_BAD_VALUE;
+}
+
+murk_status murk_fields_double(const murk_fields *fields, const char *path,
+                               double *value, murk_error *error)
+{
+    const murk_field_kind kind = murk_fields_kind(fields, path);
+    if (!value || (kind != MURK_FIELD_NUMBER && kind != MURK_FIELD_ABSENT)) {
+        return refuse(fields, path, "a number", error);
+    }
+    *value = kind == MURK_FIELD_ABSENT ? NAN : find(fields, path)->valuedouble;
+    return MURK_OK;
+}
+
+murk_status murk_fields_int64(const murk_fields *fields, const char *path,
+                              int64_t *value, murk_error *error)
+{
+    const cJSON *item = find(fields, path);
+    if (!value || !cJSON_IsNumber(item) ||
+        item->valuedouble != nearbyint(item->valuedouble) ||
+        fabs(item->valuedouble) > 0x1p53) {
+        return refuse(fields, path, "a whole number", error);
+    }
+    *value = (int64_t)item->valuedouble;
+    return MURK_OK;
+}
+
+murk_status murk_fields_bool(const murk_fields *fields, const char *path,
+                             bool *value, murk_error *error)
+{
+    const cJSON *item = find(fields, path);
+    if (!value || !cJSON_IsBool(item)) {
+        return refuse(fields, path, "true or false", error);
+    }
+    *value = cJSON_IsTrue(item);
+    return MURK_OK;
+}
+
+murk_status murk_fields_string(const murk_fields *fields, const char *path,
+                               const char **value, murk_error *error)
+{
+    const murk_field_kind kind = murk_fields_kind(fields, path);
+    if (!value || (kind != MURK_FIELD_STRING && kind != MURK_FIELD_ABSENT)) {
+        return refuse(fields, path, "a string", error);
+    }
+    *value = find(fields, path)->valuestring; /* NULL of null */
+    return MURK_OK;
+}
+
+size_t murk_fields_length(const murk_fields *fields, const char *path)
+{
+    const cJSON *item = find(fields, path);
+    return cJSON_IsArray(item) || cJSON_IsObject(item)
+               ? (size_t)cJSON_GetArraySize(item)
+               : 0;
+}
+
+const char *murk_fields_name(const murk_fields *fields, const char *path,
+                             size_t i)
+{
+    const cJSON *item = find(fields, path);
+    const cJSON *child =
+        cJSON_IsObject(item) && i < murk_fields_length(fields, path)
+            ? cJSON_GetArrayItem(item, (int)i)
+            : NULL;
+    return child ? child->string : NULL;
+}
+
+const char *murk_fields_json(const murk_fields *fields)
+{
+    return fields ? fields->json : NULL;
+}

@@ -1,0 +1,157 @@
+/* The structs behind the handles of murk.h, and the frame of a public call.
+ *
+ * A handle counts the references to it: one of the caller, and one of each
+ * handle that was made from it. murk_<handle>_destroy() gives back that of the
+ * caller. */
+#ifndef MURK_API_HANDLES_H
+#define MURK_API_HANDLES_H
+
+#include "base/host.h"
+#include "base/memory_files.h"
+#include "cases/condition_plans.h"
+#include "plan/measured.h"
+#include "results/fields.h"
+#include "results/session.h"
+
+struct murk_context {
+    size_t references;
+    murk_host *host;
+    unsigned threads;
+    murk_context_options options;
+};
+
+struct murk_scene {
+    size_t references;
+    murk_context *context;
+    char *name;   /* of the text, in messages */
+    bool is_file; /* read from the file `name` */
+    char *text;
+    size_t n; /* keys that murk_scene_set() gave */
+    murk_override *set;
+    murk_memory_files files;
+    char *resolved; /* text of the last murk_scene_resolved() */
+    char *value;    /* JSON of the last murk_scene_get() */
+};
+
+struct murk_fields {
+    cJSON *root;
+    char *json;
+};
+
+/* An array that was made on request. */
+typedef struct murk_made murk_made;
+struct murk_made {
+    murk_made *next;
+    char name[64];
+    void *data;
+};
+
+struct murk_world {
+    size_t references;
+    murk_context *context;
+    murk_memory_files files;
+    murk_scene_desc *desc;
+    murk_stage *stage;
+};
+
+struct murk_light {
+    size_t references;
+    murk_world *world;
+    murk_session session; /* borrows scene and stage of the world */
+    murk_made *made;
+    murk_fields fields;
+};
+
+struct murk_sensors {
+    murk_world *world;
+    size_t n;
+    murk_pose *pose; /* [n] */
+};
+
+struct murk_coverage {
+    murk_light *light;
+    size_t n;
+    murk_pose *pose; /* [n] */
+    murk_measured measured;
+    uint16_t *matrix; /* [n][records]; NULL before it is asked for */
+    size_t records;
+    murk_fields fields;
+};
+
+struct murk_plan {
+    murk_world *world;
+    murk_light *light;    /* NULL: a plan over conditions */
+    murk_session session; /* borrows scene, stage and light */
+    murk_plan_result plan;
+    murk_condition_plans *conditions; /* NULL: the scene as it stands */
+    murk_fields fields;
+};
+
+/* ---- a public call ---- */
+
+/* Binds the calling thread to the host of a context, and fills the error of the
+ * caller at the end:
+ *
+ *     murk_call call = murk_call_begin(context, files, error);
+ *     return murk_call_end(&call, work(..., &call.failure));
+ */
+typedef struct murk_call {
+    murk_host *host, *before;
+    murk_error failure;
+    murk_error *error; /* of the caller; may be NULL */
+} murk_call;
+
+/* files: the set of paths "memory:NAME" during the call; may be NULL. */
+murk_call murk_call_begin(murk_context *context, const murk_memory_files *files,
+                          murk_error *error);
+
+/* Ends a call that cannot be cancelled. */
+murk_status murk_call_end(murk_call *call, murk_status status);
+
+/* Ends a call that murk_context_cancel() may have cancelled, and takes the
+ * request back. */
+murk_status murk_call_end_long(murk_call *call, murk_status status);
+
+/* Splits the place of a failure and copies to the error of the caller the
+ * members that the caller's struct has. `to` may be NULL. */
+void murk_call_report(murk_error *to, murk_error *failure);
+
+/* Fails without a context: a NULL handle, or another misuse. */
+murk_status murk_call_refuse(murk_error *error, const char *text);
+
+/* ---- references ---- */
+
+void murk_context_release(murk_context *context);
+void murk_scene_release(murk_scene *scene);
+void murk_world_release(murk_world *world);
+void murk_light_release(murk_light *light);
+
+/* Makes fields of a table of results; keeps those that are there. */
+murk_status murk_fields_make(murk_fields *fields, murk_results_list list,
+                             const void *of, murk_error *err);
+void murk_fields_release(murk_fields *fields);
+
+/* The array of that name, or NULL; and a new one, which the list owns and which
+ * begins as zeros. */
+void *murk_made_find(const murk_made *list, const char *name);
+void *murk_made_add(murk_made **list, const char *name, size_t bytes,
+                    murk_error *err);
+void murk_made_release(murk_made *list);
+
+/* Fills a view of the caller: a dense array unless strides are changed
+ * afterwards. */
+murk_status murk_array_fill(murk_array *view, const void *data, murk_type type,
+                            int dimensions, const size_t *shape, bool is_copy,
+                            murk_error *err);
+size_t murk_type_bytes(murk_type type);
+
+/* Reads element i of a flat walk in the order of C as a double. */
+double murk_array_number(const murk_array *view, size_t i);
+size_t murk_array_count(const murk_array *view);
+
+/* Fails unless the view is of the caller's header, has that many dimensions and
+ * a known type. */
+murk_status murk_array_check(const murk_array *view, int dimensions,
+                             const char *name, murk_error *err);
+
+#endif

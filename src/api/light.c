@@ -1,0 +1,164 @@
+/* Light: both photon maps, ledger and tallies, traced or read from a file. */
+#include "api/light.h"
+
+#include "base/progress.h"
+#include "results/ledger.h"
+#include "results/tallies.h"
+
+#include <stdlib.h>
+
+murk_session murk_world_session(const murk_world *world)
+{
+    return (murk_session){.settings.threads = world->context->threads,
+                          .settings.is_quiet = true,
+                          .run.threads = world->context->threads,
+                          .scene = world->desc,
+                          .stage = world->stage,
+                          .begun_s = murk_clock_s()};
+}
+
+/* Without light yet. NULL when out of memory. */
+static murk_light *make(murk_world *world)
+{
+    murk_light *light = calloc(1, sizeof *light);
+    if (light) {
+        light->references = 1;
+        light->world = world;
+        ++world->references;
+        light->session = murk_world_session(world);
+    }
+    return light;
+}
+
+/* Traces the light, or reads it from a file. */
+static murk_status light_make(murk_light **out, murk_world *world,
+                              const char *path, murk_error *error)
+{
+    *out = NULL;
+    murk_call call = murk_call_begin(world->context, &world->files, error);
+    murk_light *light = make(world);
+    const unsigned threads = world->context->threads;
+    murk_status status =
+        !light ? MURK_NO_MEMORY
+        : path ? murk_lightmap_load(&light->session.traced, world->stage, path,
+                                    threads, &call.failure)
+               : murk_lightmap_trace(&light->session.traced, world->stage, 0,
+                                     threads, &call.failure);
+    status = murk_call_end_long(&call, status);
+    if (status) {
+        murk_light_release(light);
+        return status;
+    }
+    light->session.run.trace_s = light->session.traced->trace_s;
+    light->session.run.map_s = light->session.traced->map_s;
+    *out = light;
+    return MURK_OK;
+}
+
+murk_status murk_light_trace(murk_light **out, murk_world *world,
+                             murk_error *error)
+{
+    return out && world ? light_make(out, world, NULL, error)
+                        : murk_call_refuse(error, "out or world is NULL");
+}
+
+murk_status murk_light_read(murk_light **out, murk_world *world,
+                            const char *path, murk_error *error)
+{
+    return out && world && path
+               ? light_make(out, world, path, error)
+               : murk_call_refuse(error, "out, world or path is NULL");
+}
+
+murk_status murk_light_write(const murk_light *light, const char *path,
+                             murk_error *error)
+{
+    if (!light || !path) {
+        return murk_call_refuse(error, "light or path is NULL");
+    }
+    murk_world *world = light->world;
+    murk_call call = murk_call_begin(world->context, &world->files, error);
+    return murk_call_end(&call,
+                         murk_lightmap_save(light->session.traced, world->stage,
+                                            path, &call.failure));
+}
+
+void murk_light_release(murk_light *light)
+{
+    if (!light || --light->references > 0) {
+        return;
+    }
+    murk_fields_release(&light->fields);
+    murk_made_release(light->made);
+    murk_traced_destroy(light->session.traced);
+    murk_world_release(light->world);
+    free(light);
+}
+
+void murk_light_destroy(murk_light *light)
+{
+    murk_light_release(light);
+}
+
+murk_status murk_light_fields(murk_light *light, const murk_fields **fields,
+                              murk_error *error)
+{
+    if (!light || !fields) {
+        return murk_call_refuse(error, "light or fields is NULL");
+    }
+    murk_call call = murk_call_begin(light->world->context, NULL, error);
+    *fields = &light->fields;
+    return murk_call_end(
+        &call, murk_fields_make(&light->fields, murk_results_list_ledger,
+                                &(murk_ledger_results){light->session.traced,
+                                                       light->session.stage},
+                                &call.failure));
+}
+
+/* ---- files ---- */
+
+murk_status murk_session_save_begin(murk_session *session, const char *command,
+                                    const char *folder, murk_error *err)
+{
+    session->settings.folder = folder;
+    const murk_status status =
+        murk_identity_of(session->identity, command, "", session->scene, "",
+                         session->scene->seed, err);
+    return status ? status
+                  : murk_results_begin(&session->results, folder, false, err);
+}
+
+static murk_status save(murk_session *session, const char *folder,
+                        murk_error *err)
+{
+    murk_status status = murk_session_save_begin(session, "trace", folder, err);
+    if (!status) {
+        status = murk_session_expect_light(session, err);
+    }
+    if (!status) {
+        status = murk_session_add_light(session, err);
+    }
+    if (!status) {
+        status = murk_add_tallies(session, err);
+    }
+    const murk_ledger_results ledger = {session->traced, session->stage};
+    return status ? status
+                  : murk_session_finish(
+                        session, "ledger.json",
+                        murk_results_json(murk_results_list_ledger, &ledger),
+                        murk_print_trace, session, err);
+}
+
+murk_status murk_light_save(murk_light *light, const char *folder,
+                            murk_error *error)
+{
+    if (!light || !folder) {
+        return murk_call_refuse(error, "light or folder is NULL");
+    }
+    murk_world *world = light->world;
+    murk_call call = murk_call_begin(world->context, &world->files, error);
+    murk_session session = light->session; /* borrows the light */
+    const murk_status status = save(&session, folder, &call.failure);
+    murk_results_end(&session.results);
+    return murk_call_end(&call, status);
+}

@@ -1,0 +1,297 @@
+/* Scenes: a text, the keys that the caller sets, and arrays in memory. The
+ * whole is read anew by each call that needs it, so a scene may be changed at
+ * any time. */
+#include "api/scene.h"
+
+#include "base/file.h"
+#include "scene/key_path.h"
+#include "scene/yaml.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define KEY_PART_SIZE 256 /* of one part of a path; names are shorter */
+
+/* ---- making ---- */
+
+/* Takes ownership of the text. */
+static murk_status make(murk_scene **out, murk_context *context, char *text,
+                        const char *name, murk_error *err)
+{
+    murk_scene *scene = calloc(1, sizeof *scene);
+    char *copy = strdup(name);
+    if (!scene || !copy || !text) {
+        free(scene);
+        free(copy);
+        free(text);
+        return murk_no_memory(err, name, "for the scene");
+    }
+    scene->references = 1;
+    scene->context = context;
+    ++context->references;
+    scene->name = copy;
+    scene->text = text;
+    *out = scene;
+    return MURK_OK;
+}
+
+/* Takes ownership of the text, which is checked as YAML. */
+static murk_status make_checked(murk_scene **out, murk_context *context,
+                                char *text, size_t size, const char *name,
+                                murk_error *err)
+{
+    murk_yaml *root = NULL;
+    murk_status status = murk_yaml_parse(&root, text, size, name, err);
+    murk_yaml_destroy(root);
+    if (status) {
+        free(text);
+        return status;
+    }
+    return make(out, context, text, name, err);
+}
+
+murk_status murk_scene_create(murk_scene **out, murk_context *context,
+                              murk_error *error)
+{
+    return murk_scene_parse(out, context, "murk: 1\n", "scene", error);
+}
+
+murk_status murk_scene_parse(murk_scene **out, murk_context *context,
+                             const char *text, const char *name,
+                             murk_error *error)
+{
+    if (!out || !context || !text) {
+        return murk_call_refuse(error, "out, context or text is NULL");
+    }
+    *out = NULL;
+    murk_call call = murk_call_begin(context, NULL, error);
+    char *copy = strdup(text);
+    return murk_call_end(
+        &call, copy ? make_checked(out, context, copy, strlen(copy),
+                                   name ? name : "scene", &call.failure)
+                    : MURK_NO_MEMORY);
+}
+
+murk_status murk_scene_read(murk_scene **out, murk_context *context,
+                            const char *path, murk_error *error)
+{
+    if (!out || !context || !path) {
+        return murk_call_refuse(error, "out, context or path is NULL");
+    }
+    *out = NULL;
+    murk_call call = murk_call_begin(context, NULL, error);
+    char *text = NULL;
+    size_t size = 0;
+    murk_status status =
+        murk_file_read(&text, &size, path, MURK_YAML_MAX_BYTES, &call.failure);
+    if (!status) {
+        status = make_checked(out, context, text, size, path, &call.failure);
+    }
+    if (!status) {
+        (*out)->is_file = true;
+    }
+    return murk_call_end(&call, status);
+}
+
+void murk_scene_release(murk_scene *scene)
+{
+    if (!scene || --scene->references > 0) {
+        return;
+    }
+    for (size_t i = 0; i < scene->n; ++i) {
+        free((char *)scene->set[i].option);
+    }
+    free(scene->set);
+    murk_memory_release(&scene->files);
+    free(scene->resolved);
+    cJSON_free(scene->value);
+    free(scene->text);
+    free(scene->name);
+    murk_context_release(scene->context);
+    free(scene);
+}
+
+void murk_scene_destroy(murk_scene *scene)
+{
+    murk_scene_release(scene);
+}
+
+/* ---- keys ---- */
+
+/* The offset of KEY=VALUE in the option "set KEY=VALUE". */
+#define SET_LENGTH 4
+
+static murk_status add_key(murk_scene *scene, const char *key,
+                           const char *value, murk_error *err)
+{
+    const size_t size = SET_LENGTH + strlen(key) + strlen(value) + 2;
+    murk_override *grown =
+        realloc(scene->set, (scene->n + 1) * sizeof *scene->set);
+    scene->set = grown ? grown : scene->set;
+    char *option = malloc(size);
+    if (!grown || !option) {
+        free(option);
+        return murk_no_memory(err, key, "for the key");
+    }
+    snprintf(option, size, "set %s=%s", key, value);
+    /* Apply all keys to the tree, which finds errors of path and value. */
+    scene->set[scene->n] = (murk_override){option + SET_LENGTH, option};
+    murk_yaml *root = NULL;
+    murk_status status = murk_yaml_parse(&root, scene->text,
+                                         strlen(scene->text), scene->name, err);
+    for (size_t i = 0; !status && i <= scene->n; ++i) {
+        status = murk_override_apply(root, &scene->set[i], scene->set[i].option,
+                                     err);
+    }
+    murk_yaml_destroy(root);
+    if (status) {
+        free(option);
+        return status;
+    }
+    ++scene->n;
+    return MURK_OK;
+}
+
+murk_status murk_scene_set(murk_scene *scene, const char *key,
+                           const char *value, murk_error *error)
+{
+    if (!scene || !key || !value) {
+        return murk_call_refuse(error, "scene, key or value is NULL");
+    }
+    murk_call call = murk_call_begin(scene->context, &scene->files, error);
+    return murk_call_end(&call, add_key(scene, key, value, &call.failure));
+}
+
+murk_status murk_scene_describe(murk_scene_desc **out, const murk_scene *scene,
+                                murk_error *err)
+{
+    return murk_scene_desc_parse(out, scene->text, scene->name, scene->set,
+                                 scene->n, err);
+}
+
+murk_status murk_scene_check(murk_scene *scene, murk_error *error)
+{
+    const char *text = NULL;
+    return murk_scene_resolved(scene, &text, error);
+}
+
+murk_status murk_scene_resolved(murk_scene *scene, const char **text,
+                                murk_error *error)
+{
+    if (!scene || !text) {
+        return murk_call_refuse(error, "scene or text is NULL");
+    }
+    murk_call call = murk_call_begin(scene->context, &scene->files, error);
+    murk_scene_desc *desc = NULL;
+    const murk_status status = murk_scene_describe(&desc, scene, &call.failure);
+    free(scene->resolved);
+    scene->resolved = NULL;
+    if (desc) { /* the text is taken over */
+        scene->resolved = desc->resolved;
+        desc->resolved = NULL;
+    }
+    murk_scene_desc_destroy(desc);
+    *text = scene->resolved;
+    return murk_call_end(&call, status);
+}
+
+/* ---- values ---- */
+
+/* A scalar: a number, true, false or null by its form, else a text. */
+static cJSON *json_of_scalar(const murk_yaml *node)
+{
+    double number = 0;
+    bool is_true = false;
+    return murk_yaml_is_null(node)           ? cJSON_CreateNull()
+           : murk_yaml_bool(node, &is_true)  ? cJSON_CreateBool(is_true)
+           : murk_yaml_number(node, &number) ? cJSON_CreateNumber(number)
+                                             : cJSON_CreateString(node->text);
+}
+
+static cJSON *json_of(const murk_yaml *node)
+{
+    if (node->kind == MURK_YAML_SCALAR) {
+        return json_of_scalar(node);
+    }
+    const bool is_map = node->kind == MURK_YAML_MAP;
+    cJSON *all = is_map ? cJSON_CreateObject() : cJSON_CreateArray();
+    for (size_t i = 0; i < node->n; ++i) {
+        if (is_map) {
+            cJSON_AddItemToObject(all, node->key[i], json_of(node->child[i]));
+        } else {
+            cJSON_AddItemToArray(all, json_of(node->child[i]));
+        }
+    }
+    return all;
+}
+
+/* The child that the first part of a path names; NULL if there is none. */
+static murk_yaml *child_of(const murk_yaml *node, const char *part)
+{
+    if (node->kind == MURK_YAML_MAP) {
+        return murk_yaml_get(node, part);
+    }
+    const size_t digits = strspn(part, "0123456789");
+    const size_t i = digits > 0 && digits < 10 && part[digits] == '\0'
+                         ? (size_t)strtoul(part, NULL, 10)
+                         : node->n;
+    return node->kind == MURK_YAML_LIST && i < node->n ? node->child[i] : NULL;
+}
+
+/* Follows the path of a key; NULL if the tree has no such key. */
+static murk_yaml *find_key(murk_yaml *root, const char *key)
+{
+    murk_key_position at = murk_key_path_root(root);
+    while (*key && at.node) {
+        char part[KEY_PART_SIZE];
+        const size_t length = murk_key_path_part(&at, key);
+        if (length == 0 || length >= sizeof part) {
+            return NULL;
+        }
+        memcpy(part, key, length);
+        part[length] = '\0';
+        at = murk_key_path_member(&at, part, child_of(at.node, part));
+        key += length + (key[length] == '.');
+    }
+    return at.node;
+}
+
+static murk_status get(murk_scene *scene, const char *key, const char **json,
+                       murk_error *err)
+{
+    murk_scene_desc *desc = NULL;
+    murk_yaml *root = NULL;
+    murk_status status = murk_scene_describe(&desc, scene, err);
+    if (!status) {
+        status = murk_yaml_parse(&root, desc->resolved, strlen(desc->resolved),
+                                 scene->name, err);
+    }
+    const murk_yaml *node = status ? NULL : find_key(root, key);
+    if (!status && !node) {
+        status = murk_fail(err, MURK_BAD_VALUE, key,
+                           "the resolved scene has no such key");
+    }
+    /* The text lives until the next call. */
+    cJSON *value = node ? json_of(node) : NULL;
+    cJSON_free(scene->value);
+    scene->value = value ? cJSON_PrintUnformatted(value) : NULL;
+    cJSON_Delete(value);
+    if (!status && !scene->value) {
+        status = murk_no_memory(err, key, "for the value");
+    }
+    *json = scene->value;
+    murk_yaml_destroy(root);
+    murk_scene_desc_destroy(desc);
+    return status;
+}
+
+murk_status murk_scene_get(murk_scene *scene, const char *key,
+                           const char **json, murk_error *error)
+{
+    if (!scene || !key || !json) {
+        return murk_call_refuse(error, "scene, key or json is NULL");
+    }
+    murk_call call = murk_call_begin(scene->context, &scene->files, error);
+    return murk_call_end(&call, get(scene, key, json, &call.failure));
+}

@@ -1,0 +1,360 @@
+/* Arrays of the caller as files in memory (base/memory_files.h): checks shapes
+ * and values, and copies them into the form of the room that reads them. */
+#include "api/handles.h"
+
+#include "base/file.h"
+#include "geometry/mesh.h"
+#include "medium/grid.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Adds a file to the scene. */
+static murk_status add(murk_scene *scene, const char *name,
+                       murk_memory_kind kind, void *data,
+                       void (*release)(void *data), const uint64_t checksum[2],
+                       murk_error *err)
+{
+    const murk_memory_file file = {.kind = kind,
+                                   .data = data,
+                                   .release = release,
+                                   .checksum = {checksum[0], checksum[1]}};
+    return murk_memory_add(&scene->files, name, file, err);
+}
+
+/* ---- meshes ---- */
+
+static void release_mesh(void *data)
+{
+    murk_mesh_destroy(data);
+}
+
+static murk_status copy_vertices(murk_mesh *mesh, const murk_array *vertices_m,
+                                 murk_error *err)
+{
+    for (size_t i = 0; i < 3 * mesh->vertices; ++i) {
+        const double value = murk_array_number(vertices_m, i);
+        if (!(fabs(value) <= (double)FLT_MAX)) {
+            return murk_fail(err, MURK_BAD_VALUE, "vertices_m",
+                             "coordinate %zu of vertex %zu is %g, must be a "
+                             "finite number",
+                             i % 3, i / 3, value);
+        }
+        mesh->vertex_m[i] = (float)value;
+    }
+    return MURK_OK;
+}
+
+/* Copies n indices below `end`. */
+static murk_status copy_indices(uint32_t *to, const murk_array *from, size_t n,
+                                size_t end, const char *name, murk_error *err)
+{
+    for (size_t i = 0; i < n; ++i) {
+        const double value = murk_array_number(from, i);
+        if (!(value >= 0 && value < (double)end && value == floor(value))) {
+            return murk_fail(err, MURK_BAD_VALUE, name,
+                             "index %zu is %.17g, must be a whole number, 0 to "
+                             "%zu",
+                             i, value, end - 1);
+        }
+        to[i] = (uint32_t)value;
+    }
+    return MURK_OK;
+}
+
+static murk_status copy_names(murk_mesh *mesh, const char *const *names,
+                              murk_error *err)
+{
+    for (size_t i = 0; i < mesh->materials; ++i) {
+        const char *name = names ? names[i] : "";
+        if (!name || strlen(name) >= MURK_NAME_SIZE) {
+            return murk_fail(err, MURK_BAD_VALUE, "material_names",
+                             "name %zu is NULL or longer than %d bytes", i,
+                             MURK_NAME_SIZE - 1);
+        }
+        snprintf(mesh->material_name[i], MURK_NAME_SIZE, "%s", name);
+    }
+    return MURK_OK;
+}
+
+static murk_status check_mesh(const murk_array *vertices_m,
+                              const murk_array *triangles,
+                              const murk_array *material, murk_error *err)
+{
+    murk_status status = murk_array_check(vertices_m, 2, "vertices_m", err);
+    status = status ? status : murk_array_check(triangles, 2, "triangles", err);
+    if (!status && material) {
+        status = murk_array_check(material, 1, "material", err);
+    }
+    if (status) {
+        return status;
+    }
+    if (vertices_m->shape[1] != 3 || triangles->shape[1] != 3 ||
+        (material && material->shape[0] != triangles->shape[0])) {
+        return murk_fail(err, MURK_BAD_VALUE, "",
+                         "vertices_m must be n x 3, triangles m x 3, and "
+                         "material of length m");
+    }
+    if (vertices_m->shape[0] == 0 || triangles->shape[0] == 0) {
+        return murk_fail(err, MURK_BAD_VALUE, "", "the mesh is empty");
+    }
+    return MURK_OK;
+}
+
+/* Copies and checks all arrays of a mesh. */
+static murk_status copy_mesh(murk_mesh *mesh, const murk_array *vertices_m,
+                             const murk_array *triangles,
+                             const murk_array *material,
+                             const char *const *names, murk_error *err)
+{
+    mesh->vertex_m = calloc(3 * mesh->vertices, sizeof(float));
+    mesh->corner = calloc(3 * mesh->triangles, sizeof(uint32_t));
+    mesh->material = calloc(mesh->triangles, sizeof(uint32_t));
+    mesh->material_name = calloc(mesh->materials, sizeof *mesh->material_name);
+    if (!mesh->vertex_m || !mesh->corner || !mesh->material ||
+        !mesh->material_name) {
+        return murk_no_memory(err, "", "for the mesh");
+    }
+    murk_status status = copy_vertices(mesh, vertices_m, err);
+    if (!status) {
+        status = copy_indices(mesh->corner, triangles, 3 * mesh->triangles,
+                              mesh->vertices, "triangles", err);
+    }
+    if (!status && material) {
+        status = copy_indices(mesh->material, material, mesh->triangles,
+                              mesh->materials, "material", err);
+    }
+    return status ? status : copy_names(mesh, names, err);
+}
+
+static murk_status
+add_mesh(murk_scene *scene, const char *name, const murk_array *vertices_m,
+         const murk_array *triangles, const murk_array *material,
+         const char *const *names, size_t n_names, murk_error *err)
+{
+    murk_status status = check_mesh(vertices_m, triangles, material, err);
+    murk_mesh *mesh = status ? NULL : calloc(1, sizeof *mesh);
+    if (!mesh) {
+        return murk_fail(err, status ? status : MURK_NO_MEMORY, name,
+                         "no memory for the mesh");
+    }
+    mesh->vertices = vertices_m->shape[0];
+    mesh->triangles = triangles->shape[0];
+    mesh->materials = names && n_names > 0 ? n_names : 1;
+    status = copy_mesh(mesh, vertices_m, triangles, material,
+                       n_names > 0 ? names : NULL, err);
+    if (status) {
+        murk_mesh_destroy(mesh);
+        return status;
+    }
+    /* The checksum of the mesh is that of the checksums of the arrays. */
+    uint64_t sums[4][2], sum[2];
+    murk_checksum(mesh->vertex_m, 3 * mesh->vertices * sizeof(float), sums[0]);
+    murk_checksum(mesh->corner, 3 * mesh->triangles * sizeof(uint32_t),
+                  sums[1]);
+    murk_checksum(mesh->material, mesh->triangles * sizeof(uint32_t), sums[2]);
+    murk_checksum(mesh->material_name,
+                  mesh->materials * sizeof *mesh->material_name, sums[3]);
+    murk_checksum(sums, sizeof sums, sum);
+    return add(scene, name, MURK_MEMORY_MESH, mesh, release_mesh, sum, err);
+}
+
+murk_status murk_scene_add_mesh(murk_scene *scene, const char *name,
+                                const murk_array *vertices_m,
+                                const murk_array *triangles,
+                                const murk_array *material,
+                                const char *const *material_names,
+                                size_t n_materials, murk_error *error)
+{
+    if (!scene || !name) {
+        return murk_call_refuse(error, "scene or name is NULL");
+    }
+    murk_call call = murk_call_begin(scene->context, &scene->files, error);
+    return murk_call_end(&call,
+                         add_mesh(scene, name, vertices_m, triangles, material,
+                                  material_names, n_materials, &call.failure));
+}
+
+/* ---- grids ---- */
+
+static void release_grid(void *data)
+{
+    murk_grid_samples *samples = data;
+    if (samples->release) {
+        samples->release(samples->user);
+    } else {
+        free(samples->user);
+    }
+    free(samples);
+}
+
+/* True if value (i, j, k) lies at i + nx (j + ny k). */
+static bool is_x_fastest(const murk_array *values)
+{
+    const ptrdiff_t bytes = sizeof(float);
+    return values->type == MURK_TYPE_FLOAT32 && values->stride[0] == bytes &&
+           values->stride[1] == bytes * (ptrdiff_t)values->shape[0] &&
+           values->stride[2] ==
+               bytes * (ptrdiff_t)(values->shape[0] * values->shape[1]);
+}
+
+/* A copy of the values with x fastest; NULL when out of memory. */
+static float *copy_values(const murk_array *values)
+{
+    const size_t *n = values->shape;
+    float *copy = malloc((murk_array_count(values) + 1) * sizeof *copy);
+    /* The view with the order of the axes turned round is walked. */
+    murk_array turned = *values;
+    for (int axis = 0; axis < 3; ++axis) {
+        turned.shape[axis] = n[2 - axis];
+        turned.stride[axis] = values->stride[2 - axis];
+    }
+    for (size_t i = 0; copy && i < murk_array_count(values); ++i) {
+        copy[i] = (float)murk_array_number(&turned, i);
+    }
+    return copy;
+}
+
+static murk_status check_values(const murk_grid_samples *samples,
+                                murk_error *err)
+{
+    const size_t *n = samples->size;
+    for (size_t i = 0; i < n[0] * n[1] * n[2]; ++i) {
+        if (!(samples->value[i] >= 0 && isfinite(samples->value[i]))) {
+            return murk_fail(err, MURK_BAD_VALUE, "values",
+                             "value [%zu, %zu, %zu] is %g, must be finite and "
+                             "at least 0",
+                             i % n[0], i / n[0] % n[1], i / n[0] / n[1],
+                             (double)samples->value[i]);
+        }
+    }
+    return MURK_OK;
+}
+
+static murk_status add_grid(murk_scene *scene, const char *name,
+                            const murk_array *values, const double rows[12],
+                            void (*release)(void *user), void *user,
+                            murk_error *err)
+{
+    murk_status status = murk_array_check(values, 3, "values", err);
+    if (!status && (!rows || murk_array_count(values) == 0)) {
+        status = murk_fail(err, MURK_BAD_VALUE, "values",
+                           "has no values, or index_to_world is NULL");
+    }
+    if (!status && release && !is_x_fastest(values)) {
+        status = murk_fail(err, MURK_BAD_VALUE, "values",
+                           "must be dense floats with x fastest to be used in "
+                           "place");
+    }
+    if (status) {
+        return status;
+    }
+    murk_grid_samples *samples = calloc(1, sizeof *samples);
+    float *copy = release ? NULL : copy_values(values);
+    if (!samples || (!release && !copy)) {
+        free(samples);
+        free(copy);
+        return murk_no_memory(err, name, "for the grid");
+    }
+    memcpy(samples->size, values->shape, sizeof samples->size);
+    samples->value = release ? values->data : copy;
+    samples->user = release ? user : copy;
+    for (int i = 0; i < 3; ++i) {
+        memcpy(samples->index_to_world.matrix[i], rows + 4 * i,
+               3 * sizeof *rows);
+    }
+    samples->index_to_world.shift = murk_vec(rows[3], rows[7], rows[11]);
+    status = check_values(samples, err);
+    if (status) { /* the values stay the caller's */
+        free(samples);
+        free(copy);
+        return status;
+    }
+    samples->release = release;
+    /* The checksum covers the values, the size and the place. */
+    uint64_t sums[3][2], sum[2];
+    murk_checksum(samples->value, murk_array_count(values) * sizeof(float),
+                  sums[0]);
+    murk_checksum(samples->size, sizeof samples->size, sums[1]);
+    murk_checksum(rows, 12 * sizeof *rows, sums[2]);
+    murk_checksum(sums, sizeof sums, sum);
+    return add(scene, name, MURK_MEMORY_GRID, samples, release_grid, sum, err);
+}
+
+murk_status murk_scene_add_grid(murk_scene *scene, const char *name,
+                                const murk_array *values,
+                                const double index_to_world[12],
+                                void (*release)(void *user), void *user,
+                                murk_error *error)
+{
+    if (!scene || !name) {
+        return murk_call_refuse(error, "scene or name is NULL");
+    }
+    murk_call call = murk_call_begin(scene->context, &scene->files, error);
+    return murk_call_end(&call, add_grid(scene, name, values, index_to_world,
+                                         release, user, &call.failure));
+}
+
+/* ---- tables ---- */
+
+/* The table as CSV text; NULL when out of memory. */
+static char *table_text(const char *const *columns, const murk_array *values)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *to = open_memstream(&text, &size);
+    if (!to) {
+        return NULL;
+    }
+    const size_t n = values->shape[1];
+    for (size_t k = 0; k < n; ++k) {
+        fprintf(to, "%s%s", columns[k], k + 1 < n ? "," : "\n");
+    }
+    for (size_t i = 0; i < murk_array_count(values); ++i) {
+        fprintf(to, "%.17g%s", murk_array_number(values, i),
+                (i + 1) % n ? "," : "\n");
+    }
+    if (fclose(to) != 0) {
+        free(text);
+        text = NULL;
+    }
+    return text;
+}
+
+static murk_status add_table(murk_scene *scene, const char *name,
+                             const char *const *columns,
+                             const murk_array *values, murk_error *err)
+{
+    const murk_status status = murk_array_check(values, 2, "values", err);
+    if (status) {
+        return status;
+    }
+    for (size_t k = 0; k < values->shape[1]; ++k) {
+        if (!columns || !columns[k]) {
+            return murk_fail(err, MURK_BAD_VALUE, "columns", "name %zu is NULL",
+                             k);
+        }
+    }
+    char *text = table_text(columns, values);
+    if (!text) {
+        return murk_no_memory(err, name, "for the table");
+    }
+    uint64_t sum[2];
+    murk_checksum(text, strlen(text), sum);
+    return add(scene, name, MURK_MEMORY_TABLE, text, free, sum, err);
+}
+
+murk_status murk_scene_add_table(murk_scene *scene, const char *name,
+                                 const char *const *columns,
+                                 const murk_array *values, murk_error *error)
+{
+    if (!scene || !name) {
+        return murk_call_refuse(error, "scene or name is NULL");
+    }
+    murk_call call = murk_call_begin(scene->context, &scene->files, error);
+    return murk_call_end(
+        &call, add_table(scene, name, columns, values, &call.failure));
+}

@@ -1,0 +1,37 @@
+/* Turns a camera of a scene into a camera of the room render, and a world with
+ * its light into the input of a rendering. */
+#include "api/scene_picture.h"
+
+murk_camera murk_camera_of_scene(const murk_scene_camera *c,
+                                 const murk_scene_desc *scene,
+                                 const size_t asked[2])
+{
+    const size_t *pixels = asked[0] ? asked : c->pixels;
+    return c->projection == MURK_SCENE_EQUIRECTANGULAR
+               ? murk_camera_around(c->from,
+                                    c->has_to ? murk_sub(c->to, c->from)
+                                              : scene->north,
+                                    pixels[0], pixels[1])
+               : murk_camera_aimed(c->from, c->to, c->up, c->vfov_rad,
+                                   pixels[0], pixels[1]);
+}
+
+murk_render murk_render_of_stage(const murk_stage *stage,
+                                 const murk_trace *trace, murk_camera camera,
+                                 const murk_traced *traced, unsigned threads)
+{
+    const murk_scene_desc *scene = stage->scene;
+    murk_render render = {.trace = trace,
+                          .camera = camera,
+                          .surface = traced ? traced->surface : NULL,
+                          .volume = traced ? traced->volume : NULL,
+                          .threads = threads};
+    /* The edges of each band, for the colours. */
+    for (int b = 0; b < scene->bands; ++b) {
+        const bool edges = scene->has_edges;
+        render.from_nm[b] = edges ? scene->band_edge_nm[b] : scene->band_nm[b];
+        render.to_nm[b] =
+            edges ? scene->band_edge_nm[b + 1] : scene->band_nm[b];
+    }
+    return render;
+}

@@ -1,0 +1,21 @@
+/* Cameras of a scene, and renderings of a world from its light: what the
+ * library and murk render share. */
+#ifndef MURK_API_SCENE_PICTURE_H
+#define MURK_API_SCENE_PICTURE_H
+
+#include "lightmap/lightmap.h"
+#include "render/render.h"
+
+/* The camera of a scene with its own number of pixels, or with pixels[0] x
+ * pixels[1] if they are above 0. */
+murk_camera murk_camera_of_scene(const murk_scene_camera *camera,
+                                 const murk_scene_desc *scene,
+                                 const size_t pixels[2]);
+
+/* The input of a rendering of this world; traced NULL: without maps. The caller
+ * sets samples and method. Borrows all arguments. */
+murk_render murk_render_of_stage(const murk_stage *stage,
+                                 const murk_trace *trace, murk_camera camera,
+                                 const murk_traced *traced, unsigned threads);
+
+#endif

@@ -1,0 +1,184 @@
+/* Lists of sensors of a world: from a file, from a plan, or one by one, checked
+ * against the sensor types and the domain of the scene. */
+#include "api/handles.h"
+
+#include "plan/placement_in.h"
+#include "results/coverage.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static murk_sensors *make(murk_world *world)
+{
+    murk_sensors *sensors = calloc(1, sizeof *sensors);
+    if (sensors) {
+        sensors->world = world;
+        ++world->references;
+    }
+    return sensors;
+}
+
+murk_status murk_sensors_create(murk_sensors **out, murk_world *world,
+                                murk_error *error)
+{
+    if (!out || !world) {
+        return murk_call_refuse(error, "out or world is NULL");
+    }
+    murk_call call = murk_call_begin(world->context, NULL, error);
+    *out = make(world);
+    return murk_call_end(&call, *out ? MURK_OK : MURK_NO_MEMORY);
+}
+
+murk_status murk_sensors_read(murk_sensors **out, murk_world *world,
+                              const char *path, murk_error *error)
+{
+    if (!out || !world || !path) {
+        return murk_call_refuse(error, "out, world or path is NULL");
+    }
+    *out = NULL;
+    murk_call call = murk_call_begin(world->context, &world->files, error);
+    murk_sensors *sensors = make(world);
+    murk_status status = MURK_NO_MEMORY;
+    if (sensors) {
+        status = murk_placement_read(&sensors->pose, &sensors->n, path, 0,
+                                     world->desc, &world->stage->world.domain,
+                                     &call.failure);
+    }
+    status = murk_call_end(&call, status);
+    if (status) {
+        murk_sensors_destroy(sensors);
+        return status;
+    }
+    *out = sensors;
+    return MURK_OK;
+}
+
+murk_status murk_plan_sensors(murk_sensors **out, const murk_plan *plan,
+                              murk_error *error)
+{
+    if (!out || !plan) {
+        return murk_call_refuse(error, "out or plan is NULL");
+    }
+    murk_call call = murk_call_begin(plan->world->context, NULL, error);
+    murk_sensors *sensors = make(plan->world);
+    const size_t n = plan->plan.place.count;
+    murk_pose *pose = calloc(n + 1, sizeof *pose);
+    if (sensors && pose) {
+        memcpy(pose, plan->plan.sensor, n * sizeof *pose);
+        sensors->pose = pose;
+        sensors->n = n;
+    } else {
+        murk_sensors_destroy(sensors);
+        sensors = NULL;
+        free(pose);
+    }
+    *out = sensors;
+    return murk_call_end(&call, sensors ? MURK_OK : MURK_NO_MEMORY);
+}
+
+void murk_sensors_destroy(murk_sensors *sensors)
+{
+    if (sensors) {
+        free(sensors->pose);
+        murk_world_release(sensors->world);
+        free(sensors);
+    }
+}
+
+/* The pose that a sensor describes. */
+static murk_status pose_of(murk_pose *out, const murk_world *world,
+                           const murk_sensor *sensor, murk_error *err)
+{
+    const murk_scene_sensors *all = &world->desc->sensors;
+    size_t type = 0;
+    while (type < all->types && sensor->type &&
+           strcmp(all->type[type].name, sensor->type) != 0) {
+        ++type;
+    }
+    if (type == all->types || !sensor->type) {
+        return murk_fail(err, MURK_BAD_VALUE, "type",
+                         "%s is not a sensor type of the scene",
+                         sensor->type ? sensor->type : "NULL");
+    }
+    /* A type with a view needs a direction. */
+    const bool is_sphere = all->type[type].view == MURK_VIEW_SPHERE;
+    if (!is_sphere &&
+        !(isfinite(sensor->heading_deg) && fabs(sensor->tilt_deg) <= 90)) {
+        return murk_fail(err, MURK_BAD_VALUE, sensor->type,
+                         "heading_deg is %g and tilt_deg %g, must be finite, "
+                         "tilt -90..90, for a type with a view",
+                         sensor->heading_deg, sensor->tilt_deg);
+    }
+    const double *p = sensor->position_m;
+    *out = (murk_pose){
+        .type = (uint32_t)type,
+        .position = murk_scene_local(world->desc, murk_vec(p[0], p[1], p[2]))};
+    if (!is_sphere) {
+        out->heading_rad = sensor->heading_deg * MURK_PI / 180;
+        out->tilt_rad = sensor->tilt_deg * MURK_PI / 180;
+    }
+    return murk_box_contains(&world->stage->world.domain.box, out->position)
+               ? MURK_OK
+               : murk_fail(err, MURK_BAD_VALUE, sensor->type,
+                           "position_m [%g, %g, %g] is outside of the domain",
+                           p[0], p[1], p[2]);
+}
+
+static murk_status add(murk_sensors *sensors, const murk_sensor *sensor,
+                       murk_error *err)
+{
+    murk_pose pose;
+    const murk_status status = pose_of(&pose, sensors->world, sensor, err);
+    if (status) {
+        return status;
+    }
+    murk_pose *grown = realloc(sensors->pose, (sensors->n + 1) * sizeof *grown);
+    if (!grown) {
+        return murk_no_memory(err, "", "for a sensor");
+    }
+    sensors->pose = grown;
+    sensors->pose[sensors->n++] = pose;
+    return MURK_OK;
+}
+
+murk_status murk_sensors_add(murk_sensors *sensors, const murk_sensor *sensor,
+                             murk_error *error)
+{
+    if (!sensors || !sensor || sensor->size < sizeof *sensor) {
+        return murk_call_refuse(error, "sensors or sensor is NULL, or "
+                                       "sensor->size is not "
+                                       "sizeof(murk_sensor)");
+    }
+    murk_call call = murk_call_begin(sensors->world->context, NULL, error);
+    return murk_call_end(&call, add(sensors, sensor, &call.failure));
+}
+
+size_t murk_sensors_count(const murk_sensors *sensors)
+{
+    return sensors ? sensors->n : 0;
+}
+
+murk_status murk_sensors_get(const murk_sensors *sensors, size_t i,
+                             murk_sensor *sensor, murk_error *error)
+{
+    if (!sensors || !sensor || sensor->size < sizeof *sensor ||
+        i >= sensors->n) {
+        return murk_call_refuse(error, "sensors or sensor is NULL, "
+                                       "sensor->size is not "
+                                       "sizeof(murk_sensor), or there is no "
+                                       "sensor of that number");
+    }
+    const murk_scene_desc *scene = sensors->world->desc;
+    const murk_pose *pose = &sensors->pose[i];
+    const murk_vec3 at = murk_scene_user(scene, pose->position);
+    const bool is_sphere =
+        scene->sensors.type[pose->type].view == MURK_VIEW_SPHERE;
+    *sensor = (murk_sensor){
+        .size = sensor->size,
+        .type = scene->sensors.type[pose->type].name,
+        .position_m = {at.x, at.y, at.z},
+        .heading_deg = is_sphere ? NAN : murk_degrees(pose->heading_rad),
+        .tilt_deg = is_sphere ? NAN : murk_degrees(pose->tilt_rad)};
+    return MURK_OK;
+}

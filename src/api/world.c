@@ -1,0 +1,95 @@
+/* Worlds: a scene as it was when the world was made, and the stage that is
+ * built from it. */
+#include "api/scene.h"
+
+#include "base/log.h"
+#include "base/progress.h"
+
+#include "world/stage_build.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* Reads the scene, tells of keys without effect, and builds. */
+static murk_status build(murk_world *world, murk_scene *scene, murk_error *err)
+{
+    if (!murk_memory_copy(&world->files, &scene->files)) {
+        return murk_no_memory(err, scene->name, "for the world");
+    }
+    murk_progress_begin_group("build", 0, "");
+    murk_status status = murk_scene_describe(&world->desc, scene, err);
+    for (size_t i = 0; !status && i < world->desc->idles; ++i) {
+        murk_warn(world->desc->idle[i].where, "%s", world->desc->idle[i].text);
+    }
+    if (!status) {
+        status = murk_stage_create(&world->stage, world->desc, err);
+    }
+    murk_progress_end();
+    return status;
+}
+
+murk_status murk_world_create(murk_world **out, murk_scene *scene,
+                              murk_error *error)
+{
+    if (!out || !scene) {
+        return murk_call_refuse(error, "out or scene is NULL");
+    }
+    *out = NULL;
+    murk_call call = murk_call_begin(scene->context, &scene->files, error);
+    murk_world *world = calloc(1, sizeof *world);
+    murk_status status = MURK_NO_MEMORY;
+    if (world) {
+        world->references = 1;
+        world->context = scene->context;
+        ++world->context->references;
+        status = build(world, scene, &call.failure);
+    }
+    status = murk_call_end_long(&call, status);
+    if (status) {
+        murk_world_release(world);
+        return status;
+    }
+    *out = world;
+    return MURK_OK;
+}
+
+void murk_world_release(murk_world *world)
+{
+    if (!world || --world->references > 0) {
+        return;
+    }
+    murk_stage_destroy(world->stage);
+    murk_scene_desc_destroy(world->desc);
+    murk_memory_release(&world->files);
+    murk_context_release(world->context);
+    free(world);
+}
+
+void murk_world_destroy(murk_world *world)
+{
+    murk_world_release(world);
+}
+
+void murk_world_bounds(const murk_world *world, double bounds_m[6])
+{
+    if (!world || !bounds_m) {
+        return;
+    }
+    const murk_box box =
+        murk_scene_user_box(world->desc, world->stage->world.domain.box);
+    for (int axis = 0; axis < 3; ++axis) {
+        bounds_m[axis] = murk_component(box.min, axis);
+        bounds_m[3 + axis] = murk_component(box.max, axis);
+    }
+}
+
+int murk_world_bands(const murk_world *world)
+{
+    return world ? world->desc->bands : 0;
+}
+
+double murk_world_band_nm(const murk_world *world, int i)
+{
+    return world && i >= 0 && i < world->desc->bands ? world->desc->band_nm[i]
+                                                     : NAN;
+}

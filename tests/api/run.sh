@@ -1,0 +1,40 @@
+#!/bin/sh
+# Installs a build into a folder of its own, builds the programs of this folder
+# against it with find_package(murk) and with pkg-config, runs them, and compares
+# the exported symbols with the functions of murk.h and with abi.txt, the recorded
+# list.
+#
+#     run.sh BUILD
+set -eu
+build=$1
+here=$(cd "$(dirname "$0")" && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cmake --install "$build" --prefix "$work/murk" >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+
+# with CMake
+cmake -S "$here" -B "$work/build" -DCMAKE_PREFIX_PATH="$work/murk" >"$work/log" 2>&1 &&
+    cmake --build "$work/build" >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+library=$(dirname "$(find "$work/murk" -name libmurk.so)")
+export LD_LIBRARY_PATH="$library"
+"$work/build/plan" "$work/results"
+test -s "$work/results/plan.json" || { echo "no plan.json was saved"; exit 1; }
+"$work/build/contexts"
+"$work/build/cpp"
+
+# with pkg-config, as C11 and as C17
+for standard in c11 c17; do
+    # shellcheck disable=SC2046
+    cc -std=$standard -D_DEFAULT_SOURCE -Wall -Wextra -Werror -pedantic "$here/plan.c" -o "$work/plan" \
+        $(PKG_CONFIG_PATH="$library/pkgconfig" pkg-config --cflags --libs murk) -lm
+done
+"$work/plan" "$work/results-again"
+cmp "$work/results/sensors.csv" "$work/results-again/sensors.csv"
+
+# exports: the functions of the header, the recorded list, and nothing more
+nm -D --defined-only "$library/libmurk.so" | awk '$2 == "T" {sub(/@.*/, "", $3); print $3}' | sort >"$work/exported"
+sed -n 's/^[a-z].*[ *]\(murk_[a-z0-9_]*\)(.*/\1/p' "$work/murk/include/murk.h" | grep -v '^typedef' | sort >"$work/declared"
+diff "$work/declared" "$work/exported" || { echo "libmurk exports other functions than murk.h declares"; exit 1; }
+diff "$here/abi.txt" "$work/exported" || { echo "the exports differ from tests/api/abi.txt"; exit 1; }
+nm -D --defined-only "$library/libmurk.so" | grep -v ' [TA] ' && { echo "libmurk exports data"; exit 1; }
+exit 0
