@@ -387,7 +387,8 @@ murk_status murk_options_parse(murk_options *out, int argc, char **argv,
     if (!status) {
         status = check_belonging(out, err);
     }
-    if (status || out->wants_help || out->wants_version || out->wants_man) {
+    if (status || out->wants_help || out->wants_version || out->wants_man ||
+        murk_option_is_given(out, "--completion")) {
         return status;
     }
     if (!out->command) {

@@ -33,6 +33,11 @@ static murk_status run(const murk_options *options, murk_error *err)
         print_version();
         return MURK_OK;
     }
+    if (murk_option_is_given(options, "--completion")) {
+        murk_completion_print(stdout,
+                              murk_option_number(options, "--completion", 0));
+        return MURK_OK;
+    }
     if (options->wants_man) {
         murk_man_print(stdout, options->command);
         return MURK_OK;

@@ -15,6 +15,8 @@ static const char *const METHODS[] = {"maps", "path", "maps-only", NULL};
 
 static const char *const FORMATS[] = {"text", "json", NULL};
 static const char *const SCALES[] = {"linear", "log", NULL};
+/* The word of zsh is number 1, as main.c expects. */
+static const char *const SHELLS[] = {"bash", "zsh", NULL};
 static const char *const PROGRESSES[] = {"never", "auto", "always", NULL};
 
 const murk_option murk_option_table[] = {
@@ -193,6 +195,7 @@ const murk_option murk_option_table[] = {
      .kind = MURK_OPTION_SWITCH, MEMBER(wants_version)},
     {"--man", NULL, NULL, NULL, NULL, .kind = MURK_OPTION_SWITCH,
      MEMBER(wants_man)},
+    {"--completion", NULL, "bash|zsh", NULL, NULL, WORDS(SHELLS)},
 };
 
 const size_t murk_option_table_size =

@@ -1,0 +1,174 @@
+/* Completion scripts for bash and zsh, from the tables of commands, options and
+ * scene keys.
+ *
+ * A script has two parts. The first is the function _murk_words, which prints
+ * the words that may follow an option or a command; it is written from the
+ * tables and is the same for both shells. The second, fixed part asks this
+ * function and hands the answer to the shell. The word "@files" stands for the
+ * names of files and folders, "@keys" for the scene keys and "=". */
+#include "app/help.h"
+#include "scene/keys.h"
+#include "scene/presets.h"
+
+#include <string.h>
+
+#define KEY_PATH_MAX 128 /* bytes of a key's path; the longest has some 40 */
+
+static const char for_bash[] =
+    "_murk() {\n"
+    "    local word=${COMP_WORDS[COMP_CWORD]} "
+    "option=${COMP_WORDS[COMP_CWORD-1]}\n"
+    "    local command=${COMP_WORDS[1]} words\n"
+    "    # bash takes the = of --option=value for a word of its own\n"
+    "    if [[ $word == = ]]; then\n"
+    "        word=\n"
+    "    elif [[ $option == = ]]; then\n"
+    "        option=${COMP_WORDS[COMP_CWORD-2]}\n"
+    "    fi\n"
+    "    ((COMP_CWORD > 1)) || command=\n"
+    "    words=$(_murk_words \"$command\" \"$option\" \"$word\")\n"
+    "    COMPREPLY=()\n"
+    "    case $words in\n"
+    "    @files) compopt -o filenames 2>/dev/null\n"
+    "        mapfile -t COMPREPLY < <(compgen -f -- \"$word\") ;;\n"
+    "    @keys) compopt -o nospace 2>/dev/null\n"
+    "        mapfile -t COMPREPLY < <(compgen -S = -W \"$(_murk_keys)\" -- "
+    "\"$word\") ;;\n"
+    "    *) mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$word\") ;;\n"
+    "    esac\n"
+    "}\n"
+    "complete -F _murk murk\n";
+
+static const char for_zsh[] =
+    "_murk() {\n"
+    "    local word=${words[CURRENT]} option=${words[CURRENT-1]} found\n"
+    "    local command=${words[2]}\n"
+    "    if [[ $word == --*=* ]]; then\n"
+    "        option=${word%%=*}\n"
+    "        compset -P '*='\n"
+    "        word=$PREFIX\n"
+    "    fi\n"
+    "    (( CURRENT > 2 )) || command=\n"
+    "    found=$(_murk_words \"$command\" \"$option\" \"$word\")\n"
+    "    case $found in\n"
+    "    @files) _files ;;\n"
+    "    @keys) compadd -S = -- ${=$(_murk_keys)} ;;\n"
+    "    *) compadd -- ${=found} ;;\n"
+    "    esac\n"
+    "}\n"
+    "_murk \"$@\"\n";
+
+/* ---- words from the tables ---- */
+
+/* Prints the shell command that prints the words that may follow an option.
+ * Nothing follows an option whose words a shell cannot know, as a number. */
+static void put_values(FILE *to, const murk_option *option)
+{
+    const char *argument = option->argument;
+    if (option->words) {
+        fputs("echo '", to);
+        for (size_t i = 0; option->words[i]; ++i) {
+            fprintf(to, "%s%s", i ? " " : "", option->words[i]);
+        }
+        fputs("'", to);
+    } else if (strncmp(argument, "KEY=", 4) == 0) {
+        fputs("echo @keys", to);
+    } else if (strncmp(argument, "KEY", 3) == 0) {
+        fputs("_murk_keys", to);
+    } else if (strstr(argument, "FILE") || strcmp(argument, "DIR") == 0 ||
+               option->part == MURK_OPTION_AS_FILE) {
+        fputs("echo @files", to);
+    } else {
+        fputs(":", to);
+    }
+}
+
+/* Prints the case of each option that takes a value. */
+static void put_options_with_value(FILE *to)
+{
+    for (size_t i = 0; i < murk_option_table_size; ++i) {
+        const murk_option *option = &murk_option_table[i];
+        if (!option->help || !option->argument) {
+            continue;
+        }
+        fprintf(to, "    %s%s%s) ", option->name, option->other ? "|" : "",
+                option->other ? option->other : "");
+        put_values(to, option);
+        fputs("\n        return ;;\n", to);
+    }
+}
+
+static void put_options_of(FILE *to, const char *command)
+{
+    for (size_t i = 0; i < murk_option_table_size; ++i) {
+        const murk_option *option = &murk_option_table[i];
+        if (option->help && murk_option_belongs(option, command)) {
+            fprintf(to, " %s", option->name);
+        }
+    }
+}
+
+/* Prints what the first argument of a command may be. */
+static void put_inputs_of(FILE *to, const murk_command *command)
+{
+    if (strcmp(command->arguments, "[NAME]") != 0) {
+        fputs("@files", to);
+        return;
+    }
+    for (size_t i = 0; i < murk_presets_count(); ++i) {
+        char name[MURK_PRESET_NAME_SIZE];
+        murk_presets_name(i, name);
+        fprintf(to, "%s%s", i ? " " : "", name);
+    }
+}
+
+/* Prints the paths of the keys of a map and of the maps inside. Keys of list
+ * items and of named maps are left out, since their paths hold numbers and
+ * names of the scene. */
+static void put_keys(FILE *to, const murk_keys *keys, const char *path)
+{
+    for (const murk_key *key = keys->key; key->name; ++key) {
+        char inner[KEY_PATH_MAX];
+        snprintf(inner, sizeof inner, "%s%s", path, key->name);
+        if (key->kind == MURK_KEY_MAP && key->keys) {
+            strncat(inner, ".", sizeof inner - strlen(inner) - 1);
+            put_keys(to, key->keys, inner);
+        } else if (!key->keys) {
+            fprintf(to, " %s", inner);
+        }
+    }
+}
+
+/* ---- the script ---- */
+
+void murk_completion_print(FILE *to, bool is_zsh)
+{
+    fprintf(to,
+            "%s# Completion of murk for %s, written by murk --completion.\n",
+            is_zsh ? "#compdef murk\n" : "", is_zsh ? "zsh" : "bash");
+    /* Values of options. */
+    fputs("\n# _murk_words COMMAND OPTION WORD: what may stand at WORD, behind "
+          "OPTION\n_murk_words() {\n    case $2 in\n",
+          to);
+    put_options_with_value(to);
+    fputs("    esac\n", to);
+    /* Options and inputs of each command; without a command, the commands. */
+    fputs("    case $1/$3 in\n", to);
+    for (size_t i = 0; i < murk_commands_count; ++i) {
+        const murk_command *command = &murk_commands[i];
+        fprintf(to, "    %s/-*) echo '", command->name);
+        put_options_of(to, command->name);
+        fprintf(to, "' ;;\n    %s/*) echo '", command->name);
+        put_inputs_of(to, command);
+        fputs("' ;;\n", to);
+    }
+    fputs("    */-*) echo '", to);
+    put_options_of(to, NULL);
+    fputs("' ;;\n    */*) echo 'help", to);
+    for (size_t i = 0; i < murk_commands_count; ++i) {
+        fprintf(to, " %s", murk_commands[i].name);
+    }
+    fputs("' ;;\n    esac\n}\n\n_murk_keys() {\n    echo '", to);
+    put_keys(to, &murk_scene_keys, "");
+    fprintf(to, "'\n}\n\n%s", is_zsh ? for_zsh : for_bash);
+}
