@@ -7,6 +7,7 @@
 #include "base/number.h"
 #include "base/pool.h"
 #include "base/utf8.h"
+#include "scene/keys.h"
 #include "scene/words.h"
 
 #include <stdlib.h>
@@ -289,8 +290,10 @@ static murk_status check_picture(const murk_options *out, murk_error *err)
 /* The kind of input that a command reads, as its arguments name it. */
 static const char *kind_of_input(const murk_command *command)
 {
-    static const char *const kinds[][2] = {
-        {"DIR", "folder"}, {"STUDY", "study"}, {"[NAME]", "preset"}};
+    static const char *const kinds[][2] = {{"DIR", "folder"},
+                                           {"STUDY", "study"},
+                                           {"[NAME]", "preset"},
+                                           {"[KEY]", "key"}};
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; ++i) {
         const char *word = kinds[i][0];
         if (strncmp(command->arguments, word, strlen(word)) == 0) {
@@ -319,15 +322,32 @@ static murk_status check_input(const murk_options *out, murk_error *err)
 
 /* ---- the command line ---- */
 
-/* Takes a word that is no option: "help", the command or the input. */
+/* Checks that a command that prints one text is given nothing of a scene. */
+static murk_status check_text_alone(const murk_options *out, murk_error *err)
+{
+    return out->command->is_text_alone && (out->n_overrides || out->json)
+               ? murk_fail(err, MURK_BAD_VALUE, "",
+                           "%s: prints one text and reads no scene, so --set, "
+                           "--seed and --format json have no meaning",
+                           out->command->name)
+               : MURK_OK;
+}
+
+/* Takes a word that is no option: the command or the input. */
 static murk_status take_word(murk_options *out, const char *word,
                              murk_error *err)
 {
-    if (!out->command && strcmp(word, "help") == 0) {
-        out->wants_help = true; /* murk help place */
-    } else if (!out->command) {
-        out->command = murk_command_find(word);
-        return out->command ? MURK_OK : unknown_command(word, err);
+    const bool is_help =
+        out->command && strcmp(out->command->name, "help") == 0;
+    const murk_command *command = murk_command_find(word);
+    if (!out->command) {
+        out->command = command;
+        return command ? MURK_OK : unknown_command(word, err);
+    }
+    if (is_help && !out->input && command &&
+        !murk_keys_find(&murk_scene_keys, word)) {
+        out->command = command; /* murk help place */
+        out->wants_help = true;
     } else if (!out->input) {
         out->input = word;
     } else {
@@ -395,7 +415,10 @@ murk_status murk_options_parse(murk_options *out, int argc, char **argv,
         return murk_fail(err, MURK_BAD_VALUE, "",
                          "no command; try murk --help");
     }
-    status = check_exports(out, err);
+    status = check_text_alone(out, err);
+    if (!status) {
+        status = check_exports(out, err);
+    }
     if (!status) {
         status = check_input(out, err);
     }

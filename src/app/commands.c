@@ -180,5 +180,15 @@ const murk_command murk_commands[] = {
                  {"murk media fog/kruse --set visibility_m=200",
                   "What a fog of 200 m comes to, by band."}},
      .file = {{"FILE.vdb", "with --profile: the profile as a grid"}}},
+    {"help", "[KEY]", "what a key of a scene means, and the values it takes",
+     "Prints the reference entry of a scene key: the values that it takes, its "
+     "unit, its default and its meaning; of a map, the keys of the map, too. "
+     "KEY is a path such as sensors.count or media.fog.extinction_per_m; * "
+     "stands for any name or number of an item. Without KEY: the keys of the "
+     "top level. The whole reference: murk-scene(5).",
+     murk_command_help, .is_text_alone = true, .formats = "murk-scene",
+     .example = {{"murk help sensors.types", "The keys of a type of sensors."},
+                 {"murk help media.*.extinction_per_m",
+                  "The extinction coefficient of a medium."}}},
 };
 const size_t murk_commands_count = sizeof murk_commands / sizeof *murk_commands;

@@ -87,6 +87,7 @@ typedef struct murk_command {
     const char *name, *arguments, *summary;
     const char *text; /* a paragraph or two for --help and the man page */
     murk_command_run *run;
+    bool is_text_alone;  /* prints one text: no scene, no JSON of results */
     const char *formats; /* man pages of section 5, with spaces between */
     murk_note_pair example[MURK_NOTES_EXAMPLES + 1];
     murk_note_pair file[MURK_NOTES_FILES + 1]; /* that the command writes */
@@ -102,7 +103,7 @@ const murk_command *murk_command_find(const char *name);
 murk_command_run murk_command_check, murk_command_trace, murk_command_place,
     murk_command_sense, murk_command_render, murk_command_study,
     murk_command_fit, murk_command_report, murk_command_replay,
-    murk_command_media;
+    murk_command_media, murk_command_help;
 
 /* ---- a command line as given ---- */
 

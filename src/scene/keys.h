@@ -87,8 +87,8 @@ struct murk_keys {
     murk_status (*choose)(murk_key_reader *walk, const murk_yaml *map,
                           int *variant);
     bool by_key;
-    const char *const *variant_names; /* without a selector: "with a view";
-                                       * by_key: NULL ends the list */
+    const char *const *variant_names; /* without a selector: "with a view"; NULL
+                                       * ends the list */
     bool has_variant_at, has_where;
     size_t variant_at, where_at; /* members */
     /* Called before defaults are filled in: may add keys to the map. */
@@ -104,7 +104,8 @@ struct murk_keys {
     bool is_open; /* any keys with any values are allowed; check() reads them */
 };
 
-extern const murk_keys murk_scene_keys;
+/* Of a scene, and of a study. */
+extern const murk_keys murk_scene_keys, murk_study_keys;
 
 /* Calls a function for each row that fills members of a struct, after the rows
  * of the structs below: of maps, and of the items of arrays. Rows of other
@@ -115,5 +116,10 @@ void murk_keys_visit(const murk_keys *keys, void *item, murk_key_visit *visit,
 
 /* The first row with a name, of any variant, or NULL. */
 const murk_key *murk_keys_find(const murk_keys *keys, const char *name);
+
+/* How many variants a map has, and the name of one: the word of the selector,
+ * or a name of the table; NULL if there is one variant only. */
+int murk_keys_variants(const murk_keys *keys);
+const char *murk_keys_variant_name(const murk_keys *keys, int variant);
 
 #endif

@@ -158,8 +158,8 @@ static murk_status check_medium(murk_key_reader *walk, const murk_yaml *map,
     return medium->albedo_vdb ? MURK_OK : murk_walk_no_memory(walk);
 }
 
-static const char *const MEDIUM_VARIANTS[] = {"homogeneous", "grid", "profile",
-                                              "preset", "preset in a grid"};
+static const char *const MEDIUM_VARIANTS[] = {
+    "homogeneous", "grid", "profile", "preset", "preset in a grid", NULL};
 
 const murk_word murk_phase_words[] = {
     {"isotropic", MURK_PHASE_HG}, {"rayleigh", MURK_PHASE_RAYLEIGH}, WORDS_END};
@@ -234,7 +234,8 @@ const murk_keys murk_medium_keys = {
 };
 
 #define SHAPE_NAME(id, name, key) name,
-static const char *const REGION_VARIANTS[] = {MURK_REGION_SHAPES(SHAPE_NAME)};
+static const char *const REGION_VARIANTS[] = {MURK_REGION_SHAPES(SHAPE_NAME)
+                                                  NULL};
 
 /* A region without a shape is everywhere, or the box of the grid of the
  * medium. */

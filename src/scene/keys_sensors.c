@@ -6,7 +6,7 @@
 /* ---- types ---- */
 
 #define VIEW_NAME(id, name) name,
-static const char *const VIEW_VARIANTS[] = {MURK_VIEW_SHAPES(VIEW_NAME)};
+static const char *const VIEW_VARIANTS[] = {MURK_VIEW_SHAPES(VIEW_NAME) NULL};
 
 #define TYPE(member) AT(murk_scene_sensor_type, member)
 
@@ -43,7 +43,7 @@ static const murk_keys VIEW = {
 /* A type with a limited view has headings and tilts. */
 enum { ALL_ROUND, DIRECTED };
 
-static const char *const TYPE_VARIANTS[] = {"all round", "with a view"};
+static const char *const TYPE_VARIANTS[] = {"all round", "with a view", NULL};
 
 static murk_status choose_type(murk_key_reader *walk, const murk_yaml *map,
                                int *variant)

@@ -84,7 +84,7 @@ static const murk_key STUDY_ROWS[] = {
 };
 _Static_assert(MURK_STUDY_OUTPUTS_MAX == 128, "the row of outputs states it");
 
-static const murk_keys STUDY_KEYS = {
+const murk_keys murk_study_keys = {
     .noun = "study", .check = check_cells, .key = STUDY_ROWS};
 
 /* ---- the file ---- */
@@ -108,7 +108,7 @@ murk_status murk_study_file_read(murk_study_file **out, const char *path,
     }
     if (!status) {
         murk_key_reader walk = {.root = study->root, .err = err};
-        status = murk_walk_root(&walk, &STUDY_KEYS, study);
+        status = murk_walk_root(&walk, &murk_study_keys, study);
         free(walk.paths);
     }
     free(text);

@@ -62,11 +62,24 @@ static murk_status fail_with_names(murk_key_reader *walk, const murk_yaml *node,
                               n > 1 ? "one of " : "", list);
 }
 
-/* The name of a variant: the word of the selector, or a name of the table. */
-static const char *name_of_variant(const murk_keys *keys, int variant)
+int murk_keys_variants(const murk_keys *keys)
+{
+    int n = 0;
+    while (keys->variant_names && keys->variant_names[n]) {
+        ++n;
+    }
+    const murk_word *words =
+        keys->selector ? murk_keys_find(keys, keys->selector)->words : NULL;
+    while (words && words[n].text) {
+        ++n;
+    }
+    return n > 0 ? n : 1;
+}
+
+const char *murk_keys_variant_name(const murk_keys *keys, int variant)
 {
     if (!keys->selector) {
-        return keys->variant_names[variant];
+        return keys->variant_names ? keys->variant_names[variant] : NULL;
     }
     const murk_word *word = murk_keys_find(keys, keys->selector)->words;
     while (word->value != variant) {
@@ -98,7 +111,7 @@ murk_status murk_walk_check_names(murk_key_reader *walk, const murk_keys *keys,
     }
     if (variant >= 0) {
         snprintf(what, sizeof what, "not a key of a %s (%s)", keys->noun,
-                 name_of_variant(keys, variant));
+                 murk_keys_variant_name(keys, variant));
     }
     return fail_with_names(walk, map->child[i], what, names, n);
 }

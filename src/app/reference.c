@@ -1,0 +1,258 @@
+/* The reference of scene keys (app/reference.h). A path is followed through the
+ * key table, part by part; where a part may be the name of a key or the name of
+ * an item, both are tried. The table of scenes/README.md that belongs to a part
+ * of the key table is found by the comments above the tables, and a row of it
+ * by the name of the key and the values that the key table allows. */
+#include "app/reference.h"
+
+#include "app/scene_files.h"
+#include "scene/value.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- paths ---- */
+
+/* True if items of the key are maps of their own, with a number or a name. */
+static bool has_items(const murk_key *row)
+{
+    return row->kind == MURK_KEY_LIST || row->kind == MURK_KEY_MAPS ||
+           row->kind == MURK_KEY_NAMED;
+}
+
+/* True if a part of a path, of that length, may name an item of the key. */
+static bool is_item(const murk_key *row, const char *part, size_t length)
+{
+    if (row->kind == MURK_KEY_MAP || row->kind == MURK_KEY_NUMBER) {
+        return false;
+    }
+    const bool is_number = strspn(part, "0123456789") == length;
+    const bool is_any = length == 1 && part[0] == '*';
+    return length > 0 && (is_number || is_any || row->kind == MURK_KEY_NAMED);
+}
+
+static void append(char path[MURK_REFERENCE_PATH_SIZE], const char *part)
+{
+    const size_t length = strlen(path);
+    snprintf(path + length, MURK_REFERENCE_PATH_SIZE - length, "%s%s",
+             length ? "." : "", part);
+}
+
+/* Follows the rest of a path from a key (`row` of `table`, NULL: the top level)
+ * on. found->path is the path so far. */
+static bool follow(murk_reference_key *found, const murk_keys *table,
+                   const murk_key *row, bool in_item, const char *rest)
+{
+    const murk_keys *below = row ? row->keys : &murk_scene_keys;
+    const size_t length = strcspn(rest, "."), so_far = strlen(found->path);
+    const char *next = rest + length + (rest[length] == '.');
+    /* The end of the path, or keys that the user chooses. */
+    if (!*rest || (below && below->is_open)) {
+        found->table = table;
+        found->row = row;
+        return row != NULL;
+    }
+    /* The part as the name of a key. */
+    char name[MURK_SCENE_NAME_SIZE];
+    snprintf(name, sizeof name, "%.*s", (int)length, rest);
+    const murk_key *key = below ? murk_keys_find(below, name) : NULL;
+    if (key) {
+        if (row && has_items(row)) {
+            append(found->path, "*");
+        }
+        append(found->path, name);
+        if (follow(found, below, key, false, next)) {
+            return true;
+        }
+        found->path[so_far] = '\0';
+    } else if (rest >= found->unknown) {
+        found->unknown = rest;
+        found->looked_up = below;
+    }
+    /* The part as an item: a list of lists has two of them. */
+    return row && (!in_item || !below) && is_item(row, rest, length) &&
+           follow(found, table, row, true, next);
+}
+
+murk_reference_key murk_reference_find(const char *path)
+{
+    murk_reference_key found = {.unknown = path, .looked_up = &murk_scene_keys};
+    follow(&found, NULL, NULL, false, path);
+    return found;
+}
+
+static void visit_below(const murk_keys *keys, const char *above,
+                        murk_reference_visit *visit, void *context)
+{
+    for (const murk_key *key = keys->key; key->name; ++key) {
+        char path[MURK_REFERENCE_PATH_SIZE];
+        if (murk_keys_find(keys, key->name) != key) {
+            continue;
+        }
+        snprintf(path, sizeof path, "%s", above);
+        append(path, key->name);
+        visit(context, path);
+        if (key->keys) {
+            if (has_items(key)) {
+                append(path, "*");
+            }
+            visit_below(key->keys, path, visit, context);
+        }
+    }
+}
+
+void murk_reference_visit_all(murk_reference_visit *visit, void *context)
+{
+    visit_below(&murk_scene_keys, "", visit, context);
+}
+
+/* ---- tables of scenes/README.md ---- */
+
+static const char BEGIN[] = "<!-- keys of ";
+static const char HEAD[] = "| key | value | default | meaning |";
+
+/* The table of the key table that a path in a comment names. */
+static const murk_keys *table_named(const char *path)
+{
+    if (strcmp(path, "scene") == 0) {
+        return &murk_scene_keys;
+    }
+    if (strcmp(path, "study") == 0) {
+        return &murk_study_keys;
+    }
+    const murk_reference_key found = murk_reference_find(path);
+    return found.row ? found.row->keys : NULL;
+}
+
+/* True if a comment, whose paths begin at `text`, names the table. */
+static bool names_table(const char *text, const murk_keys *table)
+{
+    while (*text != ' ' && *text != '\n') {
+        char path[MURK_REFERENCE_PATH_SIZE];
+        const size_t length = strcspn(text, ", \n");
+        snprintf(path, sizeof path, "%.*s", (int)length, text);
+        if (table_named(path) == table) {
+            return true;
+        }
+        text += length + strspn(text + length, ",");
+        text += *text == ' ' && text[1] != '-'; /* " -->" ends the comment */
+    }
+    return false;
+}
+
+/* The text behind the comment of a table; NULL: there is none. */
+static const char *find_text(const murk_keys *table)
+{
+    const char *at = murk_scene_file_find("README.md")->text;
+    while ((at = strstr(at, BEGIN))) {
+        at += sizeof BEGIN - 1;
+        if (names_table(at, table)) {
+            return at + strcspn(at, "\n") + 1;
+        }
+    }
+    return NULL;
+}
+
+/* Copies text without marks of Markdown, and with single blanks. */
+static char *plain(const char *text, size_t length)
+{
+    char *copy = malloc(length + 1);
+    size_t n = 0;
+    for (size_t i = 0; copy && i < length; ++i) {
+        const bool is_mark =
+            text[i] == '`' ||
+            (text[i] == '\\' && i + 1 < length && text[i + 1] == '|');
+        const bool is_blank = isspace((unsigned char)text[i]);
+        if (!is_mark && !(is_blank && (n == 0 || copy[n - 1] == ' '))) {
+            copy[n++] = is_blank ? ' ' : text[i];
+        }
+    }
+    while (copy && n > 0 && copy[n - 1] == ' ') {
+        --n;
+    }
+    if (copy) {
+        copy[n] = '\0';
+    }
+    return copy;
+}
+
+char *murk_reference_introduction(const murk_keys *table)
+{
+    const char *text = find_text(table);
+    const char *end = text ? strstr(text, HEAD) : NULL;
+    return end && end > text ? plain(text, (size_t)(end - text)) : NULL;
+}
+
+enum { NAME, ALLOWED, DEFAULT, MEANING, CELLS };
+
+/* Finds the cells of a row of a table. Cells are between " | "; `end` of a cell
+ * is the begin of the next one without that. */
+static bool split(const char *line, const char *cell[CELLS],
+                  size_t length[CELLS])
+{
+    const size_t whole = strcspn(line, "\n");
+    const char *at = line + 2, *last = line + whole - 2;
+    for (int i = 0; i < CELLS; ++i) {
+        const char *bar = i + 1 < CELLS ? strstr(at, " | ") : last;
+        if (!bar || bar > last || bar < at) {
+            return false;
+        }
+        cell[i] = at;
+        length[i] = (size_t)(bar - at);
+        at = bar + 3;
+    }
+    return true;
+}
+
+static bool is_text(const char *text, const char *cell, size_t length)
+{
+    return strlen(text) == length && strncmp(text, cell, length) == 0;
+}
+
+/* A cell of the row of a key. Of several rows with the same name that with the
+ * same values counts, and of these that with the same default. */
+static char *cell_of(const murk_keys *table, const murk_key *row, int which)
+{
+    char name[MURK_SCENE_NAME_SIZE + 2], allowed[MURK_ALLOWED_SIZE];
+    char preset[MURK_SCENE_NAME_SIZE];
+    const char *line = find_text(table), *found = NULL, *cell[CELLS];
+    size_t length[CELLS], found_length = 0;
+    int score = -1;
+    /* The cells as the key table has them. */
+    snprintf(name, sizeof name, "`%s`", row->name);
+    murk_value_allowed(row, allowed);
+    snprintf(preset, sizeof preset, row->preset ? "`%s`" : "%s",
+             row->preset      ? row->preset
+             : !row->required ? "-"
+             : row->group     ? "one of these"
+                              : "required");
+    /* The row of the table that agrees best. */
+    line = line ? strstr(line, HEAD) : NULL;
+    for (; line && *line == '|'; line += strcspn(line, "\n") + 1) {
+        if (!split(line, cell, length) ||
+            !is_text(name, cell[NAME], length[NAME])) {
+            continue;
+        }
+        const int agreement =
+            2 * is_text(allowed, cell[ALLOWED], length[ALLOWED]) +
+            is_text(preset, cell[DEFAULT], length[DEFAULT]);
+        if (agreement > score) {
+            score = agreement;
+            found = cell[which];
+            found_length = length[which];
+        }
+    }
+    return found ? plain(found, found_length) : NULL;
+}
+
+char *murk_reference_meaning(const murk_keys *table, const murk_key *row)
+{
+    return cell_of(table, row, MEANING);
+}
+
+char *murk_reference_default(const murk_keys *table, const murk_key *row)
+{
+    return cell_of(table, row, DEFAULT);
+}
