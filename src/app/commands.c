@@ -180,6 +180,22 @@ const murk_command murk_commands[] = {
                  {"murk media fog/kruse --set visibility_m=200",
                   "What a fog of 200 m comes to, by band."}},
      .file = {{"FILE.vdb", "with --profile: the profile as a grid"}}},
+    {"schema", "[>FILE]", "a JSON Schema of scene and study files, for editors",
+     "Prints a JSON Schema (draft-07) of scene files and study files, made "
+     "from "
+     "the tables by which murk reads them: keys, kinds, ranges, words, what is "
+     "required, and the reference text of each key. An editor that knows the "
+     "schema completes keys, shows their meaning, and marks mistakes while one "
+     "writes. What involves several keys or the files that a scene names is "
+     "left to murk check. The YAML extension of VS Code takes the schema by "
+     "the "
+     "line \"# yaml-language-server: $schema=scene.schema.json\" at the top of "
+     "a scene.",
+     murk_command_schema, .is_text_alone = true,
+     .formats = "murk-scene "
+                "murk-study",
+     .example = {{"murk schema > scene.schema.json",
+                  "The schema as a file, beside the scenes."}}},
     {"help", "[KEY]", "what a key of a scene means, and the values it takes",
      "Prints the reference entry of a scene key: the values that it takes, its "
      "unit, its default and its meaning; of a map, the keys of the map, too. "

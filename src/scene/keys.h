@@ -74,7 +74,8 @@ typedef struct murk_key {
     murk_status (*read)(murk_key_reader *walk, const struct murk_key *key,
                         murk_yaml *node, void *member);
     const char *allowed; /* allowed values of a key that reads itself: "free or
-                            a list" */
+                            a list", and the same as JSON Schema */
+    const char *schema;
 } murk_key;
 
 struct murk_keys {
@@ -89,6 +90,9 @@ struct murk_keys {
     bool by_key;
     const char *const *variant_names; /* without a selector: "with a view"; NULL
                                        * ends the list */
+    /* The keys that a map of each variant has, with blanks between; NULL: none,
+     * or by_key the name of the variant. */
+    const char *const *variant_needs;
     bool has_variant_at, has_where;
     size_t variant_at, where_at; /* members */
     /* Called before defaults are filled in: may add keys to the map. */

@@ -203,6 +203,10 @@ static const murk_key CANDIDATES_ROWS[] = {
     ROW("points", OWN, .read = read_points,
         .allowed = "the name of a file, or a list of such names and of "
                    "[x, y, z]",
+        .schema = "{\"anyOf\": [{\"type\": \"string\"}, {\"type\": \"array\", "
+                  "\"minItems\": 1, \"items\": {\"anyOf\": [{\"type\": "
+                  "\"string\"}, {\"type\": \"array\", \"items\": {\"type\": "
+                  "\"number\"}, \"minItems\": 3, \"maxItems\": 3}]}}]}",
         CANDIDATES(points), FLAG(murk_scene_sensors, candidates.points.given)),
     ROW("mount", MAPS, .keys = &MOUNT_KEYS, .preset = "free",
         WORDS({"free", 0})),

@@ -77,7 +77,7 @@ static const murk_key LIGHT_ROWS[] = {
     ROW("altitude_m", NUMBER, ALTITUDE, FOR(BY_TIME), LIGHT(site.altitude_m),
         IF(site.has_altitude)),
     ROW("time", OWN, .read = murk_read_time, FOR(BY_TIME), LIGHT(site),
-        IF(site.has_time), .allowed = MURK_TIME_ALLOWED),
+        IF(site.has_time), TEXT_SCHEMA, .allowed = MURK_TIME_ALLOWED),
     ROW("linke_turbidity", NUMBER, .min = 1, .max = 20,
         FOR(BY_TIME | NIGHT_SKY), .preset = "3", LIGHT(linke_turbidity)),
     ROW("cover", WORD, FOR(BY_TIME), .preset = "clear", LIGHT(cover),
@@ -91,7 +91,12 @@ static const murk_key LIGHT_ROWS[] = {
         FOR(DIRECTIONAL | BY_TIME | NIGHT_SKY)),
     ROW("schedule", OWN, .read = murk_read_schedule, .preset = "always",
         FOR(LAMPS | DIRECTIONAL), LIGHT(schedule),
-        .allowed = MURK_SCHEDULE_ALLOWED),
+        .allowed = MURK_SCHEDULE_ALLOWED,
+        .schema =
+            "{\"anyOf\": [{\"enum\": [\"always\", \"night\", \"never\"]}, "
+            "{\"type\": \"array\", \"minItems\": 1, \"items\": {\"type\": "
+            "\"array\", \"items\": {\"type\": \"string\"}, \"minItems\": 2, "
+            "\"maxItems\": 2}}]}"),
     END,
 };
 

@@ -224,6 +224,8 @@ const murk_keys murk_medium_keys = {
     .noun = "medium",
     .choose = choose_medium,
     .variant_names = MEDIUM_VARIANTS,
+    .variant_needs =
+        (const char *const[]){"", "vdb", "profile", "preset", "preset vdb"},
     .complete = murk_medium_preset_complete,
     .check = check_medium,
     WHERE(murk_scene_medium, where),
@@ -236,6 +238,8 @@ const murk_keys murk_medium_keys = {
 #define SHAPE_NAME(id, name, key) name,
 static const char *const REGION_VARIANTS[] = {MURK_REGION_SHAPES(SHAPE_NAME)
                                                   NULL};
+
+#define SHAPE_NEEDS(id, name, key) key,
 
 /* A region without a shape is everywhere, or the box of the grid of the
  * medium. */
@@ -306,6 +310,7 @@ const murk_keys murk_region_keys = {
     .choose = choose_region,
     .check = check_region,
     .variant_names = REGION_VARIANTS,
+    .variant_needs = (const char *const[]){MURK_REGION_SHAPES(SHAPE_NEEDS)},
     VARIANT(murk_scene_region, shape),
     WHERE(murk_scene_region, where),
     ITEMS(murk_scene_desc, regions, n_regions),

@@ -64,6 +64,9 @@
 #define MURK_SCHEDULE_ALLOWED \
     "always, night, never, or a list of spans such as [[06:00, 22:00]]"
 
+/* The JSON Schema of keys that read themselves from a text. */
+#define TEXT_SCHEMA .schema = "{\"type\": \"string\"}"
+
 /* A mean cosine: at -1 and 1 the phase function has no density. */
 #define COSINE .min = -1, .max = 1, .above = true, .below = true
 

@@ -150,6 +150,7 @@ static const murk_keys TYPE_KEYS = {
     .noun = "sensor type",
     .choose = choose_type,
     .variant_names = TYPE_VARIANTS,
+    .variant_needs = (const char *const[]){"", "view"},
     .check = check_type,
     WHERE(murk_scene_sensor_type, where),
     ITEMS(murk_scene_sensors, type, types),

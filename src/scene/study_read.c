@@ -74,9 +74,16 @@ static const murk_key STUDY_ROWS[] = {
     ROW("mode", WORD, .preset = "grid", WORDS({"grid", 0}, {"paired", 1}),
         STUDY(is_paired)),
     ROW("axes", OWN, NEEDED, .read = murk_study_axes_read,
-        .allowed = "a map of axes, KEY: [values]"),
+        .allowed = "a map of axes, KEY: [values]",
+        .schema = "{\"type\": \"object\", "
+                  "\"additionalProperties\": {\"anyOf\": [{\"type\": "
+                  "\"array\", \"minItems\": 1}, {\"type\": \"object\", "
+                  "\"minProperties\": 1}]}}"),
     ROW("outputs", OWN, .read = read_outputs,
-        .allowed = "a list of 1..128 names"),
+        .allowed = "a list of 1..128 names",
+        .schema = "{\"type\": \"array\", \"items\": {\"type\": \"string\"}, "
+                  "\"minItems\": 1, \"maxItems\": 128, \"uniqueItems\": "
+                  "true}"),
     ROW("units", WORD, .words = murk_units_words, STUDY(units),
         FLAG(murk_study_file, has_units)),
     ROW("fluence_size", SIZES, .min = 1, .max = 4096, STUDY(fluence_size)),
