@@ -293,7 +293,8 @@ static const char *kind_of_input(const murk_command *command)
     static const char *const kinds[][2] = {{"DIR", "folder"},
                                            {"STUDY", "study"},
                                            {"[NAME]", "preset"},
-                                           {"[KEY]", "key"}};
+                                           {"[KEY]", "key"},
+                                           {"[>FILE]", "file"}};
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; ++i) {
         const char *word = kinds[i][0];
         if (strncmp(command->arguments, word, strlen(word)) == 0) {

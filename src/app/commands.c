@@ -180,6 +180,14 @@ const murk_command murk_commands[] = {
                  {"murk media fog/kruse --set visibility_m=200",
                   "What a fog of 200 m comes to, by band."}},
      .file = {{"FILE.vdb", "with --profile: the profile as a grid"}}},
+    {"init", "[room|street|harbour|smoke]", "a commented scene to start from",
+     "Prints a small scene that runs in seconds and needs no other file, with "
+     "comments that explain the main keys: a room with fog and lamps (the "
+     "default), a street in rain under the sky, a harbour under water, a hall "
+     "with smoke and without.",
+     murk_command_init, .is_text_alone = true, .formats = "murk-scene",
+     .example = {{"murk init room > room.yaml", "A room with fog, to change."},
+                 {"murk place room.yaml", "Sensors for that room."}}},
     {"schema", "[>FILE]", "a JSON Schema of scene and study files, for editors",
      "Prints a JSON Schema (draft-07) of scene files and study files, made "
      "from "

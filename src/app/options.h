@@ -103,7 +103,8 @@ const murk_command *murk_command_find(const char *name);
 murk_command_run murk_command_check, murk_command_trace, murk_command_place,
     murk_command_sense, murk_command_render, murk_command_study,
     murk_command_fit, murk_command_report, murk_command_replay,
-    murk_command_media, murk_command_help, murk_command_schema;
+    murk_command_media, murk_command_help, murk_command_schema,
+    murk_command_init;
 
 /* ---- a command line as given ---- */
 

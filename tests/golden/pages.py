@@ -162,7 +162,7 @@ def check_examples():
             os.symlink(os.path.abspath(name), os.path.join(folder, name))
         # what later ones read, earlier ones have left in out/
         for command in ["check", "trace", "place", "sense", "report", "render", "study", "fit",
-                        "replay", "media", "help", "schema"]:
+                        "replay", "media", "help", "schema", "init"]:
             page = said[f"murk-{command}.1"]
             lines = re.findall(r"^murk .*$", page.split("\nEXAMPLES\n")[-1], re.M)
             for line in (l for l in lines if "(1)" not in l):
