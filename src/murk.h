@@ -223,7 +223,7 @@ murk_status murk_scene_add_mesh(murk_scene *scene, const char *name,
  * index_to_world is 3 x 4, row by row, in metres. release NULL: the values are
  * copied; else they must be dense floats with x fastest (stride[0] = 4), are
  * used in place, and release(user) is called when the scene and all worlds of
- * it are destroyed. */
+ * it are destroyed. If the call fails, release is not called. */
 murk_status murk_scene_add_grid(murk_scene *scene, const char *name,
                                 const murk_array *values,
                                 const double index_to_world[12],

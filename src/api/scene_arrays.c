@@ -261,7 +261,7 @@ static murk_status add_grid(murk_scene *scene, const char *name,
     }
     memcpy(samples->size, values->shape, sizeof samples->size);
     samples->value = release ? values->data : copy;
-    samples->user = release ? user : copy;
+    samples->user = copy;
     for (int i = 0; i < 3; ++i) {
         memcpy(samples->index_to_world.matrix[i], rows + 4 * i,
                3 * sizeof *rows);
@@ -273,7 +273,6 @@ static murk_status add_grid(murk_scene *scene, const char *name,
         free(copy);
         return status;
     }
-    samples->release = release;
     /* The checksum covers the values, the size and the place. */
     uint64_t sums[3][2], sum[2];
     murk_checksum(samples->value, murk_array_count(values) * sizeof(float),
@@ -281,7 +280,13 @@ static murk_status add_grid(murk_scene *scene, const char *name,
     murk_checksum(samples->size, sizeof samples->size, sums[1]);
     murk_checksum(rows, 12 * sizeof *rows, sums[2]);
     murk_checksum(sums, sizeof sums, sum);
-    return add(scene, name, MURK_MEMORY_GRID, samples, release_grid, sum, err);
+    status =
+        add(scene, name, MURK_MEMORY_GRID, samples, release_grid, sum, err);
+    if (!status && release) { /* from now on the values are the scene's */
+        samples->release = release;
+        samples->user = user;
+    }
+    return status;
 }
 
 murk_status murk_scene_add_grid(murk_scene *scene, const char *name,

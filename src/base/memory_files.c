@@ -35,31 +35,34 @@ static bool is_name(const char *name)
 /* Makes room for one more file. */
 static bool grow(murk_memory_files *set)
 {
-    char(*name)[MURK_MEMORY_NAME_SIZE] =
-        realloc(set->name, (set->n + 1) * sizeof *name);
-    set->name = name ? name : set->name;
-    murk_memory_file **file = realloc(set->file, (set->n + 1) * sizeof *file);
-    set->file = file ? file : set->file;
-    return name && file;
+    void *name = realloc(set->name, (set->n + 1) * sizeof *set->name);
+    if (!name) {
+        return false;
+    }
+    set->name = name;
+    void *file = realloc(set->file, (set->n + 1) * sizeof(murk_memory_file *));
+    if (!file) {
+        return false;
+    }
+    set->file = file;
+    return true;
 }
 
 murk_status murk_memory_add(murk_memory_files *set, const char *name,
                             murk_memory_file file, murk_error *err)
 {
-    murk_status status = MURK_OK;
-    murk_memory_file *added = malloc(sizeof *added);
-    const size_t i = is_name(name) ? index_of(set, name) : 0;
     if (!is_name(name)) {
-        status = murk_fail(err, MURK_BAD_VALUE, name,
-                           "must be 1 to %d letters, digits, '.', '_' and '-'",
-                           MURK_MEMORY_NAME_SIZE - 1);
-    } else if (!added || (i == set->n && !grow(set))) {
-        status = murk_no_memory(err, name, "for the array");
+        file.release(file.data);
+        return murk_fail(err, MURK_BAD_VALUE, name,
+                         "must be 1 to %d letters, digits, '.', '_' and '-'",
+                         MURK_MEMORY_NAME_SIZE - 1);
     }
-    if (status) {
+    const size_t i = index_of(set, name);
+    murk_memory_file *added = malloc(sizeof *added);
+    if (!added || (i == set->n && !grow(set))) {
         file.release(file.data);
         free(added);
-        return status;
+        return murk_no_memory(err, name, "for the array");
     }
     /* Replace the file of that name, or append one. */
     *added = file;

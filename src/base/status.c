@@ -22,7 +22,7 @@ murk_status murk_fail(murk_error *err, murk_status status, const char *where,
 murk_status murk_no_memory(murk_error *err, const char *where,
                            const char *purpose, ...)
 {
-    char text[sizeof err->text];
+    char text[sizeof((murk_error){0}.text)];
     va_list args;
     va_start(args, purpose);
     vsnprintf(text, sizeof text, purpose, args);

@@ -72,15 +72,16 @@
 
 /* Phase functions of several numbers, of scenes and of presets. The argument
  * is AT(...) of the numbers. */
-#define TWO_HG_ROW(...)                                                  \
-    ROW("two_hg", NUMBERS, .group = 1, NEEDED,                           \
-        LIST_ITEMS(ROW("g1", NUMBER, COSINE), ROW("g2", NUMBER, COSINE), \
-                   ROW("weight1", NUMBER, SHARE)),                       \
-        __VA_ARGS__)
-#define FOURNIER_FORAND_ROW(...)                                     \
-    ROW("fournier_forand", NUMBERS, .group = 1, NEEDED,              \
-        LIST_ITEMS(ROW("n", NUMBER, .min = 1.001, .max = 2),         \
-                   ROW("mu", NUMBER, .min = 3.0001, .max = 4.9999)), \
+#define TWO_HG_ITEMS                                                 \
+    LIST_ITEMS(ROW("g1", NUMBER, COSINE), ROW("g2", NUMBER, COSINE), \
+               ROW("weight1", NUMBER, SHARE))
+#define TWO_HG_ROW(...) \
+    ROW("two_hg", NUMBERS, .group = 1, NEEDED, TWO_HG_ITEMS, __VA_ARGS__)
+#define FOURNIER_FORAND_ITEMS                            \
+    LIST_ITEMS(ROW("n", NUMBER, .min = 1.001, .max = 2), \
+               ROW("mu", NUMBER, .min = 3.0001, .max = 4.9999))
+#define FOURNIER_FORAND_ROW(...)                                               \
+    ROW("fournier_forand", NUMBERS, .group = 1, NEEDED, FOURNIER_FORAND_ITEMS, \
         __VA_ARGS__)
 
 /* Rows of a struct that has a murk_scene_solid as the member `solid`. The
