@@ -1,6 +1,8 @@
 /* Keys of placement: the method of the search, and the value of a plan. */
 #include "scene/keys_rows.h"
 
+#include <stdio.h>
+
 static murk_status check_weights(murk_key_reader *walk, const murk_yaml *map,
                                  void *item)
 {
