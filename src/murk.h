@@ -17,7 +17,8 @@
  *
  * Errors: a function that can fail returns a murk_status and fills *error if it
  * is not NULL. Nothing is printed, no signal handler is installed, and no call
- * ends the process. On failure *out is NULL.
+ * ends the process. If the work of a call fails, *out is NULL; a call that is
+ * refused because an argument is NULL leaves *out as it is.
  *
  * Threads: handles of one context are used by one thread at a time; two threads
  * with two contexts do not disturb each other. murk_context_cancel() may be

@@ -3,8 +3,7 @@ exceptions, arrays without copies.
 
 cffi in ABI mode was chosen: the declarations are those of the installed header,
 so no second list of functions exists, nothing is compiled for Python, and one
-package serves every Python 3. A call costs a microsecond, which is nothing beside
-the work of a call.
+package serves every Python 3.
 """
 import ctypes.util
 import os

@@ -1,6 +1,6 @@
-/* Two contexts in two threads, side by side: each has its own log, its own
- * progress and its own request to stop, and both get the results that one
- * context alone gets. */
+/* Three contexts in three threads, side by side. Each has its own progress and
+ * its own request to stop: one is cancelled, and the two others get the results
+ * that one context alone gets. */
 #include <murk.h>
 
 #include <pthread.h>
@@ -16,8 +16,7 @@
         }                                                                   \
     } while (0)
 
-/* A scene with a note: the first lamp is switched off at the time of the
- * site. */
+/* A lamp in fog, with places for two sensors. */
 static const char fog[] =
     "murk: 1\n"
     "bands_nm: [532]\n"
