@@ -192,7 +192,8 @@ static murk_status classify(murk_soup *soup, murk_placed_shapes *g,
 {
     /* Without an index of refraction a face is opaque or a sheet. */
     for (size_t i = 0; i < g->triangles; ++i) {
-        g->triangle[i].face = face_of(&materials[g->triangle[i].material]);
+        g->triangle[i].face =
+            (uint8_t)face_of(&materials[g->triangle[i].material]);
     }
     /* Each description and each of its materials with an index of refraction
      * may form a solid. */
