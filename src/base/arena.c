@@ -1,5 +1,6 @@
-/* Each array is a block of its own behind a header that links it to the array
- * before, so large arrays return to the system one by one. */
+/* Each array is a block of calloc() of its own: a header with a pointer to the
+ * block before it, followed by the elements. Large arrays are therefore
+ * returned to the system one by one. */
 #include "base/arena.h"
 
 #include <stdalign.h>

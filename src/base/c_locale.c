@@ -1,8 +1,9 @@
 /* Reads and prints numbers with the C library under the locale "C".
  *
- * POSIX (2008) gives each thread a locale: newlocale() makes one, uselocale()
- * sets it and returns the previous one. The C locale of glibc exists
- * statically, so that both calls take some ten nanoseconds. */
+ * POSIX (2008) gives each thread a locale: newlocale() makes a locale,
+ * uselocale() sets the locale of the thread and returns the previous one. The
+ * locale "C" is made once in a process, so that a call here costs two calls of
+ * uselocale(). */
 #include "base/c_locale.h"
 
 #include <locale.h>

@@ -24,10 +24,10 @@ int murk_c_snprintf(char *out, size_t size, const char *format, ...)
 int murk_c_vsnprintf(char *out, size_t size, const char *format, va_list args)
     __attribute__((format(printf, 3, 0)));
 
-/* Sets the locale "C" for the calling thread, around calls of other libraries.
- * murk_c_locale_leave() takes the value that murk_c_locale_enter() returned. A
- * subprocess that runs parsers of other libraries enters the locale and never
- * leaves it. */
+/* murk_c_locale_enter() sets the locale "C" for the calling thread, around
+ * calls of other libraries. murk_c_locale_leave() takes the value that
+ * murk_c_locale_enter() returned. A subprocess that runs parsers of other
+ * libraries enters the locale and never leaves it. */
 void *murk_c_locale_enter(void);
 void murk_c_locale_leave(void *before);
 

@@ -1,7 +1,8 @@
 /* A cache with least-recently-used replacement: a small array of items that is
  * searched linearly by the 128-bit checksum of the key, under a spin lock. At
- * most MURK_CACHE_MAX items make a tree or hash table unnecessary, and the lock
- * is held for one search and one copy. */
+ * most MURK_CACHE_MAX items make a tree or hash table unnecessary. The lock is
+ * held for one search and for the copy of a value that is found or the removal
+ * of old items. */
 #include "base/cache.h"
 
 #include "base/file.h"
@@ -86,8 +87,8 @@ void murk_cache_put(murk_cache *cache, const void *key, size_t key_size,
     murk_checksum(key, key_size, item.sum);
     enter(cache);
     if (find_item(cache, key, key_size,
-                  item.sum)) { /* another thread has stored the
-                                * same key in the meantime */
+                  item.sum)) { /* stored already, perhaps by another thread in
+                                * the meantime */
         free(item.bytes);
     } else {
         while (cache->n == MURK_CACHE_MAX ||

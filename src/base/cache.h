@@ -36,13 +36,15 @@ typedef struct murk_cache {
         .is_taken = ATOMIC_FLAG_INIT \
     }
 
-/* Returns a copy of the value of a key, which the caller frees; NULL if the
- * cache has no such key or there is no memory. */
+/* Returns a copy of the value of a key, which the caller frees, and the size of
+ * the value in *size. Returns NULL and leaves *size unchanged if the cache has
+ * no such key or there is no memory. */
 void *murk_cache_find(murk_cache *cache, const void *key, size_t key_size,
                       size_t *size);
 
-/* Stores a copy of the value. A key or value that is too large is not stored,
- * nor is anything stored when there is no memory. */
+/* Stores copies of the key and the value. Nothing is stored if the cache has
+ * the key already, if the key or the value has more than half of
+ * MURK_CACHE_BYTES_MAX bytes, or if there is no memory. */
 void murk_cache_put(murk_cache *cache, const void *key, size_t key_size,
                     const void *value, size_t size);
 

@@ -21,7 +21,8 @@
  * margin. */
 #define ZONE_HOURS_MAX 18
 
-/* Reads exactly n digits at *text and moves *text behind them. */
+/* Reads exactly n digits at *text and moves *text behind them. Returns false
+ * and changes nothing if there are fewer. */
 static bool digits(const char **text, int n, int *out)
 {
     int value = 0;
@@ -49,8 +50,8 @@ static int days_in_month(int year, int month)
     return days[month - 1] + (month == 2 && is_leap(year));
 }
 
-/* Counts months from March, so that the leap day is the last day of a year;
- * (153 m + 2) / 5 is the number of days before month m then. */
+/* Counts months m from March, m = 0, so that the leap day is the last day of a
+ * year. The days before month m are then (153 m + 2) / 5, rounded down. */
 double murk_date_days(murk_date date)
 {
     const int year = date.year - (date.month <= 2);
@@ -65,8 +66,8 @@ double murk_date_days(murk_date date)
 
 murk_date murk_date_of_days(double days)
 {
-    /* The estimate of the year is wrong by at most one, because years have 365
-     * or 366 days. */
+    /* Estimate the year by the mean length of a Gregorian year. The estimate
+     * may be one year early or late, which the loops correct. */
     murk_date date = {1970 + (int)floor(days / 365.2425), 1, 1};
     while (murk_date_days(date) > days) {
         --date.year;
@@ -126,7 +127,7 @@ static bool take_clock(const char **text, double *seconds)
             } while (digits(&t, 1, &digit));
         }
     }
-    /* Refuse clock times past 24:00. */
+    /* Refuse minutes and seconds above 59, and clock times past 24:00. */
     const double all = 3600.0 * hours + 60.0 * minutes + whole + part;
     if (minutes > 59 || whole > 59 || all > DAY_S) {
         return false;

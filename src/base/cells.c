@@ -16,12 +16,13 @@ struct murk_cells {
                                   * capacity */
     uint32_t *head;              /* [buckets] number of the newest point + 1; 0:
                                   * empty */
-    uint32_t *next; /* [capacity] next point of the chain, likewise */
+    uint32_t *next; /* [capacity] number of the next point of the chain + 1; 0:
+                     * the chain ends */
     uint32_t *hash; /* [capacity] hash of the cell of each point */
 };
 
-/* Cell numbers are cut here, within the range of int64_t; doubles of this size
- * no longer resolve single cells. */
+/* Cell numbers are limited to this magnitude, within the range of int64_t;
+ * doubles of this size no longer resolve single cells. */
 #define CELL_LIMIT 9e18
 
 static int64_t cell_of(double x, double size_m)
@@ -29,8 +30,10 @@ static int64_t cell_of(double x, double size_m)
     return (int64_t)fmax(-CELL_LIMIT, fmin(CELL_LIMIT, floor(x / size_m)));
 }
 
-/* The finalisation of MurmurHash3 (A. Appleby, public domain): each bit of the
- * cell number flips half of the bits of the hash. */
+/* Mixes one axis after the other into the hash by multiplications and shifts,
+ * with a constant of the finalisation of MurmurHash3 (A. Appleby, public
+ * domain). A change of one bit of a cell number changes about half of the bits
+ * of the hash. */
 static uint32_t hash_of(const int64_t cell[3])
 {
     uint64_t h = 0;

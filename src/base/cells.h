@@ -3,7 +3,8 @@
  * an earlier one.
  *
  * The caller stores the points. A point is known by a number, the order in
- * which it was added, from 0. The table takes 16 bytes for each point. */
+ * which it was added, from 0. The table takes 16 to 32 bytes for each point,
+ * and at least 4 kB. */
 #ifndef MURK_BASE_CELLS_H
 #define MURK_BASE_CELLS_H
 

@@ -3,8 +3,8 @@
  * ENOSYS, so that the C library falls back to an older call if there is one.
  *
  * The list names the allowed calls, not the forbidden ones, so that calls of
- * future kernels are refused. A process that needs a refused call ends with an
- * error, which the parent reports as a malformed file. */
+ * future kernels are refused. A parser that cannot do without a refused call
+ * fails, and the parent process reports a malformed file. */
 #include "base/confine.h"
 
 #include <errno.h>
@@ -65,8 +65,8 @@ static int allow_if(scmp_filter_ctx filter, const char *name, unsigned at,
                : seccomp_rule_add_array(filter, SCMP_ACT_ALLOW, call, 1, &is);
 }
 
-/* Allows calls that depend on an argument. Returns 0 or a negative error
- * number. */
+/* Allows calls whose effect depends on an argument, for harmless values of that
+ * argument only. Returns 0 or a negative error number. */
 static int allow_some(scmp_filter_ctx filter)
 {
     /* O_TMPFILE contains the bit of O_DIRECTORY, which readers may use. */
@@ -101,8 +101,8 @@ bool murk_confine(int fd)
 {
     const struct rlimit none = {0, 0};
     (void)setrlimit(RLIMIT_FSIZE, &none);
-    /* Close the files that the parent has open, because the parser does not
-     * need them. */
+    /* Close the other files that the parent process had open at the fork,
+     * because the parser does not need them. */
     if (fd > STDERR_FILENO + 1) {
         (void)close_range(STDERR_FILENO + 1, (unsigned)fd - 1, 0);
     }

@@ -39,7 +39,8 @@ bool murk_csv_find_line(murk_csv *csv)
     return false;
 }
 
-/* Reads a cell in quotes, at the first of them; two quotes stand for one. */
+/* Reads a cell in quotes; csv->next is at the opening quote. Inside the cell
+ * two quotes stand for one. */
 static const char *read_quoted(murk_csv *csv)
 {
     char *to = csv->next++;
@@ -56,8 +57,9 @@ static const char *read_quoted(murk_csv *csv)
         csv->line += *csv->next == '\n';
         *to++ = *csv->next;
     }
-    /* Only blanks may follow before the next comma or line end. The text ends
-     * before the closing quote, so the end may be marked at once. */
+    /* Only blanks may follow before the next comma or line end. The text
+     * without quotes is shorter than the cell, so the '\0' behind the text does
+     * not overwrite the separator. */
     *to = '\0';
     skip_blanks(csv);
     return *csv->next && *csv->next != ',' && *csv->next != '\n'
@@ -86,7 +88,7 @@ const char *murk_csv_read_cell(murk_csv *csv, char **cell, bool *is_last)
     *is_last = *csv->next != ',';
     skip_separator(csv);
     if (stop) {
-        *stop = '\0'; /* perhaps over the separator */
+        *stop = '\0'; /* may overwrite the separator, which was passed */
     }
     return NULL;
 }

@@ -1,5 +1,5 @@
-/* The modes of detection: how clearly a sensor detects a photon, and how the
- * views of several sensors combine.
+/* The modes of detection: how clearly a sensor detects a photon, as a number
+ * 0..1 called the clarity, and how the clarities of several sensors combine.
  *
  * One list for all rooms. How the transmittance of a sightline becomes a
  * clarity is one row in sensing/sight_create.c; detection by power is
@@ -12,14 +12,16 @@
 
 /* Properties of a mode, as bits. */
 enum {
-    /* the clarity is the transmittance itself, so it changes smoothly with the
-     * medium and a matrix file can hold it */
+    /* the clarity of a visible photon is the transmittance of the sightline
+     * itself, so it changes smoothly with the medium and a matrix file can hold
+     * it */
     MURK_DETECTION_SMOOTH = 1,
-    /* clarities are chances, and those of several sensors are independent */
+    /* a clarity is the probability of detection, and detections by several
+     * sensors are independent events */
     MURK_DETECTION_BY_CHANCE = 2,
-    /* depends on the power of the traced light around the photon */
+    /* the clarity depends on the power of the traced light around the photon */
     MURK_DETECTION_BY_POWER = 4,
-    /* reads placement.threshold */
+    /* the mode reads the scene key placement.threshold */
     MURK_DETECTION_HAS_THRESHOLD = 8
 };
 
@@ -42,8 +44,8 @@ const char *murk_detection_name(murk_detection detection);
 /* True if the mode has all of these properties. */
 bool murk_detection_is(murk_detection detection, unsigned properties);
 
-/* The names of the modes that have a property, or of those without it, such as
- * "weighted or threshold". */
+/* The names of the modes that have `property` (has = true) or lack it (has =
+ * false), joined by `separator`, such as "weighted or threshold". */
 typedef struct murk_detection_text {
     char text[80];
 } murk_detection_text;

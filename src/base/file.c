@@ -18,8 +18,8 @@
 #include <xxhash.h>
 
 #define PIECE_BYTES ((size_t)1 << 20) /* read at once for a checksum */
-/* Bytes that are searched for the mark of murk. The mark of an image stands
- * behind the list of channels, which fits for 200 channels, too. */
+/* Bytes that are searched for the mark of murk. In an OpenEXR image the mark
+ * stands behind the list of channels; a list of 200 channels fits. */
 #define HEAD_BYTES ((size_t)1 << 16)
 
 struct murk_file {
@@ -57,8 +57,9 @@ murk_status murk_file_check_input(const char *path, murk_error *err)
                : MURK_OK;
 }
 
-/* Fails with "WHAT: REASON". If nothing may be written into the folder that
- * would hold `made`, the message names that folder. */
+/* Fails with MURK_RUN_FAILED and "WHAT: REASON". `made` is the file or folder
+ * that could not be created; if the folder that would hold it does not permit
+ * writing, the message names that folder. */
 static murk_status cannot_make(const char *what, const char *path,
                                const char *made, int reason, murk_error *err)
 {
@@ -86,7 +87,8 @@ murk_status murk_file_create(murk_file **out, const char *path, murk_error *err)
     murk_file *file = calloc(1, sizeof *file);
     struct stat known;
     int fd = -1;
-    /* Refuse paths that are no regular file or an input of this run. */
+    /* Refuse a path that leads to something other than a regular file or to an
+     * input of this run. */
     if (!file || !(file->path = strdup(path))) {
         status = murk_no_memory(err, path, "to open it");
         goto done;

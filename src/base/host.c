@@ -1,5 +1,5 @@
-/* The host of each thread, a thread-local pointer, and the host of the
- * process. */
+/* The host of the process is a static variable; the host of each thread is a
+ * thread-local pointer. */
 #include "base/host.h"
 
 static murk_host process;

@@ -17,9 +17,8 @@
 #include <stdint.h>
 
 typedef struct murk_host {
-    /* Receives warnings and notes, NULL for none, and the receiver with an
-     * argument of the caller that murk_warn_to_log() passes them to:
-     * base/log.h */
+    /* The receiver of warnings and notes (NULL: none), and the receiver with an
+     * argument of the caller that murk_log_to() sets instead: base/log.h */
     bool has_warn; /* false: warnings and notes go to standard error */
     void (*warn)(const char *where, const char *text);
     void (*log)(void *user, bool is_warning, const char *where,
@@ -30,8 +29,8 @@ typedef struct murk_host {
     atomic_int stop;
     unsigned threads_allowed; /* 0: no limit but that of base/pool.h */
     murk_vec3 origin;         /* of positions in messages: base/position.h */
-    _Atomic uint64_t *inputs; /* the set of files that are read, NULL before it
-                               * is begun: base/inputs.h */
+    _Atomic uint64_t *inputs; /* the set of files that are read; NULL: none was
+                               * begun: base/inputs.h */
     atomic_bool inputs_are_full;
     struct murk_progress_bar *bar;         /* base/progress.h */
     const struct murk_memory_files *files; /* of paths "memory:NAME", or NULL:
@@ -41,8 +40,9 @@ typedef struct murk_host {
 /* The host that the calling thread belongs to. */
 murk_host *murk_host_now(void);
 
-/* Binds the calling thread; NULL: to the host of the process. Returns the host
- * that the thread belonged to, to be bound again at the end. */
+/* Binds the calling thread to a host, or to the host of the process if `host`
+ * is NULL. Returns the host that the thread belonged to, never NULL, which the
+ * caller binds again at the end. */
 murk_host *murk_host_enter(murk_host *host);
 
 #endif

@@ -1,5 +1,6 @@
-/* Makes a host of the parts that belong to it: the progress line, and the set
- * of inputs, which is released with it. */
+/* A host owns two parts: the progress line, which is made with the host, and
+ * the set of inputs, which murk_inputs_begin() makes. Both are released with
+ * the host. */
 #include "base/host_make.h"
 
 #include "base/inputs.h"

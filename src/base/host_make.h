@@ -4,10 +4,12 @@
 
 #include "base/host.h"
 
-/* Creates a host that logs nothing, shows no progress and has no set of inputs.
- * NULL when out of memory. */
+/* Creates a host that shows no progress and has no set of inputs. Warnings and
+ * notes go to standard error until murk_warn_to() or murk_log_to() (base/log.h)
+ * is called for the host. NULL when out of memory. */
 murk_host *murk_host_create(void);
-/* No thread may belong to the host any more. NULL is fine. */
+/* Also releases the set of inputs. No thread may belong to the host any more.
+ * NULL is fine. */
 void murk_host_destroy(murk_host *host);
 
 #endif

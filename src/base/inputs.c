@@ -1,12 +1,12 @@
 /* The set of files that a run reads: a hash table with open addressing in
  * memory that processes share.
  *
- * A slot holds a 64-bit hash of device and inode, or 0 if the slot is free.
- * The table belongs to a host (base/host.h). When a file did not fit, every
- * file counts as an input. Slots are claimed by compare-and-swap and never
- * freed, so no lock is needed, and a process that is killed cannot leave a lock
- * behind. Two files with the same hash would at worst make a run refuse to
- * write one of them: the probability is 2^-64 for a pair. */
+ * A slot holds a 64-bit hash of device and inode, or 0 if the slot is free. The
+ * table belongs to a host (base/host.h). Once a file did not fit, every file
+ * counts as an input. Slots are claimed by compare-and-swap and never freed, so
+ * no lock is needed, and a process that is killed cannot leave a lock behind.
+ * Two files with the same hash would at worst make a run refuse to write one of
+ * them: the probability is 2^-64 for a pair. */
 #include "base/inputs.h"
 
 #include "base/host.h"

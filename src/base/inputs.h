@@ -1,10 +1,10 @@
 /* The set of files that a host reads (base/host.h), so that the host never
  * writes over one of them.
  *
- * The set is shared by the process and all processes that it starts: readers of
- * meshes and grids and the rows of a study run in subprocesses, and the files
- * that they open count, too. A file is identified by device and inode, so that
- * every path and link to the file is recognised.
+ * The set is in memory that the process shares with the subprocesses that it
+ * forks: readers of meshes and grids and the rows of a study run in
+ * subprocesses, and the files that they open count, too. A file is identified
+ * by device and inode, so that every path and link to the file is recognised.
  *
  * The program begins the set. A caller of the library may want to read a file
  * and write it again; for such a caller the set stays empty unless
@@ -16,20 +16,22 @@
 #include <stdio.h>
 #include <sys/stat.h>
 
-/* Begins the set of the host of the calling thread (base/host.h). Call it once,
- * before any thread or subprocess of the host starts; without it the set stays
- * empty. murk_inputs_end() releases it. */
+/* murk_inputs_begin() begins the set of the host of the calling thread
+ * (base/host.h). Call it once, before any thread or subprocess of the host
+ * starts; without this call the set stays empty. If there is no memory for the
+ * set, every file counts as an input. murk_inputs_end() releases the set. */
 void murk_inputs_begin(void);
 void murk_inputs_end(void);
 
 /* Adds a file that is opened for reading, as fstat() describes it. */
 void murk_inputs_add(const struct stat *file);
 
-/* Opens a file with fopen(path, "rb") and adds it to the set. NULL: errno has
- * the reason. */
+/* Opens a file with fopen(path, "rb") and adds the file to the set. The caller
+ * closes the stream. On failure returns NULL, and errno has the reason. */
 FILE *murk_inputs_open(const char *path);
 
-/* True if the file at `path` was added; false if there is no such file. */
+/* True if the file at `path` was added, or if the set is full or had no memory;
+ * false if there is no such file. */
 bool murk_inputs_has(const char *path);
 
 #endif

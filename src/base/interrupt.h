@@ -7,17 +7,20 @@
 
 #include <stdbool.h>
 
-/* Installs the handlers for SIGINT and SIGTERM. A second signal ends the
- * program at once. */
+/* Installs the handler for SIGINT and SIGTERM, which set the flag of the host
+ * of the calling thread (base/host.h). A second signal with the same number
+ * ends the program at once. */
 void murk_interrupt_install(void);
 
-/* True after the first signal. */
+/* True if the flag of the host of the calling thread is set. */
 bool murk_interrupted(void);
 
-/* Fails with MURK_INTERRUPTED after the first signal. */
+/* Fails with MURK_INTERRUPTED if the flag of the host of the calling thread is
+ * set. */
 murk_status murk_interrupt_check(murk_error *err);
 
-/* Sets the flag as a signal would; for callers of the library. */
+/* Sets the flag of the host of the calling thread, as a signal would; for
+ * callers of the library. */
 void murk_interrupt_request(void);
 
 #endif

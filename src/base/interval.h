@@ -4,9 +4,9 @@
 
 #include <stddef.h>
 
-/* The last i < n - 1 with x[i] <= value, or 0 if there is none: the interval of
- * the table in which a value lies. n >= 2 numbers, which are `stride` numbers
- * apart in memory. */
+/* The interval i, from x[i] to x[i + 1], in which a value lies: the largest i
+ * <= n - 2 with x[i] <= value, or 0 if there is none. The table has n >= 2
+ * numbers; x[i] is stored at x[stride * i]. */
 static inline size_t murk_interval_of(const double *x, size_t stride, size_t n,
                                       double value)
 {

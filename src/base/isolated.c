@@ -58,7 +58,8 @@ static _Noreturn void run_and_exit(int fd, pid_t parent,
                           * flushed */
 }
 
-/* The last thing that the subprocess sent, or the reason why reading ended. */
+/* How reading ended: the verdict on the last read, and the error of the
+ * computation, which counts if the verdict is MURK_PIPE_RECEIVED. */
 typedef struct ending {
     murk_pipe_verdict verdict;
     murk_status received; /* status of the last receive() */

@@ -37,7 +37,8 @@ void murk_message(const char *kind, const char *where, const char *text)
     murk_progress_show();
 }
 
-/* True if the same message was printed before. */
+/* True if the same message is among the last SAID_MAX printed ones; if not,
+ * records the message as printed. */
 static bool is_said_before(const char *kind, const char *where,
                            const char *text)
 {
@@ -62,8 +63,9 @@ static bool is_said_before(const char *kind, const char *where,
 
 static _Thread_local bool is_quiet;
 
-/* The sink of a host whose caller has given a receiver with an argument. It is
- * recognised by report(), which knows the kind of the message. */
+/* The sink of a host for which murk_log_to() has set a receiver. report()
+ * recognises this sink and calls the receiver itself, because only report()
+ * knows whether a message is a warning. */
 static void to_log(const char *where, const char *text)
 {
     const murk_host *host = murk_host_now();

@@ -6,8 +6,10 @@
 
 #include <stdbool.h>
 
-/* Prints one line, "murk: warning: WHERE: TEXT", on standard error by default.
- * The same line is printed once in a run of the program. */
+/* Prints one line, "murk: warning: WHERE: TEXT", on standard error, or passes
+ * place and text to the sink that was set below. `where` may be NULL or empty.
+ * On standard error a line that was printed before is not repeated, unless 256
+ * other lines were printed since. */
 void murk_warn(const char *where, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
@@ -17,26 +19,30 @@ void murk_note(const char *where, const char *format, ...)
 
 /* Redirects the warnings and notes of the host of the calling thread
  * (base/host.h) to `sink`; NULL silences them. Returns the previous sink. Call
- * it while no thread of the host runs that might warn. */
+ * it while no thread of the host runs that might warn. murk_warn_to_stderr() is
+ * the sink at first; it prints as murk_warn() describes. */
 typedef void (*murk_warn_sink)(const char *where, const char *text);
 murk_warn_sink murk_warn_to(murk_warn_sink sink);
 void murk_warn_to_stderr(const char *where, const char *text);
 
-/* A receiver with an argument. murk_log_to() redirects the warnings and notes
- * of the host of the calling thread to it (base/host.h). */
+/* A sink that also receives the argument `user` and the kind of the message.
+ * murk_log_to() redirects the warnings and notes of the host of the calling
+ * thread (base/host.h) to `log`; NULL silences them. */
 typedef void (*murk_log_sink)(void *user, bool is_warning, const char *where,
                               const char *text);
 void murk_log_to(murk_log_sink log, void *user);
 
-/* Prints "murk: KINDWHERE: TEXT" as one line on standard error. All messages to
- * a terminal are printed by this function. `where` may be empty. `where` and
- * `text` may come from a file or an option, so control characters in them are
- * shown escaped (base/utf8.h). */
+/* Prints "murk: ", kind, where, ": " and text as one line on standard error,
+ * without ": " if `where` is empty. Warnings, notes and the error of the
+ * program are printed by this function. `where` and `text` may come from a file
+ * or an option, so control characters in them are shown escaped (base/utf8.h).
+ */
 void murk_message(const char *kind, const char *where, const char *text);
 
-/* Silences warnings and notes of the calling thread, for reading a file a
- * second time: all its warnings were given at the first reading. Returns the
- * previous state. */
+/* Silences the warnings and notes of the calling thread (true) or ends the
+ * silence (false). Returns the previous state. Used where a file is read a
+ * second time, because the first reading has given all warnings about the file.
+ */
 bool murk_warn_quiet(bool is_silent);
 
 #endif

@@ -1,13 +1,15 @@
-/* Memory that the machine has free and that the process uses. */
+/* The memory that the machine can give, and the memory that the process uses.
+ */
 #ifndef MURK_BASE_MACHINE_H
 #define MURK_BASE_MACHINE_H
 
-/* The memory that is available without swapping out other processes [bytes]:
- * the smaller of the figure of the system and the limit of this process;
- * infinite if unknown. */
+/* The memory that is available without swapping [bytes]: the smaller of
+ * MemAvailable of /proc/meminfo and the limit on the address space of this
+ * process. INFINITY if there is neither. */
 double murk_machine_memory_bytes(void);
 
-/* The largest memory that this process has used so far [bytes]. */
+/* The largest resident memory of this process so far [bytes]; NAN if unknown.
+ */
 double murk_machine_peak_bytes(void);
 
 #endif

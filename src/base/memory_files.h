@@ -16,7 +16,8 @@
 #define MURK_MEMORY_PREFIX    "memory:"
 #define MURK_MEMORY_NAME_SIZE 64 /* of a name with the '\0' */
 
-/* Triangles, dense samples, the text of a table. */
+/* The data of a file: triangles, dense samples, or the text of a table. The
+ * data of a table end with '\0'. */
 typedef enum murk_memory_kind {
     MURK_MEMORY_MESH,
     MURK_MEMORY_GRID,
@@ -25,7 +26,7 @@ typedef enum murk_memory_kind {
 
 typedef struct murk_memory_file {
     murk_memory_kind kind;
-    size_t sets; /* that contain the file */
+    size_t sets; /* number of sets that contain the file */
     uint64_t checksum[2];
     void *data; /* in the form of the room that reads it */
     void (*release)(void *data);
@@ -37,13 +38,17 @@ typedef struct murk_memory_files {
     murk_memory_file **file;             /* [n] */
 } murk_memory_files;
 
-/* Adds a file, or replaces the file of that name. Takes ownership of `data`,
- * also on failure. Fails if the name is empty, too long, or contains characters
- * other than letters, digits, '.', '_' and '-'. */
+/* Adds a file, or replaces the file of that name; file.sets is ignored. Takes
+ * ownership of file.data, which file.release() releases, also on failure. Fails
+ * with MURK_BAD_VALUE if the name is empty, too long, or contains characters
+ * other than ASCII letters, digits, '.', '_' and '-', or with MURK_NO_MEMORY.
+ */
 murk_status murk_memory_add(murk_memory_files *set, const char *name,
                             murk_memory_file file, murk_error *err);
 
-/* Makes *out a set of the same files. False when out of memory. */
+/* Makes *out, whose old content is ignored, a set of the same files. Returns
+ * false and makes *out empty when out of memory. murk_memory_release() empties
+ * a set. */
 bool murk_memory_copy(murk_memory_files *out, const murk_memory_files *set);
 void murk_memory_release(murk_memory_files *set);
 
@@ -56,7 +61,8 @@ murk_status murk_memory_find(const murk_memory_file **out, const char *path,
                              murk_memory_kind kind, const char *where,
                              murk_error *err);
 
-/* The file of a path of any kind; NULL if there is none. */
+/* The file of a path, of any kind, in the set of the host; NULL if there is
+ * none. The set owns the file. */
 const murk_memory_file *murk_memory_at(const char *path);
 
 #endif

@@ -1,6 +1,6 @@
 /* Parses decimal numbers more strictly than strtod(), which also accepts
- * hexadecimal numbers, infinities and leading blanks, and prints the shortest
- * text that reads back as the same double. */
+ * hexadecimal numbers, infinities and leading blanks, and prints numbers so
+ * that they read back as the same double. */
 #include "base/number.h"
 
 #include <math.h>

@@ -9,8 +9,8 @@
 
 /* X(enumerator, name in scenes, presets and results, count of numbers). The
  * numbers are: the mean cosine g of Henyey-Greenstein, 0 being isotropic; g1,
- * g2 and the weight of g1; n and mu of Fournier-Forand. A table is density by
- * angle. */
+ * g2 and the weight of g1; n and mu of Fournier-Forand. TABLE is a tabulated
+ * density by angle, which has no such numbers. */
 #define MURK_PHASE_KINDS(X)                  \
     X(HG, "hg", 1)                           \
     X(RAYLEIGH, "rayleigh", 0)               \

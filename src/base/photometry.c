@@ -18,7 +18,8 @@
 /* Steps of the midpoint rule: V changes by at most 3 % of its maximum in 1
  * nm. */
 #define MAX_STEP_NM 1.0
-#define MAX_STEPS   20000 /* beyond this number the steps become longer */
+/* In one piece of a band; a wider piece has longer steps. */
+#define MAX_STEPS 20000
 
 /* The luminous efficiency V every V_STEP_NM (ISO/CIE 11664-1:2019). */
 static const double efficiency[] = {
@@ -90,7 +91,8 @@ typedef struct weighed {
     double power, counted;
 } weighed;
 
-/* Adds the midpoints of equal steps between two wavelengths to the sums. */
+/* Adds the power, and the power weighted by the quantity, at the midpoints of
+ * equal steps between two wavelengths to the sums. */
 static void add_piece(weighed *sums, murk_quantity quantity, double from_nm,
                       double to_nm, murk_spectral_shape shape,
                       const void *context)

@@ -6,10 +6,10 @@
  *
  * The luminous efficiency V is the photopic function CIE 1924, which equals the
  * y function of the 1931 standard observer (ISO/CIE 11664-1:2019), tabulated
- * every 5 nm from 380 to 780 nm, interpolated by cubics, and 0 elsewhere; 683
- * lm/W at V = 1. Photons are counted with hc = 1.98644586e-25 J m (SI 2019).
- * PAR is the number of photons of 400 to 700 nm (McCree, Agric. Meteorol. 10
- * (1972) 443, doi:10.1016/0002-1571(72)90045-3). */
+ * every 5 nm from 380 to 780 nm, interpolated by cubics, and 0 elsewhere. Light
+ * of V = 1 has 683 lm/W. Photons are counted with hc = 1.98644586e-25 J m (SI
+ * 2019). PAR is the number of photons of 400 to 700 nm (McCree, Agric.
+ * Meteorol. 10 (1972) 443, doi:10.1016/0002-1571(72)90045-3). */
 #ifndef MURK_BASE_PHOTOMETRY_H
 #define MURK_BASE_PHOTOMETRY_H
 
@@ -26,7 +26,8 @@ typedef enum murk_quantity {
     MURK_PAR          /* umol/s/m2, 400-700 nm only */
 } murk_quantity;
 
-/* The luminous efficiency V at a wavelength, 0..1. */
+/* The luminous efficiency V at a wavelength, 0 or more and 1 at 555 nm; the
+ * interpolation exceeds 1 by less than 1e-5. */
 double murk_luminous_efficiency(double wavelength_nm);
 
 double murk_photons_per_joule(double wavelength_nm);
@@ -36,14 +37,16 @@ typedef double (*murk_spectral_shape)(const void *context,
                                       double wavelength_nm);
 
 /* The amount of a quantity that one watt of light in a band has: 1, lumens,
- * photons/s or umol/s. An irradiance [W/m2] times this amount is in the unit of
- * the quantity. Edges in nm, 0 < from <= to. */
+ * photons/s or umol/s, in the order of murk_quantity. An irradiance [W/m2]
+ * times this amount is in the unit of the quantity. The power per nm is
+ * constant within the band. Edges in nm, 0 < from <= to. */
 double murk_quantity_per_watt(murk_quantity quantity, double from_nm,
                               double to_nm);
 
 /* Like murk_quantity_per_watt(), for light with a given spectral shape within
  * the band. A shape that is 0 in the whole band is replaced by a constant one.
- * The shape is sampled at steps of 1 nm or less. */
+ * The shape is sampled at steps of 1 nm or less, or, in parts of a band of more
+ * than 20,000 nm, at 20,000 points. */
 double murk_quantity_per_watt_of(murk_quantity quantity, double from_nm,
                                  double to_nm, murk_spectral_shape shape,
                                  const void *context);

@@ -9,7 +9,8 @@
 #include <stdint.h>
 #include <sys/types.h>
 
-/* Writes all bytes. Returns false if the reading end is closed. */
+/* Writes all bytes. Returns false if a write fails, for example because the
+ * reading end is closed and SIGPIPE is ignored. */
 bool murk_pipe_write(int fd, const void *bytes, size_t size);
 
 /* A message is a header and `size` bytes. */
@@ -18,16 +19,18 @@ typedef struct murk_pipe_head {
     uint64_t size;
 } murk_pipe_head;
 
-/* Writes a message. Returns false if the reading end is closed. */
+/* Writes a message. Returns false as murk_pipe_write() does. */
 bool murk_pipe_send(int fd, uint32_t kind, murk_status status,
                     const void *bytes, size_t size);
 
 /* The result of reading. */
 typedef enum murk_pipe_verdict {
     MURK_PIPE_RECEIVED,
-    MURK_PIPE_CUT_SHORT, /* the writing process has ended */
+    MURK_PIPE_CUT_SHORT, /* the pipe ended, because the writing process did, or
+                          * could not be read */
     MURK_PIPE_TOO_LONG,  /* the deadline has passed */
-    MURK_PIPE_STOPPED    /* murk_interrupted() */
+    MURK_PIPE_STOPPED    /* murk_interrupted() of base/interrupt.h became true
+                          */
 } murk_pipe_verdict;
 
 /* Reads exactly `size` bytes, or returns the reason why that was impossible.
@@ -35,7 +38,8 @@ typedef enum murk_pipe_verdict {
 murk_pipe_verdict murk_pipe_read(int fd, void *bytes, size_t size,
                                  double deadline_s);
 
-/* Waits for the end of a subprocess. Returns the status of waitpid(). */
+/* Waits for the end of a subprocess. Returns the status that waitpid() stores,
+ * or 0 if there is no such subprocess. */
 int murk_pipe_wait(pid_t process);
 
 #endif

@@ -15,11 +15,11 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#define THREADS_MAX 256 /* more processors than one machine has today */
+#define THREADS_MAX 256 /* more processors are not used */
 
-/* The least stack size of every thread. Tracing and placing take between 128
- * and 256 kB (largest frame: 139 kB, transport), and `ulimit -s` may allow
- * less. */
+/* The least stack size of a thread that is started here. Tracing and placing
+ * take between 128 and 256 kB (largest frame: 139 kB, transport), and `ulimit
+ * -s` may allow less. */
 #define STACK_BYTES ((size_t)1 << 20)
 
 typedef struct pool {

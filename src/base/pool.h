@@ -21,10 +21,11 @@ typedef void (*murk_job)(void *context, uint64_t batch);
  * batch to the next. */
 typedef void (*murk_worker_job)(void *context, unsigned worker, uint64_t batch);
 
-/* Sets the largest number of threads that any later run of the host of the
- * calling thread may use (base/host.h); without this call the number is 256.
- * Starts that many threads once, so that a machine that refuses them is
- * recognised before long computations: then MURK_RUN_FAILED. */
+/* Sets the largest number of threads, the calling thread included, that any
+ * later run of the host of the calling thread may use (base/host.h). 0 and
+ * numbers above 256 mean 256, as without this call. Starts the other threads
+ * once, so that a machine that refuses them is recognised before long
+ * computations: then fails with MURK_RUN_FAILED. */
 murk_status murk_pool_allow(unsigned threads, murk_error *err);
 
 /* Runs all batches; threads >= 1. If the machine refuses a thread, the other
@@ -34,21 +35,24 @@ void murk_pool_run(unsigned threads, uint64_t batches, murk_job job,
 void murk_pool_run_workers(unsigned threads, uint64_t batches,
                            murk_worker_job job, void *context);
 
-/* Like these two, with the number of an item in place of the batch. A worker
- * takes `each` items at a time, for items that are short. */
+/* Like the two functions above, with the number of an item in place of the
+ * batch. A worker takes `each` >= 1 successive items at a time, for items that
+ * are short. */
 void murk_pool_run_items(unsigned threads, uint64_t items, uint64_t each,
                          murk_job job, void *context);
 void murk_pool_run_items_of_workers(unsigned threads, uint64_t items,
                                     uint64_t each, murk_worker_job job,
                                     void *context);
 
-/* Runs task(context) to its end on a stack of at least 1 MB, the stack size of
- * all threads of the functions above. A new thread is used if `ulimit -s` gives
- * the calling thread less. Threads of a host program that call the library need
- * 512 kB. */
+/* Runs task(context) to its end. If `ulimit -s` is below 1 MB (1,048,576
+ * bytes), the task runs in a new thread with a stack of 1 MB, the least stack
+ * of the threads of the functions above; otherwise, or if no thread can be
+ * started, in the calling thread. Threads of a host program that call the
+ * library need 512 kB. */
 void murk_pool_run_with_stack(void (*task)(void *), void *context);
 
-/* The number of processors that this process may use, at least 1. */
+/* The number of processors of the machine that are online, 1..256. Limits of
+ * the process (CPU affinity, control groups) are not considered. */
 unsigned murk_pool_processors(void);
 
 #endif

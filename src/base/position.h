@@ -1,7 +1,7 @@
 /* Prints positions in messages. A scene far from 0 is computed about a local
- * origin (scene/origin.h), which the rooms below `study` do not know. Every
- * message prints positions through this header, so that users read them in the
- * coordinates of their scene. */
+ * origin (scene/origin.h), so that most rooms know positions relative to that
+ * origin only. A message prints such a position through this header, so that
+ * users read it in the coordinates of their scene. */
 #ifndef MURK_BASE_POSITION_H
 #define MURK_BASE_POSITION_H
 
@@ -11,8 +11,9 @@ typedef struct murk_position_text {
     char text[96]; /* e.g. "[500001.5, 5500002, 3]" */
 } murk_position_text;
 
-/* Sets the local origin in the coordinates of the user; at first it is 0. Call
- * it while no other thread prints messages. */
+/* Sets the local origin of the host of the calling thread (base/host.h), in the
+ * coordinates of the user [m]; at first it is 0. Call it while no other thread
+ * of the host prints messages. */
 void murk_position_origin(murk_vec3 origin);
 
 /* Prints a position that is relative to the local origin in the coordinates of

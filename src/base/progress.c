@@ -1,8 +1,8 @@
 /* The progress line: a stack of open steps, a count of each that workers
  * increase atomically, and a thread that redraws the line, or tells a receiver,
  * every fifth of a second. The thread is stopped at every fork, because only
- * the forking thread survives in the subprocess. Each host has a line of its
- * own (base/host.h), made when it is first used. */
+ * the forking thread survives in the subprocess. A host (base/host.h) whose
+ * `bar` is NULL uses the line of the process, a static variable. */
 #include "base/progress.h"
 
 #include "base/host.h"
@@ -29,7 +29,8 @@
 #define FIRST_DRAW_S 0.5
 #define DRAW_EVERY_S 0.2
 #define FIRST_LINE_S 2.0
-/* The factor between the times of successive whole lines. */
+/* The factor between the times of successive whole lines, which are at least
+ * FIRST_LINE_S apart. */
 #define LINE_GROWTH 1.25
 #define STEPS_MAX   4   /* nested steps that are shown */
 #define COLUMNS     80  /* if the terminal does not report its width */
@@ -48,9 +49,9 @@ typedef struct step {
     char text[MURK_PROGRESS_TEXT_SIZE];
 } step;
 
-/* The state of the display. `lock` guards all members except `done`, which
- * workers increase without it. `steps` and `parts` change only while no worker
- * runs. */
+/* The state of the display. The thread that draws reads it under `lock`.
+ * Workers increase `done` without the lock. The other members are changed by
+ * the thread that begins and ends the steps, while no worker runs. */
 struct murk_progress_bar {
     style style;
     murk_progress_sink sink; /* of style TO_RECEIVER */
@@ -62,8 +63,8 @@ struct murk_progress_bar {
     step step[STEPS_MAX];
     int steps;        /* open steps; those beyond STEPS_MAX are not shown */
     double next_s;    /* time of the next whole line */
-    bool has_printed; /* whether a whole line was printed for the outermost
-                       * step */
+    bool has_printed; /* a whole line was printed since the outermost step began
+                       */
     uint64_t part, parts, parts_done, parts_done_first;
     double parts_begun_s;
 };
@@ -201,8 +202,8 @@ static void print_line(double now_s)
                   fmax(LINE_GROWTH * spent_s, spent_s + FIRST_LINE_S);
 }
 
-/* Draws or prints the line if it is time to do so; the caller holds the
- * lock. */
+/* Draws or prints the line if it is time to do so, or calls the receiver; the
+ * caller holds the lock. */
 static void draw(void)
 {
     murk_progress_bar *bar = bar_now();
@@ -253,7 +254,7 @@ static void start_drawer(void)
     pthread_cond_init(&bar->wakes, &attributes);
     pthread_condattr_destroy(&attributes);
     bar->is_ending = false;
-    sigfillset(&all); /* signals go to the main thread */
+    sigfillset(&all); /* signals go to other threads */
     pthread_sigmask(SIG_SETMASK, &all, &before);
     bar->has_drawer =
         pthread_create(&bar->drawer, NULL, keep_drawing, murk_host_now()) == 0;

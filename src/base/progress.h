@@ -2,13 +2,14 @@
  *
  *   trace [##########..........] 51 %  51000 of 100000 photons  12 s, 11 s left
  *
- * On a terminal the line is redrawn in place, at most as wide as the window,
- * and wiped when the step ends. A thread of the module redraws it, so that the
- * times advance while no progress is reported, too. Elsewhere (only on
- * request), and on terminals that cannot wipe a line (TERM is dumb), whole
- * lines are printed. They report the outermost step with a known total, at
- * growing intervals: some forty lines in ten hours. Steps shorter than half a
- * second print nothing. */
+ * On a terminal the line is redrawn in place, at most as wide as the window
+ * (but not below 20 columns), and wiped when the outermost step ends. A thread
+ * of the module redraws it, so that the times advance while no progress is
+ * reported, too. Elsewhere (only on request), and on terminals that cannot wipe
+ * a line (TERM is dumb), whole lines are printed. They report the outermost
+ * step with a known total or a text, at growing intervals: some forty lines in
+ * ten hours. Steps shorter than half a second are not drawn, and whole lines
+ * begin after two seconds. */
 #ifndef MURK_BASE_PROGRESS_H
 #define MURK_BASE_PROGRESS_H
 
@@ -26,35 +27,41 @@ typedef enum murk_progress_mode {
 void murk_progress_set(murk_progress_mode mode);
 
 /* Tells a receiver about the step that whole lines would report, five times a
- * second from a thread of murk, in place of showing a line; NULL: tells nobody.
- * Call it while no step is open. Subprocesses tell nothing. */
+ * second from a thread of murk, and from the calling thread when the outermost
+ * step ends, in place of showing a line; NULL: tells nobody. *facts is valid
+ * during the call. Call it while no step is open. Subprocesses tell nothing. */
 typedef void (*murk_progress_sink)(void *user,
                                    const murk_progress_facts *facts);
 void murk_progress_to(murk_progress_sink sink, void *user);
 
-/* The line of a host (base/host.h). NULL when out of memory. */
+/* Creates the line of a host (base/host.h), in the mode NEVER. NULL when out of
+ * memory. */
 typedef struct murk_progress_bar murk_progress_bar;
 murk_progress_bar *murk_progress_create(void);
 void murk_progress_destroy(murk_progress_bar *bar); /* NULL is fine */
 
 /* Begins and ends a step, inside the open step if there is one; the same thread
- * begins and ends it. total 0: unknown. `step` and `unit` ("photons"; "":
- * nothing is counted) must stay valid until the step ends. */
+ * begins and ends a step. Steps inside more than three others are not shown.
+ * total 0: unknown. `step` and `unit` ("photons"; "": nothing is counted) must
+ * stay valid until the step ends. */
 void murk_progress_begin(const char *step, uint64_t total, const char *unit);
 void murk_progress_end(void);
 
-/* Adds to the count of the innermost step; safe from any thread. */
+/* Adds to the count of the innermost open step; any thread of the host may call
+ * it. */
 void murk_progress_add(uint64_t done);
 
 /* Begins a group: a step that consists of other steps, such as the rows of a
- * study. murk_progress_add() inside a group counts for the inner steps only;
- * murk_progress_add_to_group() counts for the group. */
+ * study. murk_progress_add() counts for an inner step only;
+ * murk_progress_add_to_group() counts for the group, and must be called while
+ * no inner step is open. */
 void murk_progress_begin_group(const char *step, uint64_t total,
                                const char *unit);
 void murk_progress_add_to_group(uint64_t done);
 
 /* Sets a text about the state of the innermost step, such as a search. The line
- * shows the text behind the numbers of the step. */
+ * shows the text behind the numbers of the step, cut to MURK_PROGRESS_TEXT_SIZE
+ * bytes with the '\0'. */
 void murk_progress_text(const char *format, ...)
     __attribute__((format(printf, 1, 2)));
 
@@ -65,16 +72,18 @@ void murk_progress_text(const char *format, ...)
  * parts. */
 void murk_progress_part(uint64_t number, uint64_t parts, uint64_t done);
 
-/* To be called around fork(): no other thread may exist then. A subprocess that
- * reports progress calls murk_progress_in_subprocess(): it draws the open steps
- * and its own steps, while the parent process stays paused. Whole lines are
- * printed by the parent only. */
+/* pause and resume are called around fork(), because no other thread may exist
+ * then: they stop and start the thread that draws. A subprocess that reports
+ * progress calls murk_progress_in_subprocess(): the subprocess draws the open
+ * steps and its own steps, while the parent process stays paused. Whole lines
+ * are printed, and receivers called, by the parent process only. */
 void murk_progress_pause(void);
 void murk_progress_resume(void);
 void murk_progress_in_subprocess(void);
 
-/* To be called around other output on standard error: wipes the line and holds
- * it back. */
+/* Called around other output on standard error: hide wipes the line, which
+ * stays wiped until show. Between the two calls the thread must call no other
+ * function of this header, because a lock is held. */
 void murk_progress_hide(void);
 void murk_progress_show(void);
 

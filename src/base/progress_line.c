@@ -13,8 +13,8 @@
 #define BAR_CELLS  20                             /* 5 % each */
 #define PIECE_SIZE (MURK_PROGRESS_TEXT_SIZE + 64) /* text, two numbers */
 
-/* Formats a count: all digits up to a million, else three significant
- * digits. */
+/* Formats a count: all digits below a million, else three significant digits.
+ */
 static void format_count(char *out, size_t size, uint64_t n)
 {
     if (n < 1000000) {

@@ -17,9 +17,11 @@ void murk_sort(double *x, size_t n)
     qsort(x, n, sizeof *x, murk_by_double);
 }
 
-/* P(|T| <= t). With tan(angle) = t / sqrt(degrees), the probability is a sum of
- * powers of cos(angle); each term follows from the previous one by a factor
- * cos^2 and a ratio of whole numbers. */
+/* P(|T| <= t). With tan(angle) = t / sqrt(degrees), the probability is
+ * sin(angle) times a sum of even powers of cos(angle), or, for odd degrees, of
+ * odd powers, with the angle added and the result divided by pi / 2. Each term
+ * follows from the previous one by a factor cos^2 and a ratio of whole numbers.
+ */
 static double within(double t, size_t degrees)
 {
     const double angle = atan(t / sqrt((double)degrees));

@@ -10,7 +10,7 @@
  * and 26.7.4). */
 double murk_student_upper(double p, size_t degrees);
 
-/* Sorts numbers in rising order; none may be NaN. */
+/* Sorts n numbers in rising order in place; none may be NaN. */
 void murk_sort(double *x, size_t n);
 
 /* Ranks in a sample of n numbers in rising order, 1..n. */

@@ -12,9 +12,10 @@
 #include <stdint.h>
 
 /* One purpose for each independent use. Append only, never renumber. The first
- * four purposes belong to the photon tracer; they are shifted by MURK_STREAM *
- * stream, so that a held-out photon map (stream 1) is independent of the map
- * with which a plan was chosen (stream 0). */
+ * four purposes belong to the photon tracer. They, TARGET, LENS and SHINE are
+ * shifted by MURK_STREAM * stream, so that, for example, a held-out photon map
+ * (stream 1) is independent of the map with which a plan was chosen (stream 0).
+ */
 typedef enum murk_purpose {
     MURK_EMIT = 1,
     MURK_FLIGHT,
@@ -23,8 +24,8 @@ typedef enum murk_purpose {
     MURK_SPOQ_START = 16, /* photon: restart; event: draw */
     MURK_SPOQ_ORDER,      /* photon: restart; event: sweep; slot: position */
     MURK_SPOQ_TIE,        /* photon: restart; event: step */
-    MURK_TARGET = 20,     /* shifted like the purposes of the tracer; photon:
-                           * draw; event: 0 on surfaces, 1 in the volume */
+    MURK_TARGET = 20,     /* photon: draw; event: 0 on surfaces, 1 in the volume
+                           */
     MURK_JITTER = 24,     /* photon: draw; event: sensor */
     MURK_LENS = 26,       /* photon: ray of a camera; event 0 */
     MURK_SHINE = 27,      /* photon: ray of a camera; event: event of its
@@ -36,7 +37,7 @@ typedef enum murk_purpose {
     MURK_TEST = 31        /* for tests */
 } murk_purpose;
 
-#define MURK_STREAM 32u /* above all purposes */
+#define MURK_STREAM 32u /* above all purposes, so that shifted ones differ */
 
 typedef struct murk_random4 {
     double u[4];
@@ -67,8 +68,8 @@ static inline murk_random4 murk_random_at(const murk_address *address,
 void murk_random_words(uint32_t seed, uint32_t purpose, uint64_t photon,
                        uint32_t event, uint32_t slot, uint32_t word[4]);
 
-/* A whole number in [0, n), n > 0, from one random word. The bias of each
- * probability is at most n / 2^32 of it. */
+/* A whole number in [0, n), n > 0, from one random word. The relative error of
+ * each probability is at most n / 2^32. */
 static inline uint32_t murk_random_below(uint32_t word, uint32_t n)
 {
     return (uint32_t)(((uint64_t)word * n) >> 32);

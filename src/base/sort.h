@@ -5,7 +5,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* -1, 0 or 1: a comes before b, both are equal, or a comes after b. */
+/* -1, 0 or 1: a is less than b, equal to b, or greater than b. 0 also if one of
+ * them is NaN. */
 #define MURK_ORDER(a, b) (((a) > (b)) - ((a) < (b)))
 
 /* Defines murk_by_NAME(), which compares two numbers of a type. */

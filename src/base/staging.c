@@ -43,7 +43,9 @@ static bool hold(int fd, const char *name)
            locked.st_dev == named.st_dev && locked.st_ino == named.st_ino;
 }
 
-/* True if the file has no lock; the file is then locked until *fd is closed. */
+/* True if the file can be opened and has no lock; the file is then locked until
+ * *fd is closed. *fd is -1 if the file cannot be opened; otherwise the caller
+ * closes it. */
 static bool is_left(const char *name, int *fd)
 {
     *fd = open(name, O_RDWR | O_NONBLOCK | O_CLOEXEC | O_NOFOLLOW);
@@ -75,8 +77,9 @@ int murk_staging_file(const char *path, char **name)
     return -1;
 }
 
-/* Locks the new folder. Returns false if another run has removed it as a
- * leftover. */
+/* Locks the new folder, of which *staging takes ownership. Returns false if the
+ * file .lock cannot be made or another run has removed the folder as a
+ * leftover; the caller then still owns `folder`. */
 static bool lock_folder(murk_staging *staging, char *folder)
 {
     char *name = murk_path_join(folder, LOCK);
@@ -200,9 +203,9 @@ static bool is_staged(const char *name)
            strlen(name) == length + UNIQUE;
 }
 
-/* Recognises the staged names of murk up to version 0.1, .NAME.staged.PID, and
- * of earlier versions, .NAME.staged.PID.tmp.XXXXXX. These files had no locks:
- * they are leftovers if no process with that number exists. */
+/* Recognises the staged names of older versions of murk: .NAME.staged.PID and
+ * .NAME.staged.PID.tmp.XXXXXX. These files had no locks: they are leftovers if
+ * no process with the number PID exists. */
 static bool is_old_leftover(const char *name)
 {
     static const char mark[] = ".staged.";

@@ -12,12 +12,13 @@ typedef struct murk_estimate {
 /* The ratio sum X / sum Y with a standard error by independent units (emitted
  * photons). x[n] and y[n] hold the sums of one unit each; units with x = y = 0
  * may be left out if `units` counts them. se^2 = N/(N-1) sum (x - C y)^2 / (sum
- * y)^2, the ratio estimator (Cochran, Sampling Techniques, 1977, ch. 6). value
- * is NaN if sum y is 0. */
+ * y)^2, the ratio estimator (Cochran, Sampling Techniques, 1977, ch. 6). Both
+ * are NaN if sum y is not above 0; the standard error is NaN if units <= 1. */
 murk_estimate murk_ratio_estimate(const double *x, const double *y, size_t n,
                                   double units);
 
-/* The mean of n numbers with its standard error (NaN for n < 2). */
+/* The mean of n numbers (NaN for n = 0) with the standard error of the mean
+ * (NaN for n < 2). */
 murk_estimate murk_mean_estimate(const double *x, size_t n);
 
 /* The two-sided limit, in standard deviations, at which `checks` independent

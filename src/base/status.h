@@ -10,9 +10,10 @@
 
 #include "murk.h"
 
-/* Fills err (which may be NULL) and returns status, so that a failing call
- * reads `return murk_fail(err, ...)`. A message that err contains already is
- * kept, because the deepest cause is the most useful one. `where` may be "". */
+/* Fills err (which may be NULL) and returns status, which is not MURK_OK, so
+ * that a failing call reads `return murk_fail(err, ...)`. A message that err
+ * contains already is kept, because the deepest cause is the most useful one.
+ * `where` may be "" or NULL. */
 murk_status murk_fail(murk_error *err, murk_status status, const char *where,
                       const char *format, ...)
     __attribute__((format(printf, 4, 5)));
@@ -24,7 +25,7 @@ murk_status murk_no_memory(murk_error *err, const char *where,
     __attribute__((format(printf, 3, 4)));
 
 /* The exit code of the program: 0 done, 1 the run failed (also out of memory),
- * 2 bad input, 130 interrupted. */
+ * 2 bad or unsupported input, 130 interrupted. */
 int murk_status_exit_code(murk_status status);
 
 #endif

@@ -274,8 +274,8 @@ murk_status murk_subprocess_run(unsigned char **out, size_t *size,
     }
     close(ends[1]);
 
-    /* Parent: receive, then kill the subprocess unless it has ended by
-     * itself. */
+    /* Parent: receive, then kill the subprocess unless it has sent its end or
+     * closed the pipe. */
     inbox in = {0};
     murk_error reported = {0};
     const verdict v = receive(ends[0], &in, limits, &reported);

@@ -4,7 +4,8 @@
  * malformed file does to the parser, the parent process receives bytes or an
  * error message.
  *
- * The call forks, so it must come before any thread or ray device exists. */
+ * murk_subprocess_run() forks, so the calling process must have no other
+ * threads (the thread of the progress line is stopped) and no ray device. */
 #ifndef MURK_BASE_SUBPROCESS_H
 #define MURK_BASE_SUBPROCESS_H
 
@@ -13,9 +14,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* The parser, called in the subprocess. It returns bytes by
- * murk_subprocess_send(). The err of a failure is passed to the caller of
- * murk_subprocess_run() unchanged. */
+/* The parser, called in the subprocess, sends bytes by murk_subprocess_send(),
+ * which fails with MURK_RUN_FAILED. The error of a failed parser is passed to
+ * the caller of murk_subprocess_run() unchanged, so a failure must fill *err.
+ */
 typedef struct murk_subprocess murk_subprocess;
 typedef murk_status (*murk_subprocess_work)(murk_subprocess *process,
                                             void *context, murk_error *err);
@@ -31,15 +33,17 @@ typedef struct murk_subprocess_limits {
                             * twice this */
 } murk_subprocess_limits;
 
-/* Default limits for a file of that size: memory of 2 GB or 8 times the file,
- * whichever is larger, and 8 s of processor time plus 1 s for every 4 MB. */
+/* Default limits for a file of that size below 400 GB: memory and sent bytes of
+ * 2 GB or 8 times the file, whichever is larger, and 8 s of processor time plus
+ * 1 s for every 4 MB, under sanitizers 15 times as long. */
 murk_subprocess_limits murk_subprocess_limits_for(uint64_t file_bytes);
 
-/* *out (from malloc(), 16-byte aligned, freed by the caller) and *size hold all
- * bytes that the subprocess sent. Fails with the error of the parser, or with
- * MURK_BAD_FILE at `where` if the subprocess died or exceeded a limit. Standard
- * output and standard error of the subprocess are discarded: warnings have to
- * be sent as data. */
+/* *out (from malloc(), 16-byte aligned, freed by the caller; NULL if nothing
+ * was sent) and *size hold all bytes that the subprocess sent. Fails with the
+ * error of the parser; with MURK_BAD_FILE at `where` if the subprocess died or
+ * exceeded a limit; with MURK_INTERRUPTED; or with MURK_RUN_FAILED if no pipe
+ * or process could be made. Standard output and standard error of the
+ * subprocess are discarded: warnings have to be sent as data. */
 murk_status murk_subprocess_run(unsigned char **out, size_t *size,
                                 murk_subprocess_work work, void *context,
                                 const murk_subprocess_limits *limits,

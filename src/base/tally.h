@@ -3,16 +3,16 @@
  * Every photon packet leaves its light source with MURK_PACKET quanta. Sums of
  * integers do not depend on the order of the terms, so a tally does not depend
  * on the number of threads, and energy balance can be tested with ==. An
- * int64_t holds the quanta of 2^33 packets in one cell; longer runs are refused
- * at set-up. */
+ * int64_t holds the quanta of fewer than 2^33 packets in one cell; runs have at
+ * most 2^32 photons. */
 #ifndef MURK_BASE_TALLY_H
 #define MURK_BASE_TALLY_H
 
 #include <stdatomic.h>
 #include <stdint.h>
 
-/* 2^30 quanta resolve a packet to 1e-9; 2^33 packets of them fill an
- * int64_t. */
+/* 2^30 quanta resolve a packet to 1e-9; 2^33 packets of them are 2^63 quanta,
+ * one more than an int64_t holds. */
 #define MURK_PACKET      (INT64_C(1) << 30)
 #define MURK_PACKETS_MAX (INT64_C(1) << 33)
 

@@ -7,8 +7,8 @@
 #include <stdint.h>
 
 /* Returns the number of bytes, 1..4, of the character at `text`, which must end
- * with '\0'. Returns 0 if the bytes are no character: incomplete, overlong, a
- * surrogate, or beyond U+10FFFF. */
+ * with '\0'. The '\0' counts as a character of one byte. Returns 0 if the bytes
+ * are no character: incomplete, overlong, a surrogate, or beyond U+10FFFF. */
 size_t murk_utf8_length(const char *text);
 
 /* True if the first `n` characters (or all, if there are fewer) are valid and
@@ -18,7 +18,8 @@ bool murk_utf8_is_printable(const char *text, size_t n);
 /* Returns the code point of the valid character at `text` if a terminal might
  * act on the character instead of showing it, else 0. Such characters are
  * control characters of ASCII and of ISO 6429 (U+0080..U+009F), line and
- * paragraph separators, and characters that change the direction of writing. */
+ * paragraph separators, and the marks, overrides and isolates of the direction
+ * of writing (U+200E, U+200F, U+202A..U+202E, U+2066..U+2069). */
 uint32_t murk_utf8_control(const char *text);
 
 /* Copies `text` to out[size] for display on a terminal. Each byte of a control

@@ -1,7 +1,7 @@
 /* Vectors, boxes and affine transformations in double precision.
  *
- * z is up, x east, y north by default; lengths in metres. Directions are unit
- * vectors along the direction of travel. */
+ * z is up; x is east and y is north unless a scene turns north. Lengths are in
+ * metres. Directions are unit vectors along the direction of travel. */
 #ifndef MURK_BASE_VECTOR_H
 #define MURK_BASE_VECTOR_H
 
@@ -34,7 +34,7 @@ static inline murk_vec3 murk_scale(double s, murk_vec3 a)
     return (murk_vec3){s * a.x, s * a.y, s * a.z};
 }
 
-/* a + s b: the point at distance s along b from a. */
+/* a + s b: the point at distance s from a along the unit vector b. */
 static inline murk_vec3 murk_along(murk_vec3 a, double s, murk_vec3 b)
 {
     return (murk_vec3){a.x + s * b.x, a.y + s * b.y, a.z + s * b.z};
@@ -163,7 +163,7 @@ static inline bool murk_box_contains(const murk_box *box, murk_vec3 p)
            p.y <= box->max.y && p.z >= box->min.z && p.z <= box->max.z;
 }
 
-/* True if p is inside the box or on a lower face: the upper faces belong to the
+/* True if min <= p < max on each axis: the upper faces belong to the
  * neighbours, so that boxes that share a face never count a point twice. */
 static inline bool murk_box_holds(const murk_box *box, murk_vec3 p)
 {
@@ -180,19 +180,22 @@ static inline double murk_box_largest_coordinate(const murk_box *box)
 }
 
 /* Cuts the interval [*t0, *t1] of the line origin + t direction to the part
- * inside the box. Returns false if nothing is left. Components of the direction
- * may be 0. */
+ * inside the box. Returns false if nothing is left; *t0 and *t1 then have no
+ * meaning. The direction may have any length, and components of it may be 0. */
 bool murk_box_clip(const murk_box *box, murk_vec3 origin, murk_vec3 direction,
                    double *t0, double *t1);
 
-/* The box of the world (scene key `domain`). Photons leave through open sides;
- * periodic sides wrap in x and y. */
+/* The box of the world (scene key `domain`). A photon that reaches a face
+ * leaves the world. In a periodic domain this holds for the faces in z only: a
+ * photon that leaves through a face in x or y comes in again through the
+ * opposite face. */
 typedef struct murk_domain {
     murk_box box;
     bool is_periodic;
 } murk_domain;
 
-/* A point has 3 x 3 images around a periodic domain, and one in any other. */
+/* The number of images of a point: the point and its 8 neighbours in x and y if
+ * the domain is periodic, else the point alone. */
 static inline int murk_domain_images(const murk_domain *domain)
 {
     return domain->is_periodic ? 9 : 1;
@@ -225,8 +228,8 @@ murk_affine murk_affine_place(murk_vec3 rotate_deg, double scale,
 murk_affine murk_affine_compose(const murk_affine *outer,
                                 const murk_affine *inner);
 
-/* The inverse map. Returns false and leaves *out unchanged if the matrix is
- * singular or not finite. */
+/* The inverse map. Returns false and leaves *out unchanged if the determinant
+ * is 0 or NaN, or so small that the reciprocal overflows. */
 bool murk_affine_invert(const murk_affine *a, murk_affine *out);
 
 murk_vec3 murk_affine_point(const murk_affine *a, murk_vec3 p);
