@@ -58,12 +58,14 @@ enum { ROWS = sizeof row / sizeof *row };
 #define SUN_ZENITH_DEG 15.0
 #define BRICAUD_NM     650.0 /* from here on the ratio is 1 */
 
-/* The sea water in which the attenuation was observed. */
+/* Temperature and salinity that are assumed for the sea water of the
+ * observations. */
 #define TEMPERATURE_C 20.0
 #define SALINITY_PSU  35.0
 
-/* Returns the row at or before a wavelength, and the relative position between
- * this row and the next. */
+/* Returns the index of the row at or before a wavelength (at least the first
+ * row, at most the last but one), and the relative position between this row
+ * and the next, 0..1 within the table. */
 static size_t place_of(double wavelength_nm, double *share)
 {
     size_t i = 0;
@@ -96,8 +98,8 @@ double murk_case_1_kd_of(double absorption_per_m, double backscattering_per_m,
 }
 
 /* Solves the law of Lee et al. for the absorption, by bisection, because the
- * attenuation rises with absorption. The result is 0 if backscattering alone
- * attenuates more. */
+ * attenuation rises with absorption. The result is 0 (below 1e-18 kd) if
+ * backscattering alone attenuates more. */
 static double absorption_of(double kd, double backscattering)
 {
     double low = 0, high = kd;

@@ -51,11 +51,11 @@ static int by_wavelength(const void *a, const void *b)
 }
 
 /* Thins out the rising wavelengths: both ends stay, and between them those
- * without which a gap would exceed NODE_RATIO_MAX. */
+ * without which a gap would exceed NODE_RATIO_MAX. Equal wavelengths become
+ * one. */
 static void thin(nodes *all)
 {
     size_t n = 0;
-    /* One phase function for each node. */
     for (size_t i = 0; i < all->n; ++i) {
         const bool is_end = i == 0 || i + 1 == all->n;
         if (is_end ||
@@ -95,8 +95,9 @@ static murk_status choose_nodes(nodes *all, const murk_law_call *call,
     return MURK_OK;
 }
 
-/* Solutions per droplet. They do not depend on the number of droplets, so a fit
- * of visibility finds the same ones each time. */
+/* Solutions for one droplet per volume, by shape and wavelength. They do not
+ * depend on the number of droplets, so a fit of visibility finds the same ones
+ * each time. */
 static murk_cache cache = MURK_CACHE_NONE;
 
 typedef struct solved {

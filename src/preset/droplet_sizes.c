@@ -127,9 +127,10 @@ murk_droplet_population murk_droplet_population_of(const murk_droplets *shape,
                     murk_log_gamma(order) - log(counted(shape))};
 }
 
-/* The weights with which the ends are judged approximate how a sphere scatters
- * and absorbs, without interference fringes. Small spheres scatter as x^4 and
- * absorb as x; the forward scattering of large spheres grows as x^2. */
+/* The weights with which the ends are judged approximate the efficiencies of a
+ * sphere, without interference fringes. Small spheres absorb as x and scatter
+ * as x^4, so the lower end is judged by absorption. The intensity that large
+ * spheres scatter forward grows as x^2, and the upper end is judged by that. */
 static double weight_small(double x)
 {
     return x / (1 + x);

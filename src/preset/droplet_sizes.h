@@ -1,9 +1,10 @@
-/* The size distribution of droplets: the modified gamma distribution | n(r) = N
- * norm r^a exp(-b r^c), r in um, r > 0,
+/* The size distribution of droplets: the modified gamma distribution
+ *
+ *   n(r) = N norm r^a exp(-b r^c), r in um, r > 0,
  *
  * with a = alpha and c = gamma of Deirmendjian; c = 1 is the gamma distribution
- * of Hansen and Travis. The structs hold the shape only; results are for one
- * droplet per volume and are multiplied by N.
+ * of Hansen and Travis. The structs hold the shape only; results are for N = 1,
+ * and the caller multiplies them by N.
  *
  * Droplets are counted from a radius of MURK_COUNTED_FROM_UM, because counters
  * do not detect smaller ones and they hardly affect light. For fog and cloud
@@ -20,12 +21,12 @@
 #define MURK_COUNTED_FROM_UM .02 /* see above */
 
 typedef struct murk_droplets {
-    double a, b, c; /* exponents, and b in um^-c */
+    double a, b, c; /* exponents a and c; b in um^-c */
 } murk_droplets;
 
 /* Fails with MURK_BAD_VALUE at `where` for shapes that no fog, cloud or haze
- * has. The limits bound the computing time: a 0..40, c .1..6, effective radius
- * .05..50 um, effective variance .003..10, at least 1 % of the droplets
+ * has. The limits bound the computing time: a 0..40, c .1..6, b > 0, effective
+ * radius .05..50 um, effective variance .003..10, at least 1 % of the droplets
  * counted. */
 murk_status murk_droplets_check(const murk_droplets *shape, const char *where,
                                 murk_error *err);
@@ -48,12 +49,13 @@ typedef struct murk_droplet_population {
 murk_droplet_population murk_droplet_population_of(const murk_droplets *shape,
                                                    double wavelength_nm);
 
-/* The distribution times r^2 [um2] at x, for an integral over dr = r d(ln
- * x). */
+/* n(r) r^3 [um2] at size parameter x for N = 1, where an integral of n(r) r^2
+ * dr is an integral of n(r) r^3 d(ln x). */
 double murk_droplet_area(const murk_droplet_population *population, double x);
 
-/* The range of sizes that contributes all but 1e-7 of the integral at each end,
- * cut to the sizes that murk_mie_solve() accepts. */
+/* The range of size parameters, *min to *max, outside of which about 1e-7 of
+ * the cross sections lies at each end, cut to the range that murk_mie_solve()
+ * accepts. */
 void murk_droplet_ends(const murk_droplet_population *population, double *min,
                        double *max);
 

@@ -25,13 +25,14 @@
  * extinction. */
 #define FAINT_K 1e-6
 
-/* A co-albedo up to this value need not settle. */
+/* A change of the absorption by less than this share of the scattering, times
+ * the tolerance, counts as settled. */
 #define FAINT 1e-3
 
-/* First step in s; least x at which steps change from relative to absolute;
- * largest number of first steps in x up to the largest sphere (much larger
- * spheres differ little from each other); and the largest number of halvings,
- * which bounds the time. */
+/* First step in s; least `wide`, the x at which steps change from relative to
+ * absolute; largest ratio of the largest x to `wide` (much larger spheres
+ * differ little from each other); and the largest number of halvings, which
+ * bounds the time. */
 #define FIRST_STEP .25
 #define WIDE_MIN   8.
 #define WIDE_PARTS 250.
@@ -169,8 +170,9 @@ static int settle(sums *now, const task *job, const size_grid *first,
     return HALVINGS + 1;
 }
 
-/* Computes the phase function with one level less than the last one, which is
- * already within the tolerance, unless that has too few spheres. */
+/* Computes the phase function with one level less than `level`: the step before
+ * the last was within the tolerance already. All levels are used if the others
+ * have fewer than RADII_MIN spheres. */
 static void add_angles(task *job, const size_grid *first, int level,
                        size_t angles, const double *mu, double *phase_per_sr)
 {

@@ -26,8 +26,8 @@ typedef struct murk_law_result {
     murk_preset_phase *phase; /* [n]; used if has_phase is set and the file
                                * gives no phase function */
     bool has_phase;
-    murk_preset_angles *made; /* angles that `phase` refers to, if the law made
-                               * any; the caller destroys them */
+    murk_preset_angles *made; /* the table that `phase` refers to, if the law
+                               * made one, else NULL; the caller destroys it */
 } murk_law_result;
 
 typedef struct murk_law_parameter {

@@ -32,9 +32,9 @@ typedef struct complex_number {
 struct murk_mie {
     size_t capacity;       /* number of terms for which there is memory */
     size_t terms;          /* number of terms of the last sphere */
-    complex_number *a, *b; /* [terms + 1], from index 1 on */
-    complex_number *d;     /* [terms + 1] */
-    double *ratio;         /* [terms + 1]: psi_n / psi_{n-1} */
+    complex_number *a, *b; /* index 1..terms */
+    complex_number *d;     /* index 1..terms */
+    double *ratio;         /* psi_n / psi_{n-1}, index x < n <= terms */
 };
 
 static complex_number divide(complex_number p, complex_number q)

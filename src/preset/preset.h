@@ -36,13 +36,14 @@ typedef struct murk_preset_angles {
     size_t angles, columns;
     double *wavelength_nm; /* [columns] rising; NULL: one column for all
                             * wavelengths */
-    double *angle_deg;     /* [angles] in the form that murk_phase_rows
-                            * requires */
+    double *angle_deg;     /* [angles] as murk_phase_rows of
+                            * medium/phase_table.h requires */
     double *phase_per_sr;  /* [columns * angles], column by column */
 } murk_preset_angles;
 
 /* The caller destroys *out with murk_preset_angles_destroy(). Arrays are filled
- * with 0. by_wavelength says whether there is an array wavelength_nm. */
+ * with 0. The array wavelength_nm is made if by_wavelength is set, else NULL.
+ * Fails with MURK_NO_MEMORY. */
 murk_status murk_preset_angles_create(murk_preset_angles **out, size_t angles,
                                       size_t columns, bool by_wavelength,
                                       murk_error *err);
@@ -72,7 +73,8 @@ size_t murk_preset_interval(const double *at, size_t n, double wavelength_nm,
                             double *share);
 
 /* The value of a column of a table at a wavelength, linear between rows. Beyond
- * the first and the last row the nearest line is continued. */
+ * the first and the last row the nearest line is continued; a table of one row
+ * is constant. */
 double murk_preset_table_at(const murk_preset_table *table,
                             const double *column, double wavelength_nm);
 
@@ -83,7 +85,7 @@ typedef struct murk_preset_part {
     double parameter[MURK_PRESET_PARAMETERS_MAX]; /* parameters of the law, in
                                                    * the order of murk_law */
     murk_preset_table table;                      /* n 0: no table */
-    int times;      /* the murk_word by which the part is multiplied; -1:
+    int times;      /* the murk_word_id by which the part is multiplied; -1:
                      * none */
     bool scaled;    /* whether the part is scaled to the visibility of the
                      * user */
@@ -120,7 +122,8 @@ typedef struct murk_preset {
     size_t sources;
     murk_preset_texts doubts;
     double wavelength_nm[2];           /* smallest, largest */
-    murk_preset_word word[MURK_WORDS]; /* mor_m is known if visibility_m is */
+    murk_preset_word word[MURK_WORDS]; /* without mor_m: murk_preset_word_of()
+                                        * of check_words.h */
     murk_preset_part part[MURK_PRESET_PARTS_MAX];
     size_t parts;
 } murk_preset;
@@ -144,7 +147,7 @@ typedef struct murk_mixture {
 
 void murk_mixture_destroy(murk_mixture *mixture); /* NULL is fine */
 
-/* The bands of the scene: wavelengths, or n + 1 edges. */
+/* The bands of the scene: n wavelengths, or n + 1 edges. */
 typedef struct murk_preset_bands {
     int n;
     const double *line_nm; /* [n] */
@@ -158,10 +161,12 @@ typedef struct murk_preset_result {
 } murk_preset_result;
 
 /* Evaluates a preset: at a single wavelength the value there, for a band with
- * edges the mean over the band. Fails with MURK_BAD_VALUE at `where` if a word
- * is unknown to the preset or outside the range of the preset, or a band is
- * outside the wavelengths of the preset. The caller releases *out with
- * murk_preset_result_release(). */
+ * edges the mean over MURK_PRESET_SAMPLES wavelengths. `albedo` is the ratio of
+ * the mean scattering to the mean extinction. Fails with MURK_BAD_VALUE at
+ * `where` if a word is unknown to the preset or outside the range of the
+ * preset, or a band is outside the wavelengths of the preset; also as laws do,
+ * and with MURK_NO_MEMORY. The caller releases *out with
+ * murk_preset_result_release(); on failure *out is unchanged. */
 murk_status murk_preset_evaluate(murk_preset_result *out,
                                  const murk_preset *preset,
                                  const murk_words *words,

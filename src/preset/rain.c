@@ -4,9 +4,9 @@
  *
  * marshall_palmer: N(D) = 8000 exp(-slope D) drops per m3 and mm of diameter,
  * slope = 4.1 R^-.21 per mm. Drops are much larger than the wavelength, so the
- * extinction of each drop is twice the cross section, half of it by refracted
- * and reflected rays and half by diffraction: extinction = pi 8000 / slope^3
- * mm2/m3. At rate 0 the extinction is 0.
+ * extinction cross section of each drop is twice the geometrical one, half of
+ * it by refracted and reflected rays and half by diffraction: extinction = pi
+ * 8000 / slope^3 mm2/m3. At rate 0 the extinction is 0.
  *
  * Each law returns one half of the extinction: diffraction (parameter rays: 0),
  * or the rays (rays: 1), of which the drops absorb a share that is computed for
@@ -31,12 +31,12 @@
 
 /* Numbers of midpoints: of angles of incidence, with an error of 1e-4 of the
  * absorbed share; and of diameters, up to SIZES_SLOPES / slope, beyond which
- * 1e-5 of all cross section lies. */
+ * 2e-5 of all cross section lies. */
 #define ANGLES       64
 #define SIZES        48
 #define SIZES_SLOPES 16.0
 
-/* 1 / slope [mm], which is finite without rain, too. */
+/* 1 / slope [mm], which is 0 without rain. */
 static double size_of(double rate)
 {
     return pow(rate, SLOPE_FALL) / SLOPE;

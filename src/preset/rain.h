@@ -13,8 +13,8 @@
 #define MURK_PRESET_RAIN_H
 
 /* The absorbed share of the light that falls on a drop, 0..1: absorption cross
- * section divided by geometrical cross section. n > 1 is the index of the drop,
- * absorption_per_m the absorption of the water in it. */
+ * section divided by geometrical cross section. n > 1 is the refractive index
+ * of the drop, absorption_per_m the absorption coefficient of water. */
 double murk_drop_absorbs(double diameter_m, double n, double absorption_per_m);
 
 #endif

@@ -126,7 +126,8 @@ static const node imaginary_part[] = {
     {2477.42, 1.709e-03}, {2488.86, 1.810e-03}, {2500.35, 1.900e-03},
 };
 
-/* Returns the last node at or before a wavelength. */
+/* Returns the first node of the interval of the table in which a wavelength
+ * lies. */
 static const node *before(const node *nodes, size_t count, double wavelength_nm)
 {
     return nodes + murk_interval_of(&nodes->wavelength_nm,

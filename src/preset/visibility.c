@@ -3,9 +3,9 @@
  *
  *   extinction = (-ln .02 / V) (wavelength / 550 nm)^-q
  *
- * Kruse: q = .585 V^(1/3) (V in km) below 6 km, 1.3 to 50 km, 1.6 above. Kim: q
- * = 0 below .5 km (fog, equal for all wavelengths), V - .5 to 1 km, .16 V + .34
- * to 6 km, and as Kruse above.
+ * Kruse: q = .585 V^(1/3) (V in km) up to 6 km, 1.3 above and up to 50 km, 1.6
+ * above. Kim: q = 0 up to .5 km (fog, equal for all wavelengths), V - .5 to 1
+ * km, .16 V + .34 to 6 km, and as Kruse above.
  *
  * Sources: Kruse, McGlauchlin & McQuistan, Elements of Infrared Technology,
  * Wiley (1962); Kim, McArthur & Korevaar, Proc. SPIE 4214 (2001) 26,

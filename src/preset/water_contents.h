@@ -20,7 +20,7 @@ double murk_chlorophyll_absorption(double wavelength_nm,
                                    double chlorophyll_mg_per_m3);
 
 /* Scattering by these particles: .416 C^.766 (wavelength / 550 nm)^v, with v =
- * .5 (log10 C - .3) up to 2 mg/m3 and v = 0 above. */
+ * .5 (log10 C - .3) below 2 mg/m3 and v = 0 from there on. */
 double murk_chlorophyll_scattering(double wavelength_nm,
                                    double chlorophyll_mg_per_m3);
 

@@ -21,8 +21,9 @@
  * surface. */
 double murk_water_sun_cosine(double zenith_in_air_deg);
 
-/* The absorption for which Kd is kd_per_m, with scattering by particles and by
- * molecules: 0 or more. */
+/* The total absorption [1/m], 0 or more, for which Kd is kd_per_m, with
+ * scattering by particles and by molecules [1/m]. 0 if kd_per_m is not above 0.
+ */
 double murk_water_absorption_of_kd(double kd_per_m, double particles_per_m,
                                    double molecules_per_m, double sun_cosine);
 

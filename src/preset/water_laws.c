@@ -158,15 +158,16 @@ murk_status murk_law_sediment(murk_law_result *out, const murk_law_call *call,
     return MURK_OK;
 }
 
-/* Absorption and scattering of the constituents, known at one wavelength;
+/* Absorption and scattering of water with its constituents, known at one
+ * wavelength, and how the part of the constituents depends on wavelength;
  * parameters in the order of laws.c. */
 typedef struct green {
     double absorption_per_m, scattering_per_m, at_nm;
     double absorption_per_nm, scattering_power;
 } green;
 
-/* The factor of the constituents that gives the beam attenuation of the user,
- * if there is one. */
+/* The factor of the constituents with which water and constituents have the
+ * beam attenuation of the user; 1 if the user gives none. */
 static murk_status scale_of(double *scale, const green *g,
                             const murk_law_call *call, murk_error *err)
 {
@@ -222,8 +223,9 @@ static double particles(const daylight *d, double nm)
     return d->scattering_per_m * pow(nm / d->at_nm, -d->power);
 }
 
-/* The absorption of the constituents that gives the attenuation of a row of the
- * table; below 0 if pure water alone absorbs more. */
+/* The absorption of the constituents that gives the diffuse attenuation of a
+ * row of the table; below 0 if pure water alone absorbs more than that
+ * attenuation requires. */
 static double beside_water(const daylight *d, size_t row)
 {
     const murk_preset_table *table = d->call->table;

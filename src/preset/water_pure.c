@@ -5,14 +5,21 @@
  *   + 2 pi^2 wavelength^-4 n^2 (dn/dS)^2 S M / (rho N (-dln a/dS)) F     salt
  *
  * with F = (6 + 6 delta) / (6 - 7 delta) for depolarisation delta. Total
- * scattering is 8 pi/3 (2 + delta) / (1 + delta) times that. The quantities are
- * from: | n, dn/dS Quan & Fry, Appl. Opt. 34 (1995) 3477, |
- * doi:10.1364/AO.34.003477, times the index of air: Ciddor, | Appl. Opt. 35
- * (1996) 1566, doi:10.1364/AO.35.001566 | rho dn^2/drho Proutiere, Megnassan &
- * Hucteau, J. Phys. Chem. 96 (1992) | 3485, doi:10.1021/j100187a058 |
- * compressibility Millero et al., Deep-Sea Res. A 27 (1980) 255 | rho UNESCO
- * Tech. Pap. Mar. Sci. 38 (1981) | a activity of the water: Millero & Leung,
- * Am. J. Sci. 276 | (1976) 1035 */
+ * scattering is 8 pi/3 (2 + delta) / (1 + delta) times the scattering at 90
+ * degrees. The sources of the quantities are
+ *
+ *   n, dn/dS         Quan & Fry, Appl. Opt. 34 (1995) 3477,
+ *                    doi:10.1364/AO.34.003477, times the index of air: Ciddor,
+ *                    Appl. Opt. 35 (1996) 1566, doi:10.1364/AO.35.001566
+ *   rho dn^2/drho    Proutiere, Megnassan & Hucteau, J. Phys. Chem. 96 (1992)
+ *                    3485, doi:10.1021/j100187a058
+ *   compressibility  Millero et al., Deep-Sea Res. A 27 (1980) 255
+ *   rho              UNESCO Tech. Pap. Mar. Sci. 38 (1981)
+ *   a                activity of the water: Millero & Leung, Am. J. Sci. 276
+ *                    (1976) 1035
+ *
+ * k is the constant of Boltzmann, T the temperature, S the salinity, M the
+ * molar mass of water, rho the density and N the constant of Avogadro. */
 #include "preset/water_pure.h"
 
 #include "preset/water_tables.h"

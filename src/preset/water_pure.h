@@ -20,10 +20,11 @@
  * Phys. 65 (1976) 593. */
 #define MURK_WATER_DEPOLARISATION 0.039
 
-/* Absorption [1/m] within the two wavelengths above. */
+/* Absorption [1/m] between the two wavelengths above. */
 double murk_water_absorption(double wavelength_nm);
 
-/* Total scattering [1/m] at 0..30 degrees C, 0..40 psu and normal pressure. */
+/* Total scattering [1/m] by Zhang, Hu & He, at 0..30 degrees C, 0..40 psu and
+ * normal pressure. */
 double murk_water_scattering(double wavelength_nm, double temperature_c,
                              double salinity_psu);
 

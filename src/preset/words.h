@@ -50,7 +50,7 @@ typedef struct murk_word_row {
 /* Indexed by murk_word_id. */
 extern const murk_word_row murk_word_rows[MURK_WORDS];
 
-/* Returns the word with that name, or -1. */
+/* Returns the murk_word_id of the word with that name, or -1. */
 int murk_word_find(const char *name);
 
 #endif
