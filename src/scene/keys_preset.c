@@ -52,8 +52,13 @@ static murk_status check_word(murk_key_reader *walk, const murk_yaml *map,
         FLAG(murk_preset_word, has_preset)),                 \
         ROW("least", __VA_ARGS__, NEEDED, WORD_MEMBER(min)), \
         ROW("most", __VA_ARGS__, NEEDED, WORD_MEMBER(max)), END
+/* A number without a place of its own: the list keeps it. */
+#define BARE_NUMBER(name_)                      \
+    {                                           \
+        .name = name_, .kind = MURK_KEY_NUMBER, \
+    }
 #define THREE_NUMBERS \
-    LIST_ITEMS(ROW("a", NUMBER), ROW("b", NUMBER), ROW("c", NUMBER))
+    LIST_ITEMS(BARE_NUMBER("a"), BARE_NUMBER("b"), BARE_NUMBER("c"))
 
 static const murk_key WORD_ROWS_1[] = {RANGE_ROWS(NUMBER)};
 static const murk_key WORD_ROWS_3[] = {RANGE_ROWS(NUMBERS, THREE_NUMBERS)};
