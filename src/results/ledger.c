@@ -89,8 +89,8 @@ static void list_lost(murk_results_fields *f, const void *of)
         [MURK_LOSS_NUMERICAL] = "numerical"};
     static const char *const help[MURK_LOSSES] = {
         [MURK_LOSS_EVENTS] = "ended by the cap of 100000 events",
-        [MURK_LOSS_WRAPS] = "ended by the cap of passages through periodic "
-                            "sides",
+        [MURK_LOSS_WRAPS] =
+            "ended by the cap of passages through periodic sides",
         [MURK_LOSS_NUMERICAL] = "could not be followed"};
     const murk_ledger *ledger = of;
     for (int i = 0; i < MURK_LOSSES; ++i) {
