@@ -1,12 +1,12 @@
 /* Sightlines across one interface: takes the refracted paths
  * (sensing/refract.h), tests range, field of view, normal and surfaces for
  * each, and multiplies the transmittances of boundary, sheets and media.
- * Photons that a straight line would show, but no refracted path does, are
- * counted by cause. */
+ * A photon without a refracted path is counted by cause if range, field of view
+ * and normal admit the straight line to the photon. */
 #include "sensing/across.h"
 
-/* Counts a photon that a straight sightline would show and that no path
- * reaches. */
+/* Counts a photon that no refracted path reaches, if range, field of view and
+ * normal admit the straight line. Surfaces are not tested. */
 static void count_lost(const murk_across *a, const murk_side *facing,
                        murk_vec3 from, bool is_reflected)
 {

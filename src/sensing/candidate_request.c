@@ -1,5 +1,6 @@
-/* The points of a grid of candidates, and the checks of a request for
- * candidates: sizes, places within the domain, and offsets of mounts. */
+/* The points of a grid of candidates, the checks of a request for candidates
+ * (clearance, sizes, places within the domain, offsets of mounts), and the test
+ * of the forbidden zones. */
 #include "sensing/candidate_request.h"
 
 #include "base/position.h"
@@ -75,7 +76,8 @@ static murk_status check_place(const murk_candidate_grid *grid,
         return murk_fail(err, MURK_BAD_VALUE, where,
                          "min_m or max_m is not finite");
     }
-    /* The grid must extend upwards along each axis, and lie in the domain. */
+    /* The grid must rise along each axis with several points, must not fall
+     * along the others, and must lie in the domain. */
     for (int axis = 0; axis < 3; ++axis) {
         const bool is_line = grid->size[axis] > 1;
         if (!(is_line ? from[axis] < to[axis] : from[axis] <= to[axis])) {

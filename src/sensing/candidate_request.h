@@ -19,12 +19,13 @@
 typedef struct murk_candidate_grid {
     murk_vec3 min, max; /* first and last point along each axis */
     size_t size[3]; /* points along each axis, >= 1; a single point lies in the
-                       middle */
+                       middle between min and max */
     double clearance_m;
 } murk_candidate_grid;
 
 /* A grid of about `points` points in the middles of equal cells of the box, as
- * close to cubes as the box allows; no clearance. */
+ * close to cubes as the box allows, at least one along each axis. The clearance
+ * is 0. The box has a volume above 0, and points >= 1. */
 murk_candidate_grid murk_candidate_grid_fill(const murk_box *box,
                                              size_t points);
 
@@ -49,7 +50,8 @@ typedef struct murk_candidate_mount {
     const murk_mount_site *site; /* [sites] */
     size_t sites;
     double offset_m;       /* distance from the surface along the normal, > 0 */
-    double min_up, max_up; /* limits of normal.z: -1 and 1 allow all */
+    double min_up, max_up; /* limits of normal.z, both included: -1 and 1 allow
+                              all */
 } murk_candidate_mount;
 
 /* The request for candidates. */
@@ -68,8 +70,9 @@ typedef struct murk_candidate_desc {
         *within; /* candidates lie in one of these zones; NULL: anywhere */
 } murk_candidate_desc;
 
-/* Fails with MURK_BAD_VALUE at `where` if the request is not one that
- * murk_candidates_create() accepts. */
+/* Checks the clearance, the grid, the listed points and the offsets of the
+ * mounts; fails with MURK_BAD_VALUE at `where`. The total number of candidates
+ * is checked by murk_candidates_create(). */
 murk_status murk_candidate_desc_check(const murk_candidate_desc *desc,
                                       const murk_surfaces *surfaces,
                                       const murk_domain *domain,

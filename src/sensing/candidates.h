@@ -2,21 +2,22 @@
  * mounted on surfaces, without those outside of free space or in forbidden
  * zones.
  *
- * A point of the grid is usable if it is reached and at least clearance_m from
- * any surface. A point is reached if an unblocked straight segment joins it to
- * a lamp (for distant light, a segment along an axis to an open side of the
- * domain: all six sides, in a periodic domain top and bottom), or if unblocked
- * steps between neighbours of the grid lead to it from a reached point; the
- * steps may pass points that are too close to a surface. In a periodic domain
- * segments go to the nearest image, and the first and last points along x and y
- * are neighbours through the side. Transmitting sheets do not block. So the
- * inside of a crate is dropped, also in open and badly wound meshes.
+ * A point of the grid is usable if it is reached, at least clearance_m from any
+ * surface, and outside of forbidden zones. A point is reached if an unblocked
+ * straight segment joins it to a lamp (for distant light, a segment along an
+ * axis to an open side of the domain: all six sides, in a periodic domain top
+ * and bottom), or if unblocked steps between neighbours of the grid lead to it
+ * from a reached point; the steps may pass points that are too close to a
+ * surface. In a periodic domain segments go to the nearest image, and the first
+ * and last points along x and y are neighbours through the side. Transmitting
+ * sheets do not block. So the inside of a crate is dropped, also in open and
+ * badly wound meshes.
  *
  * Listed points and mounts are reached if one unblocked straight segment joins
- * them to a reached point of the grid (the nearest 1000 of the 32768 nearest
- * points of the grid are tried) or to a place from which the grid is reached.
- * For a mount the segment from the mounting point must be open as well, and the
- * surface that carries the mount does not count for clearance
+ * each of them to a reached point of the grid (up to 1000 reached points among
+ * the some 32768 nearest points of the grid are tried), to a lamp, or to an
+ * open side. For a mount the segment from the mounting point must be open as
+ * well, and the surface that carries the mount does not count for clearance
  * (geometry/mount_sites.h).
  *
  * Solids block segments as they block sightlines, but not for a lamp inside: a
@@ -25,7 +26,8 @@
  *
  * A point within rounding of a surface (2^-18 of the domain's largest
  * coordinate; more if surfaces are larger than the domain) sees nothing: it is
- * dropped as too close, and no step leads through it. */
+ * dropped as too close, unless a forbidden zone drops it first, and no step
+ * leads to it. */
 #ifndef MURK_SENSING_CANDIDATES_H
 #define MURK_SENSING_CANDIDATES_H
 
@@ -38,17 +40,22 @@ typedef enum murk_candidate_kind {
 } murk_candidate_kind;
 
 /* Order: the grid (x fastest, then y, z), points, mounts; of a mounting point
- * first the side of the normal. Each request is counted once in `asked`, and
- * once in `usable` or under the first cause that dropped it: duplicates,
- * forbidden, too_close or unreached. */
+ * first the side of the normal. Each requested site is counted once in `asked`,
+ * and once in `usable` or under one cause. The first of these causes that
+ * applies counts: a duplicate, outside of the domain (unreached), forbidden, on
+ * a surface (too_close), unreached, nearer than the clearance (too_close).
+ * Points of the grid are never duplicates. */
 typedef struct murk_candidates {
     size_t asked;
     size_t usable;
-    size_t doubtful;   /* dropped although a diagonal step would reach them, or
-                          usable although within rounding of a surface */
-    size_t duplicates; /* within rounding of an earlier request */
+    size_t doubtful;   /* grid points dropped although a diagonal step would
+                          reach them, and usable sites within twice the rounding
+                          distance of a surface */
+    size_t duplicates; /* within rounding of a grid point or of an earlier
+                          listed site */
     size_t forbidden;  /* in forbidden zones */
-    size_t too_close;  /* closer to a surface than the clearance */
+    size_t too_close;  /* on a surface, or reached but closer to a surface than
+                          the clearance */
     size_t unreached;  /* not reached */
     murk_vec3 *position; /* [usable] */
     murk_vec3 *normal;   /* [usable] unit normal of mounts, out of the surface;
@@ -57,9 +64,12 @@ typedef struct murk_candidates {
 } murk_candidates;
 
 /* The caller destroys *out with murk_candidates_destroy(). Fails with
- * MURK_BAD_VALUE at `where`: no points or more than MURK_CANDIDATES_MAX, a
- * point outside the domain, a negative clearance, an offset lost in rounding,
- * or no usable point (the message counts the causes). */
+ * MURK_BAD_VALUE at `where`: no sites or more than MURK_CANDIDATES_MAX, a grid
+ * that murk_candidate_desc_check() refuses, a grid point or listed point
+ * outside the domain, a clearance that is negative or infinite, an offset lost
+ * in rounding, or no usable site (the message counts the causes). Fails also
+ * with MURK_NO_MEMORY or MURK_INTERRUPTED. After a failure *out is
+ * unchanged. */
 murk_status murk_candidates_create(murk_candidates **out,
                                    const murk_candidate_desc *desc,
                                    const murk_surfaces *surfaces,

@@ -94,7 +94,8 @@ uint32_t murk_combined_rows_worth(const murk_combined_rows *v, size_t i)
     return sum;
 }
 
-/* Without one of the entries that count, the next largest one counts. */
+/* Without one of the `layers` largest entries, entry `layers` + 1 counts
+ * instead. */
 void murk_combined_rows_only(const murk_combined_rows *v,
                              const uint32_t *weight, uint64_t *only)
 {

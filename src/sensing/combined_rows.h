@@ -6,35 +6,43 @@
 #include "placement/dose.h"
 
 typedef struct murk_combined_rows {
-    size_t photons, layers; /* entries of a photon that count */
+    size_t photons, layers; /* number of photons; number of the largest entries
+                               of a photon that add up to the value */
     uint32_t *sensors;      /* [photons] number of sensors with an entry */
-    uint16_t *clarity;  /* [photons][layers + 1] the largest entries, falling */
-    uint32_t *clearest; /* [photons][layers] the sensors of these entries */
-    /* For detection probabilities, in place of both. */
+    uint16_t *clarity;      /* [photons][layers + 1] the largest entries of each
+                               photon, in falling order */
+    uint32_t *clearest; /* [photons][layers] the sensors of the first `layers`
+                           of these entries */
+    /* For detection probabilities, in place of clarity and clearest: the sum of
+     * the doses of a photon, and the table of doses. */
     uint64_t *dose; /* [photons] */
     murk_doses *doses;
 } murk_combined_rows;
 
-/* Without any row. False when out of memory; call murk_combined_rows_release()
- * also then. */
+/* Starts without any row; layers >= 1, and 1 for MURK_COMBINE_INDEPENDENT.
+ * False when out of memory; call murk_combined_rows_release() also then. */
 bool murk_combined_rows_init(murk_combined_rows *out, size_t photons,
                              murk_combining combining, size_t layers);
 void murk_combined_rows_release(murk_combined_rows *combined);
 
-/* Adds the row of one sensor. Sensors must come in increasing order; of equal
- * entries the first counts. */
+/* Adds the row of one sensor. A sensor is added once. Of equal entries the one
+ * that was added first stands before the others. */
 void murk_combined_rows_add(murk_combined_rows *combined, uint32_t sensor,
                             const murk_sparse_row *row);
 
-/* The value of photon i, 0 .. layers * MURK_CLEAR. */
+/* The value of photon i, 0 .. layers * MURK_CLEAR: the sum of the `layers`
+ * largest entries, or MURK_CLEAR times the probability that some sensor detects
+ * the photon. */
 uint32_t murk_combined_rows_worth(const murk_combined_rows *combined, size_t i);
 
-/* After all rows: only[sensor] += the value of all sensors less the value
- * without this one, times weight. For largest entries only. */
+/* After all rows: adds to only[sensor] the value of all sensors less the value
+ * without this sensor, summed over the photons times weight[photons]. Not for
+ * detection probabilities. */
 void murk_combined_rows_only(const murk_combined_rows *combined,
                              const uint32_t *weight, uint64_t *only);
 
-/* The same for one sensor with this row; for detection probabilities only. */
+/* Returns the same sum for the sensor of this row, which must have been added.
+ * For detection probabilities only. */
 uint64_t murk_combined_rows_only_of(const murk_combined_rows *combined,
                                     const uint32_t *weight,
                                     const murk_sparse_row *row);

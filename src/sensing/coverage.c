@@ -35,11 +35,15 @@ typedef struct measure {
     stored_row *block;             /* [ROWS_EACH * threads] */
     size_t capacity;               /* of block */
     size_t first;                  /* sensor of block[0] */
-    uint64_t *single_value, *only; /* [sensors] weight * clarity: alone, and
-                                      lost without the sensor */
-    bool is_second_pass; /* second pass, for the share that only one sensor sees
+    uint64_t *single_value, *only; /* [sensors] sums of weight * clarity: of the
+                                      sensor alone, and lost without the
+                                      sensor */
+    bool is_second_pass; /* second pass over the rows, for the value that is
+                            lost without each sensor; detection probabilities
+                            only
                           */
-    uint64_t *seen_by;   /* [sensors + 1]: weight seen by exactly so many */
+    uint64_t *seen_by;   /* [sensors + 1]: weight of the photons that exactly so
+                            many sensors see */
     size_t at_least; /* 0, or: a photon seen by so many sensors counts fully,
                         any other not at all */
 } measure;
@@ -171,7 +175,8 @@ static double ratio(uint64_t part, uint64_t whole)
     return whole > 0 ? (double)part / (double)whole : NAN;
 }
 
-/* NaN for an empty map. */
+/* The fraction of a map by power; NaN for a map that is empty or without
+ * power. */
 static double own_fraction(const share *s)
 {
     return s->whole_w > 0 ? s->seen_w / s->whole_w : NAN;
@@ -200,7 +205,8 @@ static void fill(murk_coverage_result *out, const measure *m, uint64_t whole)
 
 /* Sorts the records by emitted photon, as emitted << 32 | record: radix sort by
  * bytes, least significant first, which keeps the records of a photon in order.
- * Uses two arrays of `photons`, and returns the one with the result. */
+ * Uses two arrays of n keys and returns the one that holds the result.
+ * `emitted` is the number of emitted photons. */
 static uint64_t *sort_by_emitted(uint64_t *keys, uint64_t *other, size_t n,
                                  uint64_t emitted)
 {
@@ -225,12 +231,15 @@ static uint64_t *sort_by_emitted(uint64_t *keys, uint64_t *other, size_t n,
 
 typedef struct residuals {
     double total;   /* sum of squared residuals, in weight * clarity */
-    double part[2]; /* the same of each map alone, in power * clarity */
-    double map[2];  /* of the total, from the records of each map alone */
+    double part[2]; /* sum of squared residuals of each map's own coverage, in
+                       power * clarity */
+    double map[2];  /* sum of squared residuals of the total, in weight *
+                       clarity, with the records of each map alone */
 } residuals;
 
-/* Sums the squared residuals by emitted photon. For `balanced` each record is
- * compared with the coverage of its own map, otherwise with the total. */
+/* Sums the squared residuals by emitted photon. In weights, each record is
+ * compared with the coverage of its own map for `balanced`, and otherwise with
+ * the total; in power, always with the coverage of its own map. */
 static residuals square_residuals(const measure *m, const uint64_t *key,
                                   const share part[2], double c_total)
 {
@@ -334,7 +343,8 @@ static murk_status find_errors(murk_coverage_result *out, const measure *m,
     const uint64_t whole = part[0].whole + part[1].whole;
     out->total.standard_error = error_of(sum.total, (double)whole, emitted);
     for (int p = 0; p < 2; ++p) {
-        /* for `balanced` one half, except for the rounding of weights */
+        /* For `balanced` with records of weight in both maps exactly one half:
+         * the rounding of weights is ignored. */
         const bool is_half =
             desc->weights.balanced && part[0].whole && part[1].whole;
         out->map[p].weight = is_half ? .5 : ratio(part[p].whole, whole);

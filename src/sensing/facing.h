@@ -11,7 +11,8 @@ typedef struct murk_side {
     uint32_t packed;
     murk_vec3 normal;
     murk_vec3 off; /* step off the surface, the same at every position */
-    double tilt2;  /* squared sine of the largest error of a stored normal */
+    double tilt2;  /* square of the largest error of a stored normal [rad2], an
+                      upper bound of the squared sine */
 } murk_side;
 
 /* Unpacks a normal. Normals along an axis are stored exactly; all others have

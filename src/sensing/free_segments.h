@@ -15,7 +15,7 @@ typedef enum murk_closeness {
     MURK_CLEAR_OF_SURFACES,
     MURK_BARELY_CLEAR, /* no surface within the tolerance, one within twice the
                           tolerance */
-    MURK_TOO_CLOSE,    /* for the requested clearance */
+    MURK_TOO_CLOSE,    /* a surface is nearer than the requested clearance */
     MURK_ON_SURFACE /* within the tolerance: sees nothing, and no segment leads
                        there */
 } murk_closeness;
@@ -32,18 +32,20 @@ typedef struct murk_free_segments {
 murk_free_segments murk_free_segments_of(const murk_surfaces *surfaces,
                                          const murk_domain *domain);
 
-/* True if no surface blocks the segment. */
+/* True if no surface blocks the segment, nor either of the two segments beside
+ * it. Transmitting sheets block only with by_sheets. */
 bool murk_free_segment_is_open(const murk_free_segments *segments,
                                murk_vec3 from, murk_vec3 to);
 
-/* True if a segment along an axis leads from the point to an open side of the
- * domain: all six sides, in a periodic domain top and bottom. */
+/* True if an unblocked segment along an axis leads from the point to a side of
+ * the domain: all six sides, in a periodic domain top and bottom. */
 bool murk_free_segment_leads_out(const murk_free_segments *segments,
                                  murk_vec3 point);
 
 /* The distance class of a point: how near surfaces are. foot: if a sensor is
  * mounted, the mounting point, with the normal of the surface towards the
- * sensor; that surface is ignored. NULL: not mounted. */
+ * sensor; the test of the clearance ignores that surface. NULL: not mounted. A
+ * clearance of up to twice the tolerance is not tested. */
 murk_closeness murk_free_segments_closeness(const murk_free_segments *segments,
                                             murk_vec3 point, double clearance_m,
                                             const murk_mount_site *foot);

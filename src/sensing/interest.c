@@ -50,7 +50,8 @@ static uint64_t boundary_meshes_around(const murk_interest *interest,
 uint64_t murk_interest_at(const murk_interest *interest,
                           const murk_photon *photon, double slack_m)
 {
-    /* Storage moves only surface photons off a boundary. */
+    /* The slack is for surface photons only: they lie on boundaries, from which
+     * storage may have moved them. */
     const murk_vec3 p = murk_photon_place(photon);
     const double slack = murk_photon_is_volume(photon) ? 0 : slack_m;
     const uint64_t boundary_meshes =

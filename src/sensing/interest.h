@@ -6,10 +6,10 @@
  * whatever other regions contain it. Photons in no region have the factor
  * `elsewhere`.
  *
- * Shapes are closed: their boundary belongs to them, and for surface photons
- * also the distance by which storage may have moved a photon. So the photons of
- * a wall are in a box that ends at the wall, and those of a crate are in the
- * crate's own mesh. */
+ * Shapes include their boundary. For surface photons they are wider by the
+ * distance by which storage may have moved a photon. So the photons of a wall
+ * are in a box that ends at the wall, and those of a crate are in the crate's
+ * own mesh. */
 #ifndef MURK_SENSING_INTEREST_H
 #define MURK_SENSING_INTEREST_H
 
@@ -40,12 +40,14 @@ typedef struct murk_interest {
     const murk_interest_region *region; /* [n] */
     size_t n;                           /* 0..MURK_INTERESTS_MAX */
     const murk_boundary_meshes
-        *boundary_meshes; /* of the regions that are meshes, or NULL */
+        *boundary_meshes; /* of the regions that are meshes: bit i of a mask
+                             stands for region i; or NULL */
     double elsewhere;     /* >= 0, finite */
 } murk_interest;
 
 /* The regions that contain a photon, bit i for region i. slack_m is the
- * distance by which storage may have moved it. */
+ * distance by which storage may have moved the photon; it is used for surface
+ * photons only. */
 uint64_t murk_interest_at(const murk_interest *interest,
                           const murk_photon *photon, double slack_m);
 

@@ -47,8 +47,9 @@ static void choose_directions(murk_vec3 direction[DIRECTIONS])
 
 /* ---- a lamp on a surface ---- */
 
-/* Adds the places just off both sides; the lamp itself if it is off every
- * surface. */
+/* Adds the places just off both sides of the surface that the lamp lies on.
+ * Adds the lamp itself if it is off every surface, or if no ray along an axis
+ * finds the surface. */
 static void add_sides(lamp_search *w, murk_vec3 lamp)
 {
     static const murk_vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -147,8 +148,9 @@ static void find_around(lamp_search *w, murk_vec3 from)
     }
 }
 
-/* Adds the place two tolerances behind a surface, unless another surface is
- * nearer. */
+/* Adds the place two tolerances behind a surface, unless another surface lies
+ * within four tolerances or the place is outside of the domain or in a
+ * solid. */
 static void add_outside(lamp_search *w, murk_vec3 behind, murk_vec3 onward)
 {
     const double off = 2 * w->tolerance_m;
@@ -161,8 +163,9 @@ static void add_outside(lamp_search *w, murk_vec3 behind, murk_vec3 onward)
     }
 }
 
-/* Follows a direction out of the solids around the lamp and adds the places
- * outside of each. */
+/* Follows a direction out of the solids around the lamp and adds a place just
+ * behind each surface of these solids that add_outside() accepts. Ends at
+ * another solid and at a surface that transmits no light. */
 static void walk_out(lamp_search *w, murk_vec3 from, murk_vec3 direction)
 {
     murk_hit hit;

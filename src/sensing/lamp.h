@@ -12,7 +12,8 @@
 
 #include <stddef.h>
 
-/* Two sides of a surface, and several crossings in each of six directions. */
+/* Two sides of a surface, and up to five crossings in each of six directions
+ * for each side. Further places are left out. */
 #define MURK_LAMP_PLACES_MAX 64
 
 /* Writes the places and returns their number, >= 1. Only solids that contain

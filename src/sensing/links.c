@@ -42,8 +42,9 @@ static void spread(search *s, size_t from)
     }
 }
 
-/* The next sensor: the nearest to the tree, the first of equals. If no open
- * segment leads on, the first sensor left, which begins a new group. */
+/* The next sensor: of the sensors outside of the tree the nearest to the tree,
+ * the first of equals. If no open segment leads from the tree to a sensor, the
+ * first sensor outside of the tree, which begins a new group. */
 static size_t next_of(const search *s)
 {
     size_t best = s->n;

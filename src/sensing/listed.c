@@ -1,7 +1,7 @@
 /* Listed sites: removes duplicates with a hash grid of cells, then tests each
- * site for zones, clearance and reach. The segment to the reached grid points
- * is sought in rings of growing distance: the first few points one by one,
- * because one of them is open as a rule, then all others at once. */
+ * site for zones, clearance and reach. An open segment to a reached grid point
+ * is sought in rings of growing distance: the first few points ring by ring,
+ * because one of these segments is open as a rule, then all others at once. */
 #include "sensing/listed.h"
 
 #include "base/cells.h"
@@ -15,12 +15,14 @@
 /* Sites that a thread takes at a time (a choice). */
 #define BATCH_SITES 256
 /* Limits of the search for an open segment: reached points tried, and grid
- * points examined (documented in candidates.h). */
+ * points examined, after which no further ring begins (documented in
+ * sensing/candidates.h). */
 #define NEAREST_MAX  1000
 #define EXAMINED_MAX 32768
 
-/* Points tried one by one: a cell of the grid and its neighbours, 3^3. One of
- * them is open as a rule; testing all others at once is faster. */
+/* Points tried ring by ring: the nearest grid point and its neighbours, 3^3.
+ * The segment to one of them is open as a rule; testing all other segments at
+ * once is faster. */
 #define FIRST_TRIES 27
 
 /* ---- listing ---- */
@@ -172,8 +174,9 @@ static void examine(const classification *j, neighbours *near, size_t index)
     }
 }
 
-/* Examines the grid points at distance r in steps, along the axis of the
- * largest distance. Indices below 0 wrap to large numbers. */
+/* Examines the grid points at distance r from point `at`: the largest of the
+ * three distances along the axes, in steps of the grid. Indices below 0 wrap to
+ * large numbers. */
 static void examine_ring(const classification *j, neighbours *near,
                          const size_t at[3], size_t r)
 {
@@ -269,7 +272,7 @@ static bool is_cut_off(const classification *j, const murk_listed *site,
 
 static murk_verdict verdict_on(const classification *j, const murk_listed *site)
 {
-    /* The surface that carries a mount does not count. */
+    /* The surface that carries a mount does not count for the clearance. */
     const murk_mount_site foot = {
         murk_along(site->position, -site->offset_m, site->normal),
         site->normal};

@@ -7,12 +7,14 @@
 
 typedef enum murk_verdict {
     MURK_SITE_USABLE,
-    MURK_SITE_DOUBTFUL, /* usable, but within rounding of a surface */
+    MURK_SITE_DOUBTFUL, /* usable, but within twice the tolerance of a
+                           surface */
     MURK_SITE_DUPLICATE,
     MURK_SITE_FORBIDDEN,
     MURK_SITE_TOO_CLOSE,
     MURK_SITE_UNREACHED,
-    MURK_SITE_BARELY_UNREACHED, /* a diagonal step would reach it */
+    MURK_SITE_BARELY_UNREACHED, /* grid points only: a diagonal step would reach
+                                   it */
     MURK_SITE_VERDICTS
 } murk_verdict;
 
@@ -22,9 +24,10 @@ typedef struct murk_listed {
     double offset_m;  /* from the mounting point */
 } murk_listed;
 
-/* Lists the sites in the order that candidates.h states. The caller frees *out.
- * A mount that leaves a periodic domain through a side enters through the
- * opposite side. */
+/* Lists the points, then the mounts, in the order that sensing/candidates.h
+ * states, and counts them in *n. The caller frees *out. Fails with
+ * MURK_NO_MEMORY at `where`. A mount that leaves a periodic domain through a
+ * side enters through the opposite side. */
 murk_status murk_listed_all(murk_listed **out, size_t *n,
                             const murk_candidate_desc *desc,
                             const murk_domain *domain, const char *where,

@@ -26,24 +26,25 @@ typedef struct murk_neighbours {
     double max_m; /* maximum radius; at most half a period */
 } murk_neighbours;
 
-/* Workspace of one thread. NULL when out of memory. */
+/* Workspace of one thread, for searches with this k. NULL when out of
+ * memory. */
 typedef struct murk_neighbours_workspace murk_neighbours_workspace;
 murk_neighbours_workspace *murk_neighbours_workspace_create(size_t k);
 void murk_neighbours_workspace_destroy(
     murk_neighbours_workspace *workspace); /* accepts NULL */
 
-/* Writes the indices of the photons within the radius, nearest first, to
- * found[k], and the radius. Returns their number. Photons of the emitted photon
- * `emitted` are left out. If few of the nearest photons are of the same band
- * and side, the search ends after a limited number, and the radius is the
- * distance of the last one. */
+/* Writes the indices of the photons that count, nearest first, to found[], at
+ * most k - 1, and the radius. Returns their number. Photons of the emitted
+ * photon `emitted` are left out. If few of the nearest photons are of the same
+ * band and side, the search ends after 32 k photons, and the radius is the
+ * distance of the last of these, which does not count. */
 size_t murk_neighbours_find(const murk_neighbours *neighbours,
                             murk_neighbours_workspace *workspace,
                             const murk_photon *of, uint64_t emitted,
                             uint32_t *found, double *radius_m);
 
-/* True if the photon has the band of `of` and lies on the same side of a
- * surface. */
+/* True if the photon has the band of `of` and, for surface photons, the normals
+ * differ by less than 90 degrees. Both photons are of the same map. */
 bool murk_neighbours_alike(const murk_photon *of, const murk_photon *photon);
 
 #endif

@@ -1,6 +1,7 @@
 /* Tests arbitrary points for free space, with up to two grids whose free space
  * is known (sensing/reach.h): tries the reached corners of the grid cells
- * around the point, then the places from which light starts. */
+ * around the point, then the places from which the light of the lamps
+ * starts. */
 #include "sensing/open_space.h"
 
 #include "path/segment.h"

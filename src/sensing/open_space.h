@@ -1,12 +1,13 @@
 /* Free space (sensing/candidates.h) for arbitrary points.
  *
- * A point is in free space if one unblocked straight segment joins it to a
- * place from which light starts, or to a reached point of a grid: a corner of
- * the grid cell around the point, or of the cells next to that. So the gap
- * between a shelf and a wall is free, and the inside of a crate is not; points
- * deep in gaps narrower than the grid spacing may be missed.
+ * A point is in free space if one unblocked straight segment joins it to a lamp
+ * (sensing/lamp.h), or to a reached point of a grid: a corner of the grid cell
+ * around the point, or of the cells next to that. So the gap between a shelf
+ * and a wall is free, and the inside of a crate is not; points deep in gaps
+ * narrower than the grid spacing may be missed.
  *
- * Immutable after creation: any number of threads may ask. */
+ * Immutable after creation: any number of threads may call
+ * murk_open_space_holds(). */
 #ifndef MURK_SENSING_OPEN_SPACE_H
 #define MURK_SENSING_OPEN_SPACE_H
 

@@ -6,8 +6,9 @@
  * segment, and at least MURK_OUTLOOK_MIN of the light is transmitted in the
  * clearest band of the type. A segment is open if it meets no surface. A robot
  * must be able to go to a place that is seen, so a pane of glass closes a
- * segment, and so do walls with MURK_VISIBILITY_NORMAL. Segments do not cross
- * periodic sides. A segment is open in both directions or in none. */
+ * segment, and walls close segments even if the description asks for
+ * MURK_VISIBILITY_NORMAL. Segments do not cross periodic sides. A segment is
+ * open in both directions or in none. */
 #ifndef MURK_SENSING_OUTLOOK_H
 #define MURK_SENSING_OUTLOOK_H
 
@@ -26,9 +27,9 @@ typedef struct murk_outlook {
     murk_tally tried; /* segments tested so far */
 } murk_outlook;
 
-/* `bands` is the number of bands of the scene. Borrows surfaces, media,
- * boundary meshes, domain, types and north of the description; for
- * murk_outlook_is_open() surfaces and domain are enough. */
+/* `bands` is the number of bands of the scene. Borrows the description. Of its
+ * members surfaces, media, boundary meshes, domain, types and north are used;
+ * murk_outlook_is_open() uses surfaces and domain only. */
 void murk_outlook_init(murk_outlook *out, const murk_sight_desc *sight,
                        int bands);
 

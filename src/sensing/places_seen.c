@@ -22,7 +22,7 @@
 
 typedef struct work {
     const murk_places *places;
-    murk_sight_desc sight, open; /* as plans see; surfaces only */
+    murk_sight_desc sight, open; /* as plans see; without media, sheets aside */
     const murk_media *media;     /* media along unblocked sightlines */
     const murk_pose *pose;
     size_t sensors;

@@ -13,14 +13,14 @@
 
 typedef struct murk_place_seen {
     float worth; /* 0..1, the share that a plan would count of a photon stored
-                    there; with one entry that counts, the clarity of the
-                    clearest sensor */
+                    there; without redundancy and without detection
+                    probabilities, the clarity of the clearest sensor */
     float
         clarity; /* 0..1, of the clearest sensor; 0: no sensor sees the place */
     float depth; /* optical depth of the media without sheets: the smallest of
                     all unblocked straight sightlines within range and field of
-                    view, however small the clarity. INFINITY: none. 0 if not
-                    requested */
+                    view, however small the clarity. INFINITY: no such
+                    sightline. 0 if not requested */
     uint32_t sensors; /* number of sensors that see the place */
 } murk_place_seen;
 

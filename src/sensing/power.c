@@ -206,7 +206,7 @@ static murk_status check(const murk_power *power, murk_error *err)
         status = murk_power_check_radius(desc->power.radius_m, &desc->domain,
                                          "placement", err);
     }
-    /* Each photon of the volume map must lie in a medium. */
+    /* Each photon of the light's volume map must lie in a medium. */
     const murk_photon_map *map = power->light.volume_map;
     const murk_photon *photon = murk_photon_map_photons(map);
     for (size_t i = 0; i < murk_photon_map_count(map) && !status; ++i) {

@@ -41,9 +41,9 @@
 
 #include "sensing/sight.h"
 
-/* Maximum mean number of photons in an estimate with a fixed radius. Volume
- * estimates depend on the direction, so their photons are stored, and fewer are
- * used. */
+/* Maximum mean number of photons in an estimate with a fixed radius, for places
+ * of the surface map and of the volume map. Volume estimates depend on the
+ * direction, so their photons are stored, and fewer are used. */
 #define MURK_POWER_SURFACE_MAX 512
 #define MURK_POWER_VOLUME_MAX  128
 
@@ -62,14 +62,15 @@ typedef struct murk_sightline {
                           photon)^2 */
 } murk_sightline;
 
-/* For a description with desc->power.radius_m > 0, all members of which are
- * borrowed. The places to be judged are desc's maps; the light is that of
- * desc->power.light, or that of the places.
+/* For a description with desc->power.radius_m > 0. Copies desc and borrows
+ * everything that desc points to. The places to be judged are desc's maps; the
+ * light is that of desc->power.light, or that of the places.
  *
- * Needs up to 550 bytes a place of the volume map, 4 a place of the surface
- * map, and 40 a photon of the light. Runs over threads, with progress. Fails
- * with MURK_BAD_VALUE (radius, sensor types), MURK_BAD_FILE (a record without a
- * medium), MURK_NO_MEMORY or MURK_INTERRUPTED. */
+ * With a fixed radius, needs up to 550 bytes a place of the volume map, 4 a
+ * place of the surface map, and 40 a photon of the light. Runs over threads,
+ * with progress. Fails with MURK_BAD_VALUE (radius, sensor types),
+ * MURK_BAD_FILE (a record of the light's volume map without a medium),
+ * MURK_NO_MEMORY or MURK_INTERRUPTED. */
 murk_status murk_power_create(murk_power **out, const murk_sight_desc *desc,
                               murk_error *err);
 void murk_power_destroy(murk_power *power); /* accepts NULL */

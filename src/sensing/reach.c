@@ -49,9 +49,9 @@ static void measure_closeness(void *context, uint64_t i)
 /* ---- steps between neighbours ---- */
 
 /* The next point along the axis, upwards or downwards, that is not on a
- * surface; *wraps if the step crosses a periodic side. Points on a surface are
- * skipped, so a transmitting sheet in a plane of the grid can be crossed like
- * any other sheet. */
+ * surface; *wraps tells whether the step crosses a periodic side. False if
+ * there is no such point. Points on a surface are skipped, so a transmitting
+ * sheet in a plane of the grid can be crossed like any other sheet. */
 static bool step_along(const search *s, size_t point, int axis, bool is_up,
                        size_t *next, bool *wraps)
 {

@@ -17,7 +17,8 @@
 typedef struct murk_free_space {
     murk_free_segments segments; /* the tests that decide on reach */
     const murk_reach *reach;     /* borrowed */
-    murk_vec3 *place; /* [places] from which light starts (sensing/lamp.h) */
+    murk_vec3 *place; /* [places] from which the light of lamps starts
+                         (sensing/lamp.h) */
     size_t places;
     uint8_t *closeness;   /* [points] murk_closeness */
     uint8_t *is_reached;  /* [points] */

@@ -5,9 +5,10 @@
  * box; of meshes the face that the straight line meets first), is refracted
  * there (sensing/snell.h), and goes straight on to the photon; the index
  * changes nowhere else. There may be several paths, through different faces of
- * a box: the photon is then seen several times, and the path of the largest
- * clarity counts. If sensor and photon lie in media of the same index, the
- * straight line is the only path. */
+ * a box: the photon is then seen several times, and the largest transmittance
+ * counts; with detection by power the signals of all paths add up. If sensor
+ * and photon lie in media of the same index, only the straight line is
+ * considered. */
 #ifndef MURK_SENSING_REFRACT_H
 #define MURK_SENSING_REFRACT_H
 
@@ -18,7 +19,8 @@
 /* The refracting boundaries of a world, prepared once. */
 typedef struct murk_interfaces {
     double near_m; /* faces closer than this to each other count as one */
-    bool any_mesh; /* some mesh is a region with a refractive index */
+    bool any_mesh; /* some mesh is a region that alone has a refractive index
+                      other than 1 */
     size_t n, indices;
     murk_flat flat[MURK_FLATS_MAX];
     double index[MURK_REGIONS_MAX + 1];
@@ -29,30 +31,32 @@ void murk_interfaces_find(murk_interfaces *out, const murk_path_space *space);
 
 typedef struct murk_refracted_path {
     murk_snell snell;
-    murk_vec3 photon; /* the image of the photon that is next to the crossing */
+    murk_vec3 photon; /* the image of the photon that is nearest to the
+                         sensor */
 } murk_refracted_path;
 
 /* At most three faces of a box face a point; one more is for a mesh. */
 #define MURK_REFRACTED_PATHS_MAX 4
 
 /* Writes the paths to a photon in a medium of index photon_index, which differs
- * from the index at the sensor. Returns their number. If there is none,
- * *is_reflected tells whether the straight line meets the first boundary from
- * the denser side beyond the critical angle. */
+ * from the index at the sensor. Returns their number. *is_reflected is true if
+ * there is no path and the straight line meets the first boundary, from either
+ * side, at the critical angle or beyond. */
 size_t murk_refracted_paths_find(
     const murk_interfaces *interfaces, const murk_path_viewpoint *sensor,
     murk_vec3 photon, double photon_index,
     murk_refracted_path path[MURK_REFRACTED_PATHS_MAX], bool *is_reflected);
 
-/* Upper bound on the distance of objects that appear nearer than range_m
- * through a face [m]; may be infinite. */
+/* Upper bound on the distance of objects that appear nearer than range_m,
+ * directly or through a face [m]; at least range_m, may be infinite. */
 double murk_refracted_paths_range(const murk_interfaces *interfaces,
                                   const murk_path_viewpoint *sensor,
                                   double range_m);
 
-/* Both parts of a path together: transmittance of the media, test against
- * surfaces, and transmittance of thin sheets. A surface that lies in the
- * boundary counts once. */
+/* Over both parts of a path: the transmittance of the media in a band; whether
+ * a surface blocks (thin sheets block unless through_sheets); and the
+ * transmittance of thin sheets, of which one that lies in the boundary counts
+ * once. */
 double murk_refracted_path_transmittance(const murk_refracted_path *path,
                                          const murk_path_viewpoint *sensor,
                                          int band);

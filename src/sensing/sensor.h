@@ -16,8 +16,10 @@ typedef struct murk_sensor_type {
     double least_range_m; /* nearer photons are not seen; 0: no limit */
     double range_m;       /* above least_range_m, may be INFINITY */
     murk_view view;
-    double cone_rad;           /* whole angle, above 0 and at most 2 pi */
-    double hfov_rad, vfov_rad; /* whole angles, above 0 and below pi */
+    double cone_rad;           /* of cones: whole angle, above 0 and at most 2
+                                  pi */
+    double hfov_rad, vfov_rad; /* of frusta: whole angles, above 0 and below
+                                  pi */
     double acceptance_rad; /* light scattered forward by less than this counts
                               as not scattered (medium/rescaled.h), 0..pi */
     bool toward; /* detects only light that travels toward the sensor: against
@@ -56,12 +58,13 @@ typedef struct murk_field {
 murk_field murk_field_of(const murk_sensor_type *type, const murk_pose *pose,
                          murk_vec3 north);
 
-/* True if a point at `offset` from the sensor is in the field of view, edges
- * included. The maximum range is not tested. */
+/* True if a point at `offset` from the sensor is in the field of view and not
+ * nearer than the minimum range, edges included. The maximum range is not
+ * tested. */
 bool murk_field_contains(const murk_field *field, murk_vec3 offset);
 
-/* True if the type can detect light that travels along `travel`, from a point
- * at `offset` from the sensor. */
+/* True if the field takes light that travels along `travel`, from a point at
+ * `offset` from the sensor: always, unless `toward` is set. */
 bool murk_field_takes(const murk_field *field, murk_vec3 offset,
                       murk_vec3 travel);
 

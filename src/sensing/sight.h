@@ -10,8 +10,10 @@
  * volume map, each in the order of the map. A sight is immutable except for its
  * counters.
  *
- * A segment is open if it meets no surface except thin sheets, and the
- * refractive index does not change along it.
+ * A segment is open if it meets no surface (with `through_sheets`: none but
+ * thin sheets), and the refractive index does not change along the segment,
+ * unless `refracts` is set. With detection by power the clarity is the
+ * detection probability (sensing/power.h).
  *
  * Grazing photons are not seen. "> 0" means more than the possible error of
  * storage: 2^-20 of the domain's largest coordinate, and
@@ -68,8 +70,8 @@ typedef struct murk_power_settings {
     murk_power_light light; /* maps NULL: those of the sight */
 } murk_power_settings;
 
-/* Fails with MURK_BAD_VALUE at `where` unless the radius is above 0 and, in a
- * periodic domain, at most half a period. */
+/* Fails with MURK_BAD_VALUE at `where` unless the radius is above 0 and at most
+ * 1e9 m, in a periodic domain at most half the shorter period. */
 murk_status murk_power_check_radius(double radius_m, const murk_domain *domain,
                                     const char *where, murk_error *err);
 
@@ -86,9 +88,11 @@ typedef struct murk_sight_desc {
     size_t types;
     murk_vec3 north; /* horizontal, of length 1; zero: +y */
     murk_visibility visibility;
-    bool through_sheets; /* through: thin; false: block */
-    bool refracts; /* through: refract, with MURK_VISIBILITY_RAY: sightlines are
-                      refracted at one flat boundary */
+    bool through_sheets; /* thin sheets transmit light; false: they block. The
+                            scene key `through`, thin or block */
+    bool refracts;       /* sightlines are refracted at one flat boundary, with
+                            MURK_VISIBILITY_RAY only. The scene key `through`,
+                            refract */
     murk_map_weights weights;
     const murk_interest *interest; /* NULL: no regions of interest */
     murk_detection detection;      /* the mode by which a clarity follows from a
@@ -109,11 +113,13 @@ typedef struct murk_sight_desc {
 
 typedef struct murk_sight murk_sight;
 
-/* Borrows all that desc points to. Fails with MURK_BAD_VALUE (types, weights,
- * threshold, redundancy), MURK_BAD_FILE (a record that no run can have stored:
- * power negative or not finite, position not finite, band or emitted index out
- * of range), MURK_RUN_FAILED at desc->where (no photon has weight) or
- * MURK_NO_MEMORY: the scratch buffers take 4 to 10 bytes a photon and thread.
+/* Copies the sensor types and borrows all else that desc points to. Fails with
+ * MURK_BAD_VALUE (types, weights, threshold, redundancy), MURK_BAD_FILE (a
+ * record that no run can have stored: power negative or not finite, position
+ * not finite, band or emitted index out of range), MURK_RUN_FAILED (no photon
+ * has weight, at desc->where; more than 2^32 - 1 photons), with detection by
+ * power as murk_power_create() in sensing/power.h, or with MURK_NO_MEMORY: the
+ * scratch buffers take 4 to 10 bytes a photon and thread.
  */
 murk_status murk_sight_create(murk_sight **out, const murk_sight_desc *desc,
                               murk_error *err);
@@ -129,8 +135,9 @@ void murk_sight_row(murk_sight *sight, unsigned worker, const murk_pose *pose,
                     murk_sparse_row *row);
 
 /* Optical depths along sightlines, unrounded: in any media that occupy the
- * regions of the sight's media, and the transmittance of sheets. A clarity is
- * the product of both rounded to 1/65535. Not for sightlines that bend.
+ * regions of the sight's media, and the transmittance of sheets. Without a
+ * threshold or detection by power, a clarity is exp(-depth) times the
+ * transmittance of sheets, rounded to 1/65535. Not for sightlines that bend.
  * For photon[n], indices of a row seen from pose: depth[n][count] in
  * media[count], in the band of the photon, and sheets[n], 0..1 (1 if the sight
  * does not look through sheets). */
@@ -138,7 +145,8 @@ void murk_sight_depths(double *depth, double *sheets, const murk_sight *sight,
                        const murk_pose *pose, const uint32_t *photon, size_t n,
                        const murk_media *const *media, size_t count);
 
-/* The placement problem of these candidates. Borrows candidates and sight. */
+/* The placement problem of the candidates pose[n]. Borrows poses and sight.
+ * problem.context points to *out, so *out must not move. */
 typedef struct murk_sight_problem {
     murk_problem problem;
     murk_sight *sight;
@@ -150,18 +158,18 @@ void murk_sight_problem_init(murk_sight_problem *out, murk_sight *sight,
 /* Whole-number weights of the photons [surface + volume], as plans count them:
  * within a map proportional to power (times the factor of the regions of
  * interest), rounded; equal powers have equal weights. Rounding changes a
- * weight by half a unit, which is less than 2^-20 of the map's mean weight up
- * to 2^26 records, unless the power of a map lies in so few records that their
- * weights reach the limit of 32 bits. The sum, times the redundancy (or
- * at_least, if larger), is below 2^47. */
+ * weight by at most half a unit, which is less than 2^-20 of the map's mean
+ * weight up to 2^26 records, unless the power of a map lies in so few records
+ * that their weights reach the limit of 32 bits. The sum, times the redundancy
+ * (or at_least, if larger), is below 2^47. */
 const uint32_t *murk_sight_weights(const murk_sight *sight);
 size_t murk_sight_photons(const murk_sight *sight);
 
 /* Photon i, by the index of rows. */
 const murk_photon *murk_sight_photon(const murk_sight *sight, size_t i);
 
-/* The regions of interest that contain photon i, and the photon's power times
- * their factor. */
+/* The regions of interest that contain photon i, bit r for region r (0 without
+ * regions of interest), and the photon's power [W] times their factor. */
 uint64_t murk_sight_regions(const murk_sight *sight, size_t i);
 double murk_sight_power_w(const murk_sight *sight, size_t i);
 
@@ -207,40 +215,44 @@ typedef struct murk_coverage_result {
                     the maps; NaN for a map that is empty or without power */
     murk_estimate volume;
     murk_map_share map[2]; /* surface, volume */
-    double sum_of_views; /* equation (1) of the publication as printed: a photon
-                            seen twice counts twice, whatever the redundancy */
+    double sum_of_views;   /* the sum over the sensors of the share of the
+                              weight, times clarity, that each sees; a photon
+                              seen twice counts twice, whatever the
+                              redundancy */
     double *covers; /* [n] each sensor alone; with redundancy k at most 1 / k */
     double *only_it_covers;   /* [n] total less the total without the sensor */
-    double *seen_by_at_least; /* [n]: shares seen by 1, 2, .., n sensors or
-                                 more, of the balanced weight; a photon that is
-                                 seen at all counts fully */
+    double *seen_by_at_least; /* [n]: shares of the whole weight seen by 1, 2,
+                                 .., n sensors or more; a photon that is seen at
+                                 all counts fully */
     murk_estimate at_least;   /* seen_by_at_least for the sight's at_least, with
-                                 the error; NaN without */
+                                 the error; both NaN if the sight's at_least is
+                                 0 */
     murk_region_coverage *region; /* [interest->n]; NULL without */
 } murk_coverage_result;
 
-/* All values except surface and volume use the whole-number weights that plans
- * count, so the total is exactly a plan's value / whole. Errors: ratio
- * estimator over all emitted photons, each with all records in both maps; for
- * `balanced` the residuals of the two ratios are added photon by photon,
+/* All values except surface, volume and region use the whole-number weights
+ * that plans count, so the total is exactly a plan's value / whole. Errors:
+ * ratio estimator over all emitted photons, each with all records in both maps;
+ * for `balanced` the residuals of the two ratios are added photon by photon,
  * because the records of one path are correlated. Fails with MURK_BAD_VALUE if
- * a sensor is outside the domain, MURK_NO_MEMORY (some 26 bytes a photon, 6
- * more for each further entry that counts) or MURK_INTERRUPTED. With detection
- * probabilities the row of each sensor is computed twice. Call
- * murk_coverage_result_release(). */
+ * a sensor is outside the domain, with MURK_NO_MEMORY (some 26 bytes a photon,
+ * 6 more for each further entry that counts) or MURK_INTERRUPTED. With
+ * detection probabilities the row of each sensor is computed twice. After
+ * success call murk_coverage_result_release(); after a failure *out is
+ * unchanged. */
 murk_status murk_coverage_result_measure(murk_coverage_result *out,
                                          murk_sight *sight,
                                          const murk_pose *pose, size_t n,
                                          murk_error *err);
 void murk_coverage_result_release(murk_coverage_result *coverage);
 
-/* The total alone. */
+/* The total alone. After a failure *out is {0, 0}. */
 murk_status murk_coverage_total_measure(murk_estimate *out, murk_sight *sight,
                                         const murk_pose *pose, size_t n,
                                         murk_error *err);
 
-/* A result of zeros for n sensors. False when out of memory; release it also
- * then. */
+/* A result of zeros for n sensors and so many regions of interest. False when
+ * out of memory; release it also then. */
 bool murk_coverage_result_create(murk_coverage_result *out, size_t n,
                                  size_t regions);
 
