@@ -5,10 +5,10 @@
  * and bound (placement/exact.h) runs with a callback.
  *
  * A cover with k layers of bits holds in the lowest layer the photons seen by k
- * sensors, in the next one those seen by k - 1 or more. The strict weight that
- * a candidate adds is the weight of its photons that lie in the second layer
- * and not in the lowest. So it is an ordinary gain over a cover whose lowest
- * layer is full for all other photons. */
+ * or more sensors, in the next one those seen by k - 1 or more. The strict
+ * weight that a candidate adds is the weight of its photons that lie in the
+ * second layer and not in the lowest. So it is an ordinary gain over a cover
+ * whose lowest layer is full for all other photons. */
 #include "placement/at_least.h"
 
 #include "base/interrupt.h"
@@ -60,7 +60,8 @@ void murk_at_least_init(murk_at_least *out, const murk_problem *of,
 
 /* ---- the partial plan ---- */
 
-/* The weight of the photons in the lowest layer of the cover. */
+/* The weight of the photons in the lowest layer of the cover, times
+ * MURK_CLEAR. */
 static uint64_t strict_of(const murk_cover *cover, const murk_layout *layout)
 {
     const murk_cover lowest = {.layers = 1, .full = cover->full};

@@ -24,7 +24,8 @@
 #include "placement/settings.h"
 
 /* The problem `of` with 0/1 entries and redundancy at_least,
- * 1..MURK_REDUNDANCY_MAX. Borrows `of`. */
+ * 1..MURK_REDUNDANCY_MAX. Borrows `of`. problem.context points to *out, so *out
+ * must not move. */
 typedef struct murk_at_least {
     murk_problem problem;
     const murk_problem *of;
@@ -37,8 +38,10 @@ void murk_at_least_init(murk_at_least *out, const murk_problem *of,
  * problem->redundancy sensors, times MURK_CLEAR, > 0; a budget is not allowed.
  * All values and bounds of the result are such weights times MURK_CLEAR, and
  * `whole` is the weight of all photons times MURK_CLEAR. The curve begins at
- * the first count that is tried. No method has a guarantee; `fewest` always
- * holds. */
+ * the first count that is tried, which is at least k. Fails with MURK_BAD_VALUE
+ * if the target cannot be reached, with MURK_RUN_FAILED if no plan that reaches
+ * the target was found, or as murk_place_sensors() does. No method has a
+ * guarantee; `fewest` always holds. */
 murk_status murk_place_at_least(murk_place_result *result,
                                 const murk_problem *problem,
                                 const murk_matrix *matrix,

@@ -50,11 +50,14 @@ typedef struct murk_block_layouts {
      * MURK_SHARE_ONE. */
     uint64_t unit[MURK_BLOCKS_MAX], offset[MURK_BLOCKS_MAX];
     uint64_t *max; /* [candidates][n] upper bounds on gains: the value of the
-                      candidate alone and the rounding slack */
+                      candidate alone in the block, plus the rounding slack of
+                      detection probabilities */
     uint64_t ceiling[MURK_BLOCKS_MAX]; /* value of all candidates together */
 } murk_block_layouts;
 
-/* Borrows both. Call murk_block_layouts_release() also after a failure. */
+/* Borrows evaluator and blocks. Fails with MURK_RUN_FAILED if the photons of a
+ * block have no weight, or with MURK_NO_MEMORY. Call
+ * murk_block_layouts_release() also after a failure. */
 murk_status murk_block_layouts_init(murk_block_layouts *out,
                                     const murk_evaluator *evaluator,
                                     const murk_blocks *blocks, murk_error *err);
@@ -67,7 +70,9 @@ uint64_t murk_share_units(uint64_t part, uint64_t whole);
 uint64_t murk_block_worth(const murk_block_layouts *layouts, size_t c,
                           uint64_t value);
 
-/* gain[k * n + c] = the gain of candidate[k] in block c, over all threads. */
+/* gain[k * n + c] = the gain of candidate[k] in block c (weight times
+ * MURK_CLEAR), for k < count and n blocks. Computed over threads if that is
+ * worth it. */
 void murk_block_gains(const murk_block_layouts *layouts,
                       const murk_cover *cover, const uint32_t *candidate,
                       size_t count, uint64_t *gain);

@@ -11,19 +11,20 @@
 
 /* A step starts at the multipliers of the lowest bound and goes down the mean
  * of the subgradients. The length is Polyak's, which aims at the value of the
- * best known plan, times a factor. The factor starts at 1/2, grows by 1.1 while
- * steps lower the bound, and shrinks to .66 after five rounds without gain.
- * Steps with a factor below 1e-4 no longer change the bound noticeably. Values
- * of the kind that Barahona and Anbil (2000) give for the volume algorithm. */
+ * best known plan, times a factor. The factor starts at 1/2, is multiplied by
+ * 1.1 after each step that lowers the bound, and by .66 after five rounds
+ * without gain. Steps with a factor below 1e-4 no longer change the bound
+ * noticeably. Values of the kind that Barahona and Anbil (2000) give for the
+ * volume algorithm. */
 #define FIRST_STEP 0.5
 #define GROW       1.1
 #define SHRINK     0.66
 #define PATIENCE   5
 #define MIN_STEP   1e-4
 
-/* Share of the last subgradient in the mean. It is 3 / (3 + round)
- * at first, but not below .03, which falls by the factor .8 every 50 rounds, so
- * that the mean settles. */
+/* Share of the last subgradient in the mean. The share is 3 / (3 + round) at
+ * first, but not below a limit. The limit is .03, and is multiplied by .8 every
+ * 50 rounds, so that the mean settles. */
 #define ROUNDS_ALIKE    3
 #define LATER_SHARE     0.03
 #define ROUNDS_PER_FALL 50
@@ -132,7 +133,7 @@ static void fix_candidates(murk_bound *b, size_t n, size_t chosen,
     for (size_t k = 0; !b->partial && k + 1 < n; ++k) {
         others = murk_sum_saturated(others, b->top[k].bound);
     }
-    /* The largest gains always stay. */
+    /* Without constraints the candidates of the n largest gains always stay. */
     const uint64_t last = b->partial ? UINT64_MAX : b->top[n - 1].bound;
     size_t remaining = 0;
     for (size_t k = 0; k < b->live_count; ++k) {
@@ -226,8 +227,8 @@ static void take_step(murk_bound *b, double excess)
     }
 }
 
-/* The largest sum of gains that n live candidates can have, plus base;
- * b->top[chosen] make it. */
+/* The largest sum of gains that n live candidates can have, plus base; with
+ * constraints an upper bound on that sum. b->top[chosen] make the result. */
 static uint64_t sum_top(murk_bound *b, size_t n, size_t *chosen)
 {
     if (b->partial) {

@@ -74,8 +74,8 @@ uint64_t murk_bound_tighten(murk_bound *bound, size_t n, uint64_t lower,
  * bound->live, which the caller fills. `partial` is the cover of the partial
  * plan (clarities or doses); with constraints bound->partial is the partial
  * plan. The multipliers go on from the present ones, raised to the cover.
- * Afterwards live[] and gain[] have the candidates that can still belong to a
- * plan worth more than `lower`. */
+ * If the returned bound exceeds `lower`, live[] and gain[] afterwards have the
+ * candidates that can still belong to a plan worth more than `lower`. */
 uint64_t murk_bound_tighten_within(murk_bound *bound, size_t n, uint64_t lower,
                                    const murk_cover *partial, size_t rounds);
 

@@ -93,8 +93,8 @@ bool murk_constraint_set_conflict(const murk_constraint_set *set, uint32_t a,
 }
 
 /* True if every candidate that conflicts with a is b or conflicts with b as
- * well. Decides the simple cases of sites and spacing only: the same site, the
- * same position. */
+ * well. Under sites and spacing only a simple case is recognised: the same site
+ * and the same position. Otherwise the result is false. */
 static bool has_fewer_conflicts(const murk_constraint_set *set, uint32_t a,
                                 uint32_t b)
 {

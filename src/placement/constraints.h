@@ -63,7 +63,8 @@ typedef struct murk_constraint_set {
 
 /* Checks and indexes the constraints, which are borrowed. `count` sensors are
  * wanted, or at most so many with is_max. Fails with MURK_BAD_VALUE and one
- * line if the constraints contradict each other. */
+ * line if a constraint is malformed or the constraints contradict each other,
+ * or with MURK_NO_MEMORY. After a failure *out owns nothing. */
 murk_status murk_constraint_set_init(murk_constraint_set *out,
                                      const murk_constraints *constraints,
                                      size_t candidates, size_t count,
@@ -92,9 +93,9 @@ static inline size_t murk_fixed_count(const murk_constraint_set *set)
 bool murk_constraint_set_conflict(const murk_constraint_set *set, uint32_t a,
                                   uint32_t b);
 
-/* Candidate a dominates candidate b in coverage. True if b may be dropped: a
- * may take the place of b in every plan, and a plan with both stays feasible
- * without b, or can be filled up to the count again. */
+/* For a candidate a that dominates candidate b in coverage: true if b may be
+ * dropped, because a may take the place of b in every plan, and a plan with
+ * both stays feasible without b, or can be filled up to the count again. */
 bool murk_constraint_set_may_drop(const murk_constraint_set *set, uint32_t a,
                                   uint32_t b);
 

@@ -1,7 +1,7 @@
 /* Covers of photons by sets of candidates: as bits if the matrix is 0/1, else
- * as clarities, else as doses. Layers keep the k largest entries of each
- * photon: a new entry goes to the highest layer that has a smaller one, and the
- * displaced entry moves on to the layer below. */
+ * as clarities; for detection probabilities also as doses. Layers keep the k
+ * largest entries of each photon: a new entry goes to the highest layer that
+ * has a smaller one, and the displaced entry moves on to the layer below. */
 #include "placement/cover.h"
 
 #include <assert.h>

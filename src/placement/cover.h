@@ -10,17 +10,18 @@
 #include "placement/row.h"
 
 typedef struct murk_cover {
-    size_t layers; /* entries of a photon that count, >= 1 */
-    uint64_t
-        *full; /* [layers][words], lowest layer first: a bit for each slot with
-                  MURK_CLEAR; all rows must be BITS or CLEAR_LIST; or */
+    size_t layers;  /* entries of a photon that count, >= 1 */
+    uint64_t *full; /* [layers][words], lowest layer first: a bit for each slot
+                       with MURK_CLEAR; all rows must be BITS or CLEAR_LIST;
+                       NULL if `best` is in use */
     uint16_t *best; /* [layers][slots], lowest layer first: clarities; with
-                       doses one layer, the worth of the dose */
+                       doses one layer, the worth of the dose; NULL if `full` is
+                       in use */
     uint32_t *dose; /* [slots] for detection probabilities, else NULL */
 } murk_cover;
 
-/* An empty cover for the layout's objective; of bits with is_binary. False when
- * out of memory. */
+/* An empty cover with the layers, and the doses if any, of the layout; of bits
+ * with is_binary. False when out of memory. */
 bool murk_cover_init(murk_cover *out, const murk_layout *layout,
                      bool is_binary);
 /* The same for the largest entry alone, whatever the objective. */
@@ -38,7 +39,8 @@ void murk_cover_add(murk_cover *cover, const murk_layout *layout,
 void murk_cover_join(murk_cover *cover, const murk_layout *layout,
                      const murk_cover *other);
 
-/* The value of the cover: sum weight * layers. */
+/* The value of the cover: the sum over the slots of weight times the sum of the
+ * layers. */
 uint64_t murk_cover_value(const murk_cover *cover, const murk_layout *layout);
 
 #endif

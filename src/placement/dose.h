@@ -44,7 +44,7 @@ typedef struct murk_doses {
 
 void murk_doses_fill(murk_doses *out);
 
-/* The worth of a dose up to MURK_DOSE_FULL. */
+/* The worth of a dose of at most MURK_DOSE_FULL, 0..MURK_CLEAR. */
 static inline uint16_t murk_dose_worth(const murk_doses *doses, uint32_t dose)
 {
     if (dose == MURK_DOSE_FULL) {
@@ -55,7 +55,8 @@ static inline uint16_t murk_dose_worth(const murk_doses *doses, uint32_t dose)
     return (uint16_t)((node[0] + rise / MURK_DOSE_STEP) >> 16);
 }
 
-/* The sum of two doses up to MURK_DOSE_FULL. */
+/* The sum of two doses of at most MURK_DOSE_FULL each, cut at
+ * MURK_DOSE_FULL. */
 static inline uint32_t murk_dose_add(uint32_t a, uint32_t b)
 {
     return a + b < MURK_DOSE_FULL ? a + b : MURK_DOSE_FULL;

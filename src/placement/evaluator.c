@@ -29,7 +29,8 @@ typedef struct evaluation {
     const murk_cover *cover;
     const uint32_t *candidate; /* NULL: candidate k is k */
     uint64_t *gain;
-    murk_cover *seen; /* [threads] covers that receive every row, or NULL */
+    murk_cover *seen; /* [threads] covers, each of which receives the rows that
+                         the thread evaluates; or NULL */
     uint64_t *slack;  /* receives the rounding slacks, or NULL */
     size_t n, at_once;
     bool is_max; /* upper bounds instead of gains */

@@ -35,10 +35,12 @@ typedef struct murk_evaluator {
     uint32_t *dominator; /* [candidates] an undominated candidate whose entries
                             are nowhere smaller; or the candidate itself */
     murk_ranked *ranked; /* [candidates] undominated candidates first; by
-                            falling single_value + slack, then by index */
+                            falling single_value + slack, then by cost if
+                            dominance was tested, then by index */
     size_t undominated;
     murk_ranked *presolved; /* [presolved_count] candidates that suffice for an
-                               optimal plan, in the same order */
+                               optimal plan, in the same order; the others
+                               follow them */
     size_t presolved_count;
     uint64_t ceiling, grain; /* ceiling: value of all candidates together; each
                                 value is a multiple of grain */
@@ -48,8 +50,9 @@ typedef struct murk_evaluator {
     murk_arena arena;
 } murk_evaluator;
 
-/* matrix NULL: unknown environment. Asks once for the row of each candidate.
- * Plans have at most `max` sensors. keep_dominated: without presolve. */
+/* matrix NULL: unknown environment, in which the problem is asked once for the
+ * row of each candidate. Plans have at most `max` sensors. keep_dominated:
+ * without presolve. Fails with MURK_NO_MEMORY or MURK_INTERRUPTED. */
 murk_status murk_evaluator_init(murk_evaluator *out,
                                 const murk_problem *problem,
                                 const murk_matrix *matrix,

@@ -19,7 +19,8 @@
 /* A level of the search: the node with so many candidates chosen. */
 typedef struct level {
     murk_cover cover; /* of the chosen candidates; bits if the matrix is 0/1 */
-    murk_cover clarity_cover; /* then, the same as clarities, for the bound */
+    murk_cover clarity_cover; /* if the matrix is 0/1: the same as clarities,
+                                 for the bound */
     float *multiplier;        /* [slots] of the node's lowest bound */
     murk_ranked *live; /* [candidates] that may be added, by falling gain */
     size_t live_count;
@@ -31,7 +32,8 @@ typedef struct exact {
     murk_bound *bound;
     const murk_evaluator *evaluator;
     size_t n;
-    level *level; /* [n + 1 less fixed], allocated when first needed */
+    level *level; /* [n + 1], the arrays of a level are allocated when first
+                     needed */
     size_t fixed; /* sensors chosen at the root */
     murk_partial_plan partial; /* with constraints: the chosen candidates */
     uint32_t *chosen;          /* [n] */
@@ -87,7 +89,8 @@ static murk_cover *clarity_cover(const exact *e, level *l)
     return e->evaluator->is_binary ? &l->clarity_cover : &l->cover;
 }
 
-/* Of the n members, keeps those that may improve the incumbent. */
+/* Of the n members, keeps those that may improve the incumbent by a fast upper
+ * bound; without such bounds, all. */
 static size_t keep_promising(exact *e, const level *l, size_t n)
 {
     if (!e->evaluator->slack) {
@@ -190,7 +193,8 @@ static bool level_ready(exact *e, size_t depth)
     return !e->lacks_memory;
 }
 
-/* Adds a candidate to the cover of a level. */
+/* Makes the cover and the value of level `to`: those of `from` with a candidate
+ * added. Both may be the same level. */
 static void add_candidate(const exact *e, level *to, const level *from,
                           uint32_t candidate)
 {
@@ -239,8 +243,9 @@ static void branch(exact *e, size_t depth, size_t k)
     }
 }
 
-/* Searches the node at this depth. Returns an upper bound on plans of the node;
- * no plan passed over is worth more than the incumbent at the end. */
+/* Searches the node at this depth. Returns an upper bound on the plans of the
+ * node, at least the value of the incumbent; the bound is equal to that value
+ * unless the search was cut. */
 static uint64_t explore(exact *e, size_t depth, const float *multiplier,
                         size_t rounds)
 {

@@ -19,7 +19,7 @@
 
 #include "placement/bound.h"
 
-/* A unit of work: evaluations of one photon for one candidate
+/* A unit of work is this many evaluations of one photon for one candidate
  * (murk_evaluator_work). Work is limited instead of time, so the same run gives
  * the same plan. 2^15 evaluations are some 2 microseconds for 0/1 rows. */
 #define MURK_NODE_WEIGHINGS 32768
@@ -35,18 +35,20 @@ typedef struct murk_exact_callback {
 } murk_exact_callback;
 
 typedef struct murk_exact {
-    uint64_t value, upper; /* of the plan; upper bound on any plan of n */
+    uint64_t value, upper; /* of the plan, or with a callback the last cutoff;
+                              upper bound on any plan of n */
     uint64_t nodes;        /* work done */
     bool is_cut;           /* by the limit, or by an interrupt */
     size_t size; /* sensors of the plan; under constraints the caller may have
                     to complete it with any candidates that can be added */
 } murk_exact;
 
-/* Improves plan[size], worth `value`, with at most `nodes` units of work. size
- * is n, or with a budget at most n. The last call of murk_bound_tighten() must
- * have been for plans of n; `upper` is the bound, and the root takes the
- * multipliers. Needs a matrix. callback NULL: the value is the objective;
- * otherwise plan[] stays as it is. Fails when out of memory. */
+/* Improves plan[size], worth `value`, with some `nodes` units of work at most;
+ * plan has room for n sensors. size is n, or with a budget at most n. The last
+ * call of murk_bound_tighten() must have been for plans of n; `upper` is the
+ * bound, and the root takes the multipliers. Needs a matrix. callback NULL: the
+ * value is the objective. Otherwise `value` is the first cutoff, and plan[]
+ * stays as it is. Fails with MURK_NO_MEMORY. */
 murk_status murk_exact_search(murk_exact *out, murk_bound *bound,
                               uint32_t *plan, size_t size, size_t n,
                               uint64_t value, uint64_t upper, uint64_t nodes,

@@ -275,8 +275,9 @@ void murk_incumbent_greedy(murk_incumbent *p)
                        p->greedy_value);
 }
 
-/* True if a point of the curve should cost no further work: without constraints
- * greedy's plan is at hand. */
+/* True if a point of the curve should cost no further work, because half of the
+ * limit on work is spent and greedy's plan is at hand (without constraints,
+ * except for MURK_PLACE_SPOQ). */
 static bool is_curve_work_done(const murk_incumbent *p)
 {
     const uint64_t rows =

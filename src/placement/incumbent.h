@@ -13,7 +13,8 @@ typedef struct murk_incumbent {
     murk_gain_scan *search; /* that of the run */
     murk_bound bound;
     murk_starts starts;
-    uint32_t *greedy;       /* [last] in order of choice, without constraints */
+    uint32_t *greedy;       /* [last], the largest count of the run: candidates
+                               in order of choice, without constraints */
     uint64_t *greedy_value; /* [last] value of the first k + 1 */
     uint64_t *greedy_bound; /* [last] without constraints: no plan of k + 1
                                sensors exceeds it, by greedy's scans */
@@ -32,8 +33,8 @@ murk_status murk_incumbent_init(murk_incumbent *out, murk_place_run *run,
                                 murk_error *err);
 void murk_incumbent_release(murk_incumbent *incumbent);
 
-/* Without constraints, before the first count: greedy, for as many sensors as
- * any count may need. */
+/* Without constraints, before the first count: greedy up to the largest count
+ * of the run, or until the plan reaches the target. */
 void murk_incumbent_greedy(murk_incumbent *incumbent);
 
 /* Finds the plan of k sensors, incumbent->plan, and stores value and bound in

@@ -12,7 +12,8 @@
 #include "placement/problem.h"
 
 typedef struct murk_kernels {
-    /* Counts the bits that are set in row and not in full. */
+    /* Sum of the weights of the bits that are set in row and not in full; their
+     * number with weight NULL. */
     uint64_t (*count_new)(const uint64_t *row, const uint32_t *at,
                           const uint64_t *full, const uint32_t *weight,
                           size_t words);
@@ -21,8 +22,9 @@ typedef struct murk_kernels {
     uint64_t (*dense)(const uint16_t *row, const uint16_t *best,
                       const uint32_t *weight, size_t n, bool is_independent);
     /* Sum of murk_gain_term() over the set bits of the row. The clarities of
-     * the set bits lie one after the other; *used is their number. Up to 64
-     * bytes behind them may be read. clarity NULL: all are MURK_CLEAR. */
+     * the set bits lie one after the other; *used is the number of clarities
+     * read. Up to 64 bytes behind them may be read. clarity NULL: all are
+     * MURK_CLEAR, *used is 0, and is_independent must be false. */
     uint64_t (*packed)(const uint64_t *row, const uint32_t *at,
                        const uint16_t *clarity, const uint16_t *best,
                        const uint32_t *weight, size_t words,
@@ -38,7 +40,7 @@ const murk_kernels *murk_kernels_number(size_t k);
 const murk_kernels *murk_kernels_avx2(void);
 const murk_kernels *murk_kernels_avx512(void);
 
-/* The last of these versions. */
+/* The last of the versions that murk_kernels_number() lists. */
 const murk_kernels *murk_kernels_fastest(void);
 
 #endif

@@ -1,8 +1,7 @@
 /* Assigns a slot to each photon: photons of one weight share 64-bit words, so
  * that most sums of weights are bit counts times a weight. A sort of the
- * photons by weight gives the slots. With nearly as many distinct weights as
- * photons the unused slots would outweigh the gain, and photon i stays in slot
- * i. */
+ * photons by weight gives the slots. With many distinct weights the unused
+ * slots would outweigh the gain, and photon i stays in slot i. */
 #include "placement/layout.h"
 
 #include "base/sort.h"
@@ -10,8 +9,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Regrouping may leave one slot in four unused. With more distinct weights the
- * longer rows cost more than bit counts save (a choice). */
+/* Regrouping may leave one slot unused for every four photons. With more
+ * distinct weights the longer rows cost more than bit counts save (a
+ * choice). */
 #define PHOTONS_PER_PADDING 4
 
 uint32_t murk_common_divisor(const uint32_t *weight, size_t n)

@@ -1,9 +1,9 @@
 /* The order of the photons in placement's arrays: each photon has a slot.
  *
  * Photons of one weight share 64-bit words, and each weight begins with a new
- * word, so the weighted sum of a word is the weight times a bit count. If
- * nearly every photon has a weight of its own, photon i stays in slot i, and
- * words of mixed weights are summed photon by photon. */
+ * word, so the weighted sum of a word is the weight times a bit count. If there
+ * is only one weight, or more than one distinct weight for 252 photons, photon
+ * i stays in slot i, and words of mixed weights are summed photon by photon. */
 #ifndef MURK_PLACEMENT_LAYOUT_H
 #define MURK_PLACEMENT_LAYOUT_H
 
@@ -34,12 +34,13 @@ typedef struct murk_layout {
     const murk_kernels *kernels;
 } murk_layout;
 
-/* With regroup false each photon i keeps slot i. */
+/* With regroup false each photon i keeps slot i. Copies the weights. Fails with
+ * MURK_NO_MEMORY. */
 murk_status murk_layout_init(murk_layout *out, const murk_problem *problem,
                              bool regroup, murk_error *err);
 /* The same slots with other weights, weight[photons]. Borrows from `from`,
- * which must outlive *out. A second call on the same *out only replaces the
- * weights. */
+ * which must outlive *out. *out is all zero at the first call; a second call on
+ * the same *out only replaces the weights. Fails with MURK_NO_MEMORY. */
 murk_status murk_layout_reweigh(murk_layout *out, const murk_layout *from,
                                 const uint32_t *weight, murk_error *err);
 void murk_layout_release(murk_layout *layout);

@@ -1,9 +1,9 @@
 /* Builds the coverage matrix: asks the problem for every row, over all threads,
- * and stores each in the smallest format. If the matrix could exceed the memory
- * limit, a pilot sample of rows estimates the size first, so a run that does
- * not fit ends before the sightlines are computed. At the end photons with
- * equal columns are merged, if the caller allows it and the rows become so much
- * shorter that merging pays (placement/merge.h). */
+ * and stores each in a compact format (placement/row.h). If the matrix could
+ * exceed the memory limit, a pilot sample of rows estimates the size first, so
+ * a run that does not fit ends before the sightlines are computed. At the end
+ * photons with equal columns are merged, if the caller allows it and the rows
+ * become so much shorter that merging pays (placement/merge.h). */
 #include "placement/matrix.h"
 
 #include "base/interrupt.h"

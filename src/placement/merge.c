@@ -170,7 +170,7 @@ static void check_row(void *context, unsigned worker, uint64_t batch)
     const murk_row *row = &m->row[batch];
     size_t slot;
     uint16_t p;
-    /* See above. */
+    /* Pass 0 counts and compares clarities; pass 1 compares the counts. */
     for (int pass = 0; pass < 2; ++pass) {
         for (murk_row_walk walk = murk_row_begin(layout, row);
              murk_row_next(&walk, &slot, &p);) {

@@ -14,13 +14,13 @@
  * A plan that reaches the ceiling (the value of all candidates together) is
  * optimal and ends the work on that count. In a known environment search_work
  * limits the work of the searches. The starts have the same limit for
- * themselves. Once half of the limit is spent, points of the curve take
- * greedy's plan and the bound from greedy's scans. Once the limit is spent,
- * relocation stops, and is_work_cut says so.
+ * themselves. Once half of the limit is spent, points of a curve without
+ * constraints take greedy's plan and the bound from greedy's scans. Once the
+ * limit is spent, relocation stops, and is_work_cut says so.
  *
- * With a target, counts are tried from 1 up. If the plan of a count misses the
- * target and the bound does not exclude it, branch and bound runs before the
- * next count is tried.
+ * With a target, counts are tried upwards from the smallest feasible one. If
+ * the plan of a count misses the target and the bound does not exclude it,
+ * branch and bound (if the method has it) runs before the next count is tried.
  *
  * Constraints (placement/constraints.h) hold in every method: each move leads
  * to a feasible plan, and the certificate speaks of such moves. With a budget
@@ -40,8 +40,12 @@
 
 /* Known environment: uses the rows of the matrix, and weights and threads of
  * the problem. Unknown environment (matrix NULL): asks the problem for a row at
- * each evaluation, so memory is O(photons). Each decision, and so the plan, is
- * the same in both: presolve, which needs the matrix, changes no plan. */
+ * each evaluation, so memory is O(photons). Each decision of a search, and so
+ * the plan before branch and bound, is the same in both: presolve, which needs
+ * the matrix, changes no plan. Fails with MURK_BAD_VALUE (settings,
+ * constraints, a target that cannot be reached), MURK_RUN_FAILED (no plan
+ * found), MURK_NO_MEMORY or MURK_INTERRUPTED; *result is then unchanged. After
+ * success call murk_place_release(). */
 murk_status murk_place_sensors(murk_place_result *result,
                                const murk_problem *problem,
                                const murk_matrix *matrix,

@@ -8,21 +8,24 @@
 #include "placement/constraints.h"
 #include "placement/matrix.h"
 
-/* order[candidates]: by falling value alone. dominator[candidates] receives the
- * first undominated candidate in that order that dominates, or the candidate
- * itself. Of equal candidates the first one is kept. With constraints (NULL:
- * none) a candidate that they may still need is not dominated
- * (murk_constraint_set_may_drop). */
+/* order[candidates]: by falling value of each candidate alone.
+ * dominator[candidates] receives the first undominated candidate in that order
+ * that dominates, or the candidate itself. Of equal candidates the first one is
+ * kept. With constraints (NULL: none) a candidate that they may still need is
+ * not dominated (murk_constraint_set_may_drop). With more than 10,000
+ * candidates nothing is compared, and every candidate is the dominator of
+ * itself. */
 murk_status murk_presolve(uint32_t *dominator, const murk_matrix *matrix,
                           const murk_constraint_set *set, const uint32_t *order,
                           unsigned threads, murk_error *err);
 
-/* The same if one dominator is not enough: is_dropped marks each candidate that
- * is dominated by at least `needed` kept candidates earlier in the order. A
- * dominator outside the plan can take the place of a dropped candidate. If
- * `needed` is the size of the plan, there always is such a dominator; if it is
- * the number of entries that count, a dropped candidate adds nothing once all
- * dominators are in the plan. */
+/* The same if one dominator is not enough: is_dropped, all false at first,
+ * marks each candidate that is dominated by at least `needed` kept candidates
+ * earlier in the order. Nothing is dropped with more than 10,000 candidates, or
+ * if `needed` is not below their number. A dominator outside the plan can take
+ * the place of a dropped candidate. If `needed` is the size of the plan, there
+ * always is such a dominator; if it is the number of entries that count, a
+ * dropped candidate adds nothing once all dominators are in the plan. */
 murk_status murk_presolve_many(bool *is_dropped, const murk_matrix *matrix,
                                const murk_constraint_set *set,
                                const uint32_t *order, size_t needed,

@@ -80,17 +80,18 @@ static inline size_t murk_problem_layers(const murk_problem *problem)
     return problem->redundancy > 1 ? problem->redundancy : 1;
 }
 
-/* The coverage matrix in memory: the known environment. Each row has the
- * smallest of several formats (placement/row.h). */
+/* The coverage matrix in memory: the known environment. Each row has one of
+ * several formats (placement/row.h). */
 typedef struct murk_matrix murk_matrix;
 
 /* Asks the problem once for the row of each candidate, and reports progress.
- * Fails with MURK_RUN_FAILED, and names the sizes, if the matrix needs more
- * than max_bytes. */
+ * Fails with MURK_RUN_FAILED, and names the sizes, if the rows need more than
+ * max_bytes; or with MURK_NO_MEMORY or MURK_INTERRUPTED. */
 murk_status murk_matrix_create(murk_matrix **out, const murk_problem *problem,
                                uint64_t max_bytes, murk_error *err);
 /* The same rows with other weights, weight[photons]. Borrows the rows of
- * `from`, which must outlive *out. */
+ * `from`, which must outlive *out and must have been made with is_reweighed.
+ * Fails with MURK_NO_MEMORY. */
 murk_status murk_matrix_reweigh(murk_matrix **out, const murk_matrix *from,
                                 const uint32_t *weight, murk_error *err);
 void murk_matrix_destroy(murk_matrix *matrix); /* accepts NULL */

@@ -70,7 +70,8 @@ uint64_t murk_relaxation_others(const murk_relaxation *relaxed,
                                 const murk_partial_plan *partial,
                                 uint32_t candidate);
 
-/* Sorts the candidates for murk_relaxation_rest(). */
+/* Sorts the candidates for murk_relaxation_rest(): by falling gain, with a
+ * budget by falling gain per cost. */
 void murk_relaxation_sort(murk_relaxation *relaxed, murk_ranked *ranked,
                           size_t n);
 
@@ -81,8 +82,9 @@ uint64_t murk_relaxation_rest(murk_relaxation *relaxed,
                               const murk_partial_plan *partial,
                               const murk_ranked *ranked, size_t n);
 
-/* Comparison for qsort(): falling gain per cost, candidates without a gain
- * last; then index. */
+/* Comparison of two murk_priced for qsort(): candidates with a gain but no cost
+ * first, by falling gain; then by falling gain per cost; candidates without a
+ * gain last; then by index. */
 int murk_compare_density(const void *a, const void *b);
 
 /* a + b, or UINT64_MAX where that would overflow. */

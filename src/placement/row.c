@@ -1,8 +1,8 @@
-/* Stores the row of one candidate in the format that needs least memory: bits,
- * bits with clarities, clarities for every slot, or lists of slots. A row of
- * bits may leave out the words without a set bit; such a row is called sparse
- * here, and `at` gives the place of each stored word. The caller must use the
- * row with the layout that it was stored for. */
+/* Stores the row of one candidate in one of five formats: bits, bits with
+ * clarities, clarities for every slot, or lists of slots with or without
+ * clarities. A row of bits may leave out the words without a set bit; such a
+ * row is called sparse here, and `at` gives the place of each stored word. The
+ * caller must use the row with the layout that it was stored for. */
 #include "placement/row.h"
 
 #include <assert.h>
@@ -44,11 +44,11 @@ static size_t bytes_of_bits(const row_format *s, const murk_layout *layout)
     return s->words * sizeof(uint64_t) + marks * sizeof(uint32_t);
 }
 
-/* Chooses the format with the fewest bytes. A sparse word takes 8 bytes and 4
- * for the place, shared by all set bits of the word; a list takes 4 bytes an
- * entry. Clarities add 2 bytes an entry. DENSE takes 2 bytes a slot; if more
- * than half of the slots have entries, that is hardly more than PACKED, and
- * faster. */
+/* Chooses the format, as a rule the one with the fewest bytes. A sparse word
+ * takes 8 bytes and 4 for the place, shared by all set bits of the word; a list
+ * takes 4 bytes an entry. Clarities add 2 bytes an entry. DENSE takes 2 bytes a
+ * slot; if more than half of the slots have entries, that is less than twice
+ * the size of PACKED, and faster. */
 static row_format format_of(const murk_layout *layout,
                             const murk_sparse_row *entries, size_t words_used)
 {

@@ -33,8 +33,9 @@ typedef struct murk_row {
  * i in slot i. */
 murk_row murk_row_borrow(const murk_sparse_row *entries);
 
-/* Stores the entries in the format that needs least memory. False when out of
- * memory. The caller frees out->memory. */
+/* Stores the entries in the format that needs least memory, except that
+ * MURK_ROW_DENSE is taken for rows with entries in more than half of the slots.
+ * False when out of memory. The caller frees out->memory. */
 bool murk_row_store(murk_row *out, const murk_layout *layout,
                     const murk_sparse_row *entries);
 /* The number of bytes that murk_row_store() would allocate. */

@@ -27,7 +27,7 @@ typedef struct murk_gain_scan {
     bool *is_partial;     /* [candidates] member of the partial plan */
     uint64_t *max; /* [candidates] upper bounds on the gains of this scan; NULL:
                       gains are as fast to compute */
-    uint64_t *gain; /* [candidates] of this scan, or NOT_EVALUATED */
+    uint64_t *gain; /* [candidates] of this scan; UINT64_MAX: not evaluated */
     uint32_t *tie; /* [ties] the candidates with the largest gain, increasing */
     size_t ties;
     uint32_t *shuffle;    /* [candidates] */
@@ -46,7 +46,8 @@ typedef struct murk_gain_scan {
     size_t greedy_bound_count;
     /* With constraints only. */
     murk_partial_plan partial;
-    bool is_move;        /* the added candidate must complete the plan */
+    bool is_move;        /* the added candidate must leave no minimum count
+                            open */
     murk_priced *priced; /* [candidates] */
     uint32_t *fallback;  /* [fallback_size] borrowed: a plan for random starts
                             that the constraints stop early */
@@ -107,8 +108,10 @@ static inline uint64_t murk_gain_scan_slack(const murk_gain_scan *s,
 uint64_t murk_gain_scan_evaluate(murk_gain_scan *s, size_t n, uint64_t best);
 
 /* Fills s->tie with all candidates of the largest gain over the partial plan,
- * which is worth `value`, and returns that gain.
- * `ranking` orders the evaluator's candidates by upper bounds on their gains.
+ * which is worth `value`, and returns that gain. If it is 0, these are all
+ * candidates outside the partial plan that can be added. 0 also if the run is
+ * interrupted. `ranking` orders the evaluator's candidates by upper bounds on
+ * their gains.
  */
 uint64_t murk_gain_scan_find_best(murk_gain_scan *s, const murk_ranked *ranking,
                                   uint64_t value);

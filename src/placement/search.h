@@ -5,24 +5,26 @@
 
 #include "placement/scan.h"
 
-/* All functions return the value of plan[n], which has distinct candidates. If
- * the run is interrupted they return early, and the plan has no meaning.
+/* All functions but murk_search_begin() and murk_search_draw() return the value
+ * of plan[n], which has distinct candidates. If the run is interrupted they
+ * return early, and the plan has no meaning.
  *
  * Under constraints the fixed sensors come first in a plan and never move,
  * every plan tried is feasible, and s->size is the number of sensors: greedy
  * may stop before n, and with a budget a plan has as many sensors as the budget
  * pays, n at most. */
 
-/* With constraints: begins a plan of n sensors, or of n at most, with the fixed
- * sensors. Returns the number of sensors given. */
+/* With constraints: begins a plan of n sensors, or with a budget of any number,
+ * with the fixed sensors, unless plan[given] has them already. Returns the
+ * number of sensors in the plan; without constraints `given`. */
 size_t murk_search_begin(murk_gain_scan *s, uint32_t *plan, size_t given,
                          size_t n);
 
 /* Extends a plan of `given` sensors to n sensors, or until the value reaches
  * `enough`. Each step adds the candidate with the largest gain, the lowest
  * index on ties. value_after[k] receives the value of the first k + 1 sensors,
- * for k >= given; NULL is allowed. Lowers the upper bounds s->greedy_bound at
- * each step. */
+ * for k + 1 >= given; NULL is allowed. Lowers the upper bounds s->greedy_bound
+ * at each step. */
 uint64_t murk_search_greedy(murk_gain_scan *s, uint32_t *plan, size_t given,
                             size_t n, uint64_t enough, uint64_t *value_after);
 
@@ -38,11 +40,13 @@ uint64_t murk_search_spoq(murk_gain_scan *s, uint32_t *plan, size_t n,
                           uint32_t seed, uint64_t restart);
 
 /* Certified relocation: moves single sensors while that increases the value; a
- * sensor stays on ties. At the end no single move increases the value. */
+ * sensor stays on ties. At the end no single move increases the value, unless
+ * the limit s->rows_max ended the search (s->is_cut). */
 uint64_t murk_search_relocate(murk_gain_scan *s, uint32_t *plan, size_t n);
 
 /* With a budget: extends plan[given] by the affordable candidate with the
- * largest gain per cost, until no candidate has a gain. */
+ * largest gain per cost, until no candidate has a gain; then by the cheapest
+ * candidates that the minimum counts still need. */
 uint64_t murk_search_budget_greedy(murk_gain_scan *s, uint32_t *plan,
                                    size_t given);
 

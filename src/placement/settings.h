@@ -58,8 +58,8 @@ typedef struct murk_place_result {
     uint64_t value; /* sum_i weight_i f_i (placement/problem.h) */
     uint64_t upper; /* an upper bound on the value of any plan of that count */
     bool proven_optimal;   /* value == upper */
-    const char *guarantee; /* a fraction of the optimum that a theorem assures;
-                              static text */
+    const char *guarantee; /* a fraction of the optimum that a theorem assures,
+                              or "none"; static text */
     uint64_t cost;         /* of the sensors, in the unit of the constraints */
     size_t fewest;    /* lower bound on the number of sensors that reach the
                          target; 0 without a target */
@@ -68,7 +68,8 @@ typedef struct murk_place_result {
     size_t after_presolve; /* candidates that are not dominated */
     size_t restarts;       /* SPOQ starts made */
     uint64_t nodes;        /* work of branch and bound */
-    bool is_cut; /* branch and bound ended at desc->nodes without a proof */
+    bool is_cut; /* branch and bound ended without a proof, at desc->nodes or by
+                    an interrupt */
     bool is_work_cut;     /* the searches ended at desc->search_work */
     uint64_t evaluations; /* gains of candidates that were computed */
     uint64_t queries; /* rows asked of the problem; unknown environment only */

@@ -16,9 +16,9 @@ typedef struct murk_starts {
     uint32_t seed;
     uint64_t first; /* number of the first start of the wave */
     uint64_t all_evaluations, all_queries; /* of all starts accepted so far */
-    uint64_t
-        all_rows; /* rows of all starts; beyond the limit no start is made, */
-    bool is_cut;  /* and this is set */
+    uint64_t all_rows; /* rows of all starts accepted so far; beyond the limit
+                          on work no start is made */
+    bool is_cut;       /* the limit on work ended the starts */
     murk_arena arena;
 } murk_starts;
 
@@ -30,10 +30,10 @@ void murk_starts_release(murk_starts *starts);
 
 /* Makes the starts 0..max-1 in order for plans of n sensors, and keeps a plan
  * that is strictly better than plan[*size] with value `value`. Stops after
- * MURK_STARTS_WITHOUT_GAIN starts in a row without gain, or when the value
- * reaches `upper`. `search` has the fallback plan for random starts that
- * constraints stop early. Returns the best value; *made grows by the number of
- * starts. */
+ * MURK_STARTS_WITHOUT_GAIN starts in a row without gain, when the value reaches
+ * `upper`, when the limit on work is spent, or if interrupted. `search` has the
+ * fallback plan for random starts that constraints stop early. Returns the best
+ * value; *made grows by the number of starts. */
 uint64_t murk_starts_try(murk_starts *starts, const murk_gain_scan *search,
                          uint32_t *plan, size_t *size, size_t n, uint64_t value,
                          uint64_t upper, size_t max, size_t *made);

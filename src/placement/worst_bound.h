@@ -34,10 +34,11 @@ typedef struct murk_worst_bound {
     double lambda[MURK_BLOCKS_MAX];        /* of the present weights; sum 1 */
     double lowest_lambda[MURK_BLOCKS_MAX]; /* of the lowest bound */
     double average_lambda[MURK_BLOCKS_MAX]; /* mean over all steps */
-    uint64_t full_value; /* lower bound on the value of a plan whose smallest
-                            share is 1, */
-    murk_uint128 offset_sum; /* less the upper bound on the sum of offsets,
-                                times MURK_SHARE_ONE */
+    uint64_t full_value;     /* lower bound on the value plus offset_sum /
+                                MURK_SHARE_ONE of a plan whose smallest worth is
+                                1 */
+    murk_uint128 offset_sum; /* upper bound on the weighted sum of the offsets,
+                                in units of 1 / MURK_SHARE_ONE of a value */
     uint32_t *top;           /* [candidates] */
     uint64_t *gains;         /* [candidates] */
 } murk_worst_bound;

@@ -17,8 +17,8 @@
 #define MURK_NO_LEVEL UINT64_MAX
 
 /* The objective of a search: sum_c factor[c] min(share_c, level); or, with
- * is_min, the smallest share, then the sum of the shares. Factors are at most
- * 2^7. */
+ * is_min, the smallest share, then the sum of the shares. The sum of the
+ * factors is at most 2^10, so the objective fits 64 bits. */
 typedef struct murk_block_objective {
     bool is_min;
     uint64_t level; /* MURK_NO_LEVEL: none */
