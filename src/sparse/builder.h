@@ -7,7 +7,7 @@
 
 typedef struct murk_sparse_entry {
     uint32_t row, column; /* from 0 */
-    uint32_t line;        /* line of the file, for messages */
+    uint32_t line;        /* line of the file, from 1, for messages */
     uint16_t clarity;
 } murk_sparse_entry;
 
@@ -22,14 +22,16 @@ typedef struct murk_sparse_builder {
     char **name;    /* [columns]; NULL: none */
 } murk_sparse_builder;
 
-/* Adds an entry. A clarity (0..1) that rounds to 0 is no entry. */
+/* Adds an entry at a row and a column, both from 0. A clarity (0..1) that
+ * rounds to 0 of MURK_CLEAR is no entry. Fails with MURK_NO_MEMORY. */
 murk_status murk_sparse_builder_put(murk_sparse_builder *builder, size_t row,
                                     size_t column, size_t line, double clarity,
                                     murk_error *err);
 
-/* Sorts the entries and makes the matrix. Fails on an entry that is given
- * twice, without entries, and without weight. The builder is empty afterwards,
- * also after a failure. */
+/* Sorts the entries and makes the matrix. Fails with MURK_BAD_FILE if an entry
+ * is given twice, if there are no rows, columns or entries, or if the weights
+ * add up to 0; or with MURK_NO_MEMORY. The builder is empty afterwards, except
+ * for the path, also after a failure. */
 murk_status murk_sparse_builder_finish(murk_sparse_matrix **out,
                                        murk_sparse_builder *builder,
                                        murk_error *err);

@@ -36,7 +36,8 @@ static murk_text_place place_of(const reader *r, size_t k)
 
 /* ---- lines and cells ---- */
 
-/* Fills cell[cells] from the next line; *is_end: there is none. */
+/* Fills cell[cells] from the next line. *is_end is true if there is no further
+ * line. */
 static murk_status read_line(reader *r, bool *is_end)
 {
     r->cells = 0;
@@ -182,7 +183,7 @@ static murk_status put_dense_line(const dense *d, reader *r)
     return status;
 }
 
-/* The first line has been read. */
+/* Reads the dense format; the first line has been read already. */
 static murk_status read_dense(reader *r)
 {
     dense d = {calloc(r->cells, sizeof *d.part), r->cells, false};

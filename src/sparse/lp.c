@@ -118,7 +118,8 @@ static void print_columns(terms *t, const murk_sparse_matrix *m,
     }
 }
 
-/* The value of the covered rows, in weights as given. */
+/* The value of the covered rows, in weights as given, divided by the
+ * redundancy. */
 static void print_value(terms *t, const murk_sparse_matrix *m, const kinds *k,
                         unsigned redundancy)
 {
@@ -136,7 +137,8 @@ static void print_value(terms *t, const murk_sparse_matrix *m, const kinds *k,
     }
 }
 
-/* A 0/1 row: covered only by chosen columns, once. */
+/* A 0/1 row: y is at most the number of chosen columns that cover the row. The
+ * section of bounds limits y to the redundancy. */
 static void print_clear_row(FILE *to, const kinds *k, size_t i)
 {
     terms t = {to, 0};

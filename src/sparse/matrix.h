@@ -33,15 +33,17 @@ typedef struct murk_sparse_matrix {
 } murk_sparse_matrix;
 
 /* Reads a file in any of the formats, which are told apart by the content
- * (formats: scenes/README.md). Fails with MURK_BAD_FILE at FILE:LINE:COLUMN.
+ * (formats: scenes/README.md). Fails with MURK_BAD_FILE at FILE:LINE:COLUMN, or
+ * at FILE or FILE:LINE if no single cell is at fault, or with MURK_NO_MEMORY.
  * Files up to 4 GB; memory is in proportion to the size of the file, whatever
  * the header of the file says. */
 murk_status murk_sparse_matrix_read(murk_sparse_matrix **out, const char *path,
                                     murk_error *err);
 
-/* Collects all rows of a problem. The weights are divided by their greatest
- * common divisor, which changes no plan. Fails with MURK_RUN_FAILED beyond
- * max_entries. */
+/* Collects the entries of all candidates of a problem, each candidate as a
+ * column. The weights are divided by their greatest common divisor, which
+ * changes no plan. Fails with MURK_RUN_FAILED beyond max_entries, or with
+ * MURK_NO_MEMORY or MURK_INTERRUPTED. */
 murk_status murk_sparse_matrix_collect(murk_sparse_matrix **out,
                                        const murk_problem *problem,
                                        size_t max_entries, murk_error *err);
@@ -67,26 +69,30 @@ bool murk_sparse_matrix_by_rows(murk_sparse_rows *out,
                                 const murk_sparse_matrix *matrix,
                                 const bool *is_wanted, murk_arena *arena);
 
-/* The placement problem of the matrix; borrows the matrix. */
+/* The placement problem of the matrix, with redundancy 1; borrows the
+ * matrix. */
 murk_problem murk_sparse_matrix_problem(murk_sparse_matrix *matrix,
                                         unsigned threads);
 
 /* ---- writing: each file complete or not at all (base/file.h) ---- */
 
-/* Writes sparse CSV, which reads back to the same matrix. */
+/* Writes sparse CSV, which reads back to the same rows, columns, clarities and
+ * weights. Costs and names of columns are not written. */
 murk_status murk_sparse_matrix_write_csv(const murk_sparse_matrix *matrix,
                                          const char *path, murk_error *err);
 
-/* Writes OR-Library's text, with costs 1 if none are given; unequal weights
- * follow the last row. Fails with MURK_RUN_FAILED unless is_clear, because the
- * format has entries 0 and 1 only. */
+/* Writes OR-Library's text, with costs 1 if none are given; the weights follow
+ * the last row unless all are 1. Names of columns are not written. Fails with
+ * MURK_RUN_FAILED unless is_clear, because the format has entries 0 and 1
+ * only. */
 murk_status
 murk_sparse_matrix_write_or_library(const murk_sparse_matrix *matrix,
                                     const char *path, murk_error *err);
 
 /* The question of an integer program. */
 typedef struct murk_lp_goal {
-    size_t count;    /* the best plan of so many columns; 0: any number */
+    size_t count;    /* with target 0: the best plan of exactly so many columns;
+                        0: any number */
     uint64_t target; /* 0, or: the fewest columns that reach this value, in
                         weight * clarity */
     const murk_constraints *constraints; /* NULL: none */
@@ -106,7 +112,8 @@ typedef struct murk_lp_goal {
  * Constraints on plans are further rows: the budget in whole units, counts by
  * class, x = 1 for fixed columns, at most one column of a site and of a
  * conflicting pair. The objective is in weights as given. Fails with
- * MURK_RUN_FAILED beyond 1e7 entries or conflicting pairs.
+ * MURK_RUN_FAILED beyond 1e7 entries or conflicting pairs, or with
+ * MURK_BAD_VALUE if the constraints contradict each other.
  *
  * Source: Church, ReVelle, Pap. Reg. Sci. 32 (1974) 101,
  * doi:10.1007/BF01942293; Cornuejols, Fisher, Nemhauser, Manage. Sci. 23 (1977)

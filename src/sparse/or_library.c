@@ -25,7 +25,7 @@ typedef struct reader {
 } reader;
 
 /* Reads a token; false at the end of the text. A token that is too long for a
- * number is shortened, and is no number either. */
+ * number is cut and ends with "...", so it is refused as a number. */
 static bool read_token(reader *r)
 {
     for (; *r->next && strchr(" \t\r\n", *r->next); ++r->next) {

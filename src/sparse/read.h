@@ -1,6 +1,7 @@
 /* Readers of the formats of a coverage matrix. Each reads the text of a file,
- * which ends with '\0' and may be cut in place, and fills a builder; the caller
- * finishes or releases the builder. */
+ * which ends with '\0' and may be changed in place, and fills a builder with
+ * path set; the caller finishes the builder, or releases it after a failure.
+ * They fail with MURK_BAD_FILE or MURK_NO_MEMORY. */
 #ifndef MURK_SPARSE_READ_H
 #define MURK_SPARSE_READ_H
 
@@ -23,7 +24,8 @@ murk_status murk_sparse_read_csv(murk_sparse_builder *builder, char *text,
 murk_status murk_sparse_read_or_library(murk_sparse_builder *builder,
                                         const char *text, murk_error *err);
 
-/* Parses a weight or a cost: 0, or 1e-12..1e12. */
+/* Parses a weight or a cost: 0, or 1e-12..1e12. False if the text is no such
+ * number; *out is then unchanged. */
 bool murk_sparse_weight_parse(const char *text, double *out);
 
 #endif
