@@ -61,7 +61,7 @@ murk_vec3 murk_camera_draw(const murk_camera *camera, size_t column, size_t row,
                            double u, double v);
 
 /* The place of the picture that shows a direction of any length. False if the
- * picture does not show it. */
+ * picture does not show the direction; *x and *y have then no meaning. */
 bool murk_camera_find(const murk_camera *camera, murk_vec3 direction, double *x,
                       double *y);
 

@@ -13,8 +13,8 @@
 #include "render/render.h"
 
 /* Bytes of the longest name, "standard error at 1234.567 nm", and its end; and
- * the channels of a picture: five for each band, nine of colours and positions,
- * the distance and two of the coverage. */
+ * the channels of a picture: five for each band, nine of colours, their errors
+ * and positions, the distance and two of the coverage. */
 #define MURK_CHANNEL_NAME_SIZE 48
 #define MURK_CHANNELS_MAX      (5 * MURK_BANDS_MAX + 12)
 
@@ -36,15 +36,15 @@ typedef struct murk_channel {
 } murk_channel;
 
 /* Fills list[MURK_CHANNELS_MAX] and returns the number of channels. With
- * picture NULL only names are filled in, for pictures with that many bands,
- * with or without coverage. */
+ * picture NULL the values are NULL; names, titles, units and kinds are those of
+ * pictures with that many bands, with or without coverage. */
 size_t murk_channels_list(const murk_image *picture, int bands,
                           const double *band_nm, bool has_coverage,
                           murk_channel *list);
 
-/* Returns the first of rising bands whose channels would have the same names as
- * those of the next band, because wavelengths in names have 7 digits; -1 if
- * there is none. */
+/* Returns the number, from 0, of the first of rising bands whose channels would
+ * have the same names as those of the next band, because wavelengths in names
+ * have 7 digits; -1 if there is none. */
 int murk_channels_clash(int bands, const double *band_nm);
 
 /* Finds a channel by name; by layer if the layer has one band; with "radiance"

@@ -29,8 +29,8 @@ typedef struct murk_shading_point {
 
 /* Fills rays[scenery->n_lit[band]] with the mean number of shadow rays to each
  * light that has power in the band. The sum is MURK_LIGHTS_AT_ONCE, or each
- * number is 1 if there are no more lights than that. The number is 0 only for a
- * lamp that cannot light the point. */
+ * number is 1 if there are no more lights than that. Each number is above 0.
+ * The order is that of scenery->lit[band]. */
 void murk_choice_rays(const murk_scenery *scenery,
                       const murk_shading_point *place,
                       double rays[MURK_SOURCES_MAX]);

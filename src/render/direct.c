@@ -23,8 +23,8 @@ static double answer(const murk_shading_point *place, murk_vec3 arriving)
 }
 
 /* The weight of shadow rays for light that arrives in this direction, sampled
- * with density per_sr. `density`: the response of the point, which is also the
- * density with which the ray continues. */
+ * with density per_sr. `answers`: the response of the point (answer()), which
+ * is also the density [1/sr] with which the ray continues. */
 static double share_of_rays(double answers, double per_sr)
 {
     return per_sr < INFINITY ? per_sr / (per_sr + answers) : 1;
@@ -34,7 +34,7 @@ double murk_direct_rest(const murk_scenery *scenery,
                         const murk_shading_point *place, size_t light,
                         murk_vec3 arriving, double per_sr, murk_vec3 wrapped)
 {
-    /* The number of shadow rays to this light, */
+    /* The number of shadow rays to this light. */
     const size_t *lit = scenery->lit[place->band];
     double all[MURK_SOURCES_MAX];
     murk_choice_rays(scenery, place, all);
@@ -42,7 +42,8 @@ double murk_direct_rest(const murk_scenery *scenery,
     for (size_t i = 0; i < scenery->n_lit[place->band]; ++i) {
         rays = lit[i] == light ? all[i] : rays;
     }
-    /* and the probability of the image that the ray has hit. */
+    /* In a periodic domain: times the probability of the image that the ray has
+     * hit. */
     const murk_transport_world *world = scenery->world;
     if (world->domain.is_periodic &&
         !murk_source_is_distant(murk_sources_get(world->lights, light))) {

@@ -18,7 +18,8 @@ typedef struct murk_exr {
 } murk_exr;
 
 /* Writes the file completely or not at all (base/file.h). Fails with
- * MURK_BAD_FILE or MURK_NO_MEMORY. */
+ * MURK_BAD_VALUE (the run has read a file at this path), MURK_RUN_FAILED (the
+ * file cannot be written) or MURK_NO_MEMORY. */
 murk_status murk_exr_write(const murk_exr *exr, const char *path,
                            murk_error *err);
 

@@ -49,7 +49,7 @@ static float max_of(const murk_channel *channel, size_t n)
     return max;
 }
 
-/* Widens an empty range. */
+/* Limits the span of a logarithmic range, and widens an empty range. */
 static void widen(murk_false_colour *c)
 {
     if (c->is_log) {
@@ -134,7 +134,7 @@ typedef struct ticks {
     size_t n;
 } ticks;
 
-/* 1, 2 or 5 times a power of ten: the least that is not less. */
+/* The smallest number not below min that is 1, 2 or 5 times a power of ten. */
 static double round_step(double min)
 {
     const double power = pow(10, floor(log10(min)));

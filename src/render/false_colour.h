@@ -20,9 +20,10 @@ typedef struct murk_false_colour {
 /* The default scale: logarithmic for radiances. */
 bool murk_false_colour_is_log(const murk_channel *channel);
 
-/* The default range. For radiances, lengths and depths it contains 99 % of the
- * pixels; a logarithmic range spans at most 1e6. Counts: 0 to the maximum;
- * clarity: 0 to 1. Fails with MURK_NO_MEMORY. */
+/* The default range. On a linear scale, counts have the range 0 to the maximum
+ * (at least 1), and clarities 0 to 1. Every other range contains the middle 99
+ * % of the values that can be shown; a logarithmic range spans at most a factor
+ * of 1e6. Fails with MURK_NO_MEMORY. */
 murk_status murk_false_colour_range(murk_false_colour *out,
                                     const murk_channel *channel, size_t n,
                                     bool is_log, murk_error *err);

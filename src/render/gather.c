@@ -1,6 +1,6 @@
-/* Density estimate on the photon maps: lays a kernel around each record that
- * counts, as wide as the k-th nearest record is far, and sums the kernels that
- * hold a place. */
+/* Density estimate on the photon maps: creates a kernel around each record that
+ * counts, with the distance of the k-th nearest record as the radius, and sums
+ * the kernels that contain a point. */
 #include "render/gather.h"
 
 #include <stdlib.h>
@@ -13,11 +13,12 @@
 
 #define RECORDS_AT_ONCE 1024 /* that a thread takes at a time (a choice) */
 
-/* Of the domain's diagonal: records that lie on one spot, as those of a beam
- * without width do, are spread at least so far. */
+/* Smallest radius as a share of the domain's diagonal: records that lie on one
+ * spot, such as those of a beam without width, are spread at least so far (a
+ * choice). */
 #define MIN_RADIUS 1e-4
 
-/* One map's records of a band, and their kernels. */
+/* The records of one map and band that count, and their kernels. */
 typedef struct layer {
     murk_photon_map *map;
     murk_kernel *kernel; /* [records], in the map's order */
@@ -26,7 +27,7 @@ typedef struct layer {
 
 struct murk_gather {
     const murk_scenery *scenery;
-    double per_photon; /* groups */
+    double per_photon; /* groups per emitted photon */
     layer surface[MURK_BANDS_MAX], volume[MURK_BANDS_MAX];
 };
 
@@ -40,7 +41,8 @@ size_t murk_gather_nearest(size_t records)
 
 /* ---- making ---- */
 
-/* On what a solid holds: there no shadow ray goes. */
+/* True for a surface record that faces the inside of a solid, where no shadow
+ * ray is sent. */
 static bool is_in_solid(const murk_scenery *scenery, const murk_photon *p)
 {
     const murk_surfaces *surfaces = scenery->world->surfaces;
@@ -60,7 +62,7 @@ static bool counts(const murk_gathering_desc *desc, const murk_photon *p,
             is_in_solid(desc->scenery, p));
 }
 
-/* Those that count, of one map. */
+/* Copies the records of one map and band that count into a map of their own. */
 static murk_status pick(murk_photon_map **out, const murk_gathering_desc *desc,
                         const murk_photon_map *map, int band, murk_error *err)
 {
@@ -253,8 +255,9 @@ typedef struct asking {
     double sum;
 } asking;
 
-/* Power that one record sends towards who looks, for each steradian: what comes
- * in is the record's, what turns it is the place's own. */
+/* Power per steradian [W/sr] that one record sends towards the viewer: the
+ * power is that of the record, the phase function or the cosine law is that of
+ * the point. 0 for a later event within the cone of the point. */
 static double sent(const murk_shading_point *place, const murk_photon *p)
 {
     if (!place->phase) {
@@ -273,7 +276,8 @@ static void take(void *context, size_t record, double square)
     asking *a = context;
     const murk_kernel *kernel = &a->layer->kernel[record];
     const murk_photon *p = murk_photon_map_photons(a->layer->map) + record;
-    /* kernels know the regions' index, and solids by their surfaces */
+    /* kernel->index is that of the regions, without solids; so inside a solid
+     * the indices are not compared */
     const double index =
         a->place->is_in_solid ? kernel->index : a->place->index;
     if (kernel->mass > 0 &&

@@ -1,12 +1,14 @@
 /* Radiance from the photon maps, by kernel density estimation.
  *
- * Each record has a kernel (render/kernel.h) with a radius equal to the
- * distance of the k-th nearest other record of the band. The radiance at a
- * point is a sum over the kernels that contain the point. k grows with the
- * number of records, but more slowly: with more photons, pictures have both
- * less noise and less blur. On surfaces, only records count whose normal is
- * within 60 degrees of the normal at the point. The power of a record is the
- * power that leaves the event, so reflectance or albedo is not applied again.
+ * Each record has a kernel (render/kernel.h). The radius is the distance of the
+ * k-th nearest other record of the band, at least 1e-4 of the diagonal of the
+ * domain, and smaller if almost nothing of the kernel is visible from the
+ * record. The radiance at a point is a sum over the kernels that contain the
+ * point. k grows with the number of records, but more slowly: with more
+ * photons, pictures have both less noise and less blur. On surfaces, only
+ * records count whose normal is within 60 degrees of the normal at the point.
+ * The power of a record is the power that leaves the event, so reflectance or
+ * albedo is not applied again.
  *
  * The caller decides whether first events count. If shadow rays find direct
  * light, first events must not count, except for lights that shadow rays cannot

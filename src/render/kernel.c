@@ -9,8 +9,9 @@
 #include "geometry/disc.h"
 #include "path/viewpoint.h"
 
-/* The least visible share of a kernel that is estimated in this way: a corner
- * between three walls leaves a quarter of a disc and an eighth of a ball. */
+/* The smallest visible share of a kernel that is accepted; for a smaller one
+ * the radius is halved: a corner between three walls leaves a quarter of a disc
+ * and an eighth of a ball. */
 #define MIN_SHARE 0.1
 
 /* Halvings of the radius, down to a thousandth. */
@@ -80,7 +81,9 @@ static bool sees_surface(const murk_scenery *scenery, murk_vec3 from,
            !murk_surfaces_blocked(surfaces, above, place, false);
 }
 
-/* The share of the mass of a flat disc that is visible. */
+/* The visible part of the mass of the kernel, as a share of the mass of a flat
+ * disc that is visible as a whole. The part may exceed 1 on a curved
+ * surface. */
 static double share_on_surface(const murk_probing *probing, murk_vec3 from,
                                murk_vec3 up, const murk_kernel *kernel,
                                double turn)

@@ -29,8 +29,8 @@ typedef struct murk_kernel {
     double mass;  /* integral of the kernel: [m2] on a surface; in a medium of
                    * the kernel times the scattering coefficient */
     double index; /* refractive index at the record */
-    bool is_cut;  /* part of the ball does not belong to the kernel: ask
-                   * murk_kernel_holds() */
+    bool is_cut;  /* part of the ball may not belong to the kernel: surfaces or
+                     sides of the domain are near */
 } murk_kernel;
 
 /* The number of test points: the cut of a disc is estimated within 2 %, that of

@@ -24,7 +24,8 @@ void murk_raster_fill(murk_raster *raster, size_t left, size_t top,
                       size_t width, size_t height, const uint8_t rgb[3]);
 
 /* Writes a PNG file completely or not at all (base/file.h), with texts as iTXt
- * chunks. Fails with MURK_BAD_FILE or MURK_NO_MEMORY. */
+ * chunks. Fails with MURK_BAD_VALUE (the run has read a file at this path),
+ * MURK_RUN_FAILED (the file cannot be written) or MURK_NO_MEMORY. */
 murk_status murk_png_write(const murk_raster *raster,
                            const murk_image_text *text, size_t n_text,
                            const char *path, murk_error *err);

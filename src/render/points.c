@@ -1,5 +1,6 @@
 /* Finds the surface point that the middle of each pixel shows, row by row on
- * all threads, as records that sensors can be asked about. */
+ * all threads, as photon records, for which the coverage by sensors can be
+ * computed. */
 #include "render/points.h"
 
 #include <stdlib.h>

@@ -35,8 +35,8 @@
  * wider window would smooth out the picture. */
 #define WINDOW_PIXELS_MAX 4.0
 
-/* Below this standard deviation no neighbour has a weight above e-8, and pixels
- * are not pooled. */
+/* Below this standard deviation no neighbour has a weight above exp(-8), and
+ * pixels are not pooled. */
 #define WINDOW_PIXELS_MIN 0.25
 
 /* The window is cut at this number of standard deviations. */

@@ -15,9 +15,10 @@
 #include "render/camera.h"
 #include "render/sample.h"
 
-/* of a picture: 256 MB for each channel */
+/* Largest number of pixels of a picture: 256 MiB for each channel. */
 #define MURK_PIXELS_MAX (UINT64_C(1) << 26)
-/* of a pixel; the error of a mean is then 0.4 % of a sample's */
+/* Largest number of samples of a pixel; the error of a mean is then 0.4 % of
+ * the error of a sample. */
 #define MURK_SAMPLES_MAX 65536
 
 /* The input of a rendering. */
@@ -41,7 +42,7 @@ typedef struct murk_image {
     float *radiance[MURK_BANDS_MAX]; /* [W/m2/sr] */
     float *error[MURK_BANDS_MAX];    /* standard error of the radiance */
     float *surface[MURK_BANDS_MAX];  /* part whose last event was on a surface,
-                                      * or  directly from a light */
+                                        or that arrives directly from a light */
     float *volume[MURK_BANDS_MAX];   /* part whose last event was in a medium */
     float *depth[MURK_BANDS_MAX];    /* optical depth along the ray through the
                                       * center of the pixel, up to distance_m */
@@ -64,10 +65,10 @@ typedef struct murk_image {
     size_t records[2][MURK_BANDS_MAX];
 } murk_image;
 
-/* The memory of a picture in bytes, */
+/* The memory of a picture without coverage, in bytes. */
 double murk_image_bytes(size_t width, size_t height, int bands);
-/* and the memory for rendering it, without that of the maps
- * (render/gather.h). */
+/* The memory for rendering a picture, including the picture, in bytes, without
+ * that of the maps (murk_gather_memory_for()). */
 double murk_render_bytes(size_t width, size_t height, int bands,
                          murk_render_method method);
 
@@ -78,7 +79,8 @@ murk_status murk_render_run(murk_image **out, const murk_render *render,
                             murk_error *err);
 void murk_image_destroy(murk_image *picture); /* NULL is fine */
 
-/* Adds the channels of coverage, filled with NAN. Fails with MURK_NO_MEMORY. */
+/* Adds the channels of coverage, filled with NAN; once for a picture. Fails
+ * with MURK_NO_MEMORY. */
 murk_status murk_image_add_coverage(murk_image *picture, murk_error *err);
 
 #endif

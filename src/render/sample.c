@@ -30,18 +30,22 @@ struct murk_sampler {
     uint32_t seed, purpose;
     uint64_t lost;
     double *cone; /* [media * bands] */
-    /* of the current ray: */
+    /* The current ray. */
     uint64_t number;
     int band;
     double own_index;        /* index at the start; 0: not known yet */
-    bool is_connected;       /* shadow rays may have found the light that the
-                              * ray hits, and were sent */
-    murk_shading_point last; /* from this point */
-    murk_vec3 wrapped;       /* displacement at periodic sides since then, */
-    murk_vec3 left;   /* point at which the ray left the domain through such a
-                       * side, */
-    bool has_wrapped; /* the rest of which the next segment will tell */
-    bool is_settled;  /* the class of all further light is known: */
+    bool is_connected;       /* shadow rays were sent from `last`, and may have
+                                found the light that the ray hits */
+    murk_shading_point last; /* the last point at which the ray was scattered or
+                                reflected diffusely */
+    murk_vec3 wrapped;       /* displacement at periodic sides since that
+                                point */
+    murk_vec3 left;   /* the last point at which the ray left the domain through
+                         a periodic side */
+    bool has_wrapped; /* `wrapped` lacks the displacement at `left` until the
+                         next segment begins */
+    bool is_settled;  /* the ray was scattered or reflected diffusely, so all
+                         further light belongs to the class `settled` */
     part settled;
     bool is_stopped, meets_light;
     murk_trace_segment segment; /* the last segment */
