@@ -26,8 +26,8 @@
 #include "sensing/candidates.h"
 #include "world/stage.h"
 
-/* Upper limit on the number of stations: exploration ends even if no other
- * limit is reached. */
+/* Upper limit on the number of stations besides fixed sensors: exploration ends
+ * even if no other limit is reached. */
 #define MURK_EXPLORE_MAX 1000
 
 typedef enum murk_explore_end {
@@ -48,8 +48,9 @@ typedef struct murk_explore_step {
     double path_m;        /* length of the path so far */
     size_t places_seen;   /* number of usable sites seen so far */
     uint64_t queries, shadow_rays; /* work so far */
-    size_t stops; /* number of stops of the path up to this station; 0 before
-                   * the path begins */
+    size_t stops; /* number of stops of the path up to this station; 0 for fixed
+                     sensors if the scene gives start_m, because the path then
+                     begins later */
 } murk_explore_step;
 
 typedef struct murk_explore {
@@ -67,7 +68,9 @@ typedef struct murk_explore {
 /* Finds the place where the path begins: the nearest usable candidate to
  * start_m that is visible from there in a straight line; without start_m, the
  * place of the first fixed sensor. The number counts as poses->site does. Fails
- * with MURK_BAD_VALUE at the placement of the scene. */
+ * with MURK_BAD_VALUE at the placement of the scene if there is neither start_m
+ * nor a fixed sensor, if start_m lies outside the domain, or if no usable
+ * candidate is visible from start_m. */
 murk_status murk_explore_start(uint32_t *start, const murk_stage *stage,
                                const murk_candidates *sites,
                                const murk_poses *poses, murk_error *err);
@@ -76,7 +79,9 @@ murk_status murk_explore_start(uint32_t *start, const murk_stage *stage,
  * plan that the stations form. With a target or a budget, desc->count is the
  * maximum number of sensors. desc->constraints must be set. Fails with
  * MURK_RUN_FAILED if exploration ends before the target or the minimum counts
- * of sensor types are reached. Release *out also after a failure. */
+ * of sensor types are reached, with MURK_BAD_VALUE if the constraints let no
+ * sensor stand at the start, or with MURK_NO_MEMORY or MURK_INTERRUPTED.
+ * Release *out also after a failure. */
 murk_status murk_explore_run(murk_explore *out, murk_place_result *place,
                              const murk_stage *stage, murk_sight *sight,
                              const murk_problem *problem,

@@ -1,9 +1,10 @@
 /* The places that an explorer has seen, and the paths between them.
  *
  * Places are numbered as poses->site: usable sites first, then the places of
- * fixed sensors that are not at a site. Two places are connected if one is seen
- * from a station at the other, or if both are connected to a third place. A
- * path leads over seen places from any place to any connected place. */
+ * fixed sensors (with one_per_site only of those that are not at a site). Two
+ * places are connected if one is seen from a station at the other, or if both
+ * are connected to a third place. A path leads over seen places from any place
+ * to any connected place. */
 #ifndef MURK_PLAN_EXPLORED_H
 #define MURK_PLAN_EXPLORED_H
 
@@ -43,16 +44,18 @@ size_t murk_explored_opens(murk_explored *explored, const murk_pose *pose,
                            uint32_t place);
 
 /* The shortest path between two connected places. *path[*stops] belongs to the
- * caller: free(). The path is the shortest over all seen places if there are at
- * most 2000 of them; otherwise it leads over a subset. */
+ * caller: free(). The path is the shortest over all seen places in their set if
+ * at most 2000 of these are not always used; otherwise the path leads over a
+ * subset of them. */
 murk_status murk_explored_path(murk_explored *explored, murk_vec3 **path,
                                size_t *stops, double *length_m, uint32_t from,
                                uint32_t to, murk_error *err);
 
 /* Finds the path over place[n] from place `from` to place `to`. stop[0 ..
  * *stops) are the numbers of the places on the path, both ends included; the
- * array must hold n. *stops is 0 if there is no path. Places that a straight
- * step can bypass are left out. Memory grows as n^2 in the worst case. */
+ * array must hold n. *stops is 0 if there is no path. Fails with
+ * MURK_NO_MEMORY. Places that a straight step can bypass are left out. Memory
+ * grows as n^2 in the worst case. */
 murk_status murk_route_find(size_t *stop, size_t *stops, double *length_m,
                             murk_outlook *outlook, const murk_vec3 *place,
                             size_t n, size_t from, size_t to, murk_error *err);

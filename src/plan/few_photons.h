@@ -25,9 +25,9 @@ int murk_thin_map(const murk_scene_desc *scene,
  * of this map. */
 double murk_map_variance_share(const murk_coverage_result *coverage, int map);
 
-/* Writes what rests on the thin map, in words, and returns true; returns false
- * if no map is thin. condition is the name of a condition, or NULL for the
- * scene itself. */
+/* Writes a sentence on the share of the coverage, and of its variance, that
+ * rests on the thin map, and returns true; returns false if no map is thin.
+ * condition is the name of a condition, or NULL for the scene itself. */
 #define MURK_THIN_MAP_SIZE 320 /* with the longest name of a condition */
 bool murk_thin_map_text(char *out, size_t size, const murk_scene_desc *scene,
                         const murk_coverage_result *coverage,

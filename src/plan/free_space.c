@@ -77,8 +77,8 @@ murk_status murk_entrances(murk_reach *out, murk_vec3 **places,
 
 /* ---- the test of a point ---- */
 
-/* Points on each axis of the grid of candidates, and of the whole grid over the
- * domain: each grid has at most 16^3 = 4096 points. */
+/* Largest number of points on each axis of the grid over the candidates, and
+ * approximate number of points of the whole grid over the domain: 16^3. */
 #define POINTS_EACH 16
 #define POINTS_ALL  4096
 

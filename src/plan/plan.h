@@ -17,7 +17,7 @@
 
 /* Creates the sight of the sensors of a stage: onto the traced light, or onto
  * targets if the scene has targets (those of the stream of the light). Borrows
- * both. */
+ * the stage and the light. */
 murk_status murk_plan_sight(murk_sight **out, const murk_stage *stage,
                             const murk_traced *traced, unsigned threads,
                             murk_error *err);
@@ -42,8 +42,8 @@ murk_status murk_plan_sight_points(murk_sight **out, const murk_stage *stage,
 
 /* The radius of the density estimates of `detection: power` in metres:
  * power_radius_m of the scene, or the largest radius of estimates by k nearest
- * neighbours, which is 10 % of the diagonal of the domain. 0 for other modes of
- * detection. */
+ * neighbours, which is 10 % of the diagonal of the domain, in a periodic domain
+ * at most half the shorter period. 0 for other modes of detection. */
 double murk_plan_power_radius_m(const murk_stage *stage);
 
 /* The number of nearest neighbours of the estimates of `detection: power`; 0
@@ -59,14 +59,17 @@ uint64_t murk_plan_value_of(double share, const murk_problem *problem);
  * 0 if the scene has no target or does not ask. */
 size_t murk_plan_at_least(const murk_scene_desc *scene);
 
-/* Fails if the settings of the sensors are wrong by themselves. */
+/* Checks the settings of the sensors that do not depend on candidates: sensors
+ * and photon maps are given, a count, a target or a budget, acceptance angles,
+ * the radius of `detection: power`, and the targets. */
 murk_status murk_plan_check(const murk_stage *stage, unsigned threads,
                             murk_error *err);
 
 /* The solver settings of the scene, without constraints and target. */
 murk_place_desc murk_plan_desc(const murk_scene_desc *scene);
 
-/* Memory that the coverage matrix may take, in bytes. */
+/* Memory that the coverage matrix may take, in bytes: 70 % of the free
+ * memory. */
 uint64_t murk_plan_matrix_bytes(void);
 
 /* Photon streams of the held-out map and of the map that confirms a target. */
@@ -102,9 +105,8 @@ typedef struct murk_plan_result {
     /* [regions of interest]; coverage on the second map; NULL if there
      * is none */
     murk_region_coverage *held_out_region;
-    murk_estimate confirmed; /* with a target: coverage on a third
-                              * map; with at_least, the strict
-                              * share */
+    murk_estimate confirmed; /* with a target: coverage on a third map; with
+                                at_least, the strict share; else NaN */
     murk_robust robust;
     double power_radius_m;         /* of detection: power; else 0 */
     size_t power_neighbours;       /* of detection: power; 0 for a fixed radius
@@ -118,8 +120,9 @@ typedef struct murk_plan_result {
     double trace_s, map_s, sense_s, place_s;
 } murk_plan_result;
 
-/* Finds every error in the settings of the sensors before light is traced.
- * Fills plan->candidates and plan->poses. */
+/* Checks the settings of the sensors before light is traced
+ * (murk_plan_check()), and fills the candidates and poses of the plan, the
+ * settings of `detection: power`, and with knowledge: explore the start. */
 murk_status murk_plan_prepare(murk_plan_result *plan, const murk_stage *stage,
                               unsigned threads, murk_error *err);
 
@@ -130,8 +133,10 @@ murk_status murk_plan_result_make_dark(murk_plan_result *plan,
                                        murk_error *err);
 void murk_plan_result_release(murk_plan_result *plan);
 
-/* Chooses the sensors by the given sight: fills plan->place and plan->sensor.
- * Measures nothing else. */
+/* Chooses the sensors by the given sight: fills plan->place and plan->sensor,
+ * with knowledge: explore the steps, and the time and the work of choosing.
+ * Measures no coverage. Fails at the sensors of the scene unless a deeper place
+ * is known. */
 murk_status murk_plan_choose(murk_plan_result *plan, const murk_stage *stage,
                              murk_sight *sight, murk_error *err);
 
@@ -140,8 +145,8 @@ murk_status murk_plan_take_sensors(murk_plan_result *plan,
                                    const murk_scene_desc *scene,
                                    murk_error *err);
 
-/* Adds the queries and shadow rays of a sight to the work of choosing, without
- * those of the forecast. */
+/* Adds the counters of a sight to the work of choosing, the queries and shadow
+ * rays without those of the forecast. */
 void murk_plan_add_work(murk_plan_result *plan, const murk_sight *sight);
 
 /* Sets all coverage of n sensors to NaN. Release the result as any other

@@ -17,7 +17,10 @@ typedef struct murk_poses {
     murk_constraints constraints; /* 0 for constraints that the scene does not
                                    * have */
     bool has_constraints;
-    /* Arrays that the constraints point to. */
+    /* Arrays that the constraints point to. site is the number of the site of
+     * each pose; fixed sensors follow the usable sites, except that with
+     * one_per_site a fixed sensor at the position of a site has the number of
+     * that site. */
     uint32_t *class_of, *site;
     size_t *min, *max, *fixed_number;
     int64_t *cost;
@@ -26,9 +29,11 @@ typedef struct murk_poses {
 } murk_poses;
 
 /* Creates the poses at the usable sites, site[n]. The caller owns *out; the
- * scene must outlive it. Fails at the place of the sensors in the scene if
- * there are more than 1e7 poses, if a fixed sensor lies outside the domain, if
- * the count exceeds the candidates, or if constraints contradict each other. */
+ * scene must outlive it. Fails with MURK_BAD_VALUE if there are more than 1e7
+ * poses, if a fixed sensor lies outside the domain (at that sensor in the
+ * scene; all others at the sensors of the scene), if the count exceeds the
+ * candidates, or if constraints contradict each other; or with
+ * MURK_NO_MEMORY. */
 murk_status murk_poses_create(murk_poses **out, const murk_scene_desc *scene,
                               const murk_domain *domain, const murk_vec3 *site,
                               size_t n, murk_error *err);
@@ -37,7 +42,7 @@ void murk_poses_destroy(murk_poses *poses); /* NULL is fine */
 /* Compares two murk_vec3 by x, then y, then z, for qsort() and bsearch(). */
 int murk_by_position(const void *a, const void *b);
 
-/* NULL if the count is the only constraint. */
+/* The constraints of the poses; NULL if the count is the only constraint. */
 const murk_constraints *murk_poses_constraints(const murk_poses *poses);
 
 /* Converts the sensor types of the scene to the struct of sensing/sensor.h. The

@@ -1,7 +1,7 @@
 /* Robustness of a plan. The coverage without a sensor is the total minus the
- * coverage of photons that only this sensor sees. Errors of position and
- * direction are sampled (sensing/jitter.h); the confidence interval of the
- * quantile is distribution-free, by ranks of the binomial distribution
+ * coverage that only this sensor adds. Errors of position and direction are
+ * sampled (sensing/jitter.h); the confidence interval of the quantile is
+ * distribution-free, by ranks of the binomial distribution
  * (base/quantile.h). */
 #include "plan/robust.h"
 
@@ -115,7 +115,7 @@ murk_status murk_robust_draw(murk_estimate *covered, size_t *unmoved,
         status = murk_coverage_result_measure(&c, sight, moved, n, err);
         covered[d] = c.total;
         if (settings->targets.points) { /* a list is complete, not a sample */
-            covered[d].standard_error = 0; /* a list is all there is */
+            covered[d].standard_error = 0;
         }
         murk_coverage_result_release(&c);
         murk_progress_add(1);

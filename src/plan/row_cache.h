@@ -21,7 +21,8 @@ typedef struct murk_row_cache {
                                          * cached */
 } murk_row_cache;
 
-/* Borrows the source. *out must not move while it is used. */
+/* Borrows the source. *out must not move while it is used. Fails with
+ * MURK_NO_MEMORY. */
 murk_status murk_row_cache_init(murk_row_cache *out, const murk_problem *source,
                                 murk_error *err);
 void murk_row_cache_release(murk_row_cache *cache);

@@ -24,7 +24,8 @@ typedef struct murk_target_records {
     const murk_stage *stage;
     uint32_t stream;
     unsigned threads;
-    uint64_t max; /* points to draw at most on surfaces, and in the volume */
+    uint64_t max; /* points to keep at most on surfaces, and at most in the
+                     volume */
     int band;     /* in which sightlines are attenuated */
     murk_record_list surface, volume;
     murk_target_facts facts;
