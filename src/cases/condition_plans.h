@@ -40,8 +40,8 @@ typedef struct murk_condition_plans {
     murk_coverage_result coverage[MURK_SCENE_CONDITIONS_MAX];
     murk_estimate *shaken; /* [conditions * draws] coverage of the chosen plan
                               with jitter; NULL without jitter */
-    size_t unmoved;        /* moves that found no free place, of draws times
-                              sensors in one condition */
+    size_t unmoved;        /* displacements that found no free position, of
+                              draws times sensors in one condition */
     /* With the objective regret, on the sample that chose: the largest regret
      * of the chosen plan to the best plans known; a lower bound of the largest
      * regret of any plan, which holds for the true optima too, because these
@@ -53,8 +53,9 @@ typedef struct murk_condition_plans {
     uint64_t ceiling_of[MURK_SCENE_CONDITIONS_MAX];
 } murk_condition_plans;
 
-/* Regret of a plan in condition c, from held-out coverages if there are some,
- * else from those in sample. */
+/* Regret of a plan in condition c, which is not dark: the coverage of the own
+ * plan of that condition less the coverage of the plan, from held-out coverages
+ * if they were measured, else from those in sample. Never relative. */
 double murk_condition_plans_regret(const murk_condition_plans *plans,
                                    const murk_condition_plan *plan, size_t c);
 
@@ -68,12 +69,12 @@ murk_status murk_condition_plans_prepare(murk_condition_plans *out,
                                          const murk_scene_desc *scene,
                                          unsigned threads, murk_error *err);
 
-/* The main job, after murk_condition_plans_prepare(). The fields in_sample,
- * held_out and confirmed of the plan are those of the mean, or of the condition
- * that the objective looks at. The total of in_sample is the value of the
- * problem of all scenarios (cases/scenarios.h), which the bound is about; the
- * error of that total is measured. Release plans and plan also after a
- * failure. */
+/* Traces the light of the conditions, chooses the plans and measures them,
+ * after murk_condition_plans_prepare(). The fields in_sample, held_out and
+ * confirmed of the plan are those of the mean, or of the condition that the
+ * objective looks at. The total of in_sample is the value of the problem of all
+ * scenarios (cases/scenarios.h), which the bound is about; the error of that
+ * total is measured. Release plans and plan also after a failure. */
 murk_status murk_condition_plans_make(murk_condition_plans *plans,
                                       murk_plan_result *plan, unsigned threads,
                                       murk_error *err);

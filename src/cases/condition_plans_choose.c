@@ -10,8 +10,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Plans to compare with get so much less branch and bound, where the method is
- * not that alone. */
+/* Plans for comparison get a tenth of the work of branch and bound, except with
+ * `method: exact`, which has no other search (a choice). */
 #define NODES_TO_COMPARE 10
 
 _Static_assert(MURK_SCENE_CONDITIONS_MAX <= MURK_BLOCKS_MAX,
@@ -21,7 +21,7 @@ typedef struct choosing {
     murk_condition_plans *plans;
     murk_plan_result *plan;
     const murk_scene_desc *scene;
-    murk_scenarios *scenarios; /* the conditions that have a say */
+    murk_scenarios *scenarios; /* the conditions with a weight above 0 */
     murk_place_desc desc;
 } choosing;
 
@@ -45,7 +45,7 @@ static murk_status join(choosing *ch, murk_error *err)
     return status;
 }
 
-/* For a condition by itself. */
+/* Chooses the plan of condition c alone. */
 static murk_status place_alone(choosing *ch, murk_place_result *out, size_t c,
                                const murk_place_desc *desc, murk_error *err)
 {
@@ -79,7 +79,8 @@ static murk_status keep(choosing *ch, const char *made_for,
     return MURK_OK;
 }
 
-/* The others are to compare. */
+/* Changes the settings for the plans for comparison: the number of sensors of
+ * the plan that is asked for, no target, no curve, less branch and bound. */
 static void choose_to_compare(choosing *ch)
 {
     murk_place_desc *desc = &ch->desc;
@@ -93,8 +94,9 @@ static void choose_to_compare(choosing *ch)
     }
 }
 
-/* A condition's own plan is what its regret is measured from: the best found,
- * though a better one may exist, and what none exceeds. */
+/* Stores the references of the regret in condition c, taken from the own plan
+ * of the condition: the value of the best plan known, and the upper bound of
+ * any plan. */
 static void refer(choosing *ch, size_t c, size_t block,
                   const murk_place_result *place)
 {
@@ -106,8 +108,9 @@ static void refer(choosing *ch, size_t c, size_t block,
     ch->plans->ceiling_of[c] = murk_share_units(place->ceiling, place->whole);
 }
 
-/* Each condition's own plan, the mean's and the worst's, by one method and with
- * as many sensors. */
+/* Chooses the plan that is asked for, the own plan of each condition, and the
+ * plans by the other objectives, by the same method and with the same number of
+ * sensors. */
 static murk_status choose_all(choosing *ch, murk_error *err)
 {
     const murk_conditions *all = ch->plans->conditions;
@@ -152,7 +155,8 @@ static murk_status choose_all(choosing *ch, murk_error *err)
         const char *name = murk_scene_word("placement.over", (int)k);
         murk_place_result place = {0};
         if (k == objective && is_regret) {
-            asked.with_curve = false; /* references are of this count */
+            asked.with_curve = false; /* the references hold for this number of
+                                         sensors only */
             status =
                 murk_scenarios_place(&ch->plan->place, ch->scenarios,
                                      MURK_SCENE_OBJECTIVE_REGRET, &asked, err);
@@ -175,7 +179,7 @@ static murk_status choose_all(choosing *ch, murk_error *err)
     return status;
 }
 
-/* Over several conditions: joins them and chooses. */
+/* Joins the conditions to one placement problem and chooses the plans. */
 static murk_status choose_joined(choosing *ch, murk_error *err)
 {
     const murk_conditions *all = ch->plans->conditions;

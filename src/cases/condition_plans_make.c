@@ -74,7 +74,8 @@ murk_status murk_condition_plans_prepare(murk_condition_plans *out,
 
 /* ---- measuring ---- */
 
-/* An earlier plan with the same sensors, or p itself. */
+/* The number of an earlier plan with the same sensors as plan p, if neither is
+ * the chosen plan; else p. */
 static size_t find_same(const murk_condition_plans *plans, size_t p)
 {
     for (size_t q = 0; q < p; ++q) {
@@ -88,8 +89,8 @@ static size_t find_same(const murk_condition_plans *plans, size_t p)
     return p;
 }
 
-/* All plans in one condition; *chosen receives the whole result of the chosen
- * plan. */
+/* Measures the total coverage of all plans in one condition; *chosen receives
+ * the whole result of the chosen plan. */
 static murk_status measure_all(murk_condition_plans *plans, size_t c,
                                murk_sight *sight, bool is_held_out,
                                murk_coverage_result *chosen, murk_error *err)
@@ -152,7 +153,8 @@ static murk_status allocate_jitter(murk_condition_plans *plans, murk_error *err)
     return plans->shaken || n == 0 ? MURK_OK : no_memory_for_draws(plans, err);
 }
 
-/* Each draw over conditions is the mean or the worst, as plans are. */
+/* Turns the coverages of each draw in all conditions into one figure by the
+ * objective, and summarises the draws. */
 static murk_status sum_up_jitter(murk_condition_plans *plans,
                                  murk_plan_result *plan, murk_error *err)
 {
@@ -221,7 +223,9 @@ static murk_status measure_in(murk_condition_plans *plans,
     return status;
 }
 
-/* What a plan's coverages are as one: the mean, or the worst alone. */
+/* Turns the coverages of the chosen plan in all conditions into one coverage:
+ * the mean, or for another objective the coverage in the condition that the
+ * objective looks at. */
 static murk_status sum_up(murk_coverage_result *out,
                           const murk_condition_plans *plans,
                           const murk_coverage_result *of, bool are_independent,
@@ -312,9 +316,10 @@ static murk_status confirm(murk_condition_plans *plans, murk_plan_result *plan,
 
 /* ---- all ---- */
 
-/* Of the least largest regret placement says 1 less it. What is kept of value
- * and bound is the coverage where the regret is largest, and what it would be
- * there were the regret as small as the bound lets it be. */
+/* Reads the regrets from the result of the placement, whose value is 1 - the
+ * largest regret. Then replaces value and bound of the result: by the coverage
+ * in the condition of the largest regret, and by the coverage that the plan
+ * would have there if the regret were as small as the bound allows. */
 static void read_regret(murk_condition_plans *plans, murk_plan_result *plan)
 {
     const murk_conditions *all = plans->conditions;
@@ -351,9 +356,10 @@ static void read_regret(murk_condition_plans *plans, murk_plan_result *plan)
     place->ceiling = plans->ceiling_of[at];
 }
 
-/* As the problem of all scenarios counts it, as do the bound and the curve:
- * from the conditions' own coverages it differs by what the rounding of weights
- * moves, which may be more than what is left to the bound. */
+/* Takes the total in sample from the problem of all scenarios, on which the
+ * bound and the curve rest as well. The mean of the coverages of the conditions
+ * differs from that total by the rounding of weights, and the difference may
+ * exceed the gap to the bound. */
 static void read_in_sample(murk_condition_plans *plans, murk_plan_result *plan)
 {
     if (plans->conditions->scene->placement.over ==
@@ -406,7 +412,9 @@ static murk_status measure(murk_condition_plans *plans, murk_plan_result *plan,
     }
     if (!status) {
         status = sum_up_jitter(plans, plan, err);
-        read_in_sample(plans, plan); /* losses compare what is measured alike */
+        read_in_sample(plans, plan); /* after the losses of single sensors,
+                                        which compare totals that were measured
+                                        in the same way */
     }
     if (!status && is_more && all->scene->sensors.target > 0) {
         murk_progress_begin_group("hold out", 0, "");

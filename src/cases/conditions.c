@@ -173,7 +173,8 @@ static const murk_condition *find_alike(const murk_conditions *all, size_t c)
     return NULL;
 }
 
-/* Maps that stay, and the most that one of them takes while it is traced. */
+/* Fails if the maps of all conditions, and the largest additional memory of one
+ * trace, exceed the free memory. */
 static murk_status check_memory(const murk_conditions *all, unsigned threads,
                                 murk_error *err)
 {
@@ -206,8 +207,10 @@ static murk_status check_memory(const murk_conditions *all, unsigned threads,
                            lights, (stay + more) / 1e9, have / 1e9);
 }
 
-/* Light of the scene as it stands has no photons if targets replace them;
- * light of conditions is a result and has them. */
+/* Traces the light of one condition, or takes that of an earlier condition, and
+ * builds the sight unless the condition is dark. If targets replace photons,
+ * the scene as it stands is not traced (unless detection needs light), but
+ * conditions are, because their light is part of the results. */
 static murk_status light_one(murk_conditions *all, size_t c, unsigned threads,
                              murk_error *err)
 {

@@ -3,9 +3,10 @@
  * as it stands is a set of one condition.
  *
  * Light is traced once for each condition; conditions whose light depends on
- * equal keys share it. A condition of weight 0 is lit and measured, but no plan
- * is chosen for it. In a dark condition there is nothing to see: plans are
- * chosen for the others, and its coverage is null (plan/dark.h). */
+ * equal keys share it. A condition of weight 0 is lit and measured, and has a
+ * plan of its own for comparison, but no part in the plan over the conditions.
+ * In a dark condition there is nothing to see: plans are chosen for the others,
+ * and its coverage is null (plan/dark.h). */
 #ifndef MURK_CASES_CONDITIONS_H
 #define MURK_CASES_CONDITIONS_H
 
@@ -67,8 +68,9 @@ murk_status murk_conditions_again(murk_conditions **out,
                                   murk_error *err);
 
 /* Traces the light of every condition that has none, and builds the sight of
- * the first n: fills traced, sight and targets. Refused before any trace, by
- * forecast, if the maps do not fit in memory together. */
+ * the first n: fills traced, sight and targets. Fails with MURK_BAD_VALUE
+ * before any trace if by forecast the maps of several conditions do not fit in
+ * memory together. */
 murk_status murk_conditions_light(murk_conditions *conditions, unsigned threads,
                                   murk_error *err);
 
@@ -79,11 +81,12 @@ double murk_condition_regret(const murk_scene_desc *scene,
                              const murk_condition *condition, double coverage);
 
 /* One figure from the coverages of[n] of a plan, by the objective: the mean by
- * weight; the least of the conditions that have weight; or the coverage of the
- * condition in which the regret of the plan is largest. *worst is the number of
- * that condition (for the mean: of the least). The error of a single condition
- * is its own; the error of the mean holds for independent maps, or, if they are
- * not independent, is the mean of the errors, which is an upper bound. */
+ * weight; the smallest coverage of the conditions that have weight; or the
+ * coverage of the condition in which the regret of the plan is largest. *worst
+ * is the number of that condition (for the mean: of the condition with the
+ * smallest coverage). The error of a single condition is its own; the error of
+ * the mean holds for independent maps, or, if they are not independent, is the
+ * mean of the errors, which is an upper bound. */
 murk_estimate murk_conditions_estimate(const murk_conditions *conditions,
                                        const murk_estimate *of,
                                        murk_scene_objective objective,

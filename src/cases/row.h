@@ -41,8 +41,8 @@ typedef struct murk_study_row {
     bool lacks_memory; /* a value could not be added */
 } murk_study_row;
 
-/* Adds a value. The row remembers a lack of memory, which the check tells once
- * all values are added. */
+/* Adds a value. A lack of memory is stored in the row; murk_study_row_check()
+ * reports it after all values were added. */
 void murk_study_row_add(murk_study_row *row, const char *name, const char *unit,
                         murk_estimate of);
 /* Fails with MURK_NO_MEMORY if a value could not be added. */

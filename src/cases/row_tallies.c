@@ -12,7 +12,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Of the grid of fluence where the study says nothing. */
+/* Approximate number of cells of the grid of the fluence rate. On an axis for
+ * which the study gives a size, that size replaces the number of this grid (a
+ * choice). */
 #define FLUENCE_CELLS 32768
 
 static void note(murk_row_tallies *g, const char *text, const char *name)
@@ -183,7 +185,8 @@ static murk_estimate read_cell(const murk_row_light *light,
                           : (murk_estimate){0, 0};
 }
 
-/* Densities are photons where nobody asks for anything else. */
+/* The quantity of a tally: that of the study; else that of the scene, except
+ * that densities are in photons if the scene is radiometric. */
 static murk_quantity quantity_of(const murk_row_tallies *row_tallies,
                                  const murk_row_tally *row_tally,
                                  const murk_scene_desc *scene)
@@ -196,7 +199,8 @@ static murk_quantity quantity_of(const murk_row_tallies *row_tallies,
                : scene->units;
 }
 
-/* Divided by a share that has an error of its own. */
+/* The estimate divided by a share that has a standard error of its own. Both
+ * errors are taken as independent; NaN for a share of 0. */
 static murk_estimate divide(murk_estimate e, const murk_estimate *share)
 {
     const double s = share->value;
@@ -207,7 +211,8 @@ static murk_estimate divide(murk_estimate e, const murk_estimate *share)
                : (murk_estimate){NAN, NAN};
 }
 
-/* One number in all bands together, and where they are several in each. */
+/* Adds the value of one cell: the sum over all bands, and if there are several
+ * bands the value in each. */
 static void add_values(murk_study_row *row, const murk_row_tallies *row_tallies,
                        size_t number, size_t cell, const char *suffix,
                        const murk_estimate *share, const murk_stage *stage,

@@ -14,7 +14,8 @@
 #include <stdio.h>
 
 typedef struct murk_row_tally {
-    char name[MURK_ROW_NAME_SIZE]; /* name of the value, as "density_pool" */
+    char name[MURK_ROW_NAME_SIZE]; /* name of the value, such as
+                                      "density_pool" */
     murk_part part;                /* of a density: the box or sphere */
     bool is_density;
     double per_unit; /* factor on the value of the tally: 1 / area of a plane */
@@ -58,8 +59,8 @@ murk_status murk_row_tallies_write_fluence(const char *path,
                                            const murk_row_light *light,
                                            murk_error *err);
 
-/* Prints a text that is equal for two scenes exactly if their rows have the
- * same tallies. */
+/* Prints the settings that the tallies of a row depend on, for a hash: equal
+ * texts mean equal tallies in worlds that are otherwise equal. */
 void murk_row_tallies_sign(FILE *out, const murk_scene_desc *scene,
                            const murk_outputs *outputs);
 

@@ -13,7 +13,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* All weights add up to less than this, and none reaches 2^32. */
+/* All weights, times the entries of a photon that count, add up to less than
+ * this (placement/problem.h), and no weight exceeds 32 bits. */
 #define WHOLE      0x1p47
 #define WEIGHT_MAX 4294967295.0
 
@@ -52,8 +53,9 @@ static void get_row(void *context, unsigned worker, size_t candidate,
                              is_clear ? NULL : workspace->clarity};
 }
 
-/* The largest scale, for shares of it to each block's whole, at which sums and
- * single weights stay in range. */
+/* The largest sum of weights per unit of share at which the sum of all weights
+ * and the largest single weight stay in range. whole[c] is the sum of the
+ * unscaled weights of block c. */
 static double scale_of(const murk_scenarios *j, const double *shares,
                        const double *whole)
 {
@@ -83,7 +85,7 @@ static void weigh(murk_scenarios *j, const double *shares)
             whole[c] += j->part[c].problem.weight[i];
         }
     }
-    if (j->blocks.n == 1) { /* as its own sight counts: nothing is rounded */
+    if (j->blocks.n == 1) { /* the weights of the sight, without rounding */
         memcpy(j->weight, j->part[0].problem.weight,
                j->problem.photons * sizeof *j->weight);
         return;
@@ -135,7 +137,8 @@ murk_status murk_scenarios_create(murk_scenarios **out,
         j->blocks.first[c + 1] =
             j->blocks.first[c] + j->part[c].problem.photons;
     }
-    j->problem = j->part[0].problem; /* how views combine, and threads */
+    j->problem = j->part[0].problem; /* takes over the combining rule, the
+                                        redundancy and the threads */
     j->problem.photons = j->blocks.first[n];
     j->problem.is_reweighed = true;
     j->problem.get_row = get_row;
@@ -151,7 +154,8 @@ murk_status murk_scenarios_create(murk_scenarios **out,
                                 j->problem.photons, n);
     }
 
-    /* Each candidate looks once where the environment is known. */
+    /* Set the weights; in a known environment compute the row of each
+     * candidate. */
     if (!status) {
         weigh(j, shares);
         j->problem.weight = j->weight;

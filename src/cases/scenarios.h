@@ -8,9 +8,9 @@
  *
  * The weights of the photons are scaled block by block, so that the sum over a
  * block is the weight of its scenario in the mean, and then rounded. Rounding
- * moves the weight of a photon by half a unit: less than 2^-20 of the mean
- * photon of its scenario up to 2^25 photons in all, unless the weights of the
- * scenarios or the photons of one scenario differ so much that the lightest
+ * moves the weight of a photon by at most half a unit: less than 2^-20 of the
+ * mean photon of its scenario up to 2^25 photons in all, unless the weights of
+ * the scenarios or the photons of one scenario differ so much that the lightest
  * photons lose digits to the 32 bits of the heaviest. A single scenario keeps
  * its weights. */
 #ifndef MURK_CASES_SCENARIOS_H
@@ -34,9 +34,11 @@ typedef struct murk_scenarios {
     struct murk_scenarios_workspace *workspace; /* [threads] */
 } murk_scenarios;
 
-/* Fills the coverage matrix where the environment is known. sight[n] and poses
- * are borrowed and shares[n] > 0 are the weights of the scenarios. *out is the
- * caller's: murk_scenarios_destroy(). */
+/* Fills the coverage matrix if the environment is known. sight[n], scene and
+ * poses are borrowed, n is 1..MURK_BLOCKS_MAX, and shares[n] > 0 are the
+ * weights of the scenarios. Fails with MURK_RUN_FAILED (more than 2^32 - 1
+ * photons together, or a matrix that does not fit in memory), MURK_NO_MEMORY or
+ * MURK_INTERRUPTED. *out is the caller's: murk_scenarios_destroy(). */
 murk_status murk_scenarios_create(murk_scenarios **out,
                                   const murk_scene_desc *scene,
                                   murk_sight *const *sight,
@@ -57,8 +59,8 @@ murk_status murk_scenarios_place(murk_place_result *out,
 
 /* The plan for the scenario of one block alone, in a known environment. Weights
  * are those of the scenario's own sight, or with with_problem_weights those of
- * the problem of all scenarios, which references of a regret must be counted
- * by. */
+ * the problem of all scenarios, in which the references of a regret must be
+ * counted. */
 murk_status murk_scenarios_place_one(murk_place_result *out,
                                      const murk_scenarios *scenarios,
                                      size_t block, bool with_problem_weights,

@@ -98,8 +98,8 @@ const char *murk_sweep_plan_name(int plan);
 /* True if the plan was asked for and made. */
 bool murk_sweep_plan_stands(const murk_sweep_plan *plan);
 
-/* True if the row is done, except for the coverage that the plans for all rows
- * have in it. */
+/* True if the row is done and has not failed, but lacks the coverage of the
+ * plans for all rows. */
 bool murk_sweep_lacks_values(const murk_sweep_row *row);
 
 /* Reads the scenes of all rows, and the stored rows of earlier runs; traces
@@ -111,9 +111,9 @@ murk_status murk_sweep_create(murk_sweep **out, const murk_sweep_desc *desc,
 void murk_sweep_destroy(murk_sweep *sweep); /* NULL is fine */
 
 /* Runs the rows that are not done, then makes the plans for all rows. Fails
- * with MURK_INTERRUPTED, or if a finished row cannot be stored; a row that
- * fails is no failure of the study. Call it while this process has no threads
- * (fork). */
+ * with MURK_INTERRUPTED or MURK_NO_MEMORY, or if a finished row cannot be
+ * stored; a row that fails is no failure of the study. Call it while this
+ * process has no threads (fork). */
 murk_status murk_sweep_run(murk_sweep *sweep, murk_error *err);
 
 #endif

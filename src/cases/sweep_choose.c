@@ -17,7 +17,7 @@
 _Static_assert(MURK_SWEEP_CHOOSERS_MAX <= MURK_BLOCKS_MAX,
                "every row has a block");
 
-/* A row that has a say. */
+/* A row that takes part in the choice of the plans. */
 typedef struct chooser {
     const murk_stage *stage;
     murk_traced *traced;
@@ -27,14 +27,16 @@ typedef struct chooser {
 
 typedef struct choosing {
     const murk_sweep *sweep;
-    murk_sweep_light *light; /* [groups]; n 0: none of its rows has a say */
+    murk_sweep_light *light; /* [groups]; n is 0 if no row of the group takes
+                                part */
     chooser row[MURK_SWEEP_CHOOSERS_MAX]; /* as sweep->chooser */
     murk_candidates *candidates;
     murk_poses *poses;
     murk_scenarios *scenarios; /* NULL: no row has anything to see */
 } choosing;
 
-/* The number among those that have a say; their count: it is none. */
+/* The number of a row among the rows that take part; the count of these rows if
+ * it does not take part. */
 static size_t number_of(const murk_sweep *sweep, size_t row)
 {
     size_t i = 0;
@@ -63,7 +65,8 @@ static murk_status import_group(choosing *ch, size_t g, murk_error *err)
     return status;
 }
 
-/* Of light that is scaled, each row has a copy. */
+/* Fails if a copy of the light of a group does not fit in memory: if the light
+ * is scaled, each row has a copy. */
 static murk_status check_memory(const murk_sweep_light *l, murk_error *err)
 {
     const murk_traced *all = l->traced[0];
@@ -107,7 +110,8 @@ static murk_status light_row(choosing *ch, murk_sweep_light *l, size_t k,
                : status;
 }
 
-/* All imports come before the first ray device. */
+/* Imports the files of all groups, before the first ray device exists, and then
+ * lights the rows that take part. */
 static murk_status light_all(choosing *ch, murk_error *err)
 {
     const murk_sweep *sweep = ch->sweep;
@@ -126,7 +130,7 @@ static murk_status light_all(choosing *ch, murk_error *err)
                 status = light_row(ch, l, k, err);
             }
         }
-        if (l->lights) { /* its rows have copies */
+        if (l->lights) { /* the rows have scaled copies of the light */
             murk_traced_destroy(l->traced[0]);
             l->traced[0] = NULL;
         }
@@ -136,7 +140,8 @@ static murk_status light_all(choosing *ch, murk_error *err)
 
 /* ---- choosing ---- */
 
-/* Rows with nothing to see have none of it. */
+/* Joins the rows in which something can be seen to one placement problem;
+ * without such a row ch->scenarios stays NULL. */
 static murk_status join(choosing *ch, murk_error *err)
 {
     const murk_sweep *sweep = ch->sweep;
@@ -197,7 +202,7 @@ static murk_status tell(const choosing *ch, const murk_place_result *found,
     return status ? status : murk_study_row_check(out, err);
 }
 
-/* One that cannot be found says why. */
+/* Chooses one plan. If no plan is found, *out has the reason. */
 static murk_status choose(choosing *ch, murk_study_row *out, int plan,
                           murk_error *err)
 {
@@ -246,7 +251,8 @@ murk_status murk_sweep_choose(murk_isolated *isolated, void *context,
     const murk_sweep *sweep = context;
     choosing ch = {.sweep = sweep,
                    .light = calloc(sweep->groups + 1, sizeof *ch.light)};
-    murk_warn_to(NULL); /* the rows have told them */
+    murk_warn_to(NULL); /* the subprocesses of the rows have reported the
+                           warnings */
     murk_status status = ch.light
                              ? light_all(&ch, err)
                              : murk_no_memory(err, "", "for a plan of rows");

@@ -31,7 +31,8 @@ bool murk_sweep_has_seen(const murk_stage *stage, const murk_traced *traced)
                0;
 }
 
-/* In light of another stream; a list of targets has no other. */
+/* Measures the total coverage in light of a stream. NaN if nothing is
+ * stored. */
 static murk_status measure_anew(murk_sweep_light *l, size_t k, uint32_t stream,
                                 const murk_pose *sensor, size_t n,
                                 murk_estimate *out, murk_error *err)
@@ -115,7 +116,8 @@ static murk_status measure_best(murk_sweep_light *l, size_t k,
         status =
             murk_study_row_set_sensors(row, stage->scene, plan.sensor, n, err);
     }
-    /* Measure it on held-out light where the scene has some. */
+    /* Measure the plan on held-out light if the scene holds light out, else on
+     * the light that chose the plan. */
     if (!status && holds_out(stage->scene)) {
         status = measure_anew(l, k, MURK_HELD_OUT_STREAM, plan.sensor, n,
                               &value, err);

@@ -128,7 +128,7 @@ static murk_status group_rows(murk_sweep *sweep, const murk_sweep_keys *keys,
     }
     for (size_t i = 0; i < rows; ++i) {
         size_t g = 0;
-        if (sweep->row[i].is_done) { /* it cannot be read */
+        if (sweep->row[i].is_done) { /* the scene of the row cannot be read */
             sweep->row[i].group = SIZE_MAX;
             continue;
         }
@@ -149,8 +149,9 @@ static murk_status group_rows(murk_sweep *sweep, const murk_sweep_keys *keys,
     return MURK_OK;
 }
 
-/* A row is known by itself, and by the different lights in its group: how many
- * photons its light got hangs on them. */
+/* Makes the key of each row from the own key of the row and the light keys of
+ * all rows of the group, because the number of photons of the shared trace
+ * depends on all lights of the group. */
 static murk_status sign_rows(murk_sweep *sweep, const murk_sweep_keys *keys,
                              murk_error *err)
 {

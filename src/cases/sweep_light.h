@@ -39,8 +39,12 @@ typedef struct murk_sweep_light {
     const murk_stage *first; /* the built stage whose world all rows share */
     murk_row_tallies row_tallies;
     murk_sources *lights; /* of all rows; NULL: all rows have equal lights */
-    murk_scene_desc lit_scene; /* the scene of `first` with these lights: */
-    murk_stage lit_stage;      /* the scene and the stage that are traced */
+    murk_scene_desc lit_scene; /* the scene that is traced: that of `first` with
+                                  more photons if the lights of the rows
+                                  differ */
+    murk_stage lit_stage;      /* the stage that is traced: `first` with
+                                  lit_scene, `lights` and the tallies of the
+                                  rows */
     murk_traced *traced[MURK_SWEEP_STREAMS]; /* NULL before the first use */
 } murk_sweep_light;
 
@@ -65,8 +69,9 @@ void murk_sweep_light_drop(murk_sweep_light *light, size_t k);
 /* True if any light of row k has power. */
 bool murk_sweep_light_shines(const murk_sweep_light *light, size_t k);
 
-/* The light of row k for a stream of random numbers. With *is_own it is the
- * caller's: murk_traced_destroy(). */
+/* The light of row k for a stream of random numbers, below MURK_SWEEP_STREAMS.
+ * If *is_own is set, the caller owns *out (murk_traced_destroy()); else *out
+ * belongs to `light`. */
 murk_status murk_sweep_light_of(murk_sweep_light *light, size_t k,
                                 uint32_t stream, murk_traced **out,
                                 bool *is_own, murk_error *err);

@@ -24,8 +24,9 @@ typedef struct reading {
     murk_error first; /* the first row's failure */
 } reading;
 
-/* A file that is no placement is none in any row; a sensor that a row does not
- * know, or that lies outside its domain, fails that row. */
+/* Fails if the file of the given placement cannot be read as a placement,
+ * because then all rows would fail. A sensor type that a row does not have, and
+ * a sensor outside of the domain of a row, fail that row only, later. */
 static murk_status check_plan(const murk_sweep_desc *desc,
                               const murk_scene_desc *scene, murk_error *err)
 {
@@ -46,8 +47,8 @@ static murk_status check_plan(const murk_sweep_desc *desc,
                : MURK_OK;
 }
 
-/* What is wrong with the outputs is wrong with the study; else the row alone
- * fails. */
+/* Reads the outputs of the study by the first scene that can be read. Wrong
+ * outputs fail the study. */
 static murk_status read_first(reading *r, const murk_scene_desc *scene,
                               murk_error *err)
 {
@@ -110,7 +111,8 @@ static void load_row(murk_sweep *sweep, size_t i)
     }
 }
 
-/* --set of a key that an axis sets would be lost. */
+/* Fails if the command line sets a key (--set) that an axis of the study sets
+ * as well: the value of the command line would be lost. */
 static murk_status check_overrides(const murk_sweep_desc *desc, murk_error *err)
 {
     for (size_t i = 0; i < desc->n_overrides; ++i) {
@@ -129,7 +131,8 @@ static murk_status check_overrides(const murk_sweep_desc *desc, murk_error *err)
     return MURK_OK;
 }
 
-/* One plan for all rows is of one list of candidates. */
+/* If a plan for all rows is asked for, fails unless all rows have the same
+ * sensors and placement: the plan needs one list of candidates. */
 static murk_status check_placement(const reading *r, murk_error *err)
 {
     const murk_sweep *sweep = r->sweep;

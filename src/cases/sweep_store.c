@@ -17,7 +17,7 @@
 /* A row has a few values for each tally and band and a line for each sensor: a
  * longer file is not one of murk. */
 #define ROW_BYTES_MAX 16000000
-/* 64 GB: more than any grid that fits in the memory of a workstation. */
+/* 64 GiB: more than any grid that fits in the memory of a workstation. */
 #define FLUENCE_BYTES_MAX (UINT64_C(64) << 30)
 
 /* The path of a file in the folder of the study. */

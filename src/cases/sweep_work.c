@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A group under way. */
+/* The state of the work on one group. */
 typedef struct group_work {
     const murk_sweep_job *job;
     murk_isolated *isolated;
@@ -26,7 +26,8 @@ typedef struct group_work {
 
 /* ---- warnings ---- */
 
-/* Warnings are the row's: the sink of base/log.h knows of nobody else. */
+/* The warnings of the row that is being measured. A static array, because the
+ * sink of base/log.h has no context. */
 static char warnings[MURK_ROW_TEXT_SIZE];
 
 static void add_warning(const char *where, const char *text)
@@ -57,8 +58,8 @@ static void add_stored(murk_study_row *row, const murk_traced *traced)
     murk_study_row_add(row, "stored_volume", "", volume);
 }
 
-/* Its checksum goes with the row: another study may write a file of that
- * name. */
+/* Writes the grid of the fluence rate of a row, and stores the checksum of the
+ * file in the row, because another study may write a file of the same name. */
 static murk_status write_fluence(const group_work *w, size_t k,
                                  murk_study_row *row,
                                  const murk_row_light *light, murk_error *err)
@@ -129,7 +130,7 @@ static murk_status measure_row(group_work *w, size_t k, murk_study_row *row,
     return status;
 }
 
-/* What the plans for all rows are worth in this one. */
+/* Measures the coverage of the plans for all rows in one row. */
 static murk_status measure_plans(group_work *w, size_t k, murk_study_row *row,
                                  murk_error *err)
 {
@@ -216,7 +217,8 @@ static murk_status import_wanted(group_work *w, murk_error *err)
     return status;
 }
 
-/* Where the group's light cannot be, no row of it can. */
+/* Prepares the light of the group. If that fails, all imported rows of the
+ * group have failed. */
 static murk_status light_up(group_work *w, murk_error *err)
 {
     murk_sweep_light *l = &w->light;
