@@ -30,7 +30,8 @@ typedef struct murk_ceres_found {
  * without bounds. Parameters with is_held keep their values; at least one is
  * free. The callback `watch` receives the best x so far, which is in x[n] at
  * the end; after a failed step it receives the cost of that step. Residuals and
- * Jacobian must be finite if the callback returns true. */
+ * Jacobian must be finite if the callback returns true. Fails with
+ * MURK_NO_MEMORY or MURK_RUN_FAILED (an exception of Ceres). */
 murk_status murk_ceres_minimise(murk_ceres_found *found, double *x,
                                 const bool *is_held,
                                 const murk_least_squares *problem,

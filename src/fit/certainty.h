@@ -43,8 +43,8 @@ typedef struct murk_certainty {
 /* jacobian[rows][n] of whitened rows (row by row); is_fixed[n]: parameter at a
  * bound (may be NULL); scale[n] > 0: a large change of the parameter, for
  * example the value itself; undetermined > 0, for example 1. The caller
- * releases *out. Fails with MURK_BAD_VALUE if a number is not finite, or with
- * MURK_NO_MEMORY. */
+ * releases *out. Fails with MURK_BAD_VALUE if a number is not finite, or a
+ * scale or `undetermined` not above 0, or with MURK_NO_MEMORY. */
 murk_status murk_certainty_create(murk_certainty *out, const double *jacobian,
                                   size_t rows, size_t n, const bool *is_fixed,
                                   const double *scale, double undetermined,

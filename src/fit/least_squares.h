@@ -16,7 +16,8 @@
 #include <stddef.h>
 
 /* Returns rho(square): twice the cost of a row with this squared residual.
- * *slope: d rho / d square, 1 for residuals within width. */
+ * *slope: d rho / d square; with MURK_LOSS_FUNCTION_HUBER 1 for residuals
+ * within width, without a loss always 1. width > 0 unless there is no loss. */
 double murk_loss_at(murk_loss_function loss, double width, double square,
                     double *slope);
 
@@ -40,8 +41,10 @@ typedef struct murk_least_squares_found {
 
 /* Minimises from the start x[n], which lies within the bounds; x[n] is then the
  * best point found, also if the search ended early. Fails with MURK_BAD_VALUE
- * (bounds, start, sizes: at least one row and one parameter) or MURK_NO_MEMORY.
- * A search that does not converge is no failure. */
+ * (bounds, start, width of the loss, limits, sizes: at least one row and one
+ * parameter), MURK_NO_MEMORY or MURK_RUN_FAILED (an exception of Ceres). A
+ * search that does not converge, or has no residuals at the start, is no
+ * failure. */
 murk_status murk_least_squares_solve(murk_least_squares_found *found, double *x,
                                      const murk_least_squares *problem,
                                      murk_error *err);

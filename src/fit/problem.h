@@ -29,7 +29,7 @@ typedef struct murk_least_squares_step {
     const double *x; /* [n] best so far */
 } murk_least_squares_step;
 
-/* Called after each iteration; false ends the search. */
+/* Called for the start and after each iteration; false ends the search. */
 typedef bool (*murk_least_squares_watch)(void *context,
                                          const murk_least_squares_step *step);
 
@@ -43,7 +43,9 @@ typedef struct murk_least_squares {
     murk_least_squares_watch watch; /* may be NULL */
     void *context;
     murk_loss_function loss;
-    double loss_width;  /* residuals beyond this width have less weight; > 0 */
+    double loss_width;  /* > 0, unless there is no loss; Huber: residuals beyond
+                           this width have less weight; Cauchy: the weight falls
+                           with every residual, to a half at this width */
     int iterations_max; /* 0: 100 */
     double tolerance;   /* relative tolerance of the cost; 0: 1e-10 */
 } murk_least_squares;

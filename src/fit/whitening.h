@@ -9,8 +9,9 @@
 
 typedef struct murk_whitening murk_whitening;
 
-/* covariance[rows * rows] is symmetric. Fails with MURK_RUN_FAILED if it is not
- * positive definite. The caller destroys *out. */
+/* covariance[rows * rows] is symmetric. Only the lower triangle is read. Fails
+ * with MURK_RUN_FAILED if it is not finite and positive definite, or with
+ * MURK_NO_MEMORY. The caller destroys *out. */
 murk_status murk_whitening_create(murk_whitening **out,
                                   const double *covariance, size_t rows,
                                   murk_error *err);
