@@ -45,12 +45,12 @@ typedef struct murk_reading_line {
     murk_error *err;
 } murk_reading_line;
 
-/* Finds the columns. Fails for unknown columns, and if kind, value or
- * standard_error are missing. */
+/* Finds the columns. Fails with MURK_BAD_FILE for unknown columns, and if kind,
+ * value or standard_error are missing. */
 murk_status murk_reading_columns(murk_reading_source *source, murk_error *err);
 
-/* Fails if a cell is empty that a reading of this kind needs, or if a cell is
- * not empty that such a reading does not have. */
+/* Fails with MURK_BAD_VALUE if a cell is empty that a reading of this kind
+ * needs, or if a cell is not empty that such a reading does not have. */
 murk_status murk_reading_check_cells(const murk_reading_line *at,
                                      murk_reading_kind kind);
 
@@ -74,7 +74,7 @@ const char *murk_reading_cell(const murk_reading_line *at,
 bool murk_reading_is_empty(const murk_reading_line *at,
                            murk_reading_column column);
 
-/* Reads a number. */
+/* Reads a number from a cell, which must not be empty. */
 murk_status murk_reading_number(const murk_reading_line *at,
                                 murk_reading_column column, double *out);
 

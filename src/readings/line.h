@@ -24,8 +24,10 @@ typedef struct murk_reading {
     bool is_held_out;
 } murk_reading;
 
-/* Reads one line; everything must lie in the domain. The factor is returned as
- * a name, to be numbered later; both names point into the table. */
+/* Reads one line; positions, segments and spheres must lie in the domain. Fails
+ * with MURK_BAD_VALUE or MURK_BAD_FILE at line and column. out->gain stays
+ * SIZE_MAX. The factor is returned as a name, to be numbered later; both names
+ * point into the table. */
 murk_status murk_reading_read(murk_reading *out, const char **group,
                               const char **gain,
                               const murk_reading_source *source, size_t row,

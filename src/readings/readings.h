@@ -45,8 +45,8 @@ murk_reading_of_row(const murk_readings *readings, size_t row)
 
 /* Reads and checks a file against the scene (conditions, bands, sensor types)
  * and the domain; the message for an error has the line number. If readings are
- * in a unit that is derived from a transmittance, prints a note with the
- * formula. The caller owns *out (murk_readings_destroy()). */
+ * in a unit that is derived from a transmittance, a note with the formula is
+ * logged. The caller owns *out (murk_readings_destroy()). */
 murk_status murk_readings_read(murk_readings **out, const char *path,
                                const murk_scene_desc *scene,
                                const murk_domain *domain, murk_error *err);

@@ -55,13 +55,14 @@ bool murk_reading_unit_needs_gain(murk_reading_unit unit,
                                   murk_reading_kind kind);
 
 /* Finds the unit of a word in the file for a kind of reading; an empty word
- * means fraction, if the kind has it. Fails at `where`. */
+ * means fraction, if the kind has that unit. Fails with MURK_BAD_VALUE at
+ * `where`. */
 murk_status murk_reading_unit_find(murk_reading_unit *out, const char *word,
                                    murk_reading_kind kind, const char *where,
                                    murk_error *err);
 
-/* Fails for a value that no instrument reads in that unit, such as a fraction
- * of 87. */
+/* Fails with MURK_BAD_VALUE at `where` for a value that no instrument reads in
+ * that unit, such as a fraction of 87. */
 murk_status murk_reading_unit_check(murk_reading_unit unit, double value,
                                     const char *where, murk_error *err);
 
