@@ -5,10 +5,10 @@
 # The header says the date (MURK_BUILD_DATE).
 # Markdown as this project's files use it: headings, paragraphs, lists, fences,
 # tables, `code`, **bold**, [text](link). The first line is "# NAME(SECTION):
-# what it is". A line "<!-- include FILE: HEADING -->" takes in the section of
-# that heading from DIR/FILE, or without the heading from the file that the
-# build made if FILE begins with "@"; "through OTHER" all up to the end of section
-# OTHER, "before OTHER" up to where that begins.
+# what it is". A line "<!-- include FILE -->" takes in DIR/FILE as a section, and
+# "<!-- include FILE: HEADING -->" the section of that heading, which a FILE that
+# begins with "@" (one that the build made) has taken in without the heading.
+# The first section is DESCRIPTION.
 # A table becomes a list: its first column is what is listed; of a table of keys
 # ("key | value | default | meaning") default "-" is left out.
 
@@ -72,8 +72,8 @@ function flush() {
 function heading(level, text) {
     flush()
     gsub(/`/, "", text)
-    if (text == "Description" || text == "See also") {
-        text = toupper(text)
+    if (!headed++ || text == "See also") {
+        text = toupper(headed == 1 ? "Description" : text)
     }
     print (level == 2 ? ".SH \"" : ".SS \"") escaped(text) "\""
     after_heading = 1
@@ -161,32 +161,27 @@ function take(text) {
     in_table = 0
 }
 
-# The sections of a file: from that heading to the next one of its level.
-function include(spec,    file, from, last, rule, text, is_in, found, ends, is_made) {
-    file = substr(spec, 1, index(spec, ": ") - 1)
+# The whole file, or the section from that heading to the next one of its level
+# or above.
+function include(spec,    file, from, text, is_in, found, fenced, is_made, colon) {
+    colon = index(spec, ": ")
+    file = colon ? substr(spec, 1, colon - 1) : spec
+    from = colon ? substr(spec, colon + 2) : ""
     is_made = sub(/^@/, "", file)
     file = (is_made ? generated : source) "/" file
-    from = substr(spec, index(spec, ": ") + 2)
-    rule = ""
-    if (match(from, / (through|before) /)) {
-        last = substr(from, RSTART + RLENGTH)
-        rule = substr(from, RSTART + 1, RLENGTH - 2)
-        from = substr(from, 1, RSTART - 1)
-    }
+    is_in = found = !colon
     while ((getline text < file) > 0) {
-        if (text ~ /^##? / && !fenced) {
-            if (is_in && (rule == "" || ends || (rule == "before" && \
-                          index(text, "## " last) == 1))) {
-                break
-            }
-            ends = is_in && rule == "through" && index(text, "## " last) == 1
-            if (!is_in && (index(text, "## " from) == 1 || index(text, "# " from) == 1)) {
-                is_in = found = 1
-                if (is_made) {
-                    continue
+        if (text ~ /^#+ / && !fenced) {
+            if (!colon) { # one level down
+                text = "#" text
+            } else if (text ~ /^##? /) {
+                if (is_in) {
+                    break
                 }
-                if (text ~ /^# /) {
-                    text = "## Description"
+                is_in = index(text, "## " from) == 1
+                found = found || is_in
+                if (is_in && is_made) {
+                    continue
                 }
             }
         }

@@ -9,7 +9,7 @@
         print(sensor["type"], sensor["position_m"])
 
 Units: metres, watts, 1/m, nanometres; degrees where a name ends in _deg. Fields of results have the names of the
-JSON files of the program murk, which murk-results(5) lists. Keys of scenes are those of scenes/README.md.
+JSON files of the program murk, which murk-results(5) lists. Keys of scenes are those of doc/reference.
 """
 import json
 import os

@@ -1,6 +1,6 @@
 /* murk help: the reference entry of a scene key. The key table says which
  * values a key takes, its default and the keys that it excludes; the meaning is
- * that of scenes/README.md. The entry of a map is followed by the keys of the
+ * that of doc/reference. The entry of a map is followed by the keys of the
  * map. */
 #include "app/options.h"
 #include "app/reference.h"

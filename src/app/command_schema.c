@@ -1,7 +1,7 @@
 /* murk schema: a JSON Schema (draft-07) of scene and study files, made from the
  * key tables. A map becomes an object with one property for each key; groups of
  * keys that exclude each other and the variants of a map become conditions on
- * the object. Descriptions are those of scenes/README.md.
+ * the object. Descriptions are those of doc/reference.
  *
  * A schema refuses no scene that murk reads. It accepts some that murk refuses:
  * checks of several values, and names of media and materials, are no part of

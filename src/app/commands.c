@@ -52,7 +52,7 @@ const murk_command murk_commands[] = {
      "--matrix it chooses columns of a given coverage matrix, so that most of "
      "the rows' weight is covered; DIR/plan.json is then all it writes by "
      "itself, with null where a matrix has no such thing. The formats of a "
-     "matrix: scenes/README.md.",
+     "matrix: murk-matrix(5).",
      murk_command_place,
      .formats = "murk-scene murk-results murk-light murk-matrix",
      .example = {{"murk place scenes/smoke-hall.yaml -o out --export matrix",
@@ -100,7 +100,7 @@ const murk_command murk_commands[] = {
      "optical depth, distance and position, and RGB for the eye. By maps it "
      "traces photons (or takes --light's), and the image's errors hold their "
      "noise; by paths it needs none. Without -o the image lies beside the "
-     "scene. Channels and method: scenes/README.md.",
+     "scene. Channels and method: murk-scene(5), under Cameras.",
      murk_command_render, .formats = "murk-scene murk-results",
      .example = {{"murk render scenes/smoke-hall.yaml --set 'cameras=[{name: "
                   "door, from_m: [28, 2, 2.5], to_m: [15, 9, 3]}]' -o hall.exr",
@@ -117,7 +117,7 @@ const murk_command murk_commands[] = {
      "power of lights alone share one traced light. Finished rows are kept in "
      "DIR/rows: the same command goes on where it was stopped. A row that "
      "fails is told in the column failed, the others go on, and the command "
-     "ends with 1. The study's keys: scenes/README.md.",
+     "ends with 1. The study's keys: murk-study(5).",
      murk_command_study, .formats = "murk-study murk-scene murk-results",
      .example = {{"murk study scenes/studies/fog-yard.yaml -o out",
                   "A yard from dense fog to clear air, by day and by night."}},
@@ -136,7 +136,7 @@ const murk_command murk_commands[] = {
      "predicted, residual), calibrated.yaml (for --set @FILE) and, last, "
      "fit.json. --free KEY is one value for all conditions, KEY@each one a "
      "condition, gain.NAME a factor of readings. The columns of the data, and "
-     "how to read the result: scenes/README.md.",
+     "how to read the result: murk-data(5).",
      murk_command_fit, .formats = "murk-data murk-scene murk-results",
      .example =
          {{"murk fit scenes/calibrate-fog.yaml --data scenes/calibrate/fog.csv "

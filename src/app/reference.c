@@ -1,11 +1,12 @@
 /* The reference of scene keys (app/reference.h). A path is followed through the
  * key table, part by part; where a part may be the name of a key or the name of
- * an item, both are tried. The table of scenes/README.md that belongs to a part
- * of the key table is found by the comments above the tables, and a row of it
- * by the name of the key and the values that the key table allows. */
+ * an item, both are tried. The table of the reference (doc/reference) that
+ * belongs to a part of the key table is found by the comments above the tables,
+ * and a row of it by the name of the key and the values that the key table
+ * allows. */
 #include "app/reference.h"
 
-#include "app/scene_files.h"
+#include "app/reference_files.h"
 #include "scene/value.h"
 
 #include <ctype.h>
@@ -108,7 +109,7 @@ void murk_reference_visit_all(murk_reference_visit *visit, void *context)
     visit_below(&murk_scene_keys, "", visit, context);
 }
 
-/* ---- tables of scenes/README.md ---- */
+/* ---- tables of the reference ---- */
 
 static const char BEGIN[] = "<!-- keys of ";
 static const char HEAD[] = "| key | value | default | meaning |";
@@ -145,11 +146,13 @@ static bool names_table(const char *text, const murk_keys *table)
 /* The text behind the comment of a table; NULL: there is none. */
 static const char *find_text(const murk_keys *table)
 {
-    const char *at = murk_scene_file_find("README.md")->text;
-    while ((at = strstr(at, BEGIN))) {
-        at += sizeof BEGIN - 1;
-        if (names_table(at, table)) {
-            return at + strcspn(at, "\n") + 1;
+    for (size_t i = 0; i < murk_reference_files_count; ++i) {
+        const char *at = murk_reference_files[i].text;
+        while ((at = strstr(at, BEGIN))) {
+            at += sizeof BEGIN - 1;
+            if (names_table(at, table)) {
+                return at + strcspn(at, "\n") + 1;
+            }
         }
     }
     return NULL;

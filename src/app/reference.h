@@ -1,6 +1,6 @@
 /* The reference of scene keys: finds a key by its path in the key table, and
- * the meaning of the key in the tables of scenes/README.md. Above each table of
- * that file a comment names the maps whose keys the table lists:
+ * the meaning of the key in the tables of doc/reference. Above each table of
+ * keys a comment names the maps whose keys the table lists:
  *
  *   <!-- keys of sensors.types.view -->
  *
@@ -33,8 +33,8 @@ murk_reference_key murk_reference_find(const char *path);
 typedef void murk_reference_visit(void *context, const char *path);
 void murk_reference_visit_all(murk_reference_visit *visit, void *context);
 
-/* The meaning of a row, and its default as the table of scenes/README.md
- * states it ("-": none), without marks of Markdown; NULL: the table has no such
+/* The meaning of a row, and its default as the table of the reference states
+ * it ("-": none), without marks of Markdown; NULL: the table has no such
  * row, or out of memory. The caller frees the text. */
 char *murk_reference_meaning(const murk_keys *table, const murk_key *row);
 char *murk_reference_default(const murk_keys *table, const murk_key *row);

@@ -1,13 +1,13 @@
-/* The files under scenes/ that are built into the program: the reference of
- * scene keys (README.md) and the scenes to start from (start/NAME.yaml).
- * cmake/built_in_files.cmake writes the source file with their text. */
+/* The files under scenes/ that are built into the program: the scenes to start
+ * from (start/NAME.yaml). cmake/built_in_files.cmake writes the source file
+ * with their text. */
 #ifndef MURK_APP_SCENE_FILES_H
 #define MURK_APP_SCENE_FILES_H
 
 #include <stddef.h>
 
 typedef struct murk_scene_file {
-    const char *name; /* "README.md", "start/room.yaml" */
+    const char *name; /* "start/room.yaml" */
     const char *text; /* followed by '\0' */
     size_t size;      /* without the '\0' */
 } murk_scene_file;

@@ -2,7 +2,7 @@
  * lacks the value they are for. They are reported, since they are often
  * mistakes.
  *
- * Inside this room only; scenes/README.md has the table, too. */
+ * Inside this room only; doc/reference/scene-file.md has the table, too. */
 #ifndef MURK_SCENE_IDLE_H
 #define MURK_SCENE_IDLE_H
 

@@ -1,7 +1,7 @@
 /* A scene file, read and checked: plain structs in SI units. Every item keeps
  * its place in the file ("yard.yaml:12:5: media.fog") for later messages.
  *
- * Keys and meanings: scenes/README.md. A key of the contract that is not
+ * Keys and meanings: doc/reference. A key of the contract that is not
  * implemented is refused as not supported yet; any other unknown key is
  * refused with a suggestion. */
 #ifndef MURK_SCENE_SCENE_H

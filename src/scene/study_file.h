@@ -7,7 +7,7 @@
  *     media.fog.visibility_m: [20, 50, 100]
  *     weather: {dry: {}, wet: {media.rain.rain_mm_per_h: 5}}
  *
- * A row has one value of each axis. Keys and meanings: scenes/README.md. */
+ * A row has one value of each axis. Keys: doc/reference/studies.md. */
 #ifndef MURK_SCENE_STUDY_FILE_H
 #define MURK_SCENE_STUDY_FILE_H
 

@@ -33,10 +33,10 @@ typedef struct murk_sparse_matrix {
 } murk_sparse_matrix;
 
 /* Reads a file in any of the formats, which are told apart by the content
- * (formats: scenes/README.md). Fails with MURK_BAD_FILE at FILE:LINE:COLUMN, or
- * at FILE or FILE:LINE if no single cell is at fault, or with MURK_NO_MEMORY.
- * Files up to 4 GB; memory is in proportion to the size of the file, whatever
- * the header of the file says. */
+ * (formats: doc/reference/matrices.md). Fails with MURK_BAD_FILE at
+ * FILE:LINE:COLUMN, or at FILE or FILE:LINE if no single cell is at fault, or
+ * with MURK_NO_MEMORY. Files up to 4 GB; memory is in proportion to the size of
+ * the file, whatever the header of the file says. */
 murk_status murk_sparse_matrix_read(murk_sparse_matrix **out, const char *path,
                                     murk_error *err);
 

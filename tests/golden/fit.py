@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """murk fit from outside, on the example calibrations with their planted readings
-(scenes/README.md): they find what was planted, the files hold what they should,
+(doc/reference/examples.md): they find what was planted, the files hold what they should,
 values agree between them, calibrated.yaml goes back into the scene, and the next
 places are among its candidates. Standard library only.
 usage: fit.py MURK

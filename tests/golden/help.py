@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""murk help from outside: each row of the tables of keys in scenes/README.md is
+"""murk help from outside: each row of the tables of keys in doc/reference is
 listed with its meaning, every sixth is asked for and printed with its values and
 its default, within 80 columns, and an unknown key is answered by a known one. Standard library only.
 usage: help.py MURK
 """
 
+import glob
 import re
 import subprocess
 import sys
@@ -32,8 +33,10 @@ def words_of(text):
 
 def tables():
     """The paths that each comment names, and the rows of the table below it."""
-    with open("scenes/README.md", encoding="utf-8") as file:
-        text = file.read()
+    text = ""
+    for page in sorted(glob.glob("doc/reference/[a-z]*.md")):
+        with open(page, encoding="utf-8") as file:
+            text += file.read() + "\n"
     for comment in re.finditer(r"^<!-- keys of (.*) -->$", text, re.M):
         begin = text.index("| key | value | default | meaning |", comment.end())
         table = text[begin:].split("\n\n")[0].splitlines()[2:]

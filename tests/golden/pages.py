@@ -103,7 +103,7 @@ def check_commands_and_options():
 
 def check_keys():
     page = said["murk-scene.5"]
-    text = text_of("scenes/README.md").split("## How robust")[0]
+    text = "".join(text_of(page) for page in re.findall(r"include (doc/reference/\S+\.md)", text_of("doc/man/murk-scene.5.md")))
     keys = set(re.findall(r"^\| `([a-z0-9_]+)` \|", text, re.M))
     check(len(keys) > 100, "few keys found")
     for key in keys:

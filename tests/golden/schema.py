@@ -196,7 +196,7 @@ def check_descriptions():
     check(n > 250, n, "properties")
     count = schema["else"]["properties"]["sensors"]["properties"]["count"]
     check(count["minimum"] == 1 and count["maximum"] == 1000000 and "sensors" in count["description"] and
-          "How many to place." in count["description"], count)
+          "Number of sensors to place." in count["description"], count)
 
 
 check_right()

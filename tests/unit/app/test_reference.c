@@ -1,6 +1,6 @@
 /* The reference of scene keys: each row of the key table, of scenes and of
- * studies, has a meaning in the tables of scenes/README.md as the program has
- * them built in, and paths are followed with and without items. Nothing here is
+ * studies, has a meaning in the tables of the reference as the program has them
+ * built in, and paths are followed with and without items. Nothing here is
  * random. */
 #include "app/reference.h"
 #include "check.h"

@@ -1,9 +1,9 @@
 /* Keys that are given in vain: each rule names its key where it does nothing,
  * and is silent where it acts, where the key is at its default, and where a
- * condition makes it act. scenes/README.md lists them all. Nothing here is
+ * condition makes it act. The reference lists them all. Nothing here is
  * random. */
-#include "base/file.h"
 #include "check.h"
+#include "reference.h"
 #include "scene/idle.h"
 
 #include <stdlib.h>
@@ -199,18 +199,15 @@ static void test_the_place_is_that_of_the_key(void)
     murk_scene_desc_destroy(scene);
 }
 
-static void test_the_readme_lists_them(void)
+static void test_the_reference_lists_them(void)
 {
-    char *readme = NULL;
-    size_t size;
-    murk_error err = {0};
-    CHECK(!murk_file_read(&readme, &size, "scenes/README.md", 1000000, &err));
-    for (const murk_idle_key *r = murk_idle_keys; readme && r->key; ++r) {
+    char *reference = reference_read();
+    for (const murk_idle_key *r = murk_idle_keys; reference && r->key; ++r) {
         char row[300];
         snprintf(row, sizeof row, "| `%s` | %s |\n", r->key, r->text);
-        CHECK(strstr(readme, row));
+        CHECK(strstr(reference, row));
     }
-    free(readme);
+    free(reference);
 }
 
 int main(void)
@@ -219,6 +216,6 @@ int main(void)
     test_a_condition_may_make_it_act();
     test_the_scene_as_resolved_says_the_same();
     test_the_place_is_that_of_the_key();
-    test_the_readme_lists_them();
+    test_the_reference_lists_them();
     return check_done();
 }

@@ -1,21 +1,22 @@
-/* scenes/README.md and the table of keys say the same: every key with what is
- * allowed and its default, and an example that is a scene. Nothing here is
- * random. */
+/* The reference (doc/reference) and the table of keys say the same: every key
+ * with the values that it takes and its default; and the example of a scene is
+ * one. Nothing here is random. */
 #define _DEFAULT_SOURCE /* P_tmpdir */
-#include "base/file.h"
+#include "reference.h"
 #include "scene/keys.h"
 #include "scene/value.h"
 #include "scene_files.h"
 
-static char *readme;
+static char *reference;
 
 /* A line of the text that begins so and holds that part. */
 static bool has_line(const char *begin, const char *part)
 {
-    for (const char *at = readme; (at = strstr(at, begin)); ++at) {
+    for (const char *at = reference; (at = strstr(at, begin)); ++at) {
         const size_t length = strcspn(at, "\n");
         const char *found = strstr(at, part);
-        if ((at == readme || at[-1] == '\n') && found && found < at + length) {
+        if ((at == reference || at[-1] == '\n') && found &&
+            found < at + length) {
             return true;
         }
     }
@@ -32,7 +33,7 @@ static void check_keys(const murk_keys *keys)
                  key->preset ? key->preset : "");
         const bool is_said = has_line(begin, part);
         if (!is_said) {
-            printf("%s of a %s is not in the README as it is\n", key->name,
+            printf("%s of a %s is not in the reference as it is\n", key->name,
                    keys->noun);
         }
         CHECK(is_said);
@@ -44,7 +45,7 @@ static void check_keys(const murk_keys *keys)
 
 static void test_the_example_is_a_scene(void)
 {
-    const char *fence = strstr(readme, "```yaml\n");
+    const char *fence = strstr(reference, "```yaml\nmurk: 1\n");
     const char *end = fence ? strstr(fence + 8, "```") : NULL;
     CHECK(end != NULL);
     if (!end) {
@@ -60,12 +61,8 @@ static void test_the_example_is_a_scene(void)
 
 int main(void)
 {
-    size_t size = 0;
-    murk_error err = {0};
-    CHECK(murk_file_read(&readme, &size, "scenes/README.md", 1000000, &err) ==
-          MURK_OK);
-    CHECK_TEXT(err.text, "");
-    if (!readme) {
+    reference = reference_read();
+    if (!reference) {
         return check_done();
     }
     check_keys(&murk_scene_keys);
@@ -74,6 +71,6 @@ int main(void)
         test_the_example_is_a_scene();
         folder_leave((const char *const[]){"fog.yaml", NULL});
     }
-    free(readme);
+    free(reference);
     return check_done();
 }
