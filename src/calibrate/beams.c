@@ -1,5 +1,5 @@
 /* Computes transmittance by Beer-Lambert along straight segments, with the same
- * passage through media as sightlines (sensing/passage.h), and refuses segments
+ * passage through media as sightlines (path/viewpoint.h), and refuses segments
  * that are not clear and straight. */
 #include "calibrate/beams.h"
 

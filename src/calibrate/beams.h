@@ -10,10 +10,11 @@
 #include "readings/readings.h"
 #include "world/stage.h"
 
-/* Checks the segments of one condition. Fails at the line of a reading if a
- * surface blocks the segment (a thin sheet, too), if the segment ends in a
- * solid, if the index of refraction changes on it, or if it has an acceptance
- * angle and an albedo is a grid. Call it once for each condition. */
+/* Checks the segments of the readings of transmittance of one condition (as in
+ * murk_reading.condition). Fails with MURK_BAD_VALUE at the line of a reading
+ * if a surface blocks the segment (a thin sheet, too), if the segment ends in a
+ * solid, or if the index of refraction changes on it; at the medium if the
+ * reading has an acceptance angle and an albedo is a grid. */
 murk_status murk_beams_check(const murk_stage *stage,
                              const murk_readings *measured, size_t condition,
                              murk_error *err);
@@ -23,15 +24,17 @@ murk_status murk_beams_check(const murk_stage *stage,
 typedef struct murk_beams murk_beams;
 
 /* Creates the media from the scene and the phase functions of `optics`; grids
- * and meshes are those of the stage. Everything is borrowed. The caller owns
- * *out (murk_beams_destroy()). */
+ * and meshes are those of the stage. Stage and optics are borrowed and must
+ * outlive *out. Fails with MURK_NO_MEMORY, and as building media of a scene
+ * does. The caller owns *out (murk_beams_destroy()). */
 murk_status murk_beams_create(murk_beams **out, const murk_stage *stage,
                               const murk_optics *optics, murk_error *err);
 void murk_beams_destroy(murk_beams *beams); /* NULL is fine */
 
 /* The transmittance of a reading, exp(-optical depth), with the acceptance
  * angle of the instrument (medium/rescaled.h). For a reading of all bands,
- * the mean over the bands. Fails with MURK_NO_MEMORY. */
+ * the mean over the bands. Fails with MURK_NO_MEMORY, and with MURK_BAD_VALUE
+ * if there is an acceptance angle and an albedo is a grid. */
 murk_status murk_beam_transmittance(double *out, const murk_beams *beams,
                                     const murk_reading *reading,
                                     murk_error *err);

@@ -2,8 +2,8 @@
  * data, with their uncertainty.
  *
  * Light is traced at the present parameters and re-weighted while Ceres varies
- * them. Light is traced again when the effective sample size falls below the
- * share MURK_MIN_SHARE. The fit ends when least squares converge on light that
+ * them. Light is traced again when the effective share of the sample falls
+ * below MURK_MIN_SHARE. The fit ends when least squares converge on light that
  * is still valid there. Rows are whitened by the measurement errors together
  * with the covariance from photons. */
 #ifndef MURK_CALIBRATE_CALIBRATE_H
@@ -11,9 +11,11 @@
 
 #include "calibrate/calibration.h"
 
-/* Runs the fit. The caller releases *out, also after a failure. The fit fails
- * if the first start fails. If it is interrupted after some starts have ended,
- * these starts are in *out (starts_done) and the status is MURK_INTERRUPTED. */
+/* Runs the fit. The caller releases *out (murk_calibration_release()), also
+ * after a failure. The fit fails if the first start fails. If it is interrupted
+ * after some starts have ended, the status is MURK_INTERRUPTED and *out has
+ * these starts (starts_done of start[], and best), but none of the results that
+ * are computed at the end. */
 murk_status murk_calibrate(murk_calibration *out,
                            const murk_calibration_desc *desc, murk_error *err);
 void murk_calibration_release(murk_calibration *calibration);

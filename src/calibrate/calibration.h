@@ -11,9 +11,9 @@
  * of the sample: at one half, the variance of estimates has doubled. */
 #define MURK_MIN_SHARE 0.5
 
-/* A direction in parameter space is undetermined if its standard error is at
- * least this large in units of the scale of the parameter: a factor e for a key
- * that is searched in logarithms, otherwise the scale itself. */
+/* A direction in parameter space is undetermined if its standard error is more
+ * than this, in units of the scales of the parameters (murk_calibration.scale).
+ * The same limit is used for single parameters. */
 #define MURK_UNDETERMINED 1.0
 
 /* Number of searches from different starts, if the user does not state one.
@@ -64,8 +64,9 @@ typedef struct murk_calibration_start {
 typedef struct murk_calibration {
     size_t n;                 /* number of parameters */
     double *value;            /* [n] */
-    double *lower, *upper;    /* [n]; 95 % confidence interval; NaN if
-                               * undetermined */
+    double *lower, *upper;    /* [n]; 95 % confidence interval, cut at the
+                                 limits of the key; NaN where standard_error
+                                 is */
     double *standard_error;   /* [n]; NaN if undetermined or at a bound */
     bool *at_bound;           /* [n] */
     murk_certainty certainty; /* in search coordinates: logarithms of positive
@@ -93,11 +94,14 @@ typedef struct murk_calibration {
     double slope_noise;  /* largest share of the apparent information in any
                           * direction that is photon noise and is subtracted;
                           * close to 1: more photons are needed */
-    size_t fitted;       /* number of rows of the Jacobian */
-    double *jacobian;    /* [fitted][n]; rows that carry the information:
-                          * whitened, in search coordinates, without photon
-                          * noise */
-    double *scale;       /* [n]; size of a large change of each parameter */
+    size_t fitted;       /* number of rows of jacobian, equal to n */
+    double *jacobian;    /* [fitted][n]; rows whose J^T J is the information:
+                            whitened, in search coordinates, without photon
+                            noise */
+    double *scale;       /* [n]; size of a large change in search coordinates: 1
+                            (a factor e) if a logarithm is searched, else the
+                            width of the range of the key, or about its value if
+                            the range is not finite */
     double *information; /* [n * n]; Fisher information of the fitted rows */
     murk_calibration_start *start; /* [starts]; of which starts_done were run:
                                     * the requested ones, then restarts */

@@ -39,7 +39,10 @@ typedef struct murk_changes {
     murk_arena arena;           /* of all arrays */
 } murk_changes;
 
-/* Compares the optics, which are borrowed. Release also after a failure. */
+/* Compares the optics, which are borrowed. sides[keys] as in murk_reweigh().
+ * Fails with MURK_BAD_VALUE if scattering, extinction or power is wanted that
+ * the traced light did not have, or with MURK_NO_MEMORY. Release also after a
+ * failure. */
 murk_status murk_changes_create(murk_changes *out,
                                 const murk_histories *histories,
                                 const murk_optics *traced,

@@ -10,8 +10,9 @@
  * (detection: weighted), or independent probabilities. The transmittance of a
  * sightline at other parameters follows from the density path along it, stored
  * by medium, and from the extinctions for the acceptance angle of the sensor
- * (medium/rescaled.h). The result differs from murk_coverage_result_measure()
- * of the same records by the rounding of clarities to 1/65535 alone. */
+ * (medium/rescaled.h). At the traced parameters, the result differs from
+ * murk_coverage_result_measure() of the same records by about the rounding of
+ * clarities there, to 1/65535. */
 #ifndef MURK_CALIBRATE_COVERED_H
 #define MURK_CALIBRATE_COVERED_H
 
@@ -20,16 +21,19 @@
 
 typedef struct murk_covered murk_covered;
 
-/* Fails as murk_covered_create() does because of the scene; to be called before
- * light is traced. */
+/* Fails with MURK_BAD_VALUE as murk_covered_create() does for settings of the
+ * sensors: `detection`, `through` and targets. To be called before light is
+ * traced. */
 murk_status murk_covered_check(const murk_scene_desc *scene, murk_error *err);
 
-/* Finds the sightlines of all groups. Fails for scenes with `detection:
- * threshold`, `detection: power`, `through: refract` or targets, and for
- * acceptance angles together with a grid of albedo. Also fails if memory is too
- * small: a sightline takes 4 bytes, 4 more for each re-weighted medium, and 4
- * more if there are sheets or media that are not re-weighted. MURK_RUN_FAILED
- * if all records have weight 0. Stage and histories must outlive *out. */
+/* Finds the sightlines of all groups. Fails with MURK_BAD_VALUE for scenes with
+ * `detection: threshold`, `detection: power`, `through: refract` or targets,
+ * for acceptance angles together with a grid of albedo, and if the sightlines
+ * exceed the memory: each takes 4 bytes, 4 more for each re-weighted medium, 4
+ * more if there are sheets or media that are not re-weighted, and 2 more if the
+ * acceptance angles of a group differ. Also MURK_NO_MEMORY, MURK_INTERRUPTED,
+ * or MURK_RUN_FAILED if all records have weight 0. Stage and histories must
+ * outlive *out. */
 murk_status murk_covered_create(murk_covered **out,
                                 const murk_visible_desc *desc, murk_error *err);
 void murk_covered_destroy(murk_covered *covered); /* NULL is fine */

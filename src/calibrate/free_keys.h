@@ -93,25 +93,29 @@ typedef struct murk_free_keys {
  * number, keys of anything but media, regions, lights and site, factors that no
  * reading names, relative light without a free factor, a key that is given
  * twice or has no effect, more parameters than rows, starts outside the bounds,
- * and a start with albedo, extinction or power 0, which cannot be re-weighted.
- * The caller owns *out. */
+ * and a start with albedo, extinction or power 0, which cannot be re-weighted:
+ * all MURK_BAD_VALUE, at the option or the line of the data. Also fails as
+ * reading the scene does, and with MURK_NO_MEMORY. The caller owns *out
+ * (murk_free_keys_destroy()). What desc points to must outlive it. */
 murk_status murk_free_keys_create(murk_free_keys **out,
                                   const murk_free_desc *desc, murk_error *err);
 void murk_free_keys_destroy(murk_free_keys *keys); /* NULL is fine */
 
-/* The scene of condition c (an index into keys->condition) at value[n], or
- * unchanged if value is NULL, and the optics of that scene. Fails at "--free
- * KEY" if the scene does not accept a value. Prints no warnings. */
+/* The scene of condition c (an index into keys->condition) at value[keys->n],
+ * or unchanged if value is NULL; and its optics. Both fail at "--free KEY" if
+ * the scene does not accept a value, and print no warnings. The caller owns
+ * *out. */
 murk_status murk_free_scene(murk_scene_desc **out, const murk_free_keys *keys,
                             size_t c, const double *value, murk_error *err);
 murk_status murk_free_optics(murk_optics **out, const murk_free_keys *keys,
                              size_t c, const double *value, murk_error *err);
 
 /* Two values around `value` of key k and within bounds, for derivatives:
- * df/dvalue = (f(high) - f(low)) / (high - low). They are symmetric if the
- * bounds allow, one-sided at a bound. The distance is 1e-5 of the size of the
- * value, which gives an error of some 1e-9. For keys that change tabulated
- * phase functions, whose nodes are accurate to 1e-5, the distance is 2e-2. */
+ * df/dvalue = (f(high) - f(low)) / (high - low). They are symmetric about it,
+ * at a smaller distance near a bound, and one-sided if less than a quarter of
+ * the distance is left. The distance to each is 1e-5 of the size of the value,
+ * which gives an error of some 1e-9. For keys that change tabulated phase
+ * functions, whose nodes are accurate to 1e-5, the distance is 2e-2. */
 void murk_free_key_around(const murk_free_keys *keys, size_t k, double value,
                           double *low, double *high);
 

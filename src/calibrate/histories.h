@@ -47,9 +47,10 @@ typedef struct murk_histories_desc {
     bool keeps_cosines;
     const murk_receiver *receiver; /* [receivers] */
     size_t receivers;
-    bool keeps_records;      /* store records of the photon maps as the scene
-                              * asks */
-    double memory_max_bytes; /* refuse to use more; 0: the memory of the machine
+    bool keeps_records;      /* store records of the photon maps that the scene
+                                asks for */
+    double memory_max_bytes; /* fail if the forecast is more; 0: the memory of
+                                the machine
                               */
 } murk_histories_desc;
 
@@ -106,17 +107,18 @@ typedef struct murk_histories {
 } murk_histories;
 
 /* Traces light and stores the histories. The caller owns *out
- * (murk_histories_destroy()). Fails if no light source emits, if too many
- * photons are lost, if more records are stored than the scene allows, or if the
- * forecast from the first photons exceeds the memory limit. */
+ * (murk_histories_destroy()). Fails if no light source emits or the forecast
+ * from the first photons exceeds the memory limit (MURK_BAD_VALUE), if too many
+ * photons are lost, if more records are stored than the scene allows, if
+ * interrupted, or without memory. */
 murk_status murk_histories_trace(murk_histories **out,
                                  const murk_histories_desc *desc,
                                  murk_error *err);
 void murk_histories_destroy(murk_histories *histories); /* NULL is fine */
 
-/* The first contribution of part `part` of the photons or of a later part: the
- * photons are divided into `parts` parts, and photon p is in part p * parts /
- * emitted, rounded down. */
+/* The index of the first contribution whose photon lies in part `part` or a
+ * later one; n if none does. The photons are divided into `parts` parts, and
+ * photon p is in part p * parts / emitted, rounded down. */
 size_t murk_histories_first(const murk_histories *histories, size_t parts,
                             size_t part);
 
@@ -128,8 +130,9 @@ size_t murk_histories_first(const murk_histories *histories, size_t parts,
 /* Memory of n contributions and a number of cosines, in bytes. */
 double murk_histories_bytes(size_t media, double n, double turns);
 
-/* For the recorder: ensures capacity for further contributions and cosines,
- * which is false without memory; releases unused capacity; frees all arrays. */
+/* For the recorder. reserve: ensures capacity for further contributions and
+ * cosines; false if out of memory. fit: gives unused capacity back. release:
+ * frees all arrays. */
 bool murk_histories_reserve(murk_histories *histories, size_t more,
                             size_t more_turns);
 void murk_histories_fit(murk_histories *histories);

@@ -13,7 +13,8 @@ typedef struct murk_imported_stages {
                          * equal */
 } murk_imported_stages;
 
-/* Release also after a failure. The scene must outlive it. */
+/* Imports the files of the scene and of each of its conditions. Release *out
+ * also after a failure. The scene must outlive *out. */
 murk_status murk_imported_stages_import(murk_imported_stages *out,
                                         const murk_scene_desc *scene,
                                         murk_error *err);

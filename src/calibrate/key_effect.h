@@ -6,7 +6,7 @@
 #include "calibrate/optics.h"
 
 typedef struct murk_key_effect {
-    bool world;  /* anything but what follows */
+    bool world;  /* anything but the optics of media and the power of lights */
     bool optics; /* the optics of a medium */
     bool phase;  /* the phase function of a medium */
     bool tables; /* a phase function that is a table */

@@ -48,7 +48,7 @@ murk_status murk_lighting_trace(murk_lighting *lighting, uint64_t photons,
 void murk_lighting_darken(murk_lighting *lighting);
 
 /* The light rows, instruments->lights of them: sums in the units of the rows,
- * without factors of readings. share as in murk_reweighed. */
+ * without factors of readings. share: the effective share of murk_reweighed. */
 typedef struct murk_lighting_rows {
     double *value, *slope, *batch, *run; /* as in murk_row_sums */
     double share;

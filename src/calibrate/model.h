@@ -35,7 +35,8 @@ typedef struct murk_model_facts {
     size_t lights;
     size_t batches, runs; /* of photons */
     size_t traces;        /* so far, those for slopes included */
-    uint64_t photons;     /* of one trace */
+    uint64_t photons;     /* of one trace, of the condition that was traced
+                             last */
     double memory_bytes;  /* of the fit, as forecast by the first trace; 0:
                            * not yet */
     double trace_s;

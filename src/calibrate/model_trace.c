@@ -15,7 +15,7 @@
 
 /* Batches of photons. The covariance of rows is singular, or too small, unless
  * there are many more batches than rows; BATCHES_MIN is the least that is
- * accepted, BATCH_SUMS_MAX limits batches * rows (256 MB). */
+ * accepted, BATCH_SUMS_MAX limits batches * rows (256 MiB). */
 #define BATCHES_MAX    4096
 #define BATCHES_MIN    100
 #define BATCH_SUMS_MAX (UINT64_C(1) << 25)

@@ -38,8 +38,8 @@ murk_status murk_optics_create(murk_optics **out, murk_scene_desc *scene,
                                murk_error *err);
 void murk_optics_destroy(murk_optics *optics); /* NULL is fine */
 
-/* True if the phase functions of a medium agree in a band, within 1e-7 of the
- * density at any angle. */
+/* True if the phase functions of a medium agree in a band, to 1e-7 of the
+ * density at each angle that is compared. */
 bool murk_optics_turn_alike(const murk_optics *a, const murk_optics *b,
                             size_t medium, int band);
 

@@ -33,12 +33,14 @@ typedef struct murk_proposals {
     size_t candidates, judged;
     murk_proposed_place *place; /* [n]; best first */
     size_t n;
-    double *standard_error; /* [keys->n]; standard errors of the parameters if
-                             * all of these were measured; NaN: undetermined */
+    double *standard_error; /* [number of keys]; standard errors of the
+                               parameters if all of these places were measured;
+                               NaN: undetermined */
 } murk_proposals;
 
-/* Fails, before anything is fitted, if no fitted reading is of light or
- * coverage, for which a place could be chosen, or if the scene has no sensors.
+/* Fails with MURK_BAD_VALUE if no fitted reading is of light or coverage, so
+ * that no place could be chosen, or if the scene has no sensors. To be called
+ * before anything is fitted.
  */
 murk_status murk_proposals_check(const murk_readings *measured,
                                  const murk_scene_desc *scene, murk_error *err);

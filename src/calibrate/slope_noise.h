@@ -44,7 +44,8 @@ murk_status murk_slope_noise_find(murk_slope_noise *out,
 void murk_slope_noise_release(murk_slope_noise *noise);
 
 /* Computes the offset d[n_fitted] of the whitened residuals, with J^T d = b as
- * far as J has that direction. jacobian[n_fitted][n] is whitened. */
+ * far as J has that direction. jacobian[rows][n] is whitened; rows is the
+ * number of fitted rows. */
 murk_status murk_slope_noise_offset(double *offset,
                                     const murk_slope_noise *noise,
                                     const double *jacobian, size_t rows,

@@ -51,7 +51,7 @@ void murk_visible_extinctions(double *extinction, const murk_visible *visible,
 bool murk_visible_has_paths(const murk_histories *histories, size_t medium);
 
 /* Poses must lie in the domain. Fails with MURK_BAD_VALUE (an acceptance angle
- * together with a grid of albedo, sightlines that exceed the memory),
+ * together with a grid of albedo, or no memory for the sightlines),
  * MURK_RUN_FAILED (no record has weight), MURK_INTERRUPTED or MURK_NO_MEMORY.
  * Does not keep references to desc. */
 murk_status murk_visible_create(murk_visible **out,
