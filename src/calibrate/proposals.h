@@ -28,7 +28,7 @@ typedef struct murk_proposals {
     double relative_error; /* median relative error of these readings */
     /* Properties of the first of these readings. */
     murk_vec3 direction; /* irradiance */
-    double radius_m;     /* of light */
+    double radius_m;     /* of the receiver */
     int band;            /* -1: all bands together */
     size_t candidates, judged;
     murk_proposed_place *place; /* [n]; best first */
