@@ -11,14 +11,18 @@ typedef struct murk_condition_values {
     size_t n;
 } murk_condition_values;
 
-/* Turns the tree of a scene, as the user gave it, into the tree of a
- * condition: the values of the condition are put in place, and the key
- * `conditions` is removed. Messages name `where` and the key. */
+/* Turns the tree of a scene, as the user gave it, into the tree of the
+ * condition `name`, which must exist: the values of the condition are put in
+ * place, and the keys `conditions`, `placement.over` and
+ * `placement.condition_weights` are removed. Messages name the place of the
+ * value and conditions.NAME.KEY. On failure *out is unchanged. */
 murk_status murk_condition_apply(murk_condition_values *out, murk_yaml *root,
                                  const char *name, murk_error *err);
 
-/* As murk_condition_apply(), for a condition that a study names; with name
- * NULL all conditions are removed. Refuses an unknown name. */
+/* As murk_condition_apply(), without returning the values, for a condition that
+ * a study names; with name NULL the same keys are removed and no value is put
+ * in place. Fails with MURK_BAD_VALUE if the scene has no condition of that
+ * name. */
 murk_status murk_condition_leave(murk_yaml *root, const char *name,
                                  murk_error *err);
 

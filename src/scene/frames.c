@@ -13,7 +13,7 @@
 
 /* 18 digits fit into uint64_t. */
 #define DIGITS_MAX 18
-#define FRAMES_MAX 1000000 /* frames of one folder that are listed at most */
+#define FRAMES_MAX 1000000 /* more frames of one folder are not listed */
 
 /* The position of the number in a pattern. */
 typedef struct place {
@@ -108,7 +108,7 @@ static uint64_t *list_frames(DIR *folder, const place *p, size_t *n)
         }
         frames[(*n)++] = frame;
     }
-    /* The folder is in no order. */
+    /* readdir() returns files in no particular order. */
     if (*n > 0) {
         qsort(frames, *n, sizeof *frames, compare);
     }

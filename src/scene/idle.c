@@ -1,6 +1,6 @@
-/* Keys without effect: a table states for each such key under which
- * condition it has an effect. The tree is searched for keys of the table
- * that the user has set. */
+/* Keys without effect: a table states for each key that may have none the
+ * feature of a scene with which the key has an effect. The tree is searched for
+ * keys of the table that the user has set. */
 #include "scene/idle.h"
 
 #include "scene/key_path.h"
@@ -53,7 +53,7 @@ static void add_uses(bool uses[N_USES], const murk_scene_desc *s)
     const bool by_power =
         murk_detection_is(p->detection, MURK_DETECTION_BY_POWER);
     const bool is_best = p->method == MURK_PLACE_BEST;
-    /* Each feature with the keys that it needs. */
+    /* Each feature, by the values of the keys that make it. */
     const bool own[N_USES] = {
         [OUTSIDE] = !s->domain.is_periodic,
         [THRESHOLD] =

@@ -1,8 +1,9 @@
-/* Finds keys that the user has set and that have no effect, because another key
- * lacks the value they are for. They are reported, since they are often
- * mistakes.
+/* Finds keys that the user has set and that have no effect, because they are
+ * used only together with a certain value of another key. Such keys are
+ * reported, because they are often mistakes.
  *
- * Inside this room only; doc/reference/scene-file.md has the table, too. */
+ * For use inside this room only; doc/reference/scene-file.md shows the same
+ * table. */
 #ifndef MURK_SCENE_IDLE_H
 #define MURK_SCENE_IDLE_H
 
@@ -12,7 +13,8 @@
 /* One row of the table. */
 typedef struct murk_idle_key {
     const char *key;  /* "sensors.types.*.cost": * stands for any item */
-    int use;          /* the feature of the scene for which it has an effect */
+    int use;          /* the feature of a scene with which the key has an
+                       * effect: a constant of idle.c */
     const char *text; /* "has no effect without sensors.budget" */
 } murk_idle_key;
 

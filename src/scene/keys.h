@@ -50,17 +50,18 @@ typedef struct murk_key_reader murk_key_reader; /* walk.h */
 typedef struct murk_key {
     const char *name; /* NULL ends the table */
     murk_key_kind kind;
-    bool required;      /* in a group: one of the group is */
-    bool above, below;  /* `least`, `most` themselves are refused */
+    bool required;      /* in a group: one key of the group must be given */
+    bool above, below;  /* `min`, `max` themselves are refused */
     double min, max;    /* both 0: any finite number; of a text: max is the
-                           largest number of bytes, 0: 63 or 255 */
+                         * largest number of bytes, where 0 means 63 for a
+                         * murk_scene_name, else 255 */
     const char *unit;   /* NULL: none */
     const char *preset; /* default, in YAML; NULL: none, may be absent */
     unsigned variants;  /* bit set of the map's variants; 0: all */
-    int group;          /* not 0: at most one key of a group */
+    int group;          /* not 0: at most one key of a group may be given */
     double factor;      /* to SI; 0: 1 */
     const murk_word *words;
-    const murk_keys *keys;        /* of the map, or of each item */
+    const murk_keys *keys;        /* the keys of the map, or of each item */
     const struct murk_key *items; /* numbers: name and range of each item */
     const char *of;               /* references: "media" or "materials" */
     size_t at, size;              /* member; size 0: not stored */
@@ -69,7 +70,7 @@ typedef struct murk_key {
                          heights, which are numbers */
     bool has_flag;
     size_t flag_at;  /* a bool that is true if the key is given */
-    bool lights;     /* top level: the traced light depends on it */
+    bool lights;     /* top level: the traced light depends on the key */
     bool may_differ; /* top level: conditions may set it */
     murk_status (*read)(murk_key_reader *walk, const struct murk_key *key,
                         murk_yaml *node, void *member);
@@ -111,9 +112,10 @@ struct murk_keys {
 /* Of a scene, and of a study. */
 extern const murk_keys murk_scene_keys, murk_study_keys;
 
-/* Calls a function for each row that fills members of a struct, after the rows
- * of the structs below: of maps, and of the items of arrays. Rows of other
- * variants than that of the struct are left out. */
+/* Calls visit(context, key, item) for each row of a table, where `item` is the
+ * struct that the rows fill, and before that for the rows of the structs below:
+ * of maps, and of the items of arrays. Rows that do not belong to the variant
+ * that a struct stores are left out. */
 typedef void murk_key_visit(void *context, const murk_key *key, void *item);
 void murk_keys_visit(const murk_keys *keys, void *item, murk_key_visit *visit,
                      void *context);
@@ -121,8 +123,9 @@ void murk_keys_visit(const murk_keys *keys, void *item, murk_key_visit *visit,
 /* The first row with a name, of any variant, or NULL. */
 const murk_key *murk_keys_find(const murk_keys *keys, const char *name);
 
-/* How many variants a map has, and the name of one: the word of the selector,
- * or a name of the table; NULL if there is one variant only. */
+/* The number of variants of a map, at least 1; and the name of a variant: the
+ * word of the selector, or a name of variant_names. The name is NULL if the
+ * table has neither. */
 int murk_keys_variants(const murk_keys *keys);
 const char *murk_keys_variant_name(const murk_keys *keys, int variant);
 

@@ -60,7 +60,7 @@ static murk_status check_camera(murk_key_reader *walk, const murk_yaml *map,
 #define PERSPECTIVE .variants = BIT(MURK_SCENE_PERSPECTIVE)
 #define ALL_ROUND   .variants = BIT(MURK_SCENE_EQUIRECTANGULAR)
 #define TO          PLACE_M, FLAG(murk_scene_camera, has_to), CAMERA(to)
-/* Pictures with longer edges fit no memory. */
+/* Longer edges are mistakes; PIXELS_MAX limits the product. */
 #define PIXELS .min = 1, .max = 65536, .unit = "pixels", CAMERA(pixels)
 
 static const murk_key CAMERA_ROWS[] = {

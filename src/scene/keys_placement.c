@@ -83,8 +83,9 @@ static const murk_key PLACEMENT_ROWS[] = {
     END,
 };
 
-/* at_least counts sensors per photon: it needs certain detection, a search
- * that knows all photons, and a single condition. */
+/* at_least counts sensors per photon: it needs detection without chance, a
+ * method other than spoq, a search that knows all photons, and no objective
+ * over conditions. */
 static murk_status check_at_least(murk_key_reader *walk, const murk_yaml *map,
                                   const murk_scene_placement *placement)
 {
@@ -105,7 +106,8 @@ static murk_status check_at_least(murk_key_reader *walk, const murk_yaml *map,
                : MURK_OK;
 }
 
-/* Checks that involve the regions of interest. */
+/* Checks that some photon has a weight, that redundancy fits the mode of
+ * detection, and the needs of at_least. */
 static murk_status check_placement(murk_key_reader *walk, const murk_yaml *map,
                                    void *item)
 {

@@ -108,8 +108,8 @@ const murk_keys murk_scene_keys = {
 
 /* ---- visits ---- */
 
-/* The variant of a struct that stores it; otherwise -1, which stands for any.
- */
+/* The variant of a struct if the struct stores the variant; otherwise -1, which
+ * stands for any variant. */
 static int variant_of(const murk_keys *keys, const void *item)
 {
     int variant = -1;

@@ -93,9 +93,9 @@ static murk_status check_site(murk_key_reader *walk, const murk_yaml *map,
 #define SITE(member) AT(murk_scene_site, member)
 #define IF(member)   FLAG(murk_scene_site, member)
 
-/* Keys are read in this order, since later ones need earlier ones. A date or
- * a clock replaces a time, so that one of them may be set on the command
- * line. */
+/* Keys are read in this order, since later ones need earlier ones. A time and a
+ * date exclude each other, so that a date on the command line replaces the time
+ * of the file. */
 static const murk_key SITE_ROWS[] = {
     ROW("latitude_deg", NUMBER, LATITUDE, SITE(latitude_deg), IF(has_latitude)),
     ROW("longitude_deg", NUMBER, LONGITUDE, SITE(longitude_deg),
@@ -206,7 +206,8 @@ const murk_keys murk_portal_keys = {
 
 /* ---- lights of the sky ---- */
 
-/* Copies place and time that the light does not give from the scene. */
+/* Copies the parts of place and time that the light does not give from the site
+ * of the scene, and always the pressure and the temperature. */
 static void inherit(murk_scene_site *own, const murk_scene_site *site)
 {
     if (!own->has_latitude) {

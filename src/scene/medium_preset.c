@@ -63,7 +63,8 @@ static murk_status complete_word(murk_key_reader *walk, murk_yaml *map,
     const murk_preset_word range = murk_preset_word_of(preset, word);
     if (murk_yaml_get(map, name)) {
         if (range.is_known) {
-            return MURK_OK; /* its numbers are checked after they are read */
+            return MURK_OK; /* check_ranges() checks the numbers after they are
+                             * read */
         }
         murk_scene_where where;
         const double none[MURK_WORD_NUMBERS_MAX] = {0};
@@ -123,9 +124,10 @@ static murk_spectrum same_in_all(double g)
     return murk_spectrum_flat(g, MURK_BANDS_MAX);
 }
 
-/* A mixture in the plainest form that describes the same function: one kind
- * with its numbers, or two terms of Henyey-Greenstein. A mixture that has no
- * such form moves from *mixture into the phase function. */
+/* Stores a mixture in the plainest form that describes the same function: one
+ * kind with numbers, or two terms of Henyey-Greenstein. For a mixture that has
+ * no such form, the phase function becomes the owner, and *mixture becomes
+ * NULL. */
 static void fill_phase(murk_scene_phase *out, murk_mixture **mixture)
 {
     const murk_mixture_part *part = (*mixture)->part;

@@ -1,5 +1,5 @@
-/* Computes the optical properties of a medium from a preset, except properties
- * that the scene gives itself. */
+/* Computes the optical properties of a medium from a preset. A property that
+ * the map of the medium in the scene gives is not computed. */
 #ifndef MURK_SCENE_MEDIUM_PRESET_H
 #define MURK_SCENE_MEDIUM_PRESET_H
 
@@ -7,12 +7,14 @@
 
 #include <stdio.h>
 
-/* For a map with a `preset`: checks that the preset exists and knows the
- * given words, and adds the defaults of the other words to the map. */
+/* For a map with a `preset`: checks that the preset exists and knows the given
+ * words, and adds the defaults of the other words to the map. Words that state
+ * an amount get no default if the map has another such word. Does nothing for
+ * other maps. */
 murk_status murk_medium_preset_complete(murk_key_reader *walk, murk_yaml *map);
 
-/* Computes extinction, albedo and phase function from the preset for those
- * that the map does not give. */
+/* Computes those of extinction, albedo and phase function from the preset that
+ * the map does not give, for the bands of walk->scene. */
 murk_status murk_medium_preset_fill(murk_key_reader *walk, const murk_yaml *map,
                                     murk_scene_medium *medium);
 

@@ -140,9 +140,8 @@ static void move_box(murk_box *box, murk_vec3 origin)
     move(&box->max, origin);
 }
 
-/* The part of the origin along one axis that is subtracted from a shape's
- * own coordinate: all of it if this brings the coordinate closer to 0,
- * otherwise nothing. */
+/* The number that is subtracted from a coordinate of a shape along one axis:
+ * the origin if this brings the coordinate closer to 0, otherwise 0. */
 static double held_by(double own, double origin)
 {
     return fabs(own - origin) < fabs(own) ? origin : 0;

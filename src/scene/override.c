@@ -15,9 +15,10 @@
 typedef struct option_context {
     const char *source; /* source of nodes created on the way */
     const char *where;  /* place for messages */
-    murk_yaml *const
-        *own;     /* [n_own] values put before; NULL: all values that are */
-    size_t n_own; /* not from the scene's file */
+    /* [n_own] the values put before; NULL: all values that are not from the
+     * file of the scene */
+    murk_yaml *const *own;
+    size_t n_own;
     const murk_yaml *root;
     murk_error *err;
 } option_context;
@@ -61,8 +62,8 @@ static murk_status unknown_key(const option_context *option,
     return unknown(option, owner, part, names, n);
 }
 
-/* True if the tree is, or contains, a value that the same set of options put
- * there. */
+/* True if the node is a value that the same command line or condition put
+ * there, or, for a condition, contains such a value. */
 static bool is_own(const option_context *option, const murk_yaml *node)
 {
     if (!option->own) {
@@ -176,8 +177,8 @@ static murk_status step_map(const option_context *option,
     if (!next && !*child && !is_open_map(at)) {
         return unknown_key(option, owner, part);
     }
-    /* Names of items cannot be invented on the way, except those that are
-     * built in. */
+    /* A name that does not exist cannot be a part on the way, except a name
+     * that is built in. */
     const bool is_named = owner->kind == MURK_KEY_NAMED && !at->in_item;
     const bool is_built_in =
         is_named && owner->keys->first && strcmp(owner->keys->first, part) == 0;

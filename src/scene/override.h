@@ -7,15 +7,17 @@
 #include "scene/yaml.h"
 
 /* Applies an option of the command line. `source` (the option, for messages)
- * must outlive the tree. A key that excludes another (photons: emit, store)
- * replaces it, unless the command line set that one, too. */
+ * must outlive the tree. A key that excludes another key (photons: emit, store)
+ * replaces the other key; if the command line set both, the function fails with
+ * MURK_BAD_VALUE. */
 murk_status murk_override_apply(murk_yaml *root, const murk_override *override,
                                 const char *source, murk_error *err);
 
 /* Puts a value at a path of the tree. Takes ownership of `value`, also on
- * failure. `where` is the place for messages. A key that excludes another
- * replaces it, unless the other is, or contains, one of own[n_own], the
- * values put before; the path of none of them may lie within another. */
+ * failure. `where` is the place for messages. A key that excludes another key
+ * replaces the other key; if the other key is, or contains, one of own[n_own],
+ * the values that were put before, the function fails with MURK_BAD_VALUE. The
+ * path of no such value may lie within that of another. */
 murk_status murk_override_put(murk_yaml *root, const char *path,
                               murk_yaml *value, const char *where,
                               murk_yaml *const *own, size_t n_own,

@@ -1,5 +1,4 @@
-/* Writes and reads positions in binary result files; see scene/places.h. A
- * scene of NULL has no local origin. */
+/* Writes and reads positions in binary result files; see scene/places.h. */
 #include "scene/places.h"
 
 #include <string.h>

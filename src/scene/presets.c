@@ -43,8 +43,8 @@ murk_status murk_preset_parse(murk_preset **out, const char *name,
 
 /* ---- built-in presets ---- */
 
-/* The name of a preset file without the ending: "fog/kruse" for
- * "fog/kruse.yaml"; false for tables. */
+/* Copies the name of a preset file without the ending: "fog/kruse" for
+ * "fog/kruse.yaml". Returns false for tables. */
 static bool name_of(const murk_media_file *file,
                     char out[MURK_PRESET_NAME_SIZE])
 {

@@ -8,18 +8,21 @@
 /* Longer than any "FAMILY/NAME". */
 #define MURK_PRESET_NAME_SIZE 64
 
-/* The number of presets, and the name of one, such as "fog/kruse", in order. */
+/* The number of presets; and the name of preset `index`, less than the number,
+ * such as "fog/kruse". Names are in alphabetical order. */
 size_t murk_presets_count(void);
 void murk_presets_name(size_t index, char out[MURK_PRESET_NAME_SIZE]);
 
 /* Reads a built-in preset. The caller owns *out and releases it with
- * murk_preset_destroy(). An unknown name fails at `where`; the message
- * suggests a similar name or lists all. */
+ * murk_preset_destroy(). An unknown name fails with MURK_BAD_VALUE at `where`;
+ * the message suggests a similar name if there is one. Other failures are those
+ * of murk_preset_parse(). */
 murk_status murk_presets_read(murk_preset **out, const char *name,
                               const char *where, murk_error *err);
 
-/* Reads a preset from text. `name` is for messages; tables are looked up
- * among the built-in files. */
+/* Reads a preset from text. `name` becomes the name of the preset; tables are
+ * looked up among the built-in files. Fails with MURK_BAD_FILE, MURK_BAD_VALUE
+ * or MURK_NO_MEMORY at NAME.yaml. */
 murk_status murk_preset_parse(murk_preset **out, const char *name,
                               const char *text, size_t size, murk_error *err);
 

@@ -6,8 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* True if a text may stand without quotes everywhere: it is no number, no
- * null and no boolean, and has no character with a meaning in YAML. */
+/* True if a text may stand without quotes everywhere: the text is no number,
+ * null or boolean of scene/yaml.h, begins with a letter, / or _, and has no
+ * character with a meaning in YAML. */
 static bool is_plain(const char *text)
 {
     static const char *const words[] = {"null", "Null",  "NULL",

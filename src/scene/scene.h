@@ -1,9 +1,9 @@
-/* A scene file, read and checked: plain structs in SI units. Every item keeps
- * its place in the file ("yard.yaml:12:5: media.fog") for later messages.
+/* A scene file, read and checked: plain structs in SI units (wavelengths in
+ * nm). Items such as media keep their place in the file ("yard.yaml:12:5:
+ * media.fog") for later messages.
  *
- * Keys and meanings: doc/reference. A key of the contract that is not
- * implemented is refused as not supported yet; any other unknown key is
- * refused with a suggestion. */
+ * Keys and meanings: doc/reference. An unknown key is refused, with a
+ * suggestion or the list of known keys. */
 #ifndef MURK_SCENE_SCENE_H
 #define MURK_SCENE_SCENE_H
 
@@ -33,8 +33,8 @@
 typedef char murk_scene_name[MURK_SCENE_NAME_SIZE];
 typedef char murk_scene_where[MURK_SCENE_WHERE_SIZE];
 
-/* A box, a sphere or a mesh, and how it is placed: scaled, then rotated, then
- * moved. */
+/* A box, a sphere or a mesh, and how the shape is placed: rotated and scaled
+ * about 0, then moved. */
 typedef struct murk_scene_solid {
     murk_box box;
     murk_vec3 center; /* of the sphere */
@@ -73,10 +73,12 @@ typedef struct murk_scene_phase {
     murk_scene_where where; /* of a map; empty for words */
     murk_phase_kind kind;
     murk_spectrum mean_cosine;            /* of MURK_PHASE_HG */
-    double value[MURK_PHASE_NUMBERS_MAX]; /* of all other kinds */
+    double value[MURK_PHASE_NUMBERS_MAX]; /* of the other kinds that have
+                                           * numbers */
     char *table; /* of MURK_PHASE_TABLE: CSV file, path from the working folder
                   */
-    murk_mixture *mixture; /* of a preset: a sum of phase functions */
+    murk_mixture *mixture; /* of a preset, with kind MURK_PHASE_TABLE: a sum of
+                            * phase functions; else NULL */
 } murk_scene_phase;
 
 /* Longer lists belong into files. */
@@ -113,7 +115,7 @@ typedef struct murk_scene_medium {
     char *albedo_grid; /* name; NULL: the constant `albedo` */
     char *albedo_vdb;  /* file of the albedo grid */
     bool has_frame;    /* the files belong to a sequence in time */
-    uint64_t frame;    /* number of the frame that vdb and albedo_vdb are */
+    uint64_t frame;    /* number of the frame in vdb and albedo_vdb */
     char *vdb_frames;  /* pattern of the files' names; NULL: no frames */
     murk_scene_numbers profile_z_m; /* n 0: no profile */
     murk_scene_spectra profile_per_m;
@@ -139,7 +141,7 @@ typedef struct murk_scene_site {
     double altitude_m;
     double pressure_hpa; /* computed from the altitude unless has_pressure */
     double temperature_c;
-    double unix_s; /* seconds since 1970, UTC; undefined unless has_time */
+    double unix_s; /* seconds since 1970, UTC; no meaning unless has_time */
     int zone_min;  /* of local clocks, minutes east of Greenwich */
     bool has_zone, has_date, has_clock;
     murk_date date; /* local date and time of day, if the time is given in these
@@ -185,13 +187,15 @@ typedef struct murk_scene_light {
     murk_spectrum power_w; /* per band; for directional light and lights of the
                               sky an irradiance [W/m2] */
     murk_scene_schedule schedule;
-    murk_scene_portal *portal; /* everything that enters the domain */
+    murk_scene_portal *portal; /* [portals] distant light enters through these;
+                                * none: everywhere */
     size_t portals;
     /* of the sky: */
-    murk_scene_site site;  /* the light's own, completed from the scene's */
+    murk_scene_site site;  /* place and time of the light; parts that the light
+                            * does not give are those of the scene */
     bool has_irradiance;   /* power_w is given; false: it is modelled */
-    bool irradiance_total; /* power_w[0] is the total, to be spread by the
-                              source's spectrum */
+    bool irradiance_total; /* power_w.band[0] is the total of all bands, to be
+                            * spread by the spectrum of the source */
     double linke_turbidity;
     murk_scene_cover cover; /* sun, moon, sky */
     uint64_t cie_type;      /* sky: 1..15; 0: chosen by `cover` */
@@ -219,7 +223,7 @@ typedef enum murk_scene_maps {
 
 typedef struct murk_scene_photons {
     murk_scene_where where;
-    uint64_t emit, store; /* one of them is 0 */
+    uint64_t emit, store; /* one of the two is 0 */
     bool store_hits;      /* store_when: hit; false: reflected */
     double least_weight;  /* 1: roulette alone */
     murk_scene_maps maps;
@@ -309,16 +313,17 @@ typedef struct murk_scene_sensor_type {
     double least_range_m, range_m;
     murk_view view;
     double cone_rad, hfov_rad, vfov_rad; /* whole angles */
-    uint64_t headings; /* number of equally spaced headings from north; 0: those
-                          of headings_deg */
+    uint64_t headings; /* number of equally spaced headings from north; 0: the
+                        * headings are headings_deg */
     murk_scene_numbers headings_deg,
-        tilts_deg;         /* n 0: the type sees in all directions */
+        tilts_deg;         /* tilts n 0: the type sees in all directions */
     double acceptance_rad; /* half angle; 0: none */
     bool toward;           /* arrival: toward */
     double aperture_m2, quantum_efficiency, exposure_s; /* detection: power */
     double target_m2, target_m3;
     murk_scene_numbers bands_nm; /* n 0: all */
-    uint32_t bands;              /* the same as a bit set; 0: all */
+    uint32_t bands;              /* bands_nm as a bit set of band indices; 0:
+                                  * all */
     double cost;
     uint64_t min_count, max_count;
 } murk_scene_sensor_type;
@@ -366,7 +371,7 @@ typedef struct murk_scene_targets {
     double surface_spacing_m;
     bool has_volume;
     murk_scene_where volume_where;
-    murk_region_shape shape; /* none: all of the domain */
+    murk_region_shape shape; /* EVERYWHERE: all of the domain */
     murk_scene_solid solid;
     int medium;             /* only inside this medium; -1: anywhere */
     uint64_t volume_points; /* 0: by the spacing */
@@ -402,7 +407,7 @@ typedef struct murk_scene_placement {
     double threshold;          /* of transmittance, for detection: threshold */
     double power_radius_m;     /* for detection: power; 0: not given */
     uint64_t power_neighbours; /* number of neighbours if no radius is given */
-    uint64_t redundancy;       /* number of sensors per photon that count */
+    uint64_t redundancy;       /* at most so many sensors count per photon */
     uint64_t at_least; /* with a target: number of sensors that must see each
                           photon of the target; 0: not used */
     bool by_normal;    /* visibility: normal; false: ray */
@@ -502,13 +507,14 @@ struct murk_scene_desc {
     murk_scene_idle *idle; /* [idles] keys without effect in the scene and in
                               every condition */
     size_t idles;
-    char **file; /* [files] named by the scene, absolute paths; for frames the
-                    pattern */
+    char **file; /* [files] absolute paths of the files that the scene names;
+                  * for frames the pattern */
     size_t files;
 };
 
-/* Converts a position relative to the local origin to the coordinates of the
- * scene file and of all results; and back. */
+/* murk_scene_user() converts a position relative to the local origin to the
+ * coordinates of the scene file and of results; murk_scene_local() converts
+ * back. */
 static inline murk_vec3 murk_scene_user(const murk_scene_desc *scene,
                                         murk_vec3 local)
 {
@@ -536,16 +542,18 @@ typedef struct murk_override {
 } murk_override;
 
 /* Reads a scene. The caller owns *out and releases it with
- * murk_scene_desc_destroy(). Overrides are applied in order before anything
- * is checked; messages about them name the option. If two keys exclude each
- * other (photons.emit, photons.store), the one on the command line replaces
- * that of the scene; both on the command line are an error. Paths in the
- * scene are relative to the scene, paths in overrides to the working folder.
- * Files named in the scene are not opened. */
+ * murk_scene_desc_destroy(). Overrides are applied in order before anything is
+ * checked; messages about them name the option. If two keys exclude each other
+ * (photons.emit, photons.store), the key on the command line replaces that of
+ * the scene; both on the command line are an error. Paths in the scene are
+ * relative to the scene, paths in overrides to the working folder. Files named
+ * in the scene are not opened. Fails with MURK_BAD_FILE, MURK_BAD_VALUE or
+ * MURK_NO_MEMORY. */
 murk_status murk_scene_desc_read(murk_scene_desc **out, const char *path,
                                  const murk_override *overrides,
                                  size_t n_overrides, murk_error *err);
-/* Reads a scene from text; `path` is the name in messages. */
+/* Like murk_scene_desc_read(), for the text of a scene: `path` is the name in
+ * messages, and paths in the scene are relative to the folder of `path`. */
 murk_status murk_scene_desc_parse(murk_scene_desc **out, const char *text,
                                   const char *path,
                                   const murk_override *overrides,
@@ -553,18 +561,21 @@ murk_status murk_scene_desc_parse(murk_scene_desc **out, const char *text,
 void murk_scene_desc_destroy(murk_scene_desc *scene); /* NULL is fine */
 
 /* Reads the value of an override by the row of the key table into the member of
- * a scene, for a command without a scene file. The key must be in the table and
- * own no memory: a number, a count or a word. */
+ * *out, for a command without a scene file. The key must be in the table and be
+ * stored without memory of its own: a number, a count or a word. Fails with
+ * MURK_BAD_VALUE, MURK_BAD_FILE or MURK_NO_MEMORY. */
 murk_status murk_scene_override_read(murk_scene_desc *out,
                                      const murk_override *override,
                                      murk_error *err);
 
-/* The band of a wavelength: with the wavelength as line, or with edges around
- * it; -1: none. */
+/* The index of the band of a wavelength: the band with exactly this line, or
+ * the band whose lower edge is at or below and whose upper edge is above the
+ * wavelength; -1: none. */
 int murk_scene_band_of(const murk_scene_desc *scene, double nm);
 
-/* The word of a key that stands for a value, such as "worst" for
- * "placement.over" and MURK_SCENE_OBJECTIVE_WORST; NULL: no word does. */
+/* The word that stands for a value of a key, such as "worst" for
+ * "placement.over" and MURK_SCENE_OBJECTIVE_WORST; NULL: no word does. `path`
+ * must be that of a key with words. */
 const char *murk_scene_word(const char *path, int value);
 
 #endif

@@ -7,8 +7,8 @@
 
 #include "scene/keys.h"
 
-/* Frees the pointer that lies `at` bytes into a struct. Several keys may fill
- * one member, so that it becomes NULL. */
+/* Frees the pointer that lies `at` bytes into a struct. The pointer becomes
+ * NULL, because several keys may fill one member. */
 static void free_member(void *item, size_t at)
 {
     void *member;

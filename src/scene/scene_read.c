@@ -76,7 +76,7 @@ static murk_status apply_overrides(reading *r, const char *path,
 
 /* ---- files of the scene ---- */
 
-/* Removes "//" and "/./" from a path, in place. */
+/* Replaces "//" and "/./" in a path by "/", in place. */
 static void tidy(char *path)
 {
     char *to = path;
@@ -93,8 +93,8 @@ static void tidy(char *path)
     *to = '\0';
 }
 
-/* The absolute path; the path as given if the working folder has been
- * removed. */
+/* The absolute path; the path as given if the path is that of a file in memory,
+ * or the working folder is unknown. */
 static char *absolute(const char *path)
 {
     char folder[PATH_MAX];

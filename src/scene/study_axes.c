@@ -232,8 +232,8 @@ static murk_status check_path(const murk_study_file *study, size_t a,
     return MURK_OK;
 }
 
-/* Checks that no other axis sets a key of axis `a`, and that the keys of one
- * name do not overlap. */
+/* Checks that no earlier axis sets a key that overlaps one of axis `a`, and
+ * that the keys of one name do not overlap. */
 static murk_status check_disjoint(const murk_study_file *study, size_t a,
                                   murk_error *err)
 {

@@ -7,7 +7,9 @@
  *     media.fog.visibility_m: [20, 50, 100]
  *     weather: {dry: {}, wet: {media.rain.rain_mm_per_h: 5}}
  *
- * A row has one value of each axis. Keys: doc/reference/studies.md. */
+ * A row has one value of each axis: any combination of values (mode: grid), or
+ * the values at equal positions (mode: paired). Keys:
+ * doc/reference/studies.md. */
 #ifndef MURK_SCENE_STUDY_FILE_H
 #define MURK_SCENE_STUDY_FILE_H
 
@@ -44,8 +46,8 @@ typedef struct murk_study_file {
     murk_study_axis *axis; /* [axes], in the file's order */
     size_t axes;
     size_t rows;
-    char **output; /* [outputs], in the tree; 0: the outputs that the scene
-                      has */
+    char **output; /* [outputs] names, owned by the tree; none: the outputs that
+                    * the scene has */
     size_t outputs;
     murk_scene_where outputs_where;
     size_t fluence_size[3]; /* grid of fluence_vdb; 0: chosen by the program */
@@ -55,19 +57,22 @@ typedef struct murk_study_file {
 } murk_study_file;
 
 /* Reads a study file. The caller owns *out and releases it with
- * murk_study_file_destroy(). Refuses a study with more than
- * MURK_STUDY_ROWS_MAX rows before any row is made. Opens neither the scene
- * nor the plan. */
+ * murk_study_file_destroy(). Refuses a study with more than MURK_STUDY_ROWS_MAX
+ * rows. Fails with MURK_BAD_FILE, MURK_BAD_VALUE or MURK_NO_MEMORY. Opens
+ * neither the scene nor the plan. */
 murk_status murk_study_file_read(murk_study_file **out, const char *path,
                                  murk_error *err);
 void murk_study_file_destroy(murk_study_file *study); /* NULL is fine */
 
-/* Sets index[axes] to the value of each axis in a row. In a grid the last
- * axis varies fastest. */
+/* Sets index[a] to the index of the value of axis a in row `row`, which is less
+ * than study->rows. In a grid the last axis varies fastest; paired axes all
+ * have the index `row`. */
 void murk_study_row_indices(const murk_study_file *study, size_t row,
                             size_t *index);
 
-/* Reads the scene of one row. Overrides come from the command line. */
+/* Reads the scene of one row, with the overrides of the command line. The
+ * caller owns *out and releases it with murk_scene_desc_destroy(). `study` must
+ * outlive the call only. */
 murk_status murk_study_row_scene(murk_scene_desc **out,
                                  const murk_study_file *study, size_t row,
                                  const murk_override *overrides,

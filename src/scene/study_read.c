@@ -13,7 +13,8 @@
 
 /* ---- the key table ---- */
 
-/* Names of outputs must be unique; whether they exist is checked later. */
+/* Reads the names of outputs, which must be unique. Whether outputs of these
+ * names exist is checked later. */
 static murk_status read_outputs(murk_key_reader *walk, const murk_key *key,
                                 murk_yaml *node, void *item)
 {
@@ -48,7 +49,7 @@ static murk_status read_outputs(murk_key_reader *walk, const murk_key *key,
     return MURK_OK;
 }
 
-/* Cells of the grid of a volume file. */
+/* Largest number of cells of the grid of fluence_vdb. */
 #define CELLS_MAX (UINT64_C(1) << 31)
 
 static murk_status check_cells(murk_key_reader *walk, const murk_yaml *map,

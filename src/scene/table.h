@@ -1,5 +1,6 @@
 /* CSV files with a header row: named columns, strict numbers, messages with
- * line and column name. Lines that begin with # are comments. */
+ * line and column name. Blank lines and lines that begin with # are passed
+ * over. */
 #ifndef MURK_SCENE_TABLE_H
 #define MURK_SCENE_TABLE_H
 
@@ -17,9 +18,11 @@ typedef struct murk_table {
     char *text;  /* the text that names and cells point into */
 } murk_table;
 
-/* Reads a table of at most 256 MB, 1e7 rows and 2e7 cells. Every row must
- * have as many cells as the header. Cells may be in double quotes. The
- * caller owns *out and releases it with murk_table_destroy(). */
+/* Reads a table of at most 256 MB, 1000 columns, 1e7 rows and 2e7 cells. Every
+ * row must have as many cells as the header, and the names of columns must
+ * differ. Cells may be in double quotes. Fails with MURK_BAD_FILE or
+ * MURK_NO_MEMORY. The caller owns *out and releases it with
+ * murk_table_destroy(). */
 murk_status murk_table_read(murk_table **out, const char *path,
                             murk_error *err);
 /* Parses a table from text. Takes ownership of the text, also on failure;
@@ -29,7 +32,7 @@ murk_status murk_table_parse(murk_table **out, const char *path, char *text,
                              size_t size, murk_error *err);
 void murk_table_destroy(murk_table *table); /* NULL is fine */
 
-/* The number of the column with a name, or -1. */
+/* The index of the column with a name, from 0, or -1. */
 long murk_table_column(const murk_table *table, const char *name);
 
 /* Reads a finite number from a cell; otherwise fails with MURK_BAD_VALUE,

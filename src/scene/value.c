@@ -105,7 +105,8 @@ static murk_status read_bool(murk_key_reader *walk, const murk_key *key,
 
 /* ---- names ---- */
 
-/* Fails for an unknown name: suggests a similar name, or lists all. */
+/* Fails for an unknown name: suggests a similar name, or lists the names that
+ * exist. */
 static murk_status no_such_name(murk_key_reader *walk, const murk_key *key,
                                 const murk_yaml *node, const murk_yaml *names)
 {

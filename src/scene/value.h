@@ -6,8 +6,9 @@
 
 #include "scene/walk.h"
 
-/* Reads a value of any kind but maps, lists and names. `item` is the struct
- * that key->at refers to. */
+/* Reads a value of any kind of murk_key_kind but MAP, PER_BAND, LIST, MAPS and
+ * NAMED; a WORD fails, because murk_walk_value() has read the words. `item` is
+ * the struct that key->at refers to. */
 murk_status murk_value_read(murk_key_reader *walk, const murk_key *key,
                             murk_yaml *node, void *item);
 
@@ -16,20 +17,22 @@ murk_status murk_value_read(murk_key_reader *walk, const murk_key *key,
 murk_status murk_value_wrong(murk_key_reader *walk, const murk_key *key,
                              const murk_yaml *node);
 
-/* Sets *value (unless NULL) to the value of the word in a node. */
+/* Sets *value (unless `value` is NULL) to the value of the word in a node.
+ * Fails as murk_value_wrong() does if the node is none of key->words. */
 murk_status murk_value_word(murk_key_reader *walk, const murk_key *key,
                             murk_yaml *node, int *value);
 
-/* The path of a file that a node names, relative to the working folder. A
- * name on the command line is relative to the working folder, any other name
- * to the file that has the node. NULL when out of memory; the caller frees the
- * path with free(). */
+/* The path of a file that a node names, relative to the working folder. A name
+ * on the command line is relative to the working folder, any other name to the
+ * folder of the file that has the node; "memory:NAME" is returned as it is.
+ * NULL when out of memory; the caller frees the path with free(). */
 char *murk_value_opened(const murk_yaml *node);
 
 /* Stores an enum, bool or char in a member. */
 void murk_value_store(void *item, size_t at, size_t size, int value);
 
-/* Describes a node for a message: the text, or "a list", "a map", "nothing". */
+/* Describes a node for a message: the text (shortened to fit), or "a list", "an
+ * empty map", "nothing" and so on. */
 #define MURK_FOUND_SIZE 48
 void murk_value_found(const murk_yaml *node, char out[MURK_FOUND_SIZE]);
 
@@ -37,8 +40,8 @@ void murk_value_found(const murk_yaml *node, char out[MURK_FOUND_SIZE]);
  * -1e9..1e9 m". */
 #define MURK_ALLOWED_SIZE 256
 void murk_value_allowed(const murk_key *key, char out[MURK_ALLOWED_SIZE]);
-/* Largest length of a text in bytes: 63 for names, more for names inside
- * files. */
+/* Largest length of a text in bytes: key->max if that is above 0, else 63 for a
+ * murk_scene_name and 255 for other texts. */
 size_t murk_value_max_bytes(const murk_key *key);
 /* Describes the range of a row: "0..1". */
 void murk_value_range(const murk_key *key, char *out, size_t size);

@@ -14,16 +14,17 @@ typedef struct murk_key_change {
 } murk_key_change;
 
 typedef struct murk_variant {
-    const char
-        *condition; /* name of a condition; NULL: the scene as it stands */
+    const char *condition; /* name of a condition; NULL: the scene without any
+                            * condition */
     const murk_key_change
         *change; /* [n], applied in order; no path may lie within another */
     size_t n;
 } murk_variant;
 
-/* murk_scene_desc_read() for a variant: overrides are applied first, then
- * the condition, then the changes. A file named by a change is relative to
- * the file that the value comes from. variant NULL: the scene as it stands. */
+/* murk_scene_desc_read() for a variant: overrides are applied first, then the
+ * condition, then the changes. A file named by a change is relative to the file
+ * that the value comes from. variant NULL: the scene as it stands, with its
+ * conditions. */
 murk_status
 murk_scene_desc_read_variant(murk_scene_desc **out, const char *path,
                              const murk_override *overrides, size_t n_overrides,

@@ -35,24 +35,25 @@ murk_status murk_walk_root(murk_key_reader *walk, const murk_keys *keys,
 murk_status murk_walk_value(murk_key_reader *walk, const murk_key *key,
                             murk_yaml *node, void *item);
 
-/* Reads the map of the current key by a table into a struct. */
+/* Reads the map of the current key by a table into the struct `item`. */
 murk_status murk_walk_map(murk_key_reader *walk, const murk_keys *keys,
                           murk_yaml *map, void *item);
 
-/* Adds a default to a map. Defaults are parsed from text, so that they are
- * read like the values of the user. */
+/* Adds the key `name` with the default `text` to a map. Defaults are parsed
+ * from text, so that they are read like the values of the user. */
 murk_status murk_walk_put_preset(murk_key_reader *walk, murk_yaml *map,
                                  const char *name, const char *text);
 
-/* Appends a part, or the number of an item, to the current key; returns the
- * length for murk_walk_leave(). */
+/* Appends a part, or the number of an item, to the current key. Returns the old
+ * length, by which murk_walk_leave() restores the key. */
 size_t murk_walk_enter(murk_key_reader *walk, const char *part);
 size_t murk_walk_enter_item(murk_key_reader *walk, size_t index);
 void murk_walk_leave(murk_key_reader *walk, size_t length);
 
-/* Fails with MURK_BAD_VALUE at a node under the current key:
- * "fog.yaml:12:13: media.fog.albedo". For maps and lists the place is that of
- * the key of the node; fail_key() takes that place for all nodes. */
+/* Fails with MURK_BAD_VALUE at the place of a node and the current key:
+ * "fog.yaml:12:13: media.fog.albedo". For maps and lists murk_walk_fail() takes
+ * the place of the key of the node; murk_walk_fail_key() takes that place for
+ * all nodes. */
 murk_status murk_walk_fail(murk_key_reader *walk, const murk_yaml *node,
                            const char *format, ...)
     __attribute__((format(printf, 3, 4)));

@@ -11,12 +11,13 @@ bool murk_walk_fits(const murk_key *key, int variant);
 const murk_key *murk_walk_find(const murk_keys *keys, const char *name,
                                int variant);
 
-/* Checks that every key of the map is in the table, for the variant. */
+/* Checks that every key of the map has a row in the table that belongs to the
+ * variant (-1: to any); otherwise fails with MURK_BAD_VALUE. */
 murk_status murk_walk_check_names(murk_key_reader *walk, const murk_keys *keys,
                                   const murk_yaml *map, int variant);
 
 /* Checks that the map has at most one key of each group, and one of each
- * required group. */
+ * required group; otherwise fails with MURK_BAD_VALUE. */
 murk_status murk_walk_check_groups(murk_key_reader *walk, const murk_keys *keys,
                                    const murk_yaml *map);
 

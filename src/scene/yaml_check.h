@@ -6,9 +6,9 @@
 
 #include "scene/yaml.h"
 
-/* Checks that text[size] is well-formed UTF-8 without control characters
- * other than tab and line ends; otherwise fails with MURK_BAD_FILE at the
- * line and column of `source`. */
+/* Checks that the `size` bytes of text are well-formed UTF-8 without ASCII
+ * control characters other than tab and line ends; otherwise fails with
+ * MURK_BAD_FILE at the line and column in `source`. */
 murk_status murk_yaml_check_text(const char *text, size_t size,
                                  const char *source, murk_error *err);
 

@@ -35,7 +35,7 @@ typedef struct reader {
     murk_status status;
 } reader;
 
-/* Fails at a mark of the text; always NULL. */
+/* Fails at a mark of the text. Always returns NULL. */
 static void *fail_at(reader *r, yaml_mark_t mark, const char *text)
 {
     char place[PLACE_SIZE];
