@@ -1,14 +1,15 @@
 /* Intersections of a ray with one closed mesh: at which distances the ray
  * enters and leaves the mesh, and whether a point is inside.
  *
- * A triangle that the ray hits well inside its edges decides by the side of
- * the triangle whether the ray enters or leaves. Near an edge, rounding may
- * report a neighbouring triangle in addition or miss one. Therefore all hits
- * within a tolerance are treated as one cluster. If the hits of a cluster
- * disagree, are near an edge, or contradict the state the caller believed
- * in, the state is decided by testing points before and beyond the cluster.
- * Such a test casts rays in up to five directions and counts crossings (odd:
- * inside); the majority decides. */
+ * A triangle that the ray hits well inside its edges decides by the side of the
+ * triangle whether the ray enters or leaves. Near an edge, rounding may report
+ * a neighbouring triangle in addition or miss one. Therefore all hits within a
+ * tolerance are treated as one cluster. If the hits of a cluster disagree, are
+ * near an edge, or contradict the state the caller believed in, the state is
+ * decided by testing points before and beyond the cluster. Such a test casts
+ * rays in up to five directions. The first ray whose nearest cluster is certain
+ * decides; without such a ray, or for a mesh without known sides, the majority
+ * of the five decides by the number of crossings (odd: inside). */
 #include "geometry/boundary_mesh.h"
 
 #include "geometry/triangle.h"
@@ -17,8 +18,8 @@
  * four times the error of a ray in single precision (geometry/ray_scene.h). */
 #define EDGE_UNITS 16
 
-/* Directions tried from a point: the first that meets no edge decides, else
- * the majority of all five. The number is odd, so there is no tie. */
+/* Number of directions that are tried from a point. The number is odd, so that
+ * the majority has no tie. */
 #define DIRECTIONS 5
 
 typedef struct gathering {

@@ -21,23 +21,26 @@ typedef struct murk_boundary_mesh {
                         inside is decided by counting crossings only */
 } murk_boundary_mesh;
 
-/* Checks that the mesh is closed and finds the outer side of each triangle.
- * Fails at `where` if the mesh is open. */
+/* Checks that the mesh is closed, counts the edges that pass through the mesh
+ * (a warning reports them), and fills is_copy and, where possible, is_inward.
+ * Fails with MURK_BAD_VALUE at `where` if the mesh is open, or with
+ * MURK_NO_MEMORY. */
 murk_status murk_boundary_mesh_find_sides(murk_boundary_mesh *boundary_mesh,
                                           const char *where, murk_error *err);
 
-/* Calls `meet` for every triangle that the ray intersects between the two
- * distances, in no particular order. Triangles slightly before from_m or
- * slightly beyond to_m may be reported too. distance_m is exact in double
- * precision, except for rays that lie in the plane of the triangle. */
+/* Calls `meet` for every triangle, copies left out, that the ray intersects
+ * between the two distances, in no particular order. Triangles slightly before
+ * from_m or slightly beyond to_m may be reported too. distance_m is computed in
+ * double precision, except for rays that are almost parallel to the triangle.
+ * `direction` is a unit vector. */
 typedef void (*murk_meet)(void *context, size_t triangle, double distance_m);
 void murk_boundary_mesh_gather(const murk_boundary_mesh *boundary_mesh,
                                murk_vec3 origin, murk_vec3 direction,
                                double from_m, double to_m, murk_meet meet,
                                void *context);
 
-/* True if the ray from a point crosses the mesh an odd number of times beyond a
- * distance. */
+/* True if the ray from a point crosses the mesh an odd number of times beyond
+ * the distance beyond_m. */
 bool murk_boundary_mesh_is_odd(const murk_boundary_mesh *boundary_mesh,
                                murk_vec3 point, murk_vec3 direction,
                                double beyond_m);
@@ -46,8 +49,11 @@ bool murk_boundary_mesh_is_odd(const murk_boundary_mesh *boundary_mesh,
 bool murk_boundary_mesh_holds(const murk_boundary_mesh *boundary_mesh,
                               murk_vec3 point);
 
-/* murk_boundary_meshes_next() for one mesh: finds the next place along the
- * ray at which the ray enters or leaves the mesh. */
+/* murk_boundary_meshes_next() for one mesh: finds the next place along the ray,
+ * beyond from_m and up to max_m, at which the ray enters or leaves the mesh.
+ * *inside, whether the ray is inside before that place, is corrected if
+ * necessary. *distance_m and *normal, on the side of the origin, are set if the
+ * result is true. */
 bool murk_boundary_mesh_next(const murk_boundary_mesh *boundary_mesh,
                              murk_vec3 origin, murk_vec3 direction,
                              double from_m, double max_m, double tolerance_m,

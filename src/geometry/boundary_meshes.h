@@ -17,10 +17,10 @@
  * the largest coordinate of all meshes (relative to the middle of a mesh that
  * is far from the origin).
  *
- * Each triangle of a mesh that does not cross itself has a known outer side.
- * The nearest boundary ahead therefore decides whether a point is inside,
- * and a ray that grazes an edge cannot leave a wrong state behind. Immutable
- * after creation: any number of threads may use it. */
+ * Each triangle of a mesh that does not cross itself and is orientable has a
+ * known outer side. The nearest boundary ahead therefore decides whether a
+ * point is inside, and a ray that grazes an edge cannot leave a wrong state
+ * behind. Immutable after creation: any number of threads may use it. */
 #ifndef MURK_GEOMETRY_BOUNDARY_MESHES_H
 #define MURK_GEOMETRY_BOUNDARY_MESHES_H
 
@@ -46,10 +46,10 @@ typedef struct murk_boundary_mesh_desc {
 typedef struct murk_boundary_meshes murk_boundary_meshes;
 
 /* The caller owns *out and releases it with murk_boundary_meshes_destroy();
- * without meshes *out stays as it is.
- * Fails with MURK_BAD_VALUE at the `where` of a mesh that is open (the
- * message counts the open edges), out of range or without area, or with
- * MURK_NO_MEMORY. */
+ * without meshes *out stays as it is. Fails with MURK_BAD_VALUE at the `where`
+ * of a mesh that is open (the message counts the open edges), out of range or
+ * without area, with MURK_NO_MEMORY, or as murk_surfaces_create() does if
+ * Embree fails. n is at most MURK_BOUNDARY_MESHES_MAX. */
 murk_status murk_boundary_meshes_create(murk_boundary_meshes **out,
                                         const murk_boundary_mesh_desc *descs,
                                         size_t n, murk_error *err);
@@ -105,8 +105,8 @@ typedef struct murk_plain_shape {
     murk_affine to_world; /* a similarity; not used for half spaces */
 } murk_plain_shape;
 
-/* murk_boundary_meshes_meet() for a mesh and a convex shape; exact. False if
- * to_world cannot be inverted. */
+/* murk_boundary_meshes_meet() for a mesh and a convex shape, without sampling:
+ * exact but for tolerance_m. False if to_world cannot be inverted. */
 bool murk_boundary_meshes_meet_plain(
     const murk_boundary_meshes *boundary_meshes, int region,
     const murk_plain_shape *shape, murk_vec3 *place);

@@ -10,11 +10,11 @@
 #include <stdint.h>
 
 /* Sets is_closed[i] for each of n triangles: true if the connected part that
- * contains the triangle is closed, that is, if every edge of the part
- * belongs to an even number of triangles. Vertices of equal coordinates are
- * one vertex. The winding is ignored. Triangles listed twice count once.
- * Parts are connected by edges: two closed boxes that touch at a corner are
- * two parts. vertex[3 * vertices], corner[3 * n]. */
+ * contains the triangle is closed, that is, if every edge of the part belongs
+ * to an even number of triangles. Vertices of equal coordinates are one vertex.
+ * The winding is ignored. Triangles listed twice count once. Fails with
+ * MURK_NO_MEMORY. Parts are connected by edges: two closed boxes that touch at
+ * a corner are two parts. vertex[3 * vertices], corner[3 * n]. */
 murk_status murk_closed_parts(const float *vertex, size_t vertices,
                               const uint32_t *corner, size_t n, bool *is_closed,
                               murk_error *err);
@@ -35,8 +35,9 @@ typedef struct murk_patches {
                        place */
 } murk_patches;
 
-/* Finds the patches; the input is that of murk_closed_parts(). The caller
- * calls murk_patches_release() afterwards, also after a failure. */
+/* Finds the patches; the input is that of murk_closed_parts(). The caller calls
+ * murk_patches_release() afterwards, also after a failure. Fails with
+ * MURK_NO_MEMORY. */
 murk_status murk_patches_find(murk_patches *out, const float *vertex,
                               size_t vertices, const uint32_t *corner, size_t n,
                               murk_error *err);

@@ -6,16 +6,17 @@
 
 #include "geometry/surfaces.h"
 
-/* True only if flat triangles in the plane of the disc cover it exactly
- * once, to one part in a thousand of the area, and no other surface reaches
- * into the ball around the disc. `normal` is a unit vector. False means
- * unknown: on spheres, and on meshes that are not quite flat, the answer is
- * always false. */
+/* True only if the areas of triangles that lie in the plane of the disc add up
+ * to the area of the disc, to one part in a thousand, and no other surface
+ * reaches into the ball with the centre and radius of the disc. `normal` is a
+ * unit vector. False means unknown: on spheres, and on meshes that are not
+ * quite flat, the answer is always false. */
 bool murk_surfaces_fill_disc(const murk_surfaces *surfaces, murk_vec3 center,
                              murk_vec3 normal, double radius_m);
 
-/* Area of the intersection of a triangle and a circle about the origin; the
- * corners are given in the plane of the circle. */
+/* Area, 0 or more, of the intersection of a triangle and a circle about the
+ * origin; the corners are given in the plane of the circle, in the unit of the
+ * radius. */
 double murk_disc_area_in_triangle(double corner[3][2], double radius);
 
 #endif

@@ -20,7 +20,8 @@ typedef struct murk_import_request {
     murk_mesh_import import;
 } murk_import_request;
 
-/* Rotation that turns the axis 'x', 'y' or 'z' to z. */
+/* Rotation that turns the axis 'x', 'y' or 'z' to z; the identity for other
+ * letters. */
 murk_affine murk_import_up_to_z(char up);
 
 /* A murk_subprocess_work function; `context` is a murk_import_request. */

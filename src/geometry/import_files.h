@@ -1,7 +1,7 @@
-/* The files that Assimp may open: regular files, for reading only. Of the
- * files that a mesh names, only those in the mesh's own folder or in a
- * folder that the user allows may be opened, whatever path or link leads
- * there. A pipe or device named in a mesh cannot make the reader wait. */
+/* The files that Assimp may open: regular files, for reading only. Of the files
+ * that a mesh names, only those in or below the mesh's own folder or a folder
+ * that the user allows may be opened, whatever path or link leads there. A pipe
+ * or device named in a mesh cannot make the reader wait. */
 #ifndef MURK_GEOMETRY_IMPORT_FILES_H
 #define MURK_GEOMETRY_IMPORT_FILES_H
 
@@ -31,12 +31,13 @@ typedef struct murk_import_source {
 
 /* Prepares the mesh file at `path`. Vertices far from the origin are shifted
  * towards 0 (geometry/import_shift.h). `allow` is a folder beside the mesh's
- * own folder that may be opened, or NULL. The memory is never freed: a
- * subprocess reads one mesh and ends. */
+ * own folder that may be opened, or NULL. The memory of the rewritten mesh is
+ * never freed: a subprocess reads one mesh and ends. */
 void murk_import_source_of(murk_import_source *out, const char *path,
                            const char *allow);
 
-/* Assimp's file interface for the source, which must outlive it. */
+/* Assimp's file interface for a source. The source must outlive the
+ * interface. */
 struct aiFileIO murk_import_files(murk_import_source *source);
 
 #endif

@@ -16,8 +16,9 @@
 #include <string.h>
 #include <strings.h>
 
-/* Middle divided by half of the extent from which a mesh is far: the same as
- * for scenes (scene/origin.h). */
+/* A mesh is far if the largest coordinate of the middle exceeds this many
+ * halves of the longest edge: the same number as for scenes
+ * (scene/origin.h). */
 #define FAR 32
 
 /* Properties of a PLY vertex that are read; usual files have some ten. */

@@ -1,11 +1,12 @@
 /* Shifts mesh files with large coordinates towards 0 in double precision,
  * before Assimp reads them in single precision.
  *
- * At 5.5e6 m, a typical surveyed coordinate, a step of single precision is
- * 0.5 m. OBJ and PLY files are simple enough to be rewritten: if the middle
- * of the vertices is farther from 0 than 16 times their extent, a round
- * shift is subtracted from the text (or the binary doubles) of each vertex.
- * The rest of the file is copied, so Assimp reads it as before. */
+ * At 5.5e6 m, a typical surveyed coordinate, a step of single precision is 0.5
+ * m. OBJ and PLY files are simple enough to be rewritten: if a coordinate of
+ * the middle of the bounding box of the vertices exceeds 16 times the longest
+ * edge of the box, a round shift is subtracted from the text (or the binary
+ * doubles) of each vertex. The rest of the file is copied, so Assimp reads it
+ * as before. */
 #ifndef MURK_GEOMETRY_IMPORT_SHIFT_H
 #define MURK_GEOMETRY_IMPORT_SHIFT_H
 

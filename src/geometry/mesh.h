@@ -27,7 +27,7 @@ typedef struct murk_mesh {
     uint32_t *material; /* triangles: index into material_name */
     char (*material_name)[MURK_NAME_SIZE]; /* the names in the file */
     size_t degenerate; /* number of triangles without area; they are removed */
-    murk_box bounds_m; /* in world coordinates: origin included */
+    murk_box bounds_m; /* of the vertices with origin_m added */
 } murk_mesh;
 
 typedef struct murk_mesh_import {
@@ -46,9 +46,11 @@ typedef struct murk_mesh_import {
 /* A path "memory:NAME" names a mesh in memory (base/memory_files.h), whose data
  * is a murk_mesh with arrays in the unit and axes of the caller.
  *
- * The caller owns *out and releases it with murk_mesh_destroy(). Fails with
- * MURK_BAD_FILE at `where` if the file is missing, malformed, without
- * triangles, not finite, or has an index out of range. */
+ * `import` NULL means zeros. The caller owns *out and releases it with
+ * murk_mesh_destroy(). Fails at `where` with MURK_BAD_FILE if the file is
+ * missing, malformed, without triangles, not finite, or has an index out of
+ * range, and with MURK_BAD_VALUE if a member of *import is out of range; also
+ * with MURK_NO_MEMORY and as murk_subprocess_run() does. */
 murk_status murk_mesh_read(murk_mesh **out, const char *path,
                            const murk_mesh_import *import, const char *where,
                            murk_error *err);

@@ -14,9 +14,10 @@
 
 #include <stdlib.h>
 
-/* The maximum number of intersections with the other mesh that are kept for one
- * edge. Further intersections are ignored, on the assumption that the samples
- * between the kept ones or on other edges lead to the same decision. */
+/* The largest number of intersections with the other mesh that are stored for
+ * one edge. Further intersections are ignored, on the assumption that the
+ * samples between the stored ones or on other edges lead to the same
+ * decision. */
 #define PLACES_MAX 64
 
 typedef struct sampling {
@@ -61,8 +62,8 @@ static void note(void *context, size_t triangle, double distance_m)
     }
 }
 
-/* Samples the middles of the parts into which the other mesh divides an
- * edge. */
+/* Samples the middles of the parts into which the other mesh divides an edge;
+ * nothing if the edge does not meet the other mesh. */
 static void sample_edge(sampling *s, murk_vec3 from, murk_vec3 to)
 {
     const murk_vec3 edge = murk_sub(to, from);

@@ -20,8 +20,8 @@ typedef struct comparison {
     size_t looked_at;
 } comparison;
 
-/* True if the site `number` is too near on the same surface, or after
- * SHEETS_MAX comparisons. A callback of murk_cells_search(). */
+/* True if the site `number` is too near on the same surface, or if SHEETS_MAX
+ * sites were compared already. A callback of murk_cells_search(). */
 static bool is_taken(void *context, size_t number)
 {
     comparison *c = context;

@@ -27,13 +27,14 @@ typedef struct murk_mount_builder {
     size_t n, capacity;
 } murk_mount_builder;
 
-/* Adds a site unless it is too close to another site of the surface, the
- * normal is out of the wanted range, or the place is outside of the box by
- * more than rounding. */
+/* Adds a site unless the site is too close to another site of the surface, the
+ * normal is out of the wanted range, the place is outside of the box by more
+ * than rounding, or builder->status is a failure. The place is moved into the
+ * box. A failure is stored in builder->status. */
 void murk_mount_builder_offer(murk_mount_builder *builder, murk_vec3 place,
                               murk_vec3 normal);
 
-/* The failure for more sites than allowed. */
+/* Fails with MURK_BAD_VALUE and the message for more sites than allowed. */
 murk_status murk_mount_builder_refuse(const murk_mount_builder *builder);
 
 #endif

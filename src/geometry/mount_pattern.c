@@ -213,8 +213,9 @@ static void fill_part(murk_mount_builder *l, const murk_polygon *p,
 
 typedef enum sphere_part { NOTHING, POLES, GAPS } sphere_part;
 
-/* Offers the points of the spheres on the six half axes, or fills the gaps
- * between them octant by octant. True if any sphere is searched. */
+/* Offers the points of the searched spheres on the six half axes (POLES), fills
+ * the gaps between these points octant by octant (GAPS), or does neither
+ * (NOTHING). True if any sphere is searched. */
 static bool search_spheres(murk_mount_builder *l, sphere_part part)
 {
     const murk_soup *soup = &l->surfaces->soup;

@@ -33,13 +33,15 @@ typedef struct murk_mount_search {
     size_t max;   /* largest number of sites; more are an error */
 } murk_mount_search;
 
-/* Spacings up to this length [m] are lost in rounding. */
+/* The spacing [m] that spacing_m must exceed; smaller ones are lost in
+ * rounding. */
 double murk_mount_spacing_min_m(const murk_surfaces *surfaces);
 
-/* Finds the sites. The caller owns (*out)[*n] and frees it with free().
- * Order: first the lattice, then the rest, each in the order of triangles
- * and spheres. Fails with MURK_BAD_VALUE at `where` if there would be more
- * than search->max sites, with MURK_NO_MEMORY or MURK_INTERRUPTED. */
+/* Finds the sites. The caller owns the array (*out)[*n], NULL if *n is 0, and
+ * frees it with free(). Order: first the lattice, then the rest, each in the
+ * order of triangles and spheres. Fails with MURK_BAD_VALUE at `where` if there
+ * would be more than search->max sites, with MURK_NO_MEMORY or
+ * MURK_INTERRUPTED. */
 murk_status murk_surfaces_mount_sites(murk_mount_site **out, size_t *n,
                                       const murk_surfaces *surfaces,
                                       const murk_mount_search *search,

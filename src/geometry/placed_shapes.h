@@ -17,7 +17,8 @@ typedef enum murk_face {
 } murk_face;
 
 typedef struct murk_stored_sphere {
-    murk_vec3 center; /* relative to the anchor */
+    murk_vec3 center; /* in world coordinates in murk_placed_shapes, relative to
+                       * the anchor in murk_soup */
     double radius;
     uint8_t material;
     uint16_t solid;
@@ -50,9 +51,10 @@ static inline const char *murk_place_of(const murk_surface_desc *d)
 size_t murk_material_named(const char *name, const murk_material *materials,
                            size_t n, bool *is_named);
 
-/* Places all shapes; errors are those of murk_soup_build(). The caller calls
- * murk_placed_shapes_release() in either case. The members solid and face
- * are set to 0. */
+/* Places all shapes. Fails with MURK_BAD_VALUE at the `where` of a shape
+ * without extent, out of range or, for a sphere, not placed by a similarity, or
+ * with MURK_NO_MEMORY. The caller calls murk_placed_shapes_release() in either
+ * case. The members solid and face are set to 0. */
 murk_status murk_placed_shapes_build(murk_placed_shapes *out,
                                      const murk_surface_desc *surfaces,
                                      size_t n_surfaces,

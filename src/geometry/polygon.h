@@ -5,8 +5,9 @@
 
 #include "geometry/triangle.h"
 
-/* A square has four corners and each of the six planes of a box adds one: ten.
- * Rounding may add a few to slivers; corners beyond 16 are left out. */
+/* A triangle has three corners and each of the six planes of a box adds at most
+ * one: nine. Rounding may add a few to slivers; corners beyond 16 are left
+ * out. */
 #define MURK_POLYGON_MAX 16
 
 typedef struct murk_polygon {
@@ -23,7 +24,7 @@ murk_polygon murk_polygon_in_box(murk_polygon polygon, const murk_box *box);
 /* The area [m2]; 0 for segments and points. */
 double murk_polygon_area_m2(const murk_polygon *polygon);
 
-/* The part of a triangle at `normal` . x >= height. */
+/* The part of a triangle whose points x have `normal` . x >= height. */
 murk_polygon murk_triangle_above(const murk_triangle *t, murk_vec3 normal,
                                  double height);
 

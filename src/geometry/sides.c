@@ -1,9 +1,9 @@
 /* Finds the outer side of each triangle of a closed mesh.
  *
  * Patches of neighbouring triangles are oriented to one side each
- * (geometry/closed.h). One ray from the largest triangle of a patch then
- * tells whether that side is outside: the number of crossings ahead is even.
- * The answer holds for the whole patch only if the mesh does not cross
+ * (geometry/closed.h). Three rays from the largest triangle of a patch then
+ * tell by majority whether that side is outside: the number of crossings ahead
+ * is even. The answer holds for the whole patch only if the mesh does not cross
  * itself, so all edges are first tested against all triangles. */
 #include "base/log.h"
 #include "base/position.h"
@@ -170,7 +170,7 @@ murk_status murk_boundary_mesh_find_sides(murk_boundary_mesh *b,
     b->is_copy = p.is_copy;
     p.is_copy = NULL;
     murk_vec3 first = {0, 0, 0};
-    /* A mesh that crosses itself, or is one-sided, keeps no sides. */
+    /* For a mesh that crosses itself or is one-sided is_inward stays NULL. */
     count_crossings(b, p.same, &first);
     if (b->crossings > 0) {
         murk_warn(where,

@@ -34,9 +34,10 @@ static double largest(murk_vec3 v)
     return fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
 }
 
-/* The anchor: 0 unless the scene is far from the origin. Otherwise the
- * middle of the scene, rounded to a power of two near the size of the scene,
- * so that subtracting it loses no digits in double precision. */
+/* The anchor: 0 unless the scene is far from the origin. Otherwise the middle
+ * of the scene, rounded on each axis to a multiple of the largest power of two
+ * that does not exceed half of the size of the scene, so that subtracting the
+ * anchor loses no digits in double precision. */
 static murk_vec3 choose_anchor(const murk_box *box)
 {
     const murk_vec3 middle = murk_scale(0.5, murk_add(box->min, box->max));

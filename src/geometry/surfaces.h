@@ -54,10 +54,12 @@ typedef struct murk_surface_desc {
 
 typedef struct murk_surfaces murk_surfaces;
 
-/* Builds the surfaces. materials[0] is `default`; n_materials >= 1;
- * n_surfaces may be 0. Geometry outside of the domain is kept, because no
- * ray gets there. The caller owns *out and releases it with
- * murk_surfaces_destroy(). */
+/* Builds the surfaces. materials[0] is `default`; n_materials >= 1; n_surfaces
+ * may be 0. Geometry outside of the domain is built, too; no ray gets there.
+ * The caller owns *out and releases it with murk_surfaces_destroy() (NULL is
+ * fine). Fails with MURK_BAD_VALUE for a wrong description or too many
+ * materials, with MURK_NO_MEMORY, or with MURK_RUN_FAILED or MURK_UNSUPPORTED
+ * if Embree cannot prepare the rays. */
 murk_status murk_surfaces_create(murk_surfaces **out,
                                  const murk_surface_desc *surfaces,
                                  size_t n_surfaces,
@@ -74,17 +76,18 @@ typedef struct murk_hit {
     double distance_m;
     murk_vec3
         normal; /* unit geometric normal, on the side from which the ray came */
-    uint32_t triangle; /* number of the triangle or sphere, for replay */
+    uint32_t triangle; /* number of the triangle, or of the sphere plus the
+                        * number of triangles */
     uint8_t material;
     uint16_t solid; /* number of the solid from 1 for the boundary of a solid,
                        else 0 */
 } murk_hit;
 
-/* The nearest intersection strictly ahead and within max_m (may be
- * INFINITY). A ray that leaves a surface must start at
- * murk_surfaces_leave(). In a corner of opaque surfaces, within 1e-6 of the
- * largest coordinate, distance_m is shortened by 8e-6 of that coordinate, so
- * that the next ray starts inside the room. */
+/* The nearest intersection strictly ahead and within max_m (may be INFINITY). A
+ * ray that leaves a surface must start at murk_surfaces_leave(). In a corner of
+ * opaque surfaces, within 1e-6 of the largest coordinate, distance_m is
+ * shortened by 8e-6 of that coordinate (at most by half), so that the next ray
+ * starts inside the room. False if there is none; *hit is then unchanged. */
 bool murk_surfaces_hit(const murk_surfaces *surfaces, murk_vec3 origin,
                        murk_vec3 direction, double max_m, murk_hit *hit);
 
@@ -96,7 +99,7 @@ bool murk_surfaces_hit(const murk_surfaces *surfaces, murk_vec3 origin,
 murk_vec3 murk_surfaces_leave(const murk_surfaces *surfaces, murk_vec3 point,
                               murk_vec3 normal);
 
-/* The length [m] of that step. */
+/* The length [m] of the step of murk_surfaces_leave(). */
 double murk_surfaces_leave_step_m(const murk_surfaces *surfaces);
 
 /* The number (from 1) of the innermost solid that encloses a point, or 0. It
@@ -138,9 +141,9 @@ typedef struct murk_surfaces_facts {
 
 murk_surfaces_facts murk_surfaces_describe(const murk_surfaces *surfaces);
 
-/* The corners [m] in world coordinates of triangle i of
- * murk_surfaces_describe().triangles, in no particular order; and the same
- * for spheres. */
+/* The corners [m] in world coordinates of triangle i, less than
+ * murk_surfaces_describe().triangles; and centre and radius of sphere i, less
+ * than .spheres. The order is that of the program, not of the descriptions. */
 void murk_surfaces_triangle(const murk_surfaces *surfaces, size_t i,
                             murk_vec3 corner[3]);
 void murk_surfaces_sphere(const murk_surfaces *surfaces, size_t i,
@@ -150,9 +153,9 @@ void murk_surfaces_sphere(const murk_surfaces *surfaces, size_t i,
  * those of murk_hit. */
 uint8_t murk_surfaces_material_of(const murk_surfaces *surfaces, size_t i);
 
-/* The material that a name in a mesh file refers to, ignoring case and
- * blanks. If the scene has no such name, *is_named is false and the result
- * is 0, `default`. */
+/* The material that a name in a mesh file refers to: an exact match, or else
+ * one that ignores case, or case and blanks. If the scene has no such name,
+ * *is_named is false and the result is 0, `default`. */
 size_t murk_surfaces_material_named(const murk_surfaces *surfaces,
                                     const char *name, bool *is_named);
 

@@ -39,16 +39,17 @@ static inline double murk_triangle_area(const murk_triangle *t)
     return 0.5 * murk_length(murk_triangle_normal(t));
 }
 
-/* True if the corners are collinear to rounding: the sine of the angle at
- * the first corner is at most 2^-31. At that angle the rounding of 2^-51 in
- * the normal turns it by 1e-6 rad. */
+/* True if the corners are collinear to rounding: the sine of the angle at the
+ * first corner is at most 2^-31, or two corners are equal. At that angle the
+ * rounding of 2^-51 in the normal turns it by 1e-6 rad. */
 bool murk_triangle_is_degenerate(const murk_triangle *t);
 
 /* Squared distance from a point to the nearest point of the triangle. */
 double murk_triangle_distance2(const murk_triangle *t, murk_vec3 p);
 
-/* Intersections of the line o + t d with a sphere: t[0] <= t[1]; false if
- * there are none. d need not be a unit vector. */
+/* Intersections of the line o + t d with a sphere: t[0] <= t[1]. False, with t
+ * unchanged, if the line misses the sphere or touches it. d need not be a unit
+ * vector. */
 bool murk_sphere_roots(murk_vec3 center, double radius, murk_vec3 o,
                        murk_vec3 d, double t[2]);
 

@@ -15,7 +15,7 @@
 #define MURK_ZONE_MESHES_MAX MURK_BOUNDARY_MESHES_MAX
 
 typedef struct murk_zone {
-    murk_region_shape shape; /* sphere or mesh; all others are the box */
+    murk_region_shape shape; /* SPHERE or MESH; any other value means the box */
     murk_box box;
     murk_vec3 center;
     double radius_m;
