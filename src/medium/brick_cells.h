@@ -85,9 +85,10 @@ static inline murk_brick_cell *murk_slot_of(const murk_bricks *b, int level,
     }
 }
 
-/* The bound around a voxel: either a table of bricks, whose bounds are at
- * least `bound`, or (table NULL) one bound for a cell with an edge of 1 <<
- * shift voxels. */
+/* The bound around a voxel: either a table of the bricks of a block, where the
+ * bound of a brick is the larger of the entry and `bound`, or (table NULL) one
+ * bound for a cell with an edge of 1 << shift voxels. With a table `shift` is
+ * that of a brick. */
 typedef struct murk_brick_bound {
     const float *table;
     float bound;

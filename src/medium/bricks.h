@@ -2,11 +2,11 @@
  *
  * A brick is a cube of voxels whose edge is a power of two, aligned to the
  * edge. Bricks exist only in blocks of 128 voxels in which the tree has values.
- * The rest has the bound 0, in cells that grow with the size of the empty
- * space, so that a ray crosses it in a few steps. A tile (one value for a large
- * cell of the tree) has one bound, and so have the neighbouring cells from
- * which the interpolation reads it. Memory is at most a few times that of the
- * tree.
+ * Empty space has the bound 0, in cells that grow with the size of the empty
+ * space, so that a ray crosses empty space in a few steps. A tile (one value
+ * for a large cell of the tree) has one bound, and so have the neighbouring
+ * cells from which the interpolation reads it. Memory is at most a few times
+ * that of the tree.
  *
  * Space and ray parameter are those of march.h. Immutable after creation.
  * Inside this room only. */

@@ -14,7 +14,7 @@
 
 #include "medium/flight.h"
 
-/* After this many null collisions a flight continues by marching. A free
+/* After more null collisions than this a flight continues by marching. A free
  * flight has no memory, so the distribution is unchanged, and majorants far
  * above almost all densities cannot hang a run. */
 #define MURK_NULLS_MAX 1000
@@ -34,11 +34,11 @@ bool murk_delta_fly(const murk_media *media, int band, murk_inside inside,
                     murk_collision *collision);
 
 /* Crosses an interval [*from, to] with n >= 1 grids and a further constant
- * extinction even_per_m. Returns true at a real collision: then collision_m
- * and density[n] are set, and u is a fresh uniform number. Returns false
- * either at the end of the interval (*from = to), or if the flight must
- * continue by marching at *from: then `stream` is NULL, and depth and limit
- * are set for the march. */
+ * extinction even_per_m. Returns true at a real collision: then
+ * flight->collision_m and density[n] are set, and flight->u is a fresh uniform
+ * number. Returns false either at the end of the interval (*from = to), or if
+ * the flight must continue by marching at *from: then flight->stream is NULL,
+ * and flight->depth and flight->limit are set for the march. */
 bool murk_delta_cross(murk_flight *flight, double *from, double to,
                       const murk_place *const *grids, size_t n,
                       double even_per_m, double *density);

@@ -39,10 +39,11 @@ double murk_density_walk_to(const murk_density_walk *walk);
 murk_cubic murk_density_walk_cubic(const murk_density_walk *walk, double t0,
                                    double t1);
 
-/* Adds the integral of (scale * density + offset) over the rest of the walk
- * to *sum. Returns true if *sum reaches the limit: then *sum is the limit,
- * *collision_t the ray parameter and *density the density there, which is
- * above 0 if offset is 0. */
+/* Adds the integral of (scale * density + offset) over the rest of the walk to
+ * *sum. Returns true if *sum reaches the limit: then *sum is the limit,
+ * *collision_t the ray parameter and *density the density there, which is above
+ * 0 if offset is 0. If the result is false, *collision_t and *density have no
+ * meaning. */
 bool murk_density_walk_integrate(murk_density_walk *walk, double scale,
                                  double offset, double limit, double *sum,
                                  double *collision_t, double *density);

@@ -40,24 +40,28 @@ typedef struct murk_grid_samples {
     void *user;
 } murk_grid_samples;
 
-/* Reads a grid. `name` selects it: NULL for the only grid (or for `density`
- * if there are several), "density[1]" for the second of that name. The
+/* Reads a grid. `name` selects the grid of a file: NULL for the only density
+ * (or for `density` if there are several), "density[1]" for the second of that
+ * name. A path "memory:NAME" names samples in memory (base/memory_files.h). The
  * caller owns *out and releases it with murk_grid_destroy(). Warns of empty
- * grids and of grids that are 0 everywhere. Fails with MURK_BAD_FILE or
- * MURK_BAD_VALUE at `where`; the message lists the grids if the choice is
- * not clear, and counts bad values and gives the first. */
+ * grids, of grids that are 0 everywhere and of inactive voxels with a value.
+ * Fails with MURK_BAD_FILE or MURK_BAD_VALUE at `where` (the message lists the
+ * grids if the choice is not clear, and counts bad values and gives the first),
+ * with MURK_NO_MEMORY, or as murk_subprocess_run() does. */
 murk_status murk_grid_read(murk_grid **out, const char *path, const char *name,
                            const char *where, murk_error *err);
 
-/* Reads a grid of albedos: values and background 0..1. The background
- * applies outside of the active voxels. Only for murk_medium.albedo_grid. */
+/* Reads a grid of albedos: values and background 0..1. The background applies
+ * outside of the active voxels. Only for murk_medium.albedo_grid. Samples in
+ * memory are refused with MURK_UNSUPPORTED. */
 murk_status murk_grid_read_albedo(murk_grid **out, const char *path,
                                   const char *name, const char *where,
                                   murk_error *err);
 
-/* Makes a grid of dense samples, x fastest: size[0] * size[1] * size[2]
- * values, starting with voxel (0,0,0). Voxels of value 0 are not stored. For
- * tests and tools. */
+/* Makes a grid of dense samples, x fastest: size[0] * size[1] * size[2] values,
+ * starting with voxel (0,0,0). Voxels of value 0 are not stored. Fails with
+ * MURK_BAD_VALUE at `where` if there are no samples or more than 2^31, with
+ * MURK_NO_MEMORY, or as murk_subprocess_run() does. */
 murk_status murk_grid_from_samples(murk_grid **out, const size_t size[3],
                                    const float *density,
                                    const murk_affine *index_to_world,
@@ -70,7 +74,7 @@ const murk_grid_facts *murk_grid_describe(const murk_grid *grid);
  * bytes, 64-byte aligned, owned by the grid; NULL if the grid is empty. */
 const void *murk_grid_nanovdb(const murk_grid *grid);
 
-/* Value at an index [density unit]; the background (0) outside of the tree. */
+/* Value of a density grid at an index; 0 outside of the active voxels. */
 double murk_grid_value(const murk_grid *grid, int64_t i, int64_t j, int64_t k);
 
 #endif

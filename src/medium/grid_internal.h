@@ -18,7 +18,8 @@ const murk_tree *murk_grid_tree(const struct murk_grid *grid);
 #define MURK_VOXELS_MAX ((size_t)1 << 31)
 
 /* Checks the size of dense samples, at least 1 along each axis and at most
- * MURK_VOXELS_MAX in all, and computes the number of voxels. */
+ * MURK_VOXELS_MAX in all, and computes the number of voxels. Fails with
+ * MURK_BAD_VALUE at `where`. */
 murk_status murk_grid_check_size(const size_t size[3], size_t *voxels,
                                  const char *where, murk_error *err);
 

@@ -55,7 +55,8 @@ static inline double murk_invert(double d)
     return isfinite(inverse) ? inverse : 0;
 }
 
-/* Clips [*t0, *t1] to the part in which one coordinate is in [low, high). */
+/* Clips [*t0, *t1] to the part in which one coordinate is in [low, high). False
+ * if nothing is left. */
 static inline bool murk_clip_axis(double low, double high, double origin,
                                   double inverse, double *t0, double *t1)
 {
@@ -80,7 +81,8 @@ static inline int32_t murk_voxel_at(double place, int32_t first, int32_t last)
 }
 
 /* Clips [*t0, *t1] to the box of active voxels, enlarged by `below` voxels at
- * the lower side. False if nothing is left, or if a number is NaN. */
+ * the lower side. False if nothing is left, if the tree is empty, or if a
+ * number is NaN. */
 bool murk_grid_clip(const murk_tree *tree, int32_t below, murk_vec3 origin,
                     murk_vec3 direction, double *t0, double *t1);
 

@@ -25,12 +25,13 @@ typedef struct murk_grid_field {
                                  example "unit", "W/m2"; may be NULL */
 } murk_grid_field;
 
-/* Writes n fields of size[] voxels. index_to_world maps whole numbers to
- * voxel centres: a box from p with edges e has scale e / size and shift p +
- * e / size / 2. The file appears whole or not at all (base/file.h). Fails at
- * `path` with MURK_BAD_VALUE if an argument is out of the stated range, with
- * MURK_NO_MEMORY or MURK_RUN_FAILED. Call it while no other thread of this
- * process runs, because it forks. */
+/* Writes n fields of size[] voxels. index_to_world maps whole numbers to voxel
+ * centres: a box from p with edges e has scale e / size and shift p + e / size
+ * / 2. The file appears whole or not at all (base/file.h). Fails at `path` with
+ * MURK_BAD_VALUE if an argument is out of the stated range or the file is an
+ * input of the run, or with MURK_NO_MEMORY, MURK_INTERRUPTED or
+ * MURK_RUN_FAILED. Call it while no other thread of this process runs, because
+ * it forks. */
 murk_status murk_grid_write(const char *path, const murk_grid_field *fields,
                             size_t n, const size_t size[3],
                             const murk_affine *index_to_world, murk_error *err);

@@ -8,13 +8,13 @@
  *
  * The index at a point is that of the last listed region among those that
  * contain the ray, and 1 outside of all regions: a boundary inside a region
- * that is listed later has no effect. Boundaries within MURK_INTERFACE_NEAR of
- * each other are crossed in one step, as for stacked slabs. A face of a box on
- * a side of the domain, or beyond it, is no boundary: the region continues
- * there.
+ * that is listed later has no effect. Boundaries within MURK_INTERFACE_NEAR,
+ * times the largest coordinate of the domain, of each other are crossed in one
+ * step, as for stacked slabs. A face of a box on a side of the domain, or
+ * beyond it, is no boundary: the region continues there.
  *
- * This file handles half spaces, boxes and spheres. Of meshes this room
- * knows the index only: the caller maintains their bits of the set. */
+ * This file handles half spaces, boxes and spheres. Of meshes this room knows
+ * the index only: the caller maintains their bits of the set. */
 #ifndef MURK_MEDIUM_INTERFACES_H
 #define MURK_MEDIUM_INTERFACES_H
 
@@ -31,8 +31,8 @@ typedef struct murk_boundary {
                                  flat */
 } murk_boundary;
 
-/* A flat boundary: a face of a box or the surface of a half space. It is the
- * whole plane; the region bounds only a part of it. */
+/* A flat boundary: the whole plane of a face of a box or of the surface of a
+ * half space. The region bounds only a part of the plane. */
 typedef struct murk_flat {
     size_t region;
     murk_vec3 point, normal; /* unit normal, out of the region */
@@ -45,8 +45,8 @@ typedef struct murk_flat {
 size_t murk_media_flats(const murk_media *media,
                         murk_flat flat[MURK_FLATS_MAX]);
 
-/* Writes the indices of all regions, repeated ones too, and 1 for the
- * outside; returns the number. */
+/* Writes 1 for the outside, then the index of each region that has one,
+ * repeated indices too; returns the number of entries. */
 size_t murk_media_indices(const murk_media *media,
                           double index[MURK_REGIONS_MAX + 1]);
 
@@ -60,15 +60,16 @@ murk_inside murk_media_inside(const murk_media *media, murk_vec3 point);
 /* The index of refraction inside a set of regions. */
 double murk_media_index(const murk_media *media, murk_inside inside);
 
-/* Finds the nearest boundary ahead and closer than max_m. False if there is
- * none, or if a number is NaN. Distances are >= 0. */
+/* Finds the nearest boundary ahead and closer than max_m. False, with *boundary
+ * unchanged, if there is none or a number is NaN. Distances are >= 0. */
 bool murk_media_boundary(const murk_media *media, murk_inside inside,
                          murk_vec3 origin, murk_vec3 direction, double max_m,
                          murk_boundary *boundary);
 
-/* The set of regions of a ray that has left a periodic domain across an axis
- * (0 x, 1 y) and continues at `point` on the opposite side. A region is kept
- * only if it reaches both sides. */
+/* The set of regions of a ray that has left a periodic domain across an axis (0
+ * x, 1 y) and continues at `point` on the opposite side. A region that reaches
+ * both sides of the domain along the axis stays as it was; any other region is
+ * in the result if it contains `point`. */
 murk_inside murk_media_wrapped(const murk_media *media, murk_inside inside,
                                murk_vec3 point, int axis);
 

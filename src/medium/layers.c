@@ -15,7 +15,7 @@ static double crossing(const murk_layers *m, double z_m)
     return (z_m - m->origin) / m->direction;
 }
 
-/* The last layer whose lower height is at most z. */
+/* The last layer whose lower height is at most z, or the first layer. */
 static size_t layer_at(const murk_profile *profile, double z)
 {
     return murk_interval_of(profile->z_m, 1, profile->n, z);

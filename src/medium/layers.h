@@ -42,9 +42,9 @@ murk_cubic murk_layers_cubic(const murk_layers *layers, double t0, double t1);
 bool murk_layers_integrate(murk_layers *layers, double scale, double offset,
                            double limit, double *sum);
 
-/* True if z is in the range of heights; *density is then the extinction
- * there [1/m]. At a height that is given twice the value of the upper layer
- * applies. */
+/* True if z is at the first height or above and below the last; *density is
+ * then the extinction there [1/m]. At a height that is given twice the value of
+ * the upper layer applies. */
 bool murk_layers_density(const murk_profile *profile, int band, double z,
                          double *density);
 

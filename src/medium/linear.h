@@ -5,13 +5,14 @@
  * The field falls to 0 in the cells around the box of active voxels. t is the
  * caller's ray parameter. Along a ray, the field in a cell is a cubic in t, so
  * the integral is exact: the length times the sum of the value in the middle
- * and 1/24 of the second derivative there. Cells whose corners belong to
- * constant nodes only are crossed in one segment of any size.
+ * and 1/24 of the second derivative there, by a parameter that runs from 0 to 1
+ * over the segment. Cells whose corners belong to constant nodes only are
+ * crossed in one segment of any size.
  *
  * Inside this room only.
  *
- * Source: the walk is that of march.h; the mean is the Taylor series about
- * the middle, which ends there for a cubic. */
+ * Source: the walk is that of march.h; the mean is the Taylor series about the
+ * middle, which ends there for a cubic. */
 #ifndef MURK_MEDIUM_LINEAR_H
 #define MURK_MEDIUM_LINEAR_H
 
@@ -58,7 +59,8 @@ murk_cubic murk_linear_cubic(const murk_linear *linear, double t0, double t1);
 bool murk_linear_integrate(murk_linear *linear, double scale, double offset,
                            double limit, double *sum);
 
-/* True if p is in the box of the field; *density is then the field there. */
+/* True if the tree is not empty and p is in the box of the field; *density is
+ * then the field there. */
 bool murk_linear_density(const murk_tree *tree, murk_vec3 p, double *density);
 
 /* The part of the walk outside of leaves (linear_even.c): crosses the segment

@@ -105,9 +105,10 @@ typedef struct murk_media murk_media;
 
 /* Places media in regions. n_regions may be 0: clear air. A medium that is
  * everywhere has no bounds; the domain bounds the light. Warns of regions
- * outside of the domain. Fails with MURK_BAD_VALUE at the `where` of a
- * medium or region. The caller owns *out and releases it with
- * murk_media_destroy(). */
+ * outside of the domain. Fails with MURK_BAD_VALUE at the `where` of a medium
+ * or region, or with MURK_NO_MEMORY. The array `media` is copied; grids,
+ * profiles, phase tables and `where` are borrowed. The caller owns *out and
+ * releases it with murk_media_destroy(). */
 murk_status murk_media_create(murk_media **out, const murk_medium *media,
                               size_t n_media, const murk_region *regions,
                               size_t n_regions, const murk_box *domain,
@@ -156,9 +157,9 @@ bool murk_media_fly(const murk_media *media, int band, murk_inside inside,
  * with MURK_NO_MEMORY. */
 murk_status murk_media_prepare_delta(murk_media *media, murk_error *err);
 
-/* Free flight with the same distribution, by delta tracking through grids.
- * tau and u come from slot 0 of the address; further numbers are drawn from
- * slot 1 on. */
+/* Free flight with the same distribution, by delta tracking through grids,
+ * after murk_media_prepare_delta(). tau and u come from slot 0 of the address;
+ * further numbers are drawn from slot 1 on. */
 bool murk_media_fly_delta(const murk_media *media, int band, murk_inside inside,
                           murk_vec3 origin, murk_vec3 direction,
                           double length_m, double tau, double u,
@@ -175,7 +176,8 @@ double murk_media_scattering(const murk_media *media, int band,
 double murk_media_extinction_of(const murk_media *media, size_t medium,
                                 int band, murk_inside inside, murk_vec3 p);
 
-/* Bounding box of all bounded regions; empty if there are none. */
+/* Bounding box of all regions but half spaces and regions that are everywhere;
+ * empty if there are none. */
 murk_box murk_media_bounds(const murk_media *media);
 
 #endif

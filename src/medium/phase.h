@@ -31,7 +31,7 @@ murk_phase murk_phase_rayleigh(void);
 murk_phase murk_phase_two_hg(double g1, double g2, double weight1);
 murk_phase murk_phase_tabulated(const murk_phase_table *table);
 
-/* A phase function of closed form. */
+/* A phase function of a kind that has a closed form. */
 murk_phase murk_phase_of(murk_phase_kind kind,
                          const double value[MURK_PHASE_NUMBERS_MAX]);
 
@@ -39,8 +39,10 @@ murk_phase murk_phase_of(murk_phase_kind kind,
  * table is computed from the numbers and stands for the function. */
 bool murk_phase_is_tabulated(murk_phase_kind kind);
 
-/* The table of such a kind. *out is the caller's: murk_phase_table_destroy().
- * MURK_BAD_VALUE at `where` when a number is outside of its range. */
+/* Makes the table of a kind for which murk_phase_is_tabulated() is true. The
+ * caller owns *out and releases it with murk_phase_table_destroy(). Fails at
+ * `where` with MURK_BAD_VALUE if a number is outside of its range, or with
+ * MURK_NO_MEMORY. */
 murk_status murk_phase_tabulate(murk_phase_table **out, murk_phase_kind kind,
                                 const double value[MURK_PHASE_NUMBERS_MAX],
                                 const char *where, murk_error *err);

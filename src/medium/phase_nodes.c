@@ -229,8 +229,9 @@ double murk_phase_table_density(const murk_phase_table *table, double mu)
     return node->density + t * (node[1].density - node->density);
 }
 
-/* Solves a / (2 pi) = p t + (slope / 2) t^2 for the step t beyond the node,
- * with the form of the root that does not cancel. */
+/* Behind the first node solves a = p t + (slope / 2) t^2 for the step t beyond
+ * the node before u, where 2 pi a is the share of the light that is left, with
+ * the form of the root that does not cancel. */
 double murk_phase_table_sample(const murk_phase_table *table, double u)
 {
     assert(u > 0 && u < 1);

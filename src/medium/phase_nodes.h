@@ -22,8 +22,8 @@ typedef struct murk_phase_node {
 struct murk_phase_table {
     size_t nodes, guides;  /* guides: a power of two */
     murk_phase_node *node; /* [nodes]; the last one at s = 2 */
-    uint32_t *guide; /* [guides]: the last node whose `below` is at most k /
-                        guides */
+    uint32_t *guide; /* [guides]: entry k is the last node but the final one
+                      * whose `below` is at most k / guides */
     double power;    /* before node 0 the density is proportional to
                         s^power; > -1 */
     murk_phase_facts facts;
@@ -70,7 +70,9 @@ void murk_phase_nodes_law(murk_phase_nodes *nodes, double s,
 double murk_phase_nodes_integral(const murk_phase_nodes *nodes);
 
 /* Makes the table: scales the integral to 1 and computes the facts. Takes
- * ownership of the nodes, also on failure. The last node must be at s = 2. */
+ * ownership of the nodes, also on failure. The last node must be at s = 2.
+ * Fails at `where` with MURK_BAD_VALUE if the integral is not above 0, or with
+ * MURK_NO_MEMORY if nodes->is_full or there is no memory. */
 murk_status murk_phase_nodes_finish(murk_phase_table **out,
                                     murk_phase_nodes *nodes, const char *where,
                                     murk_error *err);

@@ -37,16 +37,16 @@ typedef struct murk_phase_rows {
 
 /* Makes a table. The caller owns *out and releases it with
  * murk_phase_table_destroy(). Fails with MURK_BAD_VALUE at the file and line
- * (or row) of the error; also if the first slope is -2 or steeper, since the
- * integral then diverges. */
+ * (or row) of the error; also if the first two rows fall as angle^-2 or
+ * steeper, since the integral then diverges; or with MURK_NO_MEMORY. */
 murk_status murk_phase_table_create(murk_phase_table **out,
                                     const murk_phase_rows *rows,
                                     murk_error *err);
 
-/* Makes a Fournier-Forand table for particles of relative refractive index
- * n, 1.001..2, with a size distribution falling as radius^-slope, 3 < slope
- * < 5: at 3 and below the integral diverges, at 5 the forward peak vanishes.
- * See fournier_forand.h. */
+/* Makes a Fournier-Forand table for particles of relative refractive index n,
+ * 1.001..2, with a size distribution falling as radius^-slope, 3.0001 <= slope
+ * <= 4.9999 (fournier_forand.h). The caller owns *out as above. Fails at
+ * `where` with MURK_BAD_VALUE or MURK_NO_MEMORY. */
 murk_status murk_phase_table_fournier_forand(murk_phase_table **out, double n,
                                              double slope, const char *where,
                                              murk_error *err);

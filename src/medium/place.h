@@ -52,7 +52,7 @@ typedef struct murk_place {
 } murk_place;
 
 /* Places a region that has been checked. False if the placement cannot be
- * inverted. */
+ * inverted or is not finite. */
 bool murk_place_make(murk_place *place, const murk_region *region,
                      const murk_medium *medium);
 
@@ -70,8 +70,8 @@ bool murk_place_clip(const murk_place *place, const murk_vec3 *origin,
                      const murk_vec3 *direction, double *t0, double *t1);
 
 /* Clips [*t0, *t1] to the box of a grid or the heights of a profile, beyond
- * which the density is 0. No change if the grid is the shape or the density
- * is constant. */
+ * which the density is 0. No change if the grid is the shape or the density is
+ * constant. False if nothing is left. */
 bool murk_place_clip_filling(const murk_place *place, const murk_vec3 *origin,
                              const murk_vec3 *direction, double *t0,
                              double *t1);

@@ -30,15 +30,16 @@ bool murk_region_boundary_make(murk_region_boundary *boundary, size_t number,
                                const murk_region *region,
                                const murk_box *domain);
 
-/* True if p is inside: lower faces belong to the region, upper faces do not. */
+/* True if p is inside: lower faces belong to the region, upper faces do not.
+ * False for meshes, which this room does not know. */
 bool murk_region_boundary_holds(const murk_region_boundary *boundary,
                                 murk_vec3 p);
 
-/* Checks that no two boundaries intersect: of two regions one must contain
- * the other, or both must be separate, with a tolerance of near_m. Fails
- * with MURK_BAD_VALUE at the `where` of the later region. Warns of regions
- * inside of a region that is listed later. regions: those of the scene, by
- * number. */
+/* Checks that no two boundaries intersect: of two regions one must contain the
+ * other, or both must be separate, with the tolerance of
+ * murk_region_boundary_near(). Meshes are left out. Fails with MURK_BAD_VALUE
+ * at the `where` of the later region. Warns of regions inside of a region that
+ * is listed later. regions: those of the scene, by number. */
 murk_status murk_region_boundaries_check(const murk_region_boundary *boundaries,
                                          size_t n, const murk_region *regions,
                                          const murk_box *domain,

@@ -1,7 +1,8 @@
 /* A NanoVDB float tree, opened for walks: cells of 4096, 128, 8 and 1 voxels,
  * of which all but the last may have one constant value.
  *
- * Inside this room only. Inactive values are 0 here. */
+ * Inside this room only. Values of inactive voxels are 0 here, or
+ * MURK_VDB_NO_ALBEDO in a grid of albedos. */
 #ifndef MURK_MEDIUM_TREE_H
 #define MURK_MEDIUM_TREE_H
 
@@ -53,8 +54,9 @@ static inline void murk_cell_first(int32_t first[3], const int32_t at[3],
     }
 }
 
-/* Opens a NanoVDB float grid that this program has made (and that is
- * therefore trusted). `buffer` must stay valid; NULL is an empty tree. */
+/* Opens a NanoVDB float grid that this program has made (and that is therefore
+ * trusted). `buffer` must stay valid; NULL is an empty tree. first[] and last[]
+ * are the box of active voxels. Fails with MURK_NO_MEMORY. */
 murk_status murk_tree_open(murk_tree *tree, const unsigned char *buffer,
                            const int64_t first[3], const int64_t last[3],
                            const char *where, murk_error *err);
@@ -72,8 +74,9 @@ typedef struct murk_tree_node {
     int32_t size;
 } murk_tree_node;
 
-/* Descends to the node that contains the voxel, from the node of 128 voxels
- * that the cursor visited last if that contains the voxel. */
+/* Descends to the node that contains the voxel: from the node of 128 voxels
+ * that the cursor visited last if that node contains the voxel, else from the
+ * root. */
 murk_tree_node murk_tree_node_at(murk_tree_cursor *cursor,
                                  const int32_t voxel[3]);
 
@@ -91,8 +94,8 @@ float murk_tree_value(const murk_tree *tree, const int32_t voxel[3]);
 bool murk_tree_voxel_at(const murk_tree *tree, int32_t below, murk_vec3 p,
                         int32_t voxel[3], double in[3]);
 
-/* True if p (in index space shifted by one half) is in the box of active
- * voxels; *density is then the value there. */
+/* True if the tree is not empty and p (in index space shifted by one half) is
+ * in the box of active voxels; *density is then the value there. */
 bool murk_tree_density(const murk_tree *tree, murk_vec3 p, double *density);
 
 /* The values at the corners of the cell between voxel[] and the next ones:

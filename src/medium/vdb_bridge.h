@@ -35,9 +35,9 @@ typedef murk_status (*murk_vdb_sink)(void *context, const murk_vdb_facts *facts,
  * replaces inactive values of the file. */
 #define MURK_VDB_NO_ALBEDO (-1)
 
-/* Reads the grid selected by `name` (medium/grid.h) from `path`, as a
- * density or an albedo, and calls `take`. Fails with MURK_BAD_FILE or
- * MURK_BAD_VALUE at `where`. */
+/* Reads the grid selected by `name` (medium/grid.h) from `path`, as a density
+ * or an albedo, and calls `take`. Fails with MURK_BAD_FILE (also without
+ * memory) or MURK_BAD_VALUE at `where`, or with the status of `take`. */
 murk_status murk_vdb_read(const char *path, const char *name, int is_albedo,
                           murk_vdb_sink take, void *context, const char *where,
                           murk_error *err);
