@@ -19,8 +19,8 @@
 #define OFF_TOLERANCES 2
 #define OFF_NEARS      2 /* likewise for other shapes */
 
-/* No scene has more boundaries than this on one ray: rounding has caught the
- * ray between two of them. */
+/* No scene has more boundaries than this on one ray. A ray that takes more
+ * steps is caught between two boundaries by rounding. */
 #define STEPS_MAX 100000
 
 /* Cosine between a surface and a boundary above which the boundary lies in the
@@ -282,11 +282,11 @@ static bool meets_surface(const murk_path *path, murk_vec3 probe, murk_hit *hit,
     return true;
 }
 
-/* Whether the boundary comes before the surface at surface_m. Surfaces are
- * known in single precision only, so within the step that leaves a surface a
- * boundary lies in the surface: the floor of a tank is wet, and glass that
- * holds water lets light straight through from one to the other. *crossed then
- * tells the regions beyond such a surface. */
+/* True if the boundary comes before the surface at distance surface_m. Surfaces
+ * are known in single precision only, so a parallel boundary within near_m of a
+ * surface lies in the surface: the floor of a tank is wet, and light passes
+ * from water directly into the glass that holds the water. In this case
+ * *crossed becomes the set of regions that the boundary bounds. */
 static bool comes_first(const murk_path *path, const murk_boundary *boundary,
                         const murk_hit *hit, double surface_m,
                         murk_inside *crossed)
@@ -310,7 +310,7 @@ bool murk_path_first_event(const murk_path *path, murk_vec3 probe,
     event->crossed = 0;
     event->distance_m =
         murk_path_sides_ahead(&space->sides, path->position, path->direction);
-    /* Also false for numbers that are none. */
+    /* The negated comparisons also refuse NaN. */
     if (!(murk_path_sides_contain(&space->grown, path->position) &&
           event->distance_m < INFINITY)) {
         return false;

@@ -29,9 +29,11 @@ typedef struct murk_path_space {
     const murk_domain *domain;
     murk_path_sides sides;   /* of the domain */
     murk_path_sides grown;   /* of the larger box in which surfaces are looked
-                                for: rounding may put one outside of the domain */
+                              * for: rounding may put a surface outside of the
+                              * domain */
     double margin_m;         /* from `sides` to `grown` */
-    double near_m;           /* a boundary nearer to a surface lies in it */
+    double near_m;           /* a boundary nearer than this to a surface that is
+                              * almost parallel lies in the surface */
     double mesh_tolerance_m; /* of boundary meshes; 0 without */
     bool any_surfaces, any_solids;
     bool any_boundaries; /* some region has an index or is a mesh */
@@ -42,8 +44,8 @@ murk_path_space murk_path_space_of(const murk_surfaces *surfaces,
                                    const murk_boundary_meshes *boundary_meshes,
                                    const murk_domain *domain);
 
-/* The regions with a boundary around a point. In a boundary itself, to
- * rounding, either answer may come. */
+/* The regions with a boundary around a point. For a point on a boundary, to
+ * rounding, either answer is possible. */
 murk_inside murk_path_inside(const murk_path_space *space, murk_vec3 point);
 
 /* The regions around light that sets out from a point along `direction`: on a
@@ -51,8 +53,8 @@ murk_inside murk_path_inside(const murk_path_space *space, murk_vec3 point);
 murk_inside murk_path_inside_ahead(const murk_path_space *space,
                                    murk_vec3 point, murk_vec3 direction);
 
-/* The regions around a ray that goes on at `point` of the opposite side of a
- * periodic domain, across an axis (0 x, 1 y). */
+/* The regions around a ray that has left a periodic domain across an axis (0 x,
+ * 1 y) with the set `inside` and continues at `point` on the opposite side. */
 murk_inside murk_path_inside_wrapped(const murk_path_space *space,
                                      murk_inside inside, murk_vec3 point,
                                      int axis);
@@ -60,47 +62,51 @@ murk_inside murk_path_inside_wrapped(const murk_path_space *space,
 /* A ray, and how far it has been followed. */
 typedef struct murk_path {
     const murk_path_space *space;
-    murk_vec3 position, direction; /* where it begins; unit */
+    murk_vec3 position, direction; /* where the ray begins; unit vector */
     double length_m;               /* may be INFINITY */
     double gone_m;      /* from `position` to the last boundary passed */
-    double skip_m;      /* faces of meshes nearer to `position` do not count:
-                           the ray begins in one, or has just passed it */
+    double skip_m;      /* faces of meshes nearer than this to `position` do not
+                         * count: the ray begins in such a face, or has just
+                         * passed it */
     murk_inside inside; /* regions around the ray beyond gone_m */
 } murk_path;
 
-/* The whole ray between two points of the domain; of length 0 where they are
- * one. */
+/* The whole ray between two points of the domain. If the points are equal,
+ * length and direction are 0. */
 murk_path murk_path_between(const murk_path_space *space, murk_vec3 from,
                             murk_vec3 to);
 
 typedef struct murk_path_boundary {
     murk_boundary met; /* distance_m counts from the ray's position */
-    bool has_mesh;     /* some of the boundaries crossed are faces of meshes */
+    bool has_mesh;     /* some of the crossed boundaries are faces of meshes */
     bool has_shape;    /* some are boundaries of other shapes */
-    double mesh_m;     /* to the faces of meshes */
+    double mesh_m;     /* if has_mesh: distance from the ray's position to the
+                        * faces of meshes */
 } murk_path_boundary;
 
-/* The next boundary on the ray. The set `inside` is put right by the meshes
- * ahead, which are looked for up to mesh_max_m from the ray's position. False:
- * there is none. */
+/* The next boundary on the ray, up to length_m. The function corrects
+ * path->inside by the meshes ahead, which are looked for up to mesh_max_m from
+ * the ray's position. False if there is no boundary; *boundary then has no
+ * meaning. */
 bool murk_path_next_boundary(murk_path *path, double mesh_max_m,
                              murk_path_boundary *boundary);
 
-/* The same ray beyond the boundary. */
+/* Moves the state of the ray beyond the boundary: gone_m, inside and skip_m. */
 void murk_path_pass(murk_path *path, const murk_path_boundary *boundary);
 
 /* A place on the ray at which the index of refraction changes. */
 typedef struct murk_path_change {
     double distance_m;
-    murk_vec3 normal; /* unit, faces where the ray came from */
+    murk_vec3 normal; /* unit, on the side from which the ray came */
     bool is_mesh;     /* of a mesh alone */
     double before, beyond;
     murk_inside inside; /* beyond */
 } murk_path_change;
 
-/* Follows the ray to the first change of the index. False: there is none.
- * Meshes within their tolerance of the ray's end do not count: the floor of a
- * tank lies in the water's face. */
+/* Follows the ray to the first change of the index of refraction. False if
+ * there is none. Faces of meshes within mesh_tolerance_m of the end of the ray
+ * do not count, because a ray often ends on a surface, such as the floor of a
+ * tank, that lies in the face of a mesh of water. */
 bool murk_path_next_change(murk_path *path, murk_path_change *change);
 
 /* Optical depth in a band over the whole length of a ray that has not been
@@ -117,13 +123,15 @@ typedef struct murk_path_event {
     murk_path_event_kind kind;
     double distance_m;   /* from the ray's position */
     murk_hit hit;        /* surface: as seen from `probe` */
-    murk_inside crossed; /* surface: regions whose boundary lies in it */
+    murk_inside crossed; /* surface: regions whose boundary lies in the surface;
+                          * else 0 */
 } murk_path_event;
 
-/* What the ray meets first: the nearest surface that `probe`, a point on the
- * ray's line, looks at; or `boundary`, the next one (NULL: none); or the side
- * of the domain. A surface comes before a boundary that lies in it. False: the
- * ray is not in the domain, or a number is not finite. */
+/* The first event on the ray: the nearest surface ahead of `probe`, a point on
+ * the line of the ray; or `boundary`, the next boundary (NULL: none); or the
+ * side of the domain. A surface comes before a boundary that lies in the
+ * surface. False if the position is outside of the domain by more than
+ * margin_m, or a number is not finite. */
 bool murk_path_first_event(const murk_path *path, murk_vec3 probe,
                            const murk_path_boundary *boundary,
                            murk_path_event *event);

@@ -14,7 +14,8 @@
 typedef struct murk_path_tiling {
     murk_path_space space;
     bool repeats;          /* in x and y */
-    double sideways_max_m; /* of a piece; may be INFINITY */
+    double sideways_max_m; /* largest extent of a piece in x and in y; may be
+                            * INFINITY */
     /* Below and above these heights nothing depends on x and y, and rays jump;
      * -INFINITY and INFINITY: nowhere. */
     double free_below_m, free_above_m;
@@ -24,12 +25,12 @@ typedef struct murk_path_piece {
     murk_vec3 from, to;
     double stretch; /* length of the ray over the length of the piece; 1 unless
                        the piece is a jump */
-    bool leaves;    /* it ends at an open side of the domain */
+    bool leaves;    /* the piece ends at an open side of the domain */
 } murk_path_piece;
 
 typedef struct murk_path_pieces {
     const murk_path_tiling *tiling;
-    murk_vec3 at, direction; /* where the next piece begins; unit */
+    murk_vec3 at, direction; /* where the next piece begins; unit vector */
     double left_m;           /* of the ray's length */
     murk_path_piece piece;   /* the present one */
 } murk_path_pieces;
@@ -39,19 +40,21 @@ murk_path_pieces murk_path_pieces_of(const murk_path_tiling *tiling,
                                      murk_vec3 from, murk_vec3 direction,
                                      double length_m);
 
-/* The next piece; false at the ray's end. */
+/* Sets pieces->piece to the next piece. False at the end of the ray or if the
+ * last piece left the domain. */
 bool murk_path_next_piece(murk_path_pieces *pieces);
 
-/* How far a piece is free. */
+/* The free part of a piece, before the first surface or change of index. */
 typedef struct murk_path_stop {
     double length_m; /* of the free part */
-    bool is_surface; /* it ends at a surface */
-    bool is_bend;    /* it ends at a change of the index of refraction */
+    bool is_surface; /* the free part ends at a surface */
+    bool is_bend;    /* the free part ends at a change of the index of
+                      * refraction */
     murk_hit hit;    /* of a surface */
 } murk_path_stop;
 
-/* Up to the first surface or change of the index on the present piece. Surfaces
- * count up to margin_m beyond the end; those of a jump are none. */
+/* The free part of the present piece. Surfaces count up to margin_m beyond the
+ * end of the piece; a jump meets no surface. */
 murk_path_stop murk_path_piece_stop(const murk_path_pieces *pieces,
                                     double margin_m);
 

@@ -35,7 +35,7 @@ murk_vec3 murk_path_nearest_image(const murk_domain *domain, murk_vec3 point,
 int murk_path_cut(const murk_domain *domain, murk_vec3 from, murk_vec3 to,
                   double beyond_m, murk_path_segment *segment);
 
-/* murk_surfaces_blocked() over all segments. */
+/* True if murk_surfaces_blocked() is true for any segment of the line. */
 bool murk_path_blocked(const murk_surfaces *surfaces, const murk_domain *domain,
                        murk_vec3 from, murk_vec3 to, bool through_sheets);
 

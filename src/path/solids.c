@@ -2,9 +2,9 @@
  * if a ray from the point meets the solid's boundary an odd number of times. */
 #include "path/solids.h"
 
-/* Boundaries of solids looked at along the ray, and surfaces of all kinds. The
- * count of a ray that meets more is cut, which matters only if the point is
- * inside one of the last. */
+/* The largest number of boundaries of solids, and of surfaces of all kinds,
+ * that are considered along the ray. Further ones are ignored, which matters
+ * only if the point is inside a solid whose boundary is among them. */
 #define BOUNDARIES_MAX 64
 #define STEPS_MAX      1024
 

@@ -19,13 +19,14 @@ typedef struct murk_path_solids {
 /* Index of refraction of the innermost solid: 1 outside all. */
 double murk_path_solids_index(const murk_path_solids *solids);
 
-/* Goes through the boundary of a solid: out of a solid that is among them, else
- * into it. False, and nothing changed, if there are too many. */
+/* Goes through the boundary of a solid: removes the solid if it is in the list,
+ * else appends it with its index. False, with nothing changed, if the list is
+ * full. */
 bool murk_path_solids_cross(murk_path_solids *solids, uint16_t solid,
                             double ior);
 
-/* The solids around a point, found along a ray from it. If solids overlap, the
- * one left first counts as the innermost. */
+/* The solids around a point, found along a ray from the point in the unit
+ * direction. If solids overlap, the one left first counts as the innermost. */
 murk_path_solids murk_path_solids_around(const murk_surfaces *surfaces,
                                          murk_vec3 point, murk_vec3 direction);
 

@@ -119,8 +119,9 @@ double murk_path_transmittance_to(const murk_path_viewpoint *v, int band,
 
 /* ---- the index of refraction ---- */
 
-/* Whether the index changes between two points, which lie in one segment, if
- * no region is a mesh: the points themselves tell most of it. */
+/* True if the index changes between two points, which lie in one segment, if no
+ * region is a mesh. Different indices at the points decide at once; equal ones
+ * may still enclose a change. */
 static bool bends_between(const murk_path_space *space, murk_vec3 from,
                           murk_vec3 to)
 {

@@ -1,6 +1,6 @@
 /* Sightlines: straight paths from one point, a sensor, to many others, through
- * the media. Surfaces are asked about apart (path/segment.h): shadow rays to
- * one point go in batches. */
+ * the media. Surfaces are not considered here (path/segment.h does so), because
+ * shadow rays to one point are traced in batches. */
 #ifndef MURK_PATH_VIEWPOINT_H
 #define MURK_PATH_VIEWPOINT_H
 
@@ -10,8 +10,8 @@
 typedef struct murk_path_viewpoint {
     const murk_path_space *space;
     murk_vec3 position;
-    murk_inside meshes; /* the regions with a mesh around it */
-    double index;       /* of refraction, there */
+    murk_inside meshes; /* the regions bounded by a mesh around the position */
+    double index;       /* index of refraction at the position */
 } murk_path_viewpoint;
 
 murk_path_viewpoint murk_path_viewpoint_at(const murk_path_space *space,
@@ -21,7 +21,7 @@ murk_path_viewpoint murk_path_viewpoint_at(const murk_path_space *space,
 double murk_path_index_at(const murk_path_space *space, murk_vec3 point);
 
 /* The paths from the viewpoint to the nearest image of a point, one after the
- * other, each in the domain. Returns their number. */
+ * other, each in the domain. Returns the number of paths, 1..3. */
 int murk_path_to(const murk_path_viewpoint *viewpoint, murk_vec3 point,
                  murk_path path[MURK_PATH_SEGMENTS_MAX]);
 
@@ -31,8 +31,9 @@ double murk_path_depth_to(const murk_path_viewpoint *viewpoint, int band,
 double murk_path_transmittance_to(const murk_path_viewpoint *viewpoint,
                                   int band, murk_vec3 point);
 
-/* Whether the index of refraction changes on the straight path to the nearest
- * image of a point: light bends there, and the point is seen elsewhere. */
+/* True if the index of refraction changes on the straight path to the nearest
+ * image of a point: light bends there, so the point does not appear in the
+ * direction of this path. */
 bool murk_path_bends_to(const murk_path_viewpoint *viewpoint, murk_vec3 point);
 
 #endif
