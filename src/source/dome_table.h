@@ -25,8 +25,9 @@
 typedef struct murk_dome_table murk_dome_table;
 
 /* Creates the table for a face with unit vector `outward` from the face to the
- * sky. The caller destroys *out. Fails if the radiance is negative or not
- * finite anywhere. */
+ * sky. The caller destroys *out. Fails at `where` with MURK_BAD_VALUE if the
+ * radiance is negative or not finite at a node of the table, or with
+ * MURK_NO_MEMORY. */
 murk_status murk_dome_table_create(murk_dome_table **out, const murk_dome *dome,
                                    murk_vec3 outward, const char *where,
                                    murk_error *err);
@@ -37,7 +38,7 @@ void murk_dome_table_destroy(murk_dome_table *table); /* NULL is fine */
 double murk_dome_table_irradiance(const murk_dome_table *table);
 
 /* Draws a unit direction that points from the face to the sky; u has four
- * uniform numbers. murk_dome_table_irradiance() must be above 0. */
+ * uniform numbers in (0, 1). murk_dome_table_irradiance() must be above 0. */
 murk_vec3 murk_dome_table_draw(const murk_dome_table *table, const double u[4]);
 
 #endif

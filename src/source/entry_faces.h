@@ -17,15 +17,16 @@ typedef struct murk_entry_faces murk_entry_faces;
 
 /* Creates the entry faces of a directional light or a dome that has been
  * checked; the direction of the light is a unit vector. Without portals, the
- * faces of the domain are used. The caller destroys *out. Fails if the sky has
- * an invalid radiance, or without memory. */
+ * faces of the domain are used. The caller destroys *out. Fails with
+ * MURK_BAD_VALUE if the sky has an invalid radiance, or with MURK_NO_MEMORY. */
 murk_status murk_entry_faces_create(murk_entry_faces **out,
                                     const murk_source *light,
                                     const murk_domain *domain, murk_error *err);
 void murk_entry_faces_destroy(murk_entry_faces *entry_faces); /* NULL is fine */
 
 /* The power that enters for an irradiance of 1 W/m2, through all faces and
- * through one of them; 0: none. */
+ * through face or portal `which`; 0: none. The irradiance of a dome is that on
+ * a level plane. */
 double murk_entry_faces_area_m2(const murk_entry_faces *entry_faces);
 double murk_entry_faces_one_m2(const murk_entry_faces *entry_faces,
                                size_t which);

@@ -16,8 +16,8 @@
 
 #include "base/status.h"
 
-/* The range of Julian dates (UTC): the years 1900 to 2149, for which
- * terrestrial time is known or forecast. */
+/* The range of Julian dates (UTC), TO excluded: the years 1900 to 2149, for
+ * which terrestrial time is known or forecast. */
 #define MURK_EPHEMERIS_FROM 2415020.5
 #define MURK_EPHEMERIS_TO   2506331.5
 

@@ -17,7 +17,7 @@ bool murk_sources_can_shine(const murk_sources *lights, size_t light);
 /* Samples one direction from which the light reaches the point, by numbers in
  * (0, 1). The mean over the numbers of irradiance * f(direction) is the
  * integral of radiance * f over all directions, for any f. Returns false if
- * these numbers give no light. */
+ * these numbers give no light; *shine then has no meaning. */
 bool murk_sources_shine(const murk_sources *lights, size_t light, int band,
                         murk_vec3 place, const double u[MURK_SHINE_NUMBERS],
                         murk_shine *shine);

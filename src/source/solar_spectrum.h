@@ -65,8 +65,9 @@ typedef struct murk_solar_spectrum {
                                         * [W/m2] */
 } murk_solar_spectrum;
 
-/* Computes a spectrum at 1 au. Only the extraterrestrial total, 1366.1 W/m2,
- * includes the irradiance outside of 280-4000 nm, 1.3 %. */
+/* Computes a spectrum at 1 au; `air` is not read for the extraterrestrial one.
+ * Only the extraterrestrial total, 1366.1 W/m2, includes the irradiance outside
+ * of 280-4000 nm, 1.3 %. */
 void murk_solar_spectrum_make(murk_solar_spectrum *out,
                               murk_spectrum_source source,
                               const murk_spectrum_air *air);

@@ -52,19 +52,22 @@ static inline bool murk_source_is_distant(const murk_source *light)
     return murk_source_type_group(light->type) != MURK_SOURCE_LAMP;
 }
 
-/* The smallest box around a lamp; empty for distant light. */
+/* A box that contains a lamp, the smallest one except for beams; empty for
+ * distant light. */
 murk_box murk_source_box(const murk_source *light);
 
-/* The largest distance of a point of a lamp from the center of the lamp [m]. */
+/* An upper limit [m] of the distance of the points of a lamp from the center of
+ * the lamp. */
 double murk_source_extent_m(const murk_source *lamp);
 
 /* The unit normal of a flat lamp, or `otherwise`. */
 murk_vec3 murk_source_face(const murk_source *light, murk_vec3 otherwise);
 
 /* Estimate of the irradiance [W/m2] that a lamp gives at a point, on a plane
- * that faces the lamp, without media and occluders. to_lamp: from the point to
- * the center of the lamp. has_images: the domain is periodic, so a point behind
- * a flat lamp may be lit by an image of the lamp and has an estimate, too. */
+ * that faces the lamp, without media and occluders. It is the power [W] at a
+ * lamp without extent. to_lamp: from the point to the center of the lamp.
+ * has_images: the domain is periodic, so a point behind a flat lamp may be lit
+ * by an image of the lamp and has an estimate, too. */
 double murk_source_irradiance_near(const murk_source *lamp, int band,
                                    murk_vec3 to_lamp, bool has_images);
 

@@ -57,8 +57,8 @@ typedef struct murk_source_row {
                         murk_vec3 sight);
     /* False for a light that cannot be sampled. NULL: true. */
     bool (*can_shine)(const murk_source *light);
-    /* Lamps: the box around the lamp, and the largest distance from the center
-     * of the box. */
+    /* Lamps: a box that contains the lamp, and an upper limit of the distance
+     * of the points of the lamp from the center. */
     murk_box (*box)(const murk_source *light);
     double (*extent_m)(const murk_source *light);
     /* The center of the lamp. NULL: the position. */
@@ -81,24 +81,26 @@ const murk_source_row *murk_source_row_of(const murk_source *light);
 
 /* ---- checks that several types share ---- */
 
-/* Refuses a point that is not inside the domain with a margin of `reach` along
- * each axis. */
+/* Fails with MURK_BAD_VALUE if a point is not inside the domain with a margin
+ * of `reach` along each axis, except for rounding. */
 murk_status murk_source_check_inside(const murk_domain *domain, murk_vec3 p,
                                      murk_vec3 reach, const char *what,
                                      const char *where, murk_error *err);
 
-/* Checks the parallelogram of a lamp or a portal; what: "the lamp's". */
+/* Checks that the parallelogram of a lamp or a portal spans an area and lies in
+ * the domain; what: "the lamp's". Fails with MURK_BAD_VALUE. */
 murk_status murk_source_check_sheet(const murk_portal *sheet,
                                     const murk_domain *domain, const char *what,
                                     const char *where, murk_error *err);
 
-/* Normalises the direction of the light; refuses a direction of zero length. */
+/* Normalises the direction of the light. Fails with MURK_BAD_VALUE for a
+ * direction that has zero length or is not finite. */
 murk_status murk_source_prepare_direction(murk_source_state *s,
                                           murk_error *err);
 
 /* Intersects the line through the point `place` in the unit direction `travel`
- * with a portal: distance ahead and cosine. Returns false if the line does not
- * pass the portal inward. */
+ * with a portal: distance ahead (negative if the portal is behind `place`) and
+ * cosine. Returns false if the line does not pass the portal inward. */
 bool murk_source_passes(const murk_portal *portal, murk_vec3 place,
                         murk_vec3 travel, double *ahead_m, double *cosine);
 

@@ -34,9 +34,11 @@
  * domain, which must be open.
  *
  * Lights without power are dark; if all lights are dark, nothing is emitted.
- * Fails if a light lies outside the domain, or if a directional light with
- * power lights a periodic domain from below. The caller destroys *out, which
- * refers to none of the arguments. */
+ * Fails with MURK_BAD_VALUE if there is no light or more than MURK_SOURCES_MAX,
+ * if a member of a light is out of range, if a light lies outside the domain,
+ * or if a directional light with power lights a periodic domain from below or
+ * from the side; or with MURK_NO_MEMORY. The caller destroys *out, which refers
+ * to none of the arguments. */
 murk_status murk_sources_create(murk_sources **out, const murk_source *lights,
                                 size_t n_lights, int bands,
                                 const murk_domain *domain, murk_error *err);
@@ -68,8 +70,7 @@ murk_ray murk_sources_emit(const murk_sources *lights, uint32_t seed,
 bool murk_sources_portal_is_lit(const murk_sources *lights, size_t light,
                                 size_t portal);
 
-/* The center of a lamp, used to decide which candidates light can reach. False
- * for distant light. */
+/* The center of a lamp. False, with *out unchanged, for distant light. */
 bool murk_sources_place(const murk_sources *lights, size_t light,
                         murk_vec3 *out);
 size_t murk_sources_count(const murk_sources *lights);

@@ -17,7 +17,7 @@
 #ifndef MURK_SOURCE_TWILIGHT_H
 #define MURK_SOURCE_TWILIGHT_H
 
-/* Below this elevation [degrees] the sun gives no light. */
+/* At this elevation [degrees] and below the sun gives no light. */
 #define MURK_TWILIGHT_END_DEG (-18.0)
 
 /* The illuminance [lux] of a horizontal plane by the sky. sun_elevation_deg is
