@@ -16,7 +16,8 @@ typedef struct run {
     murk_ledger *ledger;
 } run;
 
-/* sign: -1 takes back. */
+/* Adds the sums of a batch to the ledger; with sign -1 subtracts them
+ * instead. */
 static void add_up(murk_ledger *ledger, const murk_sums *s, int sign)
 {
     murk_tally *const account[MURK_FATES] = {ledger->absorbed_surfaces,

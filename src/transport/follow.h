@@ -15,24 +15,26 @@
 
 typedef struct murk_follower murk_follower;
 
-/* Creates a follower. The members seed, stream, limits, flight, sink,
- * segment_sink and context of `trace` apply to each ray; photons, threads and
- * tallies do not. The world must outlive the follower. The caller destroys
- * *out. Fails with MURK_NO_MEMORY. */
+/* Creates a follower. `trace` is copied: its members world, seed, stream,
+ * events_max, wraps_max, least_weight, by_delta, sink, segment_sink and context
+ * apply to each ray; the others (photons, threads, tallies, takes_back) do not.
+ * The world must outlive the follower. The caller destroys *out. Fails with
+ * MURK_NO_MEMORY. */
 murk_status murk_follower_create(murk_follower **out, const murk_trace *trace,
                                  murk_error *err);
 void murk_follower_destroy(murk_follower *follower); /* NULL is fine */
 
 /* Follows one ray to its end and reports segments and events; `number`
- * addresses the random numbers, as the index of a photon does. Heights of a
- * periodic domain without surfaces, bounded regions and lamps are passed in one
- * segment and one wrap. The origin lies within the domain. The emission is not
+ * addresses the random numbers, as the index of a photon does. After a number
+ * of wraps without another event, a ray passes heights of a periodic domain
+ * without surfaces, bounded regions and lamps in one segment and one wrap
+ * (transport/jump.h). The origin lies within the domain. The emission is not
  * reported. */
 void murk_follow(murk_follower *follower, uint64_t number, int band,
                  murk_vec3 origin, murk_vec3 direction);
 
-/* Called from the sink: ends the ray. Nothing more is reported except the
- * loss. */
+/* Called from the event sink: ends the ray, which is then reported as lost with
+ * MURK_LOSS_EVENTS unless it has ended already. */
 void murk_follower_stop(murk_follower *follower);
 
 #endif

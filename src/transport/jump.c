@@ -9,16 +9,16 @@
 
 #include <stdlib.h>
 
-/* A ray jumps if it has wrapped so often since the last event. Fewer wraps cost
+/* A ray jumps only after this many wraps since the last event. Fewer wraps cost
  * less than the search for free heights. */
 #define WRAPS_BEFORE 8
 
 /* The smallest sideways length of a jump [periods]. */
 #define MIN_PERIODS 2
 
-/* Share of the domain's largest coordinate by which heights that are not free
- * are enlarged: some times the rounding error of surfaces in single precision.
- */
+/* Share of the domain's largest coordinate by which a range of heights that is
+ * not free grows at both ends: a multiple of the rounding error of surfaces in
+ * single precision. */
 #define GROWN_BY 1e-5
 
 static void add(double (*height)[2], size_t *n, double low, double high,

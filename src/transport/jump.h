@@ -8,14 +8,15 @@
 #include "transport/walker.h"
 
 /* Lists the ranges of heights that are not free, as [n][2] bounds; NULL and 0
- * if the domain is not periodic. The caller frees *out. */
+ * if the domain is not periodic. The caller frees *out. Fails with
+ * MURK_NO_MEMORY. */
 murk_status murk_jump_heights(double (**out)[2], size_t *n,
                               const murk_transport_world *world,
                               murk_error *err);
 
-/* The length of a jump from the present position. 0, no jump: the ray has not
- * wrapped often enough since the last event, or the next height that is not
- * free is near. */
+/* The length of a jump from the present position. 0 means no jump: the ray has
+ * not wrapped often enough since the last event, is level, is at a height that
+ * is not free, or would pass too few periods before the next such height. */
 double murk_jump_ahead(const murk_walker *w);
 
 /* Moves the photon, scores the segment and reports one wrap. The position of

@@ -10,8 +10,9 @@
 /* Emitted, absorbed by surfaces and by media, escaped, lost. */
 #define ACCOUNTS 5
 
-/* As many lanes as bring this many cells at most: beyond, threads seldom meet
- * in one. */
+/* A ledger has up to LANES lanes, fewer if they would have more than LANE_CELLS
+ * cells together (but at least 1): with that many cells, two threads seldom add
+ * to the same one at the same time. */
 #define LANES      16
 #define LANE_CELLS 65536
 

@@ -10,16 +10,18 @@
 
 #include "transport/trace.h"
 
-/* The share 0..1 of distant light travelling along *direction (unit, at the
- * top of the domain) that arrives at `place` on the domain's boundary. Where
- * the index of refraction changes on the way, *direction becomes the refracted
- * direction, and *is_bent (may be NULL) true. 1 unless the domain's media
- * continue and the place is on a side. */
+/* The share 0..1 of distant light that arrives at `place` on the domain's
+ * boundary. *direction is the unit direction of travel with which the light
+ * enters at the height of the domain's top, or of its bottom if it travels
+ * upwards. Where the index of refraction changes on the way, *direction becomes
+ * the refracted direction. *is_bent (may be NULL) is set to whether the index
+ * changes. The share is 1 unless the domain's media continue and the place is
+ * on a side. */
 double murk_outside_share(const murk_transport_world *world, int band,
                           murk_vec3 place, murk_vec3 *direction, bool *is_bent);
 
-/* The same along a straight line, for pictures: 0 where the line would be
- * bent. */
+/* Like murk_outside_share(), but along a straight line, for pictures: 0 where
+ * the line would be bent. */
 double murk_outside_straight(const murk_transport_world *world, int band,
                              murk_vec3 place, murk_vec3 direction);
 

@@ -71,9 +71,10 @@ size_t murk_tally_cells(const murk_tally_desc *desc);
  * last); the bins divide the extent of the domain. */
 void murk_tally_axes(const murk_tally_desc *desc, int axes[2]);
 
-/* Refuses tallies that cannot be measured: equal or unsafe names, names that
- * would give the same files, positions outside the domain, a missing normal,
- * too many cells. */
+/* Fails with MURK_BAD_VALUE, at the `where` of a tally, if the tallies cannot
+ * be measured: more than MURK_TALLIES_MAX, equal or unsafe names, names that
+ * would give the same files, positions outside the domain, a missing normal, a
+ * radius that is not positive, too many cells. */
 murk_status murk_tallies_check(const murk_tally_desc *descs, size_t n,
                                const murk_domain *domain, murk_error *err);
 
@@ -84,9 +85,12 @@ double murk_tallies_memory(const murk_tally_desc *descs, size_t n,
 
 typedef struct murk_tallies murk_tallies;
 
-/* Creates tallies after the checks above; refused if they take more than
- * memory_max_bytes. At most `threads` threads may add to them. The caller
- * destroys *out with murk_tallies_destroy(). */
+/* Creates n > 0 tallies after murk_tallies_check(). Fails with MURK_BAD_VALUE
+ * as that function does and if the tallies would take more than
+ * memory_max_bytes, and with MURK_NO_MEMORY. The descriptions are copied, but
+ * their `where` must outlive the tallies. At most `threads` threads (0 counts
+ * as 1) may add to them. The caller destroys *out with
+ * murk_tallies_destroy(). */
 murk_status murk_tallies_create(murk_tallies **out,
                                 const murk_tally_desc *descs, size_t n,
                                 const murk_domain *domain, size_t channels,
@@ -94,8 +98,8 @@ murk_status murk_tallies_create(murk_tallies **out,
                                 double memory_max_bytes, murk_error *err);
 void murk_tallies_destroy(murk_tallies *tallies); /* NULL is fine */
 
-/* True if the tallies were created for that number of channels and for at least
- * that number of threads. */
+/* True if the tallies were created for that number of channels and have a
+ * scorer for each of that number of threads (0 counts as 1). */
 bool murk_tallies_fit(const murk_tallies *tallies, size_t channels,
                       unsigned threads);
 

@@ -46,8 +46,8 @@ typedef enum murk_event_kind {
     MURK_EVENT_EMITTED,
     MURK_EVENT_SURFACE, /* hit a material; `outcome` has the result */
     MURK_EVENT_MEDIUM,  /* a real collision */
-    MURK_EVENT_WRAPPED, /* left one side of a periodic domain, entered another
-                         */
+    MURK_EVENT_WRAPPED, /* left a periodic domain through a side and entered
+                         * through the opposite one */
     MURK_EVENT_ESCAPED,
     MURK_EVENT_LOST,
     MURK_EVENT_INTERFACE /* passed or reflected at the boundary of a region
@@ -58,16 +58,18 @@ typedef enum murk_event_kind {
 typedef enum murk_outcome {
     MURK_ABSORBED,
     MURK_DIFFUSE,     /* surfaces: reflected by the cosine law */
-    MURK_MIRRORED,    /* surfaces: mirror, Fresnel and total reflection */
-    MURK_TRANSMITTED, /* surfaces: transmitted by a sheet, or refracted */
+    MURK_MIRRORED,    /* surfaces and interfaces: mirror, Fresnel and total
+                       * reflection */
+    MURK_TRANSMITTED, /* surfaces and interfaces: transmitted by a sheet, or
+                       * refracted */
     MURK_SCATTERED    /* media */
 } murk_outcome;
 
-/* The history of a photon before an event: the classes of the SPOQ paper and of
- * Jensen. */
+/* The history of a photon before an event (wraps do not count): the classes of
+ * the SPOQ paper and of Jensen. */
 typedef enum murk_event_class {
-    MURK_CLASS_FIRST,    /* first event since the lamp */
-    MURK_CLASS_SPECULAR, /* only mirror reflections and transmissions before */
+    MURK_CLASS_FIRST,    /* first event since the emission */
+    MURK_CLASS_SPECULAR, /* only MURK_MIRRORED and MURK_TRANSMITTED before */
     MURK_CLASS_LATER
 } murk_event_class;
 
@@ -77,7 +79,8 @@ typedef enum murk_loss {
                           * waves */
     MURK_LOSS_WRAPS,     /* more than wraps_max wraps without another event */
     MURK_LOSS_NUMERICAL, /* a position that is not finite or not inside the
-                          * domain */
+                          * domain, or more solids around the photon than
+                          * MURK_PATH_SOLIDS_MAX */
     MURK_LOSSES
 } murk_loss;
 
@@ -137,8 +140,9 @@ typedef void (*murk_segment_sink)(void *context, uint64_t batch,
 typedef struct murk_trace {
     const murk_transport_world *world;
     uint32_t seed;
-    uint32_t stream; /* 0: the map from which a plan is chosen; 1: held out; 2:
-                      * confirms */
+    uint32_t stream; /* 0: the map from which a plan is chosen; other streams
+                      * have independent random numbers (plan/plan.h,
+                      * render/render.c) */
     uint64_t first, last; /* photons [first, last); batch 0 starts at first */
     unsigned threads;
     uint32_t events_max, wraps_max;
@@ -173,8 +177,9 @@ typedef struct murk_ledger {
     murk_tally photons, collisions; /* plain counts; collisions: real ones */
 } murk_ledger;
 
-/* Creates an empty ledger for a world. The caller destroys it with
- * murk_ledger_destroy(). */
+/* Creates an empty ledger for a world with at least one light and one material.
+ * The caller destroys it with murk_ledger_destroy(). Fails with
+ * MURK_NO_MEMORY. */
 murk_status murk_ledger_create(murk_ledger **out,
                                const murk_transport_world *world,
                                murk_error *err);

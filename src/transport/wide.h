@@ -1,6 +1,6 @@
 /* Sums of 128 bits to which several threads may add, and the exact variance of
  * the terms. Sums are modulo 2^128 and independent of the order, so a term is
- * taken back by adding the complement. Private to this room. */
+ * subtracted by adding its two's complement. Private to this room. */
 #ifndef MURK_TRANSPORT_WIDE_H
 #define MURK_TRANSPORT_WIDE_H
 
