@@ -27,9 +27,10 @@
 
 typedef struct murk_photon_map murk_photon_map;
 
-/* Takes ownership of photons[n] (from malloc(); also on failure) and orders
- * them. n may be 0, with NULL, and is at most 2^32 - 1. Positions must be
- * finite. */
+/* Takes ownership of photons[n] (from malloc(), freed on failure) and orders
+ * them. n may be 0, with NULL. Fails with MURK_BAD_VALUE if n is above 2^32 - 1
+ * or a position is not finite, with MURK_NO_MEMORY, or with
+ * MURK_INTERRUPTED. */
 murk_status murk_photon_map_create(murk_photon_map **out, murk_photon *photons,
                                    size_t n, unsigned threads, murk_error *err);
 void murk_photon_map_destroy(murk_photon_map *map); /* NULL is fine */

@@ -3,13 +3,15 @@
  * without an include guard, and defines before it:
  *
  *   NAME(x)           x with the suffix of this width
+ *   TITLE             the name of this width, a string
  *   TARGET            the attribute of functions that use the instructions
  *   VECTOR, LANES     a vector of single-precision numbers, and their number
  *   SPLAT(x)          a vector with x in all lanes
  *   LOAD(p)           LANES numbers from an aligned array
  *   STORE(p, v)       LANES numbers to an array
- *   LARGER(a, b)      maximum lane by lane; SMALLER(a, b): minimum
- *   NOT_ABOVE(a, b)     bit i: a <= b in lane i
+ *   LARGER(a, b), SMALLER(a, b)
+ *                     maximum and minimum, lane by lane
+ *   NOT_ABOVE(a, b)   bit i: a <= b in lane i
  *   QUARTERS(p)       loads a photon into each quarter (4 lanes) of the vector,
  *                     unaligned: quarter i holds x, y, z and the next word of
  *                     photon p[4 i]
