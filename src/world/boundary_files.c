@@ -1,8 +1,9 @@
-/* Builds the boundary meshes of the regions of a scene and refuses regions with
- * an index of refraction whose boundaries cross. Two such regions must be
- * nested or disjoint, because the index at a place would be ambiguous
- * otherwise. The geometric test of a mesh against a mesh, a box, a sphere or a
- * half space is in geometry/boundary_meshes.h. */
+/* Builds the boundary meshes of the regions of a scene and refuses pairs of
+ * regions with an index of refraction whose boundaries cross, if at least one
+ * of the two is a mesh. Such regions must be nested or disjoint, because the
+ * index at a place would be ambiguous otherwise. The geometric test of a mesh
+ * against a mesh, a box, a sphere or a half space is in
+ * geometry/boundary_meshes.h. */
 #include "world/stage_build.h"
 
 #include "base/position.h"
@@ -17,8 +18,8 @@ static murk_affine placed(const murk_scene_region *r)
     return murk_scene_placed(&r->solid);
 }
 
-/* Moves outwards those faces of an axis-aligned box that lie in a side of the
- * domain or beyond it. A rotated box keeps all of its faces. */
+/* Moves outwards those faces of a box region that lie in a side of the domain
+ * or beyond that side. A rotated box keeps all of its faces. */
 static void open_faces(murk_plain_shape *shape, const murk_scene_region *r,
                        const murk_box *domain, double far_m)
 {

@@ -6,9 +6,10 @@
 
 #include "path/pieces.h"
 
-/* Squares along either side of the floor, for a beam and for the sky; and the
- * directions over the sky, in rings of equal light and spokes around them. A
- * choice: the answer is shown to three digits. */
+/* The floor is divided into this number of rectangles along either axis, for a
+ * beam and for a dome. The directions of a dome lie on rings of equal
+ * irradiance, with spokes around each ring. The numbers are a choice; the share
+ * is printed with three digits. */
 #define BEAM_SQUARES 16
 #define DOME_SQUARES 6
 #define DOME_RINGS   4
@@ -24,9 +25,10 @@ typedef struct rays {
     murk_path_tiling tiling;
 } rays;
 
-/* A ray that leaves through a side goes on in the same media in a domain that
- * repeats, and if media continue outside. (Surfaces are taken to repeat there,
- * too, which matters only to the distance that light comes from.) */
+/* A ray that leaves through a side continues at the opposite side if the domain
+ * is periodic or if the media continue outside. (In the second case surfaces
+ * are taken to repeat as well, which matters only to the distance that light
+ * comes from.) */
 static void begin(rays *r, const murk_transport_world *world)
 {
     r->world = world;
@@ -39,8 +41,9 @@ static void begin(rays *r, const murk_transport_world *world)
         .free_above_m = INFINITY};
 }
 
-/* The ray along `direction` that ends in a place of the floor; an open domain
- * is entered through a side. */
+/* The ray along `direction` that ends at a point of the floor. It begins at the
+ * height of the top if the domain repeats, else where it enters the domain
+ * through the top or a side. */
 static murk_path_pieces ray_to(const rays *r, murk_vec3 floor,
                                murk_vec3 direction)
 {
@@ -57,7 +60,8 @@ static murk_path_pieces ray_to(const rays *r, murk_vec3 floor,
                                direction, length);
 }
 
-/* Optical depths per band from the ray's beginning to its end. */
+/* Optical depths by band from the beginning of the ray to its end, or to the
+ * surface or bend before it. */
 static murk_spectrum depth_of(const rays *r, murk_path_pieces ray)
 {
     const double length_m = ray.left_m;
@@ -90,7 +94,7 @@ static murk_spectrum depth_of(const rays *r, murk_path_pieces ray)
     return depth;
 }
 
-/* Adds the means over the squares of the floor, times weight. */
+/* Adds the means over the rectangles of the floor, times weight. */
 static void add_direction(murk_daylight_loss *out, const rays *r,
                           murk_vec3 direction, int squares, double weight)
 {
@@ -111,7 +115,8 @@ static void add_direction(murk_daylight_loss *out, const rays *r,
     }
 }
 
-/* Equal parts of an even sky's irradiance: sin^2 and azimuth in equal steps. */
+/* Adds the directions of a dome. Equal steps in sin^2 of the zenith angle and
+ * in azimuth give equal parts of the irradiance of an even sky. */
 static void add_dome(murk_daylight_loss *out, const rays *r)
 {
     const murk_vec3 down = murk_vec(0, 0, -1);
@@ -134,7 +139,7 @@ murk_daylight_loss murk_daylight_loss_of(const murk_stage *stage, size_t light)
     for (int b = 0; b < world->bands; ++b) {
         power += l->power_w.band[b];
     }
-    /* Only distant light that comes from above is known. */
+    /* The share is known for distant light from above only. */
     const bool is_dome = murk_source_type_group(l->type) == MURK_SOURCE_DOME;
     if (!murk_source_is_distant(l) || !(power > 0) ||
         (!is_dome && !(l->direction.z < 0))) {

@@ -1,23 +1,27 @@
 /* How much the domain's own media take of light that comes from outside.
  *
- * Models of sun and sky give what the whole atmosphere leaves, weather
- * included. A scene that has fog in its domain, too, dims that light a second
- * time: this says by how much, so that a user can tell whether it is meant.
+ * Models of sun and sky give the light that the whole atmosphere lets through,
+ * weather included. If the domain of a scene also contains fog, the fog dims
+ * this light a second time. The share that is lost there lets a user judge
+ * whether that is intended.
  *
- * Rays that nothing random is in: parallel to the beam, through the middles of
- * equal squares of the domain's floor, from where they enter the domain to the
- * first surface, the first change of the index of refraction, or the floor. Of
- * a dome, such rays from 32 directions that have equal parts of an even sky's
- * irradiance. What is scattered on towards the floor counts as taken. */
+ * The share is a mean over rays of a fixed pattern without random numbers. The
+ * rays are parallel to the beam, lead to the middles of equal rectangles of the
+ * domain's floor, and reach from their entry into the domain to the first
+ * surface, the first change of the index of refraction, or the floor. A dome
+ * has such rays from 32 directions with equal parts of the irradiance of an
+ * even sky. Light that is scattered counts as lost, even if it goes on towards
+ * the floor. */
 #ifndef MURK_WORLD_DAYLIGHT_LOSS_H
 #define MURK_WORLD_DAYLIGHT_LOSS_H
 
 #include "world/stage.h"
 
 typedef struct murk_daylight_loss {
-    bool is_known; /* false: not distant light, or dark, or from below */
-    double share;  /* of its power that does not come through, 0..1 */
-    murk_spectrum optical_depth; /* mean of the rays, per band */
+    bool is_known; /* false, and the other members 0: the light is not distant,
+                    * is dark, or does not come from above */
+    double share;  /* share of the light's power that is lost, 0..1 */
+    murk_spectrum optical_depth; /* mean over the rays, by band */
     murk_spectrum transmittance; /* likewise */
 } murk_daylight_loss;
 

@@ -1,6 +1,7 @@
-/* Bounding boxes of the items of a scene: each shape is bounded in local
- * coordinates, and the corners of that box are transformed into the world. The
- * box of a rotated item is therefore an upper bound, not the smallest one. */
+/* Bounding boxes of the items of a scene: each shape other than a sphere is
+ * bounded in local coordinates, and the corners of that box are transformed
+ * into the world. The box of a rotated item is therefore an upper bound, not
+ * the smallest one. */
 #include "world/extent.h"
 
 #include "world/sky.h"
@@ -76,8 +77,8 @@ static murk_box box_of_grid(const murk_affine *placed, const murk_grid *grid,
     return murk_affine_box(&whole, &voxels);
 }
 
-/* The intersection of a shape with the layers of a profile, in the local
- * coordinates of the region. */
+/* The box of the intersection of a shape with the layers of a profile, in the
+ * local coordinates of the region. */
 static murk_box box_of_shape(const murk_scene_region *r,
                              const murk_scene_numbers *z_m)
 {

@@ -69,8 +69,8 @@ bool murk_file_sums_scene(FILE *out, murk_file_sums *sums,
     for (size_t i = 0; i < scene->files && is_whole; ++i) {
         is_whole = murk_file_sums_put(out, sums, scene->file[i]);
     }
-    /* Files of frames: the scene names them by a pattern, which is not in the
-     * list of files. */
+    /* Grids of media once more: a frame of a sequence is named by a pattern and
+     * is not in the list of files. */
     for (size_t i = 0; i < scene->n_media && is_whole; ++i) {
         is_whole = murk_file_sums_put(out, sums, scene->media[i].vdb) &&
                    murk_file_sums_put(out, sums, scene->media[i].albedo_vdb);

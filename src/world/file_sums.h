@@ -10,12 +10,13 @@
 #include <stdint.h>
 #include <stdio.h>
 
-/* Larger files are refused: far above real meshes and grids, but a sparse file
- * of terabytes must not stall a run. */
+/* The largest file that a checksum is made of: far above real meshes and grids,
+ * but a sparse file of terabytes must not stall a run. */
 #define MURK_SUM_BYTES_MAX (UINT64_C(8) << 30)
 
 /* A cache of checksums by path, so that each file is read once. Begins as
- * zeros; murk_file_sums_release() frees the contents. */
+ * zeros. murk_file_sums_release() frees the contents and sets them to zero
+ * again. */
 typedef struct murk_file_sums {
     size_t n;
     char **path, (*sum)[33];
@@ -24,12 +25,14 @@ typedef struct murk_file_sums {
 void murk_file_sums_release(murk_file_sums *sums);
 
 /* Prints one line with the checksum of a file to out. The line has "-" in place
- * of a checksum if path is NULL or if the file cannot be read; the reader of
- * the file reports that error later. Returns false when out of memory. */
+ * of a checksum if path is NULL or if the file cannot be read or is too large;
+ * the reader of the file reports that error later. Returns false when out of
+ * memory. */
 bool murk_file_sums_put(FILE *out, murk_file_sums *sums, const char *path);
 
-/* Prints such a line for each file that the scene and the conditions of the
- * scene name. Returns false when out of memory. */
+/* Prints such a line for each file that the scene names, two more for the grids
+ * of each medium (path NULL for a medium without grid), and the same for each
+ * condition of the scene. Returns false when out of memory. */
 bool murk_file_sums_scene(FILE *out, murk_file_sums *sums,
                           const murk_scene_desc *scene);
 

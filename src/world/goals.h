@@ -17,7 +17,8 @@ typedef struct murk_goals murk_goals;
  * at the place of a region of interest if two regions have the same name, if a
  * mesh is open, or if no photon could be stored in the region; at the place of
  * the targets if their mesh is open; and at the place of a sensor type if it
- * selects light by arrival although the scene has targets. */
+ * selects light by arrival although the scene has targets. Fails with
+ * MURK_NO_MEMORY, too. */
 murk_status murk_goals_create(murk_goals **out, const murk_scene_desc *scene,
                               murk_mesh *const *mesh,
                               const murk_surfaces *surfaces,
@@ -31,8 +32,9 @@ const murk_interest *murk_goals_interest(const murk_goals *goals);
  * scene has none. */
 const murk_boundary_meshes *murk_goals_target_mesh(const murk_goals *goals);
 
-/* The bounding box of a region of interest or of the targets: a shape of the
- * scene, or boundary mesh `number` of meshes; infinite for everywhere. */
+/* The bounding box of a region of interest or of the targets: box or sphere of
+ * `solid`, or boundary mesh `number` of meshes; infinite for any other
+ * shape. */
 murk_box murk_goals_box(murk_region_shape shape, const murk_scene_solid *solid,
                         const murk_boundary_meshes *meshes, int number);
 

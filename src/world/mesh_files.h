@@ -8,7 +8,7 @@
 #include "scene/scene.h"
 
 typedef struct murk_mesh_file {
-    const char *path; /* NULL: the item has another shape */
+    const char *path; /* NULL: the item is not a mesh file */
     murk_mesh_import import;
     double scale;
     const char *where;

@@ -16,16 +16,20 @@ typedef struct murk_mesh_material {
                        * that the triangles got */
     bool is_forced;   /* the key geometry.*.material chose the material, not the
                        * name */
-    bool is_named;    /* `materials` has an entry of this name */
+    bool is_named;    /* `materials` has an entry of this name; false if
+                       * is_forced */
 } murk_mesh_material;
 
 /* All material names that have an area, ordered by geometry and by their order
- * in the file. The caller owns *out: free(). */
+ * in the file. The caller frees *out, which must not outlive the stage. Fails
+ * with MURK_NO_MEMORY. */
 murk_status murk_mesh_materials(murk_mesh_material **out, size_t *n,
                                 const murk_stage *stage, murk_error *err);
 
-/* Warns of names that got the material `default`, one line for each mesh, and
- * of entries of `materials` that no surface uses. */
+/* Warns of names that got the material `default` because no entry has the name,
+ * one line for each mesh, and of entries of `materials` other than `default`
+ * that no surface uses. Names that importers give to triangles without a
+ * material do not count. */
 void murk_warn_of_materials(const murk_stage *stage);
 
 #endif

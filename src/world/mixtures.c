@@ -61,8 +61,8 @@ static murk_status make_part(mixing *m, size_t i, const char *where,
     return murk_phase_check(&m->phase[i], 0, where, err);
 }
 
-/* Fills m->angle_deg with the steps above and the angles of all given tables,
- * in rising order, each angle once. */
+/* Fills m->angle_deg with the steps above and those angles of given tables that
+ * are above FIRST_DEG, in rising order, each angle once. */
 static void fill_angles(mixing *m)
 {
     double *at = m->angle_deg;

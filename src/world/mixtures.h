@@ -10,7 +10,7 @@
  * mixture. The table agrees with the sum within about MURK_PHASE_TOLERANCE;
  * below 0.001 degrees the power law of the first two rows is continued. The
  * caller owns *out (murk_phase_table_destroy()). Fails with MURK_BAD_VALUE at
- * `where`, or at a row of a given table. */
+ * `where`, or with MURK_NO_MEMORY. */
 murk_status murk_mixture_table(murk_phase_table **out,
                                const murk_mixture *mixture, const char *where,
                                murk_error *err);

@@ -67,7 +67,7 @@ static murk_status read_table(murk_phase_table **out, const char *path,
     if (!status) {
         status = read_column(&value, csv, "phase_per_sr", err);
     }
-    /* Normalise them and build the table. */
+    /* Build the table, which normalises the values. */
     if (!status) {
         const murk_phase_rows rows = {.rows = csv->rows,
                                       .angle_deg = angle,

@@ -19,9 +19,10 @@ typedef struct murk_phases {
 } murk_phases;
 
 /* Builds the phase functions of all media. Equal phase functions share one
- * table. The caller owns *out (murk_phases_destroy()); the scene must outlive
- * it. Fails at the place of a phase function in the scene, or at file and line
- * of a table. */
+ * table, except for mixtures of presets. The caller owns *out
+ * (murk_phases_destroy()); the scene must outlive *out. Fails with
+ * MURK_BAD_VALUE or MURK_BAD_FILE at the place of a phase function in the scene
+ * or at file and line of a table, or with MURK_NO_MEMORY. */
 murk_status murk_phases_create(murk_phases **out, const murk_scene_desc *scene,
                                murk_error *err);
 void murk_phases_destroy(murk_phases *phases); /* NULL is fine */

@@ -96,7 +96,8 @@ static murk_vec3 towards(const murk_body *body, murk_vec3 north)
 /* ---- schedules ---- */
 
 /* True if the local time of day lies in one of the spans. A span whose end is
- * before its begin passes midnight. */
+ * an earlier time of day than its beginning passes midnight. The end of a span
+ * is not part of it. */
 static bool is_within_spans(const murk_scene_schedule *schedule,
                             const murk_scene_site *site)
 {
@@ -112,7 +113,9 @@ static bool is_within_spans(const murk_scene_schedule *schedule,
     return false;
 }
 
-/* True if the sun is below the horizon at the time of the scene. */
+/* Sets *out to whether the upper limb of the sun is below the horizon at the
+ * time of the scene. Fails with MURK_BAD_VALUE if the scene has no latitude or
+ * longitude, or as murk_sun_at() does. */
 static murk_status is_night(bool *out, const murk_scene_desc *scene,
                             const char *where, murk_error *err)
 {
@@ -130,8 +133,8 @@ static murk_status is_night(bool *out, const murk_scene_desc *scene,
     return status;
 }
 
-/* True if the schedule of a lamp has it switched on at the time of the scene.
- */
+/* Sets *out to whether the schedule of a lamp has it switched on at the time of
+ * the scene. Fails as is_night(). */
 static murk_status shines(bool *out, const murk_scene_desc *scene,
                           const murk_scene_light *light, murk_error *err)
 {
@@ -153,8 +156,8 @@ static murk_status shines(bool *out, const murk_scene_desc *scene,
 
 /* ---- irradiance and spectrum ---- */
 
-/* Warns if a band reaches beyond the wavelengths of the spectrum: the spectrum
- * is 0 there only because the model ends. */
+/* Warns of the first band that reaches beyond the wavelengths of the spectrum:
+ * the spectrum is 0 there only because the model ends. */
 static void warn_beyond(const murk_scene_desc *scene,
                         const murk_scene_light *light,
                         const murk_solar_spectrum *spectrum)
@@ -175,8 +178,9 @@ static void warn_beyond(const murk_scene_desc *scene,
 }
 
 /* Splits an irradiance over all wavelengths [W/m2] into bands by the spectrum.
- * A total that the user gives replaces the irradiance of the model; irradiances
- * that the user gives for each band are used as they are. */
+ * A total that the user gives is that of all bands together and replaces the
+ * irradiance of the model; irradiances that the user gives for each band are
+ * used as they are. */
 static murk_spectrum spread(const murk_scene_desc *scene,
                             const murk_scene_light *light,
                             const murk_solar_spectrum *spectrum,
@@ -194,8 +198,8 @@ static murk_spectrum spread(const murk_scene_desc *scene,
             scene->has_edges
                 ? murk_solar_spectrum_share(spectrum, scene->band_edge_nm[b],
                                             scene->band_edge_nm[b + 1])
-                : 1;        /* one line, of a given total */
-        all += out.band[b]; /* a single wavelength: the user gives the total */
+                : 1; /* a single wavelength: the user gives the total */
+        all += out.band[b];
     }
     /* Scale the shares to the irradiance. */
     const double scale = !light->has_irradiance ? irradiance
@@ -207,7 +211,7 @@ static murk_spectrum spread(const murk_scene_desc *scene,
     return out;
 }
 
-/* Luminous efficacy of the spectrum: lumens per watt over all wavelengths. */
+/* Luminous efficacy of the spectrum: lumens per watt of all wavelengths. */
 static double lumen_per_watt(const murk_solar_spectrum *spectrum)
 {
     const double from = 380, to = 780; /* nm; limits of the photopic luminosity

@@ -14,28 +14,32 @@
 
 /* Properties that were computed for one light source of the scene. */
 typedef struct murk_sky_facts {
-    bool is_on;           /* true if the source emits: a lamp according to its
-                           * schedule, distant light if the irradiance is not 0 */
+    bool is_on;           /* true if the source has power in any band at the
+                           * time of the scene: false for a lamp that is off by
+                           * its schedule */
     double azimuth_deg;   /* azimuth of sun or moon, for a sky that of the sun;
-                           * clockwise from north */
-    double elevation_deg; /* apparent elevation of the same body */
+                           * clockwise from north; NAN for other sources */
+    double elevation_deg; /* apparent elevation of the same body; NAN for other
+                           * sources */
     double irradiance_w_per_m2;   /* of distant light, summed over the bands:
                                    * normal to the beam for sun, moon and
-                                   * directional light, on a level plane for skies
-                                   */
+                                   * directional light, on a level plane for
+                                   * skies; NAN for lamps */
     murk_solar_spectrum spectrum; /* spectrum of sun, moon and skies; without
                                    * nodes for other sources, whose power is
                                    * even within a band */
 } murk_sky_facts;
 
-/* Converts a light source that does not belong to the sky: a lamp or
- * directional light. The result borrows from the scene. */
+/* Converts a lamp or directional light without its portals and whatever its
+ * schedule. (A light source of the sky becomes a distant source without
+ * direction.) The result borrows from the scene. */
 murk_source murk_sky_lamp(const murk_scene_light *light);
 
-/* Converts one light source of the scene. *out borrows from the scene. Every
- * element of power_w is 0 if the source does not emit at the time of the scene.
- * Fails at the place of the light source if the ephemeris does not cover the
- * time. */
+/* Converts one light source of the scene, without its portals. *out borrows
+ * from the scene. Every element of power_w is 0 if the source does not emit at
+ * the time of the scene. Fails with MURK_BAD_VALUE at the place of the light
+ * source if the ephemeris does not cover the time, or if its schedule is night
+ * and the scene has no latitude or longitude. */
 murk_status murk_sky_light(murk_source *out, murk_sky_facts *facts,
                            const murk_scene_desc *scene, size_t light,
                            murk_error *err);

@@ -20,9 +20,9 @@ static void put_vector(FILE *out, murk_vec3 v)
     fprintf(out, "%a %a %a\n", v.x, v.y, v.z);
 }
 
-/* Prints all properties of a source but its power. Distant light that does not
- * emit prints one word: the position of a sun below the horizon changes no
- * photon. */
+/* Prints all properties of a source but its power. (murk_sky_light() sets no
+ * portals.) Distant light that does not emit prints one word: the position of a
+ * sun below the horizon changes no photon. */
 static void put_light(FILE *out, const murk_source *l)
 {
     if (murk_source_is_distant(l) && !shines(l)) {

@@ -1,5 +1,6 @@
-/* A text that describes the light sources of a scene except their power. If two
- * scenes have the same text, their light sources differ in power alone. */
+/* A text that describes the light sources of a scene except their power and
+ * their portals. If two scenes without portals have the same text, their light
+ * sources differ in power alone, or are dark in both. */
 #ifndef MURK_WORLD_SOURCE_SHAPES_H
 #define MURK_WORLD_SOURCE_SHAPES_H
 

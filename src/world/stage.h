@@ -18,8 +18,9 @@ typedef struct murk_stage {
     murk_fillings *fillings; /* grids and profiles of the media */
     murk_grid **grid;        /* fillings->grid; NULL for a medium without a grid
                               */
-    murk_mesh **mesh; /* the meshes of all files (world/mesh_files.h), first
-                       * [scene->geometries]; NULL unless the shape is a mesh */
+    murk_mesh **mesh; /* [murk_mesh_files_count()]: the imported meshes in the
+                       * order of world/mesh_files.h, those of the geometry
+                       * first; NULL for an item that is not a mesh file */
     murk_mesh **region_mesh; /* [scene->n_regions], in `mesh` */
     murk_mesh **goal_mesh;   /* [n_interests + 1], in `mesh`: of the regions of
                               * interest and of the targets */
@@ -35,20 +36,23 @@ typedef struct murk_stage {
     murk_tally_desc *tally; /* [scene->n_tallies]; NULL if there are none */
     char *light_key; /* light_key of the scene, followed by a checksum of each
                       * file that the light depends on: stages with equal keys
-                      * trace equal light */
-    bool borrows;    /* meshes and fillings belong to another stage */
+                      * and equal seeds trace equal light */
+    bool borrows;    /* the meshes of geometry and regions, and the fillings,
+                      * belong to another stage */
 } murk_stage;
 
 /* The settings of a trace of this world as the scene gives them. The caller
- * sets stream, photons, threads and sink. */
+ * sets the other members: photons, and stream, threads, sinks and tallies where
+ * the values of murk_trace_defaults() do not serve. */
 murk_trace murk_stage_trace(const murk_stage *stage);
 
-/* True if no light source of the scene emits: lamps off, the sun below the
- * horizon. */
+/* True if no light source of the scene has power at the time of the scene, for
+ * example because the lamps are off and the sun is below the horizon. */
 bool murk_stage_is_dark(const murk_stage *stage);
 
 /* True if plans would count photons although none is emitted: the scene is
- * dark, and no targets take the place of photons. */
+ * dark, and there are no targets in place of photons, or detection is by
+ * power. */
 bool murk_stage_has_nothing_to_see(const murk_stage *stage);
 
 #endif

@@ -1,10 +1,10 @@
 /* Imports the files of a scene, and then builds the world of the photon tracer:
  * phase functions, domain, boundary meshes, surfaces, media, light sources,
  * goals and tallies. The order follows from the steps that use earlier ones:
- * boundary meshes use the domain, media the phase functions, light sources the
- * media and the domain, goals the surfaces and the domain, and tallies the
- * domain. The checksum of every file that the light depends on is appended to
- * the light key. */
+ * boundary meshes use the domain; media use the phase functions, the domain and
+ * the boundary meshes; light sources the media and the domain; goals the
+ * surfaces and the domain; and tallies the domain. The checksum of every file
+ * that the light depends on is appended to the light key. */
 #include "world/stage_build.h"
 
 #include "base/file.h"
@@ -22,13 +22,13 @@
 #include <string.h>
 
 /* Warn if the step of single precision is more than this share of the extent of
- * a mesh. A mesh that lies 160 times its extent from the origin reaches it (160
- * * 2^-24 = 1e-5). */
+ * a mesh. A mesh that lies about 160 times its extent from the origin reaches
+ * this share (160 * 2^-24 = 1e-5). */
 #define STEP_WARNED 1e-5
 
-/* Appends the checksum of a file to the light key. The key has the name of the
- * file already, without its folder, so that a scene may be moved together with
- * its files. */
+/* Appends the checksum of a file to the light key. The key already contains the
+ * name of the file without the folder, so that a scene may be moved together
+ * with its files. Fails as murk_file_checksum(). */
 static murk_status add_checksum(murk_stage *stage, const char *path,
                                 const char *where, murk_error *err)
 {
@@ -83,7 +83,8 @@ static murk_status check_step(const murk_scene_desc *scene,
     return MURK_OK;
 }
 
-/* Meshes that the light depends on come first in the list of files. */
+/* The number of items of the list of mesh files that the light depends on; they
+ * come first. */
 static size_t lit_meshes(const murk_scene_desc *scene)
 {
     return scene->geometries + scene->n_regions;
@@ -113,8 +114,8 @@ static murk_status import_meshes(murk_stage *stage, size_t first, size_t last,
     return status;
 }
 
-/* Imports the meshes and grids that the light depends on and completes the
- * light key. */
+/* Imports the meshes and grids that the light depends on and appends their
+ * checksums to the light key. make_phases() appends those of tables. */
 static murk_status import_world(murk_stage *stage, murk_error *err)
 {
     const murk_scene_desc *scene = stage->scene;
@@ -131,7 +132,8 @@ static murk_status import_world(murk_stage *stage, murk_error *err)
     return status ? status : murk_fillings_create(&stage->fillings, scene, err);
 }
 
-/* Takes meshes, grids and checksums from another stage. */
+/* Takes meshes, grids and their checksums from another stage. That stage must
+ * not be built yet: building appends the checksums of tables. */
 static murk_status borrow_world(murk_stage *stage, const murk_stage *other,
                                 murk_error *err)
 {
@@ -223,8 +225,8 @@ static murk_status build_media(murk_stage *stage, murk_error *err)
                : status;
 }
 
-/* The portals of all light sources, one after the other. The caller owns the
- * array. */
+/* The portals of all light sources, one after the other. The caller frees the
+ * array. NULL when out of memory. */
 static murk_portal *portals_of(const murk_scene_desc *scene)
 {
     size_t n = 0;

@@ -9,21 +9,25 @@
 #include "world/stage.h"
 
 /* Imports and builds. The caller owns *out (murk_stage_destroy()); the scene
- * must outlive it. */
+ * must outlive *out. Fails as the readers of the files and the rooms that build
+ * the parts do: with MURK_BAD_FILE, MURK_BAD_VALUE, MURK_UNSUPPORTED,
+ * MURK_NO_MEMORY and others. */
 murk_status murk_stage_create(murk_stage **out, const murk_scene_desc *scene,
                               murk_error *err);
 void murk_stage_destroy(murk_stage *stage); /* NULL is fine */
 
-/* The same in two steps, for several worlds at once: every world must be
- * imported before the first one is built, because building creates a ray
- * device, and subprocesses must be started before that. */
+/* murk_stage_create() in two steps, for several worlds at once: every world
+ * must be imported before the first one is built, because building creates a
+ * ray device, and subprocesses must be started before that. If
+ * murk_stage_build() fails, the caller still destroys the stage. */
 murk_status murk_stage_import(murk_stage **out, const murk_scene_desc *scene,
                               murk_error *err);
 murk_status murk_stage_build(murk_stage *stage, murk_error *err);
 
 /* As murk_stage_import(), for a scene that has the same world_key and the same
- * files as another imported stage. Meshes, grids and profiles are borrowed from
- * that stage, which must outlive the new one. */
+ * files as another stage that is imported but not built. The meshes of geometry
+ * and regions, grids and profiles are borrowed from that stage, which must
+ * outlive the new one. */
 murk_status murk_stage_import_beside(murk_stage **out,
                                      const murk_scene_desc *scene,
                                      const murk_stage *other, murk_error *err);
@@ -49,10 +53,10 @@ void murk_stage_warn(const murk_stage *stage);
  * is a mesh; otherwise the caller owns it (murk_boundary_meshes_destroy()).
  *
  * Fails with MURK_BAD_VALUE at the place of a region in the scene if a mesh is
- * open, or if two regions with an index of refraction cross and at least one of
- * them is a mesh. (The room medium checks pairs of other shapes.) A face of a
- * box that lies in a side of the domain or beyond that side does not count as a
- * boundary: the box is taken to continue outside the domain. */
+ * not closed, or if two regions with an index of refraction cross and at least
+ * one of them is a mesh. (The room medium checks pairs of other shapes.) A face
+ * of a box that lies in a side of the domain or beyond that side does not count
+ * as a boundary: the box is taken to continue outside the domain. */
 murk_status murk_stage_boundary_meshes(murk_boundary_meshes **out,
                                        const murk_scene_desc *scene,
                                        murk_mesh *const *mesh,

@@ -80,7 +80,7 @@ static bool touches_sides(const murk_stage *stage, size_t i)
            box.min.z <= domain->min.z || box.max.z >= domain->max.z;
 }
 
-/* Notes of suns and moons below the horizon. */
+/* Notes of suns and moons that are not above the horizon. */
 static void note_of_set(const murk_stage *stage)
 {
     const murk_scene_desc *scene = stage->scene;
@@ -130,8 +130,8 @@ static void note_of_dark(const murk_stage *stage)
 }
 
 /* A medium that touches an open side usually continues outside. Unless
- * domain.outside says so, it does not attenuate sun and sky light outside the
- * domain: warn. */
+ * domain.outside is continued, light of sun and sky is not attenuated outside
+ * the domain: warn. */
 static void warn_of_lit_sides(const murk_stage *stage)
 {
     const murk_scene_desc *scene = stage->scene;

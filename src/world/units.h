@@ -4,9 +4,9 @@
  * There is one factor for each light source and band. A band without edges is a
  * single wavelength. Within a band that has edges, the light of sun, moon and
  * sky has the spectrum that it has at the boundary of the domain, and the light
- * of a lamp is even in wavelength. Attenuation by media and surfaces within a
- * band does not change the factor, because a photon carries a band and no
- * wavelength. */
+ * of any other source is even in wavelength. Attenuation by media and surfaces
+ * within a band does not change the factor, because a photon carries a band and
+ * no wavelength. */
 #ifndef MURK_WORLD_UNITS_H
 #define MURK_WORLD_UNITS_H
 
@@ -23,7 +23,8 @@ typedef struct murk_units {
 
 murk_units murk_units_of(murk_quantity quantity);
 
-/* The value of one watt of a light source in a band, in the quantity. */
+/* The value of one watt of a light source in a band, in the unit
+ * murk_units.power of the quantity. */
 double murk_units_per_watt(murk_quantity quantity, const murk_stage *stage,
                            size_t light, int band);
 
@@ -38,8 +39,8 @@ void murk_units_packets(double *out, murk_quantity quantity,
  * the errors are independent. */
 murk_estimate murk_units_sum(const murk_estimate *value, int n);
 
-/* Prints a note if a band counts 0 in the quantity: light that eyes or plants
- * do not detect. */
+/* Prints a note that lists the bands whose light, even in wavelength, counts 0
+ * in the quantity: light that eyes or plants do not detect. */
 void murk_units_note(const murk_scene_desc *scene);
 
 #endif
