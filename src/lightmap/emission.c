@@ -13,9 +13,9 @@
 
 #include <math.h>
 
-/* Photons that may be emitted for each record that `store` asks for. A scene
- * that stores less than one record in 1000 photons is refused, because it would
- * run for hours to little effect. */
+/* Photons that may be emitted for each record that `store` asks for (in all at
+ * most 2^32 - 1). A scene that stores less than one record in 1000 photons is
+ * refused, because it would run for hours to little effect. */
 #define STORE_EMISSIONS UINT64_C(1000)
 
 static const murk_scene_photons *settings_of(const murk_emission *e)
@@ -55,10 +55,11 @@ static uint64_t emissions_max(const murk_emission *e)
                : UINT32_MAX;
 }
 
-/* Number of photons of the next wave: the remaining photons, or, with `store`,
- * the number that should produce the missing records plus 2 %, in whole batches
- * except for the last wave. The first wave of a run with `store` is one batch,
- * because the number of records for each photon is not yet known. */
+/* Number of photons of the next wave: MURK_WAVE_BATCHES batches, but never more
+ * than the remaining photons. With `store`, a wave has only the batches that
+ * should produce the missing records plus 2 %. The first wave is one batch with
+ * `store`, because the number of records for each photon is not yet known, and
+ * if is_first_small is set. */
 static uint64_t wave_photons(const murk_emission *e)
 {
     const uint64_t done = e->emitted;
@@ -83,8 +84,8 @@ static void take_back(const murk_emission *e, uint64_t first, uint64_t last)
     murk_trace_run(&trace, e->ledger);
 }
 
-/* Traces one wave. Sets *is_done when all photons are emitted or `store` is
- * reached. */
+/* Traces one wave. Sets *is_done to whether all photons are emitted or `store`
+ * is reached. */
 static murk_status send_wave(murk_emission *e, bool *is_done, murk_error *err)
 {
     const uint64_t first = e->emitted;

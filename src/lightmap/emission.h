@@ -9,7 +9,7 @@
 #include "lightmap/record_buffers.h"
 #include "world/stage.h"
 
-/* A run that loses a larger share of the photons is refused, because the result
+/* A run that loses a larger share of the photons fails, because the result
  * would not be the light of the scene. The value is that of the manual. */
 #define MURK_LOST_SHARE_MAX 0.01
 
@@ -17,8 +17,8 @@ typedef struct murk_emission {
     const murk_stage *stage;
     uint32_t stream;
     unsigned threads;
-    uint64_t emit;       /* photons to emit; 0: until scene->photons.store
-                          * records are stored */
+    uint64_t emit;       /* photons to emit; 0: until
+                          * stage->scene->photons.store records are stored */
     bool is_first_small; /* the first wave is one batch, so that its records can
                           * be used for a forecast */
     murk_record_buffers *buffers; /* stores and counts the records */
@@ -27,9 +27,10 @@ typedef struct murk_emission {
 
     /* Optional sinks that receive events and segments instead of the record
      * buffers; they must pass the events on to the record buffers, which count
-     * them. gather is then called after each wave and keeps the records of
-     * photons up to and including `last`. If sink and gather are NULL, the
-     * record buffers alone are used. */
+     * them. gather is then called after each wave, with gather_context, and
+     * keeps the records of photons up to and including `last` (UINT64_MAX: all
+     * of the wave). If sink and gather are NULL, the record buffers alone are
+     * used. */
     murk_event_sink sink;
     murk_segment_sink segment_sink;
     void *context; /* passed to both sinks */
@@ -39,28 +40,32 @@ typedef struct murk_emission {
     uint64_t emitted; /* photons so far */
 } murk_emission;
 
-/* Fails if the number of photons is smaller than the number of channels (light
- * source and band) with power. */
+/* Fails with MURK_BAD_VALUE if `emit` is given and smaller than the number of
+ * channels (light source and band) with power. */
 murk_status murk_emission_check(const murk_emission *emission, murk_error *err);
 
-/* Traces all photons; none if no light source emits. Fails if `store` records
- * would need too many photons, when interrupted, or if gather fails. */
+/* Traces all photons; none if no light source emits. Fails with MURK_RUN_FAILED
+ * if `store` records would need too many photons, with MURK_INTERRUPTED, or as
+ * gather or murk_record_buffers_gather() does. */
 murk_status murk_emission_run(murk_emission *emission, murk_error *err);
 
-/* Fails if more than MURK_LOST_SHARE_MAX of the photons were lost. */
+/* Fails with MURK_RUN_FAILED if more than MURK_LOST_SHARE_MAX of the photons
+ * were lost. */
 murk_status murk_emission_check_losses(const murk_emission *emission,
                                        murk_error *err);
 
 /* Sets packet_w[channels] to the power of one photon packet of each channel,
  * light * bands + band, and emitted_in[channels] to the number of photons
- * emitted in that channel. The power is 0 for a channel without photons. */
+ * emitted in each channel. The power is 0 for a channel without photons. */
 void murk_emission_packet_powers(const murk_emission *emission,
                                  uint64_t *emitted_in, double *packet_w);
 
-/* Traces the first photons of each band. Fails with MURK_BAD_VALUE if all
- * photons of a band were lost because they exceeded the limits on events or on
- * wraps through periodic sides: such a scene would be refused for lost photons
- * (murk_emission_check_losses()) after hours of tracing. */
+/* Traces a few photons of each band. Fails with MURK_BAD_VALUE if at least 4
+ * photons of a band were lost and no photon of that band ended otherwise,
+ * usually because they exceeded the limits on events or on wraps through
+ * periodic sides: such a scene would be refused for lost photons
+ * (murk_emission_check_losses()) after hours of tracing. Fails with
+ * MURK_NO_MEMORY, too. */
 murk_status murk_ending_check(const murk_stage *stage, uint32_t stream,
                               murk_error *err);
 

@@ -1,12 +1,13 @@
 /* Traces a few photons of each band and looks at the ledger. A band without
- * absorption or escape loses every photon at the limit of events; the message
- * then depends on whether any surface or medium absorbs in that band. */
+ * absorption or escape loses every photon at the limit of events or wraps; the
+ * message then depends on whether any surface or medium absorbs in that
+ * band. */
 #include "lightmap/emission.h"
 
-/* Photons traced for each band, and the number of lost photons from which a
- * band is refused if no photon of the band ended otherwise. At the largest loss
- * that is accepted, one photon in 100, four lost photons have a probability of
- * 1e-8. */
+/* Photons traced for each band, in the mean over the bands, and the number of
+ * lost photons from which a band is refused if no photon of the band ended
+ * otherwise. At the largest loss that is accepted, one photon in 100, four lost
+ * photons have a probability of 1e-8. */
 #define PHOTONS_A_BAND 8
 #define LOST_MIN       4
 
@@ -15,7 +16,8 @@ static bool is_whole(double share)
     return share >= 1;
 }
 
-/* True if any surface or medium of the scene absorbs light of the band. */
+/* True if any surface or medium of the scene absorbs light of the band. A
+ * medium with an albedo grid is taken to absorb. */
 static bool absorbs(const murk_stage *stage, int band)
 {
     const murk_scene_desc *scene = stage->scene;

@@ -131,7 +131,8 @@ done:
     return status;
 }
 
-/* Fails if the forecast exceeds max_stored or the free memory. */
+/* Fails with MURK_BAD_VALUE if the forecast exceeds max_stored or the free
+ * memory. */
 static murk_status check_forecast(const murk_forecast *forecast,
                                   const murk_scene_photons *settings,
                                   murk_error *err)

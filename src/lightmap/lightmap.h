@@ -11,15 +11,17 @@
 #include "world/stage.h"
 
 typedef struct murk_traced {
-    murk_photon_map *surface, *volume; /* empty if not stored */
+    murk_photon_map *surface, *volume; /* empty maps if not stored; NULL before
+                                        * they are filled */
     uint64_t emitted;
     uint32_t seed, stream;
     size_t channels;  /* number of channels: light * bands + band */
     double *packet_w; /* [channels]: power of one photon packet; 0 for a channel
                        * without photons */
     murk_ledger *ledger;
-    murk_tallies *tallies; /* tallies of stream 0; NULL if the scene has none or
-                            * the light was read from a file */
+    murk_tallies *tallies; /* NULL if the scene has none, in a stream other than
+                            * 0, and in light that was read from a file or
+                            * scaled */
     double trace_s, map_s; /* wall-clock times of tracing and of building the
                             * maps, for the record of the run */
 } murk_traced;
@@ -27,16 +29,18 @@ typedef struct murk_traced {
 /* Forecast from a short pilot run. */
 typedef struct murk_forecast {
     uint64_t pilot_photons;
-    double surface, volume; /* records of both maps at the end */
+    double surface, volume; /* numbers of records at the end */
     double emitted;         /* photons at the end */
-    double memory_bytes;    /* upper limit of the memory of tracing and of both
-                             * maps */
+    double memory_bytes;    /* upper limit [bytes] of the memory of tracing and
+                             * of both maps, for these numbers of records */
     double escaped_share;   /* share of the emitted power that escapes; 0 if
                              * nothing is emitted */
 } murk_forecast;
 
-/* Traces a pilot run of one batch and extrapolates. Fails as
- * murk_ending_check(). */
+/* Traces a pilot run of one batch, or of fewer photons if the scene emits
+ * fewer, and extrapolates. Without records in the pilot, a scene that asks for
+ * a number of records has the forecast 0. Fails as murk_ending_check(), with
+ * MURK_NO_MEMORY or with MURK_INTERRUPTED. */
 murk_status murk_lightmap_forecast(murk_forecast *out, const murk_stage *stage,
                                    uint32_t stream, unsigned threads,
                                    murk_error *err);
@@ -48,22 +52,28 @@ murk_status murk_lightmap_forecast(murk_forecast *out, const murk_stage *stage,
 void murk_warn_of_escape(const murk_stage *stage, double escaped_share);
 
 /* Traces scene->photons.emit photons, or until scene->photons.store records are
- * stored. A stream is an independent set of photons. Fails before tracing if
- * the forecast exceeds max_stored records or the free memory of the machine.
- * The caller owns *out (murk_traced_destroy()). */
+ * stored. A stream is an independent set of photons. Fails before tracing as
+ * murk_emission_check() and murk_ending_check(), and, if records are stored,
+ * with MURK_BAD_VALUE if the forecast exceeds max_stored records or the free
+ * memory of the machine; later as murk_emission_run(),
+ * murk_emission_check_losses(), murk_tallies_of_stage() and
+ * murk_photon_map_create(). The caller owns *out (murk_traced_destroy()). */
 murk_status murk_lightmap_trace(murk_traced **out, const murk_stage *stage,
                                 uint32_t stream, unsigned threads,
                                 murk_error *err);
 void murk_traced_destroy(murk_traced *traced); /* NULL is fine */
 
-/* A light without photons and without maps, to be filled. NULL, with err set,
- * when out of memory. */
+/* A light without photons and without maps (NULL), to be filled. Returns NULL,
+ * with err set, when out of memory. */
 murk_traced *murk_traced_create(const murk_stage *stage, uint32_t stream,
                                 murk_error *err);
 
-/* Writes light to, and reads it from, a file light.murk. Reading fails if the
- * seed, or one of the scene keys that light depends on, differs from that of
- * the stage; the message names the first difference. */
+/* Writes light to, and reads it from, a file light.murk, without the tallies.
+ * Writing fails as murk_map_file_write() or with MURK_NO_MEMORY. Reading fails
+ * with MURK_BAD_VALUE if the seed, the local origin, or one of the scene keys
+ * and files that light depends on differs from that of the stage; the message
+ * names the first difference. It also fails as murk_map_file_read(), and with
+ * MURK_BAD_FILE for contents that no run can have written. */
 murk_status murk_lightmap_save(const murk_traced *traced,
                                const murk_stage *stage, const char *path,
                                murk_error *err);
@@ -73,7 +83,8 @@ murk_status murk_lightmap_load(murk_traced **out, const murk_stage *stage,
 
 /* The settings of the run that wrote a light.murk: the seed, and the number of
  * emitted photons or of stored records, whichever was asked for; the other is
- * 0. */
+ * 0. Both are 0 if the light key of the file has no such number. Fails as
+ * murk_map_file_read_one(). */
 typedef struct murk_lightmap_counts {
     uint32_t seed;
     uint64_t emit, store;

@@ -1,6 +1,6 @@
 /* Record buffers of the photon tracer: events become 32-byte records
- * (photonmap/map.h), one buffer for each batch of a wave; the buffers are then
- * moved, batch by batch, to one list of surface records and one of volume
+ * (photonmap/photon.h), in one buffer for each batch of a wave; the buffers are
+ * then moved, batch by batch, to one list of surface records and one of volume
  * records. */
 #include "lightmap/record_buffers.h"
 

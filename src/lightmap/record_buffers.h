@@ -20,7 +20,8 @@ typedef struct murk_record_list {
     bool is_short_of_memory;
 } murk_record_list;
 
-/* Appends a record; the capacity grows by half. False when out of memory. */
+/* Appends a record; a full list grows by half. False, with the list unchanged,
+ * when out of memory. */
 bool murk_record_list_put(murk_record_list *list, const murk_photon *photon);
 
 typedef struct murk_record_buffers {
@@ -32,42 +33,47 @@ typedef struct murk_record_buffers {
     murk_record_list surface, volume; /* all records gathered so far */
 } murk_record_buffers;
 
-/* NULL when out of memory. */
+/* The settings must outlive the result. NULL when out of memory. */
 murk_record_buffers *
 murk_record_buffers_create(const murk_scene_photons *settings);
 void murk_record_buffers_destroy(
     murk_record_buffers *buffers); /* NULL is fine */
 
-/* The share of a photon packet that a record of the event gets: the expected
- * share that leaves the event (stored when hit) or the actual share (stored
- * when reflected). 0 if the event is not stored. */
+/* The share of a photon packet that a record of the event gets. With
+ * settings->store_hits it is the expected share that is reflected diffusely or
+ * scattered at the event; else it is the actual share that leaves, 0 if the
+ * photon was not reflected diffusely or scattered. 0 if the event belongs to no
+ * map that is kept. */
 double murk_record_buffers_share(const murk_record_buffers *buffers,
                                  const murk_event *event);
 
-/* The event sink of the photon tracer; context is the murk_record_buffers. The
- * power of a record is a share of the packet until
- * murk_record_buffers_to_watts() is called. */
+/* The event sink of the photon tracer; context is the murk_record_buffers,
+ * batch is counted from the beginning of the wave. The power of a record is a
+ * share of the packet until murk_record_buffers_to_watts() is called.
+ * murk_record_buffers_gather() reports a lack of memory. */
 void murk_record_buffers_event(void *context, uint64_t batch,
                                const murk_event *event);
 
-/* The photon of the `wanted`-th record (counted from 1) of this wave;
- * UINT64_MAX if the wave has fewer records. */
+/* The number of the photon that gave the `wanted`-th record (counted from 1) of
+ * this wave; UINT64_MAX if the wave has fewer records. */
 uint64_t murk_record_buffers_photon_of(const murk_record_buffers *buffers,
                                        uint64_t wanted);
 
 /* Moves the records of this wave, up to and including photon `last`, to the
- * lists of surface and volume records. Fails when out of memory or if more than
- * settings->max_stored records are stored. */
+ * lists of surface and volume records, and drops the others. Fails with
+ * MURK_NO_MEMORY, or with MURK_RUN_FAILED if more than settings->max_stored
+ * records are stored. */
 murk_status murk_record_buffers_gather(murk_record_buffers *buffers,
                                        uint64_t last, murk_error *err);
 
-/* Multiplies each record by the power of a packet of the same channel,
- * packet_w[light * bands + band], so that shares become watts. */
+/* Multiplies the power of each gathered record by the power of a packet of the
+ * same channel, packet_w[light * bands + band], so that shares become watts. */
 void murk_record_buffers_to_watts(murk_record_buffers *buffers,
                                   const double *packet_w, int bands);
 
 /* Passes the records of a list to a new photon map, which owns them; the list
- * becomes empty. The caller owns *out. */
+ * becomes empty, also on failure. The caller owns *out. Fails as
+ * murk_photon_map_create(). */
 murk_status murk_record_list_map(murk_photon_map **out,
                                  murk_record_list *buffer, unsigned threads,
                                  murk_error *err);

@@ -46,9 +46,8 @@ murk_status murk_scaled_light_powers(double **out, const murk_scene_desc *scene,
     bool shines = false;
     double *power_w = calloc(channels + 1, sizeof *power_w);
     murk_status status = power_w ? lights_of(&light, &shines, scene, err)
-                                 /* The power of a channel follows from the
-                                  * sources in the domain. */
                                  : no_memory(scene, err);
+    /* The power of a channel follows from the sources in the domain. */
     if (!status && shines) {
         status = murk_sources_create(&lights, light, scene->n_lights,
                                      scene->bands, domain, err);
@@ -75,8 +74,8 @@ static double sum_of(const double *power_w, size_t channels)
     return sum;
 }
 
-/* Finds the largest share of each channel, and the scene that has it; n if no
- * scene has power in the channel. */
+/* Finds the largest share of each channel and the number of the scene that has
+ * it; n if no scene has power in the channel. */
 static void find_largest(double *share, size_t *who, double *const *power_w,
                          size_t n, size_t channels)
 {
@@ -95,9 +94,10 @@ static void find_largest(double *share, size_t *who, double *const *power_w,
     }
 }
 
-/* Sets the power of each light source so that each channel has its share. The
- * power of a channel is proportional to power_w of the source, so the ratio of
- * shares scales it, whatever quantity power_w is for that type. */
+/* Sets the power of each light source so that the power of each channel [W]
+ * equals its share. The power of a channel is proportional to power_w of the
+ * source, so the ratio of share to channel power scales power_w, whatever
+ * quantity power_w is for that type. */
 static murk_status set_shares(murk_source *light, const double *share,
                               const size_t *who,
                               const murk_scene_desc *const *scene,
@@ -157,7 +157,8 @@ done:
     return status;
 }
 
-/* Copies the records that have power in the wanted scene, scaled. */
+/* Copies the records that have power in the wanted scene, with the power
+ * multiplied by factor[channel]. */
 static murk_status scale_map(murk_photon_map **out, const murk_photon_map *map,
                              const double *factor, int bands, unsigned threads,
                              murk_error *err)

@@ -9,20 +9,23 @@
 
 #include "lightmap/lightmap.h"
 
-/* The power of each channel of the light sources of a scene in a domain:
- * (*out)[lights * bands], to be freed with free(); 0 for sources that do not
- * emit. */
+/* The power of each channel of the light sources of a scene in a domain, as if
+ * they had no portals: (*out)[lights * bands], which the caller frees; 0 for
+ * sources that do not emit. Fails as murk_sky_light() and
+ * murk_sources_create(), or with MURK_NO_MEMORY. */
 murk_status murk_scaled_light_powers(double **out, const murk_scene_desc *scene,
                                      const murk_domain *domain,
                                      murk_error *err);
 
-/* Light sources whose traced light serves n scenes at once. The scenes have the
- * same light sources except for power; power_w[n][channels] gives the channel
- * powers of each scene, at least one of them above 0. Each channel gets the
- * largest share that it has of the total power of any scene. *grow is the sum
- * of these shares: if *grow times as many photons are emitted as for one scene,
- * then every channel gets at least as many photons as it would get in a run of
- * any scene alone. The caller owns *out. */
+/* Light sources, without portals, whose traced light serves n > 0 scenes at
+ * once. The scenes have the same light sources except for power;
+ * power_w[n][channels] gives the channel powers of each scene, at least one of
+ * them above 0. Each channel gets the largest share that it has of the total
+ * power in any of the scenes. *grow is the sum of these shares: if *grow times
+ * as many photons are emitted as for one scene, then every channel gets, to a
+ * few photons, at least as many as it would get in a run of any scene alone.
+ * The caller owns *out. Fails as murk_sky_light() and murk_sources_create(), or
+ * with MURK_NO_MEMORY. */
 murk_status murk_scaled_light_sources(murk_sources **out, double *grow,
                                       const murk_scene_desc *const *scene,
                                       double *const *power_w, size_t n,
@@ -32,7 +35,8 @@ murk_status murk_scaled_light_sources(murk_sources **out, double *grow,
 /* Scales traced light. lights are the sources it was traced with;
  * power_w[channels] are the channel powers of the wanted scene. *out
  * (murk_traced_destroy()) has maps and packet powers, but no ledger and no
- * tallies; these exist for `traced` only. */
+ * tallies (NULL); these exist for `traced` only. Fails with MURK_NO_MEMORY or
+ * as murk_photon_map_create(). */
 murk_status murk_scaled_light_make(murk_traced **out, const murk_traced *traced,
                                    const murk_sources *lights,
                                    const double *power_w, int bands,

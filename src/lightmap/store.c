@@ -73,7 +73,7 @@ static murk_section section_of(const char *name, const void *bytes, size_t size)
     return section;
 }
 
-/* True if the coordinates of the scene have a local origin. */
+/* True if the local origin of the scene is not 0. */
 static bool has_origin(const murk_scene_desc *scene)
 {
     const murk_vec3 o = scene->origin;
@@ -134,8 +134,8 @@ static int line_length(const char *text, const char *end)
     return (int)((newline ? newline : end) - text);
 }
 
-/* Compares the light key of a file with that of the scene, line by line; fails
- * with the first line that differs. */
+/* Compares the light key of a file with that of the stage, line by line. Fails
+ * with MURK_BAD_VALUE and names the first line that differs. */
 static murk_status check_key(const murk_section *key, const char *light_key,
                              const char *path, murk_error *err)
 {

@@ -12,14 +12,15 @@
 #include <float.h>
 #include <stdlib.h>
 
-/* rounding between machines: sums and quotients of a few doubles */
+/* Relative. Machines may round the sums and quotients of a few doubles
+ * differently. */
 #define PACKET_TOLERANCE 1e-9
-/* the power of a record is rounded to float */
+/* Relative. The power of a record is rounded to float. */
 #define POWER_TOLERANCE (2.0 * FLT_EPSILON)
 /* Positions of records are rounded to float, and a record on a side of the
  * domain may lie beyond it by the step that rays take off a surface, 8 float
- * steps of the largest coordinate (geometry/surfaces.h). Twice that step is
- * allowed. */
+ * steps (FLT_EPSILON) of the largest coordinate (murk_surfaces_leave()). Twice
+ * that step is allowed. */
 #define PLACE_TOLERANCE (16.0 * FLT_EPSILON)
 
 static murk_status impossible(const char *path, const char *section,

@@ -23,12 +23,14 @@ typedef struct murk_lightmap_numbers {
 } murk_lightmap_numbers;
 
 /* Fails with MURK_BAD_FILE at `path` if a count, a power or an amount of energy
- * cannot result from a run of this scene with that many photons. */
+ * cannot result from a run of this scene with that many photons, or with
+ * MURK_NO_MEMORY. */
 murk_status murk_lightmap_check_numbers(const murk_lightmap_numbers *numbers,
                                         const murk_stage *stage,
                                         const char *path, murk_error *err);
 
-/* The same check for the n records of the surface map or the volume map. */
+/* Fails with MURK_BAD_FILE at `path` if one of n records cannot belong to the
+ * surface map or the volume map of such a run. */
 murk_status murk_lightmap_check_records(const murk_photon *photon, size_t n,
                                         bool is_volume, uint64_t emitted,
                                         const double *packet_w,
