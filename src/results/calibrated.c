@@ -12,18 +12,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A line of the file begins with this, and the verdict follows: by it the
- * values of a refused fit are recognised, as other keys would be set. */
+/* Begins the line of the file that states the verdict. By this line
+ * murk_fit_refused_values() recognises the values of a refused fit. */
 #define VERDICT "# Does it fit? "
 
-/* Numbers of a scene as resolved are right to more digits than that. */
+/* Two numbers of resolved scenes that differ by less than this share are the
+ * same value. */
 #define SAME 1e-9
 
-/* Where the values have to be put. */
+/* Where each value has to be written: at the scene, at conditions, or both. */
 typedef struct places {
-    bool *is_in_scene; /* [keys] the scene as it stands has the key */
-    bool *is_own;      /* [keys][conditions] the condition sets it itself, so
-                          that the scene's value would not reach it */
+    bool *is_in_scene; /* [keys]; the scene without a condition has the key */
+    bool *is_own;      /* [keys][conditions]; the value of the scene does not
+                          reach the condition, so it is written there */
 } places;
 
 static void release(places *p)
@@ -54,13 +55,13 @@ static bool is_shared(const murk_free_key *key)
     return key->kind != MURK_FREE_GAIN && key->condition == SIZE_MAX;
 }
 
-/* The scene with all values that are not of one condition; NULL where it
- * cannot be read so. */
+/* Reads the scene again with the found values of all keys that it shares with
+ * its conditions. NULL if it cannot be read so. */
 static murk_scene_desc *scene_with(const murk_fit_facts *f, const places *p)
 {
     const murk_free_keys *keys = f->keys;
     const murk_free_desc *desc = &keys->desc;
-    /* The overrides of the run come first. */
+    /* The overrides of the command line come first. */
     const size_t capacity = sizeof keys->key->path + 40;
     murk_override *overrides =
         calloc(desc->n_overrides + keys->n + 1, sizeof *overrides);
@@ -101,7 +102,7 @@ static bool find_places(places *out, const murk_fit_facts *f)
     if (!out->is_in_scene || !out->is_own) {
         return false;
     }
-    /* Keys that the scene as it stands has. */
+    /* Keys that the scene without a condition has. */
     murk_yaml *base = tree_of(f->scene);
     for (size_t k = 0; k < n; ++k) {
         out->is_in_scene[k] =
@@ -151,7 +152,7 @@ static void write_value(FILE *file, const murk_fit_facts *f, size_t k,
                 text);
         return;
     }
-    /* a value that is not known says so beside itself */
+    /* a comment says it of a value that the data do not determine */
     if (!murk_calibration_determines(f->found, k)) {
         fprintf(file, "# %s: %s\n", key->name,
                 murk_calibration_status(f->found, k));
@@ -186,7 +187,8 @@ static murk_status write_calibrated(FILE *file, const void *context,
         write_value(file, f, k, &p);
         has_keys = has_keys || f->keys->key[k].kind != MURK_FREE_GAIN;
     }
-    fputs(has_keys ? "" : "{}\n", file); /* which is no empty file */
+    fputs(has_keys ? "" : "{}\n", file); /* an empty map, so that the file is
+                                            not empty */
     release(&p);
     return MURK_OK;
 }

@@ -1,4 +1,5 @@
-/* Candidates: rows of JSON, and the line of the summary. */
+/* Numbers of candidates by outcome, as rows of JSON and as a line of the
+ * summary. */
 #include "results/candidates.h"
 
 #include "results/summary.h"

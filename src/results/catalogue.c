@@ -1,4 +1,5 @@
-/* Lists every result file with the table of its fields. */
+/* Names the JSON and CSV files of results, and describes each by walking over
+ * the table of fields that also writes it. */
 #include "results/catalogue.h"
 
 #include "results/condition_results.h"

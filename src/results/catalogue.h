@@ -1,11 +1,12 @@
-/* The fields of all result files, for the manual and for tests. */
+/* The fields of the JSON and CSV files of results, for the manual and for
+ * tests. table.csv is not listed, because its columns depend on the study. */
 #ifndef MURK_RESULTS_CATALOGUE_H
 #define MURK_RESULTS_CATALOGUE_H
 
 #include <stdio.h>
 
 /* Prints a section of Markdown for each file: "## FILE" and a table of the
- * file's fields, in order. */
+ * fields of the file, in their order. */
 void murk_results_catalogue(FILE *to);
 
 #endif

@@ -15,7 +15,8 @@
 
 #define FILE_NAME_MAX (MURK_SCENE_NAME_SIZE + 16) /* "ledger-NAME.json" */
 
-/* Of tables on the terminal: the column of names, and the mark of this plan. */
+/* Widths in tables on the terminal: the column of names, the mark of the chosen
+ * plan, and a column of regret. */
 #define NAME_MIN    16
 #define NAME_MAX    32
 #define MARK_LENGTH 2
@@ -24,7 +25,8 @@
 #define DIGITS       9 /* of shares in regret.csv */
 #define ERROR_DIGITS 6 /* of their standard errors */
 
-/* The coverage of a plan over the conditions, held out if it was measured so.
+/* The coverage of a plan by one objective over the conditions; from held-out
+ * coverages if these were measured, else from those in sample.
  */
 static murk_estimate best_known_of(const murk_condition_plans *r,
                                    const murk_condition_plan *plan,
@@ -36,7 +38,7 @@ static murk_estimate best_known_of(const murk_condition_plans *r,
         r->has_held_out, &worst);
 }
 
-/* True if the plan is for the least largest regret. */
+/* True if the plan minimises the largest regret. */
 static bool is_for_regret(const murk_condition_plans *r)
 {
     return r->conditions->scene->placement.over == MURK_SCENE_OBJECTIVE_REGRET;
@@ -64,7 +66,7 @@ static murk_estimate seen_in(const murk_condition_plans *r,
     return r->has_held_out ? plan->held_out[c] : plan->in_sample[c];
 }
 
-/* Number of conditions: lit ones, and behind them dark ones. */
+/* Number of all conditions. In condition[], dark ones follow the lit ones. */
 static size_t all_conditions(const murk_condition_plans *r)
 {
     return r->conditions->n + r->conditions->dark;
@@ -197,7 +199,8 @@ static void list_condition(murk_results_fields *f, const void *of, size_t c)
 
 typedef enum value { COVERAGE, ERROR, REGRET, BEST_KNOWN, BEST_UPPER } value;
 
-/* A value of one lit condition; the last two are of all plans. */
+/* A value of one lit condition. BEST_KNOWN and BEST_UPPER do not depend on the
+ * plan and are NaN for a condition of weight 0. */
 static double value_in(const murk_condition_plans *r,
                        const murk_condition_plan *plan, size_t c, value wanted)
 {
@@ -258,7 +261,8 @@ static void list_made(murk_results_fields *f, const void *of, size_t i)
                   best_known_of(r, plan, MURK_SCENE_OBJECTIVE_WORST));
 }
 
-/* The largest regret, in sample, and the plans that it is measured from. */
+/* The largest regret, in sample, and the best coverages that it is measured
+ * against. */
 static void list_largest(murk_results_fields *f, const murk_condition_plans *r)
 {
     const bool is_lit = r && r->plans > 0;
@@ -281,7 +285,8 @@ static void list_largest(murk_results_fields *f, const murk_condition_plans *r)
               all_of(r, NULL, BEST_UPPER));
 }
 
-/* Rows are plans, columns the conditions in their order, but for dark ones. */
+/* Coverage and regret of each plan, as a list over the lit conditions in their
+ * order. */
 static void list_regret(murk_results_fields *f, const void *of)
 {
     const murk_condition_plans *r = of;
@@ -330,7 +335,8 @@ static void print_objective(const murk_condition_plans *r)
     }
 }
 
-/* The column of names: as wide as the longest, within reason. */
+/* Width of the column of names: that of the longest, within NAME_MIN and
+ * NAME_MAX. */
 static int name_width(const murk_condition_plans *r)
 {
     size_t width = NAME_MIN;
@@ -379,8 +385,8 @@ static void print_conditions(const murk_condition_plans *r)
     }
 }
 
-/* Columns [first, end) of the table: the conditions', and behind them the mean
- * and the worst. */
+/* Columns first .. end - 1 of the table: one for each lit condition, then one
+ * for the mean and the worst together. */
 static void print_regret_columns(const murk_condition_plans *r, int width,
                                  size_t first, size_t end)
 {
@@ -412,7 +418,7 @@ static void print_regret_columns(const murk_condition_plans *r, int width,
     }
 }
 
-/* As many columns below each other as the line has room for. */
+/* The columns that do not fit a line follow in further tables below. */
 static void print_regret(const murk_condition_plans *r)
 {
     murk_print("regret      coverage%s of a plan made for one condition (down) "

@@ -6,31 +6,35 @@
 #include "results/fields.h"
 #include "results/session.h"
 
-/* Of each condition light-NAME.murk, ledger-NAME.json, scene-NAME.yaml and
- * plan-NAME.ply; and scene.resolved.yaml and regret.csv. */
+/* Adds light-NAME.murk, ledger-NAME.json, scene-NAME.yaml and (unless it is
+ * dark) plan-NAME.ply of each condition, then scene.resolved.yaml and
+ * regret.csv. Does nothing without a folder for results. */
 murk_status murk_add_condition_files(murk_session *session,
                                      const murk_plan_result *plan,
                                      const murk_condition_plans *plans,
                                      murk_error *err);
 
-/* Columns of regret.csv; of: a murk_condition_plans. */
+/* Lists the columns of regret.csv. `of` points to a murk_condition_plans; item
+ * i is plan i / n in lit condition i % n, of n lit conditions. */
 void murk_results_list_use(murk_results_fields *f, const void *of, size_t i);
 
-/* Rows of "photons", those of all conditions; and rows "over" to "regret"; of:
- * a murk_condition_plans. */
+/* The first lists the rows of "photons", as sums over all conditions; the
+ * second the rows "over" to "regret". `of` points to a murk_condition_plans. */
 void murk_results_list_condition_photons(murk_results_fields *f,
                                          const void *of);
 void murk_results_list_conditions(murk_results_fields *f, const void *of);
 
-/* The tables of conditions and of regret, and which of them what follows is
- * about. */
+/* Prints the tables of conditions and of regret, and a line that tells which
+ * condition, or their mean, the lines after it are about. */
 void murk_print_conditions(const murk_condition_plans *plans);
 
-/* With over: regret, in place of the bound's line. */
+/* Prints the line "bound" of a plan with placement.over: regret. `sample` is
+ * what bounds hold for, such as "sample of photons". */
 void murk_print_regret_bound(const murk_condition_plans *plans,
                              const char *sample);
 
-/* For check: the conditions that the scene names; nothing where it has none. */
+/* For the command check: prints the conditions that the scene names and what
+ * placement is over. Prints nothing if the scene has none. */
 void murk_print_asked_conditions(const murk_scene_desc *scene);
 
 #endif

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define HEADING_SIZE 256 /* names of types have up to 64 bytes */
+#define HEADING_SIZE 256 /* of a line of the table */
 
 /* ---- rows ---- */
 
@@ -126,7 +126,8 @@ static void list_weights(murk_results_fields *f, const void *of)
     }
 }
 
-/* The map whose share rests on few photons (plan/few_photons.h). */
+/* The map whose part of the coverage rests on few photons
+ * (plan/few_photons.h). */
 static void list_thin_map(murk_results_fields *f, const void *of)
 {
     const murk_sensor_results *s = of;
@@ -205,9 +206,9 @@ static columns columns_of(const murk_scene_desc *scene, const murk_pose *sensor,
     return c;
 }
 
-/* Columns of 8 where these are enough. Else, as for surveyed coordinates, as
- * wide as what they hold, and coordinates with fewer decimals where the line
- * would not fit: sensors.csv has all of them. */
+/* Columns are at least 8 wide if the heading then fits 80 columns. Otherwise
+ * they are as wide as their content, and coordinates lose decimals until the
+ * heading fits: sensors.csv has all decimals. */
 static columns choose_columns(const murk_scene_desc *scene,
                               const murk_pose *sensor, size_t n)
 {

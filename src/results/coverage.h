@@ -4,35 +4,41 @@
 
 #include "results/fields.h"
 
-/* Sensors, and the coverage that was measured of them. */
+/* Sensors, and their measured coverage. All pointers are borrowed. */
 typedef struct murk_sensor_results {
     const murk_scene_desc *scene;
     const murk_pose *pose; /* [n] */
     size_t n;
-    const murk_coverage_result *coverage;        /* of just these */
-    const murk_region_coverage *held_out_region; /* NULL: not held out */
+    const murk_coverage_result *coverage;        /* in sample, of these sensors
+                                                    together */
+    const murk_region_coverage *held_out_region; /* [regions of interest]; NULL:
+                                                    not measured */
 } murk_sensor_results;
 
-/* An angle as it was asked for: turning to radians and back leaves rounding
- * behind, beyond nine decimals. */
+/* Converts to degrees, rounded to nine decimals: an angle that was given in
+ * degrees comes back without the rounding of its conversion to radians. */
 double murk_degrees(double rad);
 
-/* Rows of "photons"; of: a murk_traced. */
+/* Lists the rows of "photons". `of` points to a murk_traced. */
 void murk_results_list_photons(murk_results_fields *f, const void *of);
 
-/* Row "sensors"; of: a murk_sensor_results. */
+/* Lists the row "sensors". `of` points to a murk_sensor_results. */
 void murk_results_list_sensors(murk_results_fields *f, const void *of);
 
-/* Rows of sensors[], and columns of coverage.csv; of: a murk_sensor_results. */
+/* Lists the rows of sensors[], or the columns of coverage.csv. `of` points to a
+ * murk_sensor_results, NULL in a description. */
 void murk_results_list_sensor(murk_results_fields *f, const void *of, size_t i);
 
-/* Columns of sensors.csv, which sense reads; of: a murk_sensor_results. */
+/* Lists the columns of sensors.csv, which the command sense can read. `of`
+ * points to a murk_sensor_results, NULL in a description. */
 void murk_results_list_place(murk_results_fields *f, const void *of, size_t i);
 
-/* Rows from "weights_used" to "seen_by_at_least"; of: a murk_sensor_results. */
+/* Lists the rows from "weights_used" to "seen_by_at_least". `of` points to a
+ * murk_sensor_results, NULL in a description. */
 void murk_results_list_shares(murk_results_fields *f, const void *of);
 
-/* Rows of one pose; scene and pose are NULL in a description. */
+/* A pose and its scene, for the rows of a type, a position or a view direction.
+ * Both are NULL in a description. */
 typedef struct murk_posed {
     const murk_scene_desc *scene;
     const murk_pose *pose;
@@ -43,7 +49,8 @@ void murk_results_list_heading(murk_results_fields *f, murk_posed p);
 
 void murk_print_sensors(const murk_sensor_results *sensors, const char *folder);
 
-/* "surface 0.91 +- 0.01, no volume photons": each map's own fraction. */
+/* Prints, within a line, the coverage of each map by itself: "surface 0.9134 +-
+ * 0.0045, nothing in the volume map". */
 void murk_print_maps(const murk_coverage_result *coverage);
 
 /* Prints the line with the weights of the surface map and of the volume map in
@@ -51,7 +58,7 @@ void murk_print_maps(const murk_coverage_result *coverage);
 void murk_print_weights(const murk_scene_desc *scene,
                         const murk_coverage_result *coverage);
 
-/* "0.9134 +- 0.0045", or why there is no such number. */
+/* Prints, within a line, "0.9134 +- 0.0045", or why there is no such number. */
 void murk_print_estimate(murk_estimate of);
 
 #endif

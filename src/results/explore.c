@@ -11,8 +11,8 @@
 
 #define DIGITS 9 /* of shares and lengths in explore.csv */
 
-#define LINE_SIZE                                                    \
-    0.001       /* half the thickness of a tube, of the world's size \
+#define LINE_SIZE                                                   \
+    0.001       /* radius of a tube, share of the domain's diagonal \
                  */
 #define SIDES 3 /* of a tube */
 
@@ -23,7 +23,8 @@ static const char *const END_NAMES[] = {[MURK_EXPLORE_COUNT] = "count",
                                             "nothing_to_gain",
                                         [MURK_EXPLORE_STATIONS] = "stations"};
 
-/* The number of a step's sensor in the plan, whose candidates rise. */
+/* The number of the sensor of a step among the sensors of the plan, from 1. The
+ * plan lists them by rising candidate. */
 static size_t sensor_of(const murk_plan_result *plan,
                         const murk_explore_step *step)
 {
@@ -138,7 +139,7 @@ typedef struct record {
     uint16_t step;
 } record;
 
-/* The step whose segments a stop lies on, from 0. */
+/* The step, from 0, on whose part of the path a stop lies. */
 static size_t step_of(const murk_explore *explore, size_t stop)
 {
     size_t k = 0;
@@ -172,7 +173,7 @@ static void put_stops(const murk_ply *ply, const path *p)
     }
 }
 
-/* Of each segment: about its beginning, then about its end. */
+/* The corners of each segment: around its beginning, then around its end. */
 static void put_corners(const murk_ply *ply, const path *p)
 {
     for (size_t i = 0; i < p->segments; ++i) {
@@ -191,7 +192,8 @@ static void put_corners(const murk_ply *ply, const path *p)
     }
 }
 
-/* Wound so that normals point out. */
+/* The sides of the tubes, two triangles each, wound so that normals point
+ * out. */
 static void put_faces(const murk_ply *ply, const path *p)
 {
     for (size_t i = 0; i < p->segments; ++i) {
@@ -226,7 +228,8 @@ static murk_status write_path(FILE *to, const void *context, murk_error *err)
     put_faces(&ply, p);
     for (size_t i = 0; i < p->segments; ++i) {
         const uint32_t edge[2] = {(uint32_t)i, (uint32_t)(i + 1)};
-        (void)fwrite(edge, sizeof edge, 1, to); /* commit asks ferror */
+        (void)fwrite(edge, sizeof edge, 1, to); /* failures show when the file
+                                                   is committed */
     }
     (void)err;
     return MURK_OK;
@@ -236,7 +239,7 @@ murk_status murk_add_explore(murk_results *results, const murk_stage *stage,
                              const murk_plan_result *plan, murk_error *err)
 {
     const murk_explore *explore = &plan->explore;
-    if (explore->steps == 0) { /* over conditions no stage is one */
+    if (explore->steps == 0) { /* also over conditions, where stage is NULL */
         return MURK_OK;
     }
     const explored e = {plan, stage->scene};

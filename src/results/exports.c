@@ -1,7 +1,7 @@
 /* Adds the files of --export: the coverage matrix in its formats (CSV,
  * OR-Library text, LP), candidates.csv, fields, photons and surfaces; and
- * plan.ply. A file that cannot be made is told late, after the results are
- * written. */
+ * plan.ply. If a file cannot be made, the error goes to `late`, which is
+ * reported after the results are written. */
 #include "results/exports.h"
 
 #include "base/log.h"
@@ -16,10 +16,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* 6 bytes of memory and up to some 20 of text an entry. */
+/* Limit on entries of the exported matrix: each takes 6 bytes of memory, and up
+ * to some 20 bytes of text in the files. */
 #define ENTRIES_MAX 100000000
 
-#define COST_DIGITS 10 /* of candidates.csv */
+#define COST_DIGITS 10 /* significant, in candidates.csv */
 
 /* A file of the problem, and what it is written from. */
 typedef struct problem_file {
@@ -75,7 +76,7 @@ typedef struct candidate_list {
     const murk_scene_desc *scene;
 } candidate_list;
 
-/* candidates.csv: the columns of the matrix. */
+/* candidates.csv: a line for each column of the matrix. */
 void murk_results_list_candidate(murk_results_fields *f, const void *of,
                                  size_t j)
 {
@@ -90,7 +91,8 @@ void murk_results_list_candidate(murk_results_fields *f, const void *of,
                  p.scene->sensors.type[p.pose->type].cost, COST_DIGITS);
 }
 
-/* Too large a matrix is told late, like a file that cannot be. */
+/* If the matrix is too large, the error goes to *late, as for a file that
+ * cannot be made. */
 static murk_status add_matrix(murk_session *session,
                               const murk_plan_result *plan, murk_sight *sight,
                               murk_error *late, murk_error *err)
@@ -110,7 +112,7 @@ static murk_status add_matrix(murk_session *session,
                    ? MURK_OK
                    : status;
     }
-    /* Write the matrix and the problem that the plan has solved. */
+    /* Write the matrix and the problem that the plan is a solution of. */
     murk_lp_goal goal = {.count = (size_t)settings->count,
                          .constraints = murk_poses_constraints(plan->poses),
                          .redundancy = seen.problem.redundancy};
@@ -133,7 +135,7 @@ static murk_status add_matrix(murk_session *session,
 
 /* ---- of any scene ---- */
 
-/* Whether a grid tally's files would have the names of others. */
+/* Fails if the files of a grid tally would have the names of other files. */
 static murk_status check_names(const murk_session *session, murk_error *err)
 {
     static const char *const taken[] = {"extinction", "coverage",
@@ -142,7 +144,8 @@ static murk_status check_names(const murk_session *session, murk_error *err)
     for (size_t i = 0; i < scene->n_tallies; ++i) {
         const murk_scene_tally *tally = &scene->tallies[i];
         bool is_taken = false;
-        /* NAME.vti may be one of the fields, NAME.vdb another tally's density.
+        /* NAME.vti and NAME.vdb of this tally might be files of the domain or
+         * of surfaces, or NAME.vdb the photon density of another tally.
          */
         for (size_t k = 0; k < sizeof taken / sizeof *taken; ++k) {
             is_taken |= strcmp(tally->name, taken[k]) == 0;

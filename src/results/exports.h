@@ -1,6 +1,6 @@
-/* What commands write for other programs: of `murk place` the coverage matrix,
- * the problem for an outside solver and the plan as a mesh of points; of any
- * scene fields, photons and surfaces. */
+/* What commands write for other programs: `murk place` the coverage matrix, the
+ * problem for an outside solver, and plan.ply; commands that have light also
+ * fields, photons and surfaces. */
 #ifndef MURK_RESULTS_EXPORTS_H
 #define MURK_RESULTS_EXPORTS_H
 
@@ -8,40 +8,48 @@
 #include "results/session.h"
 #include "sparse/matrix.h"
 
-/* Of the problem, by murk place alone; the others are of a scene. */
+/* The exports that only murk place writes, with a scene or a matrix; all others
+ * need a scene. */
 #define MURK_EXPORTS_OF_PROBLEM \
     (MURK_EXPORT_MATRIX | MURK_EXPORT_OR_LIBRARY | MURK_EXPORT_LP)
 
-/* Adds what `exports` (murk_export bits) asks for. A file that cannot be had
- * (too large, or no 0/1 matrix for OR-Library) is told in *late, and the others
- * are added all the same: no plan is lost for it. */
+/* Adds the files of the problem that `exports` (murk_export bits) asks for:
+ * matrix.csv, matrix.txt, problem.lp. If a file cannot be made (too large, or
+ * not a 0/1 matrix for OR-Library), *late has the first reason, and the others
+ * are added all the same, so that the plan is not lost. */
 void murk_exports_add(murk_results *results, unsigned exports,
                       const murk_sparse_matrix *matrix,
                       const murk_lp_goal *goal, murk_error *late);
 
-/* Whether views so combined allow `exports`: of independent chances there is no
- * LP file. To be asked before any work is done. */
+/* Fails with MURK_BAD_VALUE if `exports` asks for an LP file and detection is
+ * by independent chances, because that problem is not linear. To be called
+ * before any work is done. */
 murk_status murk_exports_check(unsigned exports, murk_detection detection,
                                murk_error *err);
 
-/* Columns of candidates.csv; of: a candidate list. */
+/* Lists the columns of candidates.csv. `of` points to a struct internal to
+ * exports.c, NULL in a description. */
 void murk_results_list_candidate(murk_results_fields *f, const void *of,
                                  size_t i);
 
-/* What --export and --voxel ask of a scene, once its world is built and before
- * any light is traced: sizes, and names that two files would have. */
+/* Checks --export and --voxel against the scene: sizes, and tallies whose files
+ * would have the names of other files. Fails with MURK_BAD_VALUE, or
+ * MURK_NO_MEMORY. To be called once the world is built and before light is
+ * traced. */
 murk_status murk_exports_begin(const murk_session *session, murk_error *err);
 
-/* Adds fields, photons and surfaces, where --export asks for them. sight NULL:
- * of light alone; else of sensors sensor[n] too, which look again. Files that
- * cannot be had, and an interrupt, are told in *late. */
+/* Adds fields, photons and surfaces if --export asks for them. sight NULL: of
+ * the light alone; otherwise also of what sensor[n] see, which is computed
+ * again. If files cannot be made, or on an interrupt, *late has the reason, and
+ * the others are added all the same. */
 void murk_exports_add_scene(murk_session *session, murk_sight *sight,
                             const murk_pose *sensor, size_t n,
                             murk_error *late);
 
-/* Adds plan.ply, and what --export asks for, of a scene's plan. Looks again
- * from its sensors, and for its problem from all candidates. In the dark there
- * is only light to add. */
+/* Adds plan.ply and what --export asks for, of a plan for a scene. Computes the
+ * sightlines of the sensors again, and for the files of the problem those of
+ * all candidates. In the dark, adds only what needs no sensors. *late as in the
+ * functions above. Does nothing without a folder for results. */
 murk_status murk_exports_add_plan(murk_session *session,
                                   const murk_plan_result *plan,
                                   murk_error *late, murk_error *err);

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define DEPTH_SHOWN 2 /* optical depth over the longest edge, in the mean */
+#define DEPTH_SHOWN 2 /* optical depth over the longest edge */
 
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
                "numbers are written as they lie in memory");
@@ -58,7 +58,7 @@ void murk_voxel_fields_release(murk_voxel_fields *fields)
 
 /* ---- .vdb ---- */
 
-/* Metadata of a grid: key, text, key, text, ..., NULL, for grid_write.h. */
+/* Metadata of a grid: key, text, key, text, ..., NULL. */
 #define NOTES 24
 typedef struct notes {
     const char *note[NOTES];
@@ -144,7 +144,7 @@ static murk_status write_vdb(const char *path, const void *context,
         grid[i] = (murk_grid_field){f->field[i].name, f->field[i].value,
                                     note[i].note};
     }
-    /* the first field as viewers show it */
+    /* the first field times the factor, for the grid `density` */
     for (size_t i = 0; i < voxels; ++i) {
         const double value = (double)f->field[0].value[i];
         density[i] = (float)(value > 0 ? factor * value : 0);
@@ -230,7 +230,8 @@ static murk_status write_vti(FILE *to, const void *context, murk_error *err)
     const uint64_t bytes = murk_field_voxels(&f->box) * sizeof(float);
     put_header(to, f);
     for (size_t i = 0; i < f->n; ++i) {
-        (void)fwrite(&bytes, sizeof bytes, 1, to); /* commit asks ferror */
+        (void)fwrite(&bytes, sizeof bytes, 1, to); /* failures show when the
+                                                      file is committed */
         (void)fwrite(f->field[i].value, 1, bytes, to);
     }
     fputs("\n  </AppendedData>\n</VTKFile>\n", to);

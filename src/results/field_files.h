@@ -1,13 +1,15 @@
-/* Fields on a box of voxels as files that viewers open: NAME.vdb for Blender
- * (and Houdini, OpenVDB), NAME.vti for ParaView, as Debian's reads no .vdb.
+/* Fields on a box of voxels as files that viewers open: NAME.vdb for Blender,
+ * Houdini and OpenVDB, and NAME.vti for ParaView, which in Debian's build reads
+ * no .vdb.
  *
- * A .vdb has one float grid a field, class fog volume, voxel centres where the
- * transform says; 0 is its background. Each grid's metadata: unit, quantity,
- * meaning, band_nm, scene, scene_sha256, seed, murk_version, murk_commit. Last
- * may come a grid `density`, which is what Blender's volume shader shows
- * unasked: a multiple of the first field, without what is negative; metadata
- * factor and of. A .vti has the same values as cell data, without `density`;
- * metadata as field data. */
+ * A .vdb has one grid of floats for each field, of class fog volume, with
+ * background 0; its transform maps indices to voxel centres. The metadata of a
+ * grid are unit, quantity, meaning (if any), band_nm, scene, scene_sha256,
+ * seed, murk_version and murk_commit. A further grid `density` may come last,
+ * because Blender's volume shader shows a grid of this name by default: the
+ * first field times a factor, with 0 for negative values. Its metadata are
+ * unit, quantity, of (the name of the field) and factor. A .vti has the same
+ * fields, without `density`, as cell data, and the metadata as field data. */
 #ifndef MURK_RESULTS_FIELD_FILES_H
 #define MURK_RESULTS_FIELD_FILES_H
 
@@ -21,19 +23,20 @@ typedef struct murk_field_box {
 
 size_t murk_field_voxels(const murk_field_box *box);
 
-/* From whole numbers to voxel centres. */
+/* Maps voxel indices, from 0, to voxel centres in the box. */
 murk_affine murk_field_to_world(const murk_field_box *box);
 
 typedef struct murk_voxel_field {
     char name[48]; /* "coverage_532nm" */
     const char *unit, *quantity;
-    const char *meaning; /* NULL: the quantity says it all */
-    int band;            /* of the scene's; -1: all of them together */
+    const char *meaning; /* explains the quantity; NULL: nothing to add */
+    int band;            /* of the scene; -1: all bands together */
     float *value;        /* [voxels], x fastest; finite */
 } murk_voxel_field;
 
-/* Of a plan four of each band, and extinction; of a tally two values and two
- * errors of each band, and two sums. */
+/* The largest numbers: for a plan four fields of each band and the extinction;
+ * for a tally, of B > 1 bands, 4 B + 2: photon density, fluence rate and their
+ * errors, and the density summed over the bands with its error. */
 #define MURK_VOXEL_FIELDS_MAX (5 * MURK_BANDS_MAX)
 
 /* Fields on one box. */
@@ -44,22 +47,26 @@ typedef struct murk_voxel_fields {
     size_t n;
 } murk_voxel_fields;
 
-/* Adds a field like the given one, of a band, whose wavelength is added to the
- * name, or of all (-1). Returns its values, which the caller fills, or NULL
- * when out of memory. */
+/* Adds a field like the given one: of a band, whose wavelength is appended to
+ * the name ("_532nm"), or of all bands (-1), with the name as it is. Returns
+ * the array of values, which the caller fills and the list owns, or NULL when
+ * out of memory. The texts of `like` must outlive the list. */
 float *murk_voxel_fields_add(murk_voxel_fields *fields,
                              const murk_voxel_field *like, int band);
 void murk_voxel_fields_release(murk_voxel_fields *fields);
 
-/* The grid `density` of a .vdb, by the factor on the first field. */
+/* Whether a .vdb has the grid `density`, and its factor on the first field. */
 typedef enum murk_field_density {
     MURK_DENSITY_NONE,
-    MURK_DENSITY_EQUAL, /* an extinction: what a shader means by density */
-    MURK_DENSITY_SCALED /* so that what is above 0 has, in the mean, an optical
-                           depth of 2 over the box's longest edge */
+    MURK_DENSITY_EQUAL, /* factor 1, for an extinction, which is what a shader
+                           takes for density */
+    MURK_DENSITY_SCALED /* a factor such that the mean of the values above 0 is
+                           an optical depth of 2 over the longest edge of the
+                           box; 1 if no value is above 0 */
 } murk_field_density;
 
-/* At least 1 field. name: with its ending. As murk_results_add(). */
+/* Adds a file of at least 1 field. The name includes the ending. Fails as
+ * murk_results_add() does, or with MURK_NO_MEMORY. */
 murk_status murk_field_add_vdb(murk_results *results, const char *name,
                                const murk_voxel_fields *fields,
                                murk_field_density density, murk_error *err);

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define PATH_SIZE 160 /* "outer.inner." of four names */
+#define PATH_SIZE 160 /* of the names around a row: "outer.inner." */
 
 /* The purpose of one walk over a table. */
 typedef enum walk { JSON, CSV_HEADING, CSV_LINE, DESCRIBE, DESCRIBE_CSV } walk;
@@ -14,9 +14,9 @@ typedef enum walk { JSON, CSV_HEADING, CSV_LINE, DESCRIBE, DESCRIBE_CSV } walk;
 struct murk_results_fields {
     walk walk;
     FILE *to;             /* of CSV and descriptions */
-    cJSON *object;        /* of JSON: receives the keys */
-    const char *name;     /* of the row whose value is awaited */
-    size_t columns;       /* of CSV: begun so far on this line */
+    cJSON *object;        /* of JSON: receives the rows */
+    const char *name;     /* of the row that was begun */
+    size_t columns;       /* of CSV: number begun so far on this line */
     char path[PATH_SIZE]; /* of descriptions: "outer.", before each name */
 };
 
@@ -126,7 +126,8 @@ void murk_results_put_vector(murk_results_fields *f, murk_vec3 v)
 
 /* ---- objects and lists ---- */
 
-/* The walk over an inner table; in descriptions its names follow "NAMEend". */
+/* The walk over an inner table. In descriptions, its names are preceded by the
+ * path so far, `name` and `end`. */
 static murk_results_fields inner(const murk_results_fields *f, cJSON *object,
                                  const char *name, const char *end)
 {
@@ -243,7 +244,7 @@ double murk_share(uint64_t part, uint64_t whole)
 
 void murk_number_text(char out[32], double value)
 {
-    /* 17 digits read back to any double; most take fewer */
+    /* 17 digits are enough for any double; most numbers need fewer */
     for (int digits = 6; digits <= 17; ++digits) {
         snprintf(out, 32, "%.*g", digits, value);
         if (strtod(out, NULL) == value) {

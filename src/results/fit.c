@@ -33,7 +33,7 @@ static void list_parameter(murk_results_fields *fields, const void *of,
     if (!MURK_LISTED_IF(fields, !f->only_predicts)) {
         return;
     }
-    /* A prediction keeps the parameters, so nothing is known of their errors.
+    /* A prediction does not search, so the other rows have no value.
      */
     MURK_NUMBER(fields, "standard_error", "", "of value", c->standard_error[k]);
     MURK_NUMBER(fields, "lower", "", "95 % confidence limit", c->lower[k]);
@@ -75,7 +75,8 @@ static cJSON *by_key(const murk_fit_facts *f, const double *value)
     return object;
 }
 
-/* Directions in search coordinates: in d ln(key) for positive keys. */
+/* A direction in search coordinates: the logarithm of a key that is searched in
+ * logarithms, the value of others. */
 static void list_direction(murk_results_fields *fields, const void *of,
                            size_t i)
 {
@@ -188,7 +189,8 @@ static void list_held_out(murk_results_fields *fields, const void *of)
                 c->held_out_rms_sigma);
 }
 
-/* The verdict comes first, because it decides about the worth of the rest. */
+/* The verdict comes first, because the other values are of use only if the
+ * model is accepted. */
 static void list_verdict(murk_results_fields *fields, const murk_calibration *c)
 {
     if (MURK_LISTED_IF(fields, !isnan(c->p_value))) {
@@ -274,7 +276,8 @@ static murk_vec3 position_of(const murk_fit_facts *f, const murk_reading *r)
                                          : r->position);
 }
 
-/* The end of the line that a reading of transmittance is of. */
+/* The second end of the segment of a reading of transmittance; NaN for other
+ * kinds. */
 static murk_vec3 end_of(const murk_fit_facts *f, const murk_reading *r)
 {
     return r->kind == MURK_READ_TRANSMITTANCE ? murk_scene_user(f->scene, r->to)
@@ -293,7 +296,7 @@ void murk_results_list_fit_row(murk_results_fields *fields, const void *of,
     MURK_TEXT(fields, "condition", "of the reading",
               condition_of(f->scene, r->condition));
     MURK_TEXT(fields, "group", "of readings", f->measured->group[i]);
-    /* The place; lines have a second one in the last columns. */
+    /* The place; the second end of a segment is in the last columns. */
     MURK_NUMBER(fields, "x_m", "m", "place", position_of(f, r).x);
     MURK_NUMBER(fields, "y_m", "m", "place", position_of(f, r).y);
     MURK_NUMBER(fields, "z_m", "m", "place", position_of(f, r).z);
@@ -316,8 +319,8 @@ void murk_results_list_fit_row(murk_results_fields *fields, const void *of,
 
 /* ---- the terminal ---- */
 
-/* A value without a standard error is shown to two digits: more would look like
- * knowledge. */
+/* A value that the data do not determine is shown with two digits, because more
+ * would look like knowledge. */
 static void print_parameter(const murk_fit_facts *f, size_t k)
 {
     const murk_calibration *c = f->found;
@@ -337,7 +340,7 @@ static void print_parameter(const murk_fit_facts *f, size_t k)
     murk_print("\n");
 }
 
-/* What of a direction is worth naming. */
+/* Prints the components of a direction that are at least 0.1. */
 static void print_direction(const murk_fit_facts *f, const double *direction)
 {
     bool is_first = true;
@@ -356,7 +359,8 @@ static void print_direction(const murk_fit_facts *f, const double *direction)
     }
 }
 
-/* Beyond this two parameters are hard to tell apart. */
+/* Two parameters with a correlation above this, or below its negative, are hard
+ * to tell apart. */
 #define CONFOUNDED .98
 
 static void print_identifiability(const murk_fit_facts *f)
@@ -410,7 +414,8 @@ static void print_next(const murk_fit_facts *f)
     }
 }
 
-/* Beyond this more photons would pay. */
+/* If noise in slopes is more than this share of the apparent information, more
+ * photons would help. */
 #define MUCH_NOISE .5
 
 void murk_print_fit(const void *of)

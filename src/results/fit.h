@@ -1,5 +1,5 @@
-/* What a fit has found, as files: fit.json, fit.csv, calibrated.yaml; and on
- * the terminal. */
+/* The result of a fit or prediction: rows of fit.json, predict.json and
+ * fit.csv, the file calibrated.yaml, and the summary. */
 #ifndef MURK_RESULTS_FIT_H
 #define MURK_RESULTS_FIT_H
 
@@ -19,22 +19,25 @@ typedef struct murk_fit_facts {
  * murk_fit_facts. */
 void murk_results_list_fit(murk_results_fields *fields, const void *of);
 
-/* Columns of fit.csv; of: the same. */
+/* Lists the columns of fit.csv. `of` points to a murk_fit_facts; i: row of the
+ * data. */
 void murk_results_list_fit_row(murk_results_fields *fields, const void *of,
                                size_t i);
 
-/* The values, as --set @FILE takes them. */
+/* Adds calibrated.yaml: the found values, in the form that --set @FILE
+ * reads. */
 murk_status murk_add_calibrated(murk_results *results,
                                 const murk_fit_facts *facts, murk_error *err);
 
-/* True if the text of a file for --set @FILE is that of a refused fit. */
+/* True if the text is that of a calibrated.yaml whose fit rejected its
+ * model. */
 bool murk_fit_refused_values(const char *text);
 
-/* Warns that the file holds values of a refused fit; like the refusal itself,
- * this is no matter of --quiet. */
+/* Warns that the file has values of a fit that rejected its model. Also prints
+ * with --quiet. */
 void murk_fit_warn_refused(const char *file);
 
-/* Prints the summary. `of` points to a murk_fit_facts. */
+/* Prints the summary of a fit. `of` points to a murk_fit_facts. */
 void murk_print_fit(const void *of);
 
 #endif

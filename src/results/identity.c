@@ -1,4 +1,5 @@
-/* Writes all that results follow from into one text and hashes the text. */
+/* Writes everything that results depend on into one text and hashes the
+ * text. */
 #include "results/identity.h"
 
 #include "base/file.h"
@@ -25,7 +26,7 @@ murk_status murk_identity_of(char out[65], const char *command,
     }
     fprintf(to, "murk %s\ncommand %s\nseed %lu\n%s%s", MURK_VERSION, command,
             (unsigned long)seed, asked, of);
-    /* The scene and the contents of its files, wherever they lie. */
+    /* The scene and the contents of its files, whatever their paths. */
     bool is_whole = true;
     if (scene) {
         murk_file_sums sums = {0};

@@ -1,5 +1,5 @@
-/* Builds the JSON that commands print and write: the program's own version, the
- * values that many of them share, the files of the run, so that later runs and
+/* Builds the JSON that commands print and write: the version of the program,
+ * values that many commands share, the files of the run, so that later runs and
  * readers know which files of the folder belong to which run
  * (results/ownership.h), and `run` with its checksum. */
 #include "results/json.h"
@@ -118,10 +118,10 @@ static bool is_written(const murk_results *results, const char *name)
     return false;
 }
 
-/* Lists the files of earlier runs that would otherwise be listed by no JSON any
- * more, and so be taken for the user's: those that the JSONs that this run
- * replaces list, that lie in the folder as they were written, and that this run
- * does not write again. */
+/* Lists under run.earlier the files of earlier runs that no JSON would list any
+ * more after this run, so that they would be taken for files of the user: those
+ * listed by JSONs that this run replaces (or by killed runs), still in the
+ * folder with the listed checksum, and not written again by this run. */
 static void add_earlier(cJSON *root, murk_results *results, const char *name)
 {
     cJSON *earlier = cJSON_CreateObject();
@@ -208,7 +208,8 @@ static char *tabs_to_spaces(const char *text)
     return out;
 }
 
-/* What was typed, and where: paths in it are as seen from there. */
+/* The command as typed, and the folder that relative paths in it refer to; null
+ * if that folder is not known or not printable. */
 static void add_command(cJSON *object, const char *command)
 {
     char folder[4096];
@@ -221,7 +222,7 @@ static void add_command(cJSON *object, const char *command)
     }
 }
 
-/* Fills in run.checksum, for which 64 zeros stand. */
+/* Replaces the 64 zeros of run.checksum by the checksum. */
 static void put_sum(char *text)
 {
     static const char key[] = "\n    \"checksum\": \"";

@@ -9,7 +9,8 @@
 
 #define EMITTERS_MAX (MURK_SOURCES_MAX * MURK_BANDS_MAX)
 
-/* Of quanta whose packet is worth that much. */
+/* The value of a number of quanta, if a packet (MURK_PACKET quanta) has the
+ * value `packet`. */
 static double worth(int64_t quanta, double packet)
 {
     return (double)quanta / (double)MURK_PACKET * packet;
@@ -24,8 +25,8 @@ double murk_ledger_watts(const murk_traced *traced, const murk_tally *column)
     return sum;
 }
 
-/* {"total": .., "bands": [..]} of quanta[channels], each of which is worth
- * packet[channel] a packet. */
+/* Returns {"total": .., "bands": [..]} of quanta[channels]; packet[channels] is
+ * the value of a packet of each channel. */
 static cJSON *worth_json(const murk_ledger_results *l, const int64_t *quanta,
                          const double *packet)
 {
@@ -52,7 +53,7 @@ static cJSON *column_json(const murk_ledger_results *l,
     return worth_json(l, quanta, packet);
 }
 
-/* Watts that the materials, or the media, absorbed. */
+/* The power [W] that each material, or each medium, absorbed, by name. */
 static cJSON *absorbed_json(const murk_ledger_results *l, bool of_media)
 {
     const murk_scene_desc *scene = l->stage->scene;
@@ -72,7 +73,7 @@ static cJSON *absorbed_json(const murk_ledger_results *l, bool of_media)
     return object;
 }
 
-/* The light that left the sources, in the scene's units. */
+/* The light that left the sources, in the units of the scene. */
 static cJSON *emitted_json(const murk_ledger_results *l)
 {
     double packet[EMITTERS_MAX];

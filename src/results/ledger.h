@@ -1,18 +1,19 @@
-/* The ledger of a trace as JSON: where the light's power went. */
+/* The ledger of a trace as JSON: where the power of the light went. */
 #ifndef MURK_RESULTS_LEDGER_H
 #define MURK_RESULTS_LEDGER_H
 
 #include "lightmap/lightmap.h"
 #include "results/fields.h"
 
-/* Rows of ledger.json, yet without `run`; of: */
+/* What the rows of ledger.json are listed from; both are borrowed. */
 typedef struct murk_ledger_results {
     const murk_traced *traced;
     const murk_stage *stage;
 } murk_ledger_results;
 void murk_results_list_ledger(murk_results_fields *f, const void *of);
 
-/* Watts of one ledger column, over all channels. */
+/* The power [W] of one ledger column, summed over all channels.
+ * column[traced->channels]. */
 double murk_ledger_watts(const murk_traced *traced, const murk_tally *column);
 
 #endif

@@ -16,7 +16,8 @@
 
 #define BATCH 4096 /* photons */
 
-/* Of the domain's largest coordinate: as near to a side lies in it. */
+/* A point nearer to a side than this share of the largest coordinate of the
+ * domain counts as inside. */
 #define SIDE_SHARE 0x1p-18
 
 static murk_status no_memory(const murk_pieces *pieces, murk_error *err)
@@ -56,7 +57,8 @@ static void locate_batch(void *context, uint64_t batch)
     murk_progress_add(end - first);
 }
 
-/* (*out)[n]: the piece of each photon of the map. */
+/* Fills (*out)[n] with the piece of each photon of the map. The caller frees
+ * *out, also after a failure. */
 static murk_status locate(uint32_t **out, const murk_pieces *pieces,
                           const murk_photon_map *map, unsigned threads,
                           murk_error *err)
@@ -76,10 +78,10 @@ static murk_status locate(uint32_t **out, const murk_pieces *pieces,
 
 /* ---- irradiance ---- */
 
-/* What one record says arrived. */
+/* The power that arrived with one record. */
 typedef struct arrival {
     uint32_t emitted;
-    uint32_t record; /* makes the order of a path's own records a fact */
+    uint32_t record; /* so that sorting has one result */
     double w;
 } arrival;
 
@@ -95,12 +97,14 @@ typedef struct lighting {
     murk_lit_pieces *out;
     const murk_photon *photon;
     double emitted;
-    const uint32_t *order; /* records, piece by piece */
-    const size_t *begin;   /* [pieces + 1] */
-    arrival *scratch;      /* of the fullest piece */
+    const uint32_t *order; /* numbers of the records, piece by piece */
+    const size_t *begin;   /* [pieces + 1]; of the records of each piece in
+                              order[] */
+    arrival *scratch;      /* as many as the piece with most records has */
 } lighting;
 
-/* Sums over emitted photons, each with all its records here. */
+/* Sums over emitted photons, each of which counts with all its records on this
+ * piece. */
 static void light_piece(const lighting *l, size_t i)
 {
     const murk_pieces *pieces = l->out->pieces;
@@ -137,7 +141,8 @@ static void light_piece(const lighting *l, size_t i)
         (float)(variance > 0 ? sqrt(variance) / area_m2 : 0);
 }
 
-/* Fills begin and order by counting; returns how many lie on the fullest. */
+/* Counting sort: fills begin[pieces + 1] and order. Returns the largest number
+ * of records on a piece. */
 static size_t sort_by_piece(size_t *begin, uint32_t *order,
                             const uint32_t *piece, size_t n, size_t pieces)
 {
@@ -192,7 +197,8 @@ static murk_status light_all(murk_lit_pieces *out, const murk_traced *traced,
 
 /* ---- coverage ---- */
 
-/* Weight of what lies on the pieces, and of what is seen of it. */
+/* Fills the coverage of pieces: the weight that is seen over the weight that
+ * lies on the piece. whole[] and seen[] begin as zeros. */
 static void weigh(murk_lit_pieces *out, const murk_sight *sight,
                   const murk_combined_rows *combined, const uint32_t *piece,
                   uint64_t *whole, uint64_t *seen)
@@ -249,12 +255,12 @@ static murk_status cover_all(murk_lit_pieces *out, murk_sight *sight,
 
 typedef struct middles {
     const murk_pieces *pieces;
-    uint32_t *piece; /* [n] within the domain */
+    uint32_t *piece; /* [n]; pieces within the domain */
     size_t n;
     int band;
 } middles;
 
-/* Both sides of each. */
+/* Records 2 i and 2 i + 1 are the two sides of piece[i]. */
 static murk_photon middle_of(const void *context, size_t i)
 {
     const middles *m = context;
@@ -300,7 +306,7 @@ static murk_status see_middles(murk_lit_pieces *out, const murk_domain *domain,
             m.piece[m.n++] = (uint32_t)i;
         }
     }
-    /* Both sides of each, band by band. */
+    /* What sensors see of both sides of each, band by band. */
     for (m.band = 0; !status && m.band < bands; ++m.band) {
         const murk_places places = {.n = 2 * m.n,
                                     .record = middle_of,

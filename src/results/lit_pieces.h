@@ -1,5 +1,5 @@
-/* What is known of each piece of the surfaces: what arrives there by the
- * photon map, and how well a plan's sensors see it. */
+/* The light that arrives on each piece of the surfaces, by the photon map, and
+ * how well the sensors of a plan see the piece. */
 #ifndef MURK_RESULTS_LIT_PIECES_H
 #define MURK_RESULTS_LIT_PIECES_H
 
@@ -7,19 +7,23 @@
 #include "results/pieces.h"
 #include "sensing/sight.h"
 
-/* The values of one piece; without sensors the last three are 0. */
+/* The values of one piece. Without sensors, coverage, clarity and `sensors` are
+ * 0. */
 typedef struct murk_lit_piece {
-    uint32_t photons; /* stored on it, on either side */
-    float irradiance; /* W/m2, all bands, what arrives on both sides together:
-                         sum of power / diffuse, over the area */
-    float error;      /* its standard error, by emitted photon; 0 without
-                         photons */
+    uint32_t photons; /* photons stored on the piece, on either side */
+    float irradiance; /* W/m2, all bands, arriving on both sides together: the
+                         sum of stored power / diffuse coefficient of the
+                         material, divided by the area */
+    float error;      /* standard error of irradiance, by emitted photon; 0
+                         without photons */
     float coverage; /* 0..1: coverage of the photons or targets on the piece, by
                        weight; NaN: none lies on the piece */
     float clarity;  /* 0..1: share that a plan would count of a photon stored at
-                       the middle of the piece; maximum over sides and bands */
+                       the middle of the piece; maximum over sides and bands. 0
+                       for a piece outside of the domain */
     uint16_t sensors; /* number of sensors that see the middle of the piece from
-                         either side; maximum over the bands */
+                         either side; maximum over the bands. 0 for a piece
+                         outside of the domain */
 } murk_lit_piece;
 
 typedef struct murk_lit_pieces {
@@ -29,10 +33,12 @@ typedef struct murk_lit_pieces {
     uint64_t lost; /* stored photons that lie on no surface, by rounding */
 } murk_lit_pieces;
 
-/* sight NULL: no sensors. Takes 40 bytes a piece, and 8 bytes a photon of the
- * surface map and 12 more, with redundancy k 6 (k + 1), with sensors. The same
- * for any number of threads. Fails with MURK_NO_MEMORY or MURK_INTERRUPTED.
- * Release *out in any case. */
+/* Computes the values of all pieces; those of the sensors sensor[n] unless
+ * sight is NULL. Takes about 32 bytes a piece and 8 bytes a photon of the
+ * surface map; with sensors, 60 bytes a piece, and up to 6 (k + 1) bytes more
+ * for each record of the sight, k its redundancy. The result is the same for
+ * any number of threads. Fails with MURK_NO_MEMORY or MURK_INTERRUPTED. Release
+ * *out in any case. */
 murk_status murk_lit_pieces_make(murk_lit_pieces *out,
                                  const murk_pieces *pieces,
                                  const murk_domain *domain,
@@ -41,7 +47,8 @@ murk_status murk_lit_pieces_make(murk_lit_pieces *out,
                                  size_t n, unsigned threads, murk_error *err);
 void murk_lit_pieces_release(murk_lit_pieces *lit);
 
-/* Whether a piece is in the domain: its middle is, or lies in its sides. */
+/* True if the middle of the piece lies in the domain, or on its sides within
+ * rounding. */
 bool murk_piece_is_within(const murk_piece *piece, const murk_domain *domain);
 
 #endif

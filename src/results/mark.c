@@ -6,12 +6,13 @@
 #include <math.h>
 #include <string.h>
 
-#define VIEW_LENGTH 4 /* of a view's edges, by the octahedron's half width */
+#define VIEW_LENGTH 4 /* length of the edges, in half widths */
 
-/* A cone as wide as this has nothing left to show of its opening. */
+/* Limit on half the opening of a cone, because a wider one would look
+ * closed. */
 #define WIDEST_RAD (170 * MURK_PI / 180)
 
-/* Corners -x +x -y +y -z +z. */
+/* The corners are those at -x, +x, -y, +y, -z, +z. */
 static void make_octahedron(murk_mark *out, murk_vec3 place, double size_m)
 {
     static const uint8_t face[8][3] = {{1, 3, 5}, {3, 0, 5}, {0, 2, 5},
@@ -37,8 +38,9 @@ static void add_face(murk_mark *out, size_t a, size_t b, size_t c,
     face[2] = (uint8_t)(is_turned ? b : c);
 }
 
-/* Corner 0 is the point, 1 .. sides the rim, clockwise as the sensor sees it.
- * is_behind: the rim lies behind the point. */
+/* Adds the faces: corner 0 is the apex, corners 1 .. sides are the rim,
+ * clockwise as the sensor sees it. is_behind: the rim lies behind the apex,
+ * which turns all faces. */
 static void join_rim(murk_mark *out, size_t sides, bool is_behind)
 {
     out->corners = sides + 1;

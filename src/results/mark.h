@@ -1,6 +1,7 @@
-/* The shape that stands for a sensor in plan.ply: an octahedron about one that
- * sees all round; else what it sees as far as four times that: a pyramid, or a
- * cone of 16 sides, with its point at the sensor. */
+/* The shape that stands for a sensor in plan.ply: an octahedron around a sensor
+ * that sees in all directions; for others a pyramid or a cone of 16 sides, with
+ * its apex at the sensor, the opening of the view, and edges four times as long
+ * as half the width of an octahedron. */
 #ifndef MURK_RESULTS_MARK_H
 #define MURK_RESULTS_MARK_H
 
@@ -9,18 +10,20 @@
 #include <stddef.h>
 
 #define MURK_MARK_SIDES 16 /* of a cone */
-/* Of a cone: the rim and the point; sides and the cap of the rim. */
+/* Those of a cone: corners of the rim and the apex; triangles of the sides and
+ * of the cap. */
 #define MURK_MARK_CORNERS_MAX (MURK_MARK_SIDES + 1)
 #define MURK_MARK_FACES_MAX   (2 * MURK_MARK_SIDES - 2)
 
 typedef struct murk_mark {
     size_t corners, faces;
     murk_vec3 corner[MURK_MARK_CORNERS_MAX];
-    uint8_t face[MURK_MARK_FACES_MAX][3]; /* corners, wound so that normals
-                                             point out */
+    uint8_t face[MURK_MARK_FACES_MAX][3]; /* numbers of corners, wound so that
+                                             normals point out */
 } murk_mark;
 
-/* size_m: half the octahedron's width. */
+/* Makes the mark of a sensor. size_m is half the width of an octahedron.
+ * Sensors with more than 340 degrees are shown with 340. */
 void murk_mark_make(murk_mark *out, const murk_sensor_type *type,
                     const murk_pose *pose, murk_vec3 north, double size_m);
 

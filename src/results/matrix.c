@@ -16,7 +16,8 @@ static const char *format_name(murk_matrix_format format)
     return name[format];
 }
 
-/* A value in weights as the file gives them. */
+/* Converts a value in weight * clarity to the unit of the weights in the
+ * file. */
 static double as_given(const murk_matrix_plan *p, uint64_t value)
 {
     return (double)value / MURK_CLEAR / p->matrix->unit / p->redundancy;
@@ -40,7 +41,7 @@ static void list_matrix(murk_results_fields *f, const void *of)
                 as_given(p, p->place.upper));
 }
 
-/* Rows that a plan of places has and a matrix knows nothing of. */
+/* Lists rows that are null here, but have a value in a plan for a scene. */
 static void list_nulls(murk_results_fields *f, const char *const *name,
                        size_t n)
 {

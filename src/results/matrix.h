@@ -1,5 +1,5 @@
-/* A plan over a coverage matrix: what `murk place --matrix` works out, and how
- * it is told. */
+/* A plan over a coverage matrix: the result of `murk place --matrix`, as
+ * plan.json and as summary. */
 #ifndef MURK_RESULTS_MATRIX_H
 #define MURK_RESULTS_MATRIX_H
 
@@ -7,30 +7,32 @@
 #include "results/session.h"
 #include "sparse/matrix.h"
 
-/* What the chosen columns cover, in weight * clarity. */
+/* What the chosen columns cover. */
 typedef struct murk_covering {
     uint64_t *alone, *only;   /* [count] */
-    uint64_t *seen_by;        /* [count]: weight covered by 1, 2, .. or more */
-    uint64_t sum, whole_rows; /* of alone; of all weights */
+    uint64_t *seen_by;        /* [count]; weight of the rows that at least 1, 2,
+                                 .. of the columns cover, however little */
+    uint64_t sum, whole_rows; /* sum of alone[]; weight of all rows */
 } murk_covering;
 
-/* The command as far as it has come. */
+/* The state of the command, whose parts are filled as it proceeds. */
 typedef struct murk_matrix_plan {
     murk_session session; /* without scene, stage and light */
-    const char *file;     /* of the matrix, as named */
+    const char *file;     /* path of the matrix, as named by the user */
     murk_sparse_matrix *matrix;
     murk_place_desc desc;
     murk_detection detection;
     unsigned redundancy;          /* >= 1 */
     double target, budget;        /* 0: not asked for */
-    murk_constraints constraints; /* with a budget */
-    int64_t *cost;                /* [matrix->columns] of the rules */
+    murk_constraints constraints; /* used if there is a budget */
+    int64_t *cost;                /* [matrix->columns]; cost of each column, in
+                                     units of the constraints */
     murk_place_result place;
     murk_covering covers;
 } murk_matrix_plan;
 
-/* Rows of plan.json, yet without `run`, and the summary; of: a
- * murk_matrix_plan. */
+/* The first lists the rows of plan.json except `run`, the second prints the
+ * summary. `of` points to a murk_matrix_plan. */
 void murk_results_list_matrix_plan(murk_results_fields *f, const void *of);
 void murk_matrix_plan_print(const void *of);
 

@@ -13,7 +13,7 @@
 #include <assert.h>
 #include <string.h>
 
-#define SHOWN_EVERY 65536 /* items between two updates of the progress bar */
+#define SHOWN_EVERY 65536 /* items between two updates of the progress */
 #define RECORD_MAX  64    /* bytes of a record; the longest is 40 */
 #define NAME_SIZE   32    /* of a file: "surfaces.vtp" */
 
@@ -33,7 +33,7 @@ static size_t bytes_of(const murk_mesh_column *column)
     return types[column->type].bytes * column->components;
 }
 
-/* Counts an item that is written, so many of which are shown at a time. False
+/* Counts item i as written; progress is updated every SHOWN_EVERY items. False
  * when interrupted. */
 static bool count(size_t i)
 {
@@ -60,7 +60,8 @@ murk_ply murk_mesh_begin(FILE *to, const murk_scene_desc *scene,
     return (murk_ply){.to = to, .scene = scene};
 }
 
-/* Announces columns. Returns the bytes of a record. */
+/* Writes the properties of columns to the header. Returns the bytes of a
+ * record. */
 static size_t put_properties(FILE *to, const murk_mesh_column *column, size_t n)
 {
     size_t bytes = 0;
@@ -102,7 +103,7 @@ void murk_mesh_put_vertex(const murk_ply *ply, murk_vec3 position,
     const size_t place = murk_place_bytes(ply->scene);
     murk_place_put(ply->scene, position, bytes);
     memcpy(bytes + place, record, ply->vertex_bytes);
-    /* a failure is noticed when the file is committed, by ferror() */
+    /* failures show when the file is committed */
     (void)fwrite(bytes, 1, place + ply->vertex_bytes, ply->to);
 }
 
@@ -128,13 +129,13 @@ typedef struct array {
     size_t begin; /* of a column in the record */
 } array;
 
-/* Polygons; points without triangles are one cell. */
+/* Number of cells: the triangles; points without triangles are one cell. */
 static size_t cells_of(const murk_mesh_export *v)
 {
     return v->has_triangles ? v->points / 3 : v->points > 0;
 }
 
-/* Items of columns. */
+/* Number of records: of triangles, or of points if there are none. */
 static size_t items_of(const murk_mesh_export *v)
 {
     return v->has_triangles ? v->points / 3 : v->points;
@@ -163,7 +164,8 @@ static array array_of(const murk_mesh_export *v, size_t number)
                    bytes_of(column),        items_of(v),  begin};
 }
 
-/* Announces an array, whose bytes begin at *offset. */
+/* Writes the element of an array, whose bytes begin at *offset, to the header,
+ * and moves *offset behind them. */
 static void announce(FILE *to, const murk_mesh_export *v, size_t number,
                      uint64_t *offset)
 {
@@ -181,7 +183,7 @@ static void put_header(FILE *to, const murk_mesh_export *v)
     const char *cells = v->has_triangles ? "Polys" : "Verts";
     const char *data = v->has_triangles ? "CellData" : "PointData";
     uint64_t offset = 0;
-    /* field data: where the file is from, and what its numbers mean */
+    /* field data: the origin of the file, and the meaning of its numbers */
     murk_vtk_begin(to, "PolyData");
     fputs("  <PolyData>\n    <FieldData>\n", to);
     murk_vtk_put_facts(to, v->scene, v->notes);

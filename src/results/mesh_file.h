@@ -1,9 +1,9 @@
-/* Points and triangles with columns of values, as PLY (Blender, MeshLab) and as
- * VTK's poly data (.vtp: ParaView, whose PLY reader drops what faces have, and
- * all that points have but normal and colour). Both are binary, little endian.
- *
- * The columns are one list for both files. A record has the values of one point
- * or triangle: column after column as the list has them, without padding. */
+/* Points and triangles with columns of values, as PLY (for Blender and MeshLab)
+ * and as VTK's poly data (.vtp, for ParaView, whose PLY reader drops the values
+ * of faces, and those of points except normal and colour). Both are binary,
+ * little endian. Both files have the same columns. A record has the values of
+ * one point or triangle: column after column in the order of the list, without
+ * padding. */
 #ifndef MURK_RESULTS_MESH_FILE_H
 #define MURK_RESULTS_MESH_FILE_H
 
@@ -20,13 +20,14 @@ typedef enum murk_mesh_type {
 } murk_mesh_type;
 
 typedef struct murk_mesh_column {
-    const char *name; /* of the array in VTK */
+    const char *name; /* of the array in VTK, and of the property in PLY if it
+                         has one component */
     murk_mesh_type type;
     size_t components;        /* 1..3 */
-    const char *component[3]; /* names in PLY; NULL: the column's name */
+    const char *component[3]; /* names of the properties in PLY; NULL: `name` */
 } murk_mesh_column;
 
-/* The color of a point or triangle, 0..255. */
+/* The column of colours: red, green and blue, 0..255. */
 #define MURK_MESH_COLOR              \
     {                                \
         "color", MURK_MESH_UINT8, 3, \
@@ -39,23 +40,29 @@ typedef struct murk_mesh_column {
 
 typedef struct murk_ply {
     FILE *to;
-    const murk_scene_desc *scene;    /* positions: scene/places.h */
-    size_t vertex_bytes, face_bytes; /* of records */
+    const murk_scene_desc *scene;    /* its origin decides how positions are
+                                        written */
+    size_t vertex_bytes, face_bytes; /* of a record of a vertex, of a face */
 } murk_ply;
 
-/* Begins the header. comments: whole lines, or "". */
+/* Writes the beginning of the header. comments: lines that begin with "comment
+ * " and end with a line feed, or "". */
 murk_ply murk_mesh_begin(FILE *to, const murk_scene_desc *scene,
                          const char *comments);
 
-/* Announces n vertices, or n faces of three vertices each. */
+/* Write to the header that there are n vertices, or n faces of three vertices
+ * each, with these columns; vertices also have their position. Vertices come
+ * first. */
 void murk_mesh_vertices(murk_ply *ply, size_t n, const murk_mesh_column *column,
                         size_t columns);
 void murk_mesh_faces(murk_ply *ply, size_t n, const murk_mesh_column *column,
                      size_t columns);
 void murk_mesh_end_header(const murk_ply *ply);
 
-/* position: relative to the local origin. record of a face: NULL if it has no
- * columns. */
+/* Write a vertex or a face, with as many bytes of the record as the columns
+ * take. position: in the coordinates of the program, relative to the local
+ * origin. The record of a face is NULL if faces have no columns. Failures show
+ * when the file is committed. */
 void murk_mesh_put_vertex(const murk_ply *ply, murk_vec3 position,
                           const void *record);
 void murk_mesh_put_face(const murk_ply *ply, size_t a, size_t b, size_t c,
@@ -63,29 +70,36 @@ void murk_mesh_put_face(const murk_ply *ply, size_t a, size_t b, size_t c,
 
 /* ---- both files from one description ---- */
 
-/* Points, and triangles that have three of their own each, in order, or no
- * triangles: then the points are shown by themselves. */
+/* Points, or triangles of three points each, which are points 3 i, 3 i + 1 and
+ * 3 i + 2 and belong to no other triangle. */
 typedef struct murk_mesh_export {
-    const char *name;    /* of both files, without .ply and .vtp */
-    const char *comment; /* the first of the PLY file: whole lines */
+    const char *name;    /* of both files, without the endings .ply and .vtp */
+    const char *comment; /* first comments of the PLY file, as for
+                            murk_mesh_begin() */
     const murk_scene_desc *scene;
-    const char *const *notes; /* more facts: name, text, ..., NULL */
+    const char *const *notes; /* further facts for both files: name, text, name,
+                                 text, ..., NULL */
     size_t points;
-    bool has_triangles;             /* points / 3 */
-    const murk_mesh_column *column; /* [columns] of triangles, or of points */
-    size_t columns;       /* vertices of triangles have the first of them */
-    const uint8_t *order; /* [columns] of their arrays in the .vtp file */
-    murk_vec3 (*position)(const void *context, size_t i); /* of points */
+    bool has_triangles;             /* points / 3 of them */
+    const murk_mesh_column *column; /* [columns]; of triangles if there are any,
+                                       else of points */
+    size_t columns;       /* in the PLY file, vertices of triangles have the
+                             first column, too */
+    const uint8_t *order; /* [columns]; numbers of the columns in the order of
+                             the .vtp file; the first is what ParaView shows by
+                             default */
+    murk_vec3 (*position)(const void *context, size_t i); /* of point i */
     void (*record)(const void *context, size_t i, void *out);
     const void *context;
 } murk_mesh_export;
 
-/* Streams the .vtp file of a murk_mesh_export, as murk_results_add_stream()
- * calls it: nothing is held twice. Fails with MURK_INTERRUPTED. */
+/* Writes the .vtp file; `mesh` points to a murk_mesh_export. Values are
+ * computed as they are written, so memory does not grow. A murk_results_stream.
+ * Fails with MURK_INTERRUPTED. */
 murk_status murk_vtp_write(FILE *to, const void *mesh, murk_error *err);
 
-/* Adds NAME.ply and NAME.vtp, the latter also if the former fails; late has the
- * first failure. */
+/* Adds NAME.ply and NAME.vtp, the latter also if the former fails. *late has
+ * the first failure. */
 void murk_mesh_add(murk_results *results, const murk_mesh_export *mesh,
                    murk_error *late);
 

@@ -1,5 +1,5 @@
-/* Ownership of result files: reads the lists of files that the main JSONs of a
- * folder hold, and compares the listed SHA-256 with the file's own. */
+/* Ownership of result files: reads the lists of files in the main JSONs of a
+ * folder, and compares the listed SHA-256 with that of the file. */
 #include "results/ownership.h"
 
 #include "base/file.h"
@@ -10,8 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The largest main JSON is a study's; a larger file is not read, and is then
- * the user's. */
+/* Limit on the size of a main JSON, far above that of large studies. A larger
+ * file is not read and counts as the user's. */
 #define JSON_BYTES_MAX 1000000000
 
 const char *const murk_main_jsons[] = {
@@ -20,7 +20,8 @@ const char *const murk_main_jsons[] = {
 
 /* ---- one JSON ---- */
 
-/* NULL: not there, or no result of murk. */
+/* Reads a JSON. NULL if it is not there or is not a JSON of murk. The caller
+ * frees *text in any case. */
 static cJSON *read_json(const char *path, char **text)
 {
     size_t size = 0;
@@ -37,14 +38,15 @@ static cJSON *read_json(const char *path, char **text)
     return root;
 }
 
-/* A text in JSON holds no line end, so the line is the map's own. */
+/* Strings of a JSON have no line feeds, so the line that is found is that of
+ * the key. */
 void murk_json_sum(char out[65], const char *text)
 {
     const char *run = strstr(text, "\n  \"run\": {");
     murk_sha256_hex(text, run ? (size_t)(run - text) : strlen(text), out);
 }
 
-/* Whether it is as murk wrote it, as far as it says. */
+/* True if the JSON has its checksum, or has no checksum. */
 static bool is_unchanged(const cJSON *root, const char *text)
 {
     const cJSON *sum =
@@ -72,7 +74,7 @@ static void add_file(murk_owned *owned, const char *name, const char *sum,
     murk_owned_file *grown =
         realloc(owned->file, (owned->n + 1) * sizeof *grown);
     if (!grown) {
-        return; /* not known to be murk's: it stays */
+        return; /* not known to be murk's, so it is not replaced */
     }
     owned->file = grown;
     murk_owned_file *file = &owned->file[owned->n];
@@ -84,8 +86,8 @@ static void add_file(murk_owned *owned, const char *name, const char *sum,
     }
 }
 
-/* Adds what one list of a main JSON holds; json and is_earlier as in the
- * entries. */
+/* Adds the files of one list of a main JSON; json and is_earlier as in
+ * murk_owned_file. */
 static void add_files(murk_owned *owned, const cJSON *list, int json,
                       bool is_earlier)
 {

@@ -15,7 +15,7 @@
 typedef struct photons {
     const murk_session *session;
     const murk_photon *surface, *volume;
-    size_t on, in; /* of them */
+    size_t on, in; /* numbers of photons on surfaces, and in volumes */
     uint8_t band_color[MURK_BANDS_MAX][3];
 } photons;
 
@@ -34,7 +34,7 @@ static uint8_t encoded(double linear)
                      0.5);
 }
 
-/* Each band's own colour, as bright as can be. */
+/* The colour of each band, as bright as sRGB allows. */
 static void color_bands(photons *p)
 {
     const murk_scene_desc *scene = p->session->scene;
@@ -47,7 +47,7 @@ static void color_bands(photons *p)
     murk_colour_weights(scene->bands, from, to, w);
     for (int b = 0; b < scene->bands; ++b) {
         const double max = fmax(fmax(w[0][b], w[1][b]), w[2][b]);
-        for (int c = 0; c < 3; ++c) { /* what no eye sees is grey */
+        for (int c = 0; c < 3; ++c) { /* dark grey for bands that no eye sees */
             p->band_color[b][c] =
                 max > 0 ? encoded(w[c][b] / max) : encoded(0.2);
         }
@@ -56,7 +56,7 @@ static void color_bands(photons *p)
 
 static const uint8_t *color_of(const photons *p, const murk_photon *photon)
 {
-    /* warm on surfaces, cold in volumes; by event class */
+    /* [volume][event class]: warm on surfaces, cold in volumes */
     static const uint8_t by_event[2][4][3] = {
         {{255, 170, 60}, {255, 235, 120}, {205, 110, 60}, {205, 110, 60}},
         {{90, 200, 255}, {150, 240, 215}, {70, 110, 210}, {70, 110, 210}}};
@@ -157,7 +157,7 @@ static bool meanings_of(meanings *m, const murk_scene_desc *scene)
 
 void murk_photons_add(murk_session *session, murk_error *late)
 {
-    /* the color first: what ParaView shows unasked */
+    /* the colour first, because ParaView shows the first array by default */
     static const uint8_t order[] = {9, 0, 1, 2, 3, 4, 5, 6, 7, 8};
     const murk_traced *traced = session->traced;
     photons p = {.session = session,

@@ -1,6 +1,7 @@
-/* What --export photons writes: every stored photon, surface map first, in the
- * maps' order, as photons.ply (Blender, MeshLab) and photons.vtp (ParaView,
- * whose PLY reader takes place, normal and colour alone).
+/* The files that --export photons writes: photons.ply (for Blender and MeshLab)
+ * and photons.vtp (for ParaView, whose PLY reader takes only position, normal
+ * and colour). Both have every stored photon, those of the surface map first,
+ * in the order of the maps.
  *
  *     x y z           float, m
  *     nx ny nz        float: the side of the surface it came from; 0 in volume
@@ -14,14 +15,16 @@
  *     red green blue  uchar: of several bands the band's own colour, of one by
  *                     kind (warm: surface, cold: volume) and event
  *
- * Comments, and field data of the .vtp: where they are from, and what the
- * numbers of bands, materials and media mean. Binary, little endian. */
+ * Comments of the .ply and field data of the .vtp state the origin of the file,
+ * and the meaning of the numbers of bands, materials and media. Binary, little
+ * endian. */
 #ifndef MURK_RESULTS_PHOTONS_H
 #define MURK_RESULTS_PHOTONS_H
 
 #include "results/session.h"
 
-/* Streams them from the maps. Files that cannot be had are told in *late. */
+/* Adds both files to the results. If one cannot be made, or on an interrupt,
+ * *late has the first reason. */
 void murk_photons_add(murk_session *session, murk_error *late);
 
 #endif

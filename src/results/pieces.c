@@ -9,7 +9,7 @@
 
 #define OCTANTS       8 /* of a sphere */
 #define LEAVES_BEFORE 2 /* steps of murk_surfaces_leave() */
-#define CORNER        6 /* times as far */
+#define CORNER        6 /* times as far, for photons in corners */
 
 /* ---- cutting ---- */
 
@@ -29,7 +29,8 @@ static ball ball_of(const murk_pieces *p, size_t whole)
 static double longest_edge_m(const murk_pieces *p, size_t whole)
 {
     if (whole >= p->triangles) {
-        /* of the octant's plane, drawn out by sqrt(3) in its middle */
+        /* the edge sqrt(2) r of the flat octant, times the largest stretch
+         * sqrt(3) of its middle when it is moved to the sphere */
         return ball_of(p, whole).radius_m * sqrt(6);
     }
     murk_vec3 c[3];
@@ -39,7 +40,8 @@ static double longest_edge_m(const murk_pieces *p, size_t whole)
                 murk_length(murk_sub(c[0], c[2])));
 }
 
-/* A multiple of the edge stays one, whatever rounding says. */
+/* Number of cuts k. If the longest edge is a multiple of edge_m within
+ * rounding, k is that multiple. */
 static double cuts(double longest_m, double edge_m)
 {
     return fmax(1, ceil(longest_m / edge_m * (1 - 1e-6)));
@@ -56,7 +58,8 @@ static double pieces_by(const murk_pieces *p, const double *longest_m,
     return n;
 }
 
-/* The shortest edge, to some per cent, that makes at most so many pieces. */
+/* About the shortest edge (to 3 %) with which there are at most `pieces`
+ * pieces. */
 static double edge_for(const murk_pieces *p, const double *longest_m,
                        double pieces)
 {
@@ -134,8 +137,8 @@ void murk_pieces_release(murk_pieces *pieces)
 
 /* ---- one piece ---- */
 
-/* A whole's corners; of an octant on the sphere of radius 1 about the origin,
- * wound so that its normal points out. */
+/* The corners of a triangle, or of an octant of the sphere of radius 1 about
+ * the origin, wound so that the normal points outward. */
 static void corners_of(const murk_pieces *p, size_t whole, murk_vec3 c[3])
 {
     if (whole < p->triangles) {
@@ -149,8 +152,9 @@ static void corners_of(const murk_pieces *p, size_t whole, murk_vec3 c[3])
     c[turned ? 1 : 2] = murk_vec(0, 0, octant & 4 ? -1 : 1);
 }
 
-/* Row i, from the side a..c towards b, has 2 (k - i) - 1 pieces: those before
- * it are i (2 k - i). */
+/* The place of a piece in a triangle a, b, c that is cut into k^2. Row i,
+ * counted from side a..c towards b, has 2 (k - i) - 1 pieces, so i (2 k - i)
+ * pieces lie in earlier rows. */
 typedef struct spot {
     uint32_t row, column;
     bool is_turned;
@@ -294,8 +298,9 @@ static uint32_t on_ball(const murk_pieces *p, size_t sphere, murk_vec3 at)
            number_of(p->cut[whole], turned ? z : y, turned ? y : z);
 }
 
-/* A ray along an edge may slip by it, so beside it is looked, too; and in a
- * corner a photon was drawn back from its surface (murk_surfaces_hit). */
+/* Rays back to the surface: a ray at an edge may miss both triangles, so rays
+ * beside it are tried, too, and then rays from farther away, because in a
+ * corner a photon is stored some way off its surface (murk_surfaces_hit()). */
 uint32_t murk_pieces_at(const murk_pieces *p, murk_vec3 place, murk_vec3 normal)
 {
     static const double tries[][3] = {

@@ -1,4 +1,4 @@
-/* A plan: rows of plan.json, for places of a scene, and the summary. */
+/* A plan for a scene: rows of plan.json, and the summary. */
 #include "results/plan.h"
 
 #include "results/candidates.h"
@@ -114,7 +114,8 @@ static void list_coverage(murk_results_fields *f, const void *of)
                 plan->in_sample.sum_of_views);
 }
 
-/* With placement.at_least: asked, reached, and whether fewer cannot do. */
+/* With placement.at_least: what was asked for, what is reached, and whether the
+ * number of sensors is proven to be the fewest. */
 static void list_strict(murk_results_fields *f, const murk_plan_results *r)
 {
     const murk_plan_result *plan = r ? r->plan : NULL;
@@ -200,7 +201,7 @@ void murk_results_list_plan(murk_results_fields *f, const void *of)
     const murk_place_result *place = plan ? &plan->place : NULL;
     const murk_budget_results budget = {scene ? scene->sensors.budget : 0,
                                         place};
-    /* What was to be seen, from where, and what is seen. */
+    /* The light or targets, the candidates, the sensors and their coverage. */
     murk_results_list_head(f, scene);
     if (r && r->conditions) {
         MURK_OBJECT(f, "photons", "", murk_results_list_condition_photons,

@@ -7,35 +7,39 @@
 #include "results/repeat.h"
 #include "results/session.h"
 
-/* Rows that a plan over a matrix has, too. "bound" and "curve", "nodes" and
- * "cut_by" of "placement"; of: a murk_place_result. */
+/* List rows that a plan over a matrix has, too: the first "bound" and "curve",
+ * the second "nodes" and "cut_by" of the object "placement". `of` points to a
+ * murk_place_result. */
 void murk_results_list_bound(murk_results_fields *f, const void *of);
 void murk_results_list_cut(murk_results_fields *f, const void *of);
 
-/* Rows of "budget"; of: */
+/* What the rows of "budget" are listed from. */
 typedef struct murk_budget_results {
     double asked;
     const murk_place_result *place;
 } murk_budget_results;
 void murk_results_list_budget(murk_results_fields *f, const void *of);
 
-/* The summary's line "bound". */
+/* Prints the line "bound" of the summary. `sample` is what the bound holds for,
+ * such as "sample of photons". */
 void murk_print_bound(const murk_place_result *place, bool has_budget,
                       const char *sample);
 
 typedef struct murk_plan_results {
     const murk_session *session;
     const murk_plan_result *plan;
-    const murk_condition_plans *conditions; /* NULL: the scene as it stands */
+    const murk_condition_plans *conditions; /* NULL: a plan for the scene
+                                               without conditions */
     const murk_repeat_results *repeat;      /* NULL: not repeated */
 } murk_plan_results;
 
-/* The plan's sensors with their coverage in sample. */
+/* The sensors of the plan with their coverage in sample, and of regions of
+ * interest held out. Borrows from both. */
 murk_sensor_results murk_plan_sensor_results(const murk_scene_desc *scene,
                                              const murk_plan_result *plan);
 
-/* Rows of plan.json, yet without `run`, and the summary; of: a
- * murk_plan_results. */
+/* The first lists the rows of plan.json except `run`, the second prints the
+ * summary. `of` points to a murk_plan_results. */
 void murk_results_list_plan(murk_results_fields *f, const void *of);
 void murk_print_plan(const void *of);
 

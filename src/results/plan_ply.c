@@ -1,7 +1,7 @@
 /* Writes plan.ply: sensors, their marks and the stored photons, each photon
- * with the number of sensors that see it. The sightlines are looked at once
- * more, for a few sensors at a time, so that memory does not grow with the
- * plan. */
+ * with the number of sensors that see it. The sightlines are computed again,
+ * for a few sensors at a time, so that memory does not grow with the number of
+ * sensors. */
 #include "results/plan_ply.h"
 
 #include "results/mark.h"
@@ -11,8 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define MARK_SIZE    0.005 /* half an octahedron's width, of the world's size */
-#define SENSORS_HELD 16    /* seen in memory at a time */
+#define MARK_SIZE    0.005 /* half width of an octahedron, of the diagonal */
+#define SENSORS_HELD 16    /* whose sightlines are in memory at a time */
 
 typedef enum vertex_kind {
     SENSOR,
@@ -23,7 +23,7 @@ typedef enum vertex_kind {
 
 typedef struct sighting {
     uint16_t sensors, clarity;
-    uint32_t which; /* bit k: sensor k, of the first 32 */
+    uint32_t which; /* bit k: seen by sensor k, of the first 32 */
 } sighting;
 
 typedef struct parts {
@@ -37,7 +37,7 @@ typedef struct parts {
 
 /* ---- who sees what ---- */
 
-/* Looks of sensors first, first + 1, .. */
+/* Adds what sensors first, first + 1, .. see: the columns of `seen`. */
 static void take_up(sighting *to, const murk_sparse_matrix *seen, size_t first)
 {
     for (size_t j = 0; j < seen->columns; ++j) {
@@ -95,7 +95,7 @@ typedef struct __attribute__((packed)) record {
 static void put_vertex(const murk_ply *ply, murk_vec3 at, vertex_kind kind,
                        sighting s)
 {
-    /* told apart by hue; sensors stand out */
+    /* hues that are easy to tell apart */
     static const uint8_t yellow[3] = {255, 200, 0}, red[3] = {205, 45, 45},
                          blue[3] = {60, 120, 200}, green[3] = {60, 175, 90};
     const uint8_t *color = kind == SENSOR || kind == CORNER ? yellow

@@ -1,4 +1,4 @@
-/* plan.ply: the plan as points and marks, for ParaView, MeshLab, Blender. */
+/* plan.ply: the plan as points and marks, for ParaView, MeshLab and Blender. */
 #ifndef MURK_RESULTS_PLAN_PLY_H
 #define MURK_RESULTS_PLAN_PLY_H
 
@@ -8,9 +8,10 @@
 
 #define MURK_PLAN_PLY_SENSORS 32 /* that have a bit */
 
-/* Vertices: the sensors, in order; the corners of each one's mark
- * (results/mark.h), which the faces join (a point alone is hard to see); the
- * stored photons, surface map first, in the maps' order. Each with
+/* Adds the file. Its vertices are the sensors, in order; the corners of the
+ * mark of each (results/mark.h), whose triangles are the faces (a point alone
+ * is hard to see); and the stored photons or targets, those of the surface map
+ * first, in the order of the maps. A vertex has
  *
  *     x y z           float, m
  *     red green blue  uchar: sensors yellow; photons red unseen, blue seen by
@@ -22,8 +23,9 @@
  *     sensors         uint: of a photon, who sees it: bit k is sensor k, from
  *                     0, of the first 32
  *
- * Binary, little endian. Octahedra are one part in a hundred of the world wide,
- * views two parts long. */
+ * Binary, little endian. By the diagonal of the domain, octahedra are 1/100
+ * wide, and the edges of views 1/50 long. Fails with MURK_NO_MEMORY, or as
+ * murk_results_add() does. */
 murk_status murk_add_plan_ply(murk_results *results, const char *name,
                               const murk_stage *stage, murk_sight *sight,
                               const murk_pose *sensor, size_t n,

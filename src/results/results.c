@@ -30,7 +30,7 @@ murk_status murk_results_begin(murk_results *results, const char *folder,
 
 /* ---- what may be replaced ---- */
 
-/* The number of the file of that path; results->n: there is none. */
+/* The index in file[] of the file with this path; results->n: there is none. */
 static size_t find(const murk_results *results, const char *path)
 {
     size_t i = 0;
@@ -40,15 +40,15 @@ static size_t find(const murk_results *results, const char *path)
     return i;
 }
 
-/* True if this run has put the file there itself. */
+/* True if this run has moved a file to this path. */
 static bool is_shown(const murk_results *results, const char *path)
 {
     const size_t i = find(results, path);
     return i < results->n && !results->file[i].staged;
 }
 
-/* Of what the folder holds; inputs are judged once it is known what would be
- * written over them. */
+/* Checks whether the file at the path, if there is one, may be replaced. Inputs
+ * pass here; check_input() judges them when the new content is known. */
 static murk_status check_owner(murk_results *results, const char *path,
                                const char *name, murk_error *err)
 {
@@ -68,7 +68,7 @@ static murk_status check_owner(murk_results *results, const char *path,
     return murk_file_not_ours(path, err);
 }
 
-/* An input stays as it is; that is right where it has these bytes. */
+/* True if the file has this SHA-256. An input that has it stays as it is. */
 static bool is_same(const char *path, const char *sum)
 {
     char there[65];
@@ -130,7 +130,7 @@ static murk_status check_name(murk_results *results, const char *path,
     return MURK_OK;
 }
 
-/* Room for one more. */
+/* Makes room for one more file. */
 static bool grow(murk_results *results)
 {
     murk_result *grown =
@@ -142,7 +142,8 @@ static bool grow(murk_results *results)
     return true;
 }
 
-/* Takes a place for one more file: path and staged name. */
+/* Appends an entry for a file, with its path and its path in the hidden
+ * folder. */
 static murk_status stage_name(murk_results *results, const char *name,
                               murk_error *err)
 {
@@ -189,7 +190,8 @@ murk_status murk_results_add(murk_results *results, const char *name,
         status = murk_file_sha256(results->file[i].staged, results->file[i].sum,
                                   &why);
     }
-    if (status) { /* under the staged name; told of the final one */
+    if (status) { /* the message names the final path instead of the staged
+                     one */
         status = murk_fail(err, status, results->file[i].path, "%s", why.text);
     } else {
         status = check_input(results, i, err);
@@ -321,7 +323,8 @@ murk_status murk_results_show(murk_results *results, murk_error *err)
             continue; /* shown before */
         }
         if (murk_inputs_has(results->file[i].path)) {
-            (void)unlink(results->file[i].staged); /* the same bytes: stays */
+            (void)unlink(results->file[i].staged); /* it has the same bytes and
+                                                      stays */
         } else if (rename(results->file[i].staged, results->file[i].path) !=
                    0) {
             return murk_fail(err, MURK_RUN_FAILED, results->file[i].path,
@@ -344,7 +347,8 @@ void murk_results_end(murk_results *results)
         free(results->file[i].path);
     }
     if (results->is_new) {
-        (void)rmdir(results->folder); /* if it is empty: made for nothing */
+        (void)rmdir(results->folder); /* fails, as it should, if the folder is
+                                         not empty */
     }
     free(results->file);
     murk_owned_release(&results->owned);

@@ -1,13 +1,11 @@
-/* Result files: staged, then shown all together.
- *
- * Everything is written and flushed in a hidden folder first (base/staging.h);
- * only when all of it is on the disk are the files renamed, the main JSON last.
- * So a full disk leaves the old results. A run that is killed between two
- * renames leaves files of two runs; `files` in the main JSON tells which.
- *
- * Nothing is written where a file is in the way that this run reads
- * (base/inputs.h), unless it has the very bytes that would be written, or one
- * that is not murk's (results/ownership.h), unless --force. */
+/* Result files: staged, then shown all together. All files are first written
+ * and flushed in a hidden folder (base/staging.h). Only when all of them are on
+ * the disk are they renamed, the main JSON last, so a full disk leaves the old
+ * results. A run that is killed between two renames leaves files of two runs;
+ * `files` in the main JSON tells them apart. Two kinds of files are not
+ * replaced: those that this run has read as input (base/inputs.h), unless they
+ * already have the bytes that would be written; and, without --force, those
+ * that are not murk's (results/ownership.h). */
 #ifndef MURK_RESULTS_RESULTS_H
 #define MURK_RESULTS_RESULTS_H
 
@@ -21,45 +19,55 @@
 
 typedef struct murk_result {
     char *path;
-    char *staged; /* NULL once it is in its place */
-    char sum[65]; /* SHA-256 */
+    char *staged; /* path in the hidden folder; NULL once the file is in its
+                     place */
+    char sum[65]; /* SHA-256 of the content, in hex */
 } murk_result;
 
 typedef struct murk_results {
     const char *folder; /* NULL: nothing is written */
-    murk_result *file;  /* [n] in the order added */
+    murk_result *file;  /* [n]; in the order added */
     size_t n;
-    bool is_new; /* the folder: made by murk_results_begin() */
-    bool force;  /* replaces files that are not murk's */
+    bool is_new; /* the folder did not exist before murk_results_begin() */
+    bool force;  /* files that are not murk's are replaced, too */
     murk_staging staging;
     murk_owned owned;
-    murk_error refused; /* the first file that may not be replaced */
+    murk_error refused; /* why the first file that may not be replaced was
+                           refused; no code: none was */
 } murk_results;
 
-/* Makes the folder, removes what killed runs left in it and sees
- * that it can be written, before any long work; murk_results_end() takes a new
- * one away again where nothing came into it. Without a folder
- * all calls below do nothing. */
+/* Makes the folder, checks that it can be written to, and removes what killed
+ * runs left in it. To be called before any long work. murk_results_end()
+ * removes a new folder again if it is empty. folder NULL: all functions below
+ * do nothing and return MURK_OK. `folder` is borrowed. Fails with
+ * MURK_RUN_FAILED or MURK_NO_MEMORY. */
 murk_status murk_results_begin(murk_results *results, const char *folder,
                                bool force, murk_error *err);
 
-/* A file that will be added: refused now, before any long work, where it would
- * be refused then. text: what it will hold, NULL where that is not known yet.
- * Call it once all input is read. */
+/* Announces a file that will be added later, and fails, before any long work,
+ * if it could not replace the file that is there: with MURK_BAD_VALUE if that
+ * is an input or not murk's, with MURK_RUN_FAILED if it is not a regular file.
+ * text: the content that it will have, so that an input with this content is
+ * accepted; NULL: not known yet. An input light.murk is always accepted here.
+ * Call it after all input is read. */
 murk_status murk_results_expect(murk_results *results, const char *name,
                                 const char *text, murk_error *err);
 
-/* Writes one file whole, or fails with nothing there. */
+/* Writes one whole file to `path`, or fails and leaves none there. */
 typedef murk_status (*murk_results_writer)(const char *path,
                                            const void *context,
                                            murk_error *err);
 
-/* One more file of the folder, staged; where that fails, as if it had not been
- * asked for. A file that is shown already may be added anew. */
+/* Stages a file `name` of the folder, which write() writes. On failure it is as
+ * if the file had not been added, except that murk_results_show() fails after a
+ * refusal. Fails as write() or murk_results_expect() does, with MURK_RUN_FAILED
+ * if a staged file has this name, or with MURK_NO_MEMORY. A file that has been
+ * shown may be added again. */
 murk_status murk_results_add(murk_results *results, const char *name,
                              murk_results_writer write, const void *context,
                              murk_error *err);
-/* The same of what write() puts into the stream, whose failures are noticed. */
+/* The same for content that write() writes to a stream. Failures of the stream
+ * itself are noticed when the file is committed. */
 typedef murk_status (*murk_results_stream)(FILE *to, const void *context,
                                            murk_error *err);
 murk_status murk_results_add_stream(murk_results *results, const char *name,
@@ -71,14 +79,18 @@ murk_status murk_results_add_light(murk_results *results, const char *name,
                                    const murk_traced *traced,
                                    const murk_stage *stage, murk_error *err);
 
-/* A file that is in its place without having been added: listed in `files`. */
+/* Adds to the list, and so to `files` of the main JSON, a file that is in the
+ * folder already. Fails if it cannot be read, or with MURK_NO_MEMORY. */
 murk_status murk_results_note(murk_results *results, const char *name,
                               murk_error *err);
 
-/* Puts all in place, in the order added: add the main JSON last. Where one
- * could not be added because it may not be replaced, nothing is put in place.
- * More may be added and shown afterwards. */
+/* Moves all staged files into place, in the order added, so the main JSON
+ * should be added last. If any file was refused because the one that is there
+ * may not be replaced, moves none and fails with that error. If moving fails
+ * (MURK_RUN_FAILED), earlier files are in place. More files may be added and
+ * shown afterwards. */
 murk_status murk_results_show(murk_results *results, murk_error *err);
-void murk_results_end(murk_results *results); /* removes what is not shown */
+void murk_results_end(murk_results *results); /* removes files not shown, sets
+                                                 zeros */
 
 #endif

@@ -1,4 +1,5 @@
-/* "robustness" of plan.json and coverage.json, and its lines. */
+/* Robustness of a plan: "robustness" of plan.json and coverage.json, and lines
+ * of the summary. */
 #ifndef MURK_RESULTS_ROBUST_H
 #define MURK_RESULTS_ROBUST_H
 
@@ -6,7 +7,7 @@
 #include "results/fields.h"
 #include "scene/scene.h"
 
-/* Row "robustness"; of: */
+/* What the row "robustness" is listed from. */
 typedef struct murk_robust_results {
     const murk_scene_desc *scene;
     const murk_robust *robust;

@@ -86,7 +86,8 @@ static murk_status expect_exports(murk_session *session, murk_error *err)
         murk_error why = {0};
         if (session->settings.exports & files[i].what &&
             expect_all(&session->results, files[i].names, &why) ==
-                MURK_BAD_VALUE) { /* what fails else is told late */
+                MURK_BAD_VALUE) { /* other failures are reported when the file
+                                     is added */
             status = murk_fail(err, why.code, why.where, "%s", why.text);
         }
     }
@@ -160,7 +161,7 @@ static murk_status show(murk_session *session, const char *name, cJSON *root,
     if (!status) {
         status = murk_results_show(&session->results, err);
     }
-    /* What is printed follows the files. */
+    /* Print after the files are in place. */
     if (!status && is_last && session->settings.prints_json) {
         murk_print_json(text);
     } else if (!status && is_last && murk_session_speaks(session)) {

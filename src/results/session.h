@@ -1,5 +1,5 @@
-/* A run whose results are written: the scene, the world, the light, the files
- * and the settings that decide about files and lines. */
+/* A run of a command: the scene, the world, the light, the result files, and
+ * the settings for files and printed lines. */
 #ifndef MURK_RESULTS_SESSION_H
 #define MURK_RESULTS_SESSION_H
 
@@ -21,12 +21,14 @@ typedef enum murk_export {
 
 typedef struct murk_session_settings {
     const char *folder; /* of the results; NULL: nothing is written */
-    bool force;         /* replaces files that are not murk's */
+    bool force;         /* replaces files of the folder that are not murk's,
+                           too */
     unsigned threads;
-    unsigned exports; /* murk_export bits */
-    const char
-        *voxel; /* edge of exported voxels and pieces as typed, or NULL */
-    const char *light; /* the file that the light is read from, or NULL */
+    unsigned exports;  /* murk_export bits */
+    const char *voxel; /* edge of exported voxels and pieces, as typed; NULL:
+                          not given */
+    const char *light; /* file that the light is read from; NULL: it is
+                          traced */
     bool prints_json, is_quiet;
 } murk_session_settings;
 
@@ -34,7 +36,7 @@ typedef struct murk_session {
     murk_session_settings settings;
     murk_scene_desc *scene;
     murk_stage *stage;
-    murk_traced *traced; /* NULL before the light is there */
+    murk_traced *traced; /* NULL until there is light */
     murk_results results;
     murk_run_facts run;
     char identity[65]; /* of the results; "" before the scene is read */
@@ -43,46 +45,48 @@ typedef struct murk_session {
 
 void murk_session_end(murk_session *session);
 
-/* Refuse at once what would be refused when it is added: the names of a list
- * that NULL ends, the resolved scene and what is exported; and the light with
- * its ledger and tallies. Call them once all input is read. */
+/* Fail at once if files could not replace those that are there
+ * (murk_results_expect()): the first for the named files (a list that ends with
+ * NULL), the resolved scene and the files of --export; the second for the light
+ * with its ledger and tallies. Call them after all input is read. */
 murk_status murk_session_expect(murk_session *session, const char *const *names,
                                 murk_error *err);
 murk_status murk_session_expect_light(murk_session *session, murk_error *err);
 
-/* Adds scene.resolved.yaml, the scene as resolved, if there is one; and with it
- * light.murk. */
+/* The first adds scene.resolved.yaml, the resolved scene, if there is a scene;
+ * the second adds light.murk, then the same. */
 murk_status murk_session_add_scene(murk_session *session, murk_error *err);
 murk_status murk_session_add_light(murk_session *session, murk_error *err);
 
-/* Adds a ledger with the session's `run`, but not as the main JSON. */
+/* Adds the JSON of a ledger with identity and `run`, but without `files`. */
 murk_status murk_session_add_ledger(murk_session *session, const char *name,
                                     const murk_ledger_results *ledger,
                                     murk_error *err);
 
-/* Ends the JSON with `run`, adds it under `name` as the main one, and shows all
- * files. Then prints the JSON with --format json, else the summary of the
- * results, which `print` prints of `of` and which `run` holds as well; print
- * NULL: there is none. Deletes root. */
+/* Completes the JSON with identity, `files` and `run`, adds it as the main JSON
+ * `name` (NULL: it is not added), and shows all files. Then prints the JSON
+ * with --format json, else, unless quiet, the summary. print(of) prints the
+ * summary, which also becomes run.summary; NULL: there is none. Deletes root in
+ * any case. */
 murk_status murk_session_finish(murk_session *session, const char *name,
                                 cJSON *root, murk_print_results *print,
                                 const void *of, murk_error *err);
 
-/* Shows all files with this as the main JSON, as finishing would, and prints
- * nothing: for what is not to be lost while more is worked on. Deletes root. */
+/* Does the same without printing, to keep results that must not be lost while
+ * the command goes on. Deletes root in any case. */
 murk_status murk_session_keep(murk_session *session, const char *name,
                               cJSON *root, murk_print_results *print,
                               const void *of, murk_error *err);
 
-/* True where the summary is to be printed. */
+/* True if the summary is to be printed: not JSON, and not quiet. */
 bool murk_session_speaks(const murk_session *session);
 
-/* The lines of the light, which several summaries have. */
+/* Prints the lines about the light, which several summaries have. */
 void murk_print_light(const murk_session *session);
 
-/* Prints the lines that follow a summary and are no part of the results: times,
- * memory and files; of times also a part of the command's own, or NULL. Nothing
- * where no summary is printed. */
+/* Prints the lines after a summary that are not part of the results: times,
+ * memory and files. other is the name of a further part of the time, of other_s
+ * seconds; NULL: none. Prints nothing if no summary is printed. */
 void murk_print_run(const murk_session *session, const char *other,
                     double other_s);
 

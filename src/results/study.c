@@ -21,8 +21,8 @@ static bool has(const char *const *name, size_t n, const char *wanted)
     return false;
 }
 
-/* Names of values, in the order in which rows first have them; the caller's.
- * NULL when out of memory. */
+/* Lists the names of values, in the order in which rows first have them. The
+ * caller frees the array, not the names. NULL when out of memory. */
 static const char **names_of(const murk_sweep *sweep, size_t *n)
 {
     const size_t rows = sweep->desc.study->rows;
@@ -43,7 +43,7 @@ static const char **names_of(const murk_sweep *sweep, size_t *n)
     return name;
 }
 
-/* A cell of a value; an empty one if there is none. */
+/* Writes a cell and a comma; an empty cell if the value is not finite. */
 static void write_number(FILE *file, double value)
 {
     char text[32] = "";
@@ -192,7 +192,7 @@ static void list_row(murk_results_fields *f, const void *of, size_t i)
               or_null(row->found.failed));
 }
 
-/* Numbers from 1 of n rows. */
+/* A list of the numbers, from 1, of n rows. */
 static cJSON *numbers_json(const size_t *row, size_t n)
 {
     cJSON *list = cJSON_CreateArray();
@@ -226,7 +226,7 @@ static double value_of(const murk_study_row *found, const char *name)
     return v ? v->of.value : NAN;
 }
 
-/* One plan for all rows. */
+/* A plan that is meant for all rows of a study. */
 typedef struct plan_of_rows {
     const murk_sweep *sweep;
     const murk_sweep_plan *plan;
@@ -254,7 +254,8 @@ static void list_plan(murk_results_fields *f, const void *of)
               or_null(plan->found.failed));
 }
 
-/* One plan for all rows, as far as it was asked for. */
+/* The plans for all rows that were asked for: for the best mean, and for the
+ * best worst row. */
 static void list_plans(murk_results_fields *f, const void *of)
 {
     static const char *const names[] = {

@@ -1,17 +1,18 @@
-/* A study's rows as table.csv, and as JSON. */
+/* The rows of a study as table.csv, and as rows of study.json. */
 #ifndef MURK_RESULTS_STUDY_H
 #define MURK_RESULTS_STUDY_H
 
 #include "cases/sweep.h"
 #include "results/fields.h"
 
-/* Adds table.csv: rows that are done, in the study's order; a column an axis,
- * then each value and its standard error, last `failed`. Empty cells: there is
- * no such value. */
+/* Adds table.csv: a line for each row that is done, in the order of the study.
+ * Its columns are the axes, then each value with its standard error, and last
+ * `failed`. A cell is empty if the row has no such value. Fails as
+ * murk_results_add() does. */
 murk_status murk_add_table(murk_results *results, const murk_sweep *sweep,
                            murk_error *err);
 
-/* Rows of study.json; of: */
+/* What the rows of study.json are listed from. */
 typedef struct murk_study_results {
     const murk_sweep *sweep;
     bool is_interrupted;

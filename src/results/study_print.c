@@ -1,5 +1,5 @@
-/* Prints the rows of a study as a table on the terminal, as many columns and
- * rows as there is room for. */
+/* Prints the rows of a study as a table on the terminal, with as many columns
+ * and rows as there is room for. */
 #include "results/study_print.h"
 
 #include "results/summary.h"
@@ -11,22 +11,25 @@
 #include <stdio.h>
 #include <string.h>
 
-#define CELL_SIZE   40 /* a value with its error, or a name */
+#define CELL_SIZE   40 /* of a value with its error, or of a name */
 #define TABLE_WIDTH 80 /* of a terminal */
-#define NUMBER      5  /* columns of a row's number */
+#define NUMBER      5  /* width of the number of a row */
 #define ROWS_MAX    24 /* about a screen */
 
 typedef char cell[CELL_SIZE];
 
 typedef struct table {
     const murk_sweep *sweep;
-    const murk_study_row *one; /* a row whose values are the columns, or NULL */
-    size_t rows, axes, columns; /* shown rows; columns: axes, then values */
+    const murk_study_row *one; /* the row whose values are the columns; NULL: no
+                                  row has values */
+    size_t rows, axes, columns; /* rows: number shown; columns: axes, then
+                                   values */
 } table;
 
-#define HEADING SIZE_MAX /* in place of a row's number */
+#define HEADING SIZE_MAX /* in place of the number of a row */
 
-/* "density_475nm" is of a band. */
+/* True if a name ends like "density_475nm", so that the value is of a single
+ * band. */
 static bool is_of_band(const char *name)
 {
     const char *last = strrchr(name, '_');
@@ -35,8 +38,8 @@ static bool is_of_band(const char *name)
            isdigit((unsigned char)last[1]);
 }
 
-/* Value k among the values of a row that do not refer to a single band; NULL if
- * there are fewer. */
+/* Value k, from 0, among the values of a row that are not of a single band;
+ * NULL if there are not so many. */
 static const murk_study_value *value_at(const murk_study_row *one, size_t k)
 {
     for (size_t i = 0; one && i < one->values; ++i) {

@@ -15,19 +15,20 @@
 
 #define COLUMNS 80 /* of a terminal */
 
-/* What has been printed of a line that has not ended. */
+/* The text so far of a line that has not ended. */
 static _Thread_local struct {
     char *text;
     size_t size, capacity;
 } open_line;
 
-/* Where lines go that have ended. */
+/* What happens to lines that have ended: they are shown, or collected in a
+ * list. */
 static _Thread_local struct {
     bool are_collected;
-    cJSON *list; /* while they are collected; NULL when out of memory */
+    cJSON *list; /* used while lines are collected; NULL when out of memory */
 } lines;
 
-/* Where text goes on: under its own beginning. */
+/* Column at which a broken line goes on: that at which its text begins. */
 static size_t indent_of(const char *line)
 {
     const size_t lead = strspn(line, " ");
@@ -41,19 +42,19 @@ static size_t indent_of(const char *line)
 static void show_wrapped(const char *line)
 {
     const size_t indent = indent_of(line);
-    size_t begin = 0; /* of the columns, those of the indent */
+    size_t begin = 0; /* blanks before the text of this part */
     while (strlen(line) + begin > COLUMNS) {
         size_t cut = COLUMNS - begin;
         while (cut > indent && line[cut] != ' ') {
             --cut;
         }
         if (line[cut] != ' ' || cut <= (begin ? 0 : indent)) {
-            cut = strcspn(line + indent, " ") + indent; /* a word too long */
+            cut = strcspn(line + indent, " ") + indent; /* a word is too long */
             if (!line[cut]) {
                 break;
             }
         }
-        size_t end = cut; /* without the blanks before a column of a table */
+        size_t end = cut; /* without the blanks before the cut */
         while (end > 0 && line[end - 1] == ' ') {
             --end;
         }
@@ -64,8 +65,8 @@ static void show_wrapped(const char *line)
     printf("%*s%s\n", (int)begin, "", line);
 }
 
-/* Prints or collects one line with control characters escaped, four bytes for
- * one. */
+/* Prints or collects one line, with control characters escaped as at most four
+ * bytes for each byte. */
 static void show(const char *line)
 {
     const size_t size = 4 * strlen(line) + 1;
@@ -95,8 +96,8 @@ static bool make_space(size_t more)
     return grown != NULL;
 }
 
-/* Appends text to the open line, and shows each line that the byte `end` of
- * the new text ends. */
+/* Appends text to the open line, and shows each line that is ended by the byte
+ * `end` in the new text. */
 static void add_text(const char *format, char end, va_list args)
 {
     va_list again;
@@ -118,7 +119,7 @@ static void add_text(const char *format, char end, va_list args)
 
 /* A line ends with the line feeds of `format`; those of names among the
  * arguments are shown escaped. To tell them apart, the line feeds of `format`
- * are replaced by a byte that `format` never has and text of UTF-8 neither. */
+ * are replaced by a byte that neither `format` nor any text in UTF-8 has. */
 void murk_print(const char *format, ...)
 {
     static const char line_end = '\xff';
@@ -164,7 +165,7 @@ void murk_print_json(const char *text)
     bool has_end = false;
     while (*text) {
         const size_t length = murk_utf8_length(text);
-        /* U+FFFD stands for a byte that is no character */
+        /* U+FFFD stands for a byte that is not part of a character */
         const uint32_t control = length ? murk_utf8_control(text) : 0xfffd;
         has_end = *text == '\n';
         if (control && !has_end && *text != '\t') {

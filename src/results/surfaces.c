@@ -12,23 +12,24 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Where no size is asked for: so many stored photons to a piece in the mean,
- * and so many pieces. */
+/* If --voxel is not given: stored photons for each piece in the mean, and
+ * limits on the number of pieces beyond one for each triangle. */
 #define PHOTONS_USUAL 5
 #define PIECES_MIN    5000
 #define PIECES_USUAL  100000
 
-/* Colours end at this multiple of the mean irradiance, by area. */
+/* The brightest colour is that of this multiple of the mean irradiance,
+ * weighted by area. */
 #define BRIGHT 2.5
 
 typedef struct surfaces {
     const murk_session *session;
     const murk_lit_pieces *lit;
-    uint32_t *piece;   /* [n] that are written */
+    uint32_t *piece;   /* [n]; numbers of the pieces that are written */
     uint8_t *material; /* [n] */
     size_t n;
     double bright_w_per_m2;
-    char *materials; /* names by number */
+    char *materials; /* names of the materials by number, as text */
     char lost[24];
 } surfaces;
 
@@ -64,7 +65,8 @@ murk_status murk_surfaces_check(const murk_session *session, murk_error *err)
 
 /* ---- colours ---- */
 
-/* Dark to bright by lightness, in steps of hue that all eyes tell apart. */
+/* Colour of t from 0 to 1: from dark violet to yellow, with rising lightness,
+ * so that colour-blind eyes can tell the order, too. */
 static void ramp(double t, uint8_t rgb[3])
 {
     static const double stop[5][3] = {{68, 1, 84},
@@ -95,7 +97,7 @@ static void color_of(const surfaces *s, uint32_t piece, uint8_t rgb[3])
 
 /* ---- values ---- */
 
-/* Of a face; the last three with sensors only. */
+/* Columns of a face. The last three are written with sensors only. */
 static const murk_mesh_column columns[] = {
     MURK_MESH_COLOR,
     {"irradiance", MURK_MESH_FLOAT, .components = 1},
@@ -154,7 +156,8 @@ static const char *const meanings[] = {
     "number of sensors that see the piece's middle, from either side",
     NULL};
 
-/* Of those that there are, and the materials. */
+/* Notes: the meanings of the columns that are written, the number of photons on
+ * no piece, and the materials. */
 static void meanings_of(const surfaces *s, const char *note[16])
 {
     size_t n = 0;
@@ -170,7 +173,8 @@ static void meanings_of(const surfaces *s, const char *note[16])
 
 /* ---- all ---- */
 
-/* Those in the domain, and their mean irradiance. */
+/* Chooses the pieces in the domain, and the brightest irradiance from their
+ * mean. */
 static void choose(surfaces *s)
 {
     const murk_pieces *pieces = s->lit->pieces;
@@ -190,7 +194,7 @@ static void choose(surfaces *s)
 static void add_files(murk_session *session, const murk_lit_pieces *lit,
                       murk_error *late)
 {
-    /* arrays of surfaces.vtp, as the files of earlier versions have them */
+    /* the order of arrays in surfaces.vtp is that of earlier versions */
     static const uint8_t order[] = {4, 3, 2, 1, 0};
     static const uint8_t with_sensors[] = {4, 3, 2, 1, 7, 6, 5, 0};
     const murk_scene_desc *scene = session->scene;

@@ -22,11 +22,13 @@
 #include "results/session.h"
 #include "sensing/sight.h"
 
-/* Whether --voxel suits the surfaces: fails with MURK_BAD_VALUE. */
+/* Checks --voxel, the longest edge of a piece, if it is given: fails with
+ * MURK_BAD_VALUE if it is not a number above 0, or makes too many pieces; or
+ * with MURK_NO_MEMORY. */
 murk_status murk_surfaces_check(const murk_session *session, murk_error *err);
 
-/* sight NULL: no sensors. Files that cannot be had, and an interrupt, are told
- * in *late. */
+/* Adds both files; with coverage by sensor[n] unless sight is NULL. If a file
+ * cannot be made, or on an interrupt, *late has the first reason. */
 void murk_surfaces_add(murk_session *session, murk_sight *sight,
                        const murk_pose *sensor, size_t n, murk_error *late);
 

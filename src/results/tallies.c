@@ -19,7 +19,7 @@
 
 #define FILE_SIZE (MURK_TALLY_NAME_SIZE + 16) /* NAME_photons.vdb */
 
-#define PRINTED_VALUES_MAX 4 /* of one tally */
+#define PRINTED_VALUES_MAX 4 /* of a tally that is printed in full */
 
 /* One tally of a run. */
 typedef struct tally {
@@ -28,7 +28,9 @@ typedef struct tally {
     const murk_tally_desc *desc;
     size_t number;
     murk_units units;
-    double packet[MURK_SOURCES_MAX * MURK_BANDS_MAX]; /* in those units */
+    double packet[MURK_SOURCES_MAX * MURK_BANDS_MAX]; /* [channels]; of a
+                                                         packet, in those
+                                                         units */
 } tally;
 
 static tally tally_in(murk_quantity quantity, const murk_session *session,
@@ -82,7 +84,7 @@ static const char *unit_of(const murk_tally_desc *desc, const murk_units *units)
 
 /* ---- tallies.csv ---- */
 
-/* One value of a tally. */
+/* One value of a tally: a line of tallies.csv. */
 typedef struct tally_value {
     const tally *of;
     int band;
@@ -90,7 +92,7 @@ typedef struct tally_value {
     murk_estimate value;
 } tally_value;
 
-/* Bins along the first or second axis of a plane; 1 of a sphere. */
+/* Number of bins along the first or second axis of a plane; 1 for a sphere. */
 static size_t bins_of(const murk_tally_desc *d, int axis)
 {
     return d->type == MURK_TALLY_PLANE ? d->bins[axis] : 1;
@@ -100,7 +102,7 @@ void murk_results_list_tally(murk_results_fields *f, const void *of, size_t i)
 {
     const tally_value *v = of;
     const murk_tally_desc *d = v ? v->of->desc : NULL;
-    (void)i; /* each value is of its own */
+    (void)i; /* `of` is a single value */
     MURK_TEXT(f, "tally", "name", d->name);
     MURK_ROUNDED(f, "band_nm", "nm", "band", v->of->scene->band_nm[v->band], 9);
     MURK_COUNT(f, "bin_i", "along the first axis, from 0",
@@ -292,7 +294,7 @@ void murk_add_tally_fields(murk_session *session, murk_error *late)
 
 /* ---- lines ---- */
 
-/* Of one value: its band, or "all bands" for -1. */
+/* Prints the line of one value of a band, or of the sum over all bands (-1). */
 static void print_value(const tally *t, int band, size_t cell, murk_estimate e)
 {
     const murk_tally_desc *d = t->desc;

@@ -1,34 +1,40 @@
-/* What the tallies measured, as files and as lines. */
+/* The results of tallies, as files and as lines. */
 #ifndef MURK_RESULTS_TALLIES_H
 #define MURK_RESULTS_TALLIES_H
 
 #include "results/fields.h"
 #include "results/session.h"
 
-/* Adds tallies.csv and, of each grid, NAME.vdb and NAME_error.vdb; nothing
- * where the scene has no tallies or the light came from a file. */
+/* Adds tallies.csv and, for each grid, NAME.vdb and NAME_error.vdb. Adds
+ * nothing if the scene has no tallies, or if the light is from a file, of which
+ * it warns. Fails as murk_results_add() does. */
 murk_status murk_add_tallies(murk_session *session, murk_error *err);
 
-/* Adds light.murk, the resolved scene, ledger.json and the tallies. */
+/* Adds light.murk, the resolved scene, ledger.json, and the files of
+ * tallies. */
 murk_status murk_session_add_all_of_light(murk_session *session,
                                           murk_error *err);
 
-/* The summary of a trace; of: a murk_session. */
+/* Prints the summary of a trace. `of` points to a murk_session. */
 void murk_print_trace(const void *of);
 
-/* Adds the files of --export fields: NAME_photons.vdb and NAME.vti of each grid
- * (results/voxel_fields.h). Files that cannot be had are told in *late. */
+/* Adds the files of --export fields for each grid: NAME_photons.vdb and
+ * NAME.vti (results/voxel_fields.h). If a file cannot be made, *late has the
+ * first reason. */
 void murk_add_tally_fields(murk_session *session, murk_error *late);
 
-/* Summary lines: the values of small tallies, and of large ones how well they
- * are known. */
+/* Prints lines of the summary: all values of tallies with at most 4 values, and
+ * for others the median relative error of the values above 0. With several
+ * bands and at most 4 cells, also the sums over the bands. */
 void murk_print_tallies(const murk_session *session);
 
-/* What check says of them. */
+/* For the command check: adds the tallies of the scene to the JSON, or prints
+ * them as lines. */
 void murk_json_tallies(cJSON *root, const murk_session *session);
 void murk_print_asked_tallies(const murk_session *session);
 
-/* Columns of tallies.csv; of: one value of a tally. */
+/* Lists the columns of tallies.csv. `of` points to a struct internal to
+ * tallies.c, NULL in a description. */
 void murk_results_list_tally(murk_results_fields *f, const void *of, size_t i);
 
 #endif

@@ -1,4 +1,4 @@
-/* Who made a result: version, commit, compiler, packages. */
+/* What murk was built from: commit, compiler and packages. */
 #ifndef MURK_RESULTS_VERSION_H
 #define MURK_RESULTS_VERSION_H
 

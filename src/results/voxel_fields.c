@@ -14,19 +14,19 @@
 
 #define VOXELS_USUAL 100000  /* some 46 along each edge */
 #define VALUES_USUAL 400000  /* voxels times bands */
-#define EDGE_MAX_M   1e9     /* beyond any scene */
-#define NO_DEPTH     (-1.0F) /* no sightline: 0 is a depth */
+#define EDGE_MAX_M   1e9     /* limit on --voxel, beyond any scene */
+#define NO_DEPTH     (-1.0F) /* no sightline; 0 is a valid depth */
 
 /* ---- the box ---- */
 
-/* Fills the box by voxels of that edge or a little less; how many. */
+/* Fills the box with voxels of at most this edge. Returns their number. */
 static double fill_box(murk_field_box *out, double edge_m)
 {
     const murk_vec3 all = murk_sub(out->box.max, out->box.min);
     const double edge[3] = {all.x, all.y, all.z};
     double voxels = 1;
     for (int k = 0; k < 3; ++k) {
-        /* a multiple of the edge stays one, whatever rounding says */
+        /* within rounding, a multiple of the edge takes no further voxel */
         const double n = fmax(1, ceil(edge[k] / edge_m * (1 - 1e-12)));
         out->size[k] = n < 1e15 ? (size_t)n : (size_t)1e15;
         voxels *= n;
@@ -34,7 +34,8 @@ static double fill_box(murk_field_box *out, double edge_m)
     return voxels;
 }
 
-/* The finest that has at most so many voxels, to some per cent. */
+/* Fills the box with about the smallest edge (to 1 %) that makes at most so
+ * many voxels. Returns the edge. */
 static double edge_for(murk_field_box *out, double voxels)
 {
     const murk_vec3 all = murk_sub(out->box.max, out->box.min);
@@ -82,7 +83,7 @@ typedef struct domain_fields {
     murk_voxel_fields list;
     murk_affine to_world;
     size_t voxels;
-    int band; /* that is worked on */
+    int band; /* present one */
 } domain_fields;
 
 static murk_vec3 middle_of(const domain_fields *f, size_t voxel)
@@ -94,7 +95,7 @@ static murk_vec3 middle_of(const domain_fields *f, size_t voxel)
                                       (double)(voxel / n[0] / n[1])));
 }
 
-/* One more field, of f->band; NULL when out of memory. */
+/* Adds a field of f->band. NULL when out of memory. */
 static float *new_field(domain_fields *f, const murk_voxel_field *like)
 {
     return murk_voxel_fields_add(&f->list, like, f->band);
@@ -121,7 +122,7 @@ static murk_status make_extinction(domain_fields *f, murk_error *err)
                  : murk_no_memory(err, "--export", "for %zu voxels", f->voxels);
 }
 
-/* A photon in the middle of a voxel. */
+/* A stored photon in the middle of a voxel. */
 static murk_photon record_of(const void *context, size_t voxel)
 {
     const domain_fields *f = context;
@@ -133,7 +134,7 @@ static murk_photon record_of(const void *context, size_t voxel)
         .is_volume = true});
 }
 
-/* The fields of a plan's sensors, in their order. */
+/* The fields of the sensors of a plan, in order. */
 enum { COVERAGE, SENSORS, CLARITY, DEPTH, SEEN_FIELDS };
 
 static const murk_voxel_field seen_fields[SEEN_FIELDS] = {
@@ -167,7 +168,7 @@ static murk_status make_seen(domain_fields *f, const murk_sight *sight,
     bool has_memory = seen != NULL;
     float *value[SEEN_FIELDS] = {NULL};
     for (int k = 0; has_memory && k < SEEN_FIELDS; ++k) {
-        /* clarity differs from coverage only where sensors add up */
+        /* clarity differs from coverage only if several sensors combine */
         if (k != CLARITY || adds_up) {
             value[k] = new_field(f, &seen_fields[k]);
             has_memory = value[k] != NULL;
@@ -194,7 +195,8 @@ static murk_status make_seen(domain_fields *f, const murk_sight *sight,
     return status;
 }
 
-/* Adds a .vdb of the fields whose names begin so, beside one another. */
+/* Adds a .vdb of the fields whose names begin with one of begins[] (NULL at the
+ * end) and "_". Adds none if there is no such field. */
 static void add_vdb(murk_session *session, const domain_fields *f,
                     const char *name, const char *const *begins,
                     murk_field_density density, murk_error *late)

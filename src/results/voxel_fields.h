@@ -23,17 +23,19 @@
 #include "results/session.h"
 #include "sensing/sight.h"
 
-/* Voxels times bands, at most. */
+/* Limit on voxels times bands, with --voxel. */
 #define MURK_FIELDS_MAX 10000000
 
-/* The domain in voxels of --voxel, each edge made a little less so that they
- * fill it; without that option some 100,000 voxels, of many bands fewer. Fails
- * with MURK_BAD_VALUE at --voxel. To be asked as soon as the world is built. */
+/* Divides the domain into voxels with edges of at most --voxel, as many along
+ * each axis as fill it exactly. Without that option up to some 100,000 voxels,
+ * with more than four bands up to 400,000 values. Fails with MURK_BAD_VALUE at
+ * --voxel: not a number above 0 and up to 1e9, or too many voxels. To be called
+ * as soon as the world is built. */
 murk_status murk_fields_box(murk_field_box *out, const murk_session *session,
                             murk_error *err);
 
-/* Adds the files of the domain. sight NULL: no plan, extinction alone. Files
- * that cannot be had, and an interrupt, are told in *late. */
+/* Adds the files of the domain; sight NULL: no sensors, only extinction. If a
+ * file cannot be made, or on an interrupt, *late has the first reason. */
 void murk_fields_add(murk_session *session, const murk_sight *sight,
                      const murk_pose *sensor, size_t n, murk_error *late);
 

@@ -1,5 +1,5 @@
-/* Where a file for viewers is from, and the beginning of VTK's files (for
- * ParaView: XML before raw bytes). */
+/* The origin of a file for viewers, and the beginning of the files of VTK,
+ * which are XML and then raw bytes. */
 #ifndef MURK_RESULTS_VTK_H
 #define MURK_RESULTS_VTK_H
 
@@ -7,8 +7,10 @@
 
 #include <stdio.h>
 
-/* Where a result is from: key, text, key, text, ..., NULL: scene,
- * scene_sha256, seed, murk_version, murk_commit. */
+/* The origin of a result, as key, text, key, text, ..., NULL. The keys are
+ * scene, scene_sha256, seed, murk_version and murk_commit. The texts of the
+ * scene are borrowed, and `seed` of this struct is pointed to, so it must not
+ * be copied. */
 #define MURK_FACTS 11
 typedef struct murk_facts {
     const char *fact[MURK_FACTS];
@@ -16,22 +18,25 @@ typedef struct murk_facts {
 } murk_facts;
 void murk_facts_of(murk_facts *out, const murk_scene_desc *scene);
 
-/* Facts, and a list of notes like theirs (or NULL), as comments of a PLY file,
- * a line each; bytes that would end a line are "?". */
+/* Writes the facts of a scene, then notes (key, text, ..., NULL; or NULL), as
+ * comments of a PLY file, one line each. Control characters are written as
+ * "?". */
 void murk_ply_put_facts(FILE *to, const murk_scene_desc *scene,
                         const char *const *note);
 
-/* "0: fog, 1: smoke" of n names that begin `stride` bytes apart; the caller's.
- * NULL when out of memory. */
+/* Returns "0: fog, 1: smoke" for n names that begin `stride` bytes apart. The
+ * caller frees it. NULL when out of memory. */
 char *murk_numbered_names(const char *first, size_t n, size_t stride);
 
-/* A text as an array of field data: character by character, so that nothing
- * has to be escaped; the same of all facts, and of a list of notes or NULL. */
+/* Write field data: the first a text as an array of the numbers of its bytes,
+ * so that nothing has to be escaped; the second in this way the facts of a
+ * scene, then notes (key, text, ..., NULL; or NULL). */
 void murk_vtk_put_text(FILE *to, const char *name, const char *text);
 void murk_vtk_put_facts(FILE *to, const murk_scene_desc *scene,
                         const char *const *note);
 
-/* The file's first line, and the element around all. */
+/* Writes the first line of the file, and opens the outermost element. type:
+ * that of the data set, such as "ImageData". */
 void murk_vtk_begin(FILE *to, const char *type);
 
 #endif
