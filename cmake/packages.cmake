@@ -71,8 +71,8 @@ pkg-config find the library."
 murk_package(murk-doc doc
 "simulator of light in scattering media - documentation
 murk simulates light in fog, smoke, rain and water, and places sensors in it.
-This package contains the description of scene files and media, and the
-example scenes."
+This package contains the description of scene files and media, as text and
+as HTML pages, and the example scenes."
     ALL)
 set(documents ${CMAKE_INSTALL_DATADIR}/doc/murk-doc)
 install(FILES README.md DESTINATION ${documents} COMPONENT murk-doc)
@@ -80,6 +80,16 @@ install(FILES CHANGELOG.md DESTINATION ${documents} RENAME changelog COMPONENT m
 install(FILES media/README.md DESTINATION ${documents}/media COMPONENT murk-doc)
 install(DIRECTORY scenes DESTINATION ${documents} COMPONENT murk-doc)
 install(DIRECTORY doc DESTINATION ${documents} COMPONENT murk-doc PATTERN man EXCLUDE)
+# HTML pages, if their generator (tools/html) is there when files are installed
+set(html ${CMAKE_CURRENT_BINARY_DIR}/html)
+install(CODE "execute_process(COMMAND ${CMAKE_COMMAND} -E env PYTHONDONTWRITEBYTECODE=1
+        ${CMAKE_CURRENT_SOURCE_DIR}/tools/html ${html} --man ${man} RESULT_VARIABLE result)
+    if(result EQUAL 77)
+        file(REMOVE_RECURSE ${html})
+    elseif(NOT result EQUAL 0)
+        message(FATAL_ERROR \"tools/html: \${result}\")
+    endif()" COMPONENT murk-doc)
+install(DIRECTORY ${html} DESTINATION ${documents} COMPONENT murk-doc OPTIONAL)
 if(MURK_PYTHON)
     murk_package(python3-murk python
 "simulator of light in scattering media - Python module
