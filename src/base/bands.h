@@ -12,7 +12,8 @@ typedef struct murk_spectrum {
     double band[MURK_BANDS_MAX];
 } murk_spectrum;
 
-/* The same value in each of the first n bands. */
+/* Returns a spectrum with `value` in each of the first n bands and 0 in the
+ * others. */
 static inline murk_spectrum murk_spectrum_flat(double value, int n)
 {
     murk_spectrum out = {{0}};

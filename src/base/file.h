@@ -27,7 +27,8 @@ FILE *murk_file_stream(murk_file *file);
 murk_status murk_file_commit(murk_file **file, murk_error *err);
 void murk_file_discard(murk_file *file);
 
-/* Creates, writes and commits a file; fails as these functions do. */
+/* Creates, writes and commits a file; fails as murk_file_create() and
+ * murk_file_commit() do. */
 murk_status murk_file_write(const char *path, const void *bytes, size_t size,
                             murk_error *err);
 

@@ -8,8 +8,8 @@
  * notes go to standard error until murk_warn_to() or murk_log_to() (base/log.h)
  * is called for the host. NULL when out of memory. */
 murk_host *murk_host_create(void);
-/* Also releases the set of inputs. No thread may belong to the host any more.
- * NULL is fine. */
+/* Releases the host with its progress line and its set of inputs. No thread may
+ * belong to the host any more. NULL is fine. */
 void murk_host_destroy(murk_host *host);
 
 #endif

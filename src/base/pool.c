@@ -1,6 +1,7 @@
 /* A thread pool on POSIX threads. The workers of a run take the next items from
- * an atomic counter, the calling thread included; a batch is an item that is
- * taken alone. Threads are started for each run and joined at its end. */
+ * an atomic counter, the calling thread included; the functions for batches are
+ * those for items with one item at a time. Threads are started for each run and
+ * joined at its end. */
 #include "base/pool.h"
 
 #include "base/host.h"
