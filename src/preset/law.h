@@ -20,7 +20,8 @@ typedef struct murk_law_call {
                                      * the scene file */
 } murk_law_call;
 
-/* The result of a law. Coefficients are 0 at first. */
+/* The result of a law. The caller sets the coefficients to 0 before the law is
+ * called. */
 typedef struct murk_law_result {
     double *absorption_per_m, *scattering_per_m; /* [n] */
     murk_preset_phase *phase; /* [n]; used if has_phase is set and the file
