@@ -70,7 +70,7 @@ static murk_status check_profile(murk_key_reader *walk, const murk_yaml *map,
 {
     const murk_scene_medium *medium = item;
     const murk_scene_numbers *z = &medium->profile_z_m;
-    /* As many heights as extinctions. */
+    /* There must be at least two heights and as many extinctions. */
     if (z->n < 2 || z->n != medium->profile_per_m.n) {
         return murk_walk_fail(walk, map,
                               "%zu heights and %zu extinctions, must be as "

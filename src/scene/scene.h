@@ -396,8 +396,8 @@ typedef enum murk_scene_objective {
 typedef enum murk_scene_through {
     MURK_SCENE_THIN, /* sheets attenuate; refracting boundaries block */
     MURK_SCENE_BLOCK,
-    MURK_SCENE_REFRACT /* like thin, and sightlines may cross one flat boundary
-                        */
+    MURK_SCENE_REFRACT /* like MURK_SCENE_THIN, and sightlines may cross one
+                        * flat boundary */
 } murk_scene_through;
 
 typedef struct murk_scene_placement {
@@ -407,7 +407,8 @@ typedef struct murk_scene_placement {
     double threshold;          /* of transmittance, for detection: threshold */
     double power_radius_m;     /* for detection: power; 0: not given */
     uint64_t power_neighbours; /* number of neighbours if no radius is given */
-    uint64_t redundancy;       /* at most so many sensors count per photon */
+    uint64_t redundancy;       /* the largest number of sensors that count for a
+                                * photon */
     uint64_t at_least; /* with a target: number of sensors that must see each
                           photon of the target; 0: not used */
     bool by_normal;    /* visibility: normal; false: ray */

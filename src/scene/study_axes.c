@@ -50,8 +50,8 @@ static murk_status read_list(murk_key_reader *walk, murk_study_axis *axis,
     return status;
 }
 
-/* True if a name has no control characters: names appear in messages of one
- * line and in tables. */
+/* True if a name has no ASCII control characters: names appear in messages of
+ * one line and in tables. */
 static bool is_printable(const char *name)
 {
     while (*name && (unsigned char)*name >= ' ' && *name != 127) {

@@ -89,8 +89,8 @@ static murk_status read_header(murk_table *table, cursor *at)
     return MURK_OK;
 }
 
-/* Reserves memory for as many rows as the text has lines, within the limits:
- * a row has at least one line. */
+/* Reserves memory for as many rows as the rest of the text has lines, within
+ * the limits. This suffices, because a row takes at least one line. */
 static murk_status reserve(murk_table *table, size_t *capacity,
                            const cursor *at)
 {

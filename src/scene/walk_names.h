@@ -5,8 +5,9 @@
 
 #include "scene/walk.h"
 
-/* True if a row belongs to a variant; and the row with a name and a variant.
- * A variant of -1 stands for any. */
+/* murk_walk_fits(): true if a row belongs to a variant. murk_walk_find(): the
+ * first row with a name that belongs to a variant; NULL if there is none. A
+ * variant of -1 stands for any. */
 bool murk_walk_fits(const murk_key *key, int variant);
 const murk_key *murk_walk_find(const murk_keys *keys, const char *name,
                                int variant);
