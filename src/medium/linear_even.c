@@ -7,8 +7,9 @@
 #include <string.h>
 
 typedef struct even_box {
-    float value[8]; /* values of the nodes, by the axes along which they lie
-                       behind the cell */
+    float value[8]; /* value[axes]: the value of the node that lies behind the
+                     * cell along these axes (a bit mask as `behind`); 0: the
+                     * node of the cell */
     int32_t size;   /* edge of the smallest node */
     /* Bit mask of axes: 4 x, 2 y, 1 z. A bit is set if the cell is the last one
      * along that axis in the aligned cube of edge `size`, so that the upper
