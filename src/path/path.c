@@ -190,7 +190,8 @@ bool murk_path_next_boundary(murk_path *path, double mesh_max_m,
                                .normal = c.normal};
         return true;
     }
-    /* Both together, at the place of the exact one. */
+    /* The ray crosses the mesh and the other boundary at once. Distance and
+     * normal remain those of the other boundary, which is known exactly. */
     met->crossed |= c.changed;
     const size_t region = last_of(met->crossed);
     met->mean_square_slope = region == met->region ? met->mean_square_slope : 0;

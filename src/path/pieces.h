@@ -31,8 +31,8 @@ typedef struct murk_path_piece {
 typedef struct murk_path_pieces {
     const murk_path_tiling *tiling;
     murk_vec3 at, direction; /* where the next piece begins; unit vector */
-    double left_m;           /* of the ray's length */
-    murk_path_piece piece;   /* the present one */
+    double left_m;           /* length of the ray from `at` to the end */
+    murk_path_piece piece;   /* the present piece */
 } murk_path_pieces;
 
 /* The ray from a point in the domain; length_m may be INFINITY. */

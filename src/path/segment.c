@@ -64,7 +64,8 @@ int murk_path_cut(const murk_domain *domain, murk_vec3 from, murk_vec3 to,
             cut[0] = first;
         }
     }
-    /* One segment up to each side, each moved back into the domain. */
+    /* One segment ends at each crossed side. Each segment is moved back into
+     * the domain. */
     const murk_vec3 offset = murk_sub(to, from);
     const double length = murk_length(offset);
     const double beyond = length > 0 ? beyond_m / length : 0;

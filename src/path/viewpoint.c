@@ -155,7 +155,7 @@ bool murk_path_bends_to(const murk_path_viewpoint *v, murk_vec3 point)
         }
         return false;
     }
-    /* With meshes the line is followed from the viewpoint on. */
+    /* If a region is a mesh, the line is followed from the viewpoint on. */
     murk_path path[MURK_PATH_SEGMENTS_MAX];
     const int n = murk_path_to(v, point, path);
     for (int i = 0; i < n; ++i) {
