@@ -11,7 +11,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Of one light: bounds the search for the first portal. */
+/* The largest number of portals of one light, which bounds the search for the
+ * first portal on a ray. */
 #define MURK_PORTALS_MAX 256
 
 /* The largest angular radius of a distant source: up to this radius the

@@ -2,8 +2,9 @@
  * (sun, moon, sky).
  *
  * A channel is one light in one band. Photons are dealt to channels in such a
- * way that every prefix of the photon indices is in proportion to power. All
- * packets of a channel have equal power. Immutable after creation. */
+ * way that the first n photons, for any n, are distributed in proportion to
+ * power, to within a few photons of each channel. All packets of a channel have
+ * equal power. Immutable after creation. */
 #ifndef MURK_SOURCE_SOURCES_H
 #define MURK_SOURCE_SOURCES_H
 
