@@ -12,7 +12,8 @@
  * (transport/facets.h) is lost. */
 murk_fate murk_meet_boundary(murk_walker *w, const murk_path_boundary *ahead);
 
-/* path_m: length of the segment; `crossed`: regions with a boundary that lies
+/* Absorbs, reflects or transmits the photon at the surface that it hits.
+ * path_m: length of the segment; `crossed`: regions with a boundary that lies
  * in this surface. */
 murk_fate murk_meet_surface(murk_walker *w, const murk_hit *hit, double path_m,
                             murk_inside crossed);

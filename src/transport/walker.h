@@ -36,8 +36,8 @@ typedef struct murk_walk_setup {
                               * not free */
     size_t n_busy;
     uint32_t purpose_shift;
-    int64_t min_quanta; /* with at most so many quanta roulette
-                         * decides */
+    int64_t min_quanta; /* roulette decides about a photon that has at most this
+                         * number of quanta left */
 } murk_walk_setup;
 
 /* Sums of one batch: adding to the shared ledger photon by photon would make
