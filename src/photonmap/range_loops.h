@@ -18,7 +18,8 @@
  *   LOW(a, b), HIGH(a, b)
  *                     the two lower or upper lanes of each quarter of a and b,
  *                     interleaved
- *   PAIRS(a, b, how)  two lanes of each quarter of a, then two of b
+ *   PAIRS(a, b, how)  two lanes of each quarter of a, then two of b, chosen by
+ *                     the bits of `how` as in _mm_shuffle_ps()
  *
  * Without these definitions the file is empty. */
 #ifdef NAME
