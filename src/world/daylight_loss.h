@@ -22,7 +22,7 @@ typedef struct murk_daylight_loss {
                     * is dark, or does not come from above */
     double share;  /* share of the light's power that is lost, 0..1 */
     murk_spectrum optical_depth; /* mean over the rays, by band */
-    murk_spectrum transmittance; /* likewise */
+    murk_spectrum transmittance; /* mean over the rays, by band */
 } murk_daylight_loss;
 
 murk_daylight_loss murk_daylight_loss_of(const murk_stage *stage, size_t light);

@@ -284,8 +284,9 @@ static murk_status sun_light(murk_source *out, murk_sky_facts *facts,
     facts->elevation_deg = day.sun.elevation_deg;
     facts->is_on = day.sun.elevation_deg > 0;
     aim_from(out, &day.sun, scene->north);
-    /* Clouds leave the share that is not diffuse; never more than the direct
-     * irradiance of a clear sky. */
+    /* Under clouds the direct light is the share of the remaining irradiance
+     * that is not diffuse, and never more than the direct irradiance of a clear
+     * sky. */
     double direct = day.clear.direct_w_per_m2;
     if (light->cover != MURK_SCENE_CLEAR && facts->is_on) {
         const clouds c = clouds_of(light->cover);
