@@ -35,7 +35,7 @@ static size_t absorbers(const murk_ledger *ledger)
     return ledger->channels * (ledger->materials + ledger->media);
 }
 
-/* Copies these cells to out. */
+/* Copies the cells that absorbers() counts to out. */
 static void absorbed_cells(const murk_ledger *ledger, int64_t *out)
 {
     for (size_t c = 0; c < ledger->channels; ++c) {
