@@ -1,8 +1,9 @@
 /* The CSV files of a result folder as tables of the page.
  *
- * They stand in <noscript>: a browser without scripts shows them, and with
- * scripts the page's own script reads them there (tools/report/results.js), so
- * that each file is in the page once. A long file is cut at TABLE_BYTES. */
+ * They are in <noscript> elements: a browser without scripts shows them, and
+ * with scripts the script of the page reads them there
+ * (tools/report/results.js), so that each file is in the page once. A long file
+ * is cut at about TABLE_BYTES. */
 #include "report/sections.h"
 
 #include "base/file.h"
@@ -13,16 +14,18 @@
 #include <string.h>
 #include <sys/stat.h>
 
-/* Bytes of one table and of all of them in the page, which is to stay below
- * 3 MB with its script, photons and pictures. */
+/* About the largest number of bytes of one table, and of all tables that the
+ * script does not need: the page should stay below 3 MB with its script,
+ * photons and pictures. Tables that the script needs are written in any
+ * case. */
 #define TABLE_BYTES 250000
 #define ALL_BYTES   700000
 
-/* A file that is larger, and that the page does not need, is passed over. */
+/* Larger files are left out, unless the script of the page needs them. */
 #define FILE_BYTES_MAX 16000000
 
-/* True if the page's script draws from this file, so that a file that cannot
- * be read is an error of the results. */
+/* True if the script of the page draws from this file, so that a failure to
+ * read it is an error. */
 static bool is_drawn(const murk_results_in *results, const char *name)
 {
     const murk_yaml *plan = results->json[MURK_RESULT_PLAN];
@@ -48,7 +51,8 @@ static size_t write_row(FILE *to, char *const *cell, size_t n, const char *tag)
     return bytes;
 }
 
-/* Returns about how many bytes were written. */
+/* Writes a table, and a note if it is cut. Returns about how many bytes were
+ * written. */
 static size_t write_table(FILE *to, const char *name, const murk_table *table,
                           size_t bytes_max)
 {
@@ -72,7 +76,9 @@ static size_t write_table(FILE *to, const char *name, const murk_table *table,
     return bytes;
 }
 
-/* Reads and writes one file; what the page does not need may be unreadable. */
+/* Reads and writes one file. One that the script does not need is left out if
+ * it cannot be read, or if *left, the bytes for tables, is 0. Fails if a needed
+ * file cannot be read, or with MURK_NO_MEMORY. */
 static murk_status add_file(FILE *to, const murk_results_in *results,
                             const char *name, size_t *left, murk_error *err)
 {

@@ -1,5 +1,4 @@
-/* Writes JSON (RFC 8259) into the page: numbers with as many digits as they
- * need to be read back to the same double, text escaped. '<' is written
+/* Writes JSON (RFC 8259) into the page. Text is escaped, and '<' is written
  * \u003c, so that "</script>" and "<!--" cannot occur. */
 #include "report/data.h"
 
@@ -11,10 +10,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Bytes of a text that the page carries: a sentence or two. */
+/* Largest number of bytes of a text in the page. */
 #define TEXT_MAX 1000
 
-/* The first bytes of a text, at most bytes_max. */
+/* Writes a text in quotes, cut at the end of the character that reaches
+ * bytes_max. */
 static void write_text(FILE *to, const char *text, size_t bytes_max)
 {
     const char *end = text + bytes_max;
@@ -35,8 +35,9 @@ static void write_text(FILE *to, const char *text, size_t bytes_max)
     fputc('"', to);
 }
 
-/* 15 digits, or 17 if 15 change more than the last bit: the digits that cJSON
- * writes into the result files. */
+/* Writes a number with 15 digits, or with 17 if 15 change it by more than the
+ * last bit. These are the digits that cJSON writes into the result files. null
+ * if it is not finite. */
 static void write_number(FILE *to, double value)
 {
     char text[32];
@@ -52,7 +53,8 @@ static void write_number(FILE *to, double value)
     fputs(text, to);
 }
 
-/* What stands before an item: a comma, its key. */
+/* Writes what comes before an item: a comma unless it is the first, and the
+ * key. */
 static void next(murk_data *data, const char *key)
 {
     fputs(data->has_item ? "," : "", data->to);
@@ -164,7 +166,7 @@ void murk_data_yaml(murk_data *data, const char *key, const murk_yaml *node,
         write_scalar(data->to, node);
         return;
     }
-    /* the length that a list has in its file */
+    /* the number of items of the list in the file */
     if (is_cut) {
         murk_data_begin(data, key, '{');
         murk_data_number(data, "of", (double)node->n);

@@ -1,8 +1,8 @@
 /* Grid tallies of a result folder as data of the page. Each band has three
- * slices through the middle of the grid; a grid that is one cell thick has the
- * slices along the grid alone. If there are more cells than a map can show,
- * every n-th cell is taken. A grid that is one line of cells also has the
- * standard errors. */
+ * slices through the middle of the grid; of a grid that is one cell thick, only
+ * the slices across its full extent are written. If there are more cells than a
+ * map can show, every n-th cell is taken. A slice that is one line of cells
+ * also has the standard errors. */
 #include "report/fields.h"
 
 #include "base/file.h"
@@ -15,13 +15,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define NAME_SIZE (MURK_SCENE_NAME_SIZE + 8)  /* of a tally, and ".vdb" */
-#define FILE_SIZE (MURK_SCENE_NAME_SIZE + 16) /* and "_error.vdb" */
+#define NAME_SIZE (MURK_SCENE_NAME_SIZE + 8)  /* "TALLY.vdb" */
+#define FILE_SIZE (MURK_SCENE_NAME_SIZE + 16) /* "TALLY_error.vdb" */
 
 /* ---- slices ---- */
 
-/* A slice has the axes u and v of space, and lies in the middle of the third.
- * Its cells are every step-th of the grid. */
+/* A slice has the axes u and v of space, and lies in the middle of axis w, at
+ * cell `at`. Its size[2] cells are every step-th cell of the grid. */
 typedef struct slice {
     int u, v, w;
     size_t size[2], step[2], at;
@@ -49,7 +49,9 @@ static size_t cells_of(const murk_scene_tally *asked, int which)
     return s.size[0] * s.size[1];
 }
 
-/* Those that tell something new: of a flat grid the one along it. */
+/* True if a slice is written: of a grid that is one cell thick, only slices
+ * normal to a thin axis that are more than one cell (for a single cell, the
+ * first slice). */
 static bool is_drawn(const murk_scene_tally *asked, int which)
 {
     const slice *s = &slices[which];
@@ -83,8 +85,8 @@ static double *take_slices(const murk_grid *grid, const murk_scene_tally *asked)
 
 /* ---- reading ---- */
 
-/* The slices of one grid of one file; *out stays NULL, and why says why, where
- * it cannot be read. */
+/* Reads the slices of one grid of one file. On failure *out stays NULL, and
+ * *why has the reason. */
 static murk_status read_grid(double **out, const murk_results_in *results,
                              const murk_report_field *field, const char *ending,
                              murk_error *why)
@@ -153,7 +155,8 @@ murk_status murk_report_fields_read(murk_report_fields *out,
                                     murk_error *err)
 {
     *out = (murk_report_fields){.scene = results->scene};
-    const murk_warn_sink sink = murk_warn_to(NULL); /* the run has warned */
+    const murk_warn_sink sink = murk_warn_to(NULL); /* the run has printed the
+                                                       warnings */
     const murk_status status =
         out->scene ? read_fields(out, results, err) : MURK_OK;
     murk_warn_to(sink);
@@ -171,8 +174,8 @@ void murk_report_fields_release(murk_report_fields *fields)
 
 /* ---- data of the page ---- */
 
-/* One slice: axes, ends, cells, where the slice lies. A line of cells has its
- * errors, too. */
+/* Adds one slice: its axes, extent, position and values, and for a line of
+ * cells the errors. */
 static void add_slice(murk_data *data, const murk_report_fields *all,
                       const murk_report_field *f, const slice *s, size_t begin)
 {
@@ -186,7 +189,7 @@ static void add_slice(murk_data *data, const murk_report_fields *all,
         ends[k][0] = murk_component(box.min, axes[k]);
         ends[k][1] = murk_component(box.max, axes[k]);
     }
-    /* the place of the slice, in the middle of its cells */
+    /* the position of the slice: the middle of its cells */
     char at[32];
     snprintf(at, sizeof at, "%.*g", murk_coordinate_digits(all->scene, 4),
              ends[2][0] + ((double)s->at + 0.5) / (double)f->asked->size[s->w] *
@@ -220,7 +223,7 @@ void murk_report_fields_add(murk_data *data, const murk_report_fields *all)
         if (!f->value || !f->error) {
             murk_data_text(data, "note", f->note);
         }
-        /* the slices that tell something new */
+        /* the slices that are drawn */
         murk_data_begin(data, "slices", '[');
         for (int which = 0; which < 3 && f->value && f->error; ++which) {
             const slice s = slice_of(f->asked, which);

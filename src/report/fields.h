@@ -1,7 +1,6 @@
-/* Grid tallies of a result folder: slices through the middle of each.
- *
- * Grids are read by child processes, so before the report makes any thread or
- * ray device. */
+/* Grid tallies of a result folder: slices through the middle of each. Child
+ * processes read the grids, so this must be done before the program makes a
+ * thread or a ray device. */
 #ifndef MURK_REPORT_FIELDS_H
 #define MURK_REPORT_FIELDS_H
 
@@ -9,34 +8,37 @@
 #include "report/results_in.h"
 #include "scene/scene.h"
 
-/* Of all tallies and bands; more are said to be there. */
+/* Largest number of fields that are read; a field is a tally in a band. Of
+ * more, only the number is stated. */
 #define MURK_REPORT_FIELDS_MAX 12
 
-/* Cells along an axis of a map at most; a field of more is thinned. */
+/* Largest number of cells along an axis of a map. If there are more, only every
+ * n-th is taken. */
 #define MURK_REPORT_CELLS_MAX 128
 
 typedef struct murk_report_field {
-    const murk_scene_tally *asked; /* of the scene below */
+    const murk_scene_tally *asked; /* in murk_report_fields.scene */
     double band_nm;
-    double *value, *error; /* of all cells of the slices, below; NULL where
-                              the file cannot be read: then note says why */
+    double *value, *error; /* cells of the three slices, one slice after the
+                              other; NULL if the file cannot be read, for the
+                              reason in note */
     char note[320];
 } murk_report_field;
 
 typedef struct murk_report_fields {
-    const murk_scene_desc *scene; /* of the results */
+    const murk_scene_desc *scene; /* of the results; NULL: none */
     murk_report_field field[MURK_REPORT_FIELDS_MAX];
-    size_t fields, asked; /* read, and that there are */
+    size_t fields, asked; /* read; in the folder */
 } murk_report_fields;
 
-/* What cannot be read is said in a note. Fails with MURK_NO_MEMORY. Release in
- * any case. */
+/* Reads the grids. If a file cannot be read, the note of the field says so.
+ * Fails with MURK_NO_MEMORY. Release *out in any case. */
 murk_status murk_report_fields_read(murk_report_fields *out,
                                     const murk_results_in *results,
                                     murk_error *err);
 void murk_report_fields_release(murk_report_fields *fields);
 
-/* Slices as data of the page: `fields` and `fields_asked`. */
+/* Adds the slices to the data of the page, as `fields` and `fields_asked`. */
 void murk_report_fields_add(murk_data *data, const murk_report_fields *fields);
 
 #endif

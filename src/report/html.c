@@ -1,4 +1,5 @@
-/* Writes text and bytes of the page, and hashes for the page's policy. */
+/* Writes text and bytes of the page, and hashes for its content security
+ * policy. */
 #include "report/html.h"
 
 #include "base/file.h"
@@ -55,7 +56,7 @@ void murk_html_text(FILE *to, const char *text)
 static const char digits64[] =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-/* Up to three bytes as four characters. */
+/* Encodes one to three bytes as four characters of base64. */
 static void quartet(char out[4], const unsigned char *bytes, size_t n)
 {
     const uint32_t bits = (uint32_t)bytes[0] << 16 |

@@ -1,5 +1,6 @@
-/* How the results were made, and how to make them again: text of the page, as
- * the words of a command line are quoted for a shell here (base/utf8.h). */
+/* The section of the page about how the results were made, and the commands
+ * that make them again. Words of commands are quoted for a shell
+ * (base/utf8.h). */
 #include "base/file.h"
 #include "base/utf8.h"
 #include "report/html.h"
@@ -28,7 +29,8 @@ static void write_file_of(FILE *to, const murk_results_in *results,
     free(path);
 }
 
-/* In a folder that mixes runs, the run of the light is described as well. */
+/* True if the run of a JSON is described: that of each main JSON and, in a
+ * folder with files of several runs, also that of ledger.json. */
 static bool is_described(const murk_results_in *results, int which)
 {
     return results->json[which] &&
@@ -36,7 +38,8 @@ static bool is_described(const murk_results_in *results, int which)
             !murk_results_are_one_run(results));
 }
 
-/* What was typed, from the folder where that was. */
+/* Writes the commands as they were typed, with the folders they were typed in.
+ * False if no command is known. */
 static bool write_typed(FILE *to, const murk_results_in *results)
 {
     const char *last = "";
@@ -48,7 +51,8 @@ static bool write_typed(FILE *to, const murk_results_in *results)
         if (!is_described(results, i) || !command) {
             continue;
         }
-        /* a block that a shell can read, from the folder of each command */
+        /* a block that a shell can run, which changes to the folder of each
+         * command */
         if (!has_any) {
             fputs("<p>As it was typed. Files are named as seen from the folder "
                   "it was typed in.</p>\n<pre tabindex=\"0\">",
@@ -68,8 +72,9 @@ static bool write_typed(FILE *to, const murk_results_in *results)
     return has_any;
 }
 
-/* From the scene that lies beside the results: all keys are in it, what
- * options of the search said is not. */
+/* Writes a command that uses the resolved scene in the folder. This has all
+ * keys of the scene, but not other options, of which --repeat and --sensors are
+ * restored. */
 static void write_resolved(FILE *to, const murk_results_in *results)
 {
     const murk_yaml *plan = results->json[MURK_RESULT_PLAN];
@@ -124,15 +129,15 @@ static void end_table(FILE *to)
     fputs("</tbody>\n</table>\n</div>\n", to);
 }
 
-/* A fact of the run: what lies under a path, as a text, or as a number of
- * units. */
+/* A fact of a run: the value at a path of the JSON, as a text, or as a number
+ * divided by per_unit. */
 typedef struct fact {
     const char *name, *path, *unit; /* unit NULL: a text */
     double per_unit;
     int decimals;
 } fact;
 
-/* A row of a name and a value, an en dash where the results have none. */
+/* Writes a row with a name and a value; an en dash if there is no value. */
 static void write_fact(FILE *to, const murk_yaml *root, const fact *f)
 {
     const char *text = murk_result_text(root, f->path);
@@ -183,7 +188,7 @@ static void write_run(FILE *to, const char *file, const murk_yaml *root)
     for (size_t i = 0; i < 2 && murk_result_text(root, "study"); ++i) {
         write_fact(to, root, &of_study[i]);
     }
-    /* Facts that every result has, then the packages. */
+    /* Facts of every result, then the packages. */
     for (size_t i = 0; i < sizeof of_all / sizeof *of_all; ++i) {
         write_fact(to, root, &of_all[i]);
     }
@@ -193,7 +198,7 @@ static void write_run(FILE *to, const char *file, const murk_yaml *root)
 
 /* ---- files ---- */
 
-/* The page's own name in the folder; NULL where it is written elsewhere. */
+/* The file name of the page if it is written into the folder; else NULL. */
 static const char *name_in(const char *folder, const char *page)
 {
     struct stat here, there;
@@ -207,7 +212,8 @@ static const char *name_in(const char *folder, const char *page)
     return is_in ? name : NULL;
 }
 
-/* But the page, which would tell of itself: two of one folder are the same. */
+/* Lists the files of the folder, but not the page itself or report.html, so
+ * that a page that is made again is the same. */
 static void write_files(FILE *to, const murk_results_in *results,
                         const char *page)
 {

@@ -1,10 +1,9 @@
-/* The page of a result folder: reads all that it shows, then writes it.
- *
- * The page has the run's summary as text, its pictures and the commands that
- * make it again; all else is data, which the page's script draws
- * (tools/report). Without scripts the CSV files are shown as tables. The page
- * asks nobody for anything: its content security policy allows its own style
- * and script alone, by their hashes. */
+/* The page of a result folder: reads everything that the page shows, then
+ * writes it. The page has the summaries of the runs and the commands that make
+ * them again as text, and pictures; the rest is data, which the script of the
+ * page draws (tools/report). Without scripts, the CSV files are shown as
+ * tables. The page loads nothing: its content security policy allows only its
+ * own style and script, by their hashes, and images that are part of it. */
 #include "report/report.h"
 
 #include "base/file.h"
@@ -22,11 +21,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define NAME_SIZE 256 /* of a title: longer names are cut at 200 bytes */
-#define FILE_SIZE 176 /* a condition's name and the ending of a file */
+#define NAME_SIZE 256 /* of a title; longer names are cut at 200 bytes */
+#define FILE_SIZE 176 /* of a condition, with the rest of a file name */
 
-/* Bytes of one JSON file in the page; of a longer one, lists are cut to the
- * first of these lengths with which it fits. */
+/* Largest number of bytes of a JSON file in the page. In a longer one, lists
+ * and maps are cut to the first of these lengths with which it fits, or to the
+ * last of them. */
 #define JSON_BYTES_MAX 300000
 static const size_t list_max[] = {2000, 200, 60, 10, 1};
 
@@ -35,7 +35,7 @@ struct murk_report {
     murk_report_fields fields;
     murk_report_scene scene;
     murk_report_pictures pictures;
-    const char *page; /* its own path, borrowed */
+    const char *page; /* path of the page, borrowed */
 };
 
 static const murk_web_file *find_file(const char *name)
@@ -50,14 +50,15 @@ static const murk_web_file *find_file(const char *name)
 
 /* ---- head ---- */
 
-/* The folder's own name, also if it was given as ".". */
+/* The name of the folder, also if it was given as ".". */
 static const char *folder_name(const murk_results_in *results)
 {
     const char *slash = strrchr(results->whole, '/');
     return slash && slash[1] ? slash + 1 : results->whole;
 }
 
-/* The scene's or study's name without folder and ending; else the folder's. */
+/* The name of the study, else of the scene, else of the folder, without the
+ * folders above it and the ending. */
 static void name_of(char out[NAME_SIZE], const murk_results_in *results)
 {
     const char *path =
@@ -100,8 +101,8 @@ static void write_head(FILE *to, const char *name, bool has_pictures)
 
 /* ---- data ---- */
 
-/* Parts of a main JSON that tell of one run, or list files: the page says them
- * in the section of how it was made. */
+/* True for parts of a main JSON about its run and its files, which are no data
+ * of the page. */
 static bool is_of_one_run(const char *key)
 {
     return strcmp(key, "run") == 0 || strcmp(key, "murk") == 0 ||
@@ -120,7 +121,7 @@ static void write_json(murk_data *data, const char *key, const murk_yaml *root,
     murk_data_end(data, '}');
 }
 
-/* True if the file, with lists cut to a length, has few bytes enough. */
+/* True if the JSON is short enough with lists cut to this length. */
 static bool fits(const murk_yaml *root, size_t items_max)
 {
     char *text = NULL;
@@ -145,8 +146,8 @@ static void add_json(murk_data *data, const char *key, const murk_yaml *root)
     write_json(data, key, root, list_max[k]);
 }
 
-/* The ledger of each condition, which is a file ledger-NAME.json; one that
- * cannot be read is left out. */
+/* Adds the ledger of each condition, from the file ledger-NAME.json. Ledgers
+ * that cannot be read are left out. */
 static void add_ledgers(murk_data *data, const murk_results_in *results)
 {
     const murk_yaml *plan = results->json[MURK_RESULT_PLAN];
@@ -175,7 +176,7 @@ static void add_ledgers(murk_data *data, const murk_results_in *results)
 static murk_status write_data(FILE *to, const murk_report *c, murk_error *err)
 {
     const murk_scene_desc *scene = c->results.scene;
-    /* the main JSON files, those of conditions, what else they depend on */
+    /* the main JSON files, ledgers of conditions, and what the plots need */
     murk_data data = murk_data_open(to, "results");
     for (int i = 0; i < MURK_RESULT_FILES; ++i) {
         if (c->results.json[i]) {
@@ -209,7 +210,7 @@ static murk_status write_page(FILE *to, const murk_report *c, murk_error *err)
           "murk " MURK_VERSION ". Results of the folder ",
           to);
     murk_html_text(to, folder_name(&c->results));
-    /* text of the page, then data, then the script that draws it */
+    /* text of the page, then data, then the script that draws the data */
     fputs(".</p>\n</header>\n<main id=\"main\" tabindex=\"-1\">\n", to);
     murk_report_summary(to, &c->results);
     murk_status status = murk_report_csv(to, &c->results, err);
@@ -238,7 +239,7 @@ murk_status murk_report_write(murk_report *c, const char *path, murk_error *err)
         status = write_page(murk_file_stream(file), c, err);
     }
     if (!status && murk_interrupted()) {
-        /* what was not read because of it is missing in the page */
+        /* the page would lack what was not read because of the interrupt */
         status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
     }
     if (!status) {
@@ -261,7 +262,7 @@ murk_status murk_report_read(murk_report **out, const char *folder,
     murk_status status = murk_results_read(&c->results, folder, err);
     if (!status) {
         c->results.strangers = murk_results_strangers(&c->results);
-        /* by children: before there is any ray device */
+        /* by child processes, so before there is a ray device */
         status = murk_report_fields_read(&c->fields, &c->results, err);
     }
     if (!status) {

@@ -1,6 +1,6 @@
 /* PNG files of a result folder as pictures of the page, with the texts that
- * murk wrote into them as captions; EXR files, which no browser shows, by name.
- * What is no PNG, or has improbable edges, is passed over. */
+ * murk wrote into them as captions; EXR files, which browsers do not show, by
+ * name. Files that are no PNG, or are of improbable size, are left out. */
 #include "report/pictures.h"
 
 #include "base/file.h"
@@ -12,11 +12,11 @@
 #include <string.h>
 #include <sys/stat.h>
 
-/* More pixels along an edge are taken for a mistake, or an attack on what
- * shows them. */
+/* Limit on pixels along an edge: more are taken for a mistake, or for an attack
+ * on the browser. */
 #define EDGE_MAX 8192
 
-#define NAMED_MAX 40 /* EXR files: a paragraph of names */
+#define NAMED_MAX 40 /* EXR files that are named */
 
 /* ---- PNG: a signature, then chunks of length, type, data and a checksum ----
  */
@@ -31,7 +31,7 @@ static uint32_t number_at(const unsigned char *bytes)
            (uint32_t)bytes[2] << 8 | bytes[3];
 }
 
-/* The head of a file: signature and header chunk. */
+/* Bytes of the signature and the header chunk of a file. */
 #define HEAD_SIZE 33
 
 static bool read_head(murk_report_picture *p,
@@ -47,9 +47,9 @@ static bool read_head(murk_report_picture *p,
            p->height <= EDGE_MAX;
 }
 
-/* The text that the picture says of itself under a name, which is not
- * compressed; NULL where there is none. Written by murk: ISO/IEC
- * 15948, 11.3.4.5.
+/* The text that a picture has under a name, in an uncompressed iTXt chunk
+ * (ISO/IEC 15948, 11.3.4.5), as murk writes it. The caller frees it. NULL if
+ * there is none.
  */
 static char *text_of(const murk_report_picture *p, const char *name)
 {
@@ -60,7 +60,8 @@ static char *text_of(const murk_report_picture *p, const char *name)
         if (n > p->size - at - 12) {
             return NULL;
         }
-        /* name 0, not compressed, method, language 0, translated name 0 */
+        /* name, 0, not compressed, method, no language, 0, no translated name,
+         * 0 */
         if (memcmp(p->bytes + at + 4, "iTXt", 4) == 0 && n >= length + 5 &&
             memcmp(data, name, length + 1) == 0 && data[length + 1] == 0 &&
             data[length + 3] == 0 && data[length + 4] == 0) {
@@ -73,12 +74,13 @@ static char *text_of(const murk_report_picture *p, const char *name)
 
 /* ---- reading ---- */
 
-/* Opens what may be carried; false where it is no picture. */
+/* Reads the size of a picture, and its bytes if these are at most max and there
+ * is memory. False if it is no picture. */
 static bool read_file(murk_report_picture *p, FILE *file, size_t max)
 {
     unsigned char head[HEAD_SIZE];
     struct stat known;
-    /* it may be written meanwhile: its size need not be that of what is read */
+    /* the file may change while it is read, so its size is not relied on */
     if (fstat(fileno(file), &known) != 0 || !S_ISREG(known.st_mode) ||
         known.st_size < HEAD_SIZE ||
         fread(head, 1, HEAD_SIZE, file) != HEAD_SIZE || !read_head(p, head)) {
@@ -105,7 +107,7 @@ static murk_status add_png(murk_report_pictures *out, const char *folder,
     if (!path) {
         return murk_no_memory(err, "", "for pictures");
     }
-    /* what a folder names may be a pipe that nobody writes to */
+    /* only regular files: to open a pipe could wait for ever */
     FILE *file = murk_results_has(folder, name) ? murk_inputs_open(path) : NULL;
     const bool is_full = out->n == MURK_REPORT_PICTURES_MAX;
     if (file && is_full && read_file(&p, file, 0)) {
@@ -152,7 +154,8 @@ void murk_report_pictures_release(murk_report_pictures *pictures)
 
 /* ---- writing ---- */
 
-/* ", camera gate": what the picture says of itself. */
+/* Writes ", WHAT TEXT" (", camera gate"), with the text that the picture has
+ * under a name; nothing if it has none. */
 static void write_said(FILE *to, const murk_report_picture *p, const char *what,
                        const char *name)
 {
@@ -164,7 +167,8 @@ static void write_said(FILE *to, const murk_report_picture *p, const char *what,
     free(text);
 }
 
-/* ". Made by murk render ..." */
+/* Writes ". Made by murk render ..." with the command in the picture, or "." if
+ * it has none. */
 static void write_command(FILE *to, const murk_report_picture *p)
 {
     char *text = text_of(p, "murkCommand");
@@ -217,7 +221,7 @@ void murk_report_pictures_write(FILE *to, const murk_report_pictures *pictures)
         }
     }
     fputs("</div>\n", to);
-    /* those that are too large, those beyond a number, EXR files */
+    /* pictures that are too large, the number of further ones, EXR files */
     for (size_t i = 0; i < pictures->n; ++i) {
         const murk_report_picture *p = &pictures->picture[i];
         if (!p->bytes) {

@@ -1,6 +1,6 @@
-/* Photons of plan.ply and light.murk for the page: every file is read in
- * pieces, and of many photons evenly chosen ones are kept, in the order of the
- * file, in which neighbours are neighbours in space. */
+/* Photons of plan.ply and light.murk for the page. If there are many photons,
+ * evenly chosen ones are kept, in the order of the file, in which neighbours
+ * are near in space. */
 #include "report/plan_points.h"
 
 #include "base/inputs.h"
@@ -17,14 +17,14 @@
 
 #define RECORD_MAX (MURK_PLACE_BYTES_MAX + REST) /* bytes of a vertex */
 
-#define TEXT_MAX (HEADER_MAX + 1) /* and the end of the text */
+#define TEXT_MAX (HEADER_MAX + 1) /* with the end of the string */
 
-#define HEADER_MAX     2048 /* bytes, some times as many as murk writes */
-#define REST           14   /* bytes of a vertex behind its place */
-#define SURFACE_PHOTON 1    /* of a vertex's kind */
-#define VOLUME_PHOTON  2    /* likewise */
+#define HEADER_MAX     2048 /* bytes, several times those that murk writes */
+#define REST           14   /* bytes of a vertex after its position */
+#define SURFACE_PHOTON 1    /* `kind` of a vertex */
+#define VOLUME_PHOTON  2    /* `kind` of a vertex */
 
-#define FARTHEST_M      1e12F      /* as murk_is_shown(), in floats */
+#define FARTHEST_M      1e12F      /* limit of murk_is_shown() */
 #define LIGHT_MAX_BYTES 2000000000 /* 6e7 photons of 32 bytes */
 
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
@@ -42,7 +42,7 @@ bool murk_ply_begin(FILE *file, uint64_t *vertices, const char *begin,
     static const char end[] = "\nend_header\n";
     char text[TEXT_MAX];
     text[fread(text, 1, HEADER_MAX, file)] = '\0';
-    /* the number of vertices, and the properties that follow it */
+    /* the number of vertices, then their properties */
     const char *count = strstr(text, element);
     const char *last = strstr(text, end);
     char *behind = NULL;
@@ -78,7 +78,8 @@ static vertex vertex_of(const unsigned char *bytes,
     return v;
 }
 
-/* Counts the photons, or, with room for out->n, keeps that many. */
+/* Walks through the vertices. Without out->point, counts the photons in
+ * out->photons; else keeps out->n of them, evenly chosen. */
 static murk_status walk(murk_plan_points *out, FILE *file, uint64_t vertices,
                         const murk_scene_desc *scene, const char *path,
                         murk_error *err)
@@ -124,7 +125,7 @@ static murk_status read_points(murk_plan_points *out, FILE *file,
         return murk_fail(err, MURK_BAD_FILE, path,
                          "not a plan.ply of this version of murk");
     }
-    /* photons are counted first, then evenly chosen ones are read */
+    /* photons are counted first, then evenly chosen ones are kept */
     const long start = ftell(file);
     const murk_status status = walk(out, file, vertices, scene, path, err);
     if (status) {
@@ -157,8 +158,8 @@ murk_status murk_plan_points_read(murk_plan_points *out, const char *path,
 
 /* ---- light.murk ---- */
 
-/* capacity of all photons, evenly chosen: those that are in this map, which has
- * `before` of them before it. */
+/* Keeps those of `capacity` evenly chosen photons of the file that are in this
+ * map; `before` photons are in maps before it. */
 static void take_map(murk_plan_points *out, size_t capacity,
                      const murk_section *map, uint64_t before)
 {

@@ -1,5 +1,5 @@
-/* What studies, fits and explorations leave in space, for the view: sensors of
- * each row of a study, readings of fit.csv, the stops of path.ply. */
+/* What the view shows of studies, fits and explorations: the sensors of each
+ * row of a study, the readings of fit.csv, and the stops of path.ply. */
 #include "report/scene.h"
 
 #include "base/file.h"
@@ -14,8 +14,8 @@
 #define RECORD_MAX (MURK_PLACE_BYTES_MAX + STOP) /* bytes of a vertex */
 
 #define STOPS_MAX 20000 /* of a path: 0.5 MB of the page */
-#define STOP      6     /* bytes of a vertex of path.ply behind its place */
-#define CORNER    2     /* of a vertex's kind */
+#define STOP      6     /* bytes of a vertex of path.ply after its position */
+#define CORNER    2     /* `kind` of a vertex */
 
 /* ---- studies ---- */
 
@@ -33,7 +33,8 @@ static bool same_sensors(const murk_shown_state *a, const murk_shown_state *b)
     return is_same;
 }
 
-/* One more state, where there is room and the list has any. */
+/* Adds a state with the sensors of `of`, if there are any; when all states are
+ * used, it is only counted. */
 static murk_status add_state(murk_report_scene *out, const char *name,
                              const murk_yaml *of, murk_error *err)
 {
@@ -84,7 +85,8 @@ murk_status murk_report_read_study(murk_report_scene *out,
     for (size_t i = first + 1; i < out->states; ++i) {
         differ = differ || !same_sensors(&out->state[first], &out->state[i]);
     }
-    if (!differ && out->states > first + 1) { /* a given plan: once is enough */
+    if (!differ && out->states > first + 1) { /* all have the same sensors,
+                                                 which are shown once */
         for (size_t i = first + 1; i < out->states; ++i) {
             free(out->state[i].sensor);
             out->state[i] = (murk_shown_state){0};
@@ -116,7 +118,7 @@ murk_status murk_report_read_fit(murk_report_scene *out, const char *folder,
             out, "fit.csv cannot be read, so readings are not shown", &why);
         return MURK_OK;
     }
-    /* readings that have a place, about the scene's local origin */
+    /* readings that have a place, relative to the local origin */
     const size_t rows = out->fit ? out->fit->rows : 0;
     out->reading = calloc(rows + 1, sizeof *out->reading);
     for (size_t i = 0; out->reading && i < rows; ++i) {
@@ -155,7 +157,7 @@ murk_status murk_report_read_path(murk_report_scene *out, const char *folder,
                        "property uchar blue\nproperty uchar kind\n"
                        "property ushort step\n",
                        out->scene);
-    /* corners of the way follow the stops */
+    /* stops come first, then corners, where reading ends */
     unsigned char bytes[RECORD_MAX];
     for (uint64_t i = 0; is_path && i < n && out->stops < STOPS_MAX; ++i) {
         const size_t place = murk_place_bytes(out->scene);

@@ -1,5 +1,5 @@
-/* The page of a result folder: one HTML file with the results' data, which a
- * bundled script draws. */
+/* The page of a result folder: one HTML file with the data of the results, and
+ * a script that draws them. */
 #ifndef MURK_REPORT_REPORT_H
 #define MURK_REPORT_REPORT_H
 
@@ -10,9 +10,10 @@
 
 typedef struct murk_report murk_report;
 
-/* Reads the folder. *out is the caller's in any case: murk_report_destroy().
- * Fails as murk_results_read() does, and for lack of memory. Before any thread
- * or ray device is made. */
+/* Reads the folder; `folder` is borrowed. The caller owns *out
+ * (murk_report_destroy()), also after a failure. Fails as murk_results_read()
+ * does, or with MURK_NO_MEMORY. To be called before the program makes a thread
+ * or a ray device. */
 murk_status murk_report_read(murk_report **out, const char *folder,
                              murk_error *err);
 murk_status murk_report_write(murk_report *report, const char *path,
@@ -21,7 +22,8 @@ void murk_report_destroy(murk_report *report); /* NULL is fine */
 
 typedef struct murk_report_facts {
     const murk_results_in *results;  /* borrowed */
-    uint64_t photons, photons_shown; /* of all conditions */
+    uint64_t photons, photons_shown; /* of all conditions: in the files, and in
+                                        the page */
     size_t sensors;
 } murk_report_facts;
 

@@ -1,6 +1,6 @@
 /* Reads the main JSON files of a result folder, refuses those of another
- * version, and finds files that are not as a run of the folder wrote them, by
- * the SHA-256 that the JSON files list. */
+ * version, and finds files that were changed after the run wrote them, by the
+ * SHA-256 in the JSON files. */
 #include "report/results_in.h"
 
 #include "base/file.h"
@@ -14,7 +14,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#define PATH_PART_MAX 64 /* bytes of a key: the longest has some 30 */
+#define PATH_PART_MAX 64 /* bytes of a key; the longest has some 30 */
 
 const murk_result_kind murk_result_kinds[MURK_RESULT_FILES] = {
     [MURK_RESULT_PLAN] = {"plan.json", "plan", "The placement"},
@@ -190,7 +190,8 @@ static murk_status read_json(murk_results_in *out, murk_result_file which,
                   : check_version(out->json[which], out->path[which], err);
 }
 
-/* Reads the resolved scene again. The page does without one. */
+/* Reads the resolved scene. A failure is kept in no_scene, because the page can
+ * be made without a scene. */
 static murk_status read_scene(murk_results_in *out, murk_error *err)
 {
     const char *name = murk_results_scene(out->folder);
@@ -198,7 +199,8 @@ static murk_status read_scene(murk_results_in *out, murk_error *err)
     if (!path) {
         return murk_no_memory(err, name, "to read it");
     }
-    const murk_warn_sink sink = murk_warn_to(NULL); /* the run has warned */
+    const murk_warn_sink sink = murk_warn_to(NULL); /* the run has printed the
+                                                       warnings */
     if (murk_results_has(out->folder, name)) {
         (void)murk_scene_desc_read(&out->scene, path, NULL, 0, &out->no_scene);
     } else {
@@ -224,7 +226,7 @@ murk_status murk_results_read(murk_results_in *out, const char *folder,
         return murk_no_memory(err, "", "for the folder");
     }
     out->entries = scandir(folder, &out->entry, is_visible, alphasort);
-    /* each main file that is there; one is enough */
+    /* each main file that is there, at least one */
     bool has_any = false;
     for (int i = 0; i < MURK_RESULT_FILES; ++i) {
         const murk_status status = read_json(out, (murk_result_file)i, err);
@@ -277,7 +279,8 @@ bool murk_results_are_one_run(const murk_results_in *results)
     return true;
 }
 
-/* Whether one of the JSONs lists the name with this sum. */
+/* True if one of the JSON files lists the name with this checksum under
+ * `files`. */
 static bool is_known(const murk_results_in *results, const char *name,
                      const char *sum)
 {
@@ -299,9 +302,10 @@ static bool is_stranger(const murk_results_in *results, const char *name)
     return is_read && !is_known(results, name, sum);
 }
 
-/* Whether ledger.json is neither a trace's, which lists files, nor of the run
- * of one of the other JSONs: those of another run lie beside it, or none, since
- * the main JSON of a run comes last. */
+/* True if ledger.json has an identity and is neither the main JSON of a trace,
+ * which has `files`, nor of the same run as another JSON. The run that wrote it
+ * was then killed before it wrote its main JSON, or the others are of other
+ * runs. */
 static bool has_stray_ledger(const murk_results_in *results)
 {
     const murk_yaml *ledger = results->json[MURK_RESULT_LEDGER];

@@ -1,5 +1,5 @@
-/* Reads what the page shows in space: sensors, the resolved scene, photons of
- * each condition, and by read.c and world.c the rest. */
+/* Reads what the page shows in space: sensors and photons of each state; read.c
+ * and world.c read the rest. */
 #include "report/scene.h"
 
 #include "base/file.h"
@@ -10,14 +10,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define WHAT_SIZE (FILE_NAME_MAX + 64) /* a sentence that names a file */
+#define WHAT_SIZE (FILE_NAME_MAX + 64) /* of a sentence that names a file */
 
 #define SENSORS_MAX    2000 /* that are drawn: 1 MB of the page */
 #define FILE_NAME_MAX  (MURK_SCENE_NAME_SIZE + 16) /* "plan-NAME.ply" */
-#define BYTES_A_PHOTON 7       /* in a page, without who sees it */
-#define PHOTON_BYTES   1000000 /* of a page that stays below 3 MB */
-#define BITS_MAX_BYTES 4       /* plan.ply tells of the first 32 sensors */
-#define FARTHEST_M     1e12    /* a place of sense */
+#define BYTES_A_PHOTON 7       /* in a page, without the bits of sensors */
+#define PHOTON_BYTES   1000000 /* of all photons in a page */
+#define BITS_MAX_BYTES 4       /* for the first 32 sensors */
+#define FARTHEST_M     1e12    /* limit on coordinates of places */
 
 /* ---- the note ---- */
 
@@ -47,8 +47,8 @@ static murk_vec3 vector_at(const murk_yaml *root, const char *key)
     return murk_vec(v[0], v[1], v[2]);
 }
 
-/* The page draws about the scene's local origin, like the world; what it says
- * of places has the origin added. */
+/* The place relative to the local origin of the scene, as the page draws it.
+ * Where the page prints coordinates, it adds the origin. */
 static murk_vec3 local_of(const murk_scene_desc *scene, murk_vec3 place)
 {
     return scene ? murk_scene_local(scene, place) : place;
@@ -74,7 +74,7 @@ murk_status murk_report_read_sensors(murk_shown_sensor **out, size_t *n,
     if (!sensor) {
         return murk_no_memory(err, "", "for the sensors");
     }
-    /* those that have a place */
+    /* sensors that have a place */
     *n = 0;
     for (size_t i = 0; i < asked && *n < SENSORS_MAX; ++i) {
         const murk_yaml *item = list->child[i];
@@ -97,7 +97,8 @@ murk_status murk_report_read_sensors(murk_shown_sensor **out, size_t *n,
 
 /* ---- photons ---- */
 
-/* As many as fit into the page with all other states'. */
+/* Limit on photons of one state, so that those of all states fit into the
+ * page. */
 static size_t photons_of_a_state(const murk_report_scene *s)
 {
     const size_t sensors = s->state[0].sensors;
@@ -128,7 +129,7 @@ static void read_points(murk_report_scene *out, size_t state,
     free(path);
 }
 
-/* A state a condition, where a plan is over several. */
+/* Makes a state for each condition of a plan over conditions. */
 static void name_conditions(murk_report_scene *out, const murk_yaml *plan)
 {
     const murk_yaml *list = murk_result_at(plan, "conditions");
@@ -164,7 +165,7 @@ static void read_photons(murk_report_scene *out, const char *folder,
 
 /* ---- all of it ---- */
 
-/* Each state has its own list: types and shares are the same in all. */
+/* Reads the sensors of a plan. Each state has its own copy of the list. */
 static murk_status read_plan(murk_report_scene *out, const murk_yaml *plan,
                              murk_error *err)
 {
@@ -187,7 +188,7 @@ static murk_status read_all(murk_report_scene *out,
     const murk_yaml *plan = made ? made : results->json[MURK_RESULT_COVERAGE];
     const murk_yaml *study = results->json[MURK_RESULT_STUDY];
     murk_status status = MURK_OK;
-    /* the scene first, since its local origin and its types are needed below */
+    /* the scene first, because its origin and sensor types are needed below */
     out->scene = results->scene;
     if (!out->scene) {
         murk_report_scene_note(
@@ -221,7 +222,8 @@ murk_status murk_report_scene_read(murk_report_scene *out,
                                    murk_error *err)
 {
     *out = (murk_report_scene){0};
-    const murk_warn_sink sink = murk_warn_to(NULL); /* by the run */
+    const murk_warn_sink sink = murk_warn_to(NULL); /* the run has printed the
+                                                       warnings */
     const murk_status status = read_all(out, results, err);
     murk_warn_to(sink);
     return status;

@@ -1,6 +1,6 @@
-/* What the report shows in space: sensors with their ranges and views, photons
- * by how many sensors see each, readings of a calibration, an explorer's path,
- * and what stands in the scene. */
+/* What the page shows in space: sensors with ranges and views, photons by the
+ * number of sensors that see each, readings of a fit, the path of an
+ * exploration, and the surfaces and media of the scene. */
 #ifndef MURK_REPORT_SCENE_H
 #define MURK_REPORT_SCENE_H
 
@@ -12,81 +12,90 @@
 
 typedef struct murk_shown_sensor {
     murk_vec3 place;
-    double heading_deg, tilt_deg;     /* NaN: sees all round */
-    const char *type;                 /* "" where there is none */
-    const murk_scene_sensor_type *of; /* of the scene; NULL: not known */
+    double heading_deg, tilt_deg;     /* NaN: sees in all directions, or not
+                                         known */
+    const char *type;                 /* name of the type; "": none */
+    const murk_scene_sensor_type *of; /* type in the scene; NULL: not known */
     double covers, only;              /* NaN: not known */
 } murk_shown_sensor;
 
-/* Of what is shown in turn, one: a condition of a plan, a row of a study. */
+/* The page shows one state at a time: a condition of a plan, or a plan or row
+ * of a study. */
 #define MURK_SHOWN_STATES_MAX 32
 typedef struct murk_shown_state {
-    char name[160]; /* empty: there is no other */
+    char name[160]; /* empty: it is the only state */
     murk_plan_points points;
-    murk_media *media;         /* NULL: the scene's */
-    murk_fillings *fillings;   /* of media */
-    murk_phases *phases;       /* likewise */
+    murk_media *media;         /* NULL: those of the scene */
+    murk_fillings *fillings;   /* used by media */
+    murk_phases *phases;       /* used by media */
     murk_shown_sensor *sensor; /* [sensors] */
     size_t sensors;
 } murk_shown_state;
 
-/* A row of fit.csv that has a place. */
+/* A row of fit.csv that has a place. Rows beyond the limit are not shown. */
 #define MURK_SHOWN_READINGS_MAX 2000
 typedef struct murk_shown_reading {
-    murk_vec3 place, to; /* to: the other end of a line of sight, or place */
+    murk_vec3 place, to; /* to: the other end of a segment, else equal to
+                            place */
     size_t row;
 } murk_shown_reading;
 
 typedef struct murk_report_scene {
-    const murk_scene_desc *scene; /* of the results */
-    murk_stage *stage; /* NULL: likewise, or what it names is not there */
-    murk_shown_state state[MURK_SHOWN_STATES_MAX]; /* [states], 1 or more */
+    const murk_scene_desc *scene; /* of the results, borrowed; NULL: none */
+    murk_stage *stage;            /* NULL: no scene, or it cannot be built */
+    murk_shown_state state[MURK_SHOWN_STATES_MAX]; /* [states]; at least 1 */
     size_t states, states_asked;
-    bool is_study;   /* states are its rows, the scene is its base */
-    murk_vec3 *stop; /* [stops] the path's */
+    bool is_study;   /* the states are plans and rows of a study; the scene is
+                        its base */
+    murk_vec3 *stop; /* [stops]; of the path */
     size_t stops;
     murk_table *fit;             /* fit.csv; NULL: not there */
     murk_shown_reading *reading; /* [readings] */
     size_t readings;
-    char note[640]; /* why something is not shown; may be empty */
+    char note[640]; /* why something is not shown; "": all is shown */
 } murk_report_scene;
 
-/* Photons at most that a page has, of those in the folder. */
+/* Largest number of photons in a page, of all states together. */
 #define MURK_REPORT_PHOTONS_MAX 100000
 
-/* Reads the folder's photons (plan.ply, those of its conditions, coverage.ply,
- * or light.murk's), the resolved scene, path.ply and fit.csv. What is missing
- * or cannot be read is said in the note: the page has the numbers all the same.
- * Fails with MURK_NO_MEMORY. Release in any case. */
+/* Reads the photons of the folder (from plan.ply, plan-NAME.ply of conditions,
+ * coverage.ply or light.murk), sensors, path.ply and fit.csv, and builds the
+ * world of the scene. If something cannot be read, the note says so, and the
+ * page is made without it. Fails with MURK_NO_MEMORY. Release *out in any case;
+ * it borrows from the results. */
 murk_status murk_report_scene_read(murk_report_scene *out,
                                    const murk_results_in *results,
                                    murk_error *err);
 void murk_report_scene_release(murk_report_scene *scene);
 
-/* One more line of the note: what, and why. */
+/* Appends "WHAT (WHY)." to the note, which is cut where it is full. */
 void murk_report_scene_note(murk_report_scene *scene, const char *what,
                             const murk_error *why);
 
-/* Builds the scene's world, and the media of those states that are conditions.
- * Says in the note what cannot be built. */
+/* Builds the world of the scene, and the media of states that are conditions
+ * with other media. If that fails, the stage is NULL and the note says why. */
 void murk_report_build(murk_report_scene *scene);
 
-/* Parts of reading: the states of a study, the readings of a fit, a path. */
+/* Parts of murk_report_scene_read(): they read the states of a study, the
+ * readings of fit.csv, and the stops of path.ply. They fail with MURK_NO_MEMORY
+ * only; if a file cannot be read, the note says so. */
 murk_status murk_report_read_study(murk_report_scene *out,
                                    const murk_yaml *study, murk_error *err);
 murk_status murk_report_read_fit(murk_report_scene *out, const char *folder,
                                  murk_error *err);
 murk_status murk_report_read_path(murk_report_scene *out, const char *folder,
                                   murk_error *err);
-/* A list of sensors as JSON has it. *out is for free(). */
+/* Reads the sensors of a list in a JSON, except those without a place, up to a
+ * limit. scene NULL: types are not known. The caller frees *out; the names of
+ * types belong to the list. Fails with MURK_NO_MEMORY. */
 murk_status murk_report_read_sensors(murk_shown_sensor **out, size_t *n,
                                      const murk_scene_desc *scene,
                                      const murk_yaml *list, murk_error *err);
 
-/* Whether a place can be drawn: finite, and not beyond all measure. */
+/* True if a place can be drawn: no coordinate is NaN or larger than 1e12 m. */
 bool murk_is_shown(murk_vec3 place);
 
-/* Whether there is anything in space to be shown. */
+/* True if there is something to show in space. */
 bool murk_report_has_view(const murk_report_scene *scene);
 
 #endif

@@ -1,6 +1,5 @@
-/* The parts of the page that `murk report` makes of a result folder. What
- * stands in the page as text is written here; what its script draws is added as
- * data. */
+/* Parts of the page that `murk report` makes of a result folder: text, which is
+ * written to a stream, and data, which the script of the page draws. */
 #ifndef MURK_REPORT_SECTIONS_H
 #define MURK_REPORT_SECTIONS_H
 
@@ -9,22 +8,26 @@
 
 #include <stdio.h>
 
-/* Rows of a table that the page shows; the rest is in the files. */
+/* Largest number of rows of a table in the page, and of other lists; the files
+ * have all. */
 #define MURK_REPORT_ROWS_MAX 200
 
-/* The summaries of the runs, and what the words mean. */
+/* Writes the summaries of the runs, and the meanings of words. */
 void murk_report_summary(FILE *to, const murk_results_in *results);
 
-/* The CSV files as tables. */
+/* Writes the CSV files as tables. Fails if a file that the script needs cannot
+ * be read, or with MURK_NO_MEMORY. */
 murk_status murk_report_csv(FILE *to, const murk_results_in *results,
                             murk_error *err);
 
-/* tallies.csv as `tallies`; nothing if there is none. */
+/* Adds tallies.csv as `tallies`; nothing if there is no such file. Fails if the
+ * file cannot be read, or with MURK_NO_MEMORY. */
 murk_status murk_report_tallies(murk_data *data, const murk_results_in *results,
                                 murk_error *err);
 
-/* How it was made: the commands that make it again, version, packages, files
- * but the page, whose path is told. */
+/* Writes how the results were made: the commands that make them again, versions
+ * and packages, and the files of the folder except the page, whose path is
+ * `page`. */
 void murk_report_made(FILE *to, const murk_results_in *results,
                       const char *page);
 

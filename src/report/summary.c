@@ -1,10 +1,8 @@
-/* The summary of the page: the lines of the run's own summary, which the main
- * JSON holds under run.summary, and what the words mean. It is text, so that it
- * needs no script.
- *
- * A line of the summary begins with a label, or goes on with the line before.
- * Columns count: lines that go on are rows of tables, so the text of all lines
- * of a label keeps its columns. */
+/* The summary of the page: the lines of the summary of each run, which are
+ * run.summary of its main JSON, and the meanings of words. It is text, which
+ * needs no script. A line of a summary begins with a label, or with blanks if
+ * it belongs to the label above. Such lines may be rows of tables, so the text
+ * of all lines of a label keeps its columns. */
 #include "report/html.h"
 #include "report/sections.h"
 
@@ -13,13 +11,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Columns of a label, with the blanks behind it (results/summary.h). */
+/* Width of a label with the blanks after it (results/summary.h). */
 #define LABEL 12
 
 /* ---- lines ---- */
 
-/* The length of the label that a line begins with: up to two blanks, or as long
- * as a label can be; 0: the line goes on with the one before. */
+/* The length of the label at the beginning of a line: it ends before two
+ * blanks, or at LABEL bytes. 0: the line has no label. */
 static size_t label_length(const char *line)
 {
     const char *gap = strstr(line, "  ");
@@ -27,16 +25,16 @@ static size_t label_length(const char *line)
     return !isalpha((unsigned char)*line) ? 0 : length < LABEL ? length : LABEL;
 }
 
-/* The column of the text of a line, behind the label. */
+/* The column at which the text of a line begins, after the label. */
 static size_t column_of(const char *line)
 {
     const size_t label = label_length(line);
     return label + strspn(line + label, " ");
 }
 
-/* Lines [i, end) of a label: the label, then their text, from the first column
- * on in which any has text. Text with two blanks between words is a table,
- * which is not broken. */
+/* Writes lines i .. end - 1, which belong to one label: the label, then their
+ * text from the first column in which any line has text. If any text has two
+ * blanks between words, it is a table, whose lines are not broken. */
 static void write_item(FILE *to, const char *const *line, size_t i, size_t end)
 {
     const size_t label = label_length(line[i]);
@@ -61,7 +59,7 @@ static void write_item(FILE *to, const char *const *line, size_t i, size_t end)
     fputs("</dd></div>\n", to);
 }
 
-/* Writes the summary that a main JSON holds. */
+/* Writes the summary that a main JSON has; a sentence if it has none. */
 static void write_lines(FILE *to, const murk_yaml *root, const char *file)
 {
     const murk_yaml *list = murk_result_at(root, "run.summary");
@@ -150,7 +148,7 @@ static void explain(FILE *to, const murk_results_in *results)
          "From -1 to 1: how much an error of one value goes along with one of "
          "another. Near ±1 the readings tell only a combination of both."},
         {"held out", "Readings that had no say in the fit, to check it by."}};
-    /* the words of each kind of result that is there */
+    /* the words that results in the folder use */
     const bool has_plan =
         results->json[MURK_RESULT_PLAN] || results->json[MURK_RESULT_COVERAGE];
     const bool has_study = results->json[MURK_RESULT_STUDY] != NULL;

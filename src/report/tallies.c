@@ -1,9 +1,10 @@
 /* Tallies of planes and spheres (tallies.csv) as data of the page.
  *
- * The rows of a tally are a full grid: bins along two axes of space and one of
- * angle, bands, directions. A tally of one bin is sent as values, of bins along
- * one axis as lines, else as a map of each direction, which is summed over
- * angles and bands and thinned by whole bins, whose values add up. */
+ * The rows of a tally are a full grid: bins along two axes of space and of
+ * angle, bands, directions. A tally of one bin is sent as values; one with bins
+ * along a single axis as lines; others as a map for each direction, summed over
+ * angles and bands, in which neighbouring bins are added up if there are too
+ * many. */
 #include "report/sections.h"
 
 #include "base/quantile.h"
@@ -16,16 +17,17 @@
 #include <string.h>
 
 #define TALLIES_MAX    40 /* of the page */
-#define LINES_MAX      8  /* that one plot holds */
+#define LINES_MAX      8  /* in one plot */
 #define BANDS_MAX      16 /* of a scene */
 #define DIRECTIONS_MAX 2  /* forward and backward, up and down */
 #define TITLE_SIZE     40 /* of an axis: one of the four below */
 
-/* Rows of one tally, which follow each other. */
+/* The consecutive rows of one tally. */
 typedef struct part {
     const murk_table *table;
-    const murk_scene_tally *asked; /* NULL: not known */
-    const murk_scene_desc *scene;  /* NULL: likewise */
+    const murk_scene_tally *asked; /* of the scene; NULL: not known, or no
+                                      plane */
+    const murk_scene_desc *scene;  /* NULL: not known */
     size_t begin, end;
     size_t size[3]; /* bins along two axes of space, and by angle */
     size_t bands, directions;
@@ -34,7 +36,7 @@ typedef struct part {
     const char *name, *unit;
 } part;
 
-/* A whole number from 0 on, or SIZE_MAX. */
+/* A cell as a whole number from 0 to below 1e6; SIZE_MAX: it is none. */
 static size_t index_of(const murk_table *t, size_t row, const char *column)
 {
     const double value = murk_table_value(t, row, column);
@@ -62,7 +64,7 @@ static size_t direction_of(const part *p, const char *text)
 
 /* ---- reading ---- */
 
-/* The rows from `begin` on that are of one tally. */
+/* The rows from `begin` on that have the same name of a tally. */
 static part part_at(const murk_table *t, size_t begin,
                     const murk_scene_desc *scene)
 {
@@ -85,7 +87,7 @@ static part part_at(const murk_table *t, size_t begin,
     return p;
 }
 
-/* Finds bins, bands and directions; false if the rows are not a tally's. */
+/* Finds bins, bands and directions. False if the rows are not a full grid. */
 static bool measure(part *p)
 {
     static const char *const bins[] = {"bin_i", "bin_j", "bin_k"};
@@ -119,7 +121,8 @@ static bool measure(part *p)
     return p->end > p->begin && cells == (double)(p->end - p->begin);
 }
 
-/* Values and errors by [direction][band][k][j][i]; NULL when out of memory. */
+/* Values, then standard errors, each as [direction][band][k][j][i]. The caller
+ * frees the array; NULL when out of memory. */
 static double *values_of(const part *p)
 {
     const size_t n = p->end - p->begin;
@@ -143,8 +146,8 @@ static double *values_of(const part *p)
 
 /* ---- axes ---- */
 
-/* Which axis of space bins 0 or 1 lie along, and from where to where; false if
- * the scene does not say. */
+/* The axis of space along which bins i (which 0) or j (1) lie, and its ends.
+ * False if the scene does not tell. */
 static bool find_extent(const part *p, int which, char *axis, double range[2])
 {
     if (!p->asked || !p->scene->has_domain) {
@@ -162,8 +165,9 @@ static bool find_extent(const part *p, int which, char *axis, double range[2])
     return range[1] > range[0];
 }
 
-/* Title, ends and bins of the axis along bins 0, 1 (space) or 2 (angle), of
- * which `by` are one. Returns whether the axis is a length. */
+/* Adds title, ends and number of bins of the axis of bins i (which 0), j (1) or
+ * of angle (2), `by` of which are added up to one. Returns whether the axis is
+ * a length. */
 static bool add_axis(murk_data *data, const part *p, int which, size_t by)
 {
     char axis = 'x', title[TITLE_SIZE];
@@ -188,7 +192,8 @@ static bool add_axis(murk_data *data, const part *p, int which, size_t by)
 
 /* ---- values ---- */
 
-/* The maps of all directions, summed over angles and bands, `by` bins to one.
+/* Adds the maps of all directions, summed over angles and bands, with by[0] *
+ * by[1] bins added up to one. False when out of memory.
  */
 static bool add_maps(murk_data *data, const part *p, const double *values,
                      const size_t by[2])
@@ -212,7 +217,8 @@ static bool add_maps(murk_data *data, const part *p, const double *values,
     return sum != NULL;
 }
 
-/* How many values are above 0, and the middle one of their relative errors. */
+/* Adds the number of values, the number of those above 0 with a known error,
+ * and the median relative error of these. False when out of memory. */
 static bool add_errors(murk_data *data, const part *p, const double *values)
 {
     const size_t n = p->end - p->begin;
@@ -253,7 +259,7 @@ static bool add_part(murk_data *data, const part *p, const double *values)
     }
     murk_data_end(data, ']');
     murk_data_number(data, "layers", (double)(p->size[2] * p->bands));
-    /* axes, and bins to one along them */
+    /* axes, and the number of bins that are added up along them */
     const size_t by[2] = {(p->size[0] - 1) / MURK_REPORT_CELLS_MAX + 1,
                           (p->size[1] - 1) / MURK_REPORT_CELLS_MAX + 1};
     bool is_place = false;
@@ -287,7 +293,7 @@ murk_status murk_report_tallies(murk_data *data, const murk_results_in *results,
     if (status || !table) {
         return status;
     }
-    /* rows of one tally follow each other; what is no tally is passed over */
+    /* rows of one tally are consecutive; rows that are no tally are left out */
     bool is_whole = true;
     size_t drawn = 0;
     murk_data_begin(data, "tallies", '[');

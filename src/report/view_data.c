@@ -1,6 +1,6 @@
-/* What the view in space draws, thinned to what a page can carry: the box that
- * is looked at, triangles, media in cells, photons as whole numbers between the
- * corners of a box. */
+/* Makes the data of the view in space, reduced to what a page can have: the box
+ * that is shown, triangles, media in cells, and photons with places as whole
+ * numbers in a box. */
 #include "report/view_data.h"
 
 #include "report/html.h"
@@ -12,8 +12,8 @@
 #define TRIANGLES_MAX 40000  /* 0.5 MB of the page */
 #define CELLS_MAX     128000 /* of all media together */
 #define STEPS         65535  /* the largest number of two bytes */
-#define CORNERS_SMALL 65536  /* numbers of corners in two bytes */
-#define BIT_SENSORS   32     /* plan.ply tells of so many */
+#define CORNERS_SMALL 65536  /* numbers of vertices that two bytes have */
+#define BIT_SENSORS   32     /* that have a bit in plan.ply */
 
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
                "numbers are sent as they lie in memory");
@@ -40,7 +40,7 @@ static bool is_box(const murk_box *box)
            box->min.z <= box->max.z;
 }
 
-/* What stands there, or all the domain. */
+/* The box of the surfaces within the domain; without any, the domain. */
 static murk_box world_box(const murk_stage *stage)
 {
     const murk_box *all = &stage->world.domain.box;
@@ -56,8 +56,8 @@ static murk_box world_box(const murk_stage *stage)
     return is_box(&box) ? box : *all;
 }
 
-/* All that lights reached, sensors, readings and the path: a large ground about
- * it does not count. Without photons, what stands in the scene. */
+/* The box of all photons (without any, of the surfaces), sensors, readings and
+ * the path. A large ground that light does not reach does not count. */
 static murk_box view_box(const murk_report_scene *s)
 {
     murk_box box = murk_box_empty();
@@ -93,7 +93,7 @@ static bool same_media(const murk_view_media *a, const murk_view_media *b)
                          memcmp(a->cell, b->cell, n) == 0));
 }
 
-/* Media that states share are there once. */
+/* Makes the media of each state; equal media are there once. */
 static murk_status fill_media(murk_view_data *out, murk_error *err)
 {
     const murk_report_scene *s = out->scene;
@@ -183,7 +183,7 @@ static bool write_photons(FILE *to, const murk_shown_state *state,
     uint8_t *seen = malloc(points->n + 1);
     uint8_t *who = malloc(bytes * points->n + 1);
     const bool is_whole = place && seen && who;
-    /* places, how many sensors see each, and which of the first 32 */
+    /* places, the number of sensors that see each, and which of the first 32 */
     for (size_t i = 0; is_whole && i < points->n; ++i) {
         const murk_plan_point *point = &points->point[i];
         const murk_vec3 p = place_of(point);

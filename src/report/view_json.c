@@ -1,5 +1,5 @@
-/* The view's data as one JSON object, with the names that tools/report/data.js
- * and its neighbours read. */
+/* The data of the view as one JSON object, with the names that
+ * tools/report/data.js and other scripts there read. */
 #include "report/data.h"
 #include "report/view_data.h"
 #include "sensing/sensor.h"
@@ -8,10 +8,10 @@
 #include <string.h>
 
 #define SPHERES_MAX 1000 /* some 60 kB of the page */
-#define LAMPS_MAX   1000 /* some 150 kB */
-#define DOT_SHARE   400  /* a photon's dot, of the view's size */
+#define LAMPS_MAX   1000 /* some 150 kB of the page */
+#define DOT_SHARE   400  /* dots of photons: part of the view's size */
 
-/* Surface photons first, as they lie in plan.ply. */
+/* Number of photons on surfaces, which come first, as in plan.ply. */
 static size_t count_on_surfaces(const murk_plan_points *points)
 {
     size_t n = 0;
@@ -41,7 +41,7 @@ static void add_sensor(murk_data *item, const murk_report_scene *s,
                             .tilt_rad = radians(sensor->tilt_deg)};
     const murk_sensor_frame frame =
         murk_pose_frame(&pose, s->scene ? s->scene->north : murk_vec(0, 1, 0));
-    /* the pose with its axes, the view, how far it sees, what it covers */
+    /* the pose with its axes, the view, the range, what the sensor covers */
     murk_data_begin(item, NULL, '{');
     murk_data_text(item, "type", sensor->type);
     murk_data_vector(item, "place", sensor->place);
@@ -80,7 +80,8 @@ static void add_balls(murk_data *item, const murk_surfaces *surfaces)
     murk_data_end(item, ']');
 }
 
-/* Of a sun's or beam's light, which comes from a heading and a height. */
+/* The direction in which the light of a sun or moon travels, from its azimuth
+ * and elevation. */
 static murk_vec3 travel_of(const murk_scene_desc *scene,
                            const murk_sky_facts *facts)
 {
@@ -103,7 +104,8 @@ static void add_lamp(murk_data *item, const murk_report_scene *s, size_t i)
     const bool is_body = group == MURK_SOURCE_BODY;
     if (group == MURK_SOURCE_DOME || !is_on ||
         (is_body && !(s->stage && s->stage->sky))) {
-        return; /* a sky has no place and no direction */
+        return; /* a sky has no place and no direction; a body may be below the
+                   horizon */
     }
     murk_data_begin(item, NULL, '{');
     murk_data_text(item, "type",
@@ -147,7 +149,7 @@ static void add_readings(murk_data *item, const murk_report_scene *s)
         murk_data_begin(item, NULL, '{');
         murk_data_vector(item, "place", r->place);
         murk_data_vector(item, "to", r->to);
-        /* cells of fit.csv: a cell without a number is not known */
+        /* cells of fit.csv; one that is not a number is null */
         for (size_t k = 0; k < sizeof texts / sizeof *texts; ++k) {
             murk_data_text(item, texts[k],
                            murk_table_text(s->fit, r->row, texts[k]));
@@ -208,7 +210,7 @@ static void add_media(murk_data *item, const murk_view_data *data)
     murk_data_end(item, ']');
 }
 
-/* What the section's words and switches depend on. */
+/* Adds facts that the words and switches of the section depend on. */
 static void add_facts(murk_data *root, const murk_report_scene *s)
 {
     bool has_lamps = false;
@@ -238,10 +240,10 @@ void murk_view_data_json(FILE *to, const murk_view_data *data)
     murk_data json = murk_data_open(to, "view-data");
     murk_data *root = &json;
     add_box(root, &data->box);
-    /* places of the view count from the scene's local origin */
+    /* places in the view are relative to the local origin of the scene */
     murk_data_vector(root, "origin",
                      s->scene ? s->scene->origin : murk_vec(0, 0, 0));
-    /* a single place has a view, too */
+    /* a view of a single place has the size 1 */
     murk_data_number(root, "size_m", size > 0 ? size : 1);
     murk_data_number(root, "dot_m", (size > 0 ? size : 1) / DOT_SHARE);
     murk_data_vector(root, "north",

@@ -1,4 +1,4 @@
-/* Extinction in cells of a box, sampled at their middles. */
+/* Samples the extinction of media at the middles of the cells of a box. */
 #include "report/view_media.h"
 
 #include "medium/interfaces.h"
@@ -6,7 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#define CELLS_ALONG 64  /* the longest side, at most */
+#define CELLS_ALONG 64  /* along the longest side, at most */
 #define FULL        255 /* the largest number of one byte */
 
 static murk_vec3 cell_middle(const murk_view_media *m, size_t i)
@@ -21,7 +21,8 @@ static murk_vec3 cell_middle(const murk_view_media *m, size_t i)
                  size.z * ((double)at[2] + 0.5) / (double)m->size[2]));
 }
 
-/* As fine as the number of cells allows. Returns how many there are. */
+/* Divides the box into cells as small as the largest number of cells allows.
+ * Returns their number. */
 static size_t divide(murk_view_media *m, size_t maximum)
 {
     const murk_vec3 size = murk_sub(m->box.max, m->box.min);
@@ -57,7 +58,7 @@ murk_status murk_view_media_make(murk_view_media *out, const murk_media *media,
         free(value);
         return murk_no_memory(err, "", "for the media");
     }
-    /* values first, since bytes are shares of the largest */
+    /* values first, because bytes are relative to the largest */
     for (size_t i = 0; i < n; ++i) {
         const murk_vec3 p = cell_middle(out, i);
         value[i] =

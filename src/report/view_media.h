@@ -1,4 +1,4 @@
-/* Media as the view draws them: extinction in cells of a box. */
+/* Media as the view draws them: extinction in the cells of a box. */
 #ifndef MURK_REPORT_VIEW_MEDIA_H
 #define MURK_REPORT_VIEW_MEDIA_H
 
@@ -14,11 +14,12 @@ typedef struct murk_view_media {
                       root keeps haze visible beside smoke that is thousands of
                       times thicker. NULL: no medium */
     double min_per_m, max_per_m;
-    bool is_even; /* the same everywhere, to a hundredth */
+    bool is_even; /* min_per_m is at least 0.99 max_per_m */
 } murk_view_media;
 
-/* At most `max` cells, cubes as far as the box allows. NULL: no media. Fails
- * with MURK_NO_MEMORY. Release *out in any case. */
+/* Samples the media in at most `max` cells, max >= 1, and at most 64 along each
+ * side; cells are about cubes. media NULL: no cells. Fails with MURK_NO_MEMORY.
+ * Release *out in any case. */
 murk_status murk_view_media_make(murk_view_media *out, const murk_media *media,
                                  const murk_box *box, size_t max,
                                  murk_error *err);

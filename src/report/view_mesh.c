@@ -1,4 +1,4 @@
-/* Joins corners of triangles on lattices that become coarser, until there are
+/* Joins corners of triangles on lattices that become coarser until there are
  * few enough triangles: vertex clustering (Rossignac, Borrel, in Modeling in
  * Computer Graphics (1993) 455, doi:10.1007/978-3-642-78114-8_29). */
 #include "report/view_mesh.h"
@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Cells along the longest side; and where a place lies in whole steps, with
- * as many along each side. */
+/* A lattice of cubic cells in a box. The size of the box also serves for places
+ * in steps, which have the same number along each side. */
 typedef struct lattice {
     double low[3], size[3];
     double cell_m;
@@ -29,7 +29,7 @@ static double within(double value, double maximum)
     return floor(fmin(fmax(value, 0), maximum) + 0.5);
 }
 
-/* A cell as one number, x in the highest bits. */
+/* The cell of a place as one number, with x in the highest bits. */
 static uint64_t key_of(const lattice *l, murk_vec3 p)
 {
     const double at[3] = {p.x, p.y, p.z};
@@ -53,7 +53,7 @@ static uint64_t step_of(const lattice *l, murk_vec3 p, int axis)
 typedef struct face {
     uint32_t corner[3];
     uint32_t sorted[3];
-    size_t triangle; /* that it was */
+    size_t triangle; /* that it is made of */
 } face;
 
 static int by_corners(const void *a, const void *b)
@@ -71,9 +71,10 @@ static void order(uint32_t v[2])
     }
 }
 
-/* What the triangles are on a lattice: distinct corners in
- * key[*vertices], distinct triangles with an area in faces[return]. key has
- * room for 3 a triangle, all and faces for 3 and 1. */
+/* Joins corners on a lattice. Fills key[] with the distinct cells of corners,
+ * sorted, and faces[] with the distinct triangles that keep three corners, as
+ * indices into key[]. Returns their number. all[3 * n] and key[3 * n] are
+ * workspaces; faces[n]. */
 static size_t cluster(const murk_surfaces *surfaces, size_t n, const lattice *l,
                       uint64_t *all, uint64_t *key, face *faces)
 {
@@ -84,7 +85,7 @@ static size_t cluster(const murk_surfaces *surfaces, size_t n, const lattice *l,
             all[3 * i + k] = key_of(l, corner[k]);
         }
     }
-    /* distinct cells, sorted: the corners that are left */
+    /* distinct cells, sorted: the joined corners */
     memcpy(key, all, 3 * n * sizeof *key);
     qsort(key, 3 * n, sizeof *key, murk_by_uint64);
     size_t distinct = 0;
@@ -120,7 +121,9 @@ static size_t cluster(const murk_surfaces *surfaces, size_t n, const lattice *l,
     return once;
 }
 
-/* Corners that a face has, in the middle of those that became one. */
+/* Fills the mesh: vertices that a face uses, each at the mean of the corners
+ * that were joined, and the faces. number[] is a workspace by corner. False
+ * when out of memory. */
 static bool take(murk_view_mesh *out, const murk_surfaces *surfaces,
                  const face *faces, size_t triangles, uint64_t *number)
 {
@@ -129,7 +132,7 @@ static bool take(murk_view_mesh *out, const murk_surfaces *surfaces,
     out->place = malloc((9 * triangles + 1) * sizeof *out->place);
     out->corner = malloc((3 * triangles + 1) * sizeof *out->corner);
     const bool is_whole = sum && out->place && out->corner;
-    /* corners are numbered as they occur; sums of places give their middles */
+    /* vertices are numbered as they occur; sums of places give their means */
     for (size_t i = 0; is_whole && i < 3 * triangles; ++i) {
         number[faces[i / 3].corner[i % 3]] = UINT64_MAX;
     }
@@ -171,8 +174,9 @@ murk_status murk_view_mesh_make(murk_view_mesh *out,
         lattice l = lattice_of(&out->box, cells);
         size_t triangles = cluster(surfaces, n, &l, all, key, faces);
         out->is_coarse = triangles > maximum;
-        /* a surface has about as many cells as their number squared; from
-         * there on by numbers that shrink, until it fits */
+        /* a surface crosses about as many cells as the square of the number
+         * along a side; then the number shrinks until the triangles are few
+         * enough */
         cells =
             out->is_coarse ? (uint32_t)(2 * sqrt((double)maximum)) + 2 : cells;
         while (triangles > maximum) {

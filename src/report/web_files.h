@@ -1,5 +1,5 @@
-/* The files under src/report/web/ that pages are made of, built in. Written by
- * cmake/built_in_files.cmake. */
+/* The files under src/report/web/, of which pages are made, as part of the
+ * program. cmake/built_in_files.cmake writes the definition. */
 #ifndef MURK_REPORT_WEB_FILES_H
 #define MURK_REPORT_WEB_FILES_H
 
@@ -7,8 +7,8 @@
 
 typedef struct murk_web_file {
     const char *name; /* "page.css" */
-    const char *text; /* with a '\0' behind it */
-    size_t size;      /* without it */
+    const char *text; /* ends with '\0' */
+    size_t size;      /* without the '\0' */
 } murk_web_file;
 
 extern const murk_web_file murk_web_files[];

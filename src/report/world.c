@@ -1,5 +1,5 @@
-/* The world that the view shows: surfaces and media of the scene, and the
- * media of each condition in it. */
+/* The world that the view shows: surfaces and media of the scene, and the media
+ * of conditions. */
 #include "report/scene.h"
 #include "world/stage_build.h"
 
@@ -10,7 +10,8 @@ static bool same_file(const char *a, const char *b)
     return a == b || (a && b && strcmp(a, b) == 0);
 }
 
-/* Whether its media can be built in the scene's own domain and boundary meshes.
+/* True if the media of one scene can be built with the boundary meshes of the
+ * other: same numbers of media and regions, and the same meshes of regions.
  */
 static bool differs_in_numbers(const murk_scene_desc *a,
                                const murk_scene_desc *b)
@@ -33,7 +34,10 @@ static const murk_scene_desc *condition_of(const murk_scene_desc *scene,
     return NULL;
 }
 
-/* Another's media are the scene's where the light cannot tell them apart. */
+/* The scene of the condition that a state stands for, if its media have to be
+ * built. NULL if the state is no condition, if its world is that of the scene,
+ * or if its media cannot be built in it, so that those of the scene are
+ * shown. */
 static const murk_scene_desc *other_media(const murk_report_scene *s,
                                           size_t state)
 {
@@ -60,7 +64,7 @@ void murk_report_build(murk_report_scene *s)
                                "surfaces and media are not shown";
     const murk_scene_desc *of[MURK_SHOWN_STATES_MAX] = {0};
     murk_error why = {0};
-    /* files are imported before anything is built, that makes a ray device */
+    /* files are imported before building, which makes a ray device */
     murk_status status = murk_stage_import(&s->stage, s->scene, &why);
     for (size_t i = 0; i < s->states && !status; ++i) {
         of[i] = other_media(s, i);
