@@ -81,7 +81,9 @@ static double rain_absorbs(double rate, double wavelength_nm)
     return sum / all;
 }
 
-/* Fills in one half of the extinction, selected by the parameter `rays`. */
+/* Fills in one half of the extinction: is_rays selects the half that is
+ * refracted and reflected, of which drops absorb a share; the other half is
+ * diffracted. */
 static murk_status fill(murk_law_result *out, const murk_law_call *call,
                         double extinction_per_m, bool is_rays)
 {
