@@ -54,8 +54,9 @@ bool murk_linear_next(murk_linear *linear);
 murk_cubic murk_linear_cubic(const murk_linear *linear, double t0, double t1);
 
 /* Adds the integral of (scale * field + offset) over the rest of the ray to
- * *sum. True if *sum reaches the limit: then *sum is the limit, `to` the ray
- * parameter, and `value` the field there, which is above 0 if offset is 0. */
+ * *sum. True if *sum reaches the limit: then *sum is the limit, linear->ray.to
+ * the ray parameter at which it is reached, and linear->value the field there,
+ * which is above 0 if offset is 0. */
 bool murk_linear_integrate(murk_linear *linear, double scale, double offset,
                            double limit, double *sum);
 

@@ -172,9 +172,9 @@ typedef struct tally {
     double scale, offset, limit, reached;
 } tally;
 
-/* The limit is reached in the current segment, in which the field has the
- * given mean: moves `to` back. If rounding makes the field 0 there (at an
- * end of the segment), the mean is used, so that a collision has a medium. */
+/* The limit is reached in the current segment, in which the field has the given
+ * mean: moves m->ray.to back. If rounding makes the field 0 there (at an end of
+ * the segment), the mean is used, so that a collision has a medium. */
 static void stop_in_segment(murk_linear *m, tally *sum, double mean)
 {
     const double length = m->ray.to - m->ray.from;
@@ -213,8 +213,9 @@ static bool integrate_segment(murk_linear *m, tally *sum)
     return false;
 }
 
-/* Integrates over the rest of a block: cross_cell() and step_in_block() in
- * one loop. */
+/* Integrates over the rest of a block: murk_grid_ray_cross_in_block() and
+ * murk_grid_ray_step_in_block() in one loop, with the integral of each segment.
+ * True if the limit is reached. */
 static bool integrate_block(murk_linear *m, tally *sum)
 {
     const double end = m->ray.end;
