@@ -10,8 +10,9 @@
 #define MURK_CASE_1_MIN_NM 400.0
 #define MURK_CASE_1_MAX_NM 555.0
 
-/* The observed diffuse attenuation of daylight between those two wavelengths:
- * Kw + chi C^e at the six wavelengths of the table, linear in between. */
+/* The observed diffuse attenuation of daylight at MURK_CASE_1_MIN_NM..MAX_NM:
+ * Kw + chi C^e, C being the chlorophyll, at the six wavelengths of the table,
+ * linear in between. */
 double murk_case_1_kd(double wavelength_nm, double chlorophyll_mg_per_m3);
 
 /* The diffuse attenuation of daylight, averaged over the depth in which the
