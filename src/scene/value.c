@@ -163,7 +163,8 @@ static murk_status read_reference(murk_key_reader *walk, const murk_key *key,
 /* ---- lists of fixed length ---- */
 
 /* Reads each value of a list into an array of `size` bytes per item. The items
- * are of one kind; they have rows of their own, or that of the list. */
+ * are of one kind. Each item has a row of its own in key->items; without
+ * key->items the row of the list serves all items. */
 static murk_status read_items(murk_key_reader *walk, const murk_key *key,
                               murk_yaml *list, murk_key_kind kind, size_t size,
                               void *items)
