@@ -43,8 +43,8 @@ murk_status murk_array_fill(murk_array *view, const void *data, murk_type type,
                             murk_error *err)
 {
     if (!view || view->size < sizeof *view) {
-        return murk_fail(err, MURK_BAD_VALUE, "view",
-                         "is NULL, or view->size is not sizeof(murk_array)");
+        return murk_call_bad_argument(
+            err, "view", "is NULL, or view->size is not sizeof(murk_array)");
     }
     *view = (murk_array){
         .size = view->size, .data = data, .type = type, .is_copy = is_copy};
@@ -56,17 +56,18 @@ murk_status murk_array_check(const murk_array *view, int dimensions,
                              const char *name, murk_error *err)
 {
     if (!view || view->size < sizeof *view) {
-        return murk_fail(err, MURK_BAD_VALUE, name,
-                         "is NULL, or size is not sizeof(murk_array)");
+        return murk_call_bad_argument(
+            err, name, "is NULL, or size is not sizeof(murk_array)");
     }
     if (view->dimensions != dimensions || murk_type_bytes(view->type) == 0) {
-        return murk_fail(err, MURK_BAD_VALUE, name,
-                         "has %d dimensions and type %d, must have %d and a "
-                         "murk_type",
-                         view->dimensions, (int)view->type, dimensions);
+        return murk_call_bad_argument(
+            err, name,
+            "has %d dimensions and type %d, must have %d and a "
+            "murk_type",
+            view->dimensions, (int)view->type, dimensions);
     }
     if (!view->data && murk_array_count(view) > 0) {
-        return murk_fail(err, MURK_BAD_VALUE, name, "data is NULL");
+        return murk_call_bad_argument(err, name, "data is NULL");
     }
     return MURK_OK;
 }

@@ -5,9 +5,13 @@
 
 #include "base/version.h"
 
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* How the place of a failure begins that an argument has caused. */
+#define MURK_ARGUMENT "argument "
 
 const char *murk_version(void)
 {
@@ -55,7 +59,10 @@ static void split_place(murk_error *error)
         *key = '\0';
         snprintf(error->key, sizeof error->key, "%s", key + 2);
     }
-    /* The rest is a file, or a value that the caller set. */
+    /* The rest is a file, an argument, or a value that the caller set. */
+    if (strncmp(place, MURK_ARGUMENT, strlen(MURK_ARGUMENT)) == 0) {
+        return;
+    }
     if (strncmp(place, "set ", 4) == 0) {
         if (error->key[0] == '\0') {
             snprintf(error->key, sizeof error->key, "%.*s",
@@ -108,4 +115,16 @@ murk_status murk_call_refuse(murk_error *error, const char *text)
     (void)murk_fail(&failure, MURK_BAD_VALUE, "", "%s", text);
     murk_call_report(error, &failure);
     return MURK_BAD_VALUE;
+}
+
+murk_status murk_call_bad_argument(murk_error *err, const char *name,
+                                   const char *format, ...)
+{
+    char where[sizeof err->where], text[sizeof err->text];
+    snprintf(where, sizeof where, MURK_ARGUMENT "%s", name);
+    va_list args;
+    va_start(args, format);
+    vsnprintf(text, sizeof text, format, args);
+    va_end(args);
+    return murk_fail(err, MURK_BAD_VALUE, where, "%s", text);
 }

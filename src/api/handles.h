@@ -119,6 +119,12 @@ void murk_call_report(murk_error *to, murk_error *failure);
 /* Fails without a context: a NULL handle, or another misuse. */
 murk_status murk_call_refuse(murk_error *error, const char *text);
 
+/* Fails because of a value in an argument. The place is "argument NAME", which
+ * is neither a file nor a key. */
+murk_status murk_call_bad_argument(murk_error *err, const char *name,
+                                   const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
 /* ---- references ---- */
 
 void murk_context_release(murk_context *context);

@@ -269,7 +269,9 @@ static murk_status get(murk_scene *scene, const char *key, const char **json,
     }
     const murk_yaml *node = status ? NULL : find_key(root, key);
     if (!status && !node) {
-        status = murk_fail(err, MURK_BAD_VALUE, key,
+        char where[sizeof err->where];
+        snprintf(where, sizeof where, "%s: %s", scene->name, key);
+        status = murk_fail(err, MURK_BAD_VALUE, where,
                            "the resolved scene has no such key");
     }
     /* The text lives until the next call. */

@@ -38,10 +38,11 @@ static murk_status copy_vertices(murk_mesh *mesh, const murk_array *vertices_m,
     for (size_t i = 0; i < 3 * mesh->vertices; ++i) {
         const double value = murk_array_number(vertices_m, i);
         if (!(fabs(value) <= (double)FLT_MAX)) {
-            return murk_fail(err, MURK_BAD_VALUE, "vertices_m",
-                             "coordinate %zu of vertex %zu is %g, must be a "
-                             "finite number",
-                             i % 3, i / 3, value);
+            return murk_call_bad_argument(
+                err, "vertices_m",
+                "coordinate %zu of vertex %zu is %g, must be a "
+                "finite number",
+                i % 3, i / 3, value);
         }
         mesh->vertex_m[i] = (float)value;
     }
@@ -55,10 +56,11 @@ static murk_status copy_indices(uint32_t *to, const murk_array *from, size_t n,
     for (size_t i = 0; i < n; ++i) {
         const double value = murk_array_number(from, i);
         if (!(value >= 0 && value < (double)end && value == floor(value))) {
-            return murk_fail(err, MURK_BAD_VALUE, name,
-                             "index %zu is %.17g, must be a whole number, 0 to "
-                             "%zu",
-                             i, value, end - 1);
+            return murk_call_bad_argument(
+                err, name,
+                "index %zu is %.17g, must be a whole number, 0 to "
+                "%zu",
+                i, value, end - 1);
         }
         to[i] = (uint32_t)value;
     }
@@ -71,9 +73,10 @@ static murk_status copy_names(murk_mesh *mesh, const char *const *names,
     for (size_t i = 0; i < mesh->materials; ++i) {
         const char *name = names ? names[i] : "";
         if (!name || strlen(name) >= MURK_NAME_SIZE) {
-            return murk_fail(err, MURK_BAD_VALUE, "material_names",
-                             "name %zu is NULL or longer than %d bytes", i,
-                             MURK_NAME_SIZE - 1);
+            return murk_call_bad_argument(
+                err, "material_names",
+                "name %zu is NULL or longer than %d bytes", i,
+                MURK_NAME_SIZE - 1);
         }
         snprintf(mesh->material_name[i], MURK_NAME_SIZE, "%s", name);
     }
@@ -224,11 +227,12 @@ static murk_status check_values(const murk_grid_samples *samples,
     const size_t *n = samples->size;
     for (size_t i = 0; i < n[0] * n[1] * n[2]; ++i) {
         if (!(samples->value[i] >= 0 && isfinite(samples->value[i]))) {
-            return murk_fail(err, MURK_BAD_VALUE, "values",
-                             "value [%zu, %zu, %zu] is %g, must be finite and "
-                             "at least 0",
-                             i % n[0], i / n[0] % n[1], i / n[0] / n[1],
-                             (double)samples->value[i]);
+            return murk_call_bad_argument(
+                err, "values",
+                "value [%zu, %zu, %zu] is %g, must be finite and "
+                "at least 0",
+                i % n[0], i / n[0] % n[1], i / n[0] / n[1],
+                (double)samples->value[i]);
         }
     }
     return MURK_OK;
@@ -241,13 +245,14 @@ static murk_status add_grid(murk_scene *scene, const char *name,
 {
     murk_status status = murk_array_check(values, 3, "values", err);
     if (!status && (!rows || murk_array_count(values) == 0)) {
-        status = murk_fail(err, MURK_BAD_VALUE, "values",
-                           "has no values, or index_to_world is NULL");
+        status = murk_call_bad_argument(
+            err, "values", "has no values, or index_to_world is NULL");
     }
     if (!status && release && !is_x_fastest(values)) {
-        status = murk_fail(err, MURK_BAD_VALUE, "values",
-                           "must be dense floats with x fastest to be used in "
-                           "place");
+        status = murk_call_bad_argument(
+            err, "values",
+            "must be dense floats with x fastest to be used in "
+            "place");
     }
     if (status) {
         return status;

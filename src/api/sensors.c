@@ -97,18 +97,19 @@ static murk_status pose_of(murk_pose *out, const murk_world *world,
         ++type;
     }
     if (type == all->types || !sensor->type) {
-        return murk_fail(err, MURK_BAD_VALUE, "type",
-                         "%s is not a sensor type of the scene",
-                         sensor->type ? sensor->type : "NULL");
+        return murk_call_bad_argument(
+            err, "sensor", "type %s is not a sensor type of the scene",
+            sensor->type ? sensor->type : "NULL");
     }
     /* A type with a view needs a direction. */
     const bool is_sphere = all->type[type].view == MURK_VIEW_SPHERE;
     if (!is_sphere &&
         !(isfinite(sensor->heading_deg) && fabs(sensor->tilt_deg) <= 90)) {
-        return murk_fail(err, MURK_BAD_VALUE, sensor->type,
-                         "heading_deg is %g and tilt_deg %g, must be finite, "
-                         "tilt -90..90, for a type with a view",
-                         sensor->heading_deg, sensor->tilt_deg);
+        return murk_call_bad_argument(
+            err, "sensor",
+            "heading_deg is %g and tilt_deg %g, must be finite, "
+            "tilt -90..90, for a type with a view such as %s",
+            sensor->heading_deg, sensor->tilt_deg, sensor->type);
     }
     const double *p = sensor->position_m;
     *out = (murk_pose){
@@ -120,9 +121,10 @@ static murk_status pose_of(murk_pose *out, const murk_world *world,
     }
     return murk_box_contains(&world->stage->world.domain.box, out->position)
                ? MURK_OK
-               : murk_fail(err, MURK_BAD_VALUE, sensor->type,
-                           "position_m [%g, %g, %g] is outside of the domain",
-                           p[0], p[1], p[2]);
+               : murk_call_bad_argument(
+                     err, "sensor",
+                     "position_m [%g, %g, %g] is outside of the domain", p[0],
+                     p[1], p[2]);
 }
 
 static murk_status add(murk_sensors *sensors, const murk_sensor *sensor,

@@ -1,10 +1,12 @@
 #!/bin/sh
-# Runs the test of the Python module with Debian's Python; skips it where there is
+# Runs a test of the Python module with Debian's Python; skips it where there is
 # none, or no cffi or numpy.
 #
-#     python.sh MURK LIBRARY
+#     python.sh TEST.py MURK LIBRARY
 command -v /usr/bin/python3 >/dev/null || {
     echo "skipped: no /usr/bin/python3"
     exit 77
 }
-exec /usr/bin/python3 -B -W ignore "$(dirname "$0")/python.py" "$@"
+test=$1
+shift
+exec /usr/bin/python3 -B -W ignore "$(dirname "$0")/$test" "$@"

@@ -1,0 +1,254 @@
+"""Worlds and their light: photon maps, energy ledger, tallies."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy
+from numpy.typing import NDArray
+
+from ._context import Context
+from ._library import (Error, Path, as_numpy, c_text, call, call_long, ffi, lib, new_view, structured, view_address)
+from ._picture import Picture
+from ._plan import Coverage, Plan
+from ._results import Result, handle_of, report_of, restored, result_of
+
+if TYPE_CHECKING:
+    from ._scene import Scene, Sensors
+
+
+class World:
+    """A scene that is built: surfaces, media and light sources; it does not change any more.
+
+    `tallies` are the names of the tallies of the scene.
+
+    Example: `world = murk.Scene(file="yard.yaml").world()`.
+    """
+
+    context: Context
+    c: Any
+
+    def __init__(self, scene: Scene) -> None:
+        self.context = scene.context
+        out = ffi.new("murk_world **")
+        call_long(self.context, lib.murk_world_create, out, scene.c)
+        self.c = ffi.gc(out[0], lib.murk_world_destroy)
+        self.tallies: list[str] = [tally["name"] for tally in scene["tallies"] or []] if "tallies" in scene else []
+
+    @property
+    def bounds_m(self) -> NDArray[numpy.float64]:
+        """The box of the domain: 2 x 3, the least and the largest corner [m].
+
+        Example: `size_m = world.bounds_m[1] - world.bounds_m[0]`.
+        """
+        out = ffi.new("double[6]")
+        lib.murk_world_bounds(self.c, out)
+        return numpy.array(list(out)).reshape(2, 3)
+
+    @property
+    def bands_nm(self) -> NDArray[numpy.float64]:
+        """The wavelengths of the bands [nm].
+
+        Example: `len(world.bands_nm)`.
+        """
+        return numpy.array([lib.murk_world_band_nm(self.c, i) for i in range(lib.murk_world_bands(self.c))])
+
+    def trace(self) -> Light:
+        """Traces the light: Light. Raises Error, and Interrupted if it is cancelled.
+
+        Example: `light = world.trace()`.
+        """
+        return Light(self)
+
+    def read_light(self, path: Path) -> Light:
+        """Reads a light.murk: Light, without tallies. Raises Error if the file is not of this world.
+
+        Example: `light = world.read_light("out/light.murk")`.
+        """
+        return Light(self, path)
+
+    def place(self, light: Light | None = None) -> Plan:
+        """Chooses the sensors for a light that is there, or for a new one: Plan. Raises Error.
+
+        Example: `plan = world.place()`.
+        """
+        return Plan(self, light)
+
+
+class Tally(NamedTuple):
+    """A tally: its name, and values and standard errors as float64 arrays.
+
+    Shapes: planes band x bin_i x bin_j x angle bin x direction [W], grids band x i x j x k [W/m2], spheres band x
+    direction [W/m2]; with the key `units` in the units of that key. Both arrays are made once and owned by the light.
+
+    Example: `fluence = light.tally("box").values[0]`.
+    """
+
+    name: str
+    values: NDArray[numpy.float64]
+    errors: NDArray[numpy.float64]
+
+
+_MAPS = {"surface": lib.MURK_MAP_SURFACE, "volume": lib.MURK_MAP_VOLUME}
+_UNPACKED = ("direction", "normal", "event_class")
+
+
+class Light:
+    """Both photon maps, the energy ledger and the tallies of a world.
+
+    `surface` and `volume` are structured arrays of the records: views without copies, read-only, with the fields
+    `position_m` (3 float32) [m], `power_w` (float32) [W], `emitted` (uint32, number of the photon), `band`, `light` and
+    `material` (uint8; in the volume map the number of the medium). `array()` has further fields. In scenes far from the
+    origin positions are copies, and reached by `array()` alone. A light pickles with its arrays, ledger and tallies;
+    the pickled light has no handle, so that it cannot place, sense, render or save. Source: `murk trace`.
+
+    Example: `light = scene.trace()`, then `light.volume["power_w"].sum()`.
+    """
+
+    surface: NDArray[Any]
+    volume: NDArray[Any]
+    context: Any = None  # of a pickled light
+    c: Any = None
+
+    def __init__(self, world: World, path: Path | None = None) -> None:
+        self.world = world
+        self.context = world.context
+        out = ffi.new("murk_light **")
+        if path is None:
+            call_long(self.context, lib.murk_light_trace, out, world.c)
+        else:
+            call_long(self.context, lib.murk_light_read, out, world.c, c_text(path))
+        self.c = ffi.gc(out[0], lib.murk_light_destroy)
+        self._values: dict[str, Any] = {}  # those of a pickled light
+        self.surface = self._records(lib.MURK_MAP_SURFACE)
+        self.volume = self._records(lib.MURK_MAP_VOLUME)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        values = self._values
+        if self.c is not None:
+            values = {f"{map}.{field}": self.array(map, field) for map in _MAPS for field in _UNPACKED}
+            values["tallies"], values["ledger"] = self.tallies, self.ledger
+        return restored, (Light, {"surface": self.surface, "volume": self.volume, "_values": values})
+
+    def _view(self, which: int, field: str) -> Any:
+        view = new_view()
+        call(lib.murk_light_array, handle_of(self), which, c_text(field), view)
+        return view
+
+    def _records(self, which: int) -> NDArray[Any]:
+        """All fields that are stored as they are asked for, as one array of records."""
+        views = {f: self._view(which, f) for f in ("power_w", "emitted", "band", "light", "material")}
+        place = self._view(which, "position_m")
+        if not place.is_copy:
+            views = {"position_m": place, **views}
+        n = lib.murk_light_count(self.c, which)
+        first = min(view_address(v) for v in views.values()) if n else 0
+        kinds = {lib.MURK_TYPE_UINT8: "u1", lib.MURK_TYPE_UINT32: "<u4", lib.MURK_TYPE_FLOAT32: "<f4"}
+        fields = {name: ((kinds[v.type], (v.shape[1],)) if v.dimensions == 2 else kinds[v.type],
+                         view_address(v) - first if n else 0) for name, v in views.items()}
+        return structured(self.c, first, n, views["power_w"].stride[0], fields) if n else numpy.zeros(
+            0, [(name, *(f[0] if isinstance(f[0], tuple) else (f[0],))) for name, f in fields.items()])
+
+    def array(self, map: str, field: str) -> NDArray[Any]:
+        """A field of the "surface" or "volume" map, in the order of the records.
+
+        Views without copies: position_m (n x 3, float32) [m], power_w [W], emitted, band, light, material. Unpacked
+        once, by a copy that the light owns: direction (n x 3, float32, unit vectors of travel), normal (n x 3, float32,
+        unit vectors that face the photon; 0 in the volume map), event_class (uint8: 0 first event, 1 specular events
+        before, 2 later), and position_m of scenes far from the origin. Raises Error for another name.
+
+        Example: `upward = light.array("volume", "direction")[:, 2] > 0`.
+        """
+        if map not in _MAPS:
+            raise Error(f"{map!r}, must be one of {', '.join(_MAPS)}", where="argument map")
+        if f"{map}.{field}" in self._values:
+            values: NDArray[Any] = self._values[f"{map}.{field}"]
+            return values
+        records: NDArray[Any] = getattr(self, map)
+        if self.c is None and field in (records.dtype.names or ()):
+            return records[field]
+        return as_numpy(self.c, self._view(_MAPS[map], field))
+
+    @property
+    def ledger(self) -> Result:
+        """The energy ledger, the fields of ledger.json [W]: Result.
+
+        Example: `light.ledger.absorbed_media_w`.
+        """
+        ledger: Result | None = self._values.get("ledger")
+        return result_of(lib.murk_light_fields, handle_of(self)) if ledger is None else ledger
+
+    def tally(self, name: str) -> Tally:
+        """The tally of that name: Tally. Raises Error if there is none, or if the light was read from a file.
+
+        Example: `light.tally("floor").values`.
+        """
+        if name in self._values.get("tallies", {}):
+            tally: Tally = self._values["tallies"][name]
+            return tally
+        values, errors = new_view(), new_view()
+        call(lib.murk_light_tally, handle_of(self), c_text(name), values, errors)
+        return Tally(name, as_numpy(self.c, values), as_numpy(self.c, errors))
+
+    @property
+    def tallies(self) -> dict[str, Tally]:
+        """All tallies by name; none if the light was read from a file.
+
+        Example: `for name, tally in light.tallies.items(): print(name, tally.values.shape)`.
+        """
+        if self.c is None:
+            tallies: dict[str, Tally] = self._values["tallies"]
+            return tallies
+        try:
+            return {name: self.tally(name) for name in self.world.tallies}
+        except Error:
+            return {}
+
+    def place(self) -> Plan:
+        """Chooses the sensors for this light: Plan. Raises Error, also if the scene has conditions to place over.
+
+        Example: `plan = light.place()`.
+        """
+        handle_of(self)
+        return Plan(self.world, self)
+
+    def sense(self, sensors: Sensors) -> Coverage:
+        """Measures given sensors: Coverage.
+
+        sensors: dicts with `type`, `position_m` [m], and `heading_deg` (clockwise from north) and `tilt_deg` (upward)
+        of types with a view; or the path of a sensors.csv or plan.json. Raises Error if a sensor does not fit the
+        scene.
+
+        Example: `light.sense([{"type": "node", "position_m": [3, 4, 2]}]).coverage.in_sample`.
+        """
+        return Coverage(self, sensors)
+
+    def render(self, camera: str | None = None, method: str = "maps") -> Picture:
+        """Renders the picture of a camera of the scene, the first one by default: Picture.
+
+        method: "maps" (shadow rays, density estimate of later records), "paths" (path tracing) or "maps-only"
+        (density estimate of all records). Raises Error if there is no such camera or method.
+
+        Example: `light.render("gate").radiance[0]`.
+        """
+        return Picture(self, camera, method)
+
+    def save(self, folder: Path) -> None:
+        """Writes the files of `murk trace` to a folder: light.murk, ledger.json, tallies. Raises Error.
+
+        Example: `light.save("out")`.
+        """
+        call_long(self.context, lib.murk_light_save, handle_of(self), c_text(folder))
+
+    def report(self, page: Path) -> Path:
+        """Writes one HTML page of the light and returns its path. Raises Error.
+
+        Example: `light.report("light.html")`.
+        """
+        return report_of(self, page)
+
+    def write(self, path: Path) -> None:
+        """Writes light.murk under that name, for `World.read_light()`. Raises Error.
+
+        Example: `light.write("light.murk")`.
+        """
+        call_long(self.context, lib.murk_light_write, handle_of(self), c_text(path))

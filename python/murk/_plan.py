@@ -1,0 +1,108 @@
+"""Sensors: what given ones see, and which to choose."""
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, Any
+
+import numpy
+from numpy.typing import NDArray
+
+from ._library import Path, as_numpy, c_text, call, call_long, ffi, lib, new_view
+from ._results import Fielded, Result, handle_of, report_of, result_of
+
+if TYPE_CHECKING:
+    from ._light import Light, World
+    from ._scene import Sensors
+
+
+def _sensors(world: World, sensors: Sensors) -> Any:
+    out = ffi.new("murk_sensors **")
+    if isinstance(sensors, (str, os.PathLike)):
+        call(lib.murk_sensors_read, out, world.c, c_text(sensors))
+        return ffi.gc(out[0], lib.murk_sensors_destroy)
+    call(lib.murk_sensors_create, out, world.c)
+    handle = ffi.gc(out[0], lib.murk_sensors_destroy)
+    for sensor in sensors:
+        c = ffi.new("murk_sensor *")
+        name = c_text(sensor["type"])
+        c.size, c.type = ffi.sizeof("murk_sensor"), name
+        c.position_m = [float(x) for x in sensor["position_m"]]
+        heading, tilt = sensor.get("heading_deg"), sensor.get("tilt_deg")
+        c.heading_deg = float("nan") if heading is None else heading
+        c.tilt_deg = float("nan") if tilt is None else tilt
+        call(lib.murk_sensors_add, handle, c)
+    return handle
+
+
+class Coverage(Fielded):
+    """What given sensors see of a light: `result` has the fields of coverage.json, each of which is an attribute, too.
+
+    `coverage` has `in_sample`, the share of the power of the records that the sensors see, and `standard_error`;
+    `sensors` is a list with each sensor. Pickles with its fields. Source: `murk sense`.
+
+    Example: `light.sense("plan.json").coverage.in_sample`.
+    """
+
+    coverage: Result
+    sensors: list[Result]
+
+    def __init__(self, light: Light, sensors: Sensors) -> None:
+        self.light = light
+        self.context = light.context
+        out = ffi.new("murk_coverage **")
+        handle_of(light)
+        call_long(self.context, lib.murk_coverage_measure, out, light.c, _sensors(light.world, sensors))
+        self.c = ffi.gc(out[0], lib.murk_coverage_destroy)
+        self.result = result_of(lib.murk_coverage_fields, self.c)
+
+    @property
+    def matrix(self) -> NDArray[numpy.uint16]:
+        """The coverage matrix: sensors x records, uint16, 65535 for full clarity, 0 for not seen.
+
+        Records of the surface map come first, then those of the volume map, each in the order of `Light.array()`; with
+        targets in place of photons the targets. Made once; a view.
+
+        Example: `seen = (coverage.matrix > 0).any(axis=0)`.
+        """
+        view = new_view()
+        call_long(self.context, lib.murk_coverage_matrix, handle_of(self), view)
+        return as_numpy(self.c, view)
+
+
+class Plan(Fielded):
+    """The chosen sensors: `result` has the fields of plan.json, each of which is an attribute, too.
+
+    `sensors` is a list with `type`, `position_m` [m], `heading_deg` and `tilt_deg`; `coverage` has `held_out` (on
+    another photon map, None without one) and `in_sample`, shares of 1, with `held_out_standard_error`; `bound` is what
+    no plan exceeds in sample. Pickles with its fields. Source: `murk place`.
+
+    Example: `print(plan.coverage.held_out, "+-", plan.coverage.held_out_standard_error)`.
+    """
+
+    sensors: list[Result]
+    coverage: Result
+
+    def __init__(self, world: World, light: Light | None = None) -> None:
+        self.world = world
+        self.context = world.context
+        out = ffi.new("murk_plan **")
+        if light is None:
+            call_long(self.context, lib.murk_plan_make, out, world.c)
+        else:
+            call_long(self.context, lib.murk_plan_for_light, out, light.c)
+        self.c = ffi.gc(out[0], lib.murk_plan_destroy)
+        self.result = result_of(lib.murk_plan_fields, self.c)
+
+    def save(self, folder: Path) -> None:
+        """Writes the files of `murk place` to a folder; files that murk did not write are not replaced. Raises Error.
+
+        Example: `plan.save("out")`.
+        """
+        call_long(self.context, lib.murk_plan_save, handle_of(self), c_text(folder))
+
+    def report(self, page: Path) -> Path:
+        """Writes one HTML page of the plan and returns its path; no other file is left. Raises Error.
+
+        Example: `plan.report("page.html")`.
+        """
+        return report_of(self, page)

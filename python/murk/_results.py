@@ -1,0 +1,127 @@
+"""Results by the names of the JSON files of the program, and what all results have in common."""
+from __future__ import annotations
+
+import json
+import os
+import tempfile
+from typing import Any
+
+from ._context import Context, default_context
+from ._library import Error, Path, c_text, call, call_long, ffi, lib, string
+
+
+class Result(dict):  # type: ignore[type-arg]
+    """The fields of a result: a dict with the names of the JSON file of the program, nested; null is None.
+
+    `result["coverage"]["held_out"]`, `result.coverage.held_out` and `result.get_path("coverage.held_out")` are the
+    same number. Names that are methods of dict (`values`, `items`, ...) are reached in brackets alone. Results can be
+    pickled and compared. Units: those of the names, listed in murk-results(5).
+
+    Example: `print(plan.result.bound)`.
+    """
+
+    def __getattr__(self, name: str) -> Any:
+        try:
+            return self[name]
+        except KeyError:
+            raise AttributeError(f"the result has no field {name}; it has {', '.join(self)}") from None
+
+    def get_path(self, path: str) -> Any:
+        """The value at a path, names and indices joined by dots. Raises KeyError or IndexError.
+
+        Example: `plan.result.get_path("sensors.0.position_m")`.
+        """
+        value: Any = self
+        for part in path.split("."):
+            value = value[int(part)] if isinstance(value, list) else value[part]
+        return value
+
+
+def result_of(function: Any, handle: Any) -> Result:
+    """The fields of a handle by its murk_..._fields()."""
+    fields = ffi.new("const murk_fields **")
+    call(function, handle, fields)
+    result: Result = json.loads(string(lib.murk_fields_json(fields[0])), object_hook=Result)
+    return result
+
+
+def restored(kind: Any, state: dict[str, Any]) -> Any:
+    """An object from its values, without a handle: what pickle makes."""
+    made = kind.__new__(kind)
+    made.__dict__.update(state)
+    return made
+
+
+def handle_of(owner: Any) -> Any:
+    """The handle of an object. Raises Error for one that was pickled."""
+    if owner.c is None:
+        raise Error(f"this {type(owner).__name__} was pickled: it has values, but the library holds nothing for it")
+    return owner.c
+
+
+class Fielded:
+    """A handle whose fields are attributes."""
+
+    result: Result
+    context: Any = None  # of a pickled object
+    c: Any = None
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_") or "result" not in self.__dict__:
+            raise AttributeError(name)
+        return getattr(self.result, name)
+
+    def __getitem__(self, name: str) -> Any:
+        """The field of that name: `plan["coverage"]` is `plan.coverage`. Raises KeyError."""
+        return self.result[name]
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return restored, (type(self), {"result": self.result})
+
+
+def report(folder: Path, page: Path | None = None, context: Context | None = None) -> Path:
+    """Writes one HTML page of a folder of results and returns its path.
+
+    folder: what a `save()` or the program's `-o` wrote. page None: report.html in the folder. A file that murk did not
+    write is not replaced. Raises Error if the folder holds no results. Source: `murk report`.
+
+    Example: `murk.report("out", "page.html")`.
+    """
+    context = context or default_context()
+    call_long(context, lib.murk_context_write_report, context.c, c_text(folder), c_text(page))
+    return os.path.join(os.fspath(folder), "report.html") if page is None else page
+
+
+def report_of(saved: Any, page: Path) -> Path:
+    """The page of an object that has save(), through a folder that is removed."""
+    with tempfile.TemporaryDirectory(prefix="murk-") as folder:
+        saved.save(folder)
+        return report(folder, page, saved.context)
+
+
+class Study(Fielded):
+    """The rows of a study: `result` has the fields of study.json, each of which is an attribute, too.
+
+    `rows` is a list with `values`, `standard_errors` and `failed` of each row. Pickles with its fields.
+    Source: `murk study`.
+
+    Example: `[row["values"]["density"] for row in murk.study("fog.yaml").rows]`.
+    """
+
+    def __init__(self, path: Path, folder: Path | None = None, context: Context | None = None) -> None:
+        self.context = context or default_context()
+        out = ffi.new("murk_study **")
+        call_long(self.context, lib.murk_study_run, out, self.context.c, c_text(path), c_text(folder))
+        self.c = ffi.gc(out[0], lib.murk_study_destroy)
+        self.result = result_of(lib.murk_study_fields, self.c)
+
+
+def study(path: Path, folder: Path | None = None, context: Context | None = None) -> Study:
+    """Runs the rows of a study file: Study.
+
+    folder: keeps finished rows, which are not run again by the next call. A row that fails has the reason in its field
+    `failed`. Raises Error if the study file or its scene is wrong. Groups of rows run in subprocesses.
+
+    Example: `study = murk.study("scenes/studies/fog-yard.yaml", folder="rows")`.
+    """
+    return Study(path, folder, context)

@@ -1,0 +1,302 @@
+"""Scenes: keys, arrays of the caller, and the commands that start from a scene."""
+from __future__ import annotations
+
+import json
+import os
+import tempfile
+from typing import TYPE_CHECKING, Any, Iterable, Mapping, Sequence, Union
+
+import numpy
+from numpy.typing import ArrayLike, NDArray
+
+from ._context import Context, default_context
+from ._library import DICT, Error, Path, c_text, call_in, call_long, ffi, from_numpy, lib, string
+from ._light import Light, World
+from ._plan import Coverage, Plan
+from ._results import Fielded, Study, result_of
+
+if TYPE_CHECKING:
+    from ._picture import Picture
+
+Sensors = Union[Path, Iterable[Mapping[str, Any]]]
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, (numpy.ndarray, numpy.generic)):
+        return value.tolist()
+    if isinstance(value, os.PathLike):
+        return os.fspath(value)
+    raise TypeError(f"{type(value).__name__} is no value of a scene")
+
+
+def _yaml(key: str, value: Any) -> str:
+    """A Python value in YAML flow style."""
+    try:
+        return json.dumps(value, allow_nan=False, default=_plain)
+    except (TypeError, ValueError) as wrong:
+        raise Error(f"{value!r}: {wrong}", where=key, key=key) from None
+
+
+# Grids that the library uses in place, by number, until it releases them.
+_in_use: dict[int, NDArray[Any]] = {}
+
+
+@ffi.callback("void(void *)")  # type: ignore[misc]
+def _release(user: Any) -> None:
+    _in_use.pop(int(ffi.cast("uintptr_t", user)), None)
+
+
+class Fit(Fielded):
+    """A calibration: `result` has the fields of fit.json, each of which is an attribute, too.
+
+    `parameters` is a list with `key`, `value`, `standard_error`, `lower`, `upper` and `at_bound`, in the units of the
+    keys; `chi2`, `degrees_of_freedom`, `covariance`, `correlation`, `converged` and `accepted` judge it. Pickles with
+    its fields. Source: `murk fit`, which minimises the squared residuals over their errors (Levenberg-Marquardt, Ceres).
+
+    Example: `for p in fit.parameters: print(p.key, p.value, "+-", p.standard_error)`.
+    """
+
+    def __init__(self, scene: Scene, data: Path, free: Sequence[str]) -> None:
+        self.context = scene.context
+        keys = [c_text(key) for key in free]
+        out = ffi.new("murk_fit **")
+        call_long(self.context, lib.murk_fit_run, out, scene.c, c_text(data),
+                  ffi.new("const char *[]", keys) if keys else ffi.NULL, len(keys))
+        self.c = ffi.gc(out[0], lib.murk_fit_destroy)
+        self.result = result_of(lib.murk_fit_fields, self.c)
+
+
+class Scene:
+    """A scene from YAML text, a file or a dict, and keys that are set afterwards.
+
+    `Scene("murk: 1 ...")` or `Scene(text=...)`, `Scene(file="yard.yaml")`, `Scene({"lights": [...]})`; a dict may hold
+    NumPy numbers and arrays. Keywords are further keys; paths with dots are given by `**`. Values are checked when the
+    scene is used, or by `check()`. A scene can be pickled: file, text, keys and added arrays travel, its context does
+    not. Units are those of the keys. Raises Error with file, line, column and key. Source: murk-scene(5).
+
+    Example: `scene = murk.Scene(file="yard.yaml", seed=2, **{"sensors.count": 4})`.
+    """
+
+    def __init__(self, source: str | Mapping[str, Any] | None = None, *, text: str | None = None,
+                 file: Path | None = None, context: Context | None = None, **keys: Any) -> None:
+        if sum(given is not None for given in (source, text, file)) > 1:
+            raise Error("a scene is made from one of text, file and dict")
+        self.context = context or default_context()
+        self._keys: list[tuple[str, Any]] = []
+        self._arrays: list[tuple[str, tuple[Any, ...]]] = []
+        name = None
+        if isinstance(source, Mapping):
+            text, name = _yaml("", {"murk": 1, **source}), DICT
+            source = json.loads(text)  # the values as they are now
+        elif source is not None:
+            text = source
+        self._source = {"source": source, "text": text if source is None else None,
+                        "file": None if file is None else os.path.abspath(os.fspath(file))}
+        out = ffi.new("murk_scene **")
+        if file is not None:
+            call_in(self.context, lib.murk_scene_read, out, self.context.c, c_text(file))
+        elif text is not None:
+            call_in(self.context, lib.murk_scene_parse, out, self.context.c, c_text(text), c_text(name))
+        else:
+            call_in(self.context, lib.murk_scene_create, out, self.context.c)
+        self.c = ffi.gc(out[0], lib.murk_scene_destroy)
+        for key, value in keys.items():
+            self[key] = value
+
+    def __setitem__(self, key: str, value: Any) -> None:
+        """Sets a key by its path: `scene["media.fog.extinction_per_m"] = 0.2`.
+
+        value: numbers, texts, lists, dicts, NumPy arrays. Raises Error if the path leads nowhere or the value is not
+        one of a scene; the value is checked with the whole scene."""
+        given = _yaml(key, value)
+        call_in(self.context, lib.murk_scene_set, self.c, c_text(key), c_text(given))
+        self._keys.append((key, json.loads(given)))
+
+    def __getitem__(self, key: str) -> Any:
+        """The value of a key in the resolved scene, defaults included: `scene["photons.emit"]`.
+
+        Raises Error if there is no such key, or if the scene is wrong."""
+        out = ffi.new("const char **")
+        call_in(self.context, lib.murk_scene_get, self.c, c_text(key), out)
+        return json.loads(string(out[0]))
+
+    def __contains__(self, key: str) -> bool:
+        """True if the resolved scene has the key: `"media.fog" in scene`. Raises Error if the scene is wrong."""
+        self.check()
+        try:
+            return self[key] is not None
+        except Error:
+            return False
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _rebuilt, (type(self), self._source, self._keys, self._arrays)
+
+    def check(self) -> None:
+        """Reads the whole scene and checks each value. Raises Error at the first wrong one.
+
+        Example: `scene.check()`.
+        """
+        call_in(self.context, lib.murk_scene_check, self.c)
+
+    @property
+    def resolved(self) -> str:
+        """The scene as resolved, with all defaults, as YAML text. Raises Error if the scene is wrong.
+
+        Example: `open("scene.resolved.yaml", "w").write(scene.resolved)`.
+        """
+        out = ffi.new("const char **")
+        call_in(self.context, lib.murk_scene_resolved, self.c, out)
+        return string(out[0])
+
+    def add_mesh(self, name: str, vertices_m: ArrayLike, triangles: ArrayLike, material: ArrayLike | None = None,
+                 material_names: Sequence[str] | None = None) -> None:
+        """Adds a mesh that keys for files take as "memory:NAME".
+
+        vertices_m: n x 3 [m]; triangles: m x 3 indices into the vertices; material: m indices into material_names,
+        which the key `materials` describes. Copied; a name that exists is replaced. Raises Error if an index is out of
+        range or a coordinate is not finite.
+
+        Example: `scene.add_mesh("wall", [[5, 0, 0], [5, 9, 0], [5, 0, 3]], [[0, 1, 2]])`, then
+        `scene["geometry"] = [{"file": "memory:wall"}]`.
+        """
+        vertices, a = from_numpy(vertices_m, 2, "vertices_m")
+        corners, b = from_numpy(triangles, 2, "triangles", (numpy.uint32, numpy.uint64))
+        which, c = (ffi.NULL, None) if material is None else from_numpy(material, 1, "material", (numpy.uint32,))
+        names = [c_text(n) for n in material_names or []]
+        call_in(self.context, lib.murk_scene_add_mesh, self.c, c_text(name), vertices, corners, which,
+                ffi.new("const char *[]", names) if names else ffi.NULL, len(names))
+        copies = tuple(None if array is None else numpy.array(array) for array in (a, b, c))
+        self._arrays.append(("add_mesh", (name, *copies, material_names)))
+
+    def add_grid(self, name: str, values: ArrayLike, cell_m: ArrayLike = 1.0, origin_m: ArrayLike = (0, 0, 0),
+                 index_to_world: ArrayLike | None = None, copy: bool = True) -> None:
+        """Adds a grid that the key `vdb` of a medium takes as "memory:NAME".
+
+        values: nx x ny x nz, at least 0; value (i, j, k) fills the cell around origin_m + cell_m * (i, j, k) [m]
+        (cell_m: one number or three), or around index_to_world (3 x 4) of (i, j, k, 1) [m]. copy=False: values are
+        float32 with x fastest (`order="F"`), are used in place and must not change any more. Raises Error if a value
+        is negative or not finite.
+
+        Example: `scene.add_grid("smoke", density, cell_m=0.5, origin_m=(0.25, 0.25, 0.25))`, then
+        `scene["media.smoke.vdb"] = "memory:smoke"`.
+        """
+        _, given = from_numpy(values, 3, "values")
+        if not copy and (given.dtype != numpy.float32 or not given.flags.f_contiguous):
+            raise Error("must be float32 with x fastest (order=\"F\") to be used without a copy", where="argument values")
+        # One copy, which the library uses in place.
+        held = numpy.array(given, dtype=numpy.float32, order="F", copy=copy)
+        view, held = from_numpy(held, 3, "values")
+        if index_to_world is None:
+            index_to_world = numpy.zeros((3, 4))
+            index_to_world[:, :3] = numpy.diag(numpy.broadcast_to(numpy.asarray(cell_m, float), 3))
+            index_to_world[:, 3] = origin_m
+        rows = numpy.array(index_to_world, dtype=numpy.float64, order="C")
+        if rows.shape != (3, 4):
+            raise Error(f"has shape {rows.shape}, must be 3 x 4", where="argument index_to_world")
+        number = held.ctypes.data
+        while number in _in_use:  # the same array, used by another scene
+            number += 1
+        _in_use[number] = held
+        try:
+            call_in(self.context, lib.murk_scene_add_grid, self.c, c_text(name), view,
+                    ffi.cast("double *", rows.ctypes.data), _release, ffi.cast("void *", number))
+        except BaseException:
+            _in_use.pop(number)
+            raise
+        self._arrays.append(("add_grid", (name, held, 1.0, (0, 0, 0), rows, False)))
+
+    def add_table(self, name: str, **columns: ArrayLike) -> None:
+        """Adds a table that keys for CSV files take as "memory:NAME"; columns: arrays of equal length by their heads.
+
+        Candidate places, targets, spectra, profiles, phase functions; units are those of the heads. Copied.
+        Raises Error if the lengths differ.
+
+        Example: `scene.add_table("places", x_m=x, y_m=y, z_m=z)`, then
+        `scene["sensors.candidates"] = {"file": "memory:places"}`.
+        """
+        arrays = [numpy.array(column, float) for column in columns.values()]
+        if len({array.shape for array in arrays}) != 1 or arrays[0].ndim != 1:
+            raise Error("columns must be lists of equal length", where=f"argument columns of {name}")
+        view, kept = from_numpy(numpy.column_stack(arrays), 2, "values")
+        heads = [c_text(head) for head in columns]
+        call_in(self.context, lib.murk_scene_add_table, self.c, c_text(name), ffi.new("const char *[]", heads), view)
+        self._arrays.append(("add_table", (name, dict(zip(columns, arrays)))))
+
+    def world(self) -> World:
+        """Checks the scene, reads its files and builds surfaces, media and light sources: World. Raises Error.
+
+        Example: `world = scene.world()`.
+        """
+        return World(self)
+
+    def trace(self) -> Light:
+        """Traces the light: Light. Raises Error.
+
+        Example: `light = scene.trace()`.
+        """
+        return self.world().trace()
+
+    def place(self) -> Plan:
+        """Chooses the sensors: Plan. Raises Error.
+
+        Example: `plan = scene.place()`.
+        """
+        return self.world().place()
+
+    def sense(self, sensors: Sensors) -> Coverage:
+        """Traces the light and measures given sensors: Coverage; sensors as in `Light.sense()`. Raises Error.
+
+        Example: `scene.sense("plan.json").coverage.in_sample`.
+        """
+        return self.trace().sense(sensors)
+
+    def render(self, camera: str | None = None, method: str = "maps") -> Picture:
+        """Traces the light and renders a picture: Picture; arguments as in `Light.render()`. Raises Error.
+
+        Example: `scene.render("gate").write("gate.exr")`.
+        """
+        return self.trace().render(camera, method)
+
+    def fit(self, data: Path, free: Sequence[str]) -> Fit:
+        """Calibrates keys to the readings of a CSV file: Fit.
+
+        data: columns of murk-data(5). free: paths of keys; "KEY@each" is one value a condition, "gain.NAME" a factor
+        of readings. Raises Error if a reading or a key does not fit the scene.
+
+        Example: `fit = scene.fit("fog.csv", ["media.fog.extinction_per_m", "media.fog.phase.hg"])`.
+        """
+        return Fit(self, data, free)
+
+    def study(self, axes: Mapping[str, Any], outputs: Sequence[str] = (), folder: Path | None = None,
+              **keys: Any) -> Study:
+        """Runs the scene many times, each time with other values: Study.
+
+        axes: paths of keys with the values of each, numbers, arrays or what a study file takes. outputs: "density",
+        "coverage_best", names of tallies, ... of murk-study(5). folder: keeps finished rows. keys: further keys of a
+        study file, such as mode="paired". Raises Error if a key is wrong, or if the scene has added arrays, which a
+        study cannot read; a row that fails has the reason in its field `failed`.
+
+        Example: `scene.study({"media.fog.visibility_m": [50, 100, 200]}, ["coverage_best"]).rows`.
+        """
+        described = {"murk_study": 1, "base": "scene.yaml", "axes": axes, **keys}
+        if outputs:
+            described["outputs"] = list(outputs)
+        with tempfile.TemporaryDirectory(prefix="murk-") as made:
+            for name, text in (("scene.yaml", self.resolved), ("study.yaml", _yaml("study", described))):
+                with open(os.path.join(made, name), "w", encoding="utf-8") as file:
+                    file.write(text)
+            return Study(os.path.join(made, "study.yaml"), folder, self.context)
+
+
+def _rebuilt(kind: type[Scene], source: dict[str, Any], keys: list[tuple[str, Any]],
+             arrays: list[tuple[str, tuple[Any, ...]]]) -> Scene:
+    """A pickled scene: the same calls in the same order."""
+    scene = kind(**source)
+    for key, value in keys:
+        scene[key] = value
+    for method, arguments in arrays:
+        if method == "add_table":
+            scene.add_table(arguments[0], **arguments[1])
+        else:
+            getattr(scene, method)(*arguments)
+    return scene
