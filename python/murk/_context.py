@@ -29,6 +29,13 @@ class _Line:
     for each finished step."""
 
     def __init__(self) -> None:
+        self.step, self.width = "", 0
+
+    def finish(self) -> None:
+        """Ends a line that was not ended: that of a step without a known length."""
+        if self.width and sys.stderr is not None:
+            sys.stderr.write("\n")
+            sys.stderr.flush()
         self.width = 0
 
     def __call__(self, step: str, done: int, total: int | None, unit: str, elapsed_s: float) -> None:
@@ -40,7 +47,10 @@ class _Line:
         is_redrawn = stream.isatty() or type(stream).__module__.startswith("ipykernel")
         if not (is_redrawn or is_end):
             return
-        share = f"{100 * done / total:3.0f} %" if total else f"{done} {unit}"
+        if step != self.step:
+            self.finish()
+        self.step = step
+        share = f"{min(100, 100 * done / total):3.0f} %" if total else f"{done} {unit}" if done else ""
         text = f"{step:<12} {share:<16} {elapsed_s:6.1f} s"
         start = "\r" if is_redrawn else ""
         stream.write(start + text.ljust(self.width) + ("\n" if is_end else ""))
@@ -65,7 +75,8 @@ class Context:
 
     def __init__(self, threads: int = 0, log: Log | None = None, progress: Progress | bool | None = None) -> None:
         self._log = log
-        self._told: Progress = _Line()
+        self._line = _Line()
+        self._told: Progress = self._line
         if callable(progress):
             self._told = progress
         self._exception: BaseException | None = None
@@ -91,6 +102,7 @@ class Context:
     def _raise_of_callback(self) -> None:
         """Raises the exception that a callback raised during a call that has ended; for the module itself."""
         self.is_cancelled_by_exception = False
+        self._line.finish()
         exception, self._exception = self._exception, None
         if exception is not None:
             raise exception

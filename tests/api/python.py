@@ -5,6 +5,7 @@ place, cancelling, no leaks.
 """
 import ctypes
 import gc
+import io
 import json
 import os
 import pickle
@@ -255,6 +256,19 @@ def progress_and_log():
     check(heard and all(is_warning and text for is_warning, _, text in heard), f"warnings: {heard}")
     murk.Scene({**ROOM, "lights": [{**ROOM["lights"][0], "power_w": 0}]}, context=context).world()
     check(any(not is_warning and "dark" in text for is_warning, _, text in heard), f"a note of the dark: {heard}")
+    # the line on standard error: redrawn on a terminal and in a notebook, elsewhere a line for each finished step
+    for name, module, is_terminal in (("a terminal", "io", True), ("a notebook", "ipykernel.iostream", False),
+                                      ("a file", "io", False)):
+        kind = type("OutStream", (io.StringIO,), {"isatty": lambda self, is_so=is_terminal: is_so})
+        kind.__module__ = module
+        before, sys.stderr = sys.stderr, kind()
+        try:
+            murk.Scene(ROOM, context=murk.Context(progress=True)).place()
+            shown = sys.stderr.getvalue()
+        finally:
+            sys.stderr = before
+        check(("\r" in shown) == (name != "a file") and "trace        100 %" in shown, f"progress in {name}: {shown!r}")
+        check(shown.endswith("\n") and "\n\n" not in shown, f"the last line has an end in {name}: {shown!r}")
     # an exception of a callback stops the work and is raised
 
     def stop(step, *_):
