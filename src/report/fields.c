@@ -1,8 +1,8 @@
 /* Grid tallies of a result folder as data of the page. Each band has three
  * slices through the middle of the grid; of a grid that is one cell thick, only
- * the slices across its full extent are written. If there are more cells than a
- * map can show, every n-th cell is taken. A slice that is one line of cells
- * also has the standard errors. */
+ * the slices along it are written. If there are more cells than a map can show,
+ * every n-th cell is taken. A slice that is one line of cells also has the
+ * standard errors. */
 #include "report/fields.h"
 
 #include "base/file.h"
@@ -21,7 +21,7 @@
 /* ---- slices ---- */
 
 /* A slice has the axes u and v of space, and lies in the middle of axis w, at
- * cell `at`. Its size[2] cells are every step-th cell of the grid. */
+ * cell `at`. Along each of u and v, it has every step-th cell of the grid. */
 typedef struct slice {
     int u, v, w;
     size_t size[2], step[2], at;

@@ -80,7 +80,8 @@ static bool read_file(murk_report_picture *p, FILE *file, size_t max)
 {
     unsigned char head[HEAD_SIZE];
     struct stat known;
-    /* the file may change while it is read, so its size is not relied on */
+    /* the file may change meanwhile: if fewer bytes than its size can be read,
+     * it is no picture */
     if (fstat(fileno(file), &known) != 0 || !S_ISREG(known.st_mode) ||
         known.st_size < HEAD_SIZE ||
         fread(head, 1, HEAD_SIZE, file) != HEAD_SIZE || !read_head(p, head)) {

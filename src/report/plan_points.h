@@ -19,8 +19,8 @@ typedef struct murk_plan_point {
 } murk_plan_point;
 
 typedef struct murk_plan_points {
-    uint64_t photons;       /* in the file, that have a place which can be
-                               drawn */
+    uint64_t photons;       /* in the file; of plan.ply, those with a place that
+                               can be drawn */
     size_t n;               /* kept here: evenly chosen, in the order of the
                                file, in which neighbours are near in space */
     murk_plan_point *point; /* [n] */

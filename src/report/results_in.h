@@ -59,8 +59,9 @@ murk_status murk_results_read(murk_results_in *out, const char *folder,
 bool murk_results_is_main(const murk_results_in *results,
                           murk_result_file which);
 
-/* True if the JSON files of the folder may be of one run: none differ in
- * command, folder of the command, scene, seed or identity. */
+/* True if the JSON files of the folder may be of one run: no two differ in
+ * command, folder of the command, checksum of the scene, seed or identity,
+ * where both state it. */
 bool murk_results_are_one_run(const murk_results_in *results);
 
 /* The names, with ", " between them, of files that are listed in a main JSON

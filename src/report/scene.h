@@ -52,7 +52,7 @@ typedef struct murk_report_scene {
     murk_table *fit;             /* fit.csv; NULL: not there */
     murk_shown_reading *reading; /* [readings] */
     size_t readings;
-    char note[640]; /* why something is not shown; "": all is shown */
+    char note[640]; /* why something cannot be shown; may be empty */
 } murk_report_scene;
 
 /* Largest number of photons in a page, of all states together. */

@@ -17,7 +17,8 @@
 /* ---- lines ---- */
 
 /* The length of the label at the beginning of a line: it ends before two
- * blanks, or at LABEL bytes. 0: the line has no label. */
+ * blanks, or at LABEL bytes. 0: the line does not begin with a letter, so it
+ * has no label. */
 static size_t label_length(const char *line)
 {
     const char *gap = strstr(line, "  ");

@@ -16,8 +16,8 @@
  * murk_fit_refused_values() recognises the values of a refused fit. */
 #define VERDICT "# Does it fit? "
 
-/* Two numbers of resolved scenes that differ by less than this share are the
- * same value. */
+/* Two numbers of resolved scenes that differ by at most this share are the same
+ * value. */
 #define SAME 1e-9
 
 /* Where each value has to be written: at the scene, at conditions, or both. */
