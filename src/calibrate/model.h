@@ -70,8 +70,9 @@ murk_status murk_model_predict(murk_model *model, const double *value,
                                double *effective_share, murk_error *err);
 
 /* The covariance [lights * lights] of the values of the light rows by photons
- * at the last prediction, to be freed with free(); NULL if there are none. It
- * is estimated from at least 100 batches of photons. */
+ * at the last prediction, to be freed with free(); NULL if no row needs light.
+ * It is estimated from at least 100 batches of photons. Fails with
+ * MURK_NO_MEMORY. */
 murk_status murk_model_noise(const murk_model *model, double **covariance,
                              murk_error *err);
 

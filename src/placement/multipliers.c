@@ -10,7 +10,7 @@
 /* weight * clarity * dose: at most 47, 16 and 25 bits together. */
 __extension__ typedef unsigned __int128 wide;
 
-/* From units of 1 / MURK_DOSE_ONE, rounded up. */
+/* Converts a sum in units of 1 / MURK_DOSE_ONE to whole units, rounded up. */
 static uint64_t in_whole(wide sum)
 {
     return (uint64_t)((sum + MURK_DOSE_ONE - 1) / MURK_DOSE_ONE);

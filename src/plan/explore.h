@@ -67,10 +67,10 @@ typedef struct murk_explore {
 
 /* Finds the place where the path begins: the nearest usable candidate to
  * start_m that is visible from there in a straight line; without start_m, the
- * place of the first fixed sensor. The number counts as poses->site does. Fails
- * with MURK_BAD_VALUE at the placement of the scene if there is neither start_m
- * nor a fixed sensor, if start_m lies outside the domain, or if no usable
- * candidate is visible from start_m. */
+ * place of the first fixed sensor. *start is the number of a place, as in
+ * poses->site. Fails with MURK_BAD_VALUE at the placement of the scene if there
+ * is neither start_m nor a fixed sensor, if start_m lies outside the domain, or
+ * if no usable candidate is visible from start_m. */
 murk_status murk_explore_start(uint32_t *start, const murk_stage *stage,
                                const murk_candidates *sites,
                                const murk_poses *poses, murk_error *err);

@@ -18,7 +18,7 @@
  * the maps and for bounds. */
 #define MATRIX_SHARE 0.7
 
-/* The estimate of a share of nothing. */
+/* An estimate that has no value. */
 static const murk_estimate NO_ESTIMATE = {NAN, NAN};
 
 murk_place_desc murk_plan_desc(const murk_scene_desc *scene)

@@ -38,7 +38,8 @@ typedef struct murk_snell {
     double cosine[2];     /* of the angles to the normal, > 0 */
     double transmittance; /* 1 - Fresnel reflectance, unpolarised; the same from
                              both ends */
-    double apparent_m;    /* as seen by the sensor */
+    double apparent_m;    /* distance at which the sensor sees the photon,
+                             judged by brightness */
 } murk_snell;
 
 /* Computes the path. False if the points do not lie on different sides of the
