@@ -71,8 +71,8 @@ pkg-config find the library."
 murk_package(murk-doc doc
 "simulator of light in scattering media - documentation
 murk simulates light in fog, smoke, rain and water, and places sensors in it.
-This package contains the description of scene files and media, as text and
-as HTML pages, and the example scenes."
+This package contains a guide for new users, the description of scene files
+and media, as text and as HTML pages, and the example scenes."
     ALL)
 set(documents ${CMAKE_INSTALL_DATADIR}/doc/murk-doc)
 install(FILES README.md DESTINATION ${documents} COMPONENT murk-doc)
