@@ -96,6 +96,7 @@ if(MURK_PYTHON)
 murk simulates light in fog, smoke, rain and water, and places sensors in it.
 This package contains the Python module, whose results are NumPy arrays."
         ALL DEPENDS "python3, python3-cffi, python3-numpy, ${murk_same_version}")
+    set(CPACK_DEBIAN_PYTHON3-MURK_PACKAGE_SUGGESTS "python3-matplotlib, jupyter-notebook")
     set(CPACK_DEBIAN_PYTHON3-MURK_PACKAGE_CONTROL_EXTRA
         ${CMAKE_CURRENT_SOURCE_DIR}/cmake/debian/postinst ${CMAKE_CURRENT_SOURCE_DIR}/cmake/debian/prerm)
 endif()

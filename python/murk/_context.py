@@ -74,6 +74,8 @@ class Context:
     """
 
     def __init__(self, threads: int = 0, log: Log | None = None, progress: Progress | bool | None = None) -> None:
+        self._settings = threads, log, progress
+        self._for_files: Context | None = None
         self._log = log
         self._line = _Line()
         self._told: Progress = self._line
@@ -98,6 +100,16 @@ class Context:
         Example: `threading.Timer(60, context.cancel).start()`.
         """
         lib.murk_context_cancel(self.c)
+        if self._for_files is not None:
+            self._for_files.cancel()
+
+    def _of_temporary_files(self) -> Context:
+        """A context with the same settings for work on files that are removed afterwards.
+
+        A context never writes over a file that it has read, and knows files by their inode, which a new file may get
+        when a temporary one is gone."""
+        self._for_files = Context(*self._settings)
+        return self._for_files
 
     def _raise_of_callback(self) -> None:
         """Raises the exception that a callback raised during a call that has ended; for the module itself."""

@@ -94,9 +94,10 @@ def report(folder: Path, page: Path | None = None, context: Context | None = Non
 
 def report_of(saved: Any, page: Path) -> Path:
     """The page of an object that has save(), through a folder that is removed."""
+    handle_of(saved)
     with tempfile.TemporaryDirectory(prefix="murk-") as folder:
         saved.save(folder)
-        return report(folder, page, saved.context)
+        return report(folder, page, saved.context._of_temporary_files())
 
 
 class Study(Fielded):

@@ -285,7 +285,7 @@ class Scene:
             for name, text in (("scene.yaml", self.resolved), ("study.yaml", _yaml("study", described))):
                 with open(os.path.join(made, name), "w", encoding="utf-8") as file:
                     file.write(text)
-            return Study(os.path.join(made, "study.yaml"), folder, self.context)
+            return Study(os.path.join(made, "study.yaml"), folder, self.context._of_temporary_files())
 
 
 def _rebuilt(kind: type[Scene], source: dict[str, Any], keys: list[tuple[str, Any]],

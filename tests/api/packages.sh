@@ -72,6 +72,7 @@ scene["placement.restarts"] = 2
 assert scene.place().sensors, "the plan has no sensors"
 PYTHON
 inside python3 /module.py
+inside python3 /usr/share/doc/python3-murk/examples/numpy_grid.py
 inside test -e /usr/share/bash-completion/completions/murk -a -e /usr/share/zsh/site-functions/_murk
 
 # removing the packages leaves no file
