@@ -21,7 +21,7 @@ typedef struct murk_sweep_keys {
 } murk_sweep_keys;
 
 /* Keys of the scene of one row. A missing file is no failure here, because the
- * row refuses it later. Fails as murk_sky_light() does, or with
+ * row refuses it later. Fails as murk_sky_lights() does, or with
  * MURK_NO_MEMORY. */
 murk_status murk_sweep_keys_of(murk_sweep_keys *out, murk_file_sums *sums,
                                const murk_scene_desc *scene,

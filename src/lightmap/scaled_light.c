@@ -14,27 +14,15 @@ static murk_status no_memory(const murk_scene_desc *scene, murk_error *err)
     return murk_no_memory(err, scene->path, "for the lights");
 }
 
-/* Converts the light sources of a scene, to be freed with free(); *shines is
- * true if any source emits. */
-static murk_status lights_of(murk_source **out, bool *shines,
-                             const murk_scene_desc *scene, murk_error *err)
+static bool any_shines(const murk_source *light, const murk_scene_desc *scene)
 {
-    murk_source *light = calloc(scene->n_lights + 1, sizeof *light);
-    murk_status status = light ? MURK_OK : no_memory(scene, err);
-    *shines = false;
-    for (size_t i = 0; i < scene->n_lights && !status; ++i) {
-        murk_sky_facts facts;
-        status = murk_sky_light(&light[i], &facts, scene, i, err);
+    bool shines = false;
+    for (size_t i = 0; i < scene->n_lights; ++i) {
         for (int b = 0; b < scene->bands; ++b) {
-            *shines |= light[i].power_w.band[b] > 0;
+            shines |= light[i].power_w.band[b] > 0;
         }
     }
-    if (status) {
-        free(light);
-        return status;
-    }
-    *out = light;
-    return MURK_OK;
+    return shines;
 }
 
 murk_status murk_scaled_light_powers(double **out, const murk_scene_desc *scene,
@@ -43,10 +31,10 @@ murk_status murk_scaled_light_powers(double **out, const murk_scene_desc *scene,
     const size_t channels = scene->n_lights * (size_t)scene->bands;
     murk_source *light = NULL;
     murk_sources *lights = NULL;
-    bool shines = false;
     double *power_w = calloc(channels + 1, sizeof *power_w);
-    murk_status status = power_w ? lights_of(&light, &shines, scene, err)
+    murk_status status = power_w ? murk_sky_lights(&light, NULL, scene, err)
                                  : no_memory(scene, err);
+    const bool shines = !status && any_shines(light, scene);
     /* The power of a channel follows from the sources in the domain. */
     if (!status && shines) {
         status = murk_sources_create(&lights, light, scene->n_lights,
@@ -95,9 +83,10 @@ static void find_largest(double *share, size_t *who, double *const *power_w,
 }
 
 /* Sets the power of each light source so that the power of each channel [W]
- * equals its share. The power of a channel is proportional to power_w of the
- * source, so the ratio of share to channel power scales power_w, whatever
- * quantity power_w is for that type. */
+ * equals its share. light[] are those of the first scene, of which the portals
+ * stay, and so does a source that emits in no scene. The power of a channel is
+ * proportional to power_w of the source, so the ratio of share to channel power
+ * scales power_w, whatever quantity power_w is for that type. */
 static murk_status set_shares(murk_source *light, const double *share,
                               const size_t *who,
                               const murk_scene_desc *const *scene,
@@ -106,7 +95,7 @@ static murk_status set_shares(murk_source *light, const double *share,
     const size_t bands = (size_t)scene[0]->bands;
     murk_status status = MURK_OK;
     for (size_t i = 0; i < scene[0]->n_lights && !status; ++i) {
-        murk_source own = {0};
+        murk_source own = light[i];
         murk_sky_facts facts;
         murk_spectrum power = {{0}};
         /* Scale each band from the scene that has the largest share. */
@@ -118,10 +107,9 @@ static murk_status set_shares(murk_source *light, const double *share,
                     own.power_w.band[b] * (share[c] / power_w[k][c]);
             }
         }
-        if (!status && !own.where) { /* the source emits in no scene */
-            status = murk_sky_light(&own, &facts, scene[0], i, err);
-        }
         own.power_w = power;
+        own.portal = light[i].portal;
+        own.portals = light[i].portals;
         light[i] = own;
     }
     return status;
@@ -134,18 +122,21 @@ murk_status murk_scaled_light_sources(murk_sources **out, double *grow,
                                       murk_error *err)
 {
     const size_t channels = scene[0]->n_lights * (size_t)scene[0]->bands;
-    murk_source *light = calloc(scene[0]->n_lights + 1, sizeof *light);
+    murk_source *light = NULL;
     double *share = calloc(channels + 1, sizeof *share);
     size_t *who = calloc(channels + 1, sizeof *who);
     murk_status status = MURK_OK;
-    if (!light || !share || !who) {
+    if (!share || !who) {
         status = no_memory(scene[0], err);
         goto done;
     }
     /* Find the shares, then build sources of these powers. */
     find_largest(share, who, power_w, n, channels);
     *grow = sum_of(share, channels);
-    status = set_shares(light, share, who, scene, power_w, n, err);
+    status = murk_sky_lights(&light, NULL, scene[0], err);
+    if (!status) {
+        status = set_shares(light, share, who, scene, power_w, n, err);
+    }
     if (!status) {
         status = murk_sources_create(out, light, scene[0]->n_lights,
                                      scene[0]->bands, domain, err);

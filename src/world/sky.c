@@ -10,6 +10,7 @@
 
 #include <assert.h>
 #include <math.h>
+#include <stdlib.h>
 
 #include "base/calendar.h"
 #include "base/log.h"
@@ -478,5 +479,42 @@ murk_status murk_sky_light(murk_source *out, murk_sky_facts *facts,
     facts->irradiance_w_per_m2 =
         murk_scene_light_is_distant(l) ? sum(&out->power_w, scene->bands) : NAN;
     facts->is_on = sum(&out->power_w, scene->bands) > 0;
+    return MURK_OK;
+}
+
+murk_status murk_sky_lights(murk_source **out, murk_sky_facts *facts,
+                            const murk_scene_desc *scene, murk_error *err)
+{
+    const size_t n = scene->n_lights;
+    size_t portals = 0;
+    for (size_t i = 0; i < n; ++i) {
+        portals += scene->lights[i].portals;
+    }
+    /* One block of memory holds the sources, then the portals of all. */
+    murk_source *light =
+        calloc(1, (n + 1) * sizeof *light + portals * sizeof(murk_portal));
+    if (!light) {
+        return murk_no_memory(err, scene->path, "for the lights");
+    }
+    murk_portal *next = (murk_portal *)(light + n + 1);
+    /* Convert each light source, and append its portals. */
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < n && !status; ++i) {
+        const murk_scene_light *from = &scene->lights[i];
+        murk_sky_facts own;
+        status =
+            murk_sky_light(&light[i], facts ? &facts[i] : &own, scene, i, err);
+        light[i].portal = next;
+        light[i].portals = from->portals;
+        for (size_t k = 0; k < from->portals; ++k) {
+            const murk_scene_portal *p = &from->portal[k];
+            *next++ = (murk_portal){p->corner, p->edge1, p->edge2};
+        }
+    }
+    if (status) {
+        free(light);
+        return status;
+    }
+    *out = light;
     return MURK_OK;
 }

@@ -44,4 +44,11 @@ murk_status murk_sky_light(murk_source *out, murk_sky_facts *facts,
                            const murk_scene_desc *scene, size_t light,
                            murk_error *err);
 
+/* Converts all light sources of the scene, with their portals: (*out)[lights],
+ * which the caller frees with free(), together with the portals. facts[lights]
+ * receives the properties that were computed; NULL: they are not wanted. Fails
+ * as murk_sky_light(), or with MURK_NO_MEMORY. */
+murk_status murk_sky_lights(murk_source **out, murk_sky_facts *facts,
+                            const murk_scene_desc *scene, murk_error *err);
+
 #endif

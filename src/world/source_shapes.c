@@ -5,6 +5,8 @@
 
 #include "world/sky.h"
 
+#include <stdlib.h>
+
 static bool shines(const murk_source *light)
 {
     for (int b = 0; b < MURK_BANDS_MAX; ++b) {
@@ -20,9 +22,9 @@ static void put_vector(FILE *out, murk_vec3 v)
     fprintf(out, "%a %a %a\n", v.x, v.y, v.z);
 }
 
-/* Prints all properties of a source but its power. (murk_sky_light() sets no
- * portals.) Distant light that does not emit prints one word: the position of a
- * sun below the horizon changes no photon. */
+/* Prints all properties of a source but its power. Distant light that does not
+ * emit prints one word: the position of a sun below the horizon changes no
+ * photon. */
 static void put_light(FILE *out, const murk_source *l)
 {
     if (murk_source_is_distant(l) && !shines(l)) {
@@ -50,14 +52,11 @@ static void put_light(FILE *out, const murk_source *l)
 murk_status murk_source_shapes_print(FILE *out, const murk_scene_desc *scene,
                                      murk_error *err)
 {
-    murk_status status = MURK_OK;
+    murk_source *light = NULL;
+    const murk_status status = murk_sky_lights(&light, NULL, scene, err);
     for (size_t i = 0; i < scene->n_lights && !status; ++i) {
-        murk_source light;
-        murk_sky_facts facts;
-        status = murk_sky_light(&light, &facts, scene, i, err);
-        if (!status) {
-            put_light(out, &light);
-        }
+        put_light(out, &light[i]);
     }
+    free(light);
     return status;
 }

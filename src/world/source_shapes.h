@@ -1,6 +1,6 @@
-/* A text that describes the light sources of a scene except their power and
- * their portals. If two scenes without portals have the same text, their light
- * sources differ in power alone, or are dark in both. */
+/* A text that describes the light sources of a scene except their power. If two
+ * scenes have the same text, their light sources differ in power alone, or are
+ * dark in both. */
 #ifndef MURK_WORLD_SOURCE_SHAPES_H
 #define MURK_WORLD_SOURCE_SHAPES_H
 
@@ -8,7 +8,7 @@
 
 #include <stdio.h>
 
-/* Prints the text to out. Fails as murk_sky_light() does. */
+/* Prints the text to out. Fails as murk_sky_lights() does. */
 murk_status murk_source_shapes_print(FILE *out, const murk_scene_desc *scene,
                                      murk_error *err);
 

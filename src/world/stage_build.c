@@ -225,62 +225,33 @@ static murk_status build_media(murk_stage *stage, murk_error *err)
                : status;
 }
 
-/* The portals of all light sources, one after the other. The caller frees the
- * array. NULL when out of memory. */
-static murk_portal *portals_of(const murk_scene_desc *scene)
-{
-    size_t n = 0;
-    for (size_t i = 0; i < scene->n_lights; ++i) {
-        n += scene->lights[i].portals;
-    }
-    murk_portal *portal = calloc(n + 1, sizeof *portal);
-    n = 0;
-    for (size_t i = 0; portal && i < scene->n_lights; ++i) {
-        for (size_t k = 0; k < scene->lights[i].portals; ++k) {
-            const murk_scene_portal *p = &scene->lights[i].portal[k];
-            portal[n++] = (murk_portal){p->corner, p->edge1, p->edge2};
-        }
-    }
-    return portal;
-}
-
 static murk_status build_lights(murk_stage *stage, murk_error *err)
 {
     const murk_scene_desc *scene = stage->scene;
-    murk_source *light = calloc(scene->n_lights + 1, sizeof *light);
-    murk_portal *portal = portals_of(scene), *next = portal;
-    stage->sky = calloc(scene->n_lights + 1, sizeof *stage->sky);
-    murk_status status = MURK_OK;
-    if (!light || !portal || !stage->sky) {
-        status = murk_no_memory(err, scene->path, "for the lights");
-        goto done;
-    }
-    /* Convert each light source, with the portals that belong to it. */
-    for (size_t i = 0; i < scene->n_lights && !status; ++i) {
+    /* The path to a portal is taken to be straight, but refraction would bend
+     * it. */
+    for (size_t i = 0; i < scene->n_lights; ++i) {
         if (scene->lights[i].portals > 0 && scene->continues &&
             murk_media_bends(stage->media)) {
-            /* The path to a portal is taken to be straight, but refraction
-             * would bend it. */
-            status = murk_fail(err, MURK_UNSUPPORTED, scene->lights[i].where,
-                               "aim: portals beside a region with an ior do "
-                               "not go with domain.outside: continued, use "
-                               "outside: empty or sides: periodic, or leave "
-                               "aim out");
-            break;
+            return murk_fail(err, MURK_UNSUPPORTED, scene->lights[i].where,
+                             "aim: portals beside a region with an ior do "
+                             "not go with domain.outside: continued, use "
+                             "outside: empty or sides: periodic, or leave "
+                             "aim out");
         }
-        status = murk_sky_light(&light[i], &stage->sky[i], scene, i, err);
-        light[i].portal = next;
-        light[i].portals = scene->lights[i].portals;
-        next += light[i].portals;
     }
-    /* Create the sources in the domain. */
+    stage->sky = calloc(scene->n_lights + 1, sizeof *stage->sky);
+    if (!stage->sky) {
+        return murk_no_memory(err, scene->path, "for the lights");
+    }
+    /* Convert the light sources, and create them in the domain. */
+    murk_source *light = NULL;
+    murk_status status = murk_sky_lights(&light, stage->sky, scene, err);
     if (!status) {
         status = murk_sources_create(&stage->lights, light, scene->n_lights,
                                      scene->bands, &stage->world.domain, err);
     }
-done:
     free(light);
-    free(portal);
     return status;
 }
 

@@ -51,6 +51,13 @@ conditions: {thin: {media.fog.extinction_per_m: 0.1}}
 """
 PLAN = "type,x_m,y_m,z_m\nnode,2.5,2.5,1.5\n"
 H_C = 1.98644586e-25
+# A room whose roof is open above y < 2, and two windows in that roof.
+WALLS = "".join("  - {rect: {corner_m: %s, edge1_m: %s, edge2_m: %s}}\n" % sheet for sheet in [
+    ("[0, 0, 0.1]", "[4, 0, 0]", "[0, 4, 0]"), ("[0, 2, 2.9]", "[4, 0, 0]", "[0, 2, 0]"),
+    ("[0.1, 0, 0]", "[0, 4, 0]", "[0, 0, 3]"), ("[3.9, 0, 0]", "[0, 4, 0]", "[0, 0, 3]"),
+    ("[0, 0.1, 0]", "[4, 0, 0]", "[0, 0, 3]"), ("[0, 3.9, 0]", "[4, 0, 0]", "[0, 0, 3]")])
+WINDOWS = ["[{corner_m: [0.2, 0.2, 2.9], edge1_m: [0, 1.7, 0], edge2_m: [1.7, 0, 0]}]",
+           "[{corner_m: [2.5, 0.5, 2.9], edge1_m: [0, 1, 0], edge2_m: [1, 0, 0]}]"]
 
 
 def check(holds, *what):
@@ -233,6 +240,32 @@ def test_light_that_scales(f):
             a, a_error = number(row, "coverage_best")
             b, b_error = number(fresh, "coverage_best")
             check(abs(a - b) < SIGMA_LIMIT * math.hypot(a_error, b_error) + 0.02, "best", a, b)
+
+
+def test_light_through_windows(f):
+    """Rows under distant light that enters through portals are within error of runs of their own,
+    whether the power of the light varies or the portals."""
+    room = SCENE.replace("  - {box: {min_m: [0.1, 0.1, 0.1], max_m: [3.9, 3.9, 2.9]}}\n", WALLS)
+    begin, end = room.index("lights:"), room.index("photons:")
+    f.write("windows.yaml", room[:begin] + "lights:\n  - {type: directional, direction: "
+            "[0.2, 0.3, -1], irradiance_w_per_m2: [4, 2], aim: " + WINDOWS[0] + "}\n" + room[end:])
+    head = "murk_study: 1\nbase: windows.yaml\noutputs: [density]\n"
+    for axis, values in [("lights.0.irradiance_w_per_m2", ["[4, 2]", "[1, 2]"]),
+                         ("lights.0.aim", WINDOWS)]:
+        f.write("panes.yaml", head + "axes: {" + axis + ": [" + ", ".join(values) + "]}\n")
+        f.run("study", "panes.yaml", "-o", "panes", "--emit", "15000", "--force")
+        table = f.table("panes")
+        for row, value in zip(table, values):
+            f.write("pane.yaml", head + "axes: {}\n")
+            f.run("study", "pane.yaml", "-o", "pane", "--emit", "15000", "--seed", "7", "--set",
+                  axis + "=" + value, "--force")
+            a, a_error = number(row, "density")
+            b, b_error = number(f.table("pane")[0], "density")
+            within(a, b, math.hypot(a_error, b_error), axis, value)
+            # teeth: light of another row, or of no portals, is 30 % away
+            check(0.3 * b > SIGMA_LIMIT * math.hypot(a_error, b_error), "errors of", axis, b_error)
+        first, second = (float(row["density"]) for row in table)
+        check(abs(first - second) > 0.3 * max(first, second), "rows alike", axis, first, second)
 
 
 def test_units(f):
@@ -466,6 +499,7 @@ def main():
     f = Folder(os.path.abspath(sys.argv[1]))
     try:
         for test in [test_a_row_is_a_run, test_schema, test_density, test_light_that_scales,
+                     test_light_through_windows,
                      test_units, test_dark_rows_with_targets, test_threads, test_axes, test_notes, test_failed_rows, test_resume, test_interrupt,
                      test_fluence]:
             begun = time.monotonic()

@@ -122,6 +122,37 @@ static void test_a_lamp_without_power_stays(void)
     stage_text_destroy(stage);
 }
 
+/* A beam through a portal of 2 x 0.5 m2 has the power that falls on the portal,
+ * and the sources that are traced have the portal. */
+static void test_portals_count(void)
+{
+    static const char *const aim[] = {
+        "lights.2.aim=[{corner_m: [0.5, 0.5, 0.9], edge1_m: [0, 0.5, 0],"
+        " edge2_m: [2, 0, 0]}]",
+        NULL};
+    murk_stage *stage = stage_text_create(text, aim);
+    if (!stage) {
+        CHECK(false);
+        return;
+    }
+    double *power_w = powers_of(stage->scene, &stage->world.domain), grow;
+    const murk_scene_desc *const alone[] = {stage->scene, NULL};
+    murk_sources *lights = NULL;
+    murk_error err = {0};
+    /* The power of the beam, then the sources. */
+    CHECK_NEAR(power_w[5], 5 * 2 * 0.5, 1e-9);
+    CHECK(murk_scaled_light_sources(&lights, &grow, alone, &power_w, 1,
+                                    &stage->world.domain, &err) == MURK_OK);
+    if (lights) {
+        CHECK(murk_sources_get(lights, 2)->portals == 1);
+        CHECK(murk_sources_get(lights, 2)->portal[0].corner.z == 0.9);
+        CHECK_NEAR(murk_sources_channel_power_w(lights, 5), 5. / 15, 1e-9);
+    }
+    murk_sources_destroy(lights);
+    free(power_w);
+    stage_text_destroy(stage);
+}
+
 /* Sums of power and counts of a map's records by channel. */
 static void add_up(const murk_photon_map *map, double *power_w, size_t *count)
 {
@@ -198,6 +229,7 @@ int main(void)
     murk_warn_to(NULL);
     test_every_channel_has_its_largest_share();
     test_a_lamp_without_power_stays();
+    test_portals_count();
     test_records_follow_their_channels();
     return check_done();
 }
