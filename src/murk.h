@@ -194,6 +194,13 @@ murk_status murk_scene_set(murk_scene *scene, const char *key,
 murk_status murk_scene_get(murk_scene *scene, const char *key,
                            const char **json, murk_error *error);
 
+/* Sets `seed` and photons.emit or photons.store to those of a file of light,
+ * light.murk, unless murk_scene_set() has set them or a map that contains them.
+ * murk_light_read() refuses light of another seed or number. Fails with
+ * MURK_BAD_FILE if the file cannot be read as light. */
+murk_status murk_scene_use_light(murk_scene *scene, const char *path,
+                                 murk_error *error);
+
 /* Reads the whole scene and checks each value. */
 murk_status murk_scene_check(murk_scene *scene, murk_error *error);
 
@@ -283,6 +290,42 @@ const char *murk_fields_name(const murk_fields *fields, const char *path,
 /* The whole result as JSON. */
 const char *murk_fields_json(const murk_fields *fields);
 
+/* ---- folders of results ---- */
+
+/* What murk_<handle>_save() writes beside the files that it always writes, and
+ * what these files say of the run. All members may be NULL or false. */
+typedef struct murk_save_options {
+    size_t size;         /* sizeof(murk_save_options) */
+    const char *exports; /* words with commas between: fields, photons,
+                          * surfaces; of a plan also matrix, or-library, lp */
+    const char *voxel_m; /* largest edge of exported voxels and of pieces of
+                          * surfaces [m], "0.5"; NULL: chosen by their number */
+    bool replaces;       /* also files that murk did not write, or that were
+                          * edited since; files that the context has read are
+                          * never replaced */
+    const char *command; /* the command line of the caller: run.command */
+    const char *asked;   /* what the results follow from beside the scene; a
+                          * part of `identity` */
+} murk_save_options;
+
+/* murk_light_save(), murk_coverage_save(), murk_plan_save(), murk_study_save()
+ * and murk_fit_save() write the files of the command murk trace, sense, place,
+ * study and fit to a folder, which is made if there is none. The main JSON
+ * comes last. If the call fails before, the folder is left as it was. An export
+ * that cannot be made is left out: then the other files are written, *fields
+ * are filled, and the call fails.
+ *
+ * folder NULL: nothing is written, but *fields are as if it were. options NULL:
+ * zeros. fields may be NULL; else *fields are those of the main JSON as
+ * written, with `identity`, `files` and `run` (run.summary: the lines of text
+ * that the program prints), and beside them `saved.folder` and `saved.files`,
+ * the names of all files in the order written. murk_fields_json() is the text
+ * of the main JSON. *fields are valid until the next save of the handle.
+ *
+ * Fail with MURK_BAD_VALUE if a file may not be replaced or if the options ask
+ * for what the scene does not have, and with MURK_RUN_FAILED if a file cannot
+ * be written. */
+
 /* ---- world ---- */
 
 typedef struct murk_world murk_world;
@@ -301,6 +344,16 @@ void murk_world_bounds(const murk_world *world, double bounds_m[6]);
  */
 int murk_world_bands(const murk_world *world);
 double murk_world_band_nm(const murk_world *world, int i);
+
+/* Finds out before any light is traced if murk_light_save() (command "trace"),
+ * murk_coverage_save() ("sense") or murk_plan_save() ("place") would refuse the
+ * folder or the options. runs: those of murk_plan_repeat(), else 0. Fails with
+ * MURK_BAD_VALUE if they would, if the scene lacks what the command needs, or
+ * if its seeds or goals cannot be repeated. */
+murk_status murk_world_check_save(murk_world *world, const char *command,
+                                  uint64_t runs, const char *folder,
+                                  const murk_save_options *options,
+                                  murk_error *error);
 
 /* ---- light ---- */
 
@@ -355,9 +408,10 @@ murk_status murk_light_fields(murk_light *light, const murk_fields **fields,
                               murk_error *error);
 
 /* Writes the files of murk trace to a folder: light.murk, ledger.json,
- * tallies.csv, grids. Files that murk did not write are not replaced. */
+ * tallies.csv, grids. Arguments and errors: murk_save_options. */
 murk_status murk_light_save(murk_light *light, const char *folder,
-                            murk_error *error);
+                            const murk_save_options *options,
+                            const murk_fields **fields, murk_error *error);
 
 /* ---- sensors ---- */
 
@@ -404,6 +458,12 @@ void murk_coverage_destroy(murk_coverage *coverage);
 murk_status murk_coverage_fields(murk_coverage *coverage,
                                  const murk_fields **fields, murk_error *error);
 
+/* Writes the files of murk sense to a folder: coverage.json, coverage.csv and
+ * those of the light. Arguments and errors: murk_save_options. */
+murk_status murk_coverage_save(murk_coverage *coverage, const char *folder,
+                               const murk_save_options *options,
+                               const murk_fields **fields, murk_error *error);
+
 /* The coverage matrix: sensors x records, uint16; 65535 is full clarity, 0 not
  * seen. Records of the surface map come first, then those of the volume map,
  * each in the order of murk_light_array(); with targets in place of photons,
@@ -432,40 +492,119 @@ murk_status murk_plan_fields(murk_plan *plan, const murk_fields **fields,
 murk_status murk_plan_sensors(murk_sensors **out, const murk_plan *plan,
                               murk_error *error);
 
-/* Writes the files of murk place to a folder. */
+/* Makes `runs` - 1 further plans with the seeds that follow that of the scene,
+ * each with light of its own, and compares them with the plan: how much the
+ * result depends on chance. The fields `repeat` of plan.json and the file
+ * repeat.csv have the results. If the call fails or is cancelled, the plan
+ * keeps the runs that were finished. A plan in the dark does not depend on
+ * chance: it notes so and makes none. Fails with MURK_BAD_VALUE as
+ * murk_world_check_save() does. */
+murk_status murk_plan_repeat(murk_plan *plan, uint64_t runs, murk_error *error);
+
+/* Writes the files of murk place to a folder: plan.json, sensors.csv,
+ * coverage.csv and those of the light or of each condition. Arguments and
+ * errors: murk_save_options. */
 murk_status murk_plan_save(murk_plan *plan, const char *folder,
-                           murk_error *error);
+                           const murk_save_options *options,
+                           const murk_fields **fields, murk_error *error);
 
 /* ---- study ---- */
 
 typedef struct murk_study murk_study;
 
-/* Runs the rows of a study file, as murk study. folder: keeps the finished
- * rows, which are not run again by the next call; NULL: nothing is kept. A row
- * that fails is no failure of the study: its field `failed` has the reason.
- * Groups of rows run in subprocesses. */
-murk_status murk_study_run(murk_study **out, murk_context *context,
-                           const char *path, const char *folder,
-                           murk_error *error);
+/* How the rows of a study are run. All members may be zeros. */
+typedef struct murk_study_options {
+    size_t size;            /* sizeof(murk_study_options) */
+    const char *folder;     /* keeps the finished rows, which are not run again
+                             * by the next study, and the grids of rows; NULL:
+                             * nothing is kept */
+    bool replaces;          /* also grids that murk did not write */
+    size_t n;               /* keys that are set in the scene of each row: */
+    const char *const *key; /* [n] as murk_scene_set() takes them */
+    const char *const *value; /* [n] */
+} murk_study_options;
+
+/* Reads a study file and the scenes of its rows; options NULL: zeros. Fails
+ * with MURK_BAD_VALUE or MURK_BAD_FILE if the study is wrong or if the scenes
+ * of all rows are. */
+murk_status murk_study_read(murk_study **out, murk_context *context,
+                            const char *path, const murk_study_options *options,
+                            murk_error *error);
+
+/* Finds out before any row is run if murk_study_save() would refuse the folder
+ * or the options. */
+murk_status murk_study_check_save(murk_study *study, const char *folder,
+                                  const murk_save_options *options,
+                                  murk_error *error);
+
+/* Runs the rows that are not done, as murk study. A row that fails is no
+ * failure of the study: its field `failed` has the reason. A cancelled study
+ * keeps the rows that are done, and may be run again. Groups of rows run in
+ * subprocesses. Fails with MURK_INTERRUPTED, or with MURK_RUN_FAILED if a
+ * finished row cannot be kept. */
+murk_status murk_study_run(murk_study *study, murk_error *error);
 void murk_study_destroy(murk_study *study);
 
 /* The fields of study.json. */
 murk_status murk_study_fields(murk_study *study, const murk_fields **fields,
                               murk_error *error);
 
+/* Writes the files of murk study to a folder: study.json and table.csv, of the
+ * rows that are done. Arguments and errors: murk_save_options. */
+murk_status murk_study_save(murk_study *study, const char *folder,
+                            const murk_save_options *options,
+                            const murk_fields **fields, murk_error *error);
+
 /* ---- fit ---- */
 
 typedef struct murk_fit murk_fit;
 
-/* Fits keys[n] of a scene, such as "media.fog.visibility_m" or
- * "media.fog.albedo@each", to the readings of a CSV file, as murk fit. */
-murk_status murk_fit_run(murk_fit **out, murk_scene *scene, const char *data,
-                         const char *const *keys, size_t n, murk_error *error);
+/* How a fit searches. All members may be zeros. */
+typedef struct murk_fit_options {
+    size_t size;               /* sizeof(murk_fit_options) */
+    size_t n_bounds;           /* limits of free keys: */
+    const char *const *bounds; /* [n_bounds] "KEY=LOW:HIGH", either may be
+                                * empty */
+    const char *loss;    /* "none", "huber" or "cauchy", the last two also with
+                          * a width in standard errors: "huber:1.345"; NULL:
+                          * none */
+    uint64_t starts;     /* of the search; 0: 4 */
+    uint64_t traces;     /* largest number of lights of a start; 0: 12 */
+    uint64_t next;       /* proposes so many places for further readings */
+    const char *predict; /* fit.json of a finished fit: nothing is fitted, and
+                          * the readings are predicted at its values; NULL */
+} murk_fit_options;
+
+/* Reads the readings of a CSV file and prepares the fit of keys[n] of a scene,
+ * such as "media.fog.visibility_m", "media.fog.albedo@each" (a value for each
+ * condition) or "gain.NAME" (a factor of readings), to them. options NULL:
+ * zeros; with options->predict n is 0. Fails with MURK_BAD_VALUE or
+ * MURK_BAD_FILE if scene, readings, keys or options are wrong. */
+murk_status murk_fit_create(murk_fit **out, murk_scene *scene, const char *data,
+                            const char *const *keys, size_t n,
+                            const murk_fit_options *options, murk_error *error);
+
+/* Finds out before any light is traced if murk_fit_save() would refuse the
+ * folder or the options. */
+murk_status murk_fit_check_save(murk_fit *fit, const char *folder,
+                                const murk_save_options *options,
+                                murk_error *error);
+
+/* Finds the values of the keys, as murk fit. Fails with MURK_RUN_FAILED if the
+ * search cannot begin, and with MURK_INTERRUPTED. */
+murk_status murk_fit_run(murk_fit *fit, murk_error *error);
 void murk_fit_destroy(murk_fit *fit);
 
-/* The fields of fit.json. */
+/* The fields of fit.json. Fails with MURK_BAD_VALUE before murk_fit_run(). */
 murk_status murk_fit_fields(murk_fit *fit, const murk_fields **fields,
                             murk_error *error);
+
+/* Writes the files of murk fit to a folder: fit.json (with options->predict:
+ * predict.json), fit.csv and calibrated.yaml. Arguments and errors:
+ * murk_save_options. */
+murk_status murk_fit_save(murk_fit *fit, const char *folder,
+                          const murk_save_options *options,
+                          const murk_fields **fields, murk_error *error);
 
 /* ---- picture ---- */
 

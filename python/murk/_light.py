@@ -237,7 +237,7 @@ class Light:
 
         Example: `light.save("out")`.
         """
-        call_long(self.context, lib.murk_light_save, handle_of(self), c_text(folder))
+        call_long(self.context, lib.murk_light_save, handle_of(self), c_text(folder), ffi.NULL, ffi.NULL)
 
     def report(self, page: Path) -> Path:
         """Writes one HTML page of the light and returns its path. Raises Error.

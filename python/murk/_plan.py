@@ -98,7 +98,7 @@ class Plan(Fielded):
 
         Example: `plan.save("out")`.
         """
-        call_long(self.context, lib.murk_plan_save, handle_of(self), c_text(folder))
+        call_long(self.context, lib.murk_plan_save, handle_of(self), c_text(folder), ffi.NULL, ffi.NULL)
 
     def report(self, page: Path) -> Path:
         """Writes one HTML page of the plan and returns its path; no other file is left. Raises Error.

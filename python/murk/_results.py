@@ -112,8 +112,11 @@ class Study(Fielded):
     def __init__(self, path: Path, folder: Path | None = None, context: Context | None = None) -> None:
         self.context = context or default_context()
         out = ffi.new("murk_study **")
-        call_long(self.context, lib.murk_study_run, out, self.context.c, c_text(path), c_text(folder))
+        kept = c_text(folder)  # lives as long as the call
+        options = ffi.new("murk_study_options *", {"size": ffi.sizeof("murk_study_options"), "folder": kept})
+        call_long(self.context, lib.murk_study_read, out, self.context.c, c_text(path), options)
         self.c = ffi.gc(out[0], lib.murk_study_destroy)
+        call_long(self.context, lib.murk_study_run, self.c)
         self.result = result_of(lib.murk_study_fields, self.c)
 
 

@@ -60,9 +60,10 @@ class Fit(Fielded):
         self.context = scene.context
         keys = [c_text(key) for key in free]
         out = ffi.new("murk_fit **")
-        call_long(self.context, lib.murk_fit_run, out, scene.c, c_text(data),
-                  ffi.new("const char *[]", keys) if keys else ffi.NULL, len(keys))
+        call_long(self.context, lib.murk_fit_create, out, scene.c, c_text(data),
+                  ffi.new("const char *[]", keys) if keys else ffi.NULL, len(keys), ffi.NULL)
         self.c = ffi.gc(out[0], lib.murk_fit_destroy)
+        call_long(self.context, lib.murk_fit_run, self.c)
         self.result = result_of(lib.murk_fit_fields, self.c)
 
 

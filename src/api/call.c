@@ -103,7 +103,9 @@ murk_status murk_call_end(murk_call *call, murk_status status)
 
 murk_status murk_call_end_long(murk_call *call, murk_status status)
 {
-    if (atomic_exchange(&call->host->stop, 0) && !status) {
+    /* Whatever failed after the request failed because of it. */
+    if (atomic_exchange(&call->host->stop, 0)) {
+        call->failure = (murk_error){0};
         status = murk_fail(&call->failure, MURK_INTERRUPTED, "", "interrupted");
     }
     return murk_call_end(call, status);

@@ -1,21 +1,25 @@
 /* Coverage of given sensors on a light, and their rows of the coverage
  * matrix. */
-#include "api/light.h"
+#include "api/save.h"
 
+#include "base/progress.h"
+#include "results/exports.h"
+#include "results/plan_ply.h"
 #include "results/sense.h"
+#include "results/tallies.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 static murk_status measure(murk_coverage *coverage, murk_error *err)
 {
-    murk_sight *sight = NULL;
     const murk_world *world = coverage->light->world;
+    const double begun_s = murk_clock_s();
     const murk_status status =
-        murk_measured_make(&coverage->measured, &sight, world->stage,
+        murk_measured_make(&coverage->measured, &coverage->sight, world->stage,
                            coverage->light->session.traced, coverage->pose,
                            coverage->n, world->context->threads, err);
-    murk_sight_destroy(sight);
+    coverage->sense_s = murk_clock_s() - begun_s;
     return status;
 }
 
@@ -24,7 +28,8 @@ murk_status murk_coverage_measure(murk_coverage **out, murk_light *light,
                                   murk_error *error)
 {
     if (!out || !light || !sensors || sensors->world != light->world ||
-        sensors->n == 0) {
+        (sensors->n == 0 &&
+         !murk_stage_has_nothing_to_see(light->world->stage))) {
         return murk_call_refuse(error, "out, light or sensors is NULL, there "
                                        "are no sensors, or they are of another "
                                        "world than the light");
@@ -34,7 +39,7 @@ murk_status murk_coverage_measure(murk_coverage **out, murk_light *light,
     murk_world *world = light->world;
     murk_call call = murk_call_begin(world->context, &world->files, error);
     murk_coverage *coverage = calloc(1, sizeof *coverage);
-    murk_pose *pose = calloc(sensors->n, sizeof *pose);
+    murk_pose *pose = calloc(sensors->n + 1, sizeof *pose);
     murk_status status = MURK_NO_MEMORY;
     if (coverage && pose) {
         coverage->light = light;
@@ -61,6 +66,8 @@ void murk_coverage_destroy(murk_coverage *coverage)
 {
     if (coverage) {
         murk_fields_release(&coverage->fields);
+        murk_fields_release(&coverage->saved);
+        murk_sight_destroy(coverage->sight);
         murk_measured_release(&coverage->measured);
         free(coverage->matrix);
         free(coverage->pose);
@@ -69,19 +76,25 @@ void murk_coverage_destroy(murk_coverage *coverage)
     }
 }
 
+/* The results of a coverage, for a session that borrows its light. */
+static murk_sense_results results_of(const murk_coverage *coverage,
+                                     const murk_session *session)
+{
+    return (murk_sense_results){session,
+                                {session->scene, coverage->pose, coverage->n,
+                                 &coverage->measured.coverage, NULL},
+                                &coverage->measured.targets,
+                                &coverage->measured.robust};
+}
+
 murk_status murk_coverage_fields(murk_coverage *coverage,
                                  const murk_fields **fields, murk_error *error)
 {
     if (!coverage || !fields) {
         return murk_call_refuse(error, "coverage or fields is NULL");
     }
-    const murk_session *session = &coverage->light->session;
-    const murk_sense_results results = {session,
-                                        {session->scene, coverage->pose,
-                                         coverage->n,
-                                         &coverage->measured.coverage, NULL},
-                                        &coverage->measured.targets,
-                                        &coverage->measured.robust};
+    const murk_sense_results results =
+        results_of(coverage, &coverage->light->session);
     murk_call call =
         murk_call_begin(coverage->light->world->context, NULL, error);
     *fields = &coverage->fields;
@@ -90,22 +103,78 @@ murk_status murk_coverage_fields(murk_coverage *coverage,
                                                  &results, &call.failure));
 }
 
-/* Looks again, and writes each row densely. */
+/* ---- files ---- */
+
+/* Who sees what, for viewers and the report; the exports; then the coverage. */
+static murk_status save(murk_coverage *coverage, murk_session *session,
+                        const murk_save_options *options, murk_error *late,
+                        murk_error *err)
+{
+    const murk_sense_results results = results_of(coverage, session);
+    murk_sight *sight = coverage->sight;
+    const size_t n = coverage->n;
+    murk_status status = murk_save_check(session, "sense", 0, err);
+    if (!status) {
+        status = murk_save_identify(session, "sense", options, err);
+    }
+    if (!status && sight && session->results.folder) {
+        status =
+            murk_add_plan_ply(&session->results, "coverage.ply", session->stage,
+                              sight, coverage->pose, n, err);
+    }
+    if (!status) {
+        murk_exports_add_scene(session, sight, coverage->pose, sight ? n : 0,
+                               late);
+        status = murk_session_add_all_of_light(session, err);
+    }
+    if (!status) {
+        status = murk_results_add_csv(&session->results, "coverage.csv",
+                                      murk_results_list_sensor,
+                                      &results.sensors, n, err);
+    }
+    return status ? status
+                  : murk_session_finish(
+                        session, "coverage.json",
+                        murk_results_json(murk_results_list_sense, &results),
+                        murk_print_sense, &results, err);
+}
+
+murk_status murk_coverage_save(murk_coverage *coverage, const char *folder,
+                               const murk_save_options *options,
+                               const murk_fields **fields, murk_error *error)
+{
+    if (!coverage) {
+        return murk_call_refuse(error, "coverage is NULL");
+    }
+    murk_light *light = coverage->light;
+    murk_call call =
+        murk_call_begin(light->world->context, &light->world->files, error);
+    murk_session session = light->session; /* borrows the light */
+    murk_error late = {0};
+    session.run.sense_s = coverage->sense_s;
+    murk_status status =
+        murk_save_set(&session, folder, options, &call.failure);
+    if (!status) {
+        status = save(coverage, &session, options, &late, &call.failure);
+    }
+    return murk_save_end(&call, &session, &coverage->saved, fields, status,
+                         &late);
+}
+
+/* ---- the matrix ---- */
+
+/* Writes each row densely; in the dark all are zeros. */
 static murk_status make_matrix(murk_coverage *coverage, murk_error *err)
 {
-    const murk_world *world = coverage->light->world;
-    murk_sight *sight = NULL;
-    murk_status status =
-        murk_plan_sight(&sight, world->stage, coverage->light->session.traced,
-                        world->context->threads, err);
-    if (status) {
-        return status;
-    }
+    const murk_traced *traced = coverage->light->session.traced;
+    murk_sight *sight = coverage->sight;
+    coverage->records = sight ? murk_sight_photons(sight)
+                              : murk_photon_map_count(traced->surface) +
+                                    murk_photon_map_count(traced->volume);
     /* A row of zeros for each sensor, and the clarity of each photon seen. */
-    coverage->records = murk_sight_photons(sight);
     coverage->matrix =
         calloc(coverage->n * coverage->records + 1, sizeof *coverage->matrix);
-    for (size_t k = 0; coverage->matrix && k < coverage->n; ++k) {
+    for (size_t k = 0; sight && coverage->matrix && k < coverage->n; ++k) {
         uint16_t *row = coverage->matrix + k * coverage->records;
         murk_sparse_row seen;
         murk_sight_row(sight, 0, &coverage->pose[k], &seen);
@@ -113,7 +182,6 @@ static murk_status make_matrix(murk_coverage *coverage, murk_error *err)
             row[seen.photon[i]] = seen.clarity[i];
         }
     }
-    murk_sight_destroy(sight);
     return coverage->matrix ? MURK_OK
                             : murk_no_memory(err, "", "for the matrix");
 }

@@ -1,13 +1,18 @@
-/* Fits: the parameters of a scene are calibrated to the readings of a file, as
- * murk fit does without further options. */
-#include "api/light.h"
+/* Fits: the parameters of a scene are calibrated to the readings of a file, or
+ * the readings are predicted at the values of a finished fit. */
+#include "api/fit_values.h"
+#include "api/save.h"
 #include "api/scene.h"
 
+#include "base/log.h"
+#include "base/number.h"
 #include "base/progress.h"
 #include "calibrate/calibrate.h"
 #include "calibrate/covered.h"
+#include "calibrate/proposals.h"
 #include "results/fit.h"
 #include "world/stage_build.h"
+#include "world/units.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -16,76 +21,167 @@
  * parameter (base/memory_files.h). */
 #define SCENE_TEXT "murk-scene"
 
+#define LOSS_WIDTH_MAX 1e6 /* standard errors: far beyond any outlier */
+
 struct murk_fit {
     murk_scene *scene;
-    murk_memory_files files; /* of the scene as it was, and its text */
-    murk_scene_desc *desc;
-    murk_imported_stages imported;
-    murk_stage *stage; /* borrows of the imported stages */
+    murk_calibration_desc desired; /* loss, starts, limits */
+    size_t wanted_places;          /* proposals; 0: none */
+    char *predict;                 /* path of a finished fit; NULL: fits */
+    murk_memory_files files;       /* of the scene as it was, and its text */
+    murk_session session; /* its scene and stage are those of the fit */
+    murk_imported_stages imported; /* the stage borrows of them */
     murk_readings *measured;
+    char **text; /* [texts] copies of keys and bounds */
+    size_t texts;
+    murk_fit_values values; /* of the finished fit */
     murk_free_keys *keys;
     murk_calibration found;
-    murk_fields fields;
+    bool has_run;
+    murk_proposals next;
+    murk_fields fields, saved;
 };
+
+/* ---- options ---- */
+
+/* "huber:1.345" */
+static murk_status read_loss(murk_calibration_desc *out, const char *text,
+                             murk_error *err)
+{
+    static const char *const losses[] = {"none", "huber", "cauchy"};
+    /* Widths of 95 % efficiency on normal residuals (Holland and Welsch,
+     * Commun. Stat. A 6 (1977) 813, doi:10.1080/03610927708827533). */
+    static const double widths[] = {1, 1.345, 2.385};
+    const size_t length = strcspn(text, ":");
+    /* The name of the loss, then its width if one is given. */
+    for (int i = 0; i < 3; ++i) {
+        if (strlen(losses[i]) != length ||
+            strncmp(losses[i], text, length) != 0) {
+            continue;
+        }
+        out->loss = (murk_loss_function)i;
+        out->loss_width = widths[i];
+        if (!text[length]) {
+            return MURK_OK;
+        }
+        if (i > 0 && murk_number_parse(text + length + 1, &out->loss_width) &&
+            out->loss_width > 0 && out->loss_width <= LOSS_WIDTH_MAX) {
+            return MURK_OK;
+        }
+    }
+    return murk_fail(err, MURK_BAD_VALUE, "loss",
+                     "%s, must be none, huber or cauchy, the last two also "
+                     "with a width in standard errors: huber:1.345",
+                     text);
+}
+
+static murk_status take_options(murk_fit *f, const murk_fit_options *options,
+                                murk_error *err)
+{
+    f->desired.starts = (size_t)options->starts;
+    f->desired.traces_max = (size_t)options->traces;
+    f->wanted_places = (size_t)options->next;
+    if (options->predict) {
+        f->predict = strdup(options->predict);
+        if (!f->predict) {
+            return murk_no_memory(err, options->predict, "for the fit");
+        }
+    }
+    return options->loss ? read_loss(&f->desired, options->loss, err) : MURK_OK;
+}
+
+/* ---- reading ---- */
 
 /* The files of all conditions first, then the scene's own world. */
 static murk_status build(murk_fit *f, murk_error *err)
 {
+    murk_session *session = &f->session;
+    session->begun_s = murk_clock_s();
     murk_progress_begin_group("build", 0, "");
-    murk_status status = murk_scene_describe(&f->desc, f->scene, err);
+    murk_status status = murk_scene_describe(&session->scene, f->scene, err);
     if (!status) {
-        status = murk_imported_stages_import(&f->imported, f->desc, err);
+        murk_units_note(session->scene);
+        for (size_t i = 0; i < session->scene->idles; ++i) {
+            murk_warn(session->scene->idle[i].where, "%s",
+                      session->scene->idle[i].text);
+        }
+        status = murk_imported_stages_import(&f->imported, session->scene, err);
     }
     if (!status) {
-        status = murk_stage_import_beside(&f->stage, f->desc,
+        status = murk_stage_import_beside(&session->stage, session->scene,
                                           f->imported.stage[0], err);
     }
     if (!status) {
-        status = murk_stage_build(f->stage, err);
+        status = murk_stage_build(session->stage, err);
     }
     murk_progress_end();
+    session->run.load_s = murk_clock_s() - session->begun_s;
     return status;
 }
 
-/* Reads the readings and finds the parameters. Refuses before any trace what
- * would otherwise fail after all of them. */
-static murk_status read_input(murk_fit *f, const char *data,
-                              const char *const *keys, size_t n,
-                              murk_error *err)
+/* Refuses before any trace what would otherwise fail after all of them. */
+static murk_status check_before_trace(const murk_fit *f, murk_error *err)
 {
-    murk_status status = murk_readings_read(&f->measured, data, f->desc,
-                                            &f->stage->world.domain, err);
-    const murk_free_desc desc = {
-        .scene_path =
-            f->scene->is_file ? f->scene->name : MURK_MEMORY_PREFIX SCENE_TEXT,
-        .overrides = f->scene->set,
-        .n_overrides = f->scene->n,
-        .asked = keys,
-        .n_asked = n,
-        .measured = f->measured,
-        .domain = &f->stage->world.domain};
-    if (!status) {
-        status = murk_free_keys_create(&f->keys, &desc, err);
-    }
-    for (size_t i = 0; !status && i < f->measured->readings; ++i) {
-        if (f->measured->reading[i].kind == MURK_READ_COVERAGE) {
-            status = murk_covered_check(f->desc, err);
+    const murk_readings *m = f->measured;
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < m->readings && !status; ++i) {
+        if (m->reading[i].kind == MURK_READ_COVERAGE) {
+            status = murk_covered_check(f->session.scene, err);
         }
     }
-    return status;
+    return !status && f->wanted_places > 0
+               ? murk_proposals_check(m, f->session.scene, err)
+               : status;
 }
 
-static murk_status calibrate(murk_fit *f, murk_error *err)
+/* Reads the readings, then finds the free keys with their bounds and starts. To
+ * predict, the free keys are those of a finished fit. */
+static murk_status read_input(murk_fit *f, const char *data,
+                              const char *const *keys, size_t n,
+                              const murk_fit_options *options, murk_error *err)
 {
-    const murk_calibration_desc desc = {.keys = f->keys,
-                                        .measured = f->measured,
-                                        .imported = &f->imported,
-                                        .threads = f->scene->context->threads,
-                                        .seed = f->desc->seed};
-    murk_progress_begin_group("fit", 0, "steps");
-    const murk_status status = murk_calibrate(&f->found, &desc, err);
-    murk_progress_end();
-    return status;
+    const murk_domain *domain = &f->session.stage->world.domain;
+    murk_status status = f->predict
+                             ? murk_fit_values_read(&f->values, f->predict, err)
+                             : MURK_OK;
+    if (!status) {
+        status = murk_readings_read(&f->measured, data, f->session.scene,
+                                    domain, err);
+    }
+    if (status) {
+        return status;
+    }
+    murk_free_desc desc = {.scene_path = f->scene->is_file
+                                             ? f->scene->name
+                                             : MURK_MEMORY_PREFIX SCENE_TEXT,
+                           .overrides = f->scene->set,
+                           .n_overrides = f->scene->n,
+                           .asked = (const char *const *)f->values.asked,
+                           .n_asked = f->values.n,
+                           .n_bounds = options->n_bounds,
+                           .measured = f->measured,
+                           .domain = domain};
+    /* One list of texts: the bounds, then the keys. */
+    char **all = calloc(options->n_bounds + n + 1, sizeof *all);
+    f->text = all;
+    for (size_t i = 0; all && i < options->n_bounds + n; ++i) {
+        all[i] = strdup(i < options->n_bounds ? options->bounds[i]
+                                              : keys[i - options->n_bounds]);
+        f->texts += all[i] != NULL;
+    }
+    if (f->texts < options->n_bounds + n) {
+        return murk_no_memory(err, "", "for the fit");
+    }
+    desc.bounds = (const char *const *)f->text;
+    if (!f->predict) {
+        desc.asked = desc.bounds + options->n_bounds;
+        desc.n_asked = n;
+    }
+    status = murk_free_keys_create(&f->keys, &desc, err);
+    if (!status && f->predict) {
+        status = murk_fit_values_set(&f->values, f->keys, err);
+    }
+    return status ? status : check_before_trace(f, err);
 }
 
 /* The text of a scene that is no file becomes a file in memory. */
@@ -101,32 +197,58 @@ static murk_status keep_files(murk_fit *f, murk_error *err)
     return murk_memory_add(&f->files, SCENE_TEXT, file, err);
 }
 
-murk_status murk_fit_run(murk_fit **out, murk_scene *scene, const char *data,
-                         const char *const *keys, size_t n, murk_error *error)
+static murk_status make(murk_fit *f, const char *data, const char *const *keys,
+                        size_t n, const murk_fit_options *options,
+                        murk_call *call)
 {
-    if (!out || !scene || !data || !keys || n == 0) {
-        return murk_call_refuse(error, "out, scene, data or keys is NULL, or "
-                                       "there are no keys");
+    const unsigned threads = f->scene->context->threads;
+    f->session = (murk_session){.settings.threads = threads,
+                                .settings.is_quiet = true,
+                                .run.threads = threads};
+    murk_status status = take_options(f, options, &call->failure);
+    if (!status && f->predict && (n > 0 || f->wanted_places > 0)) {
+        status = murk_fail(&call->failure, MURK_BAD_VALUE, "predict",
+                           "fits nothing, so it goes with neither free keys "
+                           "nor proposals");
     }
-    /* The handle, then each step. */
-    *out = NULL;
+    if (!status && !f->predict && n == 0) {
+        status = murk_fail(&call->failure, MURK_BAD_VALUE, "keys",
+                           "none, must be the keys of the scene to be found, "
+                           "or a finished fit to predict by");
+    }
+    if (!status) {
+        status = keep_files(f, &call->failure);
+        call->host->files = &f->files;
+    }
+    if (!status) {
+        status = build(f, &call->failure);
+    }
+    return status ? status
+                  : read_input(f, data, keys, n, options, &call->failure);
+}
+
+murk_status murk_fit_create(murk_fit **out, murk_scene *scene, const char *data,
+                            const char *const *keys, size_t n,
+                            const murk_fit_options *options, murk_error *error)
+{
+    if (out) {
+        *out = NULL;
+    }
+    if (!out || !scene || !data || (n > 0 && !keys)) {
+        return murk_call_refuse(error, "out, scene, data or keys is NULL");
+    }
+    murk_fit_options known = {0};
+    if (options) { /* the members that the caller's struct has */
+        memcpy(&known, options,
+               options->size < sizeof known ? options->size : sizeof known);
+    }
     murk_fit *f = calloc(1, sizeof *f);
     murk_call call = murk_call_begin(scene->context, &scene->files, error);
     murk_status status = MURK_NO_MEMORY;
     if (f) {
         f->scene = scene;
         ++scene->references;
-        status = keep_files(f, &call.failure);
-        call.host->files = &f->files;
-    }
-    if (!status) {
-        status = build(f, &call.failure);
-    }
-    if (!status) {
-        status = read_input(f, data, keys, n, &call.failure);
-    }
-    if (!status) {
-        status = calibrate(f, &call.failure);
+        status = make(f, data, keys, n, &known, &call);
     }
     status = murk_call_end_long(&call, status);
     if (status) {
@@ -143,30 +265,99 @@ void murk_fit_destroy(murk_fit *f)
         return;
     }
     murk_fields_release(&f->fields);
+    murk_fields_release(&f->saved);
+    murk_proposals_release(&f->next);
     murk_calibration_release(&f->found);
     murk_free_keys_destroy(f->keys);
+    murk_fit_values_release(&f->values);
+    for (size_t i = 0; i < f->texts; ++i) {
+        free(f->text[i]);
+    }
+    free(f->text);
+    free(f->predict);
     murk_readings_destroy(f->measured);
-    murk_stage_destroy(f->stage);
+    murk_stage_destroy(f->session.stage); /* borrows of the imported stages */
+    f->session.stage = NULL;
     murk_imported_stages_release(&f->imported);
-    murk_scene_desc_destroy(f->desc);
+    murk_session_end(&f->session);
     murk_memory_release(&f->files);
     murk_scene_release(f->scene);
     free(f);
 }
 
+/* ---- running ---- */
+
+static void tell_step(void *context, size_t start, size_t traces, int iteration,
+                      double chi2, const double *value)
+{
+    (void)context;
+    (void)value;
+    murk_progress_add_to_group(1);
+    murk_progress_text("start %zu, light %zu, step %d: chi2 %.6g", start + 1,
+                       traces, iteration, chi2);
+}
+
+static void tell_memory(void *context, double bytes, double have_bytes)
+{
+    (void)context;
+    murk_progress_text("takes about %.2g GB of %.3g GB free", bytes / 1e9,
+                       have_bytes / 1e9);
+}
+
+/* Fits, or predicts; then proposes the next measurements, if asked for. */
+static murk_status run(murk_fit *f, murk_error *err)
+{
+    murk_calibration_desc desc = f->desired;
+    desc.keys = f->keys;
+    desc.measured = f->measured;
+    desc.imported = &f->imported;
+    desc.threads = f->scene->context->threads;
+    desc.seed = f->session.scene->seed;
+    desc.only_predicts = f->predict != NULL;
+    desc.watch = tell_step;
+    desc.forecast = tell_memory;
+    murk_progress_begin_group("fit", 0, "steps");
+    murk_status status = murk_calibrate(&f->found, &desc, err);
+    murk_progress_end();
+    if (!status && f->wanted_places > 0) {
+        murk_progress_begin_group("next", 0, "");
+        status = murk_proposals_create(&f->next, f->wanted_places, &f->found,
+                                       &desc, err);
+        murk_progress_end();
+    }
+    f->session.run.trace_s = f->found.trace_s;
+    f->has_run = !status;
+    return status;
+}
+
+murk_status murk_fit_run(murk_fit *f, murk_error *error)
+{
+    if (!f || f->has_run) {
+        return murk_call_refuse(error, "fit is NULL, or has run");
+    }
+    murk_proposals_release(&f->next);
+    murk_calibration_release(&f->found);
+    f->found = (murk_calibration){0};
+    murk_call call = murk_call_begin(f->scene->context, &f->files, error);
+    return murk_call_end_long(&call, run(f, &call.failure));
+}
+
 static murk_fit_facts facts_of(const murk_fit *f)
 {
-    return (murk_fit_facts){.scene = f->desc,
+    return (murk_fit_facts){.scene = f->session.scene,
                             .keys = f->keys,
                             .measured = f->measured,
-                            .found = &f->found};
+                            .found = &f->found,
+                            .next = f->next.place ? &f->next : NULL,
+                            .only_predicts = f->predict != NULL};
 }
 
 murk_status murk_fit_fields(murk_fit *f, const murk_fields **fields,
                             murk_error *error)
 {
-    if (!f || !fields) {
-        return murk_call_refuse(error, "fit or fields is NULL");
+    if (!f || !fields || !f->has_run) {
+        return murk_call_refuse(error, "fit or fields is NULL, or the fit has "
+                                       "not run");
     }
     const murk_fit_facts facts = facts_of(f);
     murk_call call = murk_call_begin(f->scene->context, NULL, error);
@@ -174,4 +365,80 @@ murk_status murk_fit_fields(murk_fit *f, const murk_fields **fields,
     return murk_call_end(&call,
                          murk_fields_make(&f->fields, murk_results_list_fit,
                                           &facts, &call.failure));
+}
+
+/* ---- files ---- */
+
+static murk_status check(const murk_fit *f, murk_session *session,
+                         murk_error *err)
+{
+    const char *const names[] = {"fit.csv",
+                                 f->predict ? "predict.json" : "fit.json",
+                                 f->predict ? NULL : "calibrated.yaml", NULL};
+    const murk_status status =
+        murk_results_begin(&session->results, session->settings.folder,
+                           session->settings.force, err);
+    return status ? status : murk_session_expect(session, names, err);
+}
+
+murk_status murk_fit_check_save(murk_fit *f, const char *folder,
+                                const murk_save_options *options,
+                                murk_error *error)
+{
+    if (!f) {
+        return murk_call_refuse(error, "fit is NULL");
+    }
+    murk_call call = murk_call_begin(f->scene->context, &f->files, error);
+    murk_session session = f->session;
+    murk_status status =
+        murk_save_set(&session, folder, options, &call.failure);
+    if (!status) {
+        status = check(f, &session, &call.failure);
+    }
+    murk_results_end(&session.results);
+    return murk_call_end(&call, status);
+}
+
+static murk_status save(const murk_fit *f, murk_session *session,
+                        const murk_save_options *options, murk_error *err)
+{
+    const murk_fit_facts facts = facts_of(f);
+    murk_status status = check(f, session, err);
+    if (!status) {
+        status = murk_save_identify(session, "fit", options, err);
+    }
+    if (!status) {
+        status = murk_session_add_scene(session, err);
+    }
+    if (!status) {
+        status = murk_results_add_csv(&session->results, "fit.csv",
+                                      murk_results_list_fit_row, &facts,
+                                      facts.measured->rows, err);
+    }
+    if (!status && !f->predict) {
+        status = murk_add_calibrated(&session->results, &facts, err);
+    }
+    return status ? status
+                  : murk_session_finish(
+                        session, f->predict ? "predict.json" : "fit.json",
+                        murk_results_json(murk_results_list_fit, &facts),
+                        murk_print_fit, &facts, err);
+}
+
+murk_status murk_fit_save(murk_fit *f, const char *folder,
+                          const murk_save_options *options,
+                          const murk_fields **fields, murk_error *error)
+{
+    if (!f || !f->has_run) {
+        return murk_call_refuse(error, "fit is NULL, or has not run");
+    }
+    murk_call call = murk_call_begin(f->scene->context, &f->files, error);
+    murk_session session = f->session; /* borrows the fit */
+    const murk_error late = {0};
+    murk_status status =
+        murk_save_set(&session, folder, options, &call.failure);
+    if (!status) {
+        status = save(f, &session, options, &call.failure);
+    }
+    return murk_save_end(&call, &session, &f->saved, fields, status, &late);
 }

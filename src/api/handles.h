@@ -8,7 +8,7 @@
 
 #include "base/host.h"
 #include "base/memory_files.h"
-#include "cases/condition_plans.h"
+#include "cases/repeat.h"
 #include "plan/measured.h"
 #include "results/fields.h"
 #include "results/session.h"
@@ -52,14 +52,16 @@ struct murk_world {
     murk_memory_files files;
     murk_scene_desc *desc;
     murk_stage *stage;
+    double begun_s, load_s; /* the clock at the beginning, and the duration */
 };
 
 struct murk_light {
     size_t references;
     murk_world *world;
     murk_session session; /* borrows scene and stage of the world */
+    char *path;           /* the file that it was read from; NULL: traced */
     murk_made *made;
-    murk_fields fields;
+    murk_fields fields, saved;
 };
 
 struct murk_sensors {
@@ -73,9 +75,11 @@ struct murk_coverage {
     size_t n;
     murk_pose *pose; /* [n] */
     murk_measured measured;
+    murk_sight *sight; /* NULL: there is nothing to see */
+    double sense_s;
     uint16_t *matrix; /* [n][records]; NULL before it is asked for */
     size_t records;
-    murk_fields fields;
+    murk_fields fields, saved;
 };
 
 struct murk_plan {
@@ -84,7 +88,8 @@ struct murk_plan {
     murk_session session; /* borrows scene, stage and light */
     murk_plan_result plan;
     murk_condition_plans *conditions; /* NULL: the scene as it stands */
-    murk_fields fields;
+    murk_repeat repeat;               /* runs 0: not repeated */
+    murk_fields fields, saved;
 };
 
 /* ---- a public call ---- */

@@ -1,20 +1,25 @@
 /* Light: both photon maps, ledger and tallies, traced or read from a file. */
 #include "api/light.h"
 
+#include "api/save.h"
+#include "base/log.h"
 #include "base/progress.h"
+#include "results/exports.h"
 #include "results/ledger.h"
 #include "results/tallies.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 murk_session murk_world_session(const murk_world *world)
 {
     return (murk_session){.settings.threads = world->context->threads,
                           .settings.is_quiet = true,
                           .run.threads = world->context->threads,
+                          .run.load_s = world->load_s,
                           .scene = world->desc,
                           .stage = world->stage,
-                          .begun_s = murk_clock_s()};
+                          .begun_s = world->begun_s};
 }
 
 /* Without light yet. NULL when out of memory. */
@@ -30,6 +35,28 @@ static murk_light *make(murk_world *world)
     return light;
 }
 
+static murk_status read_light(murk_light *light, const char *path,
+                              murk_error *err)
+{
+    murk_session *session = &light->session;
+    const double begun_s = murk_clock_s();
+    light->path = strdup(path);
+    if (!light->path) {
+        return murk_no_memory(err, path, "for the light");
+    }
+    if (murk_owned_belonging(path) == MURK_OF_ANOTHER_RUN) {
+        murk_warn(path, "is of another run than the results beside it, or of "
+                        "one that was killed while it wrote them");
+    }
+    murk_progress_begin_group("read light", 0, "");
+    const murk_status status = murk_lightmap_load(
+        &session->traced, session->stage, path, session->settings.threads, err);
+    murk_progress_end();
+    session->settings.light = light->path;
+    session->run.load_s += murk_clock_s() - begun_s;
+    return status;
+}
+
 /* Traces the light, or reads it from a file. */
 static murk_status light_make(murk_light **out, murk_world *world,
                               const char *path, murk_error *error)
@@ -40,8 +67,7 @@ static murk_status light_make(murk_light **out, murk_world *world,
     const unsigned threads = world->context->threads;
     murk_status status =
         !light ? MURK_NO_MEMORY
-        : path ? murk_lightmap_load(&light->session.traced, world->stage, path,
-                                    threads, &call.failure)
+        : path ? read_light(light, path, &call.failure)
                : murk_lightmap_trace(&light->session.traced, world->stage, 0,
                                      threads, &call.failure);
     status = murk_call_end_long(&call, status);
@@ -88,7 +114,9 @@ void murk_light_release(murk_light *light)
     if (!light || --light->references > 0) {
         return;
     }
+    free(light->path);
     murk_fields_release(&light->fields);
+    murk_fields_release(&light->saved);
     murk_made_release(light->made);
     murk_traced_destroy(light->session.traced);
     murk_world_release(light->world);
@@ -117,29 +145,21 @@ murk_status murk_light_fields(murk_light *light, const murk_fields **fields,
 
 /* ---- files ---- */
 
-murk_status murk_session_save_begin(murk_session *session, const char *command,
-                                    const char *folder, murk_error *err)
+static murk_status save(murk_session *session, const murk_save_options *options,
+                        murk_error *late, murk_error *err)
 {
-    session->settings.folder = folder;
-    const murk_status status =
-        murk_identity_of(session->identity, command, "", session->scene, "",
-                         session->scene->seed, err);
-    return status ? status
-                  : murk_results_begin(&session->results, folder, false, err);
-}
-
-static murk_status save(murk_session *session, const char *folder,
-                        murk_error *err)
-{
-    murk_status status = murk_session_save_begin(session, "trace", folder, err);
+    murk_status status = murk_save_check(session, "trace", 0, err);
     if (!status) {
-        status = murk_session_expect_light(session, err);
+        status = murk_save_identify(session, "trace", options, err);
     }
     if (!status) {
         status = murk_session_add_light(session, err);
     }
     if (!status) {
         status = murk_add_tallies(session, err);
+    }
+    if (!status) {
+        murk_exports_add_scene(session, NULL, NULL, 0, late);
     }
     const murk_ledger_results ledger = {session->traced, session->stage};
     return status ? status
@@ -150,15 +170,20 @@ static murk_status save(murk_session *session, const char *folder,
 }
 
 murk_status murk_light_save(murk_light *light, const char *folder,
-                            murk_error *error)
+                            const murk_save_options *options,
+                            const murk_fields **fields, murk_error *error)
 {
-    if (!light || !folder) {
-        return murk_call_refuse(error, "light or folder is NULL");
+    if (!light) {
+        return murk_call_refuse(error, "light is NULL");
     }
     murk_world *world = light->world;
     murk_call call = murk_call_begin(world->context, &world->files, error);
     murk_session session = light->session; /* borrows the light */
-    const murk_status status = save(&session, folder, &call.failure);
-    murk_results_end(&session.results);
-    return murk_call_end(&call, status);
+    murk_error late = {0};
+    murk_status status =
+        murk_save_set(&session, folder, options, &call.failure);
+    if (!status) {
+        status = save(&session, options, &late, &call.failure);
+    }
+    return murk_save_end(&call, &session, &light->saved, fields, status, &late);
 }

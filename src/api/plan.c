@@ -2,7 +2,10 @@
  * of a scene. */
 #include "api/light.h"
 
+#include "api/save.h"
+#include "base/log.h"
 #include "results/plan_files.h"
+#include "results/repeat.h"
 
 #include <stdlib.h>
 
@@ -56,6 +59,8 @@ static murk_status place(murk_plan *plan, murk_light *light, murk_error *err)
         plan->light = light;
         ++light->references;
         session->traced = light->session.traced;
+        session->settings.light = light->path;
+        session->run.load_s = light->session.run.load_s;
     }
     return status ? status
                   : murk_plan_for_scene(&plan->plan, session->stage,
@@ -115,8 +120,10 @@ void murk_plan_destroy(murk_plan *plan)
         murk_condition_plans_release(plan->conditions);
         free(plan->conditions);
     }
+    murk_repeat_release(&plan->repeat);
     murk_plan_result_release(&plan->plan);
     murk_fields_release(&plan->fields);
+    murk_fields_release(&plan->saved);
     if (!plan->light) {
         murk_traced_destroy(plan->session.traced);
     }
@@ -125,53 +132,121 @@ void murk_plan_destroy(murk_plan *plan)
     free(plan);
 }
 
+/* ---- repeats ---- */
+
+static murk_status repeat(murk_plan *plan, uint64_t runs, murk_error *err)
+{
+    murk_session session = plan->session;
+    const murk_status status = murk_save_check(&session, "place", runs, err);
+    murk_results_end(&session.results);
+    if (status) {
+        return status;
+    }
+    if (plan->plan.is_dark) {
+        murk_note("runs",
+                  "it is dark, so nothing hangs on chance: once is enough");
+        return MURK_OK;
+    }
+    const murk_repeat_first first = {
+        &plan->plan, plan->conditions ? NULL : plan->session.stage,
+        plan->conditions};
+    murk_repeat_release(&plan->repeat);
+    return murk_repeat_make(&plan->repeat, &first, (size_t)runs,
+                            plan->world->context->threads, err);
+}
+
+murk_status murk_plan_repeat(murk_plan *plan, uint64_t runs, murk_error *error)
+{
+    if (!plan || runs == 0) {
+        return murk_call_refuse(error, "plan is NULL, or runs is 0");
+    }
+    murk_world *world = plan->world;
+    murk_call call = murk_call_begin(world->context, &world->files, error);
+    murk_fields_release(&plan->fields);
+    return murk_call_end_long(&call, repeat(plan, runs, &call.failure));
+}
+
+/* ---- results ---- */
+
+/* The results of a plan for a session that borrows it; repeated: filled if
+ * there were repeats. */
+static murk_status results_of(murk_plan_results *out,
+                              murk_repeat_results *repeated,
+                              const murk_plan *plan,
+                              const murk_session *session, murk_error *err)
+{
+    *out = (murk_plan_results){session, &plan->plan, plan->conditions, NULL};
+    if (plan->repeat.runs == 0) {
+        return MURK_OK;
+    }
+    out->repeat = repeated;
+    *repeated = (murk_repeat_results){.repeat = &plan->repeat};
+    return murk_repeat_sum_up(&repeated->summary, &plan->repeat, err);
+}
+
 murk_status murk_plan_fields(murk_plan *plan, const murk_fields **fields,
                              murk_error *error)
 {
     if (!plan || !fields) {
         return murk_call_refuse(error, "plan or fields is NULL");
     }
-    const murk_plan_results results = {&plan->session, &plan->plan,
-                                       plan->conditions, NULL};
+    murk_plan_results results;
+    murk_repeat_results repeated;
     murk_call call = murk_call_begin(plan->world->context, NULL, error);
-    *fields = &plan->fields;
-    return murk_call_end(&call,
-                         murk_fields_make(&plan->fields, murk_results_list_plan,
-                                          &results, &call.failure));
+    murk_status status =
+        results_of(&results, &repeated, plan, &plan->session, &call.failure);
+    if (!status) {
+        status = murk_fields_make(&plan->fields, murk_results_list_plan,
+                                  &results, &call.failure);
+    }
+    *fields = status ? NULL : &plan->fields;
+    return murk_call_end(&call, status);
 }
 
 static murk_status save(murk_plan *plan, murk_session *session,
-                        const char *folder, murk_error *err)
+                        const murk_save_options *options, murk_error *late,
+                        murk_error *err)
 {
-    murk_error late = {0};
-    const murk_plan_results results = {session, &plan->plan, plan->conditions,
-                                       NULL};
-    murk_status status = murk_session_save_begin(session, "place", folder, err);
+    murk_plan_results results;
+    murk_repeat_results repeated;
+    murk_status status = results_of(&results, &repeated, plan, session, err);
+    if (!status) {
+        status = murk_save_check(session, "place", plan->repeat.runs, err);
+    }
+    if (!status) {
+        status = murk_save_identify(session, "place", options, err);
+    }
     if (!status) {
         status = murk_add_plan_files(session, &plan->plan, plan->conditions,
-                                     &late, err);
+                                     late, err);
     }
-    if (!status) {
-        status = murk_session_finish(
-            session, "plan.json",
-            murk_results_json(murk_results_list_plan, &results),
-            murk_print_plan, &results, err);
+    if (!status && results.repeat) {
+        status = murk_results_add_csv(&session->results, "repeat.csv",
+                                      murk_results_list_run, &plan->repeat,
+                                      plan->repeat.runs, err);
     }
-    /* The plan is written; an export that could not be had is an error. */
     return status ? status
-                  : murk_fail(err, late.code, late.where, "%s", late.text);
+                  : murk_session_finish(
+                        session, "plan.json",
+                        murk_results_json(murk_results_list_plan, &results),
+                        murk_print_plan, &results, err);
 }
 
 murk_status murk_plan_save(murk_plan *plan, const char *folder,
-                           murk_error *error)
+                           const murk_save_options *options,
+                           const murk_fields **fields, murk_error *error)
 {
-    if (!plan || !folder) {
-        return murk_call_refuse(error, "plan or folder is NULL");
+    if (!plan) {
+        return murk_call_refuse(error, "plan is NULL");
     }
     murk_world *world = plan->world;
     murk_call call = murk_call_begin(world->context, &world->files, error);
     murk_session session = plan->session; /* borrows the plan */
-    const murk_status status = save(plan, &session, folder, &call.failure);
-    murk_results_end(&session.results);
-    return murk_call_end_long(&call, status);
+    murk_error late = {0};
+    murk_status status =
+        murk_save_set(&session, folder, options, &call.failure);
+    if (!status) {
+        status = save(plan, &session, options, &late, &call.failure);
+    }
+    return murk_save_end(&call, &session, &plan->saved, fields, status, &late);
 }

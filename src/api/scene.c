@@ -4,6 +4,7 @@
 #include "api/scene.h"
 
 #include "base/file.h"
+#include "lightmap/lightmap.h"
 #include "scene/key_path.h"
 #include "scene/yaml.h"
 
@@ -161,6 +162,53 @@ murk_status murk_scene_set(murk_scene *scene, const char *key,
     }
     murk_call call = murk_call_begin(scene->context, &scene->files, error);
     return murk_call_end(&call, add_key(scene, key, value, &call.failure));
+}
+
+/* True if the caller has set this key or a map that contains it. */
+static bool is_set(const murk_scene *scene, const char *key)
+{
+    for (size_t i = 0; i < scene->n; ++i) {
+        const char *text = scene->set[i].text;
+        const size_t length = strcspn(text, "=");
+        if (strncmp(text, key, length) == 0 &&
+            (key[length] == '\0' || key[length] == '.')) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static murk_status use_light(murk_scene *scene, const char *path,
+                             murk_error *err)
+{
+    murk_lightmap_counts counts;
+    char number[32];
+    murk_status status = murk_lightmap_read_counts(&counts, path, err);
+    const bool has_number = !status && (counts.emit || counts.store) &&
+                            !is_set(scene, "photons.emit") &&
+                            !is_set(scene, "photons.store");
+    if (!status && !is_set(scene, "seed")) {
+        snprintf(number, sizeof number, "%lu", (unsigned long)counts.seed);
+        status = add_key(scene, "seed", number, err);
+    }
+    if (!status && has_number) {
+        snprintf(
+            number, sizeof number, "%llu",
+            (unsigned long long)(counts.emit ? counts.emit : counts.store));
+        status = add_key(scene, counts.emit ? "photons.emit" : "photons.store",
+                         number, err);
+    }
+    return status;
+}
+
+murk_status murk_scene_use_light(murk_scene *scene, const char *path,
+                                 murk_error *error)
+{
+    if (!scene || !path) {
+        return murk_call_refuse(error, "scene or path is NULL");
+    }
+    murk_call call = murk_call_begin(scene->context, &scene->files, error);
+    return murk_call_end(&call, use_light(scene, path, &call.failure));
 }
 
 murk_status murk_scene_describe(murk_scene_desc **out, const murk_scene *scene,

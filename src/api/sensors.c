@@ -30,6 +30,20 @@ murk_status murk_sensors_create(murk_sensors **out, murk_world *world,
     return murk_call_end(&call, *out ? MURK_OK : MURK_NO_MEMORY);
 }
 
+static murk_status read_file(murk_sensors *sensors, const char *path,
+                             murk_error *err)
+{
+    const murk_world *world = sensors->world;
+    if (!world->desc->sensors.given) {
+        return murk_fail(err, MURK_BAD_VALUE, world->desc->path,
+                         "sensors: the scene has none");
+    }
+    /* A plan that was made in the dark may have no sensor. */
+    const size_t least = murk_stage_has_nothing_to_see(world->stage) ? 0 : 1;
+    return murk_placement_read(&sensors->pose, &sensors->n, path, least,
+                               world->desc, &world->stage->world.domain, err);
+}
+
 murk_status murk_sensors_read(murk_sensors **out, murk_world *world,
                               const char *path, murk_error *error)
 {
@@ -41,9 +55,7 @@ murk_status murk_sensors_read(murk_sensors **out, murk_world *world,
     murk_sensors *sensors = make(world);
     murk_status status = MURK_NO_MEMORY;
     if (sensors) {
-        status = murk_placement_read(&sensors->pose, &sensors->n, path, 0,
-                                     world->desc, &world->stage->world.domain,
-                                     &call.failure);
+        status = read_file(sensors, path, &call.failure);
     }
     status = murk_call_end(&call, status);
     if (status) {

@@ -1,55 +1,160 @@
-/* Studies: runs the rows of a study file, each group of rows in a subprocess,
- * and holds the values of all rows. */
-#include "api/handles.h"
+/* Studies: reads a study file, runs its rows, each group of rows in a
+ * subprocess, and holds the values of all rows. */
+#include "api/log_once.h"
+#include "api/save.h"
 
+#include "base/log.h"
+#include "base/progress.h"
 #include "cases/sweep.h"
+#include "cases/sweep_store.h"
+#include "results/identity.h"
 #include "results/study.h"
+#include "results/study_print.h"
 #include "results/version.h"
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #define VERSION_SIZE 128 /* bytes of a version and a commit */
+
+/* The offset of KEY=VALUE in the option "set KEY=VALUE". */
+#define SET_LENGTH 4
 
 struct murk_study {
     murk_context *context;
     char version[VERSION_SIZE];
+    char *folder; /* of the rows; NULL: none */
+    size_t n;
+    murk_override *set; /* [n] keys of the caller */
     murk_study_file *file;
     murk_sweep *sweep;
-    murk_fields fields;
+    murk_session session; /* its scene is the base scene, NULL if that cannot
+                             stand alone */
+    char *seen;           /* notes that were given */
+    bool is_interrupted;
+    murk_fields fields, saved;
 };
 
-static murk_status run(murk_study *study, const char *path, const char *folder,
-                       murk_error *err)
+/* ---- reading ---- */
+
+static void warn_of_failure(const murk_study *study, size_t row)
+{
+    char where[64];
+    snprintf(where, sizeof where, "row %zu of %zu", row + 1, study->file->rows);
+    if (study->sweep->row[row].found.failed[0]) {
+        murk_warn(where, "failed: %s", study->sweep->row[row].found.failed);
+    }
+}
+
+/* Passes the failure and the notes of a finished row to the log. */
+static void report_row(void *context, size_t row)
+{
+    murk_study *study = context;
+    char news[MURK_ROW_TEXT_SIZE], where[64];
+    warn_of_failure(study, row);
+    snprintf(where, sizeof where, "row %zu of %zu", row + 1, study->file->rows);
+    if (murk_log_once_news(&study->seen, study->sweep->row[row].found.note,
+                           news, sizeof news)) {
+        murk_note(where, "%s", news);
+    }
+}
+
+/* Copies the folder and the keys of the caller. */
+static murk_status take_options(murk_study *study,
+                                const murk_study_options *options,
+                                murk_error *err)
+{
+    study->folder = options->folder ? strdup(options->folder) : NULL;
+    study->set = calloc(options->n + 1, sizeof *study->set);
+    bool is_whole = study->set && (study->folder || !options->folder);
+    for (size_t i = 0; is_whole && i < options->n; ++i) {
+        const char *key = options->key[i], *value = options->value[i];
+        const size_t size = SET_LENGTH + strlen(key) + strlen(value) + 2;
+        char *option = malloc(size);
+        is_whole = option != NULL;
+        if (is_whole) {
+            snprintf(option, size, "set %s=%s", key, value);
+            study->set[study->n++] =
+                (murk_override){option + SET_LENGTH, option};
+        }
+    }
+    return is_whole ? MURK_OK : murk_no_memory(err, "", "for the study");
+}
+
+/* The scene that rows differ from; none if it cannot stand without the values
+ * of a row. Its warnings are given by the rows. */
+static void read_base(murk_study *study)
+{
+    murk_error why = {0};
+    const bool was_silent = murk_warn_quiet(true);
+    (void)murk_scene_desc_read(&study->session.scene, study->file->base,
+                               study->set, study->n, &why);
+    murk_warn_quiet(was_silent);
+}
+
+static murk_status read_study(murk_study *study, const char *path,
+                              const murk_study_options *options,
+                              murk_error *err)
 {
     snprintf(study->version, sizeof study->version, "%s %s", MURK_VERSION,
              murk_version_commit());
-    murk_status status = murk_study_file_read(&study->file, path, err);
+    const unsigned threads = study->context->threads;
+    study->session = (murk_session){.settings.threads = threads,
+                                    .settings.is_quiet = true,
+                                    .run.threads = threads,
+                                    .begun_s = murk_clock_s()};
+    murk_status status = take_options(study, options, err);
+    if (!status) {
+        status = murk_study_file_read(&study->file, path, err);
+    }
     const murk_sweep_desc desc = {.study = study->file,
-                                  .folder = folder,
+                                  .overrides = study->set,
+                                  .n_overrides = study->n,
+                                  .folder = study->folder,
+                                  .force = options->replaces,
                                   .version = study->version,
-                                  .threads = study->context->threads};
+                                  .threads = threads,
+                                  .row_done = report_row,
+                                  .context = study};
     if (!status) {
         status = murk_sweep_create(&study->sweep, &desc, err);
     }
-    return status ? status : murk_sweep_run(study->sweep, err);
+    if (status) {
+        return status;
+    }
+    read_base(study);
+    /* Rows whose scenes could not be read have failed already. */
+    for (size_t i = 0; i < study->file->rows; ++i) {
+        if (study->sweep->row[i].is_done) {
+            warn_of_failure(study, i);
+        }
+    }
+    return MURK_OK;
 }
 
-murk_status murk_study_run(murk_study **out, murk_context *context,
-                           const char *path, const char *folder,
-                           murk_error *error)
+murk_status murk_study_read(murk_study **out, murk_context *context,
+                            const char *path, const murk_study_options *options,
+                            murk_error *error)
 {
+    if (out) {
+        *out = NULL;
+    }
     if (!out || !context || !path) {
         return murk_call_refuse(error, "out, context or path is NULL");
     }
-    *out = NULL;
+    murk_study_options known = {0};
+    if (options) { /* the members that the caller's struct has */
+        memcpy(&known, options,
+               options->size < sizeof known ? options->size : sizeof known);
+    }
     murk_call call = murk_call_begin(context, NULL, error);
     murk_study *study = calloc(1, sizeof *study);
     murk_status status = MURK_NO_MEMORY;
     if (study) {
         study->context = context;
         ++context->references;
-        status = run(study, path, folder, &call.failure);
+        status = read_study(study, path, &known, &call.failure);
     }
     status = murk_call_end_long(&call, status);
     if (status) {
@@ -62,13 +167,36 @@ murk_status murk_study_run(murk_study **out, murk_context *context,
 
 void murk_study_destroy(murk_study *study)
 {
-    if (study) {
-        murk_fields_release(&study->fields);
-        murk_sweep_destroy(study->sweep);
-        murk_study_file_destroy(study->file);
-        murk_context_release(study->context);
-        free(study);
+    if (!study) {
+        return;
     }
+    murk_fields_release(&study->fields);
+    murk_fields_release(&study->saved);
+    murk_session_end(&study->session);
+    murk_sweep_destroy(study->sweep);
+    murk_study_file_destroy(study->file);
+    for (size_t i = 0; i < study->n; ++i) {
+        free((char *)study->set[i].option);
+    }
+    free(study->set);
+    free(study->seen);
+    free(study->folder);
+    murk_context_release(study->context);
+    free(study);
+}
+
+/* ---- running ---- */
+
+murk_status murk_study_run(murk_study *study, murk_error *error)
+{
+    if (!study) {
+        return murk_call_refuse(error, "study is NULL");
+    }
+    murk_call call = murk_call_begin(study->context, NULL, error);
+    murk_fields_release(&study->fields);
+    const murk_status status = murk_sweep_run(study->sweep, &call.failure);
+    study->is_interrupted = status == MURK_INTERRUPTED;
+    return murk_call_end_long(&call, status);
 }
 
 murk_status murk_study_fields(murk_study *study, const murk_fields **fields,
@@ -77,10 +205,122 @@ murk_status murk_study_fields(murk_study *study, const murk_fields **fields,
     if (!study || !fields) {
         return murk_call_refuse(error, "study or fields is NULL");
     }
+    const murk_study_results results = {study->sweep, study->is_interrupted,
+                                        NULL};
     murk_call call = murk_call_begin(study->context, NULL, error);
     *fields = &study->fields;
-    return murk_call_end(
-        &call, murk_fields_make(&study->fields, murk_results_list_study,
-                                &(murk_study_results){study->sweep, false},
-                                &call.failure));
+    return murk_call_end(&call, murk_fields_make(&study->fields,
+                                                 murk_results_list_study,
+                                                 &results, &call.failure));
+}
+
+/* ---- files ---- */
+
+/* The keys of the rows say all that rows follow from. */
+static murk_status identify(const murk_study *study, murk_session *session,
+                            const murk_save_options *options, murk_error *err)
+{
+    const size_t size = sizeof study->sweep->row->key, rows = study->file->rows;
+    char *keys = calloc(rows + 2, size);
+    if (!keys) {
+        return murk_no_memory(err, "", "for the rows");
+    }
+    size_t n = (size_t)snprintf(keys, size, "%s", study->file->sha256);
+    for (size_t i = 0; i < rows; ++i) {
+        n += (size_t)snprintf(keys + n, size, "%s", study->sweep->row[i].key);
+    }
+    const char *asked = murk_save_known(options).asked;
+    const murk_status status =
+        murk_identity_of(session->identity, "study", asked ? asked : "", NULL,
+                         keys, study->sweep->seed, err);
+    free(keys);
+    return status;
+}
+
+static murk_status check(murk_session *session, murk_error *err)
+{
+    static const char *const names[] = {"study.json", "table.csv", NULL};
+    const murk_status status =
+        murk_results_begin(&session->results, session->settings.folder,
+                           session->settings.force, err);
+    return status ? status : murk_session_expect(session, names, err);
+}
+
+murk_status murk_study_check_save(murk_study *study, const char *folder,
+                                  const murk_save_options *options,
+                                  murk_error *error)
+{
+    if (!study) {
+        return murk_call_refuse(error, "study is NULL");
+    }
+    murk_call call = murk_call_begin(study->context, NULL, error);
+    murk_session session = study->session;
+    murk_status status =
+        murk_save_set(&session, folder, options, &call.failure);
+    if (!status) {
+        status = check(&session, &call.failure);
+    }
+    murk_results_end(&session.results);
+    return murk_call_end(&call, status);
+}
+
+/* Rows write their grids themselves. */
+static murk_status note_fluence(const murk_study *study, murk_session *session,
+                                murk_error *err)
+{
+    murk_status status = MURK_OK;
+    const bool wants = study->sweep->outputs.wants[MURK_OUTPUT_FLUENCE];
+    for (size_t i = 0; wants && i < study->file->rows && !status; ++i) {
+        char name[MURK_SWEEP_NAME_SIZE];
+        murk_sweep_fluence_name(name, i);
+        if (study->sweep->row[i].is_done &&
+            !study->sweep->row[i].found.failed[0]) {
+            status = murk_results_note(&session->results, name, err);
+        }
+    }
+    return status;
+}
+
+/* The table, the base scene and the grids; the JSON comes last. */
+static murk_status save(murk_study *study, murk_session *session,
+                        const murk_save_options *options, murk_error *err)
+{
+    const murk_study_results results = {study->sweep, study->is_interrupted,
+                                        session->settings.folder};
+    murk_status status = check(session, err);
+    if (!status) {
+        status = identify(study, session, options, err);
+    }
+    if (!status) {
+        status = murk_add_table(&session->results, study->sweep, err);
+    }
+    if (!status) {
+        status = murk_session_add_scene(session, err);
+    }
+    if (!status) {
+        status = note_fluence(study, session, err);
+    }
+    return status ? status
+                  : murk_session_finish(
+                        session, "study.json",
+                        murk_results_json(murk_results_list_study, &results),
+                        murk_print_study, &results, err);
+}
+
+murk_status murk_study_save(murk_study *study, const char *folder,
+                            const murk_save_options *options,
+                            const murk_fields **fields, murk_error *error)
+{
+    if (!study) {
+        return murk_call_refuse(error, "study is NULL");
+    }
+    murk_call call = murk_call_begin(study->context, NULL, error);
+    murk_session session = study->session; /* borrows the study */
+    const murk_error late = {0};
+    murk_status status =
+        murk_save_set(&session, folder, options, &call.failure);
+    if (!status) {
+        status = save(study, &session, options, &call.failure);
+    }
+    return murk_save_end(&call, &session, &study->saved, fields, status, &late);
 }

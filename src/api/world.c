@@ -6,6 +6,7 @@
 #include "base/progress.h"
 
 #include "world/stage_build.h"
+#include "world/units.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -16,8 +17,12 @@ static murk_status build(murk_world *world, murk_scene *scene, murk_error *err)
     if (!murk_memory_copy(&world->files, &scene->files)) {
         return murk_no_memory(err, scene->name, "for the world");
     }
+    world->begun_s = murk_clock_s();
     murk_progress_begin_group("build", 0, "");
     murk_status status = murk_scene_describe(&world->desc, scene, err);
+    if (!status) {
+        murk_units_note(world->desc);
+    }
     for (size_t i = 0; !status && i < world->desc->idles; ++i) {
         murk_warn(world->desc->idle[i].where, "%s", world->desc->idle[i].text);
     }
@@ -25,6 +30,7 @@ static murk_status build(murk_world *world, murk_scene *scene, murk_error *err)
         status = murk_stage_create(&world->stage, world->desc, err);
     }
     murk_progress_end();
+    world->load_s = murk_clock_s() - world->begun_s;
     return status;
 }
 

@@ -1,7 +1,7 @@
 /* murk study: runs the rows of a study, writes its table and its JSON, and
  * prints a summary. */
+#include "api/log_once.h"
 #include "app/identity.h"
-#include "app/log_once.h"
 #include "app/session.h"
 #include "results/study.h"
 #include "results/study_print.h"
@@ -138,53 +138,6 @@ static murk_status note_fluence(study_run *s, murk_error *err)
     return status;
 }
 
-static void print_plan(const study_run *s, int p)
-{
-    static const char *const names[] = {
-        [MURK_SWEEP_MEAN] = "mean", [MURK_SWEEP_WORST] = "worst"};
-    const murk_sweep_plan *plan = &s->sweep->plan[p];
-    if (!plan->is_wanted) {
-        return;
-    }
-    murk_print("one plan    for the %s of all rows: ", names[p]);
-    if (plan->found.failed[0]) {
-        murk_print("none: %s\n", plan->found.failed);
-    } else if (!isfinite(plan->mean.value)) {
-        murk_print("none: there is nothing to see in any row\n");
-    } else {
-        murk_print("%zu sensors, mean %.4g +- %.1g, least %.4g +- %.1g in row "
-                   "%zu\n",
-                   plan->found.sensors, plan->mean.value,
-                   plan->mean.standard_error, plan->worst.value,
-                   plan->worst.standard_error, plan->worst_row + 1);
-    }
-}
-
-/* Prints the summary of a study_run. */
-static void print_study(const void *of)
-{
-    const study_run *s = of;
-    size_t traced = 0, reused = 0;
-    for (size_t g = 0; g < s->sweep->groups; ++g) {
-        traced += s->sweep->group[g].was_traced;
-    }
-    for (size_t i = 0; i < s->study->rows; ++i) {
-        reused += s->sweep->row[i].is_reused;
-    }
-    /* The rows, the plans for all rows, and counts. */
-    murk_print_study_rows(s->sweep, s->options->out);
-    for (int p = 0; p < MURK_SWEEP_PLANS && !s->is_interrupted; ++p) {
-        print_plan(s, p);
-    }
-    murk_print("rows        %zu, of which %zu kept from before and %zu failed; "
-               "light traced for %zu groups of rows\n",
-               s->study->rows, reused, murk_sweep_failed(s->sweep), traced);
-    if (s->is_interrupted) {
-        murk_print("            interrupted: %zu of the rows are done\n",
-                   murk_sweep_done(s->sweep));
-    }
-}
-
 /* Prints the lines of the run, which name the folder of rows, too. */
 static void print_run(const study_run *s)
 {
@@ -214,10 +167,11 @@ static murk_status write_files(study_run *s, murk_error *err)
     }
     /* The JSON comes last and names the other files. */
     if (!status) {
-        const murk_study_results study = {s->sweep, s->is_interrupted};
+        const murk_study_results study = {s->sweep, s->is_interrupted,
+                                          s->options->out};
         cJSON *root = murk_results_json(murk_results_list_study, &study);
         status = (s->is_interrupted ? murk_session_keep : murk_session_finish)(
-            &s->session, "study.json", root, print_study, s, err);
+            &s->session, "study.json", root, murk_print_study, &study, err);
     }
     return status;
 }

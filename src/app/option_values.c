@@ -5,6 +5,7 @@
 #include "base/file.h"
 #include "render/render.h"
 #include "results/fit.h"
+#include "results/session.h"
 #include "scene/yaml.h"
 
 #include <math.h>
@@ -71,30 +72,7 @@ murk_status murk_option_out(murk_options *out, const char *name,
 murk_status murk_option_exports(murk_options *out, const char *name,
                                 const char *value, murk_error *err)
 {
-    static const char *const words[] = {"matrix", "or-library", "lp",
-                                        "fields", "photons",    "surfaces"};
-    /* Word by word between commas. */
-    for (const char *word = value;;) {
-        const size_t length = strcspn(word, ",");
-        unsigned bit = 0;
-        for (unsigned i = 0; i < sizeof words / sizeof *words; ++i) {
-            if (strlen(words[i]) == length &&
-                strncmp(words[i], word, length) == 0) {
-                bit = 1u << i;
-            }
-        }
-        if (!bit) {
-            return murk_fail(err, MURK_BAD_VALUE, name,
-                             "%s, must be of matrix, or-library, lp, fields, "
-                             "photons, surfaces, with commas between",
-                             value);
-        }
-        out->exports |= bit;
-        if (!word[length]) {
-            return MURK_OK;
-        }
-        word += length + 1;
-    }
+    return murk_session_read_exports(&out->exports, value, name, err);
 }
 
 static murk_status take_words(murk_options *out, murk_words_given *words,
@@ -142,7 +120,7 @@ murk_status murk_option_bounds(murk_options *out, const char *name,
 murk_status murk_option_loss(murk_options *out, const char *name,
                              const char *value, murk_error *err)
 {
-    murk_fit_options *fit = &out->fit;
+    murk_given_fit *fit = &out->fit;
     static const char *const losses[] = {"none", "huber", "cauchy"};
     /* Widths of 95 % efficiency on normal residuals (Holland and Welsch,
      * Commun. Stat. A 6 (1977) 813, doi:10.1080/03610927708827533). */

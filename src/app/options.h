@@ -113,14 +113,14 @@ typedef struct murk_words_given {
     size_t n;
 } murk_words_given;
 
-typedef struct murk_fit_options {
+typedef struct murk_given_fit {
     const char *data;        /* --data */
     murk_words_given free;   /* --free */
     murk_words_given bounds; /* --bounds */
     murk_loss_function loss; /* --loss */
     double loss_width;       /* in standard errors */
     const char *predict;     /* --predict */
-} murk_fit_options;
+} murk_given_fit;
 
 typedef struct murk_render_options {
     uint64_t from_sensor;     /* --from-sensor, from 1; 0: not given */
@@ -153,7 +153,7 @@ struct murk_options {
     const char *profile; /* --profile */
     const char *voxel;   /* --voxel, of a profile's grid and of --export */
     unsigned exports;    /* --export: murk_export bits */
-    murk_fit_options fit;
+    murk_given_fit fit;
     murk_render_options render;
     unsigned threads;
     bool json, quiet;

@@ -214,7 +214,5 @@ bool murk_fit_refused_values(const char *text)
 
 void murk_fit_warn_refused(const char *file)
 {
-    murk_message("warning: ", file,
-                 "of a fit whose model the data refuse, so its values are not "
-                 "to be used");
+    murk_message("warning: ", file, MURK_REFUSED_VALUES);
 }

@@ -33,6 +33,10 @@ murk_status murk_add_calibrated(murk_results *results,
  * model. */
 bool murk_fit_refused_values(const char *text);
 
+/* The warning about values of a refused fit. */
+#define MURK_REFUSED_VALUES \
+    "of a fit whose model the data refuse, so its values are not to be used"
+
 /* Warns that the file has values of a fit that rejected its model. Also prints
  * with --quiet. */
 void murk_fit_warn_refused(const char *file);

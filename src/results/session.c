@@ -10,11 +10,42 @@
 #include "world/stage_build.h"
 
 #include <stdio.h>
+#include <string.h>
 
 #define FILE_SIZE (MURK_SCENE_NAME_SIZE + 16) /* NAME_photons.vdb */
 
+murk_status murk_session_read_exports(unsigned *out, const char *words,
+                                      const char *where, murk_error *err)
+{
+    static const char *const known[] = {"matrix", "or-library", "lp",
+                                        "fields", "photons",    "surfaces"};
+    /* Word by word between commas; bit i of the result is word i. */
+    for (const char *word = words;;) {
+        const size_t length = strcspn(word, ",");
+        unsigned bit = 0;
+        for (unsigned i = 0; i < sizeof known / sizeof *known; ++i) {
+            if (strlen(known[i]) == length &&
+                strncmp(known[i], word, length) == 0) {
+                bit = 1u << i;
+            }
+        }
+        if (!bit) {
+            return murk_fail(err, MURK_BAD_VALUE, where,
+                             "%s, must be of matrix, or-library, lp, fields, "
+                             "photons, surfaces, with commas between",
+                             words);
+        }
+        *out |= bit;
+        if (!word[length]) {
+            return MURK_OK;
+        }
+        word += length + 1;
+    }
+}
+
 void murk_session_end(murk_session *session)
 {
+    cJSON_free(session->document);
     murk_results_end(&session->results);
     murk_traced_destroy(session->traced);
     murk_stage_destroy(session->stage);
@@ -167,7 +198,8 @@ static murk_status show(murk_session *session, const char *name, cJSON *root,
     } else if (!status && is_last && murk_session_speaks(session)) {
         murk_print_lines(summary);
     }
-    cJSON_free(text);
+    cJSON_free(session->document);
+    session->document = text;
     cJSON_Delete(summary);
     return status;
 }

@@ -41,7 +41,14 @@ typedef struct murk_session {
     murk_run_facts run;
     char identity[65]; /* of the results; "" before the scene is read */
     double begun_s;
+    char *document; /* text of the main JSON, for cJSON_free(); NULL before it
+                       is made */
 } murk_session;
+
+/* Adds the murk_export bits that words with commas between name to *out. where:
+ * the name of the setting, for messages. */
+murk_status murk_session_read_exports(unsigned *out, const char *words,
+                                      const char *where, murk_error *err);
 
 void murk_session_end(murk_session *session);
 

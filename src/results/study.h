@@ -16,6 +16,7 @@ murk_status murk_add_table(murk_results *results, const murk_sweep *sweep,
 typedef struct murk_study_results {
     const murk_sweep *sweep;
     bool is_interrupted;
+    const char *folder; /* of the results; NULL: nothing is written */
 } murk_study_results;
 void murk_results_list_study(murk_results_fields *f, const void *of);
 

@@ -128,7 +128,7 @@ static void print_rest(size_t rows, size_t columns, const char *folder)
     }
 }
 
-void murk_print_study_rows(const murk_sweep *sweep, const char *folder)
+static void print_rows(const murk_sweep *sweep, const char *folder)
 {
     const size_t all = sweep->desc.study->rows;
     table t = {.sweep = sweep,
@@ -161,4 +161,52 @@ void murk_print_study_rows(const murk_sweep *sweep, const char *folder)
         }
     }
     print_rest(all - t.rows, t.columns - shown, folder);
+}
+
+static void print_plan(const murk_sweep *sweep, int p)
+{
+    static const char *const names[] = {
+        [MURK_SWEEP_MEAN] = "mean", [MURK_SWEEP_WORST] = "worst"};
+    const murk_sweep_plan *plan = &sweep->plan[p];
+    if (!plan->is_wanted) {
+        return;
+    }
+    murk_print("one plan    for the %s of all rows: ", names[p]);
+    if (plan->found.failed[0]) {
+        murk_print("none: %s\n", plan->found.failed);
+    } else if (!isfinite(plan->mean.value)) {
+        murk_print("none: there is nothing to see in any row\n");
+    } else {
+        murk_print("%zu sensors, mean %.4g +- %.1g, least %.4g +- %.1g in row "
+                   "%zu\n",
+                   plan->found.sensors, plan->mean.value,
+                   plan->mean.standard_error, plan->worst.value,
+                   plan->worst.standard_error, plan->worst_row + 1);
+    }
+}
+
+void murk_print_study(const void *of)
+{
+    const murk_study_results *results = of;
+    const murk_sweep *sweep = results->sweep;
+    const size_t rows = sweep->desc.study->rows;
+    size_t traced = 0, reused = 0;
+    for (size_t g = 0; g < sweep->groups; ++g) {
+        traced += sweep->group[g].was_traced;
+    }
+    for (size_t i = 0; i < rows; ++i) {
+        reused += sweep->row[i].is_reused;
+    }
+    /* The rows, the plans for all rows, and counts. */
+    print_rows(sweep, results->folder);
+    for (int p = 0; p < MURK_SWEEP_PLANS && !results->is_interrupted; ++p) {
+        print_plan(sweep, p);
+    }
+    murk_print("rows        %zu, of which %zu kept from before and %zu failed; "
+               "light traced for %zu groups of rows\n",
+               rows, reused, murk_sweep_failed(sweep), traced);
+    if (results->is_interrupted) {
+        murk_print("            interrupted: %zu of the rows are done\n",
+                   murk_sweep_done(sweep));
+    }
 }

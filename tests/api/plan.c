@@ -199,7 +199,7 @@ static void check_plan(murk_light *light, murk_world *world, const char *folder)
     CHECK(matrix.shape[0] == 2 &&
           matrix.shape[1] == murk_light_count(light, MURK_MAP_SURFACE) +
                                  murk_light_count(light, MURK_MAP_VOLUME));
-    must(murk_plan_save(plan, folder, &error), &error);
+    must(murk_plan_save(plan, folder, NULL, NULL, &error), &error);
     murk_coverage_destroy(coverage);
     murk_sensors_destroy(own);
     murk_sensors_destroy(sensors);

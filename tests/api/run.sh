@@ -20,6 +20,7 @@ export LD_LIBRARY_PATH="$library"
 "$work/build/plan" "$work/results"
 test -s "$work/results/plan.json" || { echo "no plan.json was saved"; exit 1; }
 "$work/build/contexts"
+"$here/same_files.sh" "$build/murk" "$work/build/saves" "$work"
 "$work/build/cpp"
 
 # with pkg-config, as C11 and as C17

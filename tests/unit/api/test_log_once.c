@@ -1,5 +1,5 @@
 /* Notes of many rows are said once, whatever their numbers. */
-#include "app/log_once.h"
+#include "api/log_once.h"
 #include "check.h"
 
 #include <stdlib.h>

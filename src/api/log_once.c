@@ -1,6 +1,6 @@
 /* Filters notes so that each is shown once. Notes that differ only in their
  * numbers count as the same note. */
-#include "app/log_once.h"
+#include "api/log_once.h"
 
 #include <ctype.h>
 #include <stdio.h>

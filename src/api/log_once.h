@@ -1,7 +1,7 @@
 /* Shows each note once, apart from the numbers in it: of a hundred rows in
  * which the sun is so many degrees below the horizon, one says so. */
-#ifndef MURK_APP_LOG_ONCE_H
-#define MURK_APP_LOG_ONCE_H
+#ifndef MURK_API_LOG_ONCE_H
+#define MURK_API_LOG_ONCE_H
 
 #include <stdbool.h>
 #include <stddef.h>

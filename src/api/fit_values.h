@@ -1,0 +1,26 @@
+/* The values of a finished fit, to predict readings at them. */
+#ifndef MURK_API_FIT_VALUES_H
+#define MURK_API_FIT_VALUES_H
+
+#include "calibrate/free_keys.h"
+#include "results/fit.h"
+
+typedef struct murk_fit_values {
+    const char *path; /* of the fit.json, borrowed */
+    murk_yaml *root;
+    const murk_yaml *list;      /* of parameters, within root */
+    char *asked[MURK_FREE_MAX]; /* [n] "KEY" or "KEY@each" */
+    size_t n;
+} murk_fit_values;
+
+/* Reads a fit.json. Warns if the data refused the model of the fit. Release *f
+ * also after a failure. */
+murk_status murk_fit_values_read(murk_fit_values *f, const char *path,
+                                 murk_error *err);
+void murk_fit_values_release(murk_fit_values *f);
+
+/* Makes the values the starts of the keys, which were created of f->asked. */
+murk_status murk_fit_values_set(const murk_fit_values *f, murk_free_keys *keys,
+                                murk_error *err);
+
+#endif
