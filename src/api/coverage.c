@@ -113,10 +113,12 @@ static murk_status save(murk_coverage *coverage, murk_session *session,
     const murk_sense_results results = results_of(coverage, session);
     murk_sight *sight = coverage->sight;
     const size_t n = coverage->n;
+    /* Judge the folder and the options. */
     murk_status status = murk_save_check(session, "sense", 0, err);
     if (!status) {
         status = murk_save_identify(session, "sense", options, err);
     }
+    /* Add the files; coverage.json comes last. */
     if (!status && sight && session->results.folder) {
         status =
             murk_add_plan_ply(&session->results, "coverage.ply", session->stage,

@@ -205,6 +205,7 @@ static murk_status make(murk_fit *f, const char *data, const char *const *keys,
     f->session = (murk_session){.settings.threads = threads,
                                 .settings.is_quiet = true,
                                 .run.threads = threads};
+    /* The options must be right by themselves. */
     murk_status status = take_options(f, options, &call->failure);
     if (!status && f->predict && (n > 0 || f->wanted_places > 0)) {
         status = murk_fail(&call->failure, MURK_BAD_VALUE, "predict",
@@ -216,6 +217,7 @@ static murk_status make(murk_fit *f, const char *data, const char *const *keys,
                            "none, must be the keys of the scene to be found, "
                            "or a finished fit to predict by");
     }
+    /* Read and build the scene, then read the input of the fit. */
     if (!status) {
         status = keep_files(f, &call->failure);
         call->host->files = &f->files;

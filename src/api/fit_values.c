@@ -77,6 +77,7 @@ murk_status murk_fit_values_set(const murk_fit_values *f, murk_free_keys *keys,
     const murk_yaml *list = f->list;
     for (size_t k = 0; k < keys->n; ++k) {
         murk_free_key *key = &keys->key[k];
+        /* The parameter of that name. */
         const murk_yaml *found = NULL;
         for (size_t i = 0; i < list->n; ++i) {
             const murk_yaml *item = list->child[i];
@@ -88,6 +89,7 @@ murk_status murk_fit_values_set(const murk_fit_values *f, murk_free_keys *keys,
             return murk_fail(err, MURK_BAD_FILE, f->path, "has no value of %s",
                              key->name);
         }
+        /* The start, within the limits of the key. */
         (void)murk_yaml_number(found, &key->start);
         if (!(key->start >= key->lower && key->start <= key->upper)) {
             return murk_fail(err, MURK_BAD_VALUE, f->path,

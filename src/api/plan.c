@@ -209,6 +209,7 @@ static murk_status save(murk_plan *plan, murk_session *session,
 {
     murk_plan_results results;
     murk_repeat_results repeated;
+    /* Judge the folder and the options. */
     murk_status status = results_of(&results, &repeated, plan, session, err);
     if (!status) {
         status = murk_save_check(session, "place", plan->repeat.runs, err);
@@ -217,6 +218,7 @@ static murk_status save(murk_plan *plan, murk_session *session,
         status = murk_save_identify(session, "place", options, err);
     }
     if (!status) {
+        /* Add the files; plan.json comes last. */
         status = murk_add_plan_files(session, &plan->plan, plan->conditions,
                                      late, err);
     }

@@ -166,6 +166,7 @@ murk_status murk_save_check(murk_session *session, const char *command,
                                               "coverage.ply", NULL};
     const murk_scene_placement *asked = &session->scene->placement;
     const bool is_sense = strcmp(command, "sense") == 0;
+    /* Begin the folder, then ask the question of the command. */
     const murk_status status =
         murk_results_begin(&session->results, session->settings.folder,
                            session->settings.force, err);
@@ -237,6 +238,7 @@ murk_status murk_save_end(murk_call *call, murk_session *session,
                           murk_fields *saved, const murk_fields **fields,
                           murk_status status, const murk_error *late)
 {
+    /* Make the main JSON the fields. */
     murk_fields_release(saved);
     if (!status && session->document) {
         saved->root = cJSON_Parse(session->document);
@@ -247,6 +249,7 @@ murk_status murk_save_end(murk_call *call, murk_session *session,
             status = murk_no_memory(&call->failure, "", "for the results");
         }
     }
+    /* End the folder and the call. */
     cJSON_free(session->document);
     session->document = NULL;
     murk_results_end(&session->results);

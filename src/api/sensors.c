@@ -39,8 +39,8 @@ static murk_status read_file(murk_sensors *sensors, const char *path,
                          "sensors: the scene has none");
     }
     /* A plan that was made in the dark may have no sensor. */
-    const size_t least = murk_stage_has_nothing_to_see(world->stage) ? 0 : 1;
-    return murk_placement_read(&sensors->pose, &sensors->n, path, least,
+    const size_t minimum = murk_stage_has_nothing_to_see(world->stage) ? 0 : 1;
+    return murk_placement_read(&sensors->pose, &sensors->n, path, minimum,
                                world->desc, &world->stage->world.domain, err);
 }
 
