@@ -2,18 +2,23 @@
  * candidates, sensors, cameras, doubtful points and the memory that a run
  * takes. */
 #include "app/check.h"
+#include "app/section_picture.h"
 #include "app/session.h"
+#include "base/file.h"
 #include "base/machine.h"
 #include "plan/few_photons.h"
 #include "results/candidates.h"
 #include "results/condition_results.h"
 #include "results/goals.h"
+#include "results/ownership.h"
 #include "results/summary.h"
 #include "results/tallies.h"
+#include "results/version.h"
 #include "scene/places.h"
 #include "world/mesh_materials.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 /* Everything that check finds out, before it is printed one way or another. */
 typedef struct findings {
@@ -22,8 +27,10 @@ typedef struct findings {
     murk_mesh_material *mesh_name; /* [mesh_names] */
     size_t mesh_names;
     murk_forecast forecast;
-    murk_candidates *candidates; /* NULL without sensors */
-    murk_poses *poses;           /* likewise */
+    murk_candidates *candidates;  /* NULL without sensors */
+    murk_poses *poses;            /* likewise */
+    const char *picture;          /* --picture; NULL: none */
+    murk_section_request section; /* of the picture */
 } findings;
 
 /* Most that the known environment's matrix can take: a bit a photon and
@@ -82,6 +89,32 @@ static void add_mesh_materials(cJSON *root, const findings *f)
     }
 }
 
+/* The planes of the picture, and of each view the rectangle in pixels with the
+ * coordinates of its lower left corner. */
+static void add_picture(cJSON *root, const findings *f)
+{
+    static const char *const names[MURK_SECTIONS] = {"plan", "front", "side"};
+    const murk_scene_desc *scene = f->session->scene;
+    cJSON *picture = cJSON_AddObjectToObject(root, "picture");
+    cJSON_AddStringToObject(picture, "image", f->picture);
+    murk_json_vector(picture, "cut_m", murk_scene_user(scene, f->section.cut));
+    cJSON *sections = cJSON_AddArrayToObject(picture, "sections");
+    for (int i = 0; i < MURK_SECTIONS; ++i) {
+        const murk_section_view *v = &f->section.view[i];
+        const double low_m[] = {
+            v->low[0] + murk_component(scene->origin, v->right),
+            v->low[1] + murk_component(scene->origin, v->up)};
+        cJSON *item = murk_json_item(sections);
+        cJSON_AddStringToObject(item, "section", names[i]);
+        murk_json_number(item, "left", v->left);
+        murk_json_number(item, "top", v->top);
+        murk_json_number(item, "width", v->width);
+        murk_json_number(item, "height", v->height);
+        murk_json_numbers(item, "low_m", low_m, 2);
+        murk_json_number(item, "pixels_per_m", v->scale);
+    }
+}
+
 static cJSON *check_json(const findings *f)
 {
     const murk_stage *stage = f->session->stage;
@@ -115,6 +148,10 @@ static cJSON *check_json(const findings *f)
     murk_json_number(forecast, "volume", f->forecast.volume);
     murk_json_number(forecast, "memory_bytes", f->forecast.memory_bytes);
     murk_json_number(forecast, "matrix_bytes_at_most", matrix_bytes(f));
+    if (f->picture) {
+        add_picture(root, f);
+        murk_json_file(root, f->picture);
+    }
     return root;
 }
 
@@ -187,20 +224,108 @@ static void print_findings(const findings *f)
                "volume (from a pilot of %llu photons)\n",
                f->forecast.emitted, f->forecast.surface, f->forecast.volume,
                (unsigned long long)f->forecast.pilot_photons);
-    if (!(f->forecast.memory_bytes + matrix_bytes(f) >= 1e5)) {
-        return; /* not worth a word */
+    if (f->forecast.memory_bytes + matrix_bytes(f) >= 1e5) {
+        murk_print("memory      about %.3g GB a map while tracing; to place in "
+                   "a known environment at most %.3g GB more\n",
+                   f->forecast.memory_bytes / 1e9, matrix_bytes(f) / 1e9);
     }
-    murk_print(
-        "memory      about %.3g GB a map while tracing; to place in a known "
-        "environment at most %.3g GB more\n",
-        f->forecast.memory_bytes / 1e9, matrix_bytes(f) / 1e9);
+    if (f->picture) {
+        const murk_vec3 cut = murk_scene_user(scene, f->section.cut);
+        murk_print("picture     %s: cuts at x = %.*g, y = %.*g, z = %.*g m\n",
+                   f->picture, digits, cut.x, digits, cut.y, digits, cut.z);
+    }
+}
+
+/* ---- the picture ---- */
+
+/* Finds before any work whether the picture may be written. */
+static murk_status check_picture(const murk_options *options, murk_error *err)
+{
+    /* Options that mean nothing without a picture, and wrong values. */
+    const char *path = murk_option_text(options, "--picture");
+    const size_t length = path ? strlen(path) : 0;
+    const size_t *pixels = options->render.pixels;
+    if (!path) {
+        return !options->section.has_cut && pixels[0] == 0
+                   ? MURK_OK
+                   : murk_fail(err, MURK_BAD_VALUE,
+                               options->section.has_cut ? "--cut" : "--pixels",
+                               "goes with --picture FILE.png only");
+    }
+    if (length < 5 || strcmp(path + length - 4, ".png") != 0) {
+        return murk_fail(err, MURK_BAD_VALUE, "--picture",
+                         "%s, must be the name of a file that ends in .png",
+                         path);
+    }
+    if (pixels[0] > 0 && (pixels[0] < MURK_SECTION_WIDTH_MIN ||
+                          pixels[1] < MURK_SECTION_HEIGHT_MIN)) {
+        return murk_fail(err, MURK_BAD_VALUE, "--pixels",
+                         "%zux%zu, must be %dx%d or more for plan, sections "
+                         "and legend",
+                         pixels[0], pixels[1], MURK_SECTION_WIDTH_MIN,
+                         MURK_SECTION_HEIGHT_MIN);
+    }
+    /* A file of the user's stays, and a file can be made there. */
+    murk_file *file = NULL;
+    murk_status status = murk_file_check_owner(
+        path, MURK_MARK_IMAGE, sizeof MURK_MARK_IMAGE - 1, options->force, err);
+    if (!status) {
+        status = murk_file_create(&file, path, err);
+    }
+    murk_file_discard(file);
+    return status;
+}
+
+static murk_status write_picture(findings *f, const murk_options *options,
+                                 murk_error *err)
+{
+    const murk_scene_desc *scene = f->session->scene;
+    const double *cut_m = options->section.cut_m;
+    const murk_vec3 asked = murk_vec(cut_m[0], cut_m[1], cut_m[2]);
+    murk_section_request *request = &f->section;
+    *request = (murk_section_request){
+        .stage = f->session->stage,
+        .candidates = f->candidates,
+        .has_cut = options->section.has_cut,
+        .cut = murk_scene_local(scene, asked),
+        .pixels = {options->render.pixels[0], options->render.pixels[1]},
+        .escaped_share = f->forecast.escaped_share,
+        .threads = options->threads};
+    /* Targets are drawn as points. */
+    murk_targets targets = {0};
+    murk_canvas *canvas = NULL;
+    murk_status status = MURK_OK;
+    if (scene->placement.targets.given) {
+        status = murk_targets_create(&targets, request->stage, 0,
+                                     options->threads, err);
+        request->targets = &targets;
+    }
+    /* Draw, and write with texts about the origin. */
+    if (!status) {
+        status = murk_section_picture_draw(&canvas, request, err);
+    }
+    if (!status) {
+        const murk_image_text text[] = {
+            {"software", "murk " MURK_VERSION},
+            {MURK_MARK_IMAGE, murk_version_commit()},
+            {"murkCommand", options->typed},
+            {"murkScene", scene->path},
+            {"murkSceneSha256", scene->sha256}};
+        status = murk_png_write(murk_canvas_raster(canvas), text,
+                                sizeof text / sizeof *text, f->picture, err);
+    }
+    murk_canvas_destroy(canvas);
+    murk_targets_release(&targets);
+    return status;
 }
 
 murk_status murk_command_check(const murk_options *options, murk_error *err)
 {
     murk_session session;
-    findings f = {.session = &session};
+    findings f = {.session = &session,
+                  .picture = murk_option_text(options, "--picture")};
     murk_status status = murk_session_begin(&session, options, err);
+    status = status ? status : check_picture(options, err);
     if (!status) {
         f.surfaces = murk_surfaces_describe(session.stage->surfaces);
         status = murk_mesh_materials(&f.mesh_name, &f.mesh_names, session.stage,
@@ -229,7 +354,10 @@ murk_status murk_command_check(const murk_options *options, murk_error *err)
             &f.poses, session.scene, &session.stage->world.domain,
             f.candidates->position, f.candidates->usable, err);
     }
-    /* The report as JSON or as text. */
+    /* The picture, and the report as JSON or as text. */
+    if (!status && f.picture) {
+        status = write_picture(&f, options, err);
+    }
     if (!status && options->json) {
         status = murk_session_finish(&session, NULL, check_json(&f), NULL, NULL,
                                      err);

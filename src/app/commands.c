@@ -25,12 +25,16 @@ const murk_command murk_commands[] = {
      "Reads and builds the scene and prints its surfaces, media, lights, "
      "sensors and candidates, how many candidates are usable or doubtful, and "
      "the photons and the memory that a run will take, foretold by a short "
-     "pilot. Nothing is written.",
+     "pilot. Writes nothing but the drawing of --picture.",
      murk_command_check, .formats = "murk-scene",
      .example = {{"murk check scenes/smoke-hall.yaml",
                   "What is in the hall, and what a run will take."},
                  {"murk check scenes/day-night.yaml --set site.clock=23:00",
-                  "Where sun and moon stand at eleven in the evening."}}},
+                  "Where sun and moon stand at eleven in the evening."},
+                 {"murk check scenes/smoke-hall.yaml --picture hall.png",
+                  "Plan and sections of the hall, before anything is traced."}},
+     .file = {{"FILE.png",
+               "plan and sections on one sheet: --picture FILE.png"}}},
     {"trace", "SCENE [-o DIR]", "fill the photon maps",
      "Traces photons from the lamps through surfaces and media into the "
      "surface and the volume photon map. With -o writes DIR/light.murk, "

@@ -25,7 +25,8 @@ const murk_option murk_option_table[] = {
      "and nothing is written (media: the file of a --profile's grid; render: "
      "the image, else SCENE.exr; report: the page, else DIR/report.html)",
      OWN(murk_option_out), .is_left_out = true},
-    {"--force", NULL, NULL, "trace place sense render study fit report media",
+    {"--force", NULL, NULL,
+     "check trace place sense render study fit report media",
      "replace files that murk did not write, or that were edited since; what a "
      "run reads is never replaced",
      .kind = MURK_OPTION_SWITCH, MEMBER(force), .is_left_out = true},
@@ -122,9 +123,10 @@ const murk_option murk_option_table[] = {
      "and samples are the camera's that is named, else 640 across and 16",
      COUNT(1, 1000000), MEMBER(render.from_sensor),
      .part = MURK_OPTION_AS_TEXT},
-    {"--pixels", NULL, "WIDTHxHEIGHT", "render",
-     "size of the picture; replaces the camera's", OWN(murk_option_pixels),
-     .part = MURK_OPTION_AS_TEXT},
+    {"--pixels", NULL, "WIDTHxHEIGHT", "render check",
+     "size of the picture; replaces the camera's; check: of --picture, default "
+     "1600 pixels wide and as high as needed",
+     OWN(murk_option_pixels), .part = MURK_OPTION_AS_TEXT},
     {"--samples", NULL, "N", "render",
      "rays of each pixel, 1..65536; replaces the camera's",
      COUNT(1, MURK_SAMPLES_MAX), MEMBER(render.samples),
@@ -149,6 +151,15 @@ const murk_option murk_option_table[] = {
      "of the false colours; default: log for radiances and their errors, else "
      "linear",
      WORDS(SCALES), .part = MURK_OPTION_AS_TEXT},
+    {"--picture", NULL, "FILE.png", "check",
+     "draw plan and two sections of the scene: surfaces in the cut, media, "
+     "light sources, candidates, sensors, targets, domain, with scale and "
+     "legend",
+     .kind = MURK_OPTION_TEXT, .is_left_out = true},
+    {"--cut", NULL, "X,Y,Z", "check",
+     "where --picture cuts in m: side section at x, front section at y, plan "
+     "at z; default: the middle of the candidates, and 1.5 m above the floor",
+     OWN(murk_option_cut)},
     {"--profile", NULL, "FILE", "media",
      "turn this measured profile (CSV: depth_m, z_m or height_m, and a "
      "coefficient such as c_per_m) into a grid, -o FILE.vdb",

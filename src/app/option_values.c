@@ -283,3 +283,26 @@ murk_status murk_option_range(murk_options *out, const char *name,
     out->render.range[1] = high;
     return MURK_OK;
 }
+
+/* "X,Y,Z" */
+murk_status murk_option_cut(murk_options *out, const char *name,
+                            const char *value, murk_error *err)
+{
+    const char *at = value;
+    double cut_m[3];
+    for (int k = 0; k < 3; ++k) {
+        char *end;
+        cut_m[k] = strtod(at, &end);
+        const bool is_number = end != at && isfinite(cut_m[k]);
+        if (!is_number || *end != (k < 2 ? ',' : '\0')) {
+            return murk_fail(err, MURK_BAD_VALUE, name,
+                             "%s, must be X,Y,Z, three numbers of metres with "
+                             "commas between",
+                             value);
+        }
+        at = end + 1;
+    }
+    out->section.has_cut = true;
+    memcpy(out->section.cut_m, cut_m, sizeof cut_m);
+    return MURK_OK;
+}

@@ -134,6 +134,11 @@ typedef struct murk_render_options {
     double range[2]; /* --range */
 } murk_render_options;
 
+typedef struct murk_section_options {
+    bool has_cut;
+    double cut_m[3]; /* --cut */
+} murk_section_options;
+
 /* One option as it was given. */
 typedef struct murk_given {
     const murk_option *option;
@@ -155,6 +160,7 @@ struct murk_options {
     unsigned exports;    /* --export: murk_export bits */
     murk_given_fit fit;
     murk_render_options render;
+    murk_section_options section;
     unsigned threads;
     bool json, quiet;
     bool force; /* --force */

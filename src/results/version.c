@@ -4,6 +4,8 @@
 
 #include "murk_build.h" /* made by cmake/build_header.cmake at every build */
 
+/* FreeType is missing: only the drawing of murk check depends on it, and no
+ * result. */
 const murk_package murk_packages[] = {
     {"embree", MURK_BUILD_EMBREE}, {"openvdb", MURK_BUILD_OPENVDB},
     {"assimp", MURK_BUILD_ASSIMP}, {"libyaml", MURK_BUILD_YAML},

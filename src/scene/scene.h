@@ -245,7 +245,8 @@ typedef struct murk_scene_tally {
 
 typedef enum murk_scene_projection {
     MURK_SCENE_PERSPECTIVE,
-    MURK_SCENE_EQUIRECTANGULAR
+    MURK_SCENE_EQUIRECTANGULAR,
+    MURK_SCENE_ORTHOGRAPHIC
 } murk_scene_projection;
 
 typedef struct murk_scene_camera {
@@ -255,10 +256,14 @@ typedef struct murk_scene_camera {
     murk_vec3 from;
     bool has_to; /* false: all round, with north in the middle */
     murk_vec3 to;
-    murk_vec3 up;     /* perspective */
+    murk_vec3 up;     /* perspective, orthographic */
     double vfov_rad;  /* perspective */
+    double width_m;   /* orthographic; of the picture */
     size_t pixels[2]; /* width, height */
     size_t samples;   /* per pixel */
+    bool has_clip;    /* a plane hides what lies between it and the camera */
+    murk_vec3 clip_point, clip_normal; /* of the plane; the normal is not zero
+                                        */
 } murk_scene_camera;
 
 typedef struct murk_scene_site_zone { /* a zone in which sensors may or may not

@@ -1,0 +1,30 @@
+/* Where views, legend and texts of the picture of murk check lie on the sheet,
+ * and which part of the world the views show. */
+#ifndef MURK_APP_SECTION_LAYOUT_H
+#define MURK_APP_SECTION_LAYOUT_H
+
+#include "app/section_picture.h"
+
+typedef struct murk_section_layout {
+    size_t width, height; /* of the sheet [pixels] */
+    double unit;          /* 1 for a sheet 1600 pixels wide: sizes of letters
+                           * and lines are multiples of it */
+    double text;          /* height of letters */
+    murk_box shown;       /* part of the world that the views show */
+    bool is_part;         /* the domain is larger */
+    murk_section_view view[MURK_SECTIONS];
+    double legend[2]; /* upper left corner of the legend */
+} murk_section_layout;
+
+/* The planes where the request names none: the plan 1.5 m above the floor, or
+ * in the middle of the height if the floor is not 1.5 m below the top; the
+ * sections through the middle of the candidates, or of the
+ * geometry. The floor is that below the candidates. */
+murk_vec3 murk_section_default_cut(const murk_section_request *request);
+
+/* legend_lines: the number of lines of the legend. */
+murk_section_layout
+murk_section_layout_make(const murk_section_request *request,
+                         size_t legend_lines);
+
+#endif
