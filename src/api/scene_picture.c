@@ -7,13 +7,28 @@ murk_camera murk_camera_of_scene(const murk_scene_camera *c,
                                  const size_t asked[2])
 {
     const size_t *pixels = asked[0] ? asked : c->pixels;
-    return c->projection == MURK_SCENE_EQUIRECTANGULAR
-               ? murk_camera_around(c->from,
-                                    c->has_to ? murk_sub(c->to, c->from)
-                                              : scene->north,
-                                    pixels[0], pixels[1])
-               : murk_camera_aimed(c->from, c->to, c->up, c->vfov_rad,
+    /* The projection, then the clip plane. */
+    murk_camera camera;
+    switch (c->projection) {
+    case MURK_SCENE_EQUIRECTANGULAR:
+        camera = murk_camera_around(
+            c->from, c->has_to ? murk_sub(c->to, c->from) : scene->north,
+            pixels[0], pixels[1]);
+        break;
+    case MURK_SCENE_ORTHOGRAPHIC:
+        camera = murk_camera_parallel(c->from, c->to, c->up, c->width_m,
+                                      pixels[0], pixels[1]);
+        break;
+    case MURK_SCENE_PERSPECTIVE:
+    default:
+        camera = murk_camera_aimed(c->from, c->to, c->up, c->vfov_rad,
                                    pixels[0], pixels[1]);
+    }
+    if (c->has_clip) {
+        camera.clip =
+            (murk_clip){true, c->clip_point, murk_unit(c->clip_normal)};
+    }
+    return camera;
 }
 
 murk_render murk_render_of_stage(const murk_stage *stage,

@@ -2,6 +2,7 @@
  * picture by maps takes. */
 #include "app/check.h"
 
+#include "api/scene_picture.h"
 #include "base/log.h"
 #include "base/machine.h"
 #include "render/render.h"
@@ -19,6 +20,13 @@ static double bytes_of(const murk_scene_desc *scene,
            murk_gather_memory_for(forecast->surface, forecast->volume);
 }
 
+static murk_projection projection_of(const murk_scene_desc *scene,
+                                     size_t camera)
+{
+    static const size_t own[2] = {0, 0}; /* the camera's pixels */
+    return murk_camera_of_scene(&scene->cameras[camera], scene, own).projection;
+}
+
 void murk_json_cameras(cJSON *root, const murk_scene_desc *scene,
                        const murk_forecast *forecast)
 {
@@ -28,9 +36,7 @@ void murk_json_cameras(cJSON *root, const murk_scene_desc *scene,
         cJSON *item = murk_json_item(list);
         cJSON_AddStringToObject(item, "name", c->name);
         cJSON_AddStringToObject(item, "type",
-                                c->projection == MURK_SCENE_EQUIRECTANGULAR
-                                    ? "equirectangular"
-                                    : "perspective");
+                                murk_projection_name(projection_of(scene, i)));
         const double pixels[] = {(double)c->pixels[0], (double)c->pixels[1]};
         murk_json_numbers(item, "pixels", pixels, 2);
         murk_json_number(item, "samples", (double)c->samples);
@@ -47,7 +53,9 @@ void murk_print_cameras(const murk_scene_desc *scene,
             "camera      %-12s %zu x %zu pixels%s, %zu sample%s; by maps "
             "about %.2g GB\n",
             c->name, c->pixels[0], c->pixels[1],
-            c->projection == MURK_SCENE_EQUIRECTANGULAR ? " all round" : "",
+            projection_of(scene, i) == MURK_EQUIRECTANGULAR ? " all round"
+            : projection_of(scene, i) == MURK_ORTHOGRAPHIC  ? ", orthographic"
+                                                            : "",
             c->samples, c->samples == 1 ? "" : "s",
             bytes_of(scene, forecast, i) / 1e9);
     }

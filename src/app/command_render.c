@@ -299,8 +299,7 @@ static cJSON *facts_json(const job *j)
     /* The camera. */
     cJSON_AddStringToObject(root, "camera", v->name);
     cJSON_AddStringToObject(root, "projection",
-                            is_all_round(j) ? "equirectangular"
-                                            : "perspective");
+                            murk_projection_name(v->camera.projection));
     murk_json_vector(root, "from_m",
                      murk_scene_user(j->session.scene, v->camera.from));
     murk_json_number(root, "heading_deg", v->heading_deg);

@@ -211,13 +211,21 @@ static void say_all(texts *t, const murk_image_facts *facts)
     say(t, "murkSceneSha256", facts->scene->sha256);
     say_made(t, "murkSeed", "%lu", (unsigned long)facts->scene->seed);
     say(t, "murkCamera", v->name);
-    say(t, "murkProjection",
-        c->projection == MURK_EQUIRECTANGULAR ? "equirectangular"
-                                              : "perspective");
+    say(t, "murkProjection", murk_projection_name(c->projection));
     const murk_vec3 from = murk_scene_user(facts->scene, c->from);
     const int digits = murk_coordinate_digits(facts->scene, 9);
     say_made(t, "murkFrom", "%.*g %.*g %.*g m", digits, from.x, digits, from.y,
              digits, from.z);
+    if (c->projection == MURK_ORTHOGRAPHIC) {
+        say_made(t, "murkWidth", "%.9g m", c->step[0] * (double)c->width);
+    }
+    if (c->clip.is_set) {
+        const murk_vec3 at = murk_scene_user(facts->scene, c->clip.point);
+        const murk_vec3 n = c->clip.normal;
+        say_made(t, "murkClipPoint", "%.*g %.*g %.*g m", digits, at.x, digits,
+                 at.y, digits, at.z);
+        say_made(t, "murkClipNormal", "%.9g %.9g %.9g", n.x, n.y, n.z);
+    }
     const murk_vec3 o = facts->scene->origin; /* of P, which floats hold */
     if (o.x != 0 || o.y != 0 || o.z != 0) {
         say_made(t, "murkOrigin", "%.17g %.17g %.17g m", o.x, o.y, o.z);

@@ -176,8 +176,10 @@ murk_status murk_viewpoint_stand(murk_viewpoint *v, const murk_stage *stage,
     }
     /* The direction for the user, and the check of the place. */
     tell_direction(v, scene->north);
+    /* Orthographic rays may come from outside of the domain. */
     const murk_vec3 p = v->camera.from;
-    if (!murk_box_contains(box, p)) {
+    if (v->camera.projection != MURK_ORTHOGRAPHIC &&
+        !murk_box_contains(box, p)) {
         return murk_fail(err, MURK_BAD_VALUE, v->where,
                          "from_m is %s m, must be within the domain, %s..%s m",
                          murk_position_show(p).text,
@@ -194,6 +196,9 @@ murk_status murk_viewpoint_judge(const murk_viewpoint *v,
                                  murk_error *err)
 {
     const murk_vec3 p = v->camera.from;
+    if (v->camera.projection == MURK_ORTHOGRAPHIC || v->camera.clip.is_set) {
+        return MURK_OK; /* its rays begin elsewhere */
+    }
     if (murk_surfaces_solid_at(stage->surfaces, p) > 0) {
         murk_warn(v->where,
                   "%s stands at %s m inside a solid of transmitting material",

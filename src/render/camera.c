@@ -1,5 +1,6 @@
-/* Perspective and equirectangular cameras: the direction of each place of the
- * picture, the place of each direction, and the solid angle of a pixel. */
+/* Perspective, equirectangular and orthographic cameras: the ray of each place
+ * of the picture, the place of each direction, and the solid angle of a pixel.
+ */
 #include "render/camera.h"
 
 murk_camera murk_camera_aimed(murk_vec3 from, murk_vec3 to, murk_vec3 up,
@@ -42,6 +43,72 @@ murk_camera murk_camera_around(murk_vec3 from, murk_vec3 toward, size_t width,
                          .height = height};
 }
 
+murk_camera murk_camera_parallel(murk_vec3 from, murk_vec3 to, murk_vec3 up,
+                                 double width_m, size_t width, size_t height)
+{
+    /* The angle of view does not matter here. */
+    murk_camera camera =
+        murk_camera_aimed(from, to, up, MURK_PI / 2, width, height);
+    camera.projection = MURK_ORTHOGRAPHIC;
+    camera.step[0] = camera.step[1] = width_m / (double)width;
+    return camera;
+}
+
+const char *murk_projection_name(murk_projection projection)
+{
+    static const char *const names[] = {[MURK_PERSPECTIVE] = "perspective",
+                                        [MURK_EQUIRECTANGULAR] =
+                                            "equirectangular",
+                                        [MURK_ORTHOGRAPHIC] = "orthographic"};
+    return names[projection];
+}
+
+/* Distances to the right of the middle of the picture, and above it: in a plane
+ * at distance 1, or in metres. */
+static void offsets_at(const murk_camera *c, double x, double y, double out[2])
+{
+    out[0] = (x - (double)c->width / 2) * c->step[0];
+    out[1] = ((double)c->height / 2 - y) * c->step[1];
+}
+
+bool murk_camera_begin(murk_camera_ray *out, const murk_camera *c, double x,
+                       double y, murk_vec3 direction, const murk_box *domain,
+                       double margin_m)
+{
+    *out = (murk_camera_ray){.origin = c->from, .direction = direction};
+    const bool is_parallel = c->projection == MURK_ORTHOGRAPHIC;
+    if (is_parallel) {
+        double offset[2];
+        offsets_at(c, x, y, offset);
+        out->origin = murk_along(out->origin, offset[0], c->right);
+        out->origin = murk_along(out->origin, offset[1], c->up);
+    }
+    if (!is_parallel && !c->clip.is_set) {
+        return true; /* the camera stands in the domain */
+    }
+    /* The part of the ray behind the clip plane. */
+    double from_m = 0, to_m = INFINITY;
+    if (c->clip.is_set) {
+        const double ahead_m =
+            murk_dot(murk_sub(c->clip.point, out->origin), c->clip.normal);
+        const double slope = murk_dot(direction, c->clip.normal);
+        from_m = ahead_m / slope + margin_m / fabs(slope);
+        if (!(ahead_m / slope >= 0 && isfinite(from_m))) {
+            return false;
+        }
+    }
+    /* The part in the domain; rounding must not put the origin outside. */
+    if (!murk_box_clip(domain, out->origin, direction, &from_m, &to_m)) {
+        return false;
+    }
+    const murk_vec3 at = murk_along(out->origin, from_m, direction);
+    out->skipped_m = from_m;
+    out->origin = murk_vec(fmin(fmax(at.x, domain->min.x), domain->max.x),
+                           fmin(fmax(at.y, domain->min.y), domain->max.y),
+                           fmin(fmax(at.z, domain->min.z), domain->max.z));
+    return true;
+}
+
 /* The direction at a longitude from forward to the right, and at a latitude
  * given by sine and cosine. */
 static murk_vec3 on_sphere(const murk_camera *c, double longitude, double sine,
@@ -68,10 +135,13 @@ murk_vec3 murk_camera_sight(const murk_camera *c, double x, double y)
         const double latitude = latitude_at(c, y);
         return on_sphere(c, longitude_at(c, x), sin(latitude), cos(latitude));
     }
-    const double aside = (x - (double)c->width / 2) * c->step[0];
-    const double above = ((double)c->height / 2 - y) * c->step[1];
-    murk_vec3 d = murk_along(c->forward, aside, c->right);
-    d = murk_along(d, above, c->up);
+    if (c->projection == MURK_ORTHOGRAPHIC) {
+        return c->forward;
+    }
+    double offset[2];
+    offsets_at(c, x, y, offset);
+    murk_vec3 d = murk_along(c->forward, offset[0], c->right);
+    d = murk_along(d, offset[1], c->up);
     return murk_unit(d);
 }
 
@@ -81,7 +151,7 @@ murk_vec3 murk_camera_draw(const murk_camera *c, size_t column, size_t row,
                            double u, double v)
 {
     const double x = (double)column + u, y = (double)row;
-    if (c->projection == MURK_PERSPECTIVE) {
+    if (c->projection != MURK_EQUIRECTANGULAR) {
         return murk_camera_sight(c, x, y + v);
     }
     const double top = sin(latitude_at(c, y)),
@@ -104,8 +174,9 @@ bool murk_camera_find(const murk_camera *c, murk_vec3 direction, double *x,
         *y = (0.5 - atan2(above, level) / MURK_PI) * height;
         return level > 0 || above != 0;
     }
-    *x = width / 2 + aside / ahead / c->step[0];
-    *y = height / 2 - above / ahead / c->step[1];
+    const double distance = c->projection == MURK_ORTHOGRAPHIC ? 1 : ahead;
+    *x = width / 2 + aside / distance / c->step[0];
+    *y = height / 2 - above / distance / c->step[1];
     return ahead > 0 && *x >= 0 && *x <= width && *y >= 0 && *y <= height;
 }
 
@@ -119,6 +190,9 @@ static double corner_angle(double a, double b)
 double murk_camera_solid_angle(const murk_camera *c, size_t column, size_t row)
 {
     const double x = (double)column, y = (double)row;
+    if (c->projection == MURK_ORTHOGRAPHIC) {
+        return 0;
+    }
     if (c->projection == MURK_EQUIRECTANGULAR) {
         const double middle = latitude_at(c, y + 0.5);
         const double height =

@@ -22,8 +22,12 @@ static murk_photon point_at(const search *s, size_t x, size_t y)
     const murk_camera *c = s->camera;
     const murk_vec3 sight =
         murk_camera_sight(c, (double)x + 0.5, (double)y + 0.5);
-    const murk_scenery_end end =
-        murk_scenery_find_end(s->scenery, c->from, sight);
+    murk_camera_ray ray;
+    murk_scenery_end end = {.is_surface = false};
+    if (murk_scenery_begin(s->scenery, &ray, c, (double)x + 0.5,
+                           (double)y + 0.5, sight)) {
+        end = murk_scenery_find_end(s->scenery, ray.origin, sight);
+    }
     if (!end.is_surface) {
         return murk_photon_make(&(murk_photon_values){.power_w = 0});
     }

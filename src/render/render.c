@@ -103,16 +103,23 @@ static void trace_center(const run *r, size_t x, size_t y, size_t at)
     murk_image *p = r->picture;
     const murk_vec3 sight =
         murk_camera_sight(c, (double)x + 0.5, (double)y + 0.5);
+    murk_camera_ray ray;
+    if (!murk_scenery_begin(&r->scenery, &ray, c, (double)x + 0.5,
+                            (double)y + 0.5, sight)) {
+        p->distance_m[at] = NAN;
+        p->position[0][at] = p->position[1][at] = p->position[2][at] = NAN;
+        return;
+    }
     const double reach =
-        murk_scenery_find_end(&r->scenery, c->from, sight).distance_m;
-    const murk_vec3 there = murk_along(c->from, reach, sight);
-    p->distance_m[at] = (float)reach;
+        murk_scenery_find_end(&r->scenery, ray.origin, sight).distance_m;
+    const murk_vec3 there = murk_along(ray.origin, reach, sight);
+    p->distance_m[at] = (float)(ray.skipped_m + reach);
     p->position[0][at] = (float)there.x;
     p->position[1][at] = (float)there.y;
     p->position[2][at] = (float)there.z;
     for (int b = 0; b < p->bands; ++b) {
         p->depth[b][at] =
-            (float)murk_scenery_depth(&r->scenery, b, c->from, sight, reach);
+            (float)murk_scenery_depth(&r->scenery, b, ray.origin, sight, reach);
     }
 }
 
@@ -146,14 +153,21 @@ static void render_pixel(const run *r, murk_sampler *sampler, size_t x,
             trace->seed, MURK_LENS + MURK_STREAM * RENDER_STREAM, number, 0, 0);
         const murk_vec3 sight =
             murk_camera_draw(&render->camera, x, y, u.u[0], u.u[1]);
+        murk_camera_ray ray;
+        const bool shows =
+            murk_scenery_begin(&r->scenery, &ray, &render->camera,
+                               (double)x + u.u[0], (double)y + u.u[1], sight);
         double rgb[3] = {0, 0, 0};
         /* contributions to colours */
         double own[3][MURK_GATHER_GROUPS] = {{0}};
         for (int b = 0; b < p->bands; ++b) {
             double one[MURK_GATHER_GROUPS] = {0}; /* contributions of the
                                                    * maps */
-            const murk_found found = murk_sampler_trace(
-                sampler, number, b, render->camera.from, sight, one);
+            murk_found found = {0};
+            if (shows) {
+                found = murk_sampler_trace(sampler, number, b, ray.origin,
+                                           sight, one);
+            }
             const double radiance = found.surface + found.volume;
             take(&band[b], radiance);
             lit += found.meets_light;

@@ -47,8 +47,9 @@ typedef struct murk_image {
     float *depth[MURK_BANDS_MAX];    /* optical depth along the ray through the
                                       * center of the pixel, up to distance_m */
     float *rgb[3], *rgb_error[3];    /* render/colour.h */
-    float *distance_m;  /* to the first surface, change of index or side of the
-                         * domain */
+    float *distance_m;  /* from the camera to the first surface, change of index
+                         * or side of the domain behind the clip plane; NAN if
+                         * the ray shows nothing */
     float *position[3]; /* position at that distance */
     /* For the first surface: the number of sensors that see it, and the largest
      * clarity of their views; NAN without a surface. NULL before

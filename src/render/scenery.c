@@ -95,6 +95,15 @@ murk_scenery_end murk_scenery_find_end(const murk_scenery *scenery,
     return end;
 }
 
+bool murk_scenery_begin(const murk_scenery *scenery, murk_camera_ray *out,
+                        const murk_camera *camera, double x, double y,
+                        murk_vec3 direction)
+{
+    return murk_camera_begin(
+        out, camera, x, y, direction, &scenery->world->domain.box,
+        murk_surfaces_leave_step_m(scenery->world->surfaces));
+}
+
 double murk_scenery_depth(const murk_scenery *scenery, int band, murk_vec3 from,
                           murk_vec3 direction, double length_m)
 {

@@ -8,6 +8,7 @@
 
 #include "base/status.h"
 #include "path/pieces.h"
+#include "render/camera.h"
 #include "transport/trace.h"
 
 /* Immutable; any number of threads may use it. */
@@ -50,6 +51,11 @@ typedef struct murk_scenery_end {
 
 murk_scenery_end murk_scenery_find_end(const murk_scenery *scenery,
                                        murk_vec3 from, murk_vec3 direction);
+
+/* murk_camera_begin() in this world. */
+bool murk_scenery_begin(const murk_scenery *scenery, murk_camera_ray *out,
+                        const murk_camera *camera, double x, double y,
+                        murk_vec3 direction);
 
 /* Optical depth of the media over a length, without surfaces. */
 double murk_scenery_depth(const murk_scenery *scenery, int band, murk_vec3 from,

@@ -57,27 +57,55 @@ static murk_status check_camera(murk_key_reader *walk, const murk_yaml *map,
 
 #define CAMERA(member) AT(murk_scene_camera, member)
 
-#define PERSPECTIVE .variants = BIT(MURK_SCENE_PERSPECTIVE)
-#define ALL_ROUND   .variants = BIT(MURK_SCENE_EQUIRECTANGULAR)
-#define TO          PLACE_M, FLAG(murk_scene_camera, has_to), CAMERA(to)
+#define PERSPECTIVE  .variants = BIT(MURK_SCENE_PERSPECTIVE)
+#define ORTHOGRAPHIC .variants = BIT(MURK_SCENE_ORTHOGRAPHIC)
+#define FLAT \
+    .variants = BIT(MURK_SCENE_PERSPECTIVE) | BIT(MURK_SCENE_ORTHOGRAPHIC)
+#define ALL_ROUND .variants = BIT(MURK_SCENE_EQUIRECTANGULAR)
+#define TO        PLACE_M, FLAG(murk_scene_camera, has_to), CAMERA(to)
 /* Longer edges are mistakes; PIXELS_MAX limits the product. */
 #define PIXELS .min = 1, .max = 65536, .unit = "pixels", CAMERA(pixels)
+
+static murk_status check_clip(murk_key_reader *walk, const murk_yaml *map,
+                              void *item)
+{
+    const murk_scene_camera *camera = item;
+    return murk_length(camera->clip_normal) > 0
+               ? MURK_OK
+               : murk_walk_fail(walk, map,
+                                "normal is [0, 0, 0], must have a length");
+}
+
+static const murk_key CLIP_ROWS[] = {
+    ROW("point_m", VECTOR, NEEDED, PLACE_M, CAMERA(clip_point)),
+    ROW("normal", VECTOR, NEEDED, ANY_UNIT, CAMERA(clip_normal)),
+    END,
+};
+
+static const murk_keys CLIP = {
+    .noun = "clip plane",
+    .check = check_clip,
+    .key = CLIP_ROWS,
+};
 
 static const murk_key CAMERA_ROWS[] = {
     ROW("name", TEXT, NEEDED, CAMERA(name)),
     ROW("type", WORD, .preset = "perspective",
         WORDS({"perspective", MURK_SCENE_PERSPECTIVE},
-              {"equirectangular", MURK_SCENE_EQUIRECTANGULAR})),
+              {"equirectangular", MURK_SCENE_EQUIRECTANGULAR},
+              {"orthographic", MURK_SCENE_ORTHOGRAPHIC})),
     ROW("from_m", VECTOR, NEEDED, PLACE_M, CAMERA(from)),
-    ROW("to_m", VECTOR, NEEDED, PERSPECTIVE, TO),
+    ROW("to_m", VECTOR, NEEDED, FLAT, TO),
     ROW("to_m", VECTOR, ALL_ROUND, TO),
-    ROW("up", VECTOR, ANY_UNIT, .preset = "[0, 0, 1]", PERSPECTIVE, CAMERA(up)),
+    ROW("up", VECTOR, ANY_UNIT, .preset = "[0, 0, 1]", FLAT, CAMERA(up)),
     ROW("vfov_deg", NUMBER, PERSPECTIVE, .above = true, .below = true,
         .max = 180, RADIANS, .preset = "45", CAMERA(vfov_rad)),
-    ROW("pixels", SIZES, .preset = "[640, 480]", PERSPECTIVE, PIXELS),
+    ROW("width_m", NUMBER, NEEDED, ORTHOGRAPHIC, SIZE_M, CAMERA(width_m)),
+    ROW("pixels", SIZES, .preset = "[640, 480]", FLAT, PIXELS),
     ROW("pixels", SIZES, .preset = "[640, 320]", ALL_ROUND, PIXELS),
     ROW("samples", COUNT, .min = 1, .max = 65536, .unit = "samples",
         .preset = "16", CAMERA(samples)),
+    ROW("clip", MAP, .keys = &CLIP, FLAG(murk_scene_camera, has_clip)),
     END,
 };
 

@@ -138,24 +138,25 @@ def options():
     check(p.said["cut_m"] == [5.5, 1.5, .5], "cuts at", p.said["cut_m"])
     check(p.is_wall("plan", 1, 1.4) and p.is_wall("front", 1, .4) and p.is_wall("side", 4, .4), "the crate is not cut")
     # far from 0 the picture has the same places
-    room(Picture(scene(500000), name="c.png"), 500000)
+    small = ("--pixels", "900x700")
+    room(Picture(scene(500000), *small, name="c.png"), 500000)
     with open(path("c.png"), "rb") as file:
         before = file.read()
-    Picture(scene(500000), "--threads", "3", name="c.png")
+    Picture(scene(500000), *small, "--threads", "3", name="c.png")
     with open(path("c.png"), "rb") as file:
         check(file.read() == before, "another number of threads gives another picture")
     # nothing but a light; a domain much larger than what is in it
     Picture(json.dumps({"murk": 1, "domain": {"min_m": [0, 0, 0], "max_m": [3, 2, 2]},
-                        "lights": [{"type": "point", "position_m": [1, 1, 1], "power_w": 1}]}), name="d.png")
+                        "lights": [{"type": "point", "position_m": [1, 1, 1], "power_w": 1}]}), *small, name="d.png")
     text = json.loads(scene())
     text["domain"] = {"min_m": [-20000, -20000, -1], "max_m": [20000, 20000, 9000]}
-    p = Picture(json.dumps(text), name="e.png")
-    check(p.view["plan"]["pixels_per_m"] > 50, "things are specks", p.view["plan"])
+    p = Picture(json.dumps(text), *small, name="e.png")
+    check(p.view["plan"]["pixels_per_m"] > 25, "things are specks", p.view["plan"])
     check(p.is_wall("plan", 0, 2.7), "no wall in a large domain")
 
 
 def refusals():
-    Picture(scene())
+    Picture(scene(), "--pixels", "640x480")
     with open(path("mine.png"), "w", encoding="utf-8") as file:
         file.write("my own")
     os.link(path("scene.json"), path("linked.png"))

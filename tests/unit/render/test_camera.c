@@ -159,8 +159,85 @@ static void test_one_band_is_grey(void)
     CHECK(weight[0][0] == 0.5 && weight[2][1] == 0.5);
 }
 
+/* ---- orthographic cameras and clip planes ---- */
+
+/* Looks along +y from (10, -3, 2), 8 m wide: pixels of 0.5 m. */
+static murk_camera parallel(void)
+{
+    return murk_camera_parallel(murk_vec(10, -3, 2), murk_vec(10, 9, 2),
+                                murk_vec(0, 0, 1), 8, 16, 10);
+}
+
+static const murk_box DOMAIN = {{0, 0, 0}, {20, 6, 5}};
+
+static void test_orthographic_rays_are_parallel(void)
+{
+    const murk_camera c = parallel();
+    murk_camera_ray ray;
+    for (size_t i = 0; i < 4; ++i) {
+        /* The centers of the corner pixels. */
+        const double x = i % 2 ? 15.5 : 0.5, y = i / 2 ? 9.5 : 0.5;
+        const murk_vec3 sight = murk_camera_sight(&c, x, y);
+        CHECK(sight.x == 0 && sight.y == 1 && sight.z == 0);
+        CHECK(murk_camera_begin(&ray, &c, x, y, sight, &DOMAIN, 0) ==
+              (i / 2 == 0));
+        if (i / 2 == 0) { /* the lower row passes below the domain */
+            CHECK_NEAR(ray.origin.x, i % 2 ? 13.75 : 6.25, 1e-14);
+            CHECK_NEAR(ray.origin.z, 4.25, 1e-14);
+            CHECK(ray.origin.y == 0); /* the side of the domain */
+            CHECK_NEAR(ray.skipped_m, 3, 1e-15);
+        }
+    }
+    /* The middle of the picture is the axis; the inverse is exact. */
+    CHECK(murk_camera_begin(&ray, &c, 8, 5, murk_vec(0, 1, 0), &DOMAIN, 0));
+    CHECK(ray.origin.x == 10 && ray.origin.y == 0 && ray.origin.z == 2);
+    double x, y;
+    CHECK(murk_camera_find(&c, murk_vec(3.75, 7, 2.25), &x, &y));
+    CHECK_NEAR(x, 15.5, 1e-14);
+    CHECK_NEAR(y, 0.5, 1e-14);
+    CHECK(!murk_camera_find(&c, murk_vec(4.25, 7, 2.25), &x, &y));
+    CHECK(murk_camera_solid_angle(&c, 3, 3) == 0);
+    /* A random point of a pixel changes the origin and not the direction. */
+    const murk_vec3 drawn = murk_camera_draw(&c, 3, 4, 0.25, 0.75);
+    CHECK(drawn.x == 0 && drawn.y == 1 && drawn.z == 0);
+}
+
+static void test_rays_begin_at_the_clip_plane(void)
+{
+    murk_camera_ray ray;
+    murk_camera c = parallel();
+    const murk_vec3 sight = {0, 1, 0};
+    for (int sign = -1; sign < 2; sign += 2) { /* the normal has no side */
+        c.clip = (murk_clip){true, {0, 2.5, 0}, {0, sign, 0}};
+        CHECK(murk_camera_begin(&ray, &c, 8, 5, sight, &DOMAIN, 0.125));
+        CHECK_NEAR(ray.origin.y, 2.625, 1e-14);
+        CHECK_NEAR(ray.skipped_m, 5.625, 1e-14);
+    }
+    /* Behind the camera, parallel to the ray, beyond the domain: nothing. */
+    c.clip.point.y = -3.5;
+    CHECK(!murk_camera_begin(&ray, &c, 8, 5, sight, &DOMAIN, 0.125));
+    c.clip = (murk_clip){true, {0, 2.5, 0}, {1, 0, 0}};
+    CHECK(!murk_camera_begin(&ray, &c, 8, 5, sight, &DOMAIN, 0.125));
+    c.clip = (murk_clip){true, {0, 7, 0}, {0, 1, 0}};
+    CHECK(!murk_camera_begin(&ray, &c, 8, 5, sight, &DOMAIN, 0.125));
+    /* A perspective camera at 45 degrees to the plane; without a clip plane its
+     * rays begin at the camera. */
+    c = murk_camera_aimed(murk_vec(1, 1, 1), murk_vec(1, 2, 1),
+                          murk_vec(0, 0, 1), MURK_PI / 2, 100, 100);
+    const murk_vec3 right = murk_camera_sight(&c, 100, 50);
+    CHECK(murk_camera_begin(&ray, &c, 100, 50, right, &DOMAIN, 0.125));
+    CHECK(ray.origin.x == 1 && ray.origin.y == 1 && ray.skipped_m == 0);
+    c.clip = (murk_clip){true, {0, 3, 0}, {0, 1, 0}};
+    CHECK(murk_camera_begin(&ray, &c, 100, 50, right, &DOMAIN, 0));
+    CHECK_NEAR(ray.origin.x, 3, 1e-14);
+    CHECK_NEAR(ray.origin.y, 3, 1e-14);
+    CHECK_NEAR(ray.skipped_m, 2 * sqrt(2), 1e-14);
+}
+
 int main(void)
 {
+    test_orthographic_rays_are_parallel();
+    test_rays_begin_at_the_clip_plane();
     test_a_picture_is_upright();
     test_what_is_seen_at_a_place_is_found_there();
     test_draws_stay_in_their_pixel();

@@ -106,6 +106,32 @@ static void test_a_floor_below_many_lamps(void)
                600, floor_radiance(lamp, 12, murk_vec(0.3, 0.2, 0)), ALLOWED);
 }
 
+/* From above all lamps, and clipped below them: the light stays. */
+static void test_an_orthographic_floor(void)
+{
+    murk_source lamp[12];
+    for (int i = 0; i < 12; ++i) {
+        lamp[i] = test_point(murk_vec(i % 4 - 1.5, i / 4 - 1, 1 + 0.2 * i));
+    }
+    const murk_surface_desc floor =
+        test_rect(murk_vec(-3, -3, 0), murk_vec(6, 0, 0), murk_vec(0, 6, 0), 0);
+    const murk_material paint = test_material(DIFFUSE, 0, 0, 0);
+    murk_camera camera =
+        murk_camera_parallel(murk_vec(0.3, 0.2, 9), murk_vec(0.3, 0.2, 0),
+                             murk_vec(0, 1, 0), 1e-3, 1, 1);
+    camera.clip = (murk_clip){true, {0, 0, 0.5}, {0, 0, 1}};
+    check_case("an orthographic picture of a floor",
+               &(test_setup){.domain = {{{-4, -4, -1}, {4, 4, 5}}, false},
+                             .lights = lamp,
+                             .n_lights = 12,
+                             .surfaces = &floor,
+                             .n_surfaces = 1,
+                             .materials = &paint,
+                             .n_materials = 1},
+               camera, 600, floor_radiance(lamp, 12, murk_vec(0.3, 0.2, 0)),
+               ALLOWED);
+}
+
 /* Checks the radiance in a box of 8 m with water up to `level` over a floor
  * at z = 0 that reflects `diffuse`, by the light of one lamp. */
 static void check_water(const char *name, murk_source lamp, double level,
@@ -532,6 +558,7 @@ static void test_a_tall_domain_is_done_soon(void)
 
 int main(void)
 {
+    test_an_orthographic_floor();
     test_a_floor_below_many_lamps();
     test_the_square_of_the_index();
     test_a_mirror_doubles_the_lamp();

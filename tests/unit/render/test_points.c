@@ -129,8 +129,44 @@ static void test_points_lie_in_the_domain(void)
     test_world_unmade(&world);
 }
 
+/* A wall before another: a clip plane between them shows the other one at the
+ * places of the pixels; a plane in the other one hides it, too. */
+static void test_clipped_walls_are_not_hit(void)
+{
+    const murk_surface_desc walls[2] = {
+        test_rect(murk_vec(-4, 1, -1), murk_vec(8, 0, 0), murk_vec(0, 0, 5), 0),
+        test_rect(murk_vec(-4, 2, -1), murk_vec(8, 0, 0), murk_vec(0, 0, 5),
+                  0)};
+    test_world world =
+        made((test_setup){.domain = {{{-4, -4, -1}, {4, 4, 4}}, false},
+                          .surfaces = walls,
+                          .n_surfaces = 2});
+    /* 6 m wide: pixels of 0.5 m; from outside of the domain. */
+    murk_camera c =
+        murk_camera_parallel(murk_vec(0, -9, 1.5), murk_vec(0, 0, 1.5),
+                             murk_vec(0, 0, 1), 6, COLUMNS, ROWS);
+    const double clip_m[4] = {0.5, 1.5, 2, 2.5}, hit_m[4] = {1, 2, 0, 0};
+    for (int i = -1; i < 4; ++i) {
+        murk_photon point[ROWS * COLUMNS];
+        if (i >= 0) {
+            c.clip = (murk_clip){true, {0, clip_m[i], 0}, {0, 1, 0}};
+        }
+        const double want_m = i < 0 ? 1 : hit_m[i];
+        const size_t n = found(&world, c, point);
+        CHECK(n == (want_m > 0 ? ROWS * COLUMNS : 0));
+        for (size_t k = 0; k < n; ++k) {
+            const murk_vec3 at = murk_photon_place(&point[k]);
+            CHECK_NEAR(at.x, -2.75 + 0.5 * (double)(k % COLUMNS), 1e-6);
+            CHECK_NEAR(at.y, want_m, 1e-6);
+            CHECK_NEAR(at.z, 2.75 - 0.5 * (double)(k / COLUMNS), 1e-6);
+        }
+    }
+    test_world_unmade(&world);
+}
+
 int main(void)
 {
+    test_clipped_walls_are_not_hit();
     test_sky_has_no_points();
     test_water_hides_its_ground();
     test_points_lie_in_the_domain();

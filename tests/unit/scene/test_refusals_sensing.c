@@ -198,7 +198,7 @@ static const refusal REFUSALS[] = {
      VALUE, "fog.yaml:2:63: cameras.0.vfov_deg",
      "not a key of a camera (equirectangular), must be one of name, type, "
      "from_m, "
-     "to_m, pixels, samples"},
+     "to_m, pixels, samples, clip"},
     {"cameras: [{name: a, type: equirectangular, from_m: [0, 0, 1], to_m: [0, "
      "0, 9]}]\n",
      VALUE, "fog.yaml:2:11: cameras.0",
