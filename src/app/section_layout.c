@@ -3,7 +3,7 @@
  * views. */
 #include "app/section_layout.h"
 
-#include <stdlib.h>
+#include "world/section_cut.h"
 
 /* The largest sheet if no size is asked for, in pixels: the width of a page at
  * 200 pixels an inch, and a height that most screens show at half size. */
@@ -32,70 +32,17 @@
  * that a view of a flat scene has a height. */
 #define FLATTEST 0.06
 
-/* Height of a plan above the floor [m]: between sill and lintel of doors and
- * windows, as architects cut. */
-#define PLAN_ABOVE_FLOOR_M 1.5
-
-/* Candidates below which the floor is looked for, at most. */
-#define FLOOR_SAMPLES 1024
-
-/* Planes that nothing asks for lie at multiples of this length. */
-#define CUT_STEP_M 0.01
-
 /* Steps of a bisection: 2^-50 of the largest scale. */
 #define BISECTIONS 50
 
 /* ---- the part of the world ---- */
 
-static bool is_box(const murk_box *box)
-{
-    return box->min.x <= box->max.x && box->min.y <= box->max.y &&
-           box->min.z <= box->max.z;
-}
-
-static murk_box box_of_all(murk_box a, murk_box b)
-{
-    return is_box(&b) ? murk_box_with(murk_box_with(a, b.min), b.max) : a;
-}
-
-static murk_box candidates_box(const murk_section_request *r)
-{
-    murk_box box = murk_box_empty();
-    for (size_t i = 0; r->candidates && i < r->candidates->usable; ++i) {
-        box = murk_box_with(box, r->candidates->position[i]);
-    }
-    return box;
-}
-
-/* Surfaces, bounded regions, lamps, sensors and cameras within the domain. */
-static murk_box things_box(const murk_section_request *r)
-{
-    const murk_scene_desc *scene = r->stage->scene;
-    const murk_surfaces_facts facts =
-        murk_surfaces_describe(r->stage->surfaces);
-    murk_box box = murk_box_empty();
-    box = box_of_all(box, facts.bounds_m);
-    box = box_of_all(box, murk_media_bounds(r->stage->media));
-    box = box_of_all(box, candidates_box(r));
-    for (size_t i = 0; i < scene->n_lights; ++i) {
-        if (!murk_scene_light_is_distant(&scene->lights[i])) {
-            box = murk_box_with(box, scene->lights[i].position);
-        }
-    }
-    for (size_t i = 0; i < scene->sensors.n_fixed; ++i) {
-        box = murk_box_with(box, scene->sensors.fixed[i].position);
-    }
-    for (size_t i = 0; i < scene->n_cameras; ++i) {
-        box = murk_box_with(box, scene->cameras[i].from);
-    }
-    box = murk_box_meet(box, r->stage->world.domain.box);
-    return is_box(&box) ? box : r->stage->world.domain.box;
-}
-
 static void choose_shown(murk_section_layout *l, const murk_section_request *r)
 {
     const murk_box domain = r->stage->world.domain.box;
-    const murk_box things = things_box(r);
+    const murk_candidates *c = r->candidates;
+    const murk_box things = murk_stage_things_box(
+        r->stage, c ? c->position : NULL, c ? c->usable : 0);
     double longest = 0;
     for (int k = 0; k < 3; ++k) {
         double low = murk_component(domain.min, k);
@@ -124,49 +71,6 @@ static void choose_shown(murk_section_layout *l, const murk_section_request *r)
         murk_component_set(&l->shown.min, k, low - fmax(0, more));
         murk_component_set(&l->shown.max, k, high + fmax(0, more));
     }
-}
-
-static int by_value(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-/* The floor: the median height of the surfaces below candidates, which neither
- * a table nor a hole moves. Without candidates the lowest thing. */
-static double floor_of(const murk_section_request *r, const murk_box *things)
-{
-    double below[FLOOR_SAMPLES];
-    size_t n = 0;
-    const size_t sites = r->candidates ? r->candidates->usable : 0;
-    const size_t step = sites / FLOOR_SAMPLES + 1;
-    for (size_t i = 0; i < sites; i += step) {
-        const murk_vec3 at = r->candidates->position[i];
-        murk_hit hit;
-        const bool is_hit =
-            murk_surfaces_hit(r->stage->surfaces, at, murk_vec(0, 0, -1),
-                              at.z - r->stage->world.domain.box.min.z, &hit);
-        below[n++] = is_hit ? at.z - hit.distance_m : things->min.z;
-    }
-    qsort(below, n, sizeof *below, by_value);
-    return n > 0 ? below[n / 2] : things->min.z;
-}
-
-murk_vec3 murk_section_default_cut(const murk_section_request *r)
-{
-    const murk_box things = things_box(r), sites = candidates_box(r);
-    const murk_box middle_of = is_box(&sites) ? sites : things;
-    const double floor_m = floor_of(r, &things),
-                 plan_m = floor_m + PLAN_ABOVE_FLOOR_M;
-    murk_vec3 cut = murk_scale(0.5, murk_add(middle_of.min, middle_of.max));
-    cut.z = plan_m < things.max.z ? plan_m : (floor_m + things.max.z) / 2;
-    /* Round numbers are easier to ask for again. */
-    const murk_vec3 user = murk_scene_user(r->stage->scene, cut);
-    const murk_vec3 rounded = murk_vec(round(user.x / CUT_STEP_M) * CUT_STEP_M,
-                                       round(user.y / CUT_STEP_M) * CUT_STEP_M,
-                                       round(user.z / CUT_STEP_M) * CUT_STEP_M);
-    const murk_vec3 out = murk_scene_local(r->stage->scene, rounded);
-    return murk_box_contains(&r->stage->world.domain.box, out) ? out : cut;
 }
 
 /* ---- the sheet ---- */

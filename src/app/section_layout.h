@@ -16,12 +16,6 @@ typedef struct murk_section_layout {
     double legend[2]; /* upper left corner of the legend */
 } murk_section_layout;
 
-/* The planes where the request names none: the plan 1.5 m above the floor, or
- * in the middle of the height if the floor is not 1.5 m below the top; the
- * sections through the middle of the candidates, or of the
- * geometry. The floor is that below the candidates. */
-murk_vec3 murk_section_default_cut(const murk_section_request *request);
-
 /* legend_lines: the number of lines of the legend. */
 murk_section_layout
 murk_section_layout_make(const murk_section_request *request,

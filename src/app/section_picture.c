@@ -11,6 +11,7 @@
 #include "app/section_overlay.h"
 #include "base/source_type.h"
 #include "scene/places.h"
+#include "world/section_cut.h"
 
 /* Widths of lines at unit 1 [pixels]. */
 #define CUT_WIDTH   2.6
@@ -424,7 +425,11 @@ static murk_status check_cut(const murk_section_request *r, murk_error *err)
 murk_status murk_section_picture_draw(murk_canvas **out,
                                       murk_section_request *r, murk_error *err)
 {
-    r->cut = r->has_cut ? r->cut : murk_section_default_cut(r);
+    if (!r->has_cut) {
+        const murk_candidates *c = r->candidates;
+        r->cut = murk_stage_section_cut(r->stage, c ? c->position : NULL,
+                                        c ? c->usable : 0);
+    }
     murk_status status = check_cut(r, err);
     if (status) {
         return status;

@@ -127,6 +127,9 @@ static murk_status make(murk_view_data *out, const murk_report_scene *scene,
         status = murk_view_mesh_make(&out->mesh, scene->stage->surfaces,
                                      TRIANGLES_MAX, err);
     }
+    if (!status) {
+        status = murk_view_sections_make(&out->sections, scene, err);
+    }
     return status ? status : fill_media(out, err);
 }
 
@@ -136,6 +139,7 @@ static void release(murk_view_data *data)
         murk_view_media_release(&data->media[i]);
     }
     murk_view_mesh_release(&data->mesh);
+    murk_view_sections_release(&data->sections);
     *data = (murk_view_data){0};
 }
 

@@ -6,11 +6,13 @@
 #include "report/scene.h"
 #include "report/view_media.h"
 #include "report/view_mesh.h"
+#include "report/view_sections.h"
 
 typedef struct murk_view_data {
     const murk_report_scene *scene; /* borrowed */
     murk_box box;                   /* of what the view shows */
     murk_view_mesh mesh;
+    murk_view_sections sections;
     murk_view_media media[MURK_SHOWN_STATES_MAX]; /* [medias]; different ones */
     size_t medias;
     size_t media_of[MURK_SHOWN_STATES_MAX]; /* [states]; index in media[] */

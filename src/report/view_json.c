@@ -259,6 +259,9 @@ void murk_view_data_json(FILE *to, const murk_view_data *data)
     }
     murk_data_end(root, ']');
     add_facts(root, s);
+    if (s->stage) {
+        murk_view_sections_add(root, &data->sections);
+    }
     if (data->mesh.triangles > 0) {
         murk_data_begin(root, "mesh", '{');
         murk_data_number(root, "asked", (double)data->mesh.asked);

@@ -77,6 +77,24 @@ def view_data(path):
     return json.loads(block(text, "view-data")), text
 
 
+def check_sections(data):
+    """Lines of both drawings: the outlines that the planes cut out of two boxes and a ball of SCENE."""
+    check([one["axis"] for one in data["sections"]] == [2, 1], "sections", data["sections"])
+    for one in data["sections"]:
+        at, ends = one["at_m"], array.array("f", base64.b64decode(one["lines"]))
+        check(one["count"] == one["asked"] == len(ends) // 4, "lines", one["count"], one["asked"], len(ends))
+        is_level = one["axis"] == 2
+        want = 4 * 3.8 if is_level else 2 * (3.8 + 2.8)
+        if .1 < at <= 1.6 if is_level else 1.5 <= at < 2.5:
+            want += 4 if is_level else 2 * (1 + 1.5)
+        from_middle = at - (1 if is_level else 3)
+        if abs(from_middle) < .3:
+            want += 2 * 48 * math.sin(math.pi / 48) * math.sqrt(.3 ** 2 - from_middle ** 2)
+        got = sum(math.dist(ends[i:i + 2], ends[i + 2:i + 4]) for i in range(0, len(ends), 4))
+        check(abs(got - want) < 1e-4, "lines are long", got, "want", want, "at", at)
+        check(min(ends) > .0999 and max(ends) < 3.9001, "lines beyond the box", min(ends), max(ends))
+
+
 def picture(width, height, size=0):
     """A grey PNG that says which camera it is of, with `size` bytes more."""
     def chunk(kind, data):
@@ -200,6 +218,7 @@ def main(murk):
         with open(at("plan/report.html"), encoding="utf-8") as file:
             text = file.read()
         data = json.loads(block(text, "view-data"))
+        check_sections(data)
         places = array.array("H", base64.b64decode(block(text, "photon-places-0")))
         seen = base64.b64decode(block(text, "photon-seen-0"))
         (state,) = data["states"]

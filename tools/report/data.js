@@ -5,8 +5,12 @@ export const element = (id) => document.getElementById(id);
 
 export function bytes(id) {
   const block = element(id);
-  if (!block) return new Uint8Array(0);
-  const text = atob(block.textContent.trim());
+  return block ? decoded(block.textContent.trim()) : new Uint8Array(0);
+}
+
+// Bytes of a base64 text.
+export function decoded(base64) {
+  const text = atob(base64);
   const out = new Uint8Array(text.length);
   for (let i = 0; i < text.length; ++i) out[i] = text.charCodeAt(i);
   return out;

@@ -1,6 +1,6 @@
 // The section of places: what the view in space needs round its canvas, and the scene from above and from the side
 // as drawings: photons as dots, sensors as numbered discs, their ranges as dashed rings.
-import { bytes } from "./data.js";
+import { bytes, decoded } from "./data.js";
 import * as format from "./format.js";
 import { html, nothing } from "./html.js";
 
@@ -120,9 +120,24 @@ function drawScale(p) {
 `;
 }
 
+// Surfaces in the plane of a drawing, as one path; and what says where the plane is.
+function wallsOf(data, p, axes) {
+  const section = (data.sections ?? []).find((one) => !axes.includes(one.axis));
+  if (!section || section.count === 0) return { path: nothing, said: "" };
+  const ends = new Float32Array(decoded(section.lines).buffer), place = [0, 0, 0], points = [];
+  for (let i = 0; i < ends.length; i += 2) {
+    axes.forEach((axis, k) => { place[axis] = data.domain.low[axis] + ends[i + k]; });
+    points.push(`${i % 4 ? "L" : "M"}${d1(p.x(place))} ${d1(p.y(place))}`);
+  }
+  const at = format.power(section.at_m + data.origin[section.axis], 9);
+  return { path: html`<path class="wall" d="${points.join("")}"/>
+`, said: `; walls cut at ${"xyz"[section.axis]} = ${at} m${section.count < section.asked ? `, the longest ${section.count} of ${section.asked} lines` : ""}` };
+}
+
 function drawing(data, dots, name, axes) {
   const p = projection(data, axes);
   if (!p) return nothing;
+  const walls = wallsOf(data, p, axes);
   const paths = [0, 1, 2].map((seen) => dots.filter((dot) => dot.seen === seen).map(({ place }) => `M${d1(p.x(place))} ${d1(p.y(place))}h0`).join(""));
   const domain = data.domain && [p.x(data.domain.low), p.y(data.domain.high), p.x(data.domain.high), p.y(data.domain.low)];
   return html`<figure>
@@ -131,8 +146,8 @@ ${domain ? html`<rect class="domain" x="${d1(domain[0])}" y="${d1(domain[1])}" w
 ` : nothing}<g class="photons">
 ${paths.map((d, seen) => html`<path class="seen${seen}" d="${d}"/>
 `)}</g>
-${drawSensors(p, data.states[0].sensors)}${drawScale(p)}</svg>
-<figcaption>${name}</figcaption>
+${walls.path}${drawSensors(p, data.states[0].sensors)}${drawScale(p)}</svg>
+<figcaption>${name}${walls.said}</figcaption>
 </figure>
 `;
 }

@@ -1,0 +1,105 @@
+/* Chooses the planes of plan and sections. The floor is looked for by rays down
+ * from sites of sensors, because the lowest point of a sloping ground would put
+ * the plan below most of it. */
+#include "world/section_cut.h"
+
+#include <stdlib.h>
+
+/* Height of a plan above the floor [m]: between sill and lintel of doors and
+ * windows, as architects cut. */
+#define PLAN_ABOVE_FLOOR_M 1.5
+
+/* Sites below which the floor is looked for, at most. */
+#define FLOOR_SAMPLES 1024
+
+/* Planes that nothing asks for lie at multiples of this length. */
+#define CUT_STEP_M 0.01
+
+static bool is_box(const murk_box *box)
+{
+    return box->min.x <= box->max.x && box->min.y <= box->max.y &&
+           box->min.z <= box->max.z;
+}
+
+static murk_box box_of_all(murk_box a, murk_box b)
+{
+    return is_box(&b) ? murk_box_with(murk_box_with(a, b.min), b.max) : a;
+}
+
+static murk_box box_of_sites(const murk_vec3 *site, size_t sites)
+{
+    murk_box box = murk_box_empty();
+    for (size_t i = 0; i < sites; ++i) {
+        box = murk_box_with(box, site[i]);
+    }
+    return box;
+}
+
+static int by_value(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* The floor: the median height of the surfaces below sites, which neither
+ * a table nor a hole moves. Without sites the lowest thing. */
+static double floor_of(const murk_stage *stage, const murk_vec3 *site,
+                       size_t sites, const murk_box *things)
+{
+    double below[FLOOR_SAMPLES];
+    size_t n = 0;
+    const size_t step = sites / FLOOR_SAMPLES + 1;
+    for (size_t i = 0; i < sites; i += step) {
+        const murk_vec3 at = site[i];
+        murk_hit hit;
+        const bool is_hit =
+            murk_surfaces_hit(stage->surfaces, at, murk_vec(0, 0, -1),
+                              at.z - stage->world.domain.box.min.z, &hit);
+        below[n++] = is_hit ? at.z - hit.distance_m : things->min.z;
+    }
+    qsort(below, n, sizeof *below, by_value);
+    return n > 0 ? below[n / 2] : things->min.z;
+}
+
+murk_box murk_stage_things_box(const murk_stage *stage, const murk_vec3 *site,
+                               size_t sites)
+{
+    const murk_scene_desc *scene = stage->scene;
+    const murk_surfaces_facts facts = murk_surfaces_describe(stage->surfaces);
+    murk_box box = murk_box_empty();
+    box = box_of_all(box, facts.bounds_m);
+    box = box_of_all(box, murk_media_bounds(stage->media));
+    box = box_of_all(box, box_of_sites(site, sites));
+    for (size_t i = 0; i < scene->n_lights; ++i) {
+        if (!murk_scene_light_is_distant(&scene->lights[i])) {
+            box = murk_box_with(box, scene->lights[i].position);
+        }
+    }
+    for (size_t i = 0; i < scene->sensors.n_fixed; ++i) {
+        box = murk_box_with(box, scene->sensors.fixed[i].position);
+    }
+    for (size_t i = 0; i < scene->n_cameras; ++i) {
+        box = murk_box_with(box, scene->cameras[i].from);
+    }
+    box = murk_box_meet(box, stage->world.domain.box);
+    return is_box(&box) ? box : stage->world.domain.box;
+}
+
+murk_vec3 murk_stage_section_cut(const murk_stage *stage, const murk_vec3 *site,
+                                 size_t sites)
+{
+    const murk_box things = murk_stage_things_box(stage, site, sites);
+    const murk_box site_box = box_of_sites(site, sites);
+    const murk_box middle_of = is_box(&site_box) ? site_box : things;
+    const double floor_m = floor_of(stage, site, sites, &things),
+                 plan_m = floor_m + PLAN_ABOVE_FLOOR_M;
+    murk_vec3 cut = murk_scale(0.5, murk_add(middle_of.min, middle_of.max));
+    cut.z = plan_m < things.max.z ? plan_m : (floor_m + things.max.z) / 2;
+    /* Round numbers are easier to ask for again. */
+    const murk_vec3 user = murk_scene_user(stage->scene, cut);
+    const murk_vec3 rounded = murk_vec(round(user.x / CUT_STEP_M) * CUT_STEP_M,
+                                       round(user.y / CUT_STEP_M) * CUT_STEP_M,
+                                       round(user.z / CUT_STEP_M) * CUT_STEP_M);
+    const murk_vec3 out = murk_scene_local(stage->scene, rounded);
+    return murk_box_contains(&stage->world.domain.box, out) ? out : cut;
+}
