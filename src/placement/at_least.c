@@ -221,12 +221,11 @@ static murk_status branch_and_bound(strict_run *r, size_t n, uint64_t *upper,
         return MURK_OK;
     }
     /* Branch and bound over V, with the strict weight in the callback. */
-    const uint64_t left =
-        desc->nodes > result->nodes ? desc->nodes - result->nodes : 0;
     const murk_exact_callback by = {check_plan, r};
     murk_exact exact;
-    const murk_status status = murk_exact_search(
-        &exact, &p->bound, p->plan, p->size, n, below, *upper, left, &by, err);
+    const murk_status status =
+        murk_exact_search(&exact, &p->bound, p->plan, p->size, n, below, *upper,
+                          murk_place_run_nodes_left(run, desc), &by, err);
     if (status) {
         return status;
     }

@@ -181,12 +181,9 @@ static murk_status branch_and_bound(murk_incumbent *p, size_t n,
         return MURK_OK;
     }
     murk_exact exact;
-    const uint64_t left = p->desc->nodes > p->run->result.nodes
-                              ? p->desc->nodes - p->run->result.nodes
-                              : 0;
-    const murk_status status =
-        murk_exact_search(&exact, &p->bound, p->plan, p->size, n, point->value,
-                          point->upper, left, NULL, err);
+    const murk_status status = murk_exact_search(
+        &exact, &p->bound, p->plan, p->size, n, point->value, point->upper,
+        murk_place_run_nodes_left(p->run, p->desc), NULL, err);
     if (!status) {
         p->size = exact.size;
         point->value = p->run->set ? complete_plan(p, n) : exact.value;

@@ -150,6 +150,13 @@ murk_status murk_place_run_counts(murk_place_run *run, murk_find_count find,
     return status ? status : murk_interrupt_check(err);
 }
 
+uint64_t murk_place_run_nodes_left(const murk_place_run *run,
+                                   const murk_place_desc *desc)
+{
+    const uint64_t done = run->result.nodes;
+    return desc->nodes > done ? desc->nodes - done : 0;
+}
+
 void murk_place_run_join_bounds(murk_place_run *run)
 {
     murk_curve_point *curve = run->result.curve;

@@ -52,6 +52,11 @@ typedef murk_status (*murk_find_count)(void *context, size_t n,
 murk_status murk_place_run_counts(murk_place_run *run, murk_find_count find,
                                   void *context, murk_error *err);
 
+/* The nodes of branch and bound that desc->nodes still allows after those of
+ * the counts before. */
+uint64_t murk_place_run_nodes_left(const murk_place_run *run,
+                                   const murk_place_desc *desc);
+
 /* The points of the curve bound each other: a plan of fewer sensors is worth no
  * more, if every plan can be completed. */
 void murk_place_run_join_bounds(murk_place_run *run);

@@ -187,15 +187,16 @@ static murk_status branch_and_bound(worst *w, size_t n, murk_error *err)
     }
     const murk_exact_callback by = {check_plan, w};
     murk_exact exact;
-    const murk_status status = murk_exact_search(
-        &exact, &w->bound.bound, run->plan, run->size, n,
-        murk_worst_bound_value(&w->bound, run->value),
-        w->bound.evaluator.ceiling, run->desc->nodes, &by, err);
+    const murk_status status =
+        murk_exact_search(&exact, &w->bound.bound, run->plan, run->size, n,
+                          murk_worst_bound_value(&w->bound, run->value),
+                          w->bound.evaluator.ceiling,
+                          murk_place_run_nodes_left(run, run->desc), &by, err);
     if (status) {
         return status;
     }
     run->result.nodes += exact.nodes;
-    run->result.is_cut = exact.is_cut;
+    run->result.is_cut = run->result.is_cut || exact.is_cut;
     const uint64_t upper = murk_worst_bound_share(&w->bound, exact.upper);
     w->upper = upper < w->upper ? upper : w->upper;
     if (run->set) { /* the incumbent may have to be completed */

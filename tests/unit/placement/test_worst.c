@@ -441,6 +441,53 @@ static void test_target(uint32_t seed)
     CHECK(reached > 3 && missed > 1);
 }
 
+/* With a target each count may need branch and bound, and the limit on nodes
+ * covers all counts together. Each candidate sees photons of one of five blocks
+ * alone, so fewer than five sensors are worth nothing in the worst block, but
+ * only branch and bound can exclude them. The limit is tested between nodes of
+ * the search, so the root of one count may exceed it: by at most 75 (60 steps
+ * for 40 candidates, each of which counts as 1024 / 32768 of a node). */
+static void test_limit_of_all_counts(uint32_t seed)
+{
+    made_up *m = made_up_create(seed, 200, 40, .3, 40, 3, 1);
+    const murk_blocks blocks = blocks_of(m, 5);
+    for (size_t j = 0; j < 40; ++j) {
+        const size_t own = j % blocks.n;
+        for (size_t i = 0; i < 200; ++i) {
+            if (i < blocks.first[own] || i >= blocks.first[own + 1]) {
+                m->clarity[j * 200 + i] = 0;
+            }
+        }
+    }
+    murk_place_desc desc = murk_place_defaults();
+    desc.count = 8;
+    desc.restarts = 3;
+    desc.target = MURK_SHARE_ONE / 20;
+    /* The default limit is not reached, and the fewest sensors are proven. */
+    murk_error err = {0};
+    murk_place_result whole = {0};
+    CHECK(place(&whole, m, &blocks, &desc, &err) == MURK_OK);
+    CHECK(whole.count == 5 && whole.fewest == 5 && !whole.is_cut);
+    CHECK(whole.nodes > 10000);
+    /* Smaller limits hold, and the result says that the search was cut. */
+    for (desc.nodes = 200; desc.nodes < whole.nodes; desc.nodes *= 3) {
+        murk_place_result plan = {0};
+        CHECK(place(&plan, m, &blocks, &desc, &err) == MURK_OK);
+        CHECK(plan.nodes >= desc.nodes && plan.nodes <= desc.nodes + 75);
+        CHECK(plan.is_cut && plan.count == 5 && plan.fewest < 5);
+        murk_place_release(&plan);
+    }
+    /* A limit that is just enough changes nothing. */
+    desc.nodes = whole.nodes + 1;
+    murk_place_result plan = {0};
+    CHECK(place(&plan, m, &blocks, &desc, &err) == MURK_OK);
+    CHECK(plan.nodes == whole.nodes && plan.value == whole.value);
+    CHECK(plan.fewest == 5 && !plan.is_cut);
+    murk_place_release(&plan);
+    murk_place_release(&whole);
+    made_up_destroy(m);
+}
+
 /* The number of threads changes neither the plan nor the bound. */
 static void test_threads(uint32_t seed)
 {
@@ -481,6 +528,7 @@ int main(void)
     test_the_bound_alone(300);
     test_one_block_is_plain(5);
     test_target(900);
+    test_limit_of_all_counts(600);
     test_threads(17);
     return check_done();
 }
