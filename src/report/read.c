@@ -64,6 +64,29 @@ static void name_row(char *out, size_t size, const murk_yaml *row)
     }
 }
 
+/* True in *differ if the sensors of any row differ from those of `first`. Rows
+ * without sensors are ignored. Compares all rows, also those beyond the limit
+ * on states. */
+static murk_status compare_rows(bool *differ, const murk_report_scene *of,
+                                const murk_shown_state *first,
+                                const murk_yaml *rows, size_t n,
+                                murk_error *err)
+{
+    murk_status status = MURK_OK;
+    *differ = false;
+    for (size_t i = 0; i < n && !status && !*differ; ++i) {
+        murk_shown_state row = {0};
+        const murk_yaml *list = murk_result_at(rows->child[i], "sensors");
+        if (murk_result_count(rows->child[i], "sensors") > 0) {
+            status = murk_report_read_sensors(&row.sensor, &row.sensors,
+                                              of->scene, list, err);
+            *differ = !status && !same_sensors(first, &row);
+        }
+        free(row.sensor);
+    }
+    return status;
+}
+
 murk_status murk_report_read_study(murk_report_scene *out,
                                    const murk_yaml *study, murk_error *err)
 {
@@ -76,17 +99,16 @@ murk_status murk_report_read_study(murk_report_scene *out,
     const murk_yaml *rows = murk_result_at(study, "rows");
     const size_t n = murk_result_count(study, "rows");
     const size_t first = out->states;
-    bool differ = false;
     for (size_t i = 0; i < n && !status; ++i) {
         char name[sizeof out->state->name];
         name_row(name, sizeof name, rows->child[i]);
         status = add_state(out, name, rows->child[i], err);
     }
-    for (size_t i = first + 1; i < out->states; ++i) {
-        differ = differ || !same_sensors(&out->state[first], &out->state[i]);
+    bool differ = true;
+    if (!status && out->states > first + 1) {
+        status = compare_rows(&differ, out, &out->state[first], rows, n, err);
     }
-    if (!differ && out->states > first + 1) { /* all have the same sensors,
-                                                 which are shown once */
+    if (!differ) { /* all rows have the same sensors, which are shown once */
         for (size_t i = first + 1; i < out->states; ++i) {
             free(out->state[i].sensor);
             out->state[i] = (murk_shown_state){0};

@@ -370,6 +370,19 @@ def main(murk):
             check([s["place"] for s in shown["sensors"]] ==
                   [s["position_m"] for s in row["sensors"]], shown["name"])
 
+        # 40 rows, more than the page has states for: the last plan may differ from all others, or be equal
+        os.mkdir(at("long"))
+        write("long/table.csv", "a\n" + "".join(f"{n}\n" for n in range(40)))
+        for last, names, asked in ((2, [f"row {n + 1}: a {n}" for n in range(32)], 40), (1, ["the plan of every row"], 1)):
+            places = [[1, 1, 1]] * 39 + [[1, 1, last]]
+            write("long/study.json", json.dumps({
+                "murk": study["murk"], "axes": [{"key": "a"}], "rows": [
+                    {"row": n + 1, "axes": {"a": n}, "sensors": [{"type": "node", "position_m": place}]}
+                    for n, place in enumerate(places)]}))
+            run("report", "long", "--force")
+            data = view_data(at("long/report.html"))[0]
+            check([s["name"] for s in data["states"]] == names and data["states_asked"] == asked, data["states"])
+
         write("data.csv",
               "kind,x_m,y_m,z_m,x2_m,y2_m,z2_m,radius_m,unit,value,standard_error,use\n"
               "fluence,0.8,0.8,2.5,,,,0.3,W/m2,0.5,0.05,fit\n"
