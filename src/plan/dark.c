@@ -1,5 +1,6 @@
 /* Coverage in a scene in which no light source emits: every share is NaN, for
- * the total, for each map, for each sensor and for each region of interest. */
+ * the total, for each map, for each sensor, for a number of sensors that see a
+ * photon, and for each region of interest. */
 #include "plan/plan.h"
 
 #include <math.h>
@@ -17,7 +18,7 @@ murk_status murk_dark_coverage(murk_coverage_result *out,
         return murk_no_memory(err, stage->scene->path, "for %zu sensors", n);
     }
     /* The totals, the values of each sensor, and the regions of interest. */
-    out->total = out->surface = out->volume = NOTHING;
+    out->total = out->surface = out->volume = out->at_least = NOTHING;
     out->map[0] = out->map[1] = (murk_map_share){0, NAN, NAN};
     out->sum_of_views = NAN;
     for (size_t i = 0; i < n; ++i) {

@@ -122,8 +122,7 @@ static void list_strict(murk_results_fields *f, const murk_plan_results *r)
     MURK_COUNT(f, "at_least", "sensors that see each photon",
                murk_plan_at_least(r->session->scene));
     MURK_ESTIMATE(f, "reached", "1", "share so seen, in sample",
-                  plan->is_dark ? (murk_estimate){NAN, NAN}
-                                : plan->in_sample.at_least);
+                  plan->in_sample.at_least);
     MURK_NUMBER(f, "ceiling", "1", "share so seen by all candidates",
                 ceiling_of(&plan->place));
     MURK_FLAG(f, "proven_fewest", "true if fewest_possible is met",

@@ -102,6 +102,8 @@ def test_place(murk, scene):
                    "{min_m: [0, 0, 0], max_m: [4, 4, 1]}}]"]):
         other = murk.run("place", scene, *words)
         check(other["coverage"]["in_sample"] is None, words, other["coverage"])
+    strict = murk.run("place", scene, "--target", "0.9", "--set", "placement.at_least=2")
+    check(strict["target"]["reached"] is None, "at_least", strict["target"])
     # targets need no light
     seen = murk.run("place", scene, "--set", "placement.targets={surfaces: {points: 500}}")
     check(seen["coverage"]["in_sample"] > 0, "targets", seen["coverage"])
