@@ -1,7 +1,7 @@
 """Worlds and their light: photon maps, energy ledger, tallies."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, Sequence
 
 import numpy
 from numpy.typing import NDArray
@@ -10,7 +10,7 @@ from ._context import Context
 from ._library import (Error, Path, as_numpy, c_text, call, call_long, ffi, lib, new_view, structured, view_address)
 from ._picture import Picture
 from ._plan import Coverage, Plan
-from ._results import Result, handle_of, report_of, restored, result_of
+from ._results import Result, handle_of, report_of, restored, result_of, save
 
 if TYPE_CHECKING:
     from ._scene import Scene, Sensors
@@ -232,12 +232,14 @@ class Light:
         """
         return Picture(self, camera, method)
 
-    def save(self, folder: Path) -> None:
-        """Writes the files of `murk trace` to a folder: light.murk, ledger.json, tallies. Raises Error.
+    def save(self, folder: Path, exports: Sequence[str] = (), replace: bool = False) -> None:
+        """Writes the files of `murk trace` to a folder: light.murk, ledger.json, tallies. Arguments: `Plan.save()`.
 
-        Example: `light.save("out")`.
+        Raises Error.
+
+        Example: `light.save("out", exports=["photons"])`.
         """
-        call_long(self.context, lib.murk_light_save, handle_of(self), c_text(folder), ffi.NULL, ffi.NULL)
+        save(self, lib.murk_light_save, folder, exports, replace)
 
     def report(self, page: Path) -> Path:
         """Writes one HTML page of the light and returns its path. Raises Error.

@@ -2,13 +2,13 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Sequence
 
 import numpy
 from numpy.typing import NDArray
 
 from ._library import Path, as_numpy, c_text, call, call_long, ffi, lib, new_view
-from ._results import Fielded, Result, handle_of, report_of, result_of
+from ._results import Fielded, Result, handle_of, report_of, result_of, save
 
 if TYPE_CHECKING:
     from ._light import Light, World
@@ -69,6 +69,23 @@ class Coverage(Fielded):
         return as_numpy(self.c, view)
 
 
+    def save(self, folder: Path, exports: Sequence[str] = (), replace: bool = False) -> None:
+        """Writes the files of `murk sense` to a folder: coverage.json, coverage.csv. Arguments: `Plan.save()`.
+
+        Raises Error.
+
+        Example: `coverage.save("out")`.
+        """
+        save(self, lib.murk_coverage_save, folder, exports, replace)
+
+    def report(self, page: Path) -> Path:
+        """Writes one HTML page of the coverage and returns its path. Raises Error.
+
+        Example: `coverage.report("coverage.html")`.
+        """
+        return report_of(self, page)
+
+
 class Plan(Fielded):
     """The chosen sensors: `result` has the fields of plan.json, each of which is an attribute, too.
 
@@ -93,12 +110,27 @@ class Plan(Fielded):
         self.c = ffi.gc(out[0], lib.murk_plan_destroy)
         self.result = result_of(lib.murk_plan_fields, self.c)
 
-    def save(self, folder: Path) -> None:
-        """Writes the files of `murk place` to a folder; files that murk did not write are not replaced. Raises Error.
+    def repeat(self, runs: int) -> Result:
+        """Makes runs - 1 further plans with other seeds, each with light of its own: the field `repeat` of plan.json.
 
-        Example: `plan.save("out")`.
+        It says how much the plan depends on chance. Raises Error if the scene cannot be repeated.
+
+        Example: `plan.repeat(10)`.
         """
-        call_long(self.context, lib.murk_plan_save, handle_of(self), c_text(folder), ffi.NULL, ffi.NULL)
+        call_long(self.context, lib.murk_plan_repeat, handle_of(self), runs)
+        self.result = result_of(lib.murk_plan_fields, self.c)
+        repeat: Result = self.result["repeat"]
+        return repeat
+
+    def save(self, folder: Path, exports: Sequence[str] = (), replace: bool = False) -> None:
+        """Writes the files of `murk place` to a folder: plan.json, sensors.csv, coverage.csv, those of the light.
+
+        exports: words of `--export`: fields, photons, surfaces, matrix, or-library, lp. Files that murk did not write,
+        or that were edited since, are replaced only if `replace` is true. Raises Error, and writes nothing then.
+
+        Example: `plan.save("out", exports=["photons", "surfaces"])`.
+        """
+        save(self, lib.murk_plan_save, folder, exports, replace)
 
     def report(self, page: Path) -> Path:
         """Writes one HTML page of the plan and returns its path; no other file is left. Raises Error.

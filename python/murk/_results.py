@@ -4,7 +4,7 @@ from __future__ import annotations
 import json
 import os
 import tempfile
-from typing import Any
+from typing import Any, Mapping, Sequence
 
 from ._context import Context, default_context
 from ._library import Error, Path, c_text, call, call_long, ffi, lib, string
@@ -79,6 +79,14 @@ class Fielded:
         return restored, (type(self), {"result": self.result})
 
 
+def save(owner: Any, function: Any, folder: Path, exports: Sequence[str], replace: bool) -> None:
+    """Writes the files of a handle by its murk_..._save()."""
+    words = c_text(",".join(exports)) if exports else ffi.NULL  # lives as long as the call
+    options = ffi.new("murk_save_options *", {"size": ffi.sizeof("murk_save_options"), "exports": words,
+                                              "replaces": replace})
+    call_long(owner.context, function, handle_of(owner), c_text(folder), options, ffi.NULL)
+
+
 def report(folder: Path, page: Path | None = None, context: Context | None = None) -> Path:
     """Writes one HTML page of a folder of results and returns its path.
 
@@ -109,15 +117,34 @@ class Study(Fielded):
     Example: `[row["values"]["density"] for row in murk.study("fog.yaml").rows]`.
     """
 
-    def __init__(self, path: Path, folder: Path | None = None, context: Context | None = None) -> None:
+    def __init__(self, path: Path, folder: Path | None = None, context: Context | None = None,
+                 keys: Mapping[str, str] | None = None) -> None:
         self.context = context or default_context()
         out = ffi.new("murk_study **")
-        kept = c_text(folder)  # lives as long as the call
-        options = ffi.new("murk_study_options *", {"size": ffi.sizeof("murk_study_options"), "folder": kept})
+        # Strings live as long as the call.
+        kept, names, values = c_text(folder), [c_text(k) for k in keys or {}], [c_text(v) for v in (keys or {}).values()]
+        options = ffi.new("murk_study_options *", {"size": ffi.sizeof("murk_study_options"), "folder": kept,
+                                                   "n": len(names)})
+        arrays = ffi.new("const char *[]", names), ffi.new("const char *[]", values)
+        options.key, options.value = arrays
         call_long(self.context, lib.murk_study_read, out, self.context.c, c_text(path), options)
         self.c = ffi.gc(out[0], lib.murk_study_destroy)
         call_long(self.context, lib.murk_study_run, self.c)
         self.result = result_of(lib.murk_study_fields, self.c)
+
+    def save(self, folder: Path, exports: Sequence[str] = (), replace: bool = False) -> None:
+        """Writes the files of `murk study` to a folder: study.json, table.csv. Arguments: `Plan.save()`. Raises Error.
+
+        Example: `study.save("out")`.
+        """
+        save(self, lib.murk_study_save, folder, exports, replace)
+
+    def report(self, page: Path) -> Path:
+        """Writes one HTML page of the study and returns its path. Raises Error.
+
+        Example: `study.report("study.html")`.
+        """
+        return report_of(self, page)
 
 
 def study(path: Path, folder: Path | None = None, context: Context | None = None) -> Study:

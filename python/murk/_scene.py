@@ -4,7 +4,7 @@ from __future__ import annotations
 import json
 import os
 import tempfile
-from typing import TYPE_CHECKING, Any, Iterable, Mapping, Sequence, Union
+from typing import TYPE_CHECKING, Any, Iterable, Mapping, Sequence, Tuple, Union
 
 import numpy
 from numpy.typing import ArrayLike, NDArray
@@ -13,11 +13,12 @@ from ._context import Context, default_context
 from ._library import DICT, Error, Path, c_text, call_in, call_long, ffi, from_numpy, lib, string
 from ._light import Light, World
 from ._plan import Coverage, Plan
-from ._results import Fielded, Study, result_of
+from ._results import Fielded, Study, report_of, result_of, save
 
 if TYPE_CHECKING:
     from ._picture import Picture
 
+Bounds = Tuple[Union[float, None], Union[float, None]]
 Sensors = Union[Path, Iterable[Mapping[str, Any]]]
 
 
@@ -56,15 +57,36 @@ class Fit(Fielded):
     Example: `for p in fit.parameters: print(p.key, p.value, "+-", p.standard_error)`.
     """
 
-    def __init__(self, scene: Scene, data: Path, free: Sequence[str]) -> None:
+    def __init__(self, scene: Scene, data: Path, free: Sequence[str], bounds: Mapping[str, Bounds] | None = None,
+                 loss: str | None = None, predict: Path | None = None, **numbers: int) -> None:
         self.context = scene.context
+        # Strings and arrays live as long as the calls.
         keys = [c_text(key) for key in free]
+        limits = [c_text(f"{key}={'' if low is None else low}:{'' if high is None else high}")
+                  for key, (low, high) in (bounds or {}).items()]
+        kept = ffi.new("const char *[]", limits), c_text(loss), c_text(predict)
+        options = ffi.new("murk_fit_options *", {"size": ffi.sizeof("murk_fit_options"), "n_bounds": len(limits), **numbers})
+        options.bounds, options.loss, options.predict = kept
         out = ffi.new("murk_fit **")
-        call_long(self.context, lib.murk_fit_create, out, scene.c, c_text(data),
-                  ffi.new("const char *[]", keys) if keys else ffi.NULL, len(keys), ffi.NULL)
+        call_long(self.context, lib.murk_fit_create, out, scene.c, c_text(data), ffi.new("const char *[]", keys),
+                  len(keys), options)
         self.c = ffi.gc(out[0], lib.murk_fit_destroy)
         call_long(self.context, lib.murk_fit_run, self.c)
         self.result = result_of(lib.murk_fit_fields, self.c)
+
+    def save(self, folder: Path, exports: Sequence[str] = (), replace: bool = False) -> None:
+        """Writes the files of `murk fit` to a folder: fit.json, fit.csv. Arguments: `Plan.save()`. Raises Error.
+
+        Example: `fit.save("out")`.
+        """
+        save(self, lib.murk_fit_save, folder, exports, replace)
+
+    def report(self, page: Path) -> Path:
+        """Writes one HTML page of the fit and returns its path. Raises Error.
+
+        Example: `fit.report("fit.html")`.
+        """
+        return report_of(self, page)
 
 
 class Scene:
@@ -148,6 +170,15 @@ class Scene:
         out = ffi.new("const char **")
         call_in(self.context, lib.murk_scene_resolved, self.c, out)
         return string(out[0])
+
+    def use_light(self, path: Path) -> None:
+        """Takes the seed and the number of photons from a light.murk, for `World.read_light()`; keys that were set
+        stay. Raises Error if the file cannot be read as light.
+
+        Example: `scene.use_light("out/light.murk")`, then `light = scene.world().read_light("out/light.murk")`.
+        """
+        call_in(self.context, lib.murk_scene_use_light, self.c, c_text(path))
+        self._arrays.append(("use_light", (os.path.abspath(os.fspath(path)),)))
 
     def add_mesh(self, name: str, vertices_m: ArrayLike, triangles: ArrayLike, material: ArrayLike | None = None,
                  material_names: Sequence[str] | None = None) -> None:
@@ -258,15 +289,20 @@ class Scene:
         """
         return self.trace().render(camera, method)
 
-    def fit(self, data: Path, free: Sequence[str]) -> Fit:
+    def fit(self, data: Path, free: Sequence[str] = (), bounds: Mapping[str, Bounds] | None = None,
+            loss: str | None = None, starts: int = 0, traces: int = 0, next: int = 0,
+            predict: Path | None = None) -> Fit:
         """Calibrates keys to the readings of a CSV file: Fit.
 
         data: columns of murk-data(5). free: paths of keys; "KEY@each" is one value a condition, "gain.NAME" a factor
-        of readings. Raises Error if a reading or a key does not fit the scene.
+        of readings. bounds: the least and the largest value of a key, None for none. loss: "none", "huber" or "cauchy",
+        the last two also with a width in standard errors, "huber:1.345". starts, traces: of the search; 0: 4 and 12.
+        next: proposes so many places for further readings. predict: a fit.json, at whose values the readings are
+        predicted; then nothing is fitted. Raises Error if a reading or a key does not fit the scene.
 
         Example: `fit = scene.fit("fog.csv", ["media.fog.extinction_per_m", "media.fog.phase.hg"])`.
         """
-        return Fit(self, data, free)
+        return Fit(self, data, free, bounds, loss, predict, starts=starts, traces=traces, next=next)
 
     def study(self, axes: Mapping[str, Any], outputs: Sequence[str] = (), folder: Path | None = None,
               **keys: Any) -> Study:

@@ -55,6 +55,10 @@ def program_agrees(folder):
     light = scene.world().read_light(os.path.join(by_program, "light.murk"))
     check(light.sense(os.path.join(by_program, "plan.json")).coverage["in_sample"] ==
           first["coverage"]["in_sample"], "coverage of the program's plan on the program's light")
+    seen = light.sense(plan.sensors)
+    seen.save(os.path.join(folder, "seen"), exports=["photons"])
+    check({"coverage.json", "coverage.csv"} <= set(os.listdir(os.path.join(folder, "seen"))), "files of a coverage")
+    check(plan.repeat(2)["runs"] and plan.result["repeat"], "a plan with another seed")
     page = os.path.join(folder, "page.html")
     check(plan.report(page) == page and os.path.getsize(page) > 100000, "a page")
     return plan
@@ -72,6 +76,11 @@ def study_and_fit_agree(folder):
     subprocess.run([program, "study", study, "-o", rows, "--quiet"], check=True)
     by_python = murk.study(study)
     check(by_python["rows"] == without_run(os.path.join(rows, "study.json"))["rows"], "rows of a study")
+    for name in ("study.json", "table.csv"):
+        by_python.save(os.path.join(folder, "saved"))
+        check(os.path.getsize(os.path.join(folder, "saved", name)) > 0, f"{name} is written")
+    page = os.path.join(folder, "study.html")
+    check(by_python.report(page) == page and os.path.getsize(page) > 100000, "a page of a study")
     check(by_python["rows"][0]["values"] != by_python["rows"][1]["values"], "rows differ")
     fit = os.path.join(folder, "fit")
     key = "media.fog.extinction_per_m"
@@ -79,6 +88,13 @@ def study_and_fit_agree(folder):
     theirs = without_run(os.path.join(fit, "fit.json"))
     mine = murk.Scene(file=room).fit(data, [key])
     check(mine["parameters"] == theirs["parameters"] and mine["chi2"] == theirs["chi2"], "a fit of a scene file")
+    mine.save(os.path.join(folder, "saved-fit"))
+    check(without_run(os.path.join(folder, "saved-fit", "fit.json"))["parameters"] == theirs["parameters"], "a saved fit")
+    held = murk.Scene(file=room).fit(data, [key], bounds={key: (0.15, 1)}, loss="huber")
+    check(held.parameters[0].value >= 0.15, "a bound of a fit")
+    told = murk.Scene(file=room).fit(data, predict=os.path.join(folder, "saved-fit", "fit.json"))
+    told.save(os.path.join(folder, "predicted"))
+    check(os.path.exists(os.path.join(folder, "predicted", "fit.csv")), "predicted readings")
     by_text = murk.Scene(ROOM).fit(data, [key])
     check(by_text["parameters"] == theirs["parameters"], "a fit of a scene from a dict")
 

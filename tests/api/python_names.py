@@ -28,12 +28,7 @@ UNUSED = {
     "murk_sensors_count": "lists of sensors are lists of Python",
     "murk_sensors_get": "as murk_sensors_count",
     "murk_plan_sensors": "the field `sensors` of a plan has them",
-    "murk_coverage_save": "results of Python are pickled; light and plans alone are saved",
-    "murk_study_save": "as murk_coverage_save",
-    "murk_fit_save": "as murk_coverage_save",
-    "murk_plan_repeat": "a program repeats with keys of its own, seed=n",
-    "murk_scene_use_light": "a program sets the seed and the number of photons itself",
-    "murk_world_check_save": "for programs whose folder is known before the work",
+    "murk_world_check_save": "folders are checked when files are saved",
     "murk_study_check_save": "as murk_world_check_save",
     "murk_fit_check_save": "as murk_world_check_save",
 }
