@@ -89,7 +89,8 @@ bool murk_affine_invert(const murk_affine *a, murk_affine *out)
     const murk_vec3 r1 = {m[1][0], m[1][1], m[1][2]};
     const murk_vec3 r2 = {m[2][0], m[2][1], m[2][2]};
     const double determinant = murk_dot(r0, murk_cross(r1, r2));
-    if (!(fabs(determinant) > 0) || !isfinite(1 / determinant)) {
+    if (!(fabs(determinant) > 0) || !isfinite(determinant) ||
+        !isfinite(1 / determinant)) {
         return false;
     }
     const murk_vec3 c0 = murk_scale(1 / determinant, murk_cross(r1, r2));

@@ -229,7 +229,7 @@ murk_affine murk_affine_compose(const murk_affine *outer,
                                 const murk_affine *inner);
 
 /* The inverse map. Returns false and leaves *out unchanged if the determinant
- * is 0 or NaN, or so small that the reciprocal overflows. */
+ * is 0, infinite or NaN, or so small that the reciprocal overflows. */
 bool murk_affine_invert(const murk_affine *a, murk_affine *out);
 
 murk_vec3 murk_affine_point(const murk_affine *a, murk_vec3 p);

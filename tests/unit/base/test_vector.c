@@ -42,6 +42,12 @@ static void test_inverse_undoes(void)
     const murk_affine flat =
         murk_affine_place(murk_vec(0, 0, 0), 0, murk_vec(0, 0, 0));
     CHECK(!murk_affine_invert(&flat, &back));
+    const murk_affine endless = {
+        .matrix = {{INFINITY, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    const murk_affine huge = {
+        .matrix = {{1e200, 0, 0}, {0, 1e200, 0}, {0, 0, 1}}};
+    CHECK(!murk_affine_invert(&endless, &back));
+    CHECK(!murk_affine_invert(&huge, &back));
 }
 
 static void test_clip(void)
