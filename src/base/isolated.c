@@ -53,6 +53,9 @@ static _Noreturn void run_and_exit(int fd, pid_t parent,
     murk_isolated process = {fd};
     murk_error err = {0};
     const murk_status status = work(&process, context, &err);
+    if (status && !err.code) { /* the parent judges by the error */
+        murk_fail(&err, status, "", "its process failed without a message");
+    }
     const bool sent = murk_pipe_send(fd, END, status, &err, sizeof err);
     _exit(sent ? 0 : 1); /* buffers that were filled before the fork are not
                           * flushed */

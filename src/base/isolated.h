@@ -14,7 +14,8 @@
 typedef struct murk_isolated murk_isolated;
 
 /* The computation, called in the subprocess. The error of a failure is passed
- * to the caller of murk_isolated_run() unchanged, so a failure must fill *err.
+ * to the caller of murk_isolated_run() unchanged; a failure that leaves *err
+ * empty is passed with its status.
  * The subprocess ignores SIGINT: the parent process notices the interrupt and
  * kills the subprocess. */
 typedef murk_status (*murk_isolated_work)(murk_isolated *process, void *context,
