@@ -37,6 +37,7 @@ void murk_inputs_end(void)
         (void)munmap((void *)host->inputs, SLOTS * sizeof *host->inputs);
     }
     host->inputs = NULL;
+    atomic_store(&host->inputs_are_full, false);
 }
 
 static uint64_t hash_of(const struct stat *file)

@@ -2,6 +2,7 @@
  * processes that live and that were killed. */
 #define _DEFAULT_SOURCE /* mkdtemp */
 #include "base/file.h"
+#include "base/host.h"
 #include "base/inputs.h"
 #include "base/staging.h"
 #include "check.h"
@@ -170,6 +171,18 @@ static void test_inputs_by_any_name_and_process(void)
           !unlink(path_of("hard")) && !unlink(path_of("other")));
 }
 
+/* A full set counts every file as an input, but only until the set ends. */
+static void test_a_full_set_ends(void)
+{
+    put("in");
+    murk_inputs_begin();
+    atomic_store(&murk_host_now()->inputs_are_full, true);
+    CHECK(murk_inputs_has(path_of("in")));
+    murk_inputs_end();
+    CHECK(!murk_inputs_has(path_of("in")));
+    CHECK(!unlink(path_of("in")));
+}
+
 static void test_marks(void)
 {
     static const char mark[] = "made\0by";
@@ -193,6 +206,7 @@ int main(void)
     test_only_leftovers_go();
     test_marks();
     test_inputs_by_any_name_and_process();
+    test_a_full_set_ends();
     CHECK(rmdir(folder) == 0);
     return check_failures != 0;
 }
