@@ -215,7 +215,7 @@ static murk_status read_table(entry table[MURK_MAP_FILE_SECTIONS], int fd,
     return MURK_OK;
 }
 
-/* Refuses files that are larger than the memory. The operating system grants
+/* Refuses sections that are larger than the memory. The operating system grants
  * memory freely and provides it only when it is written to, so that a large
  * request would succeed here, and the program would be killed later. */
 static murk_status check_memory(uint64_t size, const char *path,
@@ -229,6 +229,11 @@ static murk_status check_memory(uint64_t size, const char *path,
                          (double)size / 1e9, have / 1e9);
     }
     return MURK_OK;
+}
+
+static bool is_wanted(const entry *section, const char *only)
+{
+    return !only || strncmp(section->name, only, sizeof section->name) == 0;
 }
 
 static murk_status read_section(murk_section *section, const entry *from,
@@ -266,8 +271,14 @@ static murk_status read_sections(murk_section **out, size_t *n,
     murk_section *sections = NULL;
     murk_status status = murk_file_open(&fd, &size, path, err);
     if (status || (status = read_header(&head, fd, size, path, err)) ||
-        (status = read_table(table, fd, &head, path, err)) ||
-        (status = check_memory(size, path, err))) {
+        (status = read_table(table, fd, &head, path, err))) {
+        goto done;
+    }
+    uint64_t needed = 0;
+    for (size_t i = 0; i < head.n_sections; ++i) {
+        needed += is_wanted(&table[i], only) ? table[i].size : 0;
+    }
+    if ((status = check_memory(needed, path, err))) {
         goto done;
     }
     /* Read or skip one section after the other. */
@@ -277,7 +288,7 @@ static murk_status read_sections(murk_section **out, size_t *n,
         goto done;
     }
     for (size_t i = 0; i < head.n_sections; ++i) {
-        if (only && strncmp(table[i].name, only, sizeof table[i].name) != 0) {
+        if (!is_wanted(&table[i], only)) {
             if (lseek(fd, (off_t)table[i].size, SEEK_CUR) < 0) {
                 status = murk_fail(err, MURK_BAD_FILE, path, "cannot read: %s",
                                    strerror(errno));

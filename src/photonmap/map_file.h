@@ -43,7 +43,7 @@ murk_status murk_map_file_write(const char *path, const murk_section *sections,
  * releases with murk_map_file_release() (NULL is allowed). The file counts as
  * an input of the run (base/inputs.h). Sizes are checked against the file
  * before memory is taken. Fails with MURK_BAD_FILE, or with MURK_NO_MEMORY,
- * also for a file that is larger than the memory of the machine. */
+ * also if the sections are larger than the memory of the machine. */
 murk_status murk_map_file_read(murk_section **out, size_t *n, const char *path,
                                murk_error *err);
 void murk_map_file_release(murk_section *sections, size_t n);

@@ -160,6 +160,10 @@ static void test_more_than_memory_is_refused(const char *bytes)
     put(head, sizeof head);
     if (truncate(path, (off_t)size) == 0) {
         CHECK_MENTIONS(refusal(MURK_NO_MEMORY), "needs 4398 GB of memory");
+        /* another section is missing, however large this one is */
+        murk_section *one_section = NULL;
+        CHECK(murk_map_file_read_one(&one_section, path, "key", NULL) ==
+              MURK_BAD_FILE);
     }
 }
 
