@@ -77,6 +77,7 @@ void murk_presets_name(size_t index, char out[MURK_PRESET_NAME_SIZE])
             return;
         }
     }
+    out[0] = '\0';
 }
 
 static murk_status fail_unknown(const char *name, const char *where,

@@ -8,8 +8,8 @@
 /* Longer than any "FAMILY/NAME". */
 #define MURK_PRESET_NAME_SIZE 64
 
-/* The number of presets; and the name of preset `index`, less than the number,
- * such as "fog/kruse". Names are in alphabetical order. */
+/* The number of presets; and the name of preset `index`, such as "fog/kruse",
+ * "" if there are fewer. Names are in alphabetical order. */
 size_t murk_presets_count(void);
 void murk_presets_name(size_t index, char out[MURK_PRESET_NAME_SIZE]);
 

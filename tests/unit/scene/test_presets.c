@@ -37,6 +37,9 @@ static void test_all_that_are_built_in(void)
 {
     /* Each preset can be read. */
     CHECK(murk_presets_count() > 10);
+    char past[MURK_PRESET_NAME_SIZE] = "x";
+    murk_presets_name(murk_presets_count(), past);
+    CHECK_TEXT(past, "");
     for (size_t i = 0; i < murk_presets_count(); ++i) {
         char name[MURK_PRESET_NAME_SIZE];
         murk_preset *preset = NULL;
