@@ -99,6 +99,9 @@ murk_fate murk_meet_surface(murk_walker *w, const murk_hit *hit, double path_m,
     /* At the boundary of a solid: the index on either side. */
     if (hit->solid && material->ior > 0) {
         if (!murk_path_solids_cross(&beyond, hit->solid, material->ior)) {
+            /* The solids around the photon are unknown here, and so is the
+             * medium of the segment: the ledger counts all quanta as lost, and
+             * tallies do not score the segment. */
             return murk_walker_lose(w, MURK_LOSS_NUMERICAL);
         }
         inside ^= crossed;
