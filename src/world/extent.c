@@ -79,14 +79,15 @@ static murk_box box_of_grid(const murk_affine *placed, const murk_grid *grid,
 
 /* The box of the intersection of a shape with the layers of a profile, in the
  * local coordinates of the region. */
-static murk_box box_of_shape(const murk_scene_region *r,
+static murk_box box_of_shape(const murk_scene_region *r, const murk_mesh *mesh,
                              const murk_scene_numbers *z_m)
 {
     const murk_box layers = {{-INFINITY, -INFINITY, z_m->value[0]},
                              {INFINITY, INFINITY, z_m->value[z_m->n - 1]}};
     return meet(r->shape == MURK_REGION_SPHERE
                     ? murk_box_of_ball(r->solid.center, r->solid.radius_m)
-                    : r->solid.box,
+                : r->shape == MURK_REGION_MESH ? mesh->bounds_m
+                                               : r->solid.box,
                 layers);
 }
 
@@ -122,7 +123,7 @@ murk_box murk_extent_region(const murk_scene_desc *scene,
         return box;
     }
     if (z_m->n > 0) {
-        const murk_box local = box_of_shape(r, z_m);
+        const murk_box local = box_of_shape(r, mesh, z_m);
         return is_empty(&local) ? local
                                 : meet(box, murk_affine_box(&placed, &local));
     }

@@ -302,6 +302,16 @@ END
 within_limits check "$dir/nothing.yaml" >"$dir/stdout" 2>"$dir/stderr"
 grep -q "smoke, empty: " "$dir/stdout" && ! grep -q inf "$dir/stdout" ||
     fail "an empty region is not called so: $(grep region "$dir/stdout")"
+# Layers in a mesh are bounded by the mesh: they need no domain.
+cat >"$dir/layers.yaml" <<'END'
+murk: 1
+media: {smoke: {profile: {z_m: [0, 1.5], extinction_per_m: [1, 2]}, albedo: 0.5}}
+regions: [{medium: smoke, mesh: closed.obj}]
+lights: [{type: point, position_m: [1.1, 1.1, 1.1], power_w: 1}]
+END
+within_limits check "$dir/layers.yaml" >"$dir/stdout" 2>"$dir/stderr" ||
+    fail "layers in a mesh without a domain are refused: $(cat "$dir/stderr")"
+! grep -q "smoke, empty: " "$dir/stdout" || fail "layers in a mesh are called empty"
 # Where the sun meets water in an open side, the warning names both remedies.
 cat >"$dir/sea.yaml" <<'END'
 murk: 1
