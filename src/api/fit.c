@@ -5,10 +5,10 @@
 #include "api/scene.h"
 
 #include "base/log.h"
-#include "base/number.h"
 #include "base/progress.h"
 #include "calibrate/calibrate.h"
 #include "calibrate/covered.h"
+#include "calibrate/loss.h"
 #include "calibrate/proposals.h"
 #include "results/fit.h"
 #include "world/stage_build.h"
@@ -20,8 +20,6 @@
 /* The name under which the text of a scene is read again for each value of a
  * parameter (base/memory_files.h). */
 #define SCENE_TEXT "murk-scene"
-
-#define LOSS_WIDTH_MAX 1e6 /* standard errors: far beyond any outlier */
 
 struct murk_fit {
     murk_scene *scene;
@@ -44,37 +42,6 @@ struct murk_fit {
 
 /* ---- options ---- */
 
-/* "huber:1.345" */
-static murk_status read_loss(murk_calibration_desc *out, const char *text,
-                             murk_error *err)
-{
-    static const char *const losses[] = {"none", "huber", "cauchy"};
-    /* Widths of 95 % efficiency on normal residuals (Holland and Welsch,
-     * Commun. Stat. A 6 (1977) 813, doi:10.1080/03610927708827533). */
-    static const double widths[] = {1, 1.345, 2.385};
-    const size_t length = strcspn(text, ":");
-    /* The name of the loss, then its width if one is given. */
-    for (int i = 0; i < 3; ++i) {
-        if (strlen(losses[i]) != length ||
-            strncmp(losses[i], text, length) != 0) {
-            continue;
-        }
-        out->loss = (murk_loss_function)i;
-        out->loss_width = widths[i];
-        if (!text[length]) {
-            return MURK_OK;
-        }
-        if (i > 0 && murk_number_parse(text + length + 1, &out->loss_width) &&
-            out->loss_width > 0 && out->loss_width <= LOSS_WIDTH_MAX) {
-            return MURK_OK;
-        }
-    }
-    return murk_fail(err, MURK_BAD_VALUE, "loss",
-                     "%s, must be none, huber or cauchy, the last two also "
-                     "with a width in standard errors: huber:1.345",
-                     text);
-}
-
 static murk_status take_options(murk_fit *f, const murk_fit_options *options,
                                 murk_error *err)
 {
@@ -87,7 +54,10 @@ static murk_status take_options(murk_fit *f, const murk_fit_options *options,
             return murk_no_memory(err, options->predict, "for the fit");
         }
     }
-    return options->loss ? read_loss(&f->desired, options->loss, err) : MURK_OK;
+    return options->loss
+               ? murk_loss_read(&f->desired.loss, &f->desired.loss_width,
+                                options->loss, err)
+               : MURK_OK;
 }
 
 /* ---- reading ---- */

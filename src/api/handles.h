@@ -135,6 +135,11 @@ murk_status murk_call_bad_argument(murk_error *err, const char *name,
 void murk_context_release(murk_context *context);
 void murk_scene_release(murk_scene *scene);
 void murk_world_release(murk_world *world);
+
+/* Builds a world of a scene with conditions, which is not built before it is
+ * needed, because the files of all conditions are imported before any world is
+ * built. Any other world is there. */
+murk_status murk_world_build(murk_world *world, murk_error *err);
 void murk_light_release(murk_light *light);
 
 /* Makes fields of a table of results; keeps those that are there. */

@@ -63,13 +63,15 @@ static murk_status light_make(murk_light **out, murk_world *world,
 {
     *out = NULL;
     murk_call call = murk_call_begin(world->context, &world->files, error);
-    murk_light *light = make(world);
+    const murk_status built = murk_world_build(world, &call.failure);
+    murk_light *light = built ? NULL : make(world);
     const unsigned threads = world->context->threads;
     murk_status status =
-        !light ? MURK_NO_MEMORY
-        : path ? read_light(light, path, &call.failure)
-               : murk_lightmap_trace(&light->session.traced, world->stage, 0,
-                                     threads, &call.failure);
+        built    ? built
+        : !light ? MURK_NO_MEMORY
+        : path   ? read_light(light, path, &call.failure)
+                 : murk_lightmap_trace(&light->session.traced, world->stage, 0,
+                                       threads, &call.failure);
     status = murk_call_end_long(&call, status);
     if (status) {
         murk_light_release(light);

@@ -4,6 +4,7 @@
 
 #include "api/save.h"
 #include "base/log.h"
+#include "base/progress.h"
 #include "results/plan_files.h"
 #include "results/repeat.h"
 
@@ -38,8 +39,10 @@ static murk_status place_conditions(murk_plan *plan, murk_error *err)
     if (!plan->conditions) {
         return MURK_NO_MEMORY;
     }
+    const double begun_s = murk_clock_s();
     const murk_status status = murk_condition_plans_prepare(
         plan->conditions, &plan->plan, plan->session.scene, threads, err);
+    plan->session.run.load_s += murk_clock_s() - begun_s;
     return status ? status
                   : murk_condition_plans_make(plan->conditions, &plan->plan,
                                               threads, err);

@@ -195,9 +195,13 @@ murk_status murk_world_check_save(murk_world *world, const char *command,
         return murk_call_refuse(error, "world or command is NULL");
     }
     murk_call call = murk_call_begin(world->context, &world->files, error);
+    murk_status status = strcmp(command, "place") == 0
+                             ? MURK_OK
+                             : murk_world_build(world, &call.failure);
     murk_session session = murk_world_session(world);
-    murk_status status =
-        murk_save_set(&session, folder, options, &call.failure);
+    if (!status) {
+        status = murk_save_set(&session, folder, options, &call.failure);
+    }
     if (!status) {
         status = murk_save_check(&session, command, runs, &call.failure);
     }

@@ -33,10 +33,14 @@ murk_status murk_sensors_create(murk_sensors **out, murk_world *world,
 static murk_status read_file(murk_sensors *sensors, const char *path,
                              murk_error *err)
 {
-    const murk_world *world = sensors->world;
+    murk_world *world = sensors->world;
     if (!world->desc->sensors.given) {
         return murk_fail(err, MURK_BAD_VALUE, world->desc->path,
                          "sensors: the scene has none");
+    }
+    const murk_status status = murk_world_build(world, err);
+    if (status) {
+        return status;
     }
     /* A plan that was made in the dark may have no sensor. */
     const size_t minimum = murk_stage_has_nothing_to_see(world->stage) ? 0 : 1;
@@ -143,7 +147,10 @@ static murk_status add(murk_sensors *sensors, const murk_sensor *sensor,
                        murk_error *err)
 {
     murk_pose pose;
-    const murk_status status = pose_of(&pose, sensors->world, sensor, err);
+    murk_status status = murk_world_build(sensors->world, err);
+    if (!status) {
+        status = pose_of(&pose, sensors->world, sensor, err);
+    }
     if (status) {
         return status;
     }

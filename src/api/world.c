@@ -11,27 +11,41 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Reads the scene, tells of keys without effect, and builds. */
+murk_status murk_world_build(murk_world *world, murk_error *err)
+{
+    if (world->stage) {
+        return MURK_OK;
+    }
+    murk_progress_begin_group("build", 0, "");
+    const murk_status status =
+        murk_stage_create(&world->stage, world->desc, err);
+    murk_progress_end();
+    world->load_s = murk_clock_s() - world->begun_s;
+    return status;
+}
+
+/* Reads the scene, tells of keys without effect, and builds unless there are
+ * conditions to place over. */
 static murk_status build(murk_world *world, murk_scene *scene, murk_error *err)
 {
     if (!murk_memory_copy(&world->files, &scene->files)) {
         return murk_no_memory(err, scene->name, "for the world");
     }
     world->begun_s = murk_clock_s();
-    murk_progress_begin_group("build", 0, "");
-    murk_status status = murk_scene_describe(&world->desc, scene, err);
-    if (!status) {
-        murk_units_note(world->desc);
-    }
-    for (size_t i = 0; !status && i < world->desc->idles; ++i) {
-        murk_warn(world->desc->idle[i].where, "%s", world->desc->idle[i].text);
-    }
-    if (!status) {
-        status = murk_stage_create(&world->stage, world->desc, err);
-    }
+    murk_progress_begin_group("read", 0, "");
+    const murk_status status = murk_scene_describe(&world->desc, scene, err);
     murk_progress_end();
     world->load_s = murk_clock_s() - world->begun_s;
-    return status;
+    if (status) {
+        return status;
+    }
+    murk_units_note(world->desc);
+    for (size_t i = 0; i < world->desc->idles; ++i) {
+        murk_warn(world->desc->idle[i].where, "%s", world->desc->idle[i].text);
+    }
+    return world->desc->placement.over == MURK_SCENE_OBJECTIVE_NONE
+               ? murk_world_build(world, err)
+               : MURK_OK;
 }
 
 murk_status murk_world_create(murk_world **out, murk_scene *scene,
@@ -79,6 +93,15 @@ void murk_world_destroy(murk_world *world)
 void murk_world_bounds(const murk_world *world, double bounds_m[6])
 {
     if (!world || !bounds_m) {
+        return;
+    }
+    murk_call call = murk_call_begin(world->context, &world->files, NULL);
+    const murk_status status =
+        murk_world_build((murk_world *)world, &call.failure);
+    if (murk_call_end(&call, status)) {
+        for (int i = 0; i < 6; ++i) {
+            bounds_m[i] = NAN;
+        }
         return;
     }
     const murk_box box =

@@ -1,48 +1,39 @@
 /* murk trace: traces the light of a scene and writes the maps, the ledger and
  * the tallies. */
-#include "app/session.h"
-#include "results/exports.h"
-#include "results/tallies.h"
+#include "app/given.h"
+#include "app/show.h"
 
 murk_status murk_command_trace(const murk_options *options, murk_error *err)
 {
-    murk_session session;
-    murk_error late = {0};
-    murk_status status = murk_session_begin(&session, options, err);
+    murk_scene *scene = NULL;
+    murk_world *world = NULL;
+    murk_light *light = NULL;
+    murk_given_save save = {.exports = NULL};
+    const murk_fields *saved = NULL;
+    /* The world, and all that can be refused before there is light. */
+    murk_status status = murk_given_scene(&scene, options, err);
     if (!status) {
-        status = murk_exports_begin(&session, err);
-    }
-    if (!status) {
-        static const char *const names[] = {NULL};
-        status = murk_session_expect(&session, names, err);
-        status = status ? status : murk_session_expect_light(&session, err);
-    }
-    if (!status) {
-        status = murk_session_light(&session, err);
+        status = murk_world_create(&world, scene, err);
     }
     if (!status) {
-        status = murk_session_add_light(&session, err);
+        status = murk_given_save_begin(&save, options, err);
     }
     if (!status) {
-        status = murk_add_tallies(&session, err);
+        status = murk_world_check_save(world, "trace", 0, options->out,
+                                       &save.options, err);
     }
+    /* The light and its files. */
     if (!status) {
-        murk_exports_add_scene(&session, NULL, NULL, 0, &late);
+        status = murk_light_trace(&light, world, err);
     }
-    if (!status) {
-        status = murk_session_finish(
-            &session, "ledger.json",
-            murk_results_json(
-                murk_results_list_ledger,
-                &(murk_ledger_results){session.traced, session.stage}),
-            murk_print_trace, &session, err);
+    if (!status) { /* if an export alone fails, the light is saved */
+        status =
+            murk_light_save(light, options->out, &save.options, &saved, err);
     }
-    if (!status) {
-        murk_print_run(&session, NULL, 0);
-    }
-    if (!status) { /* the light is written, what is told late is not */
-        status = murk_fail(err, late.code, late.where, "%s", late.text);
-    }
-    murk_session_end(&session);
+    murk_show(options, saved);
+    murk_light_destroy(light);
+    murk_world_destroy(world);
+    murk_scene_destroy(scene);
+    murk_given_save_end(&save);
     return status;
 }

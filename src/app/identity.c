@@ -51,21 +51,26 @@ static murk_status no_memory(murk_error *err)
     return murk_no_memory(err, "", "for the identity");
 }
 
+murk_status murk_identity_asked(char **out, const murk_options *options,
+                                murk_error *err)
+{
+    size_t size = 0;
+    *out = NULL;
+    FILE *to = open_memstream(out, &size);
+    if (!to) {
+        return no_memory(err);
+    }
+    const murk_status status = write_all(to, options, err);
+    return fclose(to) != 0 && !status ? no_memory(err) : status;
+}
+
 /* Either scene or `of` says what the input is. */
 static murk_status identify(char out[65], const murk_options *options,
                             const murk_scene_desc *scene, const char *of,
                             uint32_t seed, murk_error *err)
 {
     char *asked = NULL;
-    size_t size = 0;
-    FILE *to = open_memstream(&asked, &size);
-    if (!to) {
-        return no_memory(err);
-    }
-    murk_status status = write_all(to, options, err);
-    if (fclose(to) != 0 && !status) {
-        status = no_memory(err);
-    }
+    murk_status status = murk_identity_asked(&asked, options, err);
     if (!status) {
         status = murk_identity_of(out, options->command->name, asked, scene, of,
                                   seed, err);

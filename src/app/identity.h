@@ -9,6 +9,11 @@
 #include "results/json.h"
 #include <stddef.h>
 
+/* *out: what the command line asks beside the scene (files by their contents),
+ * as lines of text; for free(), also after a failure. */
+murk_status murk_identity_asked(char **out, const murk_options *options,
+                                murk_error *err);
+
 /* SHA-256 over version, command, what the command line asks beside the scene
  * (files by their contents), seed, and `of`, which says all of the input.
  * MURK_NO_MEMORY, or a file that cannot be read. */

@@ -2,10 +2,8 @@
  * turns its status into an exit code. */
 #include "app/command_line.h"
 #include "app/help.h"
+#include "app/terminal.h"
 #include "app/terminate_bridge.h"
-#include "base/inputs.h"
-#include "base/interrupt.h"
-#include "base/log.h"
 #include "base/pool.h"
 #include "results/version.h"
 
@@ -27,7 +25,7 @@ static void print_version(void)
     }
 }
 
-static murk_status run(const murk_options *options, murk_error *err)
+static murk_status run(murk_options *options, murk_error *err)
 {
     if (options->wants_version) {
         print_version();
@@ -46,7 +44,7 @@ static murk_status run(const murk_options *options, murk_error *err)
         murk_help_print(stdout, options->command);
         return MURK_OK;
     }
-    const murk_status status = murk_pool_allow(options->threads, err);
+    const murk_status status = murk_terminal_begin(options, err);
     return status ? status : options->command->run(options, err);
 }
 
@@ -68,8 +66,6 @@ static int run_program(int argc, char **argv)
      * at the end alone, so that the results that are asked for are written */
     signal(SIGPIPE, SIG_IGN);
     signal(SIGXFSZ, SIG_IGN);
-    murk_interrupt_install();
-    murk_inputs_begin();
 
     murk_options options;
     murk_error err = {0};
@@ -87,11 +83,11 @@ static int run_program(int argc, char **argv)
     }
     if (status) {
         /* whatever failed after Ctrl-C failed because of it */
-        if (murk_interrupted()) {
+        if (murk_terminal_interrupted()) {
             status = MURK_INTERRUPTED;
             err = (murk_error){.text = "interrupted"};
         }
-        murk_message("", err.where, err.text);
+        murk_terminal_fail(&options, &err);
     }
     murk_options_release(&options);
     return murk_status_exit_code(status);

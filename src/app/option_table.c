@@ -69,12 +69,12 @@ const murk_option murk_option_table[] = {
      "matrix (matrix.csv, the coverage matrix, which --matrix reads, and "
      "candidates.csv), or-library (matrix.txt, the same as OR-Library text), "
      "lp (problem.lp, the problem for an outside solver)",
-     OWN(murk_option_exports)},
+     OWN(murk_option_exports), .setting = "exports"},
     {"--repeat", NULL, "N", "place",
      "do the whole job with N seeds, from --seed on: how far results differ, "
      "and how far the plan (that of the first seed) may be from the best; "
      "repeat.csv has a row a seed",
-     COUNT(1, 10000), .part = MURK_OPTION_AS_TEXT},
+     COUNT(1, 10000), .setting = "runs", .part = MURK_OPTION_AS_TEXT},
     {"--photon", NULL, "N", "replay", "index of the emitted photon, from 0",
      COUNT(0, UINT32_MAX - UINT64_C(1)), .part = MURK_OPTION_AS_TEXT},
     {"--data", NULL, "FILE", "fit",
@@ -93,7 +93,7 @@ const murk_option murk_option_table[] = {
     {"--loss", NULL, "none|huber|cauchy[:WIDTH]", "fit",
      "what a residual costs: its square, or less beyond WIDTH standard errors "
      "(1.345, 2.385), so that outliers pull less",
-     OWN(murk_option_loss), .part = MURK_OPTION_AS_TEXT},
+     .kind = MURK_OPTION_TEXT, .setting = "loss", .part = MURK_OPTION_AS_TEXT},
     {"--starts", NULL, "N", "fit",
      "search from N starts, the scene's values and others around them, and "
      "keep the best; default 4. Where the best refuses the model or ends at a "
@@ -175,7 +175,8 @@ const murk_option murk_option_table[] = {
      "profile. With --export: edge in m, at most, of the voxels of fields and "
      "of the pieces of surfaces; default: some 100,000 voxels, and pieces of "
      "five photons or so",
-     .kind = MURK_OPTION_TEXT, MEMBER(voxel), .part = MURK_OPTION_AS_TEXT},
+     .kind = MURK_OPTION_TEXT, .setting = "voxel_m", MEMBER(voxel),
+     .part = MURK_OPTION_AS_TEXT},
     {"--width", NULL, "M", "media",
      "width of the grid in x and y in m; default: 1000",
      .kind = MURK_OPTION_TEXT, .part = MURK_OPTION_AS_TEXT},

@@ -12,8 +12,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define LOSS_WIDTH_MAX 1e6 /* standard errors: far beyond any outlier */
-
 /* Pixels along a side: the range of the key of a scene. */
 #define SIDE_MAX     65536
 #define EXPOSURE_MAX 100.0 /* stops: 2^100 is beyond any radiance */
@@ -115,39 +113,6 @@ murk_status murk_option_bounds(murk_options *out, const char *name,
                                const char *value, murk_error *err)
 {
     return take_words(out, &out->fit.bounds, value, name, err);
-}
-
-murk_status murk_option_loss(murk_options *out, const char *name,
-                             const char *value, murk_error *err)
-{
-    murk_given_fit *fit = &out->fit;
-    static const char *const losses[] = {"none", "huber", "cauchy"};
-    /* Widths of 95 % efficiency on normal residuals (Holland and Welsch,
-     * Commun. Stat. A 6 (1977) 813, doi:10.1080/03610927708827533). */
-    static const double widths[] = {1, 1.345, 2.385};
-    const size_t length = strcspn(value, ":");
-    /* The name of the loss, then its width if one is given. */
-    for (int i = 0; i < 3; ++i) {
-        if (strlen(losses[i]) != length ||
-            strncmp(losses[i], value, length) != 0) {
-            continue;
-        }
-        fit->loss = (murk_loss_function)i;
-        fit->loss_width = widths[i];
-        if (!value[length]) {
-            return MURK_OK;
-        }
-        char *end;
-        fit->loss_width = strtod(value + length + 1, &end);
-        if (i > 0 && end != value + length + 1 && !*end &&
-            fit->loss_width > 0 && fit->loss_width <= LOSS_WIDTH_MAX) {
-            return MURK_OK;
-        }
-    }
-    return murk_fail(err, MURK_BAD_VALUE, name,
-                     "%s, must be none, huber or cauchy, the last two also "
-                     "with a width in standard errors: huber:1.345",
-                     value);
 }
 
 static murk_status add_value(murk_options *out, const murk_yaml *map, size_t i,

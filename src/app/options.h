@@ -9,7 +9,6 @@
 
 #include "base/progress.h"
 #include "base/status.h"
-#include "fit/least_squares.h"
 #include "results/exports.h"
 #include "scene/scene.h"
 
@@ -50,8 +49,9 @@ typedef struct murk_option {
     uint64_t min, max;
     const char *const *words; /* NULL ends them */
     murk_option_read *read;
-    const char *key; /* scene key that gets the value; NULL: none */
-    size_t at, size; /* member of murk_options; size 0: none */
+    const char *key;     /* scene key that gets the value; NULL: none */
+    size_t at, size;     /* member of murk_options; size 0: none */
+    const char *setting; /* the name of the value in messages of the library */
     murk_option_part part;
     bool is_left_out; /* of the command line that is kept with results: places
                          of results, and form of the output */
@@ -117,8 +117,6 @@ typedef struct murk_given_fit {
     const char *data;        /* --data */
     murk_words_given free;   /* --free */
     murk_words_given bounds; /* --bounds */
-    murk_loss_function loss; /* --loss */
-    double loss_width;       /* in standard errors */
     const char *predict;     /* --predict */
 } murk_given_fit;
 
@@ -147,6 +145,7 @@ typedef struct murk_given {
 } murk_given;
 
 struct murk_options {
+    murk_context *context;       /* made by terminal.c */
     const murk_command *command; /* NULL: only --help, --version or --man */
     bool wants_help, wants_version, wants_man;
     const char *input;   /* the scene; NULL with --matrix; a preset's name */

@@ -37,10 +37,7 @@ void murk_message(const char *kind, const char *where, const char *text)
     murk_progress_show();
 }
 
-/* True if the same message is among the last SAID_MAX printed ones; if not,
- * records the message as printed. */
-static bool is_said_before(const char *kind, const char *where,
-                           const char *text)
+bool murk_message_is_new(const char *kind, const char *where, const char *text)
 {
     static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
     static uint64_t said[SAID_MAX][2];
@@ -58,7 +55,7 @@ static bool is_said_before(const char *kind, const char *where,
         memcpy(said[count++ % SAID_MAX], sum, sizeof sum);
     }
     (void)pthread_mutex_unlock(&lock);
-    return found;
+    return !found;
 }
 
 static _Thread_local bool is_quiet;
@@ -94,7 +91,7 @@ static void report(bool is_warning, const char *where, const char *format,
         host->log(host->user, is_warning, where, text);
     } else if (sink != murk_warn_to_stderr) {
         sink(where, text);
-    } else if (!is_said_before(kind, where, text)) {
+    } else if (murk_message_is_new(kind, where, text)) {
         murk_message(kind, where, text);
     }
 }
@@ -142,7 +139,7 @@ bool murk_warn_quiet(bool is_silent)
 
 void murk_warn_to_stderr(const char *where, const char *text)
 {
-    if (!is_said_before("warning: ", where, text)) {
+    if (murk_message_is_new("warning: ", where, text)) {
         murk_message("warning: ", where, text);
     }
 }

@@ -39,6 +39,10 @@ void murk_log_to(murk_log_sink log, void *user);
  */
 void murk_message(const char *kind, const char *where, const char *text);
 
+/* True if the same message is not among the last 256 that were printed, or
+ * asked about here; if so, records the message as printed. */
+bool murk_message_is_new(const char *kind, const char *where, const char *text);
+
 /* Silences the warnings and notes of the calling thread (true) or ends the
  * silence (false). Returns the previous state. Used where a file is read a
  * second time, because the first reading has given all warnings about the file.

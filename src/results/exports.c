@@ -62,7 +62,7 @@ murk_status murk_exports_check(unsigned exports, murk_detection detection,
 {
     return murk_detection_is(detection, MURK_DETECTION_BY_CHANCE) &&
                    exports & MURK_EXPORT_LP
-               ? murk_fail(err, MURK_BAD_VALUE, "--export",
+               ? murk_fail(err, MURK_BAD_VALUE, "exports",
                            "lp, but independent chances make no linear "
                            "problem; detection must be %s",
                            murk_detection_list(MURK_DETECTION_BY_CHANCE, false,
@@ -108,7 +108,7 @@ static murk_status add_matrix(murk_session *session,
         murk_sparse_matrix_collect(&matrix, &seen.problem, ENTRIES_MAX, &why);
     if (status) {
         return murk_fail(status == MURK_RUN_FAILED ? late : err, status,
-                         "--export", "%s", why.text) == MURK_RUN_FAILED
+                         "exports", "%s", why.text) == MURK_RUN_FAILED
                    ? MURK_OK
                    : status;
     }
@@ -158,7 +158,7 @@ static murk_status check_names(const murk_session *session, murk_error *err)
         }
         if (is_taken && tally->type == MURK_TALLY_GRID) {
             return murk_fail(err, MURK_BAD_VALUE, tally->where,
-                             "name: %s, which a file of --export fields has; "
+                             "name: %s, which a file of the export fields has; "
                              "must be another",
                              tally->name);
         }
@@ -210,7 +210,7 @@ murk_status murk_exports_add_plan(murk_session *session,
     /* In the dark no sensor sees anything. */
     if (plan->is_dark) {
         if (exports & MURK_EXPORTS_OF_PROBLEM) {
-            murk_note("--export", "it is dark: there is no coverage to write");
+            murk_note("exports", "it is dark: there is no coverage to write");
         }
         murk_exports_add_scene(session, NULL, NULL, 0, late);
         return MURK_OK;

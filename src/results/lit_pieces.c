@@ -22,7 +22,7 @@
 
 static murk_status no_memory(const murk_pieces *pieces, murk_error *err)
 {
-    return murk_no_memory(err, "--export", "for %zu pieces", pieces->n);
+    return murk_no_memory(err, "exports", "for %zu pieces", pieces->n);
 }
 
 bool murk_piece_is_within(const murk_piece *piece, const murk_domain *domain)

@@ -183,7 +183,7 @@ void murk_photons_add(murk_session *session, murk_error *late)
     if (meanings_of(&m, session->scene)) {
         murk_mesh_add(&session->results, &mesh, late);
     } else {
-        (void)murk_fail(late, MURK_NO_MEMORY, "--export",
+        (void)murk_fail(late, MURK_NO_MEMORY, "exports",
                         "photons: no memory to write them");
     }
     free(m.materials);

@@ -46,7 +46,7 @@ static murk_status edge_asked(double *edge_m, const murk_session *session,
     *edge_m = 0;
     return !text || (murk_number_parse(text, edge_m) && *edge_m > 0)
                ? MURK_OK
-               : murk_fail(err, MURK_BAD_VALUE, "--voxel",
+               : murk_fail(err, MURK_BAD_VALUE, "voxel_m",
                            "%.80s, must be more than 0 m", text);
 }
 
@@ -57,7 +57,7 @@ murk_status murk_surfaces_check(const murk_session *session, murk_error *err)
     murk_status status = edge_asked(&edge_m, session, err);
     if (!status && edge_m > 0) {
         status = murk_pieces_create(&pieces, session->stage->surfaces, edge_m,
-                                    0, "--voxel", err);
+                                    0, "voxel_m", err);
     }
     murk_pieces_release(&pieces);
     return status;
@@ -206,7 +206,7 @@ static void add_files(murk_session *session, const murk_lit_pieces *lit,
                       scene->n_materials ? scene->materials[0].name : "",
                       scene->n_materials, sizeof *scene->materials)};
     if (!s.piece || !s.material || !s.materials) {
-        (void)murk_fail(late, MURK_NO_MEMORY, "--export",
+        (void)murk_fail(late, MURK_NO_MEMORY, "exports",
                         "surfaces: no memory for %zu pieces", lit->pieces->n);
     } else {
         /* Both files have the same pieces. */
@@ -247,7 +247,7 @@ void murk_surfaces_add(murk_session *session, murk_sight *sight,
     if (!status) {
         status =
             murk_pieces_create(&pieces, stage->surfaces, edge_m,
-                               usual_pieces(session->traced), "--voxel", &why);
+                               usual_pieces(session->traced), "voxel_m", &why);
     }
     if (!status) {
         status =
@@ -256,7 +256,7 @@ void murk_surfaces_add(murk_session *session, murk_sight *sight,
                                  sensor, n, session->settings.threads, &why);
     }
     if (status) {
-        (void)murk_fail(late, status, "--export", "surfaces: %s", why.text);
+        (void)murk_fail(late, status, "exports", "surfaces: %s", why.text);
     } else {
         add_files(session, &lit, late);
     }

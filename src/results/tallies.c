@@ -287,8 +287,8 @@ void murk_add_tally_fields(murk_session *session, murk_error *late)
         }
     }
     if (grids == 0) {
-        murk_note("--export", "fields: no fluence rate and photon density, "
-                              "which a tally of type grid measures");
+        murk_note("exports", "fields: no fluence rate and photon density, "
+                             "which a tally of type grid measures");
     }
 }
 

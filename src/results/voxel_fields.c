@@ -53,21 +53,21 @@ murk_status murk_fields_box(murk_field_box *out, const murk_session *session,
     const double bands = session->scene->bands;
     double edge_m = 0;
     *out = (murk_field_box){.box = session->stage->world.domain.box};
-    /* Without --voxel a usual number of voxels. */
+    /* Without an edge that is asked for, a usual number of voxels. */
     if (!text) {
         edge_for(out, fmin(VOXELS_USUAL, VALUES_USUAL / bands));
         return MURK_OK;
     }
     if (!murk_number_parse(text, &edge_m) ||
         !(edge_m > 0 && edge_m <= EDGE_MAX_M)) {
-        return murk_fail(err, MURK_BAD_VALUE, "--voxel",
+        return murk_fail(err, MURK_BAD_VALUE, "voxel_m",
                          "%.80s, must be more than 0 and at most %g m", text,
                          EDGE_MAX_M);
     }
     const double values = bands * fill_box(out, edge_m);
     if (!(values <= MURK_FIELDS_MAX)) {
         murk_field_box cut = *out;
-        return murk_fail(err, MURK_BAD_VALUE, "--voxel",
+        return murk_fail(err, MURK_BAD_VALUE, "voxel_m",
                          "%.80s m: %.3g voxels in the domain and its bands, "
                          "must be at most %d: %.2g m would do",
                          text, values, MURK_FIELDS_MAX,
@@ -119,7 +119,7 @@ static murk_status make_extinction(domain_fields *f, murk_error *err)
             (float)murk_media_extinction(f->stage->media, f->band, inside, p);
     }
     return value ? MURK_OK
-                 : murk_no_memory(err, "--export", "for %zu voxels", f->voxels);
+                 : murk_no_memory(err, "exports", "for %zu voxels", f->voxels);
 }
 
 /* A stored photon in the middle of a voxel. */
@@ -182,7 +182,7 @@ static murk_status make_seen(domain_fields *f, const murk_sight *sight,
     const murk_status status =
         has_memory
             ? murk_places_see(seen, &places, sight, sensor, n, err)
-            : murk_no_memory(err, "--export", "for %zu voxels", f->voxels);
+            : murk_no_memory(err, "exports", "for %zu voxels", f->voxels);
     for (size_t i = 0; !status && i < f->voxels; ++i) {
         value[COVERAGE][i] = seen[i].worth;
         value[SENSORS][i] = (float)seen[i].sensors;
@@ -251,7 +251,7 @@ void murk_fields_add(murk_session *session, const murk_sight *sight,
         }
     }
     if (status) {
-        (void)murk_fail(late, status, "--export", "fields: %s", why.text);
+        (void)murk_fail(late, status, "exports", "fields: %s", why.text);
     } else {
         add_files(session, &f, late);
     }

@@ -256,7 +256,7 @@ def test_bad_options(murk):
         fails(murk, 2, "must be at most 10000000", "trace", scene, *out, *ask, "--voxel", word)
     fails(murk, 2, "which are not asked for", "trace", scene, *out, "--voxel", "1")
     for name in ("coverage", "fields", "extinction", "optical_depth"):
-        fails(murk, 2, "which a file of --export fields has", "trace", scene, *out, *ask, "--set",
+        fails(murk, 2, "which a file of the export fields has", "trace", scene, *out, *ask, "--set",
               "tallies.0.name=" + name)
     check(not os.path.exists(murk.path("bad")), "a run that is refused makes a folder")
 

@@ -1,0 +1,100 @@
+/* Prints what a save of the library returns: the text of the main JSON, or the
+ * summary that `run` holds, then times, memory and the names of the files. */
+#include "app/show.h"
+
+#include "results/summary.h"
+
+#include <stdio.h>
+
+#define PATH_SIZE 64 /* of "run.summary.12" and its like */
+
+#define SHOWN_S 0.005 /* shorter times would be shown as 0.00 */
+
+bool murk_shows_summary(const murk_options *options)
+{
+    return !options->json && !options->quiet;
+}
+
+static double number_of(const murk_fields *fields, const char *path)
+{
+    double value = 0;
+    (void)murk_fields_double(fields, path, &value, NULL);
+    return value;
+}
+
+/* Text i of a list; "" if there is none. */
+static const char *text_of(const murk_fields *fields, const char *list,
+                           size_t i)
+{
+    char path[PATH_SIZE];
+    const char *text = NULL;
+    snprintf(path, sizeof path, "%s.%zu", list, i);
+    (void)murk_fields_string(fields, path, &text, NULL);
+    return text ? text : "";
+}
+
+void murk_show_results(const murk_options *options, const murk_fields *saved)
+{
+    if (options->json) {
+        murk_print_json(murk_fields_json(saved));
+    } else if (!options->quiet) {
+        const size_t n = murk_fields_length(saved, "run.summary");
+        for (size_t i = 0; i < n; ++i) {
+            murk_print("%s", text_of(saved, "run.summary", i));
+            murk_print("\n");
+        }
+    }
+}
+
+void murk_show_times(const murk_fields *saved)
+{
+    static const struct {
+        const char *name, *path;
+    } part[] = {{"load", "run.seconds.load"},
+                {"trace", "run.seconds.trace"},
+                {"maps", "run.seconds.map"},
+                {"sense", "run.seconds.sense"},
+                {"place", "run.seconds.place"}};
+    murk_print("time        %.2f s", number_of(saved, "run.seconds.total"));
+    const char *between = ": ";
+    for (size_t i = 0; i < sizeof part / sizeof *part; ++i) {
+        const double seconds = number_of(saved, part[i].path);
+        if (seconds >= SHOWN_S) {
+            murk_print("%s%s %.2f", between, part[i].name, seconds);
+            between = ", ";
+        }
+    }
+    murk_print("; memory %.2g GB\n",
+               number_of(saved, "run.peak_memory_bytes") / 1e9);
+}
+
+static void show_files(const murk_fields *saved)
+{
+    const char *folder = NULL;
+    (void)murk_fields_string(saved, "saved.folder", &folder, NULL);
+    if (!folder) {
+        murk_print("files       none: -o DIR writes them\n");
+        return;
+    }
+    murk_print("files       %s:", folder);
+    for (size_t i = murk_fields_length(saved, "saved.files"); i > 0; --i) {
+        murk_print(" %s", text_of(saved, "saved.files", i - 1));
+    }
+    murk_print("\n");
+}
+
+void murk_show_run(const murk_options *options, const murk_fields *saved)
+{
+    if (murk_shows_summary(options)) {
+        murk_show_times(saved);
+        show_files(saved);
+    }
+}
+
+void murk_show(const murk_options *options, const murk_fields *saved)
+{
+    if (saved) {
+        murk_show_results(options, saved);
+        murk_show_run(options, saved);
+    }
+}

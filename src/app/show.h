@@ -1,0 +1,20 @@
+/* The results of a command on standard output. */
+#ifndef MURK_APP_SHOW_H
+#define MURK_APP_SHOW_H
+
+#include "app/options.h"
+
+/* True if the summary of results is printed. */
+bool murk_shows_summary(const murk_options *options);
+
+/* Prints the fields of a save as the options ask for: the main JSON, or its
+ * summary with the lines of times and files; NULL: nothing. */
+void murk_show(const murk_options *options, const murk_fields *saved);
+
+/* The parts of murk_show(): JSON or summary; the lines of times and files below
+ * a summary; and of these the line of times. */
+void murk_show_results(const murk_options *options, const murk_fields *saved);
+void murk_show_run(const murk_options *options, const murk_fields *saved);
+void murk_show_times(const murk_fields *saved);
+
+#endif

@@ -1,0 +1,159 @@
+/* Connects the context of the library with the terminal. Places in messages of
+ * the library name keys that were set and settings of calls; the user gave
+ * these as options, so the program names the options in place of them. */
+#include "app/terminal.h"
+
+#include "api/handles.h"
+#include "base/inputs.h"
+#include "base/log.h"
+
+#include <signal.h>
+#include <stdatomic.h>
+#include <string.h>
+
+#define PLACE_SIZE 640 /* of a place with the name of an option */
+
+/* How the library marks a key that the caller has set: "set KEY=VALUE". */
+#define SET        "set "
+#define SET_LENGTH (sizeof SET - 1)
+
+/* ---- places ---- */
+
+/* The option that gave the value of a place "KEY=VALUE: KEY", or NULL. */
+static const murk_override *override_of(const murk_options *options,
+                                        const char *place)
+{
+    for (size_t i = options->n_overrides; i > 0; --i) {
+        const murk_override *override = &options->overrides[i - 1];
+        const size_t length = strlen(override->text);
+        if (override->option && strncmp(place, override->text, length) == 0 &&
+            (place[length] == '\0' || place[length] == ':')) {
+            return override;
+        }
+    }
+    return NULL;
+}
+
+/* Names the option in place of what the library calls it. */
+static const char *place_of(const murk_options *options, const char *where,
+                            char out[PLACE_SIZE])
+{
+    for (size_t i = 0; i < murk_option_table_size; ++i) {
+        const murk_option *option = &murk_option_table[i];
+        if (option->setting && strcmp(option->setting, where) == 0) {
+            return option->name;
+        }
+    }
+    if (strncmp(where, SET, SET_LENGTH) != 0) {
+        return where;
+    }
+    const char *place = where + SET_LENGTH;
+    const murk_override *override = override_of(options, place);
+    if (!override) { /* --set KEY=VALUE */
+        snprintf(out, PLACE_SIZE, "--%s", where);
+        return out;
+    }
+    /* Of a file of keys the place is the file, so the key is told as well. */
+    const char *rest = place + strlen(override->text);
+    const bool is_file = strncmp(override->option, "--set @", 7) == 0;
+    snprintf(out, PLACE_SIZE, "%s%s%.*s", override->option,
+             is_file && !*rest ? ": " : rest,
+             is_file && !*rest ? (int)strcspn(override->text, "=") : 0,
+             override->text);
+    return out;
+}
+
+void murk_terminal_fail(const murk_options *options, const murk_error *err)
+{
+    char place[PLACE_SIZE];
+    murk_message("", place_of(options, err->where, place), err->text);
+}
+
+/* ---- messages ---- */
+
+/* The warning about values of a finished fit that the data refuse is no matter
+ * of --quiet. */
+static bool is_shown(const murk_options *options, const char *where)
+{
+    return !options->quiet ||
+           (options->fit.predict && strcmp(where, options->fit.predict) == 0);
+}
+
+/* Prints a warning or a note once. */
+static void tell(void *user, bool is_warning, const char *where,
+                 const char *text)
+{
+    const murk_options *options = user;
+    const char *kind = is_warning ? "warning: " : "note: ";
+    char shown[PLACE_SIZE];
+    const char *place = place_of(options, where, shown);
+    if (is_shown(options, where) && murk_message_is_new(kind, place, text)) {
+        murk_message(kind, place, text);
+    }
+}
+
+/* ---- signals ---- */
+
+static murk_context *_Atomic running;
+static atomic_int is_interrupted;
+
+static void on_signal(int number)
+{
+    (void)number;
+    atomic_store(&is_interrupted, 1);
+    murk_context_cancel(atomic_load(&running));
+}
+
+bool murk_terminal_interrupted(void)
+{
+    return atomic_load(&is_interrupted) != 0;
+}
+
+static void install_handlers(void)
+{
+    struct sigaction action = {.sa_handler = on_signal};
+    sigemptyset(&action.sa_mask);
+    action.sa_flags = (int)SA_RESETHAND; /* the second signal kills the
+                                          * process */
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+}
+
+/* ---- the context ---- */
+
+/* Files of keys were read before there was a context: they are input of the
+ * run, which it never writes over. */
+static void note_files_of_keys(const murk_options *options)
+{
+    for (size_t i = 0; i < options->n_given; ++i) {
+        const char *value = options->given[i].value;
+        FILE *file = strcmp(options->given[i].option->name, "--set") == 0 &&
+                             *value == '@'
+                         ? murk_inputs_open(value + 1)
+                         : NULL;
+        if (file) {
+            fclose(file);
+        }
+    }
+}
+
+murk_status murk_terminal_begin(murk_options *options, murk_error *err)
+{
+    const murk_context_options settings = {.size = sizeof settings,
+                                           .threads = options->threads,
+                                           .log = tell,
+                                           .user = options};
+    const murk_status status =
+        murk_context_create(&options->context, &settings, err);
+    if (status) {
+        return status;
+    }
+    atomic_store(&running, options->context);
+    install_handlers();
+    /* Commands that call the rooms themselves do so for the same host, whose
+     * progress line is drawn on the terminal, also by subprocesses. */
+    (void)murk_host_enter(options->context->host);
+    murk_progress_set(options->quiet ? MURK_PROGRESS_NEVER : options->progress);
+    note_files_of_keys(options);
+    return MURK_OK;
+}
