@@ -82,6 +82,7 @@ murk_status murk_command_fit(const murk_options *options, murk_error *err)
     if (!status) {
         status = murk_fit_save(fit, options->out, &save.options, &saved, err);
     }
+    /* What is printed follows the files. */
     if (saved) {
         murk_show_results(options, saved);
         warn_of_refusal(options, saved);

@@ -13,7 +13,12 @@ static murk_status prepare(murk_world **world, const murk_options *options,
 {
     murk_scene *scene = NULL;
     const char *over = "null";
+    /* The scene and its world. */
     murk_status status = murk_given_scene(&scene, options, err);
+    if (!status) {
+        status = murk_world_create(world, scene, err);
+    }
+    /* The options against the scene, then the folder. */
     if (!status && options->light) {
         status = murk_scene_get(scene, "placement.over", &over, err);
     }
@@ -21,9 +26,6 @@ static murk_status prepare(murk_world **world, const murk_options *options,
         status = murk_fail(err, MURK_BAD_VALUE, "--light",
                            "not over conditions: each condition has its own "
                            "light; placement.over must be null");
-    }
-    if (!status) {
-        status = murk_world_create(world, scene, err);
     }
     if (!status) {
         status = murk_given_save_begin(save, options, err);

@@ -149,6 +149,7 @@ murk_status murk_command_study(const murk_options *options, murk_error *err)
         status =
             murk_study_save(study, options->out, &save.options, &saved, err);
     }
+    /* What is printed follows the files. */
     if (saved) {
         murk_show_results(options, saved);
         if (murk_shows_summary(options)) {
