@@ -365,9 +365,9 @@ expect 2 "--repeat: not an option of murk sense" sense "$dir/good.yaml" --repeat
 expect 2 "--repeat: 3 seeds from 4294967294 on" place "$dir/good.yaml" --seed 4294967294 --repeat 3 -o "$dir/out"
 expect 2 "conditions.clear: seed: one of its own" place "$dir/good.yaml" --repeat 2 \
     --set 'conditions={clear: {seed: 8}}' --set placement.over=mean
-expect 2 "at_least is given, which --repeat does not take: run place once for each --seed, or use placement.redundancy" \
+expect 2 "at_least is given, which repeats do not take: place once for each seed, or use placement.redundancy" \
     place "$dir/good.yaml" --repeat 2 --target 0.1 --set placement.at_least=2 -o "$dir/out"
-expect 2 "at_least is given, which --export lp does not take: use --export matrix or or-library" \
+expect 2 "at_least is given, which the export lp does not take: use the export matrix or or-library" \
     place "$dir/good.yaml" --export lp --target 0.1 --set placement.at_least=2 -o "$dir/out"
 printf '1,1\n1,0\n' >"$dir/matrix.csv"
 expect 2 "--set placement.at_least: with --matrix there is no such key; there are seed" \
