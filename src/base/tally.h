@@ -11,10 +11,10 @@
 #include <stdatomic.h>
 #include <stdint.h>
 
-/* 2^30 quanta resolve a packet to 1e-9; 2^33 packets of them are 2^63 quanta,
- * one more than an int64_t holds. */
-#define MURK_PACKET      (INT64_C(1) << 30)
-#define MURK_PACKETS_MAX (INT64_C(1) << 33)
+/* 2^30 quanta resolve a packet to 1e-9. 2^33 packets would have 2^63 quanta,
+ * one more than an int64_t holds.
+ */
+#define MURK_PACKET (INT64_C(1) << 30)
 
 typedef _Atomic int64_t murk_tally;
 

@@ -31,7 +31,7 @@
  * for up to pi (3/4 + 1/3)^2 = 3.7 squares of the spacing, and twice that if
  * surfaces folded by 60 degrees count as one. A larger area cannot be served
  * with the allowed number of sites, so the search is refused early. */
-#define SQUARES_A_FOOT 7.4
+#define SQUARES_PER_SITE 7.4
 
 double murk_mount_spacing_min_m(const murk_surfaces *surfaces)
 {
@@ -335,7 +335,7 @@ murk_status murk_surfaces_mount_sites(murk_mount_site **out, size_t *n,
                         "faces");
     /* Refuse an area that is too large, then search. */
     if (measure(&l)) {
-        if (l.squares > SQUARES_A_FOOT * (double)search->max) {
+        if (l.squares > SQUARES_PER_SITE * (double)search->max) {
             l.status = murk_mount_builder_refuse(&l);
         }
         add_all_sites(&l);

@@ -100,7 +100,7 @@ static const murk_key LIGHT_ROWS[] = {
     END,
 };
 
-const murk_keys murk_lightmap_keys = {
+const murk_keys murk_light_keys = {
     .noun = "light",
     .selector = "type",
     .check = check_light,

@@ -108,7 +108,7 @@
 
 /* One table for each part of a scene; keys_scene.c joins them. */
 extern const murk_keys murk_geometry_keys, murk_material_keys, murk_medium_keys,
-    murk_region_keys, murk_lightmap_keys, murk_photon_keys, murk_tally_keys,
+    murk_region_keys, murk_light_keys, murk_photon_keys, murk_tally_keys,
     murk_placement_keys, murk_sensor_keys, murk_candidate_keys,
     murk_condition_keys, murk_condition_weight_keys, murk_interest_keys,
     murk_target_keys, murk_site_keys, murk_portal_keys, murk_camera_keys;

@@ -66,7 +66,7 @@ static const murk_key SCENE_ROWS[] = {
     ROW("geometry", LIST, .keys = &murk_geometry_keys, .preset = "[]", VARIED),
     ROW("media", NAMED, .keys = &murk_medium_keys, .preset = "{}", VARIED),
     ROW("regions", LIST, .keys = &murk_region_keys, .preset = "[]", VARIED),
-    ROW("lights", LIST, .keys = &murk_lightmap_keys, NEEDED, VARIED),
+    ROW("lights", LIST, .keys = &murk_light_keys, NEEDED, VARIED),
     ROW("photons", MAP, .keys = &murk_photon_keys, .preset = "{}", VARIED,
         INSIDE(murk_scene_desc, photons)),
     ROW("flight", WORD, .preset = "march", VARIED,
