@@ -113,8 +113,8 @@ murk_call murk_call_begin(murk_context *context, const murk_memory_files *files,
 /* Ends a call that cannot be cancelled. */
 murk_status murk_call_end(murk_call *call, murk_status status);
 
-/* Ends a call that murk_context_cancel() may have cancelled, and takes the
- * request back. */
+/* Ends a call that murk_context_cancel() may have cancelled. A request to
+ * cancel is cleared, and turns success into MURK_INTERRUPTED. */
 murk_status murk_call_end_long(murk_call *call, murk_status status);
 
 /* Splits the place of a failure and copies to the error of the caller the
