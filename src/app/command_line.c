@@ -124,8 +124,10 @@ static void store(murk_options *out, size_t at, size_t size, uint64_t value)
     }
 }
 
-/* Checks the value of one option, and stores it in its member or as an override
- * of its scene key. */
+/* Checks the value of one option, and stores the value in a member of *out or
+ * as an override of a scene key. *number receives a number, the number of a
+ * word, or 1 for a switch. An option of the kind MURK_OPTION_OWN has a function
+ * that does all of this. */
 static murk_status apply(murk_options *out, const murk_option *option,
                          const char *value, uint64_t *number, murk_error *err)
 {

@@ -5,11 +5,12 @@
 #include <stdbool.h>
 #include <string.h>
 
-/* Columns: of a line, within the 80 of a terminal, and of the text of an
- * option. */
+/* The longest line, within the 80 columns of a terminal; the column at which
+ * the text of an option begins; and the indent of the lines of an example
+ * command after the first. */
 #define WIDTH             78
 #define INDENT            24
-#define INDENT_OF_COMMAND 5 /* of the lines after the first */
+#define INDENT_OF_COMMAND 5
 
 const char murk_help_about[] =
     "murk simulates light in fog, smoke, rain and water, and places sensors in "

@@ -31,8 +31,9 @@ static size_t stem_length(const char *path, const char *extension)
     return ends ? (size_t)(dot - path) : strlen(path);
 }
 
-/* Stem, "-" and what is added where that is not empty, extension; no slash but
- * in the stem. NULL when out of memory. */
+/* Returns the first `stem` bytes of the path, "-" and `added` unless that is
+ * empty, and the extension; "_" replaces each slash after the stem. The caller
+ * frees the text. NULL when out of memory. */
 static char *path_of(const char *path, size_t stem, const char *added,
                      const char *extension)
 {
