@@ -1,6 +1,6 @@
-/* Reads cells of CSV text (base/csv.h): a state of one position, which moves
- * over the text while the cells behind the position are shortened and
- * terminated. */
+/* Reads the cells of CSV text one after the other (base/csv.h). The state is
+ * the position of the next cell. The cells before it have been changed in
+ * place: quotes are removed, and '\0' ends each cell. */
 #include "base/csv.h"
 
 #include <string.h>

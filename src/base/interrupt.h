@@ -1,5 +1,9 @@
 /* Interruption by SIGINT and SIGTERM: long computations stop at the next batch,
- * remove unfinished files, and the program ends with exit code 130. */
+ * remove unfinished files, and the program ends with exit code 130.
+ *
+ * A host is a caller of the library (base/host.h), and has one flag. A thread
+ * that is bound to no host belongs to the host of the process, so every thread
+ * has a flag. No function of this header clears a flag. */
 #ifndef MURK_BASE_INTERRUPT_H
 #define MURK_BASE_INTERRUPT_H
 

@@ -16,19 +16,18 @@
 #define MURK_MEMORY_PREFIX    "memory:"
 #define MURK_MEMORY_NAME_SIZE 64 /* of a name with the '\0' */
 
-/* The data of a file: triangles, dense samples, or the text of a table. The
- * data of a table end with '\0'. */
+/* The kinds of files, by the type of murk_memory_file.data. */
 typedef enum murk_memory_kind {
-    MURK_MEMORY_MESH,
-    MURK_MEMORY_GRID,
-    MURK_MEMORY_TABLE
+    MURK_MEMORY_MESH, /* murk_mesh (geometry/mesh.h): triangles */
+    MURK_MEMORY_GRID, /* murk_grid_samples (medium/grid.h): dense samples */
+    MURK_MEMORY_TABLE /* char[]: the text of a table, ended by '\0' */
 } murk_memory_kind;
 
 typedef struct murk_memory_file {
     murk_memory_kind kind;
     size_t sets; /* number of sets that contain the file */
     uint64_t checksum[2];
-    void *data; /* in the form of the room that reads it */
+    void *data; /* of the type that the kind states */
     void (*release)(void *data);
 } murk_memory_file;
 

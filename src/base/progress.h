@@ -82,8 +82,9 @@ void murk_progress_resume(void);
 void murk_progress_in_subprocess(void);
 
 /* Called around other output on standard error: hide wipes the line, which
- * stays wiped until show. Between the two calls the thread must call no other
- * function of this header, because a lock is held. */
+ * stays wiped until show. Between the two calls the thread must call no
+ * function of this header but murk_clock_s(), because a lock is held; other
+ * threads may have to wait for the lock. */
 void murk_progress_hide(void);
 void murk_progress_show(void);
 
