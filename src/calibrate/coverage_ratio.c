@@ -137,7 +137,9 @@ static double slope_part(const run_sums *run, const double ratio[MAPS],
     return sum;
 }
 
-/* The derivatives of the ratios, and the relative derivative of the whole. */
+/* For each map, from the sums over all runs: turn[], the derivative of the
+ * ratio X / Y with respect to the key, and by_whole[], the derivative of Y
+ * divided by Y. If mix->is_one, both maps have those of their joint ratio. */
 static void turns_of(double turn[MAPS], double by_whole[MAPS],
                      const run_sums *total, const double ratio[MAPS],
                      const murk_coverage_mix *mix)

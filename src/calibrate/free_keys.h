@@ -25,9 +25,11 @@ typedef enum murk_free_kind {
 } murk_free_kind;
 
 typedef struct murk_free_key {
-    char name[232];   /* for the user: "media.fog.visibility_m@dawn"; @scene
-                       * stands for the scene without a condition */
-    char path[160];   /* key of the scene; empty for a factor of readings */
+    char name[232]; /* for the user: "media.fog.visibility_m", one value for all
+                     * conditions; "media.fog.visibility_m@dawn", the value of
+                     * a condition; @scene: of the scene without a condition;
+                     * "gain.NAME" for a factor of readings */
+    char path[160]; /* key of the scene; empty for a factor of readings */
     size_t condition; /* index into keys->condition[]; SIZE_MAX: all conditions
                        * that have the key */
     size_t gain;      /* index of the factor; SIZE_MAX: a key */

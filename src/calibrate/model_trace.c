@@ -20,8 +20,8 @@
 #define BATCHES_MIN    100
 #define BATCH_SUMS_MAX (UINT64_C(1) << 25)
 
-/* Warn if fewer photons than this cross a receiver: the standard error itself
- * is then uncertain by 10 %. */
+/* Warn if photon paths have fewer chords than this in a receiver: the standard
+ * error itself is then uncertain by more than 10 %. */
 #define PHOTONS_FEW 50
 
 /* Runs of photons for the noise of slopes. That covariance is not inverted, so

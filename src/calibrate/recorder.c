@@ -23,8 +23,9 @@ static void begin_photon(const murk_recorder *r, murk_photon_history *f)
     memset(f->count, 0, r->all->media * sizeof *f->count);
 }
 
-/* Appends a contribution with the history so far; the caller fills path and
- * chord. False when out of memory. */
+/* Appends a contribution with the scatterings and cosines so far. *path and
+ * *chord then point to the [media] numbers of the contribution, which the
+ * caller fills. False when out of memory. */
 static bool add(murk_photon_history *f, murk_contribution made, float **path,
                 float **chord)
 {

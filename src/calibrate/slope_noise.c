@@ -9,8 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Directions with a singular value below this share of the largest carry no
- * information. */
+/* Directions with a singular value of at most this share of the largest carry
+ * no information. */
 #define NOTHING 1e-12
 
 /* No step is taken along a direction if more than this share of the apparent
