@@ -1,7 +1,8 @@
 /* Chooses the plans over conditions: the plan by the objective that is asked
- * for, and for comparison the plan of each condition alone and the plans by
- * the other objectives, by the same method and with the same number of
- * sensors. */
+ * for, and for comparison the plan of each condition alone, the plan for the
+ * mean and, in a known environment, the plan for the worst condition. A plan of
+ * least regret is made only if it is asked for. Plans for comparison have the
+ * same method and the same number of sensors, or the same budget. */
 #include "cases/condition_plans.h"
 
 #include "base/progress.h"
@@ -109,8 +110,7 @@ static void refer(choosing *ch, size_t c, size_t block,
 }
 
 /* Chooses the plan that is asked for, the own plan of each condition, and the
- * plans by the other objectives, by the same method and with the same number of
- * sensors. */
+ * plans by the other objectives. */
 static murk_status choose_all(choosing *ch, murk_error *err)
 {
     const murk_conditions *all = ch->plans->conditions;

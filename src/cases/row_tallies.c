@@ -68,7 +68,7 @@ static void add_ball(murk_row_tallies *g, const murk_scene_interest *r,
 }
 
 /* Adds the part of a box that lies in the domain, or a ball that lies wholly in
- * the domain. Other regions are named in the note. */
+ * the domain. Other regions get no tally and are named in the note. */
 static void add_region(murk_row_tallies *g, const murk_scene_interest *r,
                        const murk_box *domain)
 {

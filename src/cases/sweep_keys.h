@@ -28,9 +28,11 @@ murk_status murk_sweep_keys_of(murk_sweep_keys *out, murk_file_sums *sums,
                                const murk_outputs *outputs, const char *version,
                                murk_error *err);
 
-/* Puts rows of equal world keys together: fills the groups of the sweep, and
- * group and key of each row, from keys[rows]. Rows that are done already are
- * those whose scene could not be read; they belong to no group. */
+/* Groups rows of equal world keys: fills the groups of the sweep from
+ * keys[rows], and `group` and `key` of each row. The key is a hash of the own
+ * key of the row and the light keys of all rows of the group. Rows that are
+ * done already are those whose scene could not be read; their `group` is
+ * SIZE_MAX, and they get no key. */
 murk_status murk_sweep_group_rows(murk_sweep *sweep,
                                   const murk_sweep_keys *keys, murk_error *err);
 
