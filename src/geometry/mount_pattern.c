@@ -248,8 +248,8 @@ static bool search_spheres(murk_mount_builder *l, sphere_part part)
 
 /* ---- the search ---- */
 
-/* Advances the progress and checks for an interrupt; false if the search has
- * ended. */
+/* Advances the progress by one face and, if i is a multiple of 4096, checks for
+ * an interrupt. False if the search has failed or was interrupted. */
 static bool goes_on(murk_mount_builder *l, size_t i)
 {
     murk_progress_add(1);
