@@ -219,8 +219,10 @@ static murk_status lay_table(murk_phase_table **out,
  * milliseconds (base/cache.h). */
 static murk_cache cache = MURK_CACHE_NONE;
 
-/* The key of a table: angles and values of a measured function, or the index n
- * and the slope of Fournier-Forand, n of each. The caller frees it. */
+/* The key of a table in the cache, a[n] followed by b[n]: the angles and values
+ * of a measured function, or the refractive index and the slope of a
+ * Fournier-Forand function (n is 1). The caller frees the key. NULL when out of
+ * memory. */
 static double *key_of(size_t n, const double *a, const double *b)
 {
     double *key = malloc(2 * n * sizeof *key);

@@ -47,8 +47,9 @@ typedef struct murk_place {
     murk_bricks *bricks; /* majorants of a grid, once computed for delta
                             tracking; owned by the murk_media */
     const murk_profile *profile;
-    murk_box bounds; /* bounding box of the shape in the world; infinite for
-                        everywhere, empty if nothing is there */
+    murk_box bounds; /* bounding box of the shape in the world; infinite in all
+                        directions for everywhere, sideways and downwards for
+                        below; empty if nothing is there */
 } murk_place;
 
 /* Places a region that has been checked. False if the placement cannot be
