@@ -1,8 +1,10 @@
-/* The strict target of placement/at_least.h. For each count the search takes
- * the plan that placement/incumbent.h finds for the mean, and the best strict
- * plan of one sensor fewer with one more, and relocates both by the strict
- * weight. If neither meets the target and the bound does not exclude it, branch
- * and bound (placement/exact.h) runs with a callback.
+/* The strict target of placement/at_least.h. The strict weight S is that of the
+ * photons seen by k or more sensors; V is the sum of weight times min(k,
+ * sensors), and k S <= V. For each count the search takes the plan that
+ * placement/incumbent.h finds for the mean, and the best strict plan of one
+ * sensor fewer with one more, and relocates both by the strict weight. If
+ * neither meets the target and the bound does not exclude it, branch and bound
+ * (placement/exact.h) runs with a callback.
  *
  * A cover with k layers of bits holds in the lowest layer the photons seen by k
  * or more sensors, in the next one those seen by k - 1 or more. The strict

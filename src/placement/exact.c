@@ -1,7 +1,10 @@
 /* Depth-first branch and bound over partial plans (placement/exact.h). Each
- * level of the search has a cover, multipliers and live candidates of its own;
- * they are allocated when the search first reaches the level. Work is counted
- * in evaluations, so that the limit gives the same result in every run. */
+ * level of the search has a cover, multipliers of the bound (placement/bound.h)
+ * and live candidates of its own; they are allocated when the search first
+ * reaches the level. Work is counted in evaluations of one photon for one
+ * candidate (murk_evaluator_work()), so that the limit ends every run at the
+ * same place. Only an interrupt or lack of memory ends the search
+ * elsewhere. */
 #include "placement/exact.h"
 
 #include "base/interrupt.h"

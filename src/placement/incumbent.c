@@ -102,9 +102,10 @@ static uint64_t tighten(murk_incumbent *p, size_t n, uint64_t value,
                : upper;
 }
 
-/* MURK_PLACE_BEST for one count: greedy, relocation, the plan `from` of n - 1
- * sensors completed if that is worth more, and random starts. Returns value and
- * bound. */
+/* MURK_PLACE_BEST for one count: greedy, relocation, random starts. If the plan
+ * `from` of n - 1 sensors is already worth more than the relocated plan, `from`
+ * with one more sensor, if one can be added, is relocated in place of that
+ * plan. Leaves the plan in p->plan, and returns count, value and bound. */
 static murk_curve_point find_best(murk_incumbent *p, size_t n,
                                   const uint32_t *from, uint64_t from_value,
                                   size_t max, size_t rounds, size_t *made)

@@ -48,15 +48,18 @@ static inline bool murk_place_has_proof(murk_place_method method)
 
 typedef struct murk_curve_point {
     size_t count;
-    uint64_t value; /* of the best plan found */
-    uint64_t upper; /* an upper bound on the value of any plan of that count */
+    uint64_t value; /* of the best plan found, as in murk_place_result */
+    uint64_t upper; /* an upper bound on the value of any plan of exactly
+                       `count` sensors that the constraints admit */
 } murk_curve_point;
 
 typedef struct murk_place_result {
     size_t count;
-    size_t *sensor; /* [count] candidates, increasing */
-    uint64_t value; /* sum_i weight_i f_i (placement/problem.h) */
-    uint64_t upper; /* an upper bound on the value of any plan of that count */
+    size_t *sensor;        /* [count] candidates, increasing */
+    uint64_t value;        /* sum_i weight_i f_i (placement/problem.h) */
+    uint64_t upper;        /* an upper bound on the value of any plan of `count`
+                              sensors (with a budget: of any number up to
+                              desc->count) that the constraints admit */
     bool proven_optimal;   /* value == upper */
     const char *guarantee; /* a fraction of the optimum that a theorem assures,
                               or "none"; static text */
