@@ -11,8 +11,9 @@
 #include "lightmap/lightmap.h"
 #include "sensing/sight.h"
 
-/* A share estimated from n photons has a standard error of at most .5 /
- * sqrt(n): 0.016 for 1000 photons. */
+/* Only a map with fewer records than this can be thin. A share estimated from n
+ * photons has a standard error of at most .5 / sqrt(n): 0.016 for 1000
+ * photons. */
 #define MURK_THIN_MAP_PHOTONS 1000
 
 /* The map that is thin: 0 surface, 1 volume, -1 neither. Targets that stand in

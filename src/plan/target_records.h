@@ -41,8 +41,10 @@ murk_photon murk_target_of(murk_vec3 place, murk_vec3 normal, int band,
 /* The medium with the largest extinction at a place. */
 uint8_t murk_target_medium(const murk_stage *stage, int band, murk_vec3 place);
 
-/* Draw points; the power of a record is area or volume. The numbers of the
- * photons follow those of earlier points. */
+/* Draw points. The power of a record is the area [m2] or the volume [m3] that
+ * the record stands for. Each point has one number, murk_photon_emitted(),
+ * which the records of both sides of a surface share; the numbers continue
+ * those of the points that were drawn before. */
 murk_status murk_targets_draw_surfaces(murk_target_records *records,
                                        murk_error *err);
 murk_status murk_targets_draw_volume(murk_target_records *records,

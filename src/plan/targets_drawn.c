@@ -244,7 +244,9 @@ static murk_status begin(drawing *d, murk_error *err)
     return status ? status : check_memory(d, err);
 }
 
-/* Draws in waves until enough points are kept or the limit is reached. */
+/* Draws in waves until d->keeps points are kept or d->draws_max draws are made;
+ * a spacing fixes d->draws_max as the number of draws to make. Fails if no
+ * point is kept, not if fewer are than d->keeps. */
 static murk_status draw_waves(drawing *d, murk_estimate *size, murk_error *err)
 {
     murk_status status = MURK_OK;
