@@ -79,7 +79,9 @@ murk_status murk_mixing_finish(murk_mixture **out, const murk_mixing *mixing,
     for (size_t i = 0; i < mixing->n; ++i) {
         sum += mixing->weight[i];
     }
-    /* One part for each phase function, with weights divided by their sum. */
+    /* One part for each phase function, with weights divided by their sum.
+     * Without any, the one part stays zero: MURK_PHASE_HG with mean cosine 0,
+     * which is isotropic. */
     murk_mixture *mixture = calloc(1, sizeof *mixture);
     if (mixture) {
         mixture->part = calloc(n, sizeof *mixture->part);

@@ -29,9 +29,10 @@
 #define SLOPE_FALL .21                    /* exponent of the rate */
 #define M2_PER_MM2 1e-6                   /* square metres in a mm2 */
 
-/* Numbers of midpoints: of angles of incidence, with an error of 1e-4 of the
- * absorbed share; and of diameters, up to SIZES_SLOPES / slope, beyond which
- * 2e-5 of all cross section lies. */
+/* Numbers of midpoints: of angles of incidence, and of diameters up to
+ * SIZES_SLOPES / slope, beyond which 2e-5 of all cross section lies. Compared
+ * with finer sums, the relative error of the absorbed share is at most 1e-4 for
+ * one drop and 2e-4 for the drops of rain, for any size and absorption. */
 #define ANGLES       64
 #define SIZES        48
 #define SIZES_SLOPES 16.0
