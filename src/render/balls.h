@@ -2,9 +2,9 @@
  * balls that contain a point.
  *
  * Sixteen balls have a bounding box, sixteen boxes another one, and so on.
- * Balls with consecutive numbers should be close to each other, as the records
- * of a photon map are. Immutable after creation: any number of threads may
- * query. */
+ * Queries are fast only if balls with consecutive numbers are close to each
+ * other, as the records of a photon map are. Immutable after creation: any
+ * number of threads may query. */
 #ifndef MURK_RENDER_BALLS_H
 #define MURK_RENDER_BALLS_H
 

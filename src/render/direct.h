@@ -14,8 +14,8 @@
  * better method. */
 typedef struct murk_balance {
     bool goes_on; /* the ray continues, in directions with the density of the
-                   * reflection or phase function; in a medium within the cone
-                   * of the point */
+                   * reflection or phase function; in a medium it finds only
+                   * light within the cone of the point (render/choice.h) */
     bool sheets;  /* thin sheets transmit shadow rays without deflection,
                    * according to the transmittance; otherwise they block */
 } murk_balance;

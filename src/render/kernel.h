@@ -26,8 +26,9 @@
 /* The kernel of one record. */
 typedef struct murk_kernel {
     double radius_m;
-    double mass;  /* integral of the kernel: [m2] on a surface; in a medium of
-                   * the kernel times the scattering coefficient */
+    double mass;  /* integral [m2]: on a surface of the kernel over the area, in
+                   * a medium of the kernel times the scattering coefficient
+                   * over the volume */
     double index; /* refractive index at the record */
     bool is_cut;  /* part of the ball may not belong to the kernel: surfaces or
                      sides of the domain are near */

@@ -54,7 +54,9 @@ murk_status murk_sampler_create(murk_sampler **out, const murk_scenery *scenery,
 void murk_sampler_destroy(murk_sampler *sampler); /* NULL is fine */
 
 /* Traces one ray; `number` addresses the random numbers. Contributions of the
- * maps are added to group[]; by paths it is not used. */
+ * maps are part of the radiance, and are also added to group[], which serves
+ * the estimate of the error (render/gather.h). By paths, group[] is not used.
+ */
 murk_found murk_sampler_trace(murk_sampler *sampler, uint64_t number, int band,
                               murk_vec3 from, murk_vec3 sight,
                               double group[MURK_GATHER_GROUPS]);
