@@ -1,9 +1,11 @@
 /* The CSV files of a result folder as tables of the page.
  *
- * They are in <noscript> elements: a browser without scripts shows them, and
+ * They are in a <noscript> element: a browser without scripts shows them, and
  * with scripts the script of the page reads them there
- * (tools/report/results.js), so that each file is in the page once. A long file
- * is cut at about TABLE_BYTES. */
+ * (tools/report/results.js), so that no file is in the page twice. Each table
+ * is cut at about TABLE_BYTES. Tables that the script does not need are left
+ * out if the file is larger than FILE_BYTES_MAX or cannot be read, or once the
+ * tables take ALL_BYTES. */
 #include "report/sections.h"
 
 #include "base/file.h"
@@ -14,10 +16,10 @@
 #include <string.h>
 #include <sys/stat.h>
 
-/* About the largest number of bytes of one table, and of all tables that the
- * script does not need: the page should stay below 3 MB with its script,
- * photons and pictures. Tables that the script needs are written in any
- * case. */
+/* About the largest number of bytes of one table, and of all tables together:
+ * the page should stay below 3 MB with its script, photons and pictures. Tables
+ * that the script needs count towards ALL_BYTES, but are written, up to
+ * TABLE_BYTES each, also beyond it. */
 #define TABLE_BYTES 250000
 #define ALL_BYTES   700000
 

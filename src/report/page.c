@@ -210,7 +210,8 @@ static murk_status write_page(FILE *to, const murk_report *c, murk_error *err)
           "murk " MURK_VERSION ". Results of the folder ",
           to);
     murk_html_text(to, folder_name(&c->results));
-    /* text of the page, then data, then the script that draws the data */
+    /* Contents in this order: the readable part (summary, tables, pictures,
+     * commands), the data, and the script, which draws from tables and data. */
     fputs(".</p>\n</header>\n<main id=\"main\" tabindex=\"-1\">\n", to);
     murk_report_summary(to, &c->results);
     murk_status status = murk_report_csv(to, &c->results, err);
