@@ -1,5 +1,6 @@
-/* The origin of a file for viewers, and the beginning of the files of VTK,
- * which are XML and then raw bytes. */
+/* Parts that several files for viewers share: the provenance of a file (scene,
+ * seed, version), and the beginning of the files of VTK, which are XML and then
+ * raw bytes. */
 #ifndef MURK_RESULTS_VTK_H
 #define MURK_RESULTS_VTK_H
 
@@ -7,7 +8,7 @@
 
 #include <stdio.h>
 
-/* The origin of a result, as key, text, key, text, ..., NULL. The keys are
+/* The provenance of a result, as key, text, key, text, ..., NULL. The keys are
  * scene, scene_sha256, seed, murk_version and murk_commit. The texts of the
  * scene are borrowed, and `seed` of this struct is pointed to, so it must not
  * be copied. */
