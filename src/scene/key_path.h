@@ -26,9 +26,11 @@ bool murk_key_path_is_map(const murk_key_position *at);
  * part. */
 size_t murk_key_path_part(const murk_key_position *at, const char *path);
 
-/* The position of a member of a map or a list, `child`, which the caller finds
- * or makes (NULL to ask for the row only). The row is NULL if the table does
- * not have the key. */
+/* The position of a member of a map or a list. `part` is that part of the path
+ * alone, ended by '\0'. `child` is the node of the member, which the caller
+ * finds or makes (NULL to ask for the row only). For a key of a map the row is
+ * that of the key, NULL if the table does not have the key; for an item of a
+ * list, or a name, the row is that of the list or the names. */
 murk_key_position murk_key_path_member(const murk_key_position *at,
                                        const char *part, murk_yaml *child);
 

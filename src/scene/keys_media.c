@@ -1,5 +1,6 @@
-/* Keys of media (homogeneous, grid, profile or preset), of their phase
- * functions and albedo, and of the regions that they fill. */
+/* Keys of media (homogeneous, grid, profile, preset, or preset with the density
+ * of a grid), of their phase functions and albedo, and of the regions that they
+ * fill. */
 #include "scene/keys_rows.h"
 
 #include <stdlib.h>

@@ -1,5 +1,7 @@
-/* Tables of CSV files: the cells of base/csv.h under a header of column names.
- * A byte order mark is passed over. */
+/* Reads tables from CSV text: a header of column names, and rows of as many
+ * cells. base/csv.h cuts the text into cells (RFC 4180), and passes over blank
+ * lines and lines that begin with #. A byte order mark at the beginning is
+ * passed over. */
 #include "scene/table.h"
 
 #include <limits.h>
