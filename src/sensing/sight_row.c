@@ -282,8 +282,10 @@ void murk_sight_row(murk_sight *sight, unsigned worker, const murk_pose *pose,
     l.viewpoint = murk_path_viewpoint_at(&l.space, pose->position);
     /* Search both maps; volume photons are numbered after surface photons. */
     if (sight->interfaces) {
-        /* At grazing angles objects may appear farther than any real distance,
-         * so this range may be infinite. */
+        /* At grazing angles objects may appear farther away than any real
+         * distance. Their apparent distance is therefore limited by
+         * type->range_m, which may be infinite, and only the real distance of a
+         * query is limited by sight->max_m, which exceeds all of the domain. */
         l.across = (murk_across){sight, &l.viewpoint, &l.field, type->range_m};
         l.query_m = fmin(sight->max_m,
                          murk_refracted_paths_range(
