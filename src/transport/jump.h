@@ -14,9 +14,11 @@ murk_status murk_jump_heights(double (**out)[2], size_t *n,
                               const murk_transport_world *world,
                               murk_error *err);
 
-/* The length of a jump from the present position. 0 means no jump: the ray has
- * not wrapped often enough since the last event, is level, is at a height that
- * is not free, or would pass too few periods before the next such height. */
+/* The length [m] of a jump from the present position to the next height that is
+ * not free, or to the top or bottom of the domain. 0 means no jump: the ray has
+ * wrapped less than WRAPS_BEFORE times (transport/jump.c) since the last event,
+ * is exactly level, is at a height that is not free, or would pass at most
+ * MIN_PERIODS periods in x and in y. */
 double murk_jump_ahead(const murk_walker *w);
 
 /* Moves the photon, scores the segment and reports one wrap. The position of

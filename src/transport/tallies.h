@@ -85,8 +85,8 @@ double murk_tallies_memory(const murk_tally_desc *descs, size_t n,
 
 typedef struct murk_tallies murk_tallies;
 
-/* Creates n > 0 tallies after murk_tallies_check(). Fails with MURK_BAD_VALUE
- * as that function does and if the tallies would take more than
+/* Calls murk_tallies_check() and creates n > 0 tallies. Fails as that function
+ * does, with MURK_BAD_VALUE if the tallies would take more than
  * memory_max_bytes, and with MURK_NO_MEMORY. The descriptions are copied, but
  * their `where` must outlive the tallies. At most `threads` threads (0 counts
  * as 1) may add to them. The caller destroys *out with
