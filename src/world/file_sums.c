@@ -19,8 +19,8 @@ void murk_file_sums_release(murk_file_sums *sums)
     *sums = (murk_file_sums){0};
 }
 
-/* The checksum of a file as hexadecimal digits, or "-". NULL when out of
- * memory. */
+/* The checksum of a file as hexadecimal digits, or "-" if the file cannot be
+ * read or is larger than MURK_SUM_BYTES_MAX. NULL when out of memory. */
 static const char *sum_of(murk_file_sums *sums, const char *path)
 {
     /* A file that was asked for before has an entry. */

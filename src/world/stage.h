@@ -51,8 +51,7 @@ murk_trace murk_stage_trace(const murk_stage *stage);
 bool murk_stage_is_dark(const murk_stage *stage);
 
 /* True if plans would count photons although none is emitted: the scene is
- * dark, and there are no targets in place of photons, or detection is by
- * power. */
+ * dark, and either no targets replace the photons or detection is by power. */
 bool murk_stage_has_nothing_to_see(const murk_stage *stage);
 
 #endif

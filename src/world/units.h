@@ -17,8 +17,8 @@
 typedef struct murk_units {
     const char *power;      /* "W", "lm", "1/s", "umol/s" */
     const char *irradiance; /* "W/m2", "lux", "1/s/m2", "umol/s/m2" */
-    const char *suffix;     /* suffix of JSON keys: "w", "lm", "photons_per_s",
-                             * "umol_per_s" */
+    const char *suffix;     /* suffix of JSON keys of power, such as emitted_lm:
+                             * "w", "lm", "photons_per_s", "umol_per_s" */
 } murk_units;
 
 murk_units murk_units_of(murk_quantity quantity);
