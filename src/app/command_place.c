@@ -55,8 +55,9 @@ static murk_status make_plan(murk_plan **plan, murk_world *world,
     return status;
 }
 
-/* The plan is saved before other seeds are run: hours of them may end in a
- * failure or an interrupt, which is told late. */
+/* With -o, saves the plan before other seeds are run, because these may take
+ * hours and then fail or be interrupted. Such a failure is not returned: *late
+ * receives it, and the command fails with it after the results are saved. */
 static murk_status repeat(murk_plan *plan, const murk_options *options,
                           const murk_given_save *save, murk_error *late,
                           murk_error *err)
