@@ -3,7 +3,7 @@
 #ifndef MURK_APP_SECTION_LAYOUT_H
 #define MURK_APP_SECTION_LAYOUT_H
 
-#include "app/section_picture.h"
+#include "app/section_request.h"
 
 typedef struct murk_section_layout {
     size_t width, height; /* of the sheet [pixels] */

@@ -4,7 +4,7 @@
 #ifndef MURK_APP_SECTION_OVERLAY_H
 #define MURK_APP_SECTION_OVERLAY_H
 
-#include "app/section_picture.h"
+#include "app/section_request.h"
 
 /* Planes of the other views; no other thing has this colour. */
 #define MURK_SECTION_MARK ((murk_ink){{190, 0, 110}, 1})
