@@ -17,15 +17,17 @@
  *
  * Errors: a function that can fail returns a murk_status and fills *error if it
  * is not NULL. Nothing is printed, no signal handler is installed, and no call
- * ends the process. If the work of a call fails, *out is NULL; a call that is
- * refused because an argument is NULL leaves *out as it is.
+ * ends the process. If a call fails, *out is NULL. Any of these functions fails
+ * with MURK_BAD_VALUE if an argument is NULL that may not be NULL, and with
+ * MURK_NO_MEMORY; the comment of a function says what else it fails with.
  *
  * Threads: handles of one context are used by one thread at a time; two threads
  * with two contexts do not disturb each other. murk_context_cancel() may be
  * called from any thread and from a signal handler.
  *
- * Strings are UTF-8. Strings and views that a call returns belong to the handle
- * and are valid until the handle is destroyed, unless the call says less. */
+ * Strings are UTF-8. Strings, fields and views that a call returns belong to
+ * the handle that was asked, and are valid until this handle is destroyed,
+ * unless the comment says less. */
 #ifndef MURK_H
 #define MURK_H
 
@@ -44,7 +46,7 @@ extern "C" {
 #define MURK_VERSION_MAJOR 0
 #define MURK_VERSION_MINOR 1
 
-/* "0.1.0": the version of the library that runs. */
+/* The version of the library that runs, "0.1.0". */
 const char *murk_version(void);
 
 typedef enum murk_status {
@@ -57,7 +59,8 @@ typedef enum murk_status {
     MURK_INTERRUPTED  /* cancelled by murk_context_cancel() */
 } murk_status;
 
-/* "a file is missing or malformed"; for any other number "unknown status". */
+/* The meaning of a status code, "a file is missing or malformed"; for any other
+ * number "unknown status". */
 const char *murk_status_text(murk_status status);
 
 /* The reason for a failure. The caller sets `size` to sizeof(murk_error) and
@@ -108,7 +111,9 @@ typedef struct murk_array {
                    * themselves */
 } murk_array;
 
-/* A dense array of the caller. */
+/* Describes a dense array of the caller, in the order of C: data, type,
+ * dimensions and shape[dimensions]. The values are not copied. An array with
+ * gaps, or in another order, is described by its strides. */
 murk_array murk_array_of(const void *data, murk_type type, int dimensions,
                          const size_t *shape);
 
@@ -144,8 +149,8 @@ typedef struct murk_context_options {
     void *user;                      /* passed to both */
 } murk_context_options;
 
-/* options NULL: zeros. Fails with MURK_NO_MEMORY, or with MURK_RUN_FAILED if
- * the machine refuses the threads. */
+/* Creates a context, which all other handles are made in; options NULL: zeros.
+ * Fails with MURK_RUN_FAILED if the machine refuses the threads. */
 murk_status murk_context_create(murk_context **out,
                                 const murk_context_options *options,
                                 murk_error *error);
@@ -158,7 +163,10 @@ void murk_context_cancel(murk_context *context);
 
 /* Writes the page of a folder of results (plan.json, ledger.json, study.json,
  * ...) to `page`, one HTML file; NULL: to report.html in the folder. A file
- * that murk did not write is not replaced. */
+ * that murk did not write is not replaced. Fails with MURK_BAD_FILE if the
+ * folder holds no results or a malformed file, with MURK_BAD_VALUE or
+ * MURK_RUN_FAILED if the page cannot be written, and with MURK_INTERRUPTED if
+ * the call is cancelled. */
 murk_status murk_context_write_report(murk_context *context, const char *folder,
                                       const char *page, murk_error *error);
 
@@ -166,14 +174,17 @@ murk_status murk_context_write_report(murk_context *context, const char *folder,
 
 typedef struct murk_scene murk_scene;
 
-/* An empty scene, whose keys murk_scene_set() gives. */
+/* Creates a scene without keys; murk_scene_set() gives them. Fails with
+ * MURK_NO_MEMORY. */
 murk_status murk_scene_create(murk_scene **out, murk_context *context,
                               murk_error *error);
 
-/* A scene from a file, or from YAML text. `name` stands for the file in
+/* Reads a scene from a file, or from YAML text. `name` stands for the file in
  * messages; files that the text names are relative to the folder of `name`;
  * NULL: "scene", in the working folder. The text is checked as YAML; keys and
- * values are checked by murk_scene_check() and murk_world_create(). */
+ * values are checked by murk_scene_check() and murk_world_create(). Fails with
+ * MURK_BAD_FILE if there is no such file, or at line and column if the text is
+ * not YAML. */
 murk_status murk_scene_read(murk_scene **out, murk_context *context,
                             const char *path, murk_error *error);
 murk_status murk_scene_parse(murk_scene **out, murk_context *context,
@@ -184,13 +195,16 @@ void murk_scene_destroy(murk_scene *scene);
 /* Sets a key by its path, "sensors.count" or "lights.0.power_w", to a value in
  * YAML flow style: "5", "[1, 2, 3]", "{preset: fog/radiation, mor_m: 80}". The
  * last value of a key counts. The value is parsed here and checked with the
- * whole scene. Worlds that exist do not change. */
+ * whole scene. Worlds that exist do not change. Fails with MURK_BAD_VALUE if
+ * the path leads to no place in the text, or if the value is not YAML; the
+ * scene is then as before. */
 murk_status murk_scene_set(murk_scene *scene, const char *key,
                            const char *value, murk_error *error);
 
 /* *json: the value of a key in the resolved scene as JSON, defaults included:
  * "0.2", "[1,2,3]", "{...}"; key "": the whole scene. Valid until the next call
- * of this function with the scene. */
+ * of this function with the scene. Fails as murk_scene_check(), and with
+ * MURK_BAD_VALUE if the scene has no such key. */
 murk_status murk_scene_get(murk_scene *scene, const char *key,
                            const char **json, murk_error *error);
 
@@ -201,11 +215,13 @@ murk_status murk_scene_get(murk_scene *scene, const char *key,
 murk_status murk_scene_use_light(murk_scene *scene, const char *path,
                                  murk_error *error);
 
-/* Reads the whole scene and checks each value. */
+/* Reads the whole scene and checks each value. Fails with MURK_BAD_VALUE at the
+ * first key that is unknown, missing or out of range, and with MURK_BAD_FILE if
+ * a table that the scene names is missing or malformed. */
 murk_status murk_scene_check(murk_scene *scene, murk_error *error);
 
 /* *text: the scene as resolved, with all defaults, as scene.resolved.yaml;
- * valid until the next call with this scene. */
+ * valid until the next call with this scene. Fails as murk_scene_check(). */
 murk_status murk_scene_resolved(murk_scene *scene, const char **text,
                                 murk_error *error);
 
@@ -216,7 +232,9 @@ murk_status murk_scene_resolved(murk_scene *scene, const char **text,
  * uint64; material: m indices into material_names[n_materials], uint32, or NULL
  * if all triangles have the first material. material_names NULL: the name of
  * the only material is "". The arrays are copied. A name that exists is
- * replaced. Fails if an index is out of range or a coordinate is not finite. */
+ * replaced. Fails with MURK_BAD_VALUE if the name has other characters than
+ * letters, digits, "_", "-" and ".", if a shape does not fit, if an index is
+ * out of range, or if a coordinate is not finite. */
 murk_status murk_scene_add_mesh(murk_scene *scene, const char *name,
                                 const murk_array *vertices_m,
                                 const murk_array *triangles,
@@ -227,11 +245,13 @@ murk_status murk_scene_add_mesh(murk_scene *scene, const char *name,
 /* Adds a grid that the key `vdb` of a medium takes as "memory:NAME".
  *
  * values: nx x ny x nz, floats or doubles, finite, at least 0. Value (i, j, k)
- * fills the cell around the point index_to_world * (i, j, k, 1);
- * index_to_world is 3 x 4, row by row, in metres. release NULL: the values are
- * copied; else they must be dense floats with x fastest (stride[0] = 4), are
- * used in place, and release(user) is called when the scene and all worlds of
- * it are destroyed. If the call fails, release is not called. */
+ * fills the cell around the point index_to_world * (i, j, k, 1); index_to_world
+ * is 3 x 4, row by row, in metres. release NULL: the values are copied; else
+ * they must be dense floats with x fastest (stride[0] = 4), are used in place,
+ * and release(user) is called when the scene and all worlds of it are
+ * destroyed. If the call fails, release is not called. Fails with
+ * MURK_BAD_VALUE if the name, the type or the order is wrong, or if a value is
+ * negative or not finite. */
 murk_status murk_scene_add_grid(murk_scene *scene, const char *name,
                                 const murk_array *values,
                                 const double index_to_world[12],
@@ -242,7 +262,9 @@ murk_status murk_scene_add_grid(murk_scene *scene, const char *name,
  * targets, spectra, profiles, phase functions.
  *
  * values: rows x columns, floats or doubles; columns[]: the heads of the file
- * that the key describes. Copied. */
+ * that the key describes. Copied. Fails with MURK_BAD_VALUE if the name or the
+ * type is wrong, or if a head is NULL; the values are checked by the key that
+ * takes the table. */
 murk_status murk_scene_add_table(murk_scene *scene, const char *name,
                                  const char *const *columns,
                                  const murk_array *values, murk_error *error);
@@ -265,11 +287,13 @@ typedef enum murk_field_kind {
     MURK_FIELD_OBJECT
 } murk_field_kind;
 
+/* The kind of the field at a path. */
 murk_field_kind murk_fields_kind(const murk_fields *fields, const char *path);
 
-/* The value of a field. Fail with MURK_BAD_VALUE if there is no such field or
- * if it is of another kind. An absent number is NaN, an absent string NULL; for
- * int64 and bool an absent value is an error. */
+/* *value: the value of a field. An absent number is NaN, an absent string NULL;
+ * for int64 and bool an absent value is an error. Fails with MURK_BAD_VALUE if
+ * there is no such field or if it is of another kind; *value is then as
+ * before. */
 murk_status murk_fields_double(const murk_fields *fields, const char *path,
                                double *value, murk_error *error);
 murk_status murk_fields_int64(const murk_fields *fields, const char *path,
@@ -290,25 +314,12 @@ const char *murk_fields_name(const murk_fields *fields, const char *path,
 /* The whole result as JSON. */
 const char *murk_fields_json(const murk_fields *fields);
 
-/* ---- folders of results ---- */
+/* ---- folders ---- */
 
 /* What murk_<handle>_save() writes beside the files that it always writes, and
- * what these files say of the run. All members may be NULL or false. */
-typedef struct murk_save_options {
-    size_t size;         /* sizeof(murk_save_options) */
-    const char *exports; /* words with commas between: fields, photons,
-                          * surfaces; of a plan also matrix, or-library, lp */
-    const char *voxel_m; /* largest edge of exported voxels and of pieces of
-                          * surfaces [m], "0.5"; NULL: chosen by their number */
-    bool replaces;       /* also files that murk did not write, or that were
-                          * edited since; files that the context has read are
-                          * never replaced */
-    const char *command; /* the command line of the caller: run.command */
-    const char *asked;   /* what the results follow from beside the scene; a
-                          * part of `identity` */
-} murk_save_options;
-
-/* murk_light_save(), murk_coverage_save(), murk_plan_save(), murk_study_save()
+ * what these files say of the run. All members may be NULL or false.
+ *
+ * murk_light_save(), murk_coverage_save(), murk_plan_save(), murk_study_save()
  * and murk_fit_save() write the files of the command murk trace, sense, place,
  * study and fit to a folder, which is made if there is none. The main JSON
  * comes last. If the call fails before, the folder is left as it was. An export
@@ -325,6 +336,19 @@ typedef struct murk_save_options {
  * Fail with MURK_BAD_VALUE if a file may not be replaced or if the options ask
  * for what the scene does not have, and with MURK_RUN_FAILED if a file cannot
  * be written. */
+typedef struct murk_save_options {
+    size_t size;         /* sizeof(murk_save_options) */
+    const char *exports; /* words with commas between: fields, photons,
+                          * surfaces; of a plan also matrix, or-library, lp */
+    const char *voxel_m; /* largest edge of exported voxels and of pieces of
+                          * surfaces [m], "0.5"; NULL: chosen by their number */
+    bool replaces;       /* also files that murk did not write, or that were
+                          * edited since; files that the context has read are
+                          * never replaced */
+    const char *command; /* the command line of the caller: run.command */
+    const char *asked;   /* what the results follow from beside the scene; a
+                          * part of `identity` */
+} murk_save_options;
 
 /* ---- world ---- */
 
@@ -332,7 +356,9 @@ typedef struct murk_world murk_world;
 
 /* Checks the whole scene, reads its files and builds surfaces, media and light
  * sources. Mesh and grid files are read in subprocesses with limits on memory
- * and time. */
+ * and time. Fails as murk_scene_check(), with MURK_BAD_FILE if a mesh or a grid
+ * is missing, malformed or larger than the limits, and with MURK_INTERRUPTED if
+ * the call is cancelled. */
 murk_status murk_world_create(murk_world **out, murk_scene *scene,
                               murk_error *error);
 void murk_world_destroy(murk_world *world);
@@ -340,8 +366,8 @@ void murk_world_destroy(murk_world *world);
 /* The box of the domain: min x, y, z, max x, y, z [m]. */
 void murk_world_bounds(const murk_world *world, double bounds_m[6]);
 
-/* The number of bands, and the wavelength of band i [nm] (NaN: no such band).
- */
+/* The number of bands, and the wavelength of band i [nm], from 0 (NaN: no such
+ * band). */
 int murk_world_bands(const murk_world *world);
 double murk_world_band_nm(const murk_world *world, int i);
 
@@ -362,19 +388,25 @@ typedef struct murk_light murk_light;
 typedef enum murk_map { MURK_MAP_SURFACE, MURK_MAP_VOLUME } murk_map;
 
 /* Traces the light of a world: both photon maps, the energy ledger and the
- * tallies. */
+ * tallies. Fails with MURK_BAD_VALUE if there are fewer photons than light
+ * sources and bands, or if the records would be more than photons.max_stored or
+ * than the memory of the machine holds, with MURK_RUN_FAILED if more than 1 %
+ * of the photons are lost or too few are stored, and with MURK_INTERRUPTED if
+ * the call is cancelled. */
 murk_status murk_light_trace(murk_light **out, murk_world *world,
                              murk_error *error);
 
-/* Reads and writes light.murk. Reading fails if the seed, or a key that light
- * depends on, differs from that of the world. */
+/* Reads and writes light.murk. Reading fails with MURK_BAD_FILE if the file is
+ * missing or malformed, and with MURK_BAD_VALUE if the seed, or a key that
+ * light depends on, differs from that of the world. Writing fails with
+ * MURK_RUN_FAILED. */
 murk_status murk_light_read(murk_light **out, murk_world *world,
                             const char *path, murk_error *error);
 murk_status murk_light_write(const murk_light *light, const char *path,
                              murk_error *error);
 void murk_light_destroy(murk_light *light);
 
-/* The number of records of a map. */
+/* The number of records of a map; 0 for a map that is not stored. */
 size_t murk_light_count(const murk_light *light, murk_map map);
 
 /* A field of the records of a map, in the order of the map:
@@ -387,8 +419,8 @@ size_t murk_light_count(const murk_light *light, murk_map map);
  *   direction    n x 3 float32  of travel, unit; a copy
  *   normal       n x 3 float32  faces the photon, unit; 0 in the volume map; a
  *                               copy
- *   event_class  n     uint8    0 first event, 1 specular events before, 2
- * later; a copy
+ *   event_class  n     uint8    0 first event, 1 specular before,
+ *                               2 later; a copy
  *
  * Copies are made once and belong to the light. Fails with MURK_BAD_VALUE for
  * another name. */
@@ -398,17 +430,19 @@ murk_status murk_light_array(murk_light *light, murk_map map, const char *field,
 /* The values of a tally and their standard errors, float64: planes band x bin_i
  * x bin_j x angle bin x direction [W], grids band x i x j x k and spheres band
  * x direction [W/m2]; made once, owned by the light. Either view may be NULL.
- */
+ * Fails with MURK_BAD_VALUE if the scene has no tally of that name, or if the
+ * light was read from a file, which has no tallies. */
 murk_status murk_light_tally(murk_light *light, const char *name,
                              murk_array *values, murk_array *errors,
                              murk_error *error);
 
-/* The fields of ledger.json. */
+/* *fields: those of ledger.json. Fails with MURK_NO_MEMORY. */
 murk_status murk_light_fields(murk_light *light, const murk_fields **fields,
                               murk_error *error);
 
 /* Writes the files of murk trace to a folder: light.murk, ledger.json,
- * tallies.csv, grids. Arguments and errors: murk_save_options. */
+ * tallies.csv, grids. The arguments are described at murk_save_options. Fails
+ * with MURK_BAD_VALUE or MURK_RUN_FAILED, as described there. */
 murk_status murk_light_save(murk_light *light, const char *folder,
                             const murk_save_options *options,
                             const murk_fields **fields, murk_error *error);
@@ -425,21 +459,28 @@ typedef struct murk_sensor {
     double tilt_deg;    /* upward from the horizon; NaN for a sphere */
 } murk_sensor;
 
-/* An empty list of sensors for a world, and one from a file, sensors.csv or
- * plan.json. */
+/* Makes a list of sensors for a world: an empty list, or that of a file,
+ * sensors.csv or plan.json. Fails with MURK_BAD_FILE if the file is missing or
+ * malformed, and with MURK_BAD_VALUE if a sensor in it does not fit the scene,
+ * as murk_sensors_add(). */
 murk_status murk_sensors_create(murk_sensors **out, murk_world *world,
                                 murk_error *error);
 murk_status murk_sensors_read(murk_sensors **out, murk_world *world,
                               const char *path, murk_error *error);
 void murk_sensors_destroy(murk_sensors *sensors);
 
-/* Adds a sensor. Fails if the type is not one of the scene, if a type with a
- * view has no heading or tilt, or if the position is outside of the domain. */
+/* Adds a sensor; the struct is copied. Fails with MURK_BAD_VALUE if the type is
+ * not one of the scene, if a type with a view has no heading or tilt, or if the
+ * position is outside of the domain. */
 murk_status murk_sensors_add(murk_sensors *sensors, const murk_sensor *sensor,
                              murk_error *error);
 
+/* The number of sensors. */
 size_t murk_sensors_count(const murk_sensors *sensors);
-/* Sensor i; the caller has set sensor->size. */
+
+/* *sensor: sensor i, from 0; the caller has set sensor->size. The string
+ * sensor->type belongs to the world of the sensors. Fails with MURK_BAD_VALUE
+ * if there is no sensor i. */
 murk_status murk_sensors_get(const murk_sensors *sensors, size_t i,
                              murk_sensor *sensor, murk_error *error);
 
@@ -447,19 +488,21 @@ murk_status murk_sensors_get(const murk_sensors *sensors, size_t i,
 
 typedef struct murk_coverage murk_coverage;
 
-/* Measures what sensors see of a light, as murk sense. Their world must be that
- * of the light. */
+/* Measures what sensors see of a light, as murk sense. The sensors are copied.
+ * Fails with MURK_BAD_VALUE if there are no sensors or if they are of another
+ * world than the light, and with MURK_INTERRUPTED if the call is cancelled. */
 murk_status murk_coverage_measure(murk_coverage **out, murk_light *light,
                                   const murk_sensors *sensors,
                                   murk_error *error);
 void murk_coverage_destroy(murk_coverage *coverage);
 
-/* The fields of coverage.json. */
+/* *fields: those of coverage.json. Fails with MURK_NO_MEMORY. */
 murk_status murk_coverage_fields(murk_coverage *coverage,
                                  const murk_fields **fields, murk_error *error);
 
 /* Writes the files of murk sense to a folder: coverage.json, coverage.csv and
- * those of the light. Arguments and errors: murk_save_options. */
+ * those of the light. The arguments are described at murk_save_options. Fails
+ * with MURK_BAD_VALUE or MURK_RUN_FAILED, as described there. */
 murk_status murk_coverage_save(murk_coverage *coverage, const char *folder,
                                const murk_save_options *options,
                                const murk_fields **fields, murk_error *error);
@@ -467,7 +510,7 @@ murk_status murk_coverage_save(murk_coverage *coverage, const char *folder,
 /* The coverage matrix: sensors x records, uint16; 65535 is full clarity, 0 not
  * seen. Records of the surface map come first, then those of the volume map,
  * each in the order of murk_light_array(); with targets in place of photons,
- * the targets. Made once, owned by the coverage. */
+ * the targets. Made once, owned by the coverage. Fails with MURK_NO_MEMORY. */
 murk_status murk_coverage_matrix(murk_coverage *coverage, murk_array *view,
                                  murk_error *error);
 
@@ -476,19 +519,24 @@ murk_status murk_coverage_matrix(murk_coverage *coverage, murk_array *view,
 typedef struct murk_plan murk_plan;
 
 /* Chooses the sensors, as murk place: light of the world is traced unless the
- * scene has conditions to place over. */
+ * scene has conditions to place over. Fails as murk_light_trace(), and with
+ * MURK_BAD_VALUE or MURK_RUN_FAILED if no plan meets the keys of `sensors` and
+ * `placement`. */
 murk_status murk_plan_make(murk_plan **out, murk_world *world,
                            murk_error *error);
-/* The same for light that is there; not over conditions. */
+/* The same for light that is there. Fails as murk_plan_make(), and with
+ * MURK_BAD_VALUE if the scene has conditions to place over, each of which has a
+ * light of its own. */
 murk_status murk_plan_for_light(murk_plan **out, murk_light *light,
                                 murk_error *error);
 void murk_plan_destroy(murk_plan *plan);
 
-/* The fields of plan.json. */
+/* *fields: those of plan.json. Fails with MURK_NO_MEMORY. */
 murk_status murk_plan_fields(murk_plan *plan, const murk_fields **fields,
                              murk_error *error);
 
-/* The chosen sensors, a list of the caller's. */
+/* Makes a list of the chosen sensors, in the order of the plan. Fails with
+ * MURK_NO_MEMORY. */
 murk_status murk_plan_sensors(murk_sensors **out, const murk_plan *plan,
                               murk_error *error);
 
@@ -502,8 +550,9 @@ murk_status murk_plan_sensors(murk_sensors **out, const murk_plan *plan,
 murk_status murk_plan_repeat(murk_plan *plan, uint64_t runs, murk_error *error);
 
 /* Writes the files of murk place to a folder: plan.json, sensors.csv,
- * coverage.csv and those of the light or of each condition. Arguments and
- * errors: murk_save_options. */
+ * coverage.csv and those of the light or of each condition. The arguments are
+ * described at murk_save_options. Fails with MURK_BAD_VALUE or MURK_RUN_FAILED,
+ * as described there. */
 murk_status murk_plan_save(murk_plan *plan, const char *folder,
                            const murk_save_options *options,
                            const murk_fields **fields, murk_error *error);
@@ -532,7 +581,7 @@ murk_status murk_study_read(murk_study **out, murk_context *context,
                             murk_error *error);
 
 /* Finds out before any row is run if murk_study_save() would refuse the folder
- * or the options. */
+ * or the options. Fails as murk_study_save() would. */
 murk_status murk_study_check_save(murk_study *study, const char *folder,
                                   const murk_save_options *options,
                                   murk_error *error);
@@ -545,12 +594,13 @@ murk_status murk_study_check_save(murk_study *study, const char *folder,
 murk_status murk_study_run(murk_study *study, murk_error *error);
 void murk_study_destroy(murk_study *study);
 
-/* The fields of study.json. */
+/* *fields: those of study.json. Fails with MURK_NO_MEMORY. */
 murk_status murk_study_fields(murk_study *study, const murk_fields **fields,
                               murk_error *error);
 
 /* Writes the files of murk study to a folder: study.json and table.csv, of the
- * rows that are done. Arguments and errors: murk_save_options. */
+ * rows that are done. The arguments are described at murk_save_options. Fails
+ * with MURK_BAD_VALUE or MURK_RUN_FAILED, as described there. */
 murk_status murk_study_save(murk_study *study, const char *folder,
                             const murk_save_options *options,
                             const murk_fields **fields, murk_error *error);
@@ -585,7 +635,7 @@ murk_status murk_fit_create(murk_fit **out, murk_scene *scene, const char *data,
                             const murk_fit_options *options, murk_error *error);
 
 /* Finds out before any light is traced if murk_fit_save() would refuse the
- * folder or the options. */
+ * folder or the options. Fails as murk_fit_save() would. */
 murk_status murk_fit_check_save(murk_fit *fit, const char *folder,
                                 const murk_save_options *options,
                                 murk_error *error);
@@ -600,8 +650,9 @@ murk_status murk_fit_fields(murk_fit *fit, const murk_fields **fields,
                             murk_error *error);
 
 /* Writes the files of murk fit to a folder: fit.json (with options->predict:
- * predict.json), fit.csv and calibrated.yaml. Arguments and errors:
- * murk_save_options. */
+ * predict.json), fit.csv and calibrated.yaml. The arguments are described at
+ * murk_save_options. Fails with MURK_BAD_VALUE or MURK_RUN_FAILED, as described
+ * there. */
 murk_status murk_fit_save(murk_fit *fit, const char *folder,
                           const murk_save_options *options,
                           const murk_fields **fields, murk_error *error);
@@ -616,7 +667,9 @@ typedef enum murk_method {
     MURK_METHOD_MAPS_ONLY /* density estimate of all records */
 } murk_method;
 
-/* Renders the picture of a camera of the scene; NULL: of the first one. */
+/* Renders the picture of a camera of the scene; NULL: of the first one. Fails
+ * with MURK_BAD_VALUE if the scene has no such camera, or not the maps that the
+ * method needs, and with MURK_INTERRUPTED if the call is cancelled. */
 murk_status murk_picture_render(murk_picture **out, murk_light *light,
                                 const char *camera, murk_method method,
                                 murk_error *error);
@@ -625,11 +678,12 @@ void murk_picture_destroy(murk_picture *picture);
 /* A channel, height x width float32, rows from the top: "distance_m"; of band b
  * "radiance.b" and "error.b" (its standard error) [W/m2/sr], "surface.b" and
  * "volume.b" (parts of the radiance), "depth.b" (optical depth); "rgb.0" to
- * "rgb.2", "rgb_error.0" to "rgb_error.2"; "position_m.0" to "position_m.2". */
+ * "rgb.2", "rgb_error.0" to "rgb_error.2"; "position_m.0" to "position_m.2".
+ * Fails with MURK_BAD_VALUE if the picture has no such channel. */
 murk_status murk_picture_array(const murk_picture *picture, const char *channel,
                                murk_array *view, murk_error *error);
 
-/* Writes an OpenEXR file. A file that murk did not write is not replaced. */
+/* Writes an OpenEXR file. Fails as murk_light_save(). */
 murk_status murk_picture_write(const murk_picture *picture, const char *path,
                                murk_error *error);
 

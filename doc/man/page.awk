@@ -211,7 +211,8 @@ NR == 1 {
     section = substr($2, index($2, "(") + 1, 1)
     about = $0
     sub(/^# [^:]*: /, "", about)
-    print ".TH " toupper(name) " " section " " date " \"murk " version "\" \"File Formats\""
+    print ".TH " toupper(name) " " section " " date " \"murk " version "\" \"" \
+          (section == 3 ? "Library Functions" : "File Formats") "\""
     print ".ad l\n.nh\n.SH NAME"
     print name " \\- " escaped(about)
     next

@@ -27,6 +27,9 @@ murk_status murk_coverage_measure(murk_coverage **out, murk_light *light,
                                   const murk_sensors *sensors,
                                   murk_error *error)
 {
+    if (out) {
+        *out = NULL;
+    }
     if (!out || !light || !sensors || sensors->world != light->world ||
         (sensors->n == 0 &&
          !murk_stage_has_nothing_to_see(light->world->stage))) {
@@ -35,7 +38,6 @@ murk_status murk_coverage_measure(murk_coverage **out, murk_light *light,
                                        "world than the light");
     }
     /* Copy the sensors, then measure. */
-    *out = NULL;
     murk_world *world = light->world;
     murk_call call = murk_call_begin(world->context, &world->files, error);
     murk_coverage *coverage = calloc(1, sizeof *coverage);

@@ -61,7 +61,6 @@ static murk_status read_light(murk_light *light, const char *path,
 static murk_status light_make(murk_light **out, murk_world *world,
                               const char *path, murk_error *error)
 {
-    *out = NULL;
     murk_call call = murk_call_begin(world->context, &world->files, error);
     const murk_status built = murk_world_build(world, &call.failure);
     murk_light *light = built ? NULL : make(world);
@@ -86,6 +85,9 @@ static murk_status light_make(murk_light **out, murk_world *world,
 murk_status murk_light_trace(murk_light **out, murk_world *world,
                              murk_error *error)
 {
+    if (out) {
+        *out = NULL;
+    }
     return out && world ? light_make(out, world, NULL, error)
                         : murk_call_refuse(error, "out or world is NULL");
 }
@@ -93,6 +95,9 @@ murk_status murk_light_trace(murk_light **out, murk_world *world,
 murk_status murk_light_read(murk_light **out, murk_world *world,
                             const char *path, murk_error *error)
 {
+    if (out) {
+        *out = NULL;
+    }
     return out && world && path
                ? light_make(out, world, path, error)
                : murk_call_refuse(error, "out, world or path is NULL");

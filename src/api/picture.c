@@ -73,6 +73,9 @@ murk_status murk_picture_render(murk_picture **out, murk_light *light,
                                 const char *camera, murk_method method,
                                 murk_error *error)
 {
+    if (out) {
+        *out = NULL;
+    }
     static const murk_render_method methods[] = {
         [MURK_METHOD_MAPS] = MURK_BY_MAPS,
         [MURK_METHOD_PATHS] = MURK_BY_PATHS,
@@ -83,7 +86,6 @@ murk_status murk_picture_render(murk_picture **out, murk_light *light,
                                        "such method");
     }
     /* Find the camera, then render. */
-    *out = NULL;
     murk_world *world = light->world;
     murk_call call = murk_call_begin(world->context, &world->files, error);
     murk_picture *picture = calloc(1, sizeof *picture);

@@ -74,7 +74,6 @@ static murk_status place(murk_plan *plan, murk_light *light, murk_error *err)
 static murk_status plan_make(murk_plan **out, murk_world *world,
                              murk_light *light, murk_error *error)
 {
-    *out = NULL;
     murk_call call = murk_call_begin(world->context, &world->files, error);
     murk_plan *plan = make(world);
     /* Each condition has a light of its own, so none can be given. */
@@ -103,6 +102,9 @@ static murk_status plan_make(murk_plan **out, murk_world *world,
 murk_status murk_plan_make(murk_plan **out, murk_world *world,
                            murk_error *error)
 {
+    if (out) {
+        *out = NULL;
+    }
     return out && world ? plan_make(out, world, NULL, error)
                         : murk_call_refuse(error, "out or world is NULL");
 }
@@ -110,6 +112,9 @@ murk_status murk_plan_make(murk_plan **out, murk_world *world,
 murk_status murk_plan_for_light(murk_plan **out, murk_light *light,
                                 murk_error *error)
 {
+    if (out) {
+        *out = NULL;
+    }
     return out && light ? plan_make(out, light->world, light, error)
                         : murk_call_refuse(error, "out or light is NULL");
 }

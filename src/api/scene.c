@@ -62,10 +62,12 @@ murk_status murk_scene_parse(murk_scene **out, murk_context *context,
                              const char *text, const char *name,
                              murk_error *error)
 {
+    if (out) {
+        *out = NULL;
+    }
     if (!out || !context || !text) {
         return murk_call_refuse(error, "out, context or text is NULL");
     }
-    *out = NULL;
     murk_call call = murk_call_begin(context, NULL, error);
     char *copy = strdup(text);
     return murk_call_end(
@@ -77,10 +79,12 @@ murk_status murk_scene_parse(murk_scene **out, murk_context *context,
 murk_status murk_scene_read(murk_scene **out, murk_context *context,
                             const char *path, murk_error *error)
 {
+    if (out) {
+        *out = NULL;
+    }
     if (!out || !context || !path) {
         return murk_call_refuse(error, "out, context or path is NULL");
     }
-    *out = NULL;
     murk_call call = murk_call_begin(context, NULL, error);
     char *text = NULL;
     size_t size = 0;

@@ -22,6 +22,9 @@ static murk_sensors *make(murk_world *world)
 murk_status murk_sensors_create(murk_sensors **out, murk_world *world,
                                 murk_error *error)
 {
+    if (out) {
+        *out = NULL;
+    }
     if (!out || !world) {
         return murk_call_refuse(error, "out or world is NULL");
     }
@@ -51,10 +54,12 @@ static murk_status read_file(murk_sensors *sensors, const char *path,
 murk_status murk_sensors_read(murk_sensors **out, murk_world *world,
                               const char *path, murk_error *error)
 {
+    if (out) {
+        *out = NULL;
+    }
     if (!out || !world || !path) {
         return murk_call_refuse(error, "out, world or path is NULL");
     }
-    *out = NULL;
     murk_call call = murk_call_begin(world->context, &world->files, error);
     murk_sensors *sensors = make(world);
     murk_status status = MURK_NO_MEMORY;
@@ -73,6 +78,9 @@ murk_status murk_sensors_read(murk_sensors **out, murk_world *world,
 murk_status murk_plan_sensors(murk_sensors **out, const murk_plan *plan,
                               murk_error *error)
 {
+    if (out) {
+        *out = NULL;
+    }
     if (!out || !plan) {
         return murk_call_refuse(error, "out or plan is NULL");
     }

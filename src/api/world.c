@@ -51,10 +51,13 @@ static murk_status build(murk_world *world, murk_scene *scene, murk_error *err)
 murk_status murk_world_create(murk_world **out, murk_scene *scene,
                               murk_error *error)
 {
+    if (out) {
+        *out = NULL;
+    }
     if (!out || !scene) {
         return murk_call_refuse(error, "out or scene is NULL");
     }
-    *out = NULL;
+    /* Build; a world that fails is released. */
     murk_call call = murk_call_begin(scene->context, &scene->files, error);
     murk_world *world = calloc(1, sizeof *world);
     murk_status status = MURK_NO_MEMORY;

@@ -22,6 +22,7 @@ test -s "$work/results/plan.json" || { echo "no plan.json was saved"; exit 1; }
 "$work/build/contexts"
 "$here/same_files.sh" "$build/murk" "$work/build/saves" "$work"
 "$work/build/cpp"
+"$work/build/refused"
 
 # with pkg-config, as C11 and as C17
 for standard in c11 c17; do
@@ -36,6 +37,11 @@ cmp "$work/results/sensors.csv" "$work/results-again/sensors.csv"
 nm -D --defined-only "$library/libmurk.so" | awk '$2 == "T" {sub(/@.*/, "", $3); print $3}' | sort >"$work/exported"
 sed -n 's/^[a-z].*[ *]\(murk_[a-z0-9_]*\)(.*/\1/p' "$work/murk/include/murk.h" | grep -v '^typedef' | sort >"$work/declared"
 diff "$work/declared" "$work/exported" || { echo "libmurk exports other functions than murk.h declares"; exit 1; }
+# the table of constructors: the functions of the header that have an `out`
+tr -s '\n ' ' ' <"$work/murk/include/murk.h" | grep -o 'murk_[a-z0-9_]*(murk_[a-z]* \*\*out' | sed 's/(.*//' |
+    sort >"$work/constructors"
+sed -n 's/^ *X([a-z]*, \(murk_[a-z_]*\),.*/\1/p' "$here/refused.c" | sort >"$work/refused"
+diff "$work/constructors" "$work/refused" || { echo "refused.c has other constructors than murk.h"; exit 1; }
 diff "$here/abi.txt" "$work/exported" || { echo "the exports differ from tests/api/abi.txt"; exit 1; }
 nm -D --defined-only "$library/libmurk.so" | grep -v ' [TA] ' && { echo "libmurk exports data"; exit 1; }
 exit 0

@@ -61,7 +61,7 @@ def check_installed():
     listed = text_of(os.path.join(FOLDER, "..", "cmake_install.cmake"))
     for path in sorted(glob.glob(FOLDER + "/man?/*")):
         check(f'"{path}"' in listed, path + " is not installed")
-    check(len(pages) == len(commands) + 1 + len(glob.glob("doc/man/*.5.md")),
+    check(len(pages) == len(commands) + 1 + len(glob.glob("doc/man/*.md")),
           f"{len(pages)} pages")
 
 

@@ -1,0 +1,54 @@
+/* The best places of two sensors, for light that was traced before. */
+#include "example.h"
+
+int main(void)
+{
+    murk_error error = MURK_ERROR_NONE;
+    murk_context *context = NULL;
+    murk_scene *scene = NULL;
+    murk_world *world = NULL;
+    murk_light *light = NULL;
+    murk_plan *plan = NULL, *same = NULL;
+    murk_sensors *sensors = NULL;
+    must(murk_context_create(&context, NULL, &error), &error);
+    must(murk_scene_parse(&scene, context, room, "room.yaml", &error), &error);
+    must(murk_world_create(&world, scene, &error), &error);
+    must(murk_light_trace(&light, world, &error), &error);
+    must(murk_plan_for_light(&plan, light, &error), &error);
+    /* The sensors, and the share of the light that they see. */
+    const murk_fields *fields = NULL;
+    double share = 0, again = 0;
+    must(murk_plan_sensors(&sensors, plan, &error), &error);
+    must(murk_plan_fields(plan, &fields, &error), &error);
+    must(murk_fields_double(fields, "coverage.in_sample", &share, &error),
+         &error);
+    printf("%zu sensors, more than half of the light: %s\n",
+           murk_sensors_count(sensors), share > 0.5 ? "yes" : "no");
+    /* The same job with the next seed, and the files of murk place. */
+    must(murk_plan_repeat(plan, 2, &error), &error);
+    must(murk_plan_save(plan, "results", NULL, &fields, &error), &error);
+    int64_t runs = 0;
+    must(murk_fields_int64(fields, "repeat.runs", &runs, &error), &error);
+    printf("runs: %d\n", (int)runs);
+    /* One call that traces and places gives the same plan. */
+    must(murk_plan_make(&same, world, &error), &error);
+    must(murk_plan_fields(same, &fields, &error), &error);
+    must(murk_fields_double(fields, "coverage.in_sample", &again, &error),
+         &error);
+    printf("equal: %s\n", again == share ? "yes" : "no");
+    murk_plan_destroy(same);
+    murk_sensors_destroy(sensors);
+    murk_plan_destroy(plan);
+    murk_light_destroy(light);
+    murk_world_destroy(world);
+    murk_scene_destroy(scene);
+    murk_context_destroy(context);
+    return 0;
+}
+
+/* Prints:
+ *
+ * 2 sensors, more than half of the light: yes
+ * runs: 2
+ * equal: yes
+ */

@@ -1,0 +1,115 @@
+/* A constructor that is refused leaves NULL in *out and a message in the error:
+ * a table of all functions of murk.h that have an `out`, each called with an
+ * argument that is NULL, and with a value that its work refuses. run.sh
+ * compares the table with the header. */
+#include <murk.h>
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Handles that the calls of the table share. */
+typedef struct given {
+    murk_context *context;
+    murk_scene *scene;  /* the key photons.emit is wrong */
+    murk_world *world;  /* of the scene before that key was set */
+    murk_light *light;  /* of the world */
+    murk_sensors *none; /* an empty list of sensors of the world */
+} given;
+
+static const char *const keys[] = {"media.fog.albedo"};
+
+/* A context is only refused without an `out`.
+ *
+ * X(handle, function, call with NULL, call that the work refuses); the calls
+ * may use g, out and error. */
+#define CONSTRUCTORS(X)                                                       \
+    X(context, murk_context_create, (NULL, NULL, &error),                     \
+      (NULL, NULL, &error))                                                   \
+    X(scene, murk_scene_create, (&out, NULL, &error), (&out, NULL, &error))   \
+    X(scene, murk_scene_read, (&out, g->context, NULL, &error),               \
+      (&out, g->context, "no-such-scene.yaml", &error))                       \
+    X(scene, murk_scene_parse, (&out, g->context, NULL, NULL, &error),        \
+      (&out, g->context, "murk: [", "text", &error))                          \
+    X(world, murk_world_create, (&out, NULL, &error),                         \
+      (&out, g->scene, &error))                                               \
+    X(light, murk_light_trace, (&out, NULL, &error), (&out, NULL, &error))    \
+    X(light, murk_light_read, (&out, g->world, NULL, &error),                 \
+      (&out, g->world, "no-such-light.murk", &error))                         \
+    X(sensors, murk_sensors_create, (&out, NULL, &error),                     \
+      (&out, NULL, &error))                                                   \
+    X(sensors, murk_sensors_read, (&out, g->world, NULL, &error),             \
+      (&out, g->world, "no-such-sensors.csv", &error))                        \
+    X(sensors, murk_plan_sensors, (&out, NULL, &error), (&out, NULL, &error)) \
+    X(coverage, murk_coverage_measure, (&out, g->light, NULL, &error),        \
+      (&out, g->light, g->none, &error))                                      \
+    X(plan, murk_plan_make, (&out, NULL, &error), (&out, g->world, &error))   \
+    X(plan, murk_plan_for_light, (&out, NULL, &error),                        \
+      (&out, g->light, &error))                                               \
+    X(study, murk_study_read, (&out, g->context, NULL, NULL, &error),         \
+      (&out, g->context, "no-such-study.yaml", NULL, &error))                 \
+    X(fit, murk_fit_create, (&out, g->scene, NULL, keys, 1, NULL, &error),    \
+      (&out, g->scene, "no-such-data.csv", keys, 1, NULL, &error))            \
+    X(picture, murk_picture_render,                                           \
+      (&out, NULL, NULL, MURK_METHOD_MAPS, &error),                           \
+      (&out, g->light, "no-such-camera", MURK_METHOD_MAPS, &error))
+
+static int failures;
+
+static void check(bool holds, const char *function, const char *text)
+{
+    if (!holds) {
+        fprintf(stderr, "%s: %s\n", function, text);
+        ++failures;
+    }
+}
+
+/* One call: *out is any address but NULL before, and NULL afterwards. */
+#define CALL(handle, function, arguments)                                      \
+    do {                                                                       \
+        murk_error error = MURK_ERROR_NONE;                                    \
+        murk_##handle *out = (void *)&failures;                                \
+        const murk_status status = function arguments;                         \
+        check(status != MURK_OK, #function, "is not refused");                 \
+        check(error.code == status && error.text[0], #function, "no message"); \
+        check(!out || strcmp(#handle, "context") == 0, #function,              \
+              "*out is not NULL");                                             \
+    } while (0);
+
+#define BOTH(handle, function, with_null, refused) \
+    CALL(handle, function, with_null)              \
+    CALL(handle, function, refused)
+
+static void call_all(const given *g)
+{
+    CONSTRUCTORS(BOTH)
+}
+
+int main(void)
+{
+    static const char text[] =
+        "murk: 1\n"
+        "domain: {min_m: [0, 0, 0], max_m: [4, 4, 3]}\n"
+        "media: {fog: {extinction_per_m: 0.1, albedo: 0.9, phase: {hg: 0.8}}}\n"
+        "regions: [{medium: fog}]\n"
+        "lights: [{type: point, position_m: [2, 2, 2], power_w: 1}]\n"
+        "photons: {emit: 1000}\n";
+    /* The handles, then all calls. */
+    given g = {0};
+    if (murk_context_create(&g.context, NULL, NULL) ||
+        murk_scene_parse(&g.scene, g.context, text, "text", NULL) ||
+        murk_world_create(&g.world, g.scene, NULL) ||
+        murk_light_trace(&g.light, g.world, NULL) ||
+        murk_sensors_create(&g.none, g.world, NULL) ||
+        murk_scene_set(g.scene, "photons.emit", "many", NULL)) {
+        fprintf(stderr, "the handles of the table cannot be made\n");
+        return 1;
+    }
+    call_all(&g);
+    murk_sensors_destroy(g.none);
+    murk_light_destroy(g.light);
+    murk_world_destroy(g.world);
+    murk_scene_destroy(g.scene);
+    murk_context_destroy(g.context);
+    return failures != 0;
+}
