@@ -396,6 +396,47 @@ typedef enum murk_map { MURK_MAP_SURFACE, MURK_MAP_VOLUME } murk_map;
 murk_status murk_light_trace(murk_light **out, murk_world *world,
                              murk_error *error);
 
+/* A batch of photons whose records are handed over while light is traced. The
+ * handle and all views of it are valid until the function that receives it
+ * returns. */
+typedef struct murk_batch murk_batch;
+
+/* Receives a batch. Any number but 0 cancels the trace. Called in the order of
+ * photons, in the thread that traces and never twice at the same time; may call
+ * the functions murk_batch_...() and murk_context_cancel(), and no other
+ * function with handles of the context. */
+typedef int (*murk_batch_function)(void *user, murk_batch *batch);
+
+/* Traces as murk_light_trace(), and calls each(user, batch) for each batch of
+ * photons. The records of all batches together are those of the light, which
+ * sorts them into another order.
+ *
+ * With photons.emit the field power_w is in watts. With photons.store the
+ * number of photons is known at the end alone: power_w of a batch is then the
+ * share of a packet, and murk_light_packet_w() is the factor. Photons behind
+ * the one that completes photons.store are no part of any batch. Fails as
+ * murk_light_trace(), and with MURK_INTERRUPTED if `each` cancels. */
+murk_status murk_light_stream(murk_light **out, murk_world *world,
+                              murk_batch_function each, void *user,
+                              murk_error *error);
+
+/* The number of a batch, from 0, and the numbers of its photons: photons[0] is
+ * the first, photons[1] the last. */
+uint64_t murk_batch_number(const murk_batch *batch);
+void murk_batch_photons(const murk_batch *batch, uint64_t photons[2]);
+
+/* The number of records of a batch in a map, and a field of them in the order
+ * of photons: the fields of murk_light_array(). Fails with MURK_BAD_VALUE for
+ * another name. */
+size_t murk_batch_count(const murk_batch *batch, murk_map map);
+murk_status murk_batch_array(murk_batch *batch, murk_map map, const char *field,
+                             murk_array *view, murk_error *error);
+
+/* The power of a photon packet of a light source of the scene and a band, from
+ * 0 [W]; 0 if no photon was emitted there, NaN if there is no such source or
+ * band. */
+double murk_light_packet_w(const murk_light *light, int source, int band);
+
 /* Reads and writes light.murk. Reading fails with MURK_BAD_FILE if the file is
  * missing or malformed, and with MURK_BAD_VALUE if the seed, or a key that
  * light depends on, differs from that of the world. Writing fails with

@@ -64,6 +64,13 @@ struct murk_light {
     murk_fields fields, saved;
 };
 
+/* Of the batch that is handed over. */
+struct murk_batch {
+    const murk_record_batch *records;
+    const murk_scene_desc *scene;
+    murk_made *made;
+};
+
 struct murk_sensors {
     murk_world *world;
     size_t n;

@@ -8,6 +8,7 @@
 #include "results/ledger.h"
 #include "results/tallies.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -57,20 +58,47 @@ static murk_status read_light(murk_light *light, const char *path,
     return status;
 }
 
+/* The function of the caller that receives batches. */
+typedef struct receiver {
+    murk_batch_function each; /* NULL: none */
+    void *user;
+    const murk_scene_desc *scene;
+} receiver;
+
+/* A murk_record_batch_sink. */
+static murk_status receive(void *context, const murk_record_batch *records,
+                           murk_error *err)
+{
+    const receiver *r = context;
+    murk_batch batch = {.records = records, .scene = r->scene};
+    const int is_enough = r->each(r->user, &batch);
+    murk_made_release(batch.made);
+    return is_enough ? murk_fail(err, MURK_INTERRUPTED, "",
+                                 "stopped by the function that receives "
+                                 "batches, at batch %llu",
+                                 (unsigned long long)records->number)
+                     : MURK_OK;
+}
+
 /* Traces the light, or reads it from a file. */
 static murk_status light_make(murk_light **out, murk_world *world,
-                              const char *path, murk_error *error)
+                              const char *path, receiver *batches,
+                              murk_error *error)
 {
     murk_call call = murk_call_begin(world->context, &world->files, error);
     const murk_status built = murk_world_build(world, &call.failure);
     murk_light *light = built ? NULL : make(world);
     const unsigned threads = world->context->threads;
+    /* Read the file, or trace with or without a receiver of batches. */
     murk_status status =
         built    ? built
         : !light ? MURK_NO_MEMORY
         : path   ? read_light(light, path, &call.failure)
-                 : murk_lightmap_trace(&light->session.traced, world->stage, 0,
-                                       threads, &call.failure);
+        : batches
+            ? murk_lightmap_stream(&light->session.traced, world->stage,
+                                   threads, receive, batches, &call.failure)
+            : murk_lightmap_trace(&light->session.traced, world->stage, 0,
+                                  threads, &call.failure);
     status = murk_call_end_long(&call, status);
     if (status) {
         murk_light_release(light);
@@ -88,8 +116,32 @@ murk_status murk_light_trace(murk_light **out, murk_world *world,
     if (out) {
         *out = NULL;
     }
-    return out && world ? light_make(out, world, NULL, error)
+    return out && world ? light_make(out, world, NULL, NULL, error)
                         : murk_call_refuse(error, "out or world is NULL");
+}
+
+murk_status murk_light_stream(murk_light **out, murk_world *world,
+                              murk_batch_function each, void *user,
+                              murk_error *error)
+{
+    if (out) {
+        *out = NULL;
+    }
+    if (!out || !world || !each) {
+        return murk_call_refuse(error, "out, world or each is NULL");
+    }
+    receiver batches = {each, user, world->desc};
+    return light_make(out, world, NULL, &batches, error);
+}
+
+double murk_light_packet_w(const murk_light *light, int source, int band)
+{
+    const murk_traced *t = light ? light->session.traced : NULL;
+    const int bands = light ? light->session.scene->bands : 0;
+    const size_t channel = source >= 0 && band >= 0 && band < bands
+                               ? (size_t)source * (size_t)bands + (size_t)band
+                               : SIZE_MAX;
+    return t && channel < t->channels ? t->packet_w[channel] : NAN;
 }
 
 murk_status murk_light_read(murk_light **out, murk_world *world,
@@ -99,7 +151,7 @@ murk_status murk_light_read(murk_light **out, murk_world *world,
         *out = NULL;
     }
     return out && world && path
-               ? light_make(out, world, path, error)
+               ? light_make(out, world, path, NULL, error)
                : murk_call_refuse(error, "out, world or path is NULL");
 }
 

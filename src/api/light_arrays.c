@@ -59,6 +59,15 @@ static const packed_field packed_fields[] = {
     {"normal", 3, MURK_TYPE_FLOAT32, unpack_normal},
     {"event_class", 0, MURK_TYPE_UINT8, unpack_class}};
 
+/* Records of one map, and the list of arrays that are made of them. */
+typedef struct record_set {
+    const murk_photon *photon;
+    size_t n;
+    murk_map map;
+    const murk_scene_desc *scene;
+    murk_made **made;
+} record_set;
+
 static const murk_photon_map *map_of(const murk_light *light, murk_map map)
 {
     const murk_traced *t = light->session.traced;
@@ -67,21 +76,18 @@ static const murk_photon_map *map_of(const murk_light *light, murk_map map)
 
 /* The positions of records are relative to the local origin of a scene far from
  * 0, so they are copied there, as doubles. */
-static murk_status far_positions(murk_light *light, murk_map map,
-                                 murk_array *view, murk_error *err)
+static murk_status far_positions(const record_set *set, murk_array *view,
+                                 murk_error *err)
 {
     char name[64];
-    const murk_photon_map *records = map_of(light, map);
-    const size_t shape[2] = {murk_photon_map_count(records), 3};
-    snprintf(name, sizeof name, "position_m %d", (int)map);
-    double *made = murk_made_find(light->made, name);
+    const size_t shape[2] = {set->n, 3};
+    snprintf(name, sizeof name, "position_m %d", (int)set->map);
+    double *made = murk_made_find(*set->made, name);
     if (!made) {
-        made =
-            murk_made_add(&light->made, name, shape[0] * 3 * sizeof *made, err);
-        for (size_t i = 0; made && i < shape[0]; ++i) {
-            const murk_vec3 p = murk_scene_user(
-                light->session.scene,
-                murk_photon_place(murk_photon_map_photons(records) + i));
+        made = murk_made_add(set->made, name, set->n * 3 * sizeof *made, err);
+        for (size_t i = 0; made && i < set->n; ++i) {
+            const murk_vec3 p =
+                murk_scene_user(set->scene, murk_photon_place(&set->photon[i]));
             made[3 * i] = p.x;
             made[3 * i + 1] = p.y;
             made[3 * i + 2] = p.z;
@@ -92,22 +98,20 @@ static murk_status far_positions(murk_light *light, murk_map map,
                 : MURK_NO_MEMORY;
 }
 
-static murk_status unpacked(murk_light *light, murk_map map,
-                            const packed_field *field, murk_array *view,
-                            murk_error *err)
+static murk_status unpacked(const record_set *set, const packed_field *field,
+                            murk_array *view, murk_error *err)
 {
     char name[64];
-    const murk_photon_map *records = map_of(light, map);
-    const size_t n = murk_photon_map_count(records);
-    const size_t shape[2] = {n, field->columns};
+    const size_t shape[2] = {set->n, field->columns};
     const size_t columns = field->columns ? field->columns : 1;
-    snprintf(name, sizeof name, "%s %d", field->name, (int)map);
-    void *made = murk_made_find(light->made, name);
+    snprintf(name, sizeof name, "%s %d", field->name, (int)set->map);
+    void *made = murk_made_find(*set->made, name);
     if (!made) {
-        made = murk_made_add(&light->made, name,
-                             n * columns * murk_type_bytes(field->type), err);
-        for (size_t i = 0; made && i < n; ++i) {
-            field->unpack(made, i, murk_photon_map_photons(records) + i);
+        made =
+            murk_made_add(set->made, name,
+                          set->n * columns * murk_type_bytes(field->type), err);
+        for (size_t i = 0; made && i < set->n; ++i) {
+            field->unpack(made, i, &set->photon[i]);
         }
     }
     return made ? murk_array_fill(view, made, field->type,
@@ -115,26 +119,25 @@ static murk_status unpacked(murk_light *light, murk_map map,
                 : MURK_NO_MEMORY;
 }
 
-static murk_status array_of(murk_light *light, murk_map map, const char *field,
+static murk_status array_of(const record_set *set, const char *field,
                             murk_array *view, murk_error *err)
 {
-    const murk_photon_map *records = map_of(light, map);
-    const murk_vec3 origin = light->session.scene->origin;
+    const murk_vec3 origin = set->scene->origin;
     const bool is_far = origin.x != 0 || origin.y != 0 || origin.z != 0;
     if (is_far && strcmp(field, "position_m") == 0) {
-        return far_positions(light, map, view, err);
+        return far_positions(set, view, err);
     }
     /* A view into the records. */
     for (size_t k = 0; k < sizeof stored_fields / sizeof *stored_fields; ++k) {
         const stored_field *f = &stored_fields[k];
-        const size_t shape[2] = {murk_photon_map_count(records), f->columns};
+        const size_t shape[2] = {set->n, f->columns};
         if (strcmp(f->name, field) != 0) {
             continue;
         }
-        const murk_photon *first = murk_photon_map_photons(records);
-        const murk_status status = murk_array_fill(
-            view, first ? (const char *)first + f->offset : NULL, f->type,
-            f->columns ? 2 : 1, shape, false, err);
+        const char *first = (const char *)set->photon;
+        const murk_status status =
+            murk_array_fill(view, first ? first + f->offset : NULL, f->type,
+                            f->columns ? 2 : 1, shape, false, err);
         if (!status) {
             view->stride[0] = (ptrdiff_t)sizeof(murk_photon);
         }
@@ -142,7 +145,7 @@ static murk_status array_of(murk_light *light, murk_map map, const char *field,
     }
     for (size_t k = 0; k < sizeof packed_fields / sizeof *packed_fields; ++k) {
         if (strcmp(packed_fields[k].name, field) == 0) {
-            return unpacked(light, map, &packed_fields[k], view, err);
+            return unpacked(set, &packed_fields[k], view, err);
         }
     }
     return murk_fail(err, MURK_BAD_VALUE, "",
@@ -163,9 +166,58 @@ murk_status murk_light_array(murk_light *light, murk_map map, const char *field,
     if (!light || !field) {
         return murk_call_refuse(error, "light or field is NULL");
     }
+    const murk_photon_map *records = map_of(light, map);
+    const record_set set = {.photon = murk_photon_map_photons(records),
+                            .n = murk_photon_map_count(records),
+                            .map = map,
+                            .scene = light->session.scene,
+                            .made = &light->made};
     murk_call call = murk_call_begin(light->world->context, NULL, error);
-    return murk_call_end(&call,
-                         array_of(light, map, field, view, &call.failure));
+    return murk_call_end(&call, array_of(&set, field, view, &call.failure));
+}
+
+/* ---- batches ---- */
+
+size_t murk_batch_count(const murk_batch *batch, murk_map map)
+{
+    return !batch                   ? 0
+           : map == MURK_MAP_VOLUME ? batch->records->n_volume
+                                    : batch->records->n_surface;
+}
+
+/* No frame of a call: the function that traces is inside of one. */
+murk_status murk_batch_array(murk_batch *batch, murk_map map, const char *field,
+                             murk_array *view, murk_error *error)
+{
+    if (!batch || !field) {
+        return murk_call_refuse(error, "batch or field is NULL");
+    }
+    const record_set set = {.photon = map == MURK_MAP_VOLUME
+                                          ? batch->records->volume
+                                          : batch->records->surface,
+                            .n = murk_batch_count(batch, map),
+                            .map = map,
+                            .scene = batch->scene,
+                            .made = &batch->made};
+    murk_error failure = {0};
+    const murk_status status = array_of(&set, field, view, &failure);
+    if (status) {
+        murk_call_report(error, &failure);
+    }
+    return status;
+}
+
+uint64_t murk_batch_number(const murk_batch *batch)
+{
+    return batch ? batch->records->number : 0;
+}
+
+void murk_batch_photons(const murk_batch *batch, uint64_t photons[2])
+{
+    if (batch && photons) {
+        photons[0] = batch->records->first;
+        photons[1] = batch->records->last;
+    }
 }
 
 /* ---- tallies ---- */

@@ -116,8 +116,8 @@ static murk_status send_wave(murk_emission *e, bool *is_done, murk_error *err)
     }
     e->emitted = end;
     *is_done = last != UINT64_MAX || end == e->emit;
-    return e->gather ? e->gather(e->gather_context, last, err)
-                     : murk_record_buffers_gather(e->buffers, last, err);
+    return e->gather ? e->gather(e->gather_context, end - 1, err)
+                     : murk_record_buffers_gather(e->buffers, end - 1, err);
 }
 
 murk_status murk_emission_check(const murk_emission *e, murk_error *err)

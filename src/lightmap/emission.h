@@ -27,10 +27,9 @@ typedef struct murk_emission {
 
     /* Optional sinks that receive events and segments instead of the record
      * buffers; they must pass the events on to the record buffers, which count
-     * them. gather is then called after each wave, with gather_context, and
-     * keeps the records of photons up to and including `last` (UINT64_MAX: all
-     * of the wave). If sink and gather are NULL, the record buffers alone are
-     * used. */
+     * them. gather is then called after each wave, with gather_context and the
+     * last photon of the wave, and drops the records of later photons. If sink
+     * and gather are NULL, the record buffers alone are used. */
     murk_event_sink sink;
     murk_segment_sink segment_sink;
     void *context; /* passed to both sinks */

@@ -172,10 +172,32 @@ static murk_status set_packet_powers(murk_traced *traced,
     return MURK_OK;
 }
 
-/* Checks the losses, turns shares of a packet into watts, and builds the maps.
- */
+/* A sink of batches between the record buffers and the sink of the caller. */
+typedef struct streaming {
+    murk_record_batch_sink each;
+    void *context;
+    const double *packet_w; /* NULL: records keep their share of a packet */
+    int bands;
+} streaming;
+
+/* A murk_record_batch_sink. */
+static murk_status stream_batch(void *context, const murk_record_batch *batch,
+                                murk_error *err)
+{
+    const streaming *s = context;
+    if (s->packet_w) {
+        murk_records_to_watts(batch->surface, batch->n_surface, s->packet_w,
+                              s->bands);
+        murk_records_to_watts(batch->volume, batch->n_volume, s->packet_w,
+                              s->bands);
+    }
+    return s->each(s->context, batch, err);
+}
+
+/* Checks the losses, turns shares of a packet into watts unless streaming has
+ * done that, and builds the maps. */
 static murk_status finish(murk_traced *traced, const murk_emission *emission,
-                          murk_error *err)
+                          const streaming *s, murk_error *err)
 {
     murk_record_buffers *buffers = emission->buffers;
     murk_status status = murk_emission_check_losses(emission, err);
@@ -185,10 +207,12 @@ static murk_status finish(murk_traced *traced, const murk_emission *emission,
     if (status) {
         return status;
     }
+    /* Watts, then the maps. */
     const double begun_s = murk_clock_s();
     murk_progress_begin_group("maps", 0, "");
-    murk_record_buffers_to_watts(buffers, traced->packet_w,
-                                 emission->stage->scene->bands);
+    if (!s->packet_w) {
+        murk_record_buffers_to_watts(buffers, traced->packet_w, s->bands);
+    }
     status = murk_record_list_map(&traced->surface, &buffers->surface,
                                   emission->threads, err);
     if (!status) {
@@ -200,9 +224,28 @@ static murk_status finish(murk_traced *traced, const murk_emission *emission,
     return status;
 }
 
-murk_status murk_lightmap_trace(murk_traced **out, const murk_stage *stage,
-                                uint32_t stream, unsigned threads,
-                                murk_error *err)
+/* Connects the record buffers with the sink of batches, if there is one. The
+ * power of packets follows from the number of photons, if that is given. */
+static murk_status prepare_stream(streaming *s, murk_emission *e,
+                                  murk_traced *traced, murk_error *err)
+{
+    if (!s->each) {
+        return MURK_OK;
+    }
+    e->buffers->each = stream_batch;
+    e->buffers->each_context = s;
+    if (!e->emit) {
+        return MURK_OK;
+    }
+    murk_emission all = *e;
+    all.emitted = e->emit;
+    s->packet_w = traced->packet_w;
+    return set_packet_powers(traced, &all, err);
+}
+
+static murk_status trace_light(murk_traced **out, const murk_stage *stage,
+                               uint32_t stream, unsigned threads, streaming *s,
+                               murk_error *err)
 {
     const murk_scene_photons *settings = &stage->scene->photons;
     murk_forecast forecast = {.emitted = (double)settings->emit};
@@ -241,6 +284,10 @@ murk_status murk_lightmap_trace(murk_traced **out, const murk_stage *stage,
         goto done;
     }
     e.tallies = traced->tallies;
+    status = prepare_stream(s, &e, traced, err);
+    if (status) {
+        goto done;
+    }
     /* Trace. */
     const double begun_s = murk_clock_s();
     murk_progress_begin("trace", (uint64_t)forecast.emitted, "photons");
@@ -250,7 +297,7 @@ murk_status murk_lightmap_trace(murk_traced **out, const murk_stage *stage,
     traced->trace_s = murk_clock_s() - begun_s;
     /* Build the maps and hand over. */
     if (!status) {
-        status = finish(traced, &e, err);
+        status = finish(traced, &e, s, err);
     }
     if (!status) {
         if (stream == 0) { /* for the first map only, so that the warning
@@ -264,6 +311,23 @@ done:
     murk_record_buffers_destroy(e.buffers);
     murk_traced_destroy(traced);
     return status;
+}
+
+murk_status murk_lightmap_trace(murk_traced **out, const murk_stage *stage,
+                                uint32_t stream, unsigned threads,
+                                murk_error *err)
+{
+    streaming none = {.bands = stage->scene->bands};
+    return trace_light(out, stage, stream, threads, &none, err);
+}
+
+murk_status murk_lightmap_stream(murk_traced **out, const murk_stage *stage,
+                                 unsigned threads, murk_record_batch_sink each,
+                                 void *context, murk_error *err)
+{
+    streaming s = {
+        .each = each, .context = context, .bands = stage->scene->bands};
+    return trace_light(out, stage, 0, threads, &s, err);
 }
 
 murk_traced *murk_traced_create(const murk_stage *stage, uint32_t stream,

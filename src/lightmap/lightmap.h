@@ -7,6 +7,7 @@
 #ifndef MURK_LIGHTMAP_LIGHTMAP_H
 #define MURK_LIGHTMAP_LIGHTMAP_H
 
+#include "lightmap/record_buffers.h"
 #include "photonmap/map.h"
 #include "world/stage.h"
 
@@ -62,6 +63,16 @@ murk_status murk_lightmap_trace(murk_traced **out, const murk_stage *stage,
                                 uint32_t stream, unsigned threads,
                                 murk_error *err);
 void murk_traced_destroy(murk_traced *traced); /* NULL is fine */
+
+/* As murk_lightmap_trace(), for stream 0, and calls each(context, batch) for
+ * the records of each batch, in the order of photons and in the calling thread.
+ * The sink may keep nothing of a batch. The power of the records is in watts if
+ * photons.emit gives the number of photons, as later in the maps; with
+ * photons.store it is the share of a packet, whose power is known at the
+ * end. A failure of the sink ends the trace. */
+murk_status murk_lightmap_stream(murk_traced **out, const murk_stage *stage,
+                                 unsigned threads, murk_record_batch_sink each,
+                                 void *context, murk_error *err);
 
 /* A light without photons and without maps (NULL), to be filled. Returns NULL,
  * with err set, when out of memory. */

@@ -109,27 +109,63 @@ uint64_t murk_record_buffers_photon_of(const murk_record_buffers *h,
     return UINT64_MAX;
 }
 
+/* Appends the records of a batch, up to those of photon `last`, to the lists of
+ * their maps. False when out of memory. */
+static bool append(murk_record_buffers *h, murk_record_list *buffer,
+                   uint64_t last)
+{
+    bool fits = !buffer->is_short_of_memory;
+    for (size_t i = 0; fits && i < buffer->n &&
+                       murk_photon_emitted(&buffer->photon[i]) <= last;
+         ++i) {
+        const murk_photon *photon = &buffer->photon[i];
+        fits = murk_record_list_put(
+            murk_photon_is_volume(photon) ? &h->volume : &h->surface, photon);
+    }
+    buffer->n = 0;
+    return fits;
+}
+
+/* Gives the sink of batches the records behind the first n_surface and
+ * n_volume of the lists. */
+static murk_status hand_over(murk_record_buffers *h, size_t n_surface,
+                             size_t n_volume, uint64_t last, murk_error *err)
+{
+    const uint64_t number = h->gathered, first = number * MURK_BATCH_PHOTONS;
+    if (first > last) { /* the wave has fewer batches */
+        return MURK_OK;
+    }
+    ++h->gathered;
+    if (!h->each) {
+        return MURK_OK;
+    }
+    const uint64_t end = first + MURK_BATCH_PHOTONS - 1;
+    const murk_record_batch batch = {
+        .number = number,
+        .first = first,
+        .last = end < last ? end : last,
+        .surface = h->surface.n ? h->surface.photon + n_surface : NULL,
+        .volume = h->volume.n ? h->volume.photon + n_volume : NULL,
+        .n_surface = h->surface.n - n_surface,
+        .n_volume = h->volume.n - n_volume};
+    return h->each(h->each_context, &batch, err);
+}
+
 murk_status murk_record_buffers_gather(murk_record_buffers *h, uint64_t last,
                                        murk_error *err)
 {
-    /* Append the records of each batch to the list of their map. */
+    /* Append the records of each batch and hand the batch over. */
     for (size_t b = 0; b < MURK_WAVE_BATCHES; ++b) {
-        murk_record_list *buffer = &h->buffer[b];
-        bool fits = !buffer->is_short_of_memory;
-        for (size_t i = 0; fits && i < buffer->n &&
-                           murk_photon_emitted(&buffer->photon[i]) <= last;
-             ++i) {
-            const murk_photon *photon = &buffer->photon[i];
-            fits = murk_record_list_put(
-                murk_photon_is_volume(photon) ? &h->volume : &h->surface,
-                photon);
-        }
-        if (!fits) {
+        const size_t n_surface = h->surface.n, n_volume = h->volume.n;
+        if (!append(h, &h->buffer[b], last)) {
             return murk_no_memory(err, h->settings->where,
                                   "for more than %.3g stored photons",
                                   (double)(h->surface.n + h->volume.n));
         }
-        buffer->n = 0;
+        const murk_status status = hand_over(h, n_surface, n_volume, last, err);
+        if (status) {
+            return status;
+        }
     }
     /* The scene limits the number of records. */
     if (h->surface.n + h->volume.n > h->settings->max_stored) {
@@ -140,11 +176,11 @@ murk_status murk_record_buffers_gather(murk_record_buffers *h, uint64_t last,
     return MURK_OK;
 }
 
-static void to_watts(murk_record_list *buffer, const double *packet_w,
-                     int bands)
+void murk_records_to_watts(murk_photon *photon, size_t n,
+                           const double *packet_w, int bands)
 {
-    for (size_t i = 0; i < buffer->n; ++i) {
-        murk_photon *p = &buffer->photon[i];
+    for (size_t i = 0; i < n; ++i) {
+        murk_photon *p = &photon[i];
         const size_t channel =
             (size_t)murk_photon_light(p) * (size_t)bands + murk_photon_band(p);
         murk_photon_set_power_w(p, murk_photon_power_w(p) * packet_w[channel]);
@@ -154,8 +190,8 @@ static void to_watts(murk_record_list *buffer, const double *packet_w,
 void murk_record_buffers_to_watts(murk_record_buffers *h,
                                   const double *packet_w, int bands)
 {
-    to_watts(&h->surface, packet_w, bands);
-    to_watts(&h->volume, packet_w, bands);
+    murk_records_to_watts(h->surface.photon, h->surface.n, packet_w, bands);
+    murk_records_to_watts(h->volume.photon, h->volume.n, packet_w, bands);
 }
 
 murk_status murk_record_list_map(murk_photon_map **out,

@@ -24,6 +24,21 @@ typedef struct murk_record_list {
  * when out of memory. */
 bool murk_record_list_put(murk_record_list *list, const murk_photon *photon);
 
+/* The records of one batch in the lists of both maps, in the order of
+ * photons. */
+typedef struct murk_record_batch {
+    uint64_t number;      /* of the batch, from 0 */
+    uint64_t first, last; /* the photons that were emitted */
+    murk_photon *surface, *volume;
+    size_t n_surface, n_volume;
+} murk_record_batch;
+
+/* Receives each batch when its records are gathered. A failure ends the
+ * emission. */
+typedef murk_status (*murk_record_batch_sink)(void *context,
+                                              const murk_record_batch *batch,
+                                              murk_error *err);
+
 typedef struct murk_record_buffers {
     const murk_scene_photons *settings;
     bool keeps_surface, keeps_volume; /* which maps the scene asks for */
@@ -31,6 +46,9 @@ typedef struct murk_record_buffers {
         buffer[MURK_WAVE_BATCHES];    /* records of this wave, one buffer for
                                        * each batch, in the order of events */
     murk_record_list surface, volume; /* all records gathered so far */
+    uint64_t gathered;                /* batches gathered so far */
+    murk_record_batch_sink each;      /* may be NULL */
+    void *each_context;
 } murk_record_buffers;
 
 /* The settings must outlive the result. NULL when out of memory. */
@@ -59,15 +77,18 @@ void murk_record_buffers_event(void *context, uint64_t batch,
 uint64_t murk_record_buffers_photon_of(const murk_record_buffers *buffers,
                                        uint64_t wanted);
 
-/* Moves the records of this wave, up to and including photon `last`, to the
- * lists of surface and volume records, and drops the others. Fails with
- * MURK_NO_MEMORY, or with MURK_RUN_FAILED if more than settings->max_stored
- * records are stored. */
+/* Moves the records of this wave, whose last photon is `last`, to the lists of
+ * surface and volume records, and drops the records of later photons. Fails if
+ * the sink of batches fails, with MURK_NO_MEMORY, or with MURK_RUN_FAILED if
+ * more than settings->max_stored records are stored. */
 murk_status murk_record_buffers_gather(murk_record_buffers *buffers,
                                        uint64_t last, murk_error *err);
 
-/* Multiplies the power of each gathered record by the power of a packet of the
- * same channel, packet_w[light * bands + band], so that shares become watts. */
+/* Multiplies the power of each record by the power of a packet of the same
+ * channel, packet_w[light * bands + band], so that shares become watts; and the
+ * same for all gathered records. */
+void murk_records_to_watts(murk_photon *photon, size_t n,
+                           const double *packet_w, int bands);
 void murk_record_buffers_to_watts(murk_record_buffers *buffers,
                                   const double *packet_w, int bands);
 

@@ -34,6 +34,8 @@ static const char *const keys[] = {"media.fog.albedo"};
     X(world, murk_world_create, (&out, NULL, &error),                         \
       (&out, g->scene, &error))                                               \
     X(light, murk_light_trace, (&out, NULL, &error), (&out, NULL, &error))    \
+    X(light, murk_light_stream, (&out, g->world, NULL, NULL, &error),         \
+      (&out, NULL, NULL, NULL, &error))                                       \
     X(light, murk_light_read, (&out, g->world, NULL, &error),                 \
       (&out, g->world, "no-such-light.murk", &error))                         \
     X(sensors, murk_sensors_create, (&out, NULL, &error),                     \

@@ -1,4 +1,5 @@
-/* Light: records as views, a tally, the energy ledger, and light.murk. */
+/* Light: records as views and in batches while light is traced, a tally, the
+ * energy ledger, and light.murk. */
 #include "example.h"
 
 /* The sum of a field of floats, n long. */
@@ -10,6 +11,25 @@ static double sum_of(const murk_array *view)
                                 (ptrdiff_t)i * view->stride[0]);
     }
     return sum;
+}
+
+/* Counts the records of the first ten batches, then cancels. */
+static int receive(void *user, murk_batch *batch)
+{
+    size_t *records = user;
+    uint64_t photons[2];
+    murk_array emitted = {.size = sizeof emitted};
+    murk_batch_photons(batch, photons);
+    if (murk_batch_array(batch, MURK_MAP_VOLUME, "emitted", &emitted, NULL)) {
+        return 1;
+    }
+    *records += murk_batch_count(batch, MURK_MAP_VOLUME);
+    if (murk_batch_number(batch) < 9) {
+        return 0;
+    }
+    printf("%d photons, some records: %s\n", (int)photons[1] + 1,
+           *records > 0 ? "yes" : "no");
+    return 1;
 }
 
 int main(void)
@@ -59,6 +79,12 @@ int main(void)
                                                                       : "no");
     must(murk_light_save(light, "results", NULL, NULL, &error), &error);
     murk_light_destroy(again);
+    /* Light in batches; the function of the program cancels. */
+    size_t records = 0;
+    const murk_status status =
+        murk_light_stream(&again, world, receive, &records, NULL);
+    printf("%s\n", murk_status_text(status));
+    printf("packet of the lamp: %g W\n", murk_light_packet_w(light, 0, 0));
     murk_light_destroy(light);
     murk_world_destroy(world);
     murk_scene_destroy(scene);
@@ -73,4 +99,7 @@ int main(void)
  * tally of 4 x 3 x 2 cells
  * emitted: 20 W, imbalance: 0
  * the same number of records: yes
+ * 10240 photons, some records: yes
+ * interrupted
+ * packet of the lamp: 0.001 W
  */
