@@ -231,16 +231,23 @@ murk_status murk_scene_resolved(murk_scene *scene, const char **text,
  * vertices_m: n x 3, floats or doubles; triangles: m x 3 indices, uint32 or
  * uint64; material: m indices into material_names[n_materials], uint32, or NULL
  * if all triangles have the first material. material_names NULL: the name of
- * the only material is "". The arrays are copied. A name that exists is
- * replaced. Fails with MURK_BAD_VALUE if the name has other characters than
- * letters, digits, "_", "-" and ".", if a shape does not fit, if an index is
- * out of range, or if a coordinate is not finite. */
+ * the only material is "". A name that exists is replaced.
+ *
+ * release NULL: the arrays are copied; else vertices_m must be dense float32
+ * and triangles dense uint32, both are used in place, and release(user) is
+ * called once, when the mesh is replaced or the scene and all worlds of it are
+ * destroyed. If the call fails, release is not called and the arrays stay the
+ * caller's. A world has a copy of its own in any case. Fails with
+ * MURK_BAD_VALUE if the name has other characters than letters, digits, "_",
+ * "-" and ".", if a shape or a type does not fit, if an index is out of range,
+ * or if a coordinate is not finite. */
 murk_status murk_scene_add_mesh(murk_scene *scene, const char *name,
                                 const murk_array *vertices_m,
                                 const murk_array *triangles,
                                 const murk_array *material,
                                 const char *const *material_names,
-                                size_t n_materials, murk_error *error);
+                                size_t n_materials, void (*release)(void *user),
+                                void *user, murk_error *error);
 
 /* Adds a grid that the key `vdb` of a medium takes as "memory:NAME".
  *

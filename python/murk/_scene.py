@@ -196,7 +196,8 @@ class Scene:
         which, c = (ffi.NULL, None) if material is None else from_numpy(material, 1, "material", (numpy.uint32,))
         names = [c_text(n) for n in material_names or []]
         call_in(self.context, lib.murk_scene_add_mesh, self.c, c_text(name), vertices, corners, which,
-                ffi.new("const char *[]", names) if names else ffi.NULL, len(names))
+                ffi.new("const char *[]", names) if names else ffi.NULL, len(names), ffi.NULL,
+                ffi.NULL)
         copies = tuple(None if array is None else numpy.array(array) for array in (a, b, c))
         self._arrays.append(("add_mesh", (name, *copies, material_names)))
 

@@ -27,15 +27,44 @@ static murk_status add(murk_scene *scene, const char *name,
 
 /* ---- meshes ---- */
 
-static void release_mesh(void *data)
+/* A mesh in memory whose vertices, corners and materials may be the caller's.
+ */
+typedef struct lent_mesh {
+    murk_mesh mesh; /* the first member: the data of the file in memory */
+    bool is_lent;   /* vertices and corners are the caller's */
+    void (*release)(void *user); /* NULL: not to be called */
+    void *user;
+} lent_mesh;
+
+/* Frees the mesh, but no array of the caller. */
+static void destroy_mesh(lent_mesh *lent)
 {
-    murk_mesh_destroy(data);
+    murk_mesh *mesh = &lent->mesh;
+    if (!lent->is_lent) {
+        free(mesh->vertex_m);
+        free(mesh->corner);
+    }
+    free(mesh->material);
+    free(mesh->material_name);
+    free(lent);
 }
 
-static murk_status copy_vertices(murk_mesh *mesh, const murk_array *vertices_m,
+static void release_mesh(void *data)
+{
+    lent_mesh *lent = data;
+    void (*const release)(void *user) = lent->release;
+    void *const user = lent->user;
+    destroy_mesh(lent);
+    if (release) {
+        release(user);
+    }
+}
+
+/* Copies the coordinates, which must be finite; `to` NULL: only checks. */
+static murk_status copy_vertices(float *to, const murk_array *vertices_m,
                                  murk_error *err)
 {
-    for (size_t i = 0; i < 3 * mesh->vertices; ++i) {
+    for (size_t i = 0; i < murk_array_count(vertices_m); ++i) {
         const double value = murk_array_number(vertices_m, i);
         if (!(fabs(value) <= (double)FLT_MAX)) {
             return murk_call_bad_argument(
@@ -44,16 +73,18 @@ static murk_status copy_vertices(murk_mesh *mesh, const murk_array *vertices_m,
                 "finite number",
                 i % 3, i / 3, value);
         }
-        mesh->vertex_m[i] = (float)value;
+        if (to) {
+            to[i] = (float)value;
+        }
     }
     return MURK_OK;
 }
 
-/* Copies n indices below `end`. */
-static murk_status copy_indices(uint32_t *to, const murk_array *from, size_t n,
+/* Copies the indices, which must be below `end`; `to` NULL: only checks. */
+static murk_status copy_indices(uint32_t *to, const murk_array *from,
                                 size_t end, const char *name, murk_error *err)
 {
-    for (size_t i = 0; i < n; ++i) {
+    for (size_t i = 0; i < murk_array_count(from); ++i) {
         const double value = murk_array_number(from, i);
         if (!(value >= 0 && value < (double)end && value == floor(value))) {
             return murk_call_bad_argument(
@@ -62,7 +93,9 @@ static murk_status copy_indices(uint32_t *to, const murk_array *from, size_t n,
                 "%zu",
                 i, value, end - 1);
         }
-        to[i] = (uint32_t)value;
+        if (to) {
+            to[i] = (uint32_t)value;
+        }
     }
     return MURK_OK;
 }
@@ -107,53 +140,56 @@ static murk_status check_mesh(const murk_array *vertices_m,
     return MURK_OK;
 }
 
-/* Copies and checks all arrays of a mesh. */
-static murk_status copy_mesh(murk_mesh *mesh, const murk_array *vertices_m,
+/* True if the values of the array lie one behind the other, in the order of
+ * C. */
+static bool is_dense(const murk_array *values, murk_type type)
+{
+    const ptrdiff_t bytes = (ptrdiff_t)murk_type_bytes(type);
+    return values->type == type && values->stride[1] == bytes &&
+           values->stride[0] == bytes * (ptrdiff_t)values->shape[1];
+}
+
+/* Checks all arrays of a mesh and copies them, or with `lends` takes vertices
+ * and triangles as they are. Materials are always copied. */
+static murk_status fill_mesh(murk_mesh *mesh, const murk_array *vertices_m,
                              const murk_array *triangles,
                              const murk_array *material,
-                             const char *const *names, murk_error *err)
+                             const char *const *names, bool lends,
+                             murk_error *err)
 {
-    mesh->vertex_m = calloc(3 * mesh->vertices, sizeof(float));
-    mesh->corner = calloc(3 * mesh->triangles, sizeof(uint32_t));
+    if (!lends) {
+        mesh->vertex_m = calloc(3 * mesh->vertices, sizeof(float));
+        mesh->corner = calloc(3 * mesh->triangles, sizeof(uint32_t));
+    }
     mesh->material = calloc(mesh->triangles, sizeof(uint32_t));
     mesh->material_name = calloc(mesh->materials, sizeof *mesh->material_name);
-    if (!mesh->vertex_m || !mesh->corner || !mesh->material ||
+    if ((!lends && (!mesh->vertex_m || !mesh->corner)) || !mesh->material ||
         !mesh->material_name) {
         return murk_no_memory(err, "", "for the mesh");
     }
-    murk_status status = copy_vertices(mesh, vertices_m, err);
+    /* Check and copy; lent arrays are only checked, and taken as they are. */
+    murk_status status = copy_vertices(mesh->vertex_m, vertices_m, err);
     if (!status) {
-        status = copy_indices(mesh->corner, triangles, 3 * mesh->triangles,
-                              mesh->vertices, "triangles", err);
+        status = copy_indices(mesh->corner, triangles, mesh->vertices,
+                              "triangles", err);
     }
     if (!status && material) {
-        status = copy_indices(mesh->material, material, mesh->triangles,
-                              mesh->materials, "material", err);
+        status = copy_indices(mesh->material, material, mesh->materials,
+                              "material", err);
+    }
+    if (!status && lends) {
+        mesh->vertex_m = (float *)vertices_m->data;
+        mesh->corner = (uint32_t *)triangles->data;
     }
     return status ? status : copy_names(mesh, names, err);
 }
 
-static murk_status
-add_mesh(murk_scene *scene, const char *name, const murk_array *vertices_m,
-         const murk_array *triangles, const murk_array *material,
-         const char *const *names, size_t n_names, murk_error *err)
+/* Adds the mesh under its checksum, which is that of the checksums of the
+ * arrays. Takes ownership of the mesh. */
+static murk_status add_lent_mesh(murk_scene *scene, const char *name,
+                                 lent_mesh *lent, murk_error *err)
 {
-    murk_status status = check_mesh(vertices_m, triangles, material, err);
-    murk_mesh *mesh = status ? NULL : calloc(1, sizeof *mesh);
-    if (!mesh) {
-        return murk_fail(err, status ? status : MURK_NO_MEMORY, name,
-                         "no memory for the mesh");
-    }
-    mesh->vertices = vertices_m->shape[0];
-    mesh->triangles = triangles->shape[0];
-    mesh->materials = names && n_names > 0 ? n_names : 1;
-    status = copy_mesh(mesh, vertices_m, triangles, material,
-                       n_names > 0 ? names : NULL, err);
-    if (status) {
-        murk_mesh_destroy(mesh);
-        return status;
-    }
-    /* The checksum of the mesh is that of the checksums of the arrays. */
+    const murk_mesh *mesh = &lent->mesh;
     uint64_t sums[4][2], sum[2];
     murk_checksum(mesh->vertex_m, 3 * mesh->vertices * sizeof(float), sums[0]);
     murk_checksum(mesh->corner, 3 * mesh->triangles * sizeof(uint32_t),
@@ -162,7 +198,46 @@ add_mesh(murk_scene *scene, const char *name, const murk_array *vertices_m,
     murk_checksum(mesh->material_name,
                   mesh->materials * sizeof *mesh->material_name, sums[3]);
     murk_checksum(sums, sizeof sums, sum);
-    return add(scene, name, MURK_MEMORY_MESH, mesh, release_mesh, sum, err);
+    return add(scene, name, MURK_MEMORY_MESH, lent, release_mesh, sum, err);
+}
+
+static murk_status
+add_mesh(murk_scene *scene, const char *name, const murk_array *vertices_m,
+         const murk_array *triangles, const murk_array *material,
+         const char *const *names, size_t n_names, void (*release)(void *user),
+         void *user, murk_error *err)
+{
+    murk_status status = check_mesh(vertices_m, triangles, material, err);
+    if (!status && release &&
+        (!is_dense(vertices_m, MURK_TYPE_FLOAT32) ||
+         !is_dense(triangles, MURK_TYPE_UINT32))) {
+        status = murk_fail(err, MURK_BAD_VALUE, "vertices_m",
+                           "must be dense float32, and triangles dense uint32, "
+                           "to be used in place");
+    }
+    lent_mesh *lent = status ? NULL : calloc(1, sizeof *lent);
+    if (!lent) {
+        return murk_fail(err, status ? status : MURK_NO_MEMORY, name,
+                         "no memory for the mesh");
+    }
+    murk_mesh *mesh = &lent->mesh;
+    mesh->vertices = vertices_m->shape[0];
+    mesh->triangles = triangles->shape[0];
+    mesh->materials = names && n_names > 0 ? n_names : 1;
+    /* A mesh that is refused stays the caller's, so nothing is released. */
+    lent->is_lent = release != NULL;
+    status = fill_mesh(mesh, vertices_m, triangles, material,
+                       n_names > 0 ? names : NULL, lent->is_lent, err);
+    if (status) {
+        destroy_mesh(lent);
+        return status;
+    }
+    status = add_lent_mesh(scene, name, lent, err);
+    if (!status && release) { /* from now on the arrays are the scene's */
+        lent->release = release;
+        lent->user = user;
+    }
+    return status;
 }
 
 murk_status murk_scene_add_mesh(murk_scene *scene, const char *name,
@@ -170,15 +245,16 @@ murk_status murk_scene_add_mesh(murk_scene *scene, const char *name,
                                 const murk_array *triangles,
                                 const murk_array *material,
                                 const char *const *material_names,
-                                size_t n_materials, murk_error *error)
+                                size_t n_materials, void (*release)(void *user),
+                                void *user, murk_error *error)
 {
     if (!scene || !name) {
         return murk_call_refuse(error, "scene or name is NULL");
     }
     murk_call call = murk_call_begin(scene->context, &scene->files, error);
-    return murk_call_end(&call,
-                         add_mesh(scene, name, vertices_m, triangles, material,
-                                  material_names, n_materials, &call.failure));
+    return murk_call_end(&call, add_mesh(scene, name, vertices_m, triangles,
+                                         material, material_names, n_materials,
+                                         release, user, &call.failure));
 }
 
 /* ---- grids ---- */

@@ -80,7 +80,8 @@ static murk_scene *make_scene(murk_context *context)
     const murk_array v = murk_array_of(box, MURK_TYPE_FLOAT32, 2, vertices),
                      t = murk_array_of(sides, MURK_TYPE_UINT32, 2, triangles);
     const char *const names[] = {"crate"};
-    must(murk_scene_add_mesh(scene, "crate", &v, &t, NULL, names, 1, &error),
+    must(murk_scene_add_mesh(scene, "crate", &v, &t, NULL, names, 1, NULL, NULL,
+                             &error),
          &error);
     /* A plume of 16 x 8 x 4 cells of a quarter of a metre, x fastest. */
     const size_t n = 16 * 8 * 4;
@@ -233,11 +234,11 @@ static void check_errors(murk_context *context, murk_scene *scene)
     const murk_array v = murk_array_of(box, MURK_TYPE_FLOAT32, 2, vertices),
                      t = murk_array_of(wrong, MURK_TYPE_UINT32, 2, one);
     error = (murk_error)MURK_ERROR_NONE;
-    CHECK(murk_scene_add_mesh(bad, "m", &v, &t, NULL, NULL, 0, &error) ==
-          MURK_BAD_VALUE);
+    CHECK(murk_scene_add_mesh(bad, "m", &v, &t, NULL, NULL, 0, NULL, NULL,
+                              &error) == MURK_BAD_VALUE);
     CHECK(strstr(error.text, "0 to 7"));
-    CHECK(murk_scene_add_mesh(bad, "m/n", &v, &t, NULL, NULL, 0, NULL) ==
-          MURK_BAD_VALUE);
+    CHECK(murk_scene_add_mesh(bad, "m/n", &v, &t, NULL, NULL, 0, NULL, NULL,
+                              NULL) == MURK_BAD_VALUE);
     CHECK(murk_scene_set(NULL, "seed", "1", NULL) == MURK_BAD_VALUE);
     CHECK(murk_world_create(NULL, scene, NULL) == MURK_BAD_VALUE);
     /* A request to stop ends the next long call, and no other. */

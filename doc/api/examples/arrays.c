@@ -24,7 +24,8 @@ static void add_crate(murk_scene *scene)
                      t = murk_array_of(sides, MURK_TYPE_UINT32, 2, n_sides),
                      m = murk_array_of(material, MURK_TYPE_UINT32, 1, n_sides);
     murk_error error = MURK_ERROR_NONE;
-    must(murk_scene_add_mesh(scene, "crate", &v, &t, &m, names, 2, &error),
+    must(murk_scene_add_mesh(scene, "crate", &v, &t, &m, names, 2, NULL, NULL,
+                             &error),
          &error);
     must(murk_scene_set(scene, "geometry",
                         "[{box: {min_m: [0, 0, 0], max_m: [8, 6, 3]}}, "
