@@ -25,6 +25,9 @@ with open(data, newline="", encoding="utf-8") as file:
     readings = len(list(csv.DictReader(file)))
 fit = chamber.fit(data, ["media.fog.extinction_per_m", "media.fog.phase.hg"])
 for parameter in fit.parameters:
+    if parameter.standard_error is None:  # at a bound, or not determined by the readings
+        print(f"{parameter.key}: {parameter.status}")
+        continue
     print(f"{parameter.key} = {parameter.value:.4f} +- {parameter.standard_error:.4f} "
           f"(95 %: {parameter.lower:.4f} to {parameter.upper:.4f})")
 print(f"{readings} readings, chi2 {fit.chi2:.2f} for {fit.degrees_of_freedom} degrees of freedom,",

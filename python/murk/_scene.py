@@ -50,11 +50,13 @@ def _release(user: Any) -> None:
 class Fit(Fielded):
     """A calibration: `result` has the fields of fit.json, each of which is an attribute, too.
 
-    `parameters` is a list with `key`, `value`, `standard_error`, `lower`, `upper` and `at_bound`, in the units of the
-    keys; `chi2`, `degrees_of_freedom`, `covariance`, `correlation`, `converged` and `accepted` judge it. Pickles with
-    its fields. Source: `murk fit`, which minimises the squared residuals over their errors (Levenberg-Marquardt, Ceres).
+    `parameters` is a list with `key`, `value`, `standard_error`, `lower`, `upper`, `at_bound` and `status`, in the units
+    of the keys; `standard_error`, `lower` and `upper` are None if the value is at a bound or not determined by the
+    readings, which `status` tells. `chi2`, `degrees_of_freedom`, `covariance`, `correlation`, `converged` and `accepted`
+    judge it. Pickles with its fields. Source: `murk fit`, which minimises the squared residuals over their errors
+    (Levenberg-Marquardt, Ceres).
 
-    Example: `for p in fit.parameters: print(p.key, p.value, "+-", p.standard_error)`.
+    Example: `for p in fit.parameters: print(p.key, p.value, p.status if p.standard_error is None else p.standard_error)`.
     """
 
     def __init__(self, scene: Scene, data: Path, free: Sequence[str], bounds: Mapping[str, Bounds] | None = None,
@@ -156,6 +158,9 @@ class Scene:
 
     def check(self) -> None:
         """Reads the whole scene and checks each value. Raises Error at the first wrong one.
+
+        Meshes, grids and CSV files that keys name are not read, and candidates are not tried: `world()` reads the
+        files and builds surfaces, media and lights; `place()` tells which candidates are usable.
 
         Example: `scene.check()`.
         """
@@ -311,11 +316,15 @@ class Scene:
 
         axes: paths of keys with the values of each, numbers, arrays or what a study file takes. outputs: "density",
         "coverage_best", names of tallies, ... of murk-study(5). folder: keeps finished rows. keys: further keys of a
-        study file, such as mode="paired". Raises Error if a key is wrong, or if the scene has added arrays, which a
-        study cannot read; a row that fails has the reason in its field `failed`.
+        study file, such as mode="paired". Raises Error if a key is wrong, or if an array was added to the scene: rows
+        run in subprocesses, which read files only. A row that fails has the reason in its field `failed`.
 
         Example: `scene.study({"media.fog.visibility_m": [50, 100, 200]}, ["coverage_best"]).rows`.
         """
+        for method, arguments in self._arrays:
+            if method.startswith("add_"):
+                raise Error("was added to the scene as an array, which a study cannot read: rows run in subprocesses; "
+                            "save the array to a file, or run the scenes in a loop", where=f"memory:{arguments[0]}")
         described = {"murk_study": 1, "base": "scene.yaml", "axes": axes, **keys}
         if outputs:
             described["outputs"] = list(outputs)

@@ -48,6 +48,12 @@ def room(**keys):
     return murk.Scene({**ROOM, **keys})
 
 
+def study_with_an_array():
+    scene = room()
+    scene.add_mesh("hall", [[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+    return scene.study({"seed": [1, 2]}, ["density"])
+
+
 # Calls, and the file, key and part of the text of the error.
 CALLS = [
     (lambda: murk.Scene("murk: [1"), "scene", "", ""),
@@ -85,6 +91,7 @@ CALLS = [
     (lambda: room().add_mesh("x", [[0, 0, float("nan")]], [[0, 0, 0]]), "", "", "vertices_m"),
     (lambda: room().add_mesh("x", [[0, 0, 0]], [[0, 0, -1]]), "", "", "whole numbers"),
     (lambda: room().add_table("x", x_m=[1, 2], y_m=[1]), "", "", "equal length"),
+    (study_with_an_array, "", "", "memory:hall: was added to the scene as an array"),
 ]
 texts = {}
 
