@@ -436,8 +436,10 @@ void murk_print_fit(const void *of)
     }
     if (c->slope_noise > MUCH_NOISE) {
         murk_print(
-            "            %.0f %% of what they seem to tell of something is "
-            "their noise: --emit more\n",
+            "noise       of what the readings seem to say about a parameter, "
+            "or a combination of parameters, up to %.0f %% is photon noise: "
+            "take more photons, or readings that separate the parameters, "
+            "such as transmittance\n",
             100 * c->slope_noise);
     }
     /* Parameters, and how the search ended. */
