@@ -76,7 +76,12 @@ This package contains a guide for new users, the description of scene files
 and media, as text and as HTML pages, and the example scenes."
     ALL)
 set(documents ${CMAKE_INSTALL_DATADIR}/doc/murk-doc)
-install(FILES README.md DESTINATION ${documents} COMPONENT murk-doc)
+# links of README.md to files that no package has become plain text
+file(READ README.md readme)
+string(REGEX REPLACE "\\[([^]]+)\\]\\((src|tests|tools|python|[A-Z][A-Z-]*\\.?[a-z]*)(/[^)]*)?\\)" "\\1" readme "${readme}")
+file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/debian/README.md "${readme}")
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS README.md)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/debian/README.md DESTINATION ${documents} COMPONENT murk-doc)
 install(FILES CHANGELOG.md DESTINATION ${documents} RENAME changelog COMPONENT murk-doc)
 install(FILES media/README.md DESTINATION ${documents}/media COMPONENT murk-doc)
 install(DIRECTORY scenes DESTINATION ${documents} COMPONENT murk-doc)
