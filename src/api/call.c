@@ -130,3 +130,12 @@ murk_status murk_call_bad_argument(murk_error *err, const char *name,
     va_end(args);
     return murk_fail(err, MURK_BAD_VALUE, where, "%s", text);
 }
+
+void murk_options_copy(void *known, size_t size, const void *options)
+{
+    if (options) {
+        size_t given;
+        memcpy(&given, options, sizeof given);
+        memcpy(known, options, given < size ? given : size);
+    }
+}

@@ -41,11 +41,7 @@ murk_status murk_context_create(murk_context **out,
     }
     context->references = 1;
     context->host = host;
-    if (options) { /* the members that the caller's struct has */
-        memcpy(&context->options, options,
-               options->size < sizeof *options ? options->size
-                                               : sizeof *options);
-    }
+    murk_options_copy(&context->options, sizeof context->options, options);
     context->threads = context->options.threads ? context->options.threads
                                                 : murk_pool_processors();
     /* Set up the host. */

@@ -108,10 +108,12 @@ murk_status murk_coverage_fields(murk_coverage *coverage,
 /* ---- files ---- */
 
 /* Who sees what, for viewers and the report; the exports; then the coverage. */
-static murk_status save(murk_coverage *coverage, murk_session *session,
+static murk_status save(void *of, murk_session *session,
                         const murk_save_options *options, murk_error *late,
                         murk_error *err)
 {
+    murk_coverage *coverage = of;
+    session->run.sense_s = coverage->sense_s;
     const murk_sense_results results = results_of(coverage, session);
     murk_sight *sight = coverage->sight;
     const size_t n = coverage->n;
@@ -153,16 +155,8 @@ murk_status murk_coverage_save(murk_coverage *coverage, const char *folder,
     murk_light *light = coverage->light;
     murk_call call =
         murk_call_begin(light->world->context, &light->world->files, error);
-    murk_session session = light->session; /* borrows the light */
-    murk_error late = {0};
-    session.run.sense_s = coverage->sense_s;
-    murk_status status =
-        murk_save_set(&session, folder, options, &call.failure);
-    if (!status) {
-        status = save(coverage, &session, options, &late, &call.failure);
-    }
-    return murk_save_end(&call, &session, &coverage->saved, fields, status,
-                         &late);
+    return murk_save_results(&call, &light->session, &coverage->saved, folder,
+                             options, fields, save, coverage);
 }
 
 /* ---- the matrix ---- */

@@ -210,10 +210,7 @@ murk_status murk_fit_create(murk_fit **out, murk_scene *scene, const char *data,
         return murk_call_refuse(error, "out, scene, data or keys is NULL");
     }
     murk_fit_options known = {0};
-    if (options) { /* the members that the caller's struct has */
-        memcpy(&known, options,
-               options->size < sizeof known ? options->size : sizeof known);
-    }
+    murk_options_copy(&known, sizeof known, options);
     murk_fit *f = calloc(1, sizeof *f);
     murk_call call = murk_call_begin(scene->context, &scene->files, error);
     murk_status status = MURK_NO_MEMORY;
@@ -371,9 +368,12 @@ murk_status murk_fit_check_save(murk_fit *f, const char *folder,
     return murk_call_end(&call, status);
 }
 
-static murk_status save(const murk_fit *f, murk_session *session,
-                        const murk_save_options *options, murk_error *err)
+static murk_status save(void *of, murk_session *session,
+                        const murk_save_options *options, murk_error *late,
+                        murk_error *err)
 {
+    const murk_fit *f = of;
+    (void)late; /* has no exports */
     const murk_fit_facts facts = facts_of(f);
     murk_status status = check(f, session, err);
     if (!status) {
@@ -405,12 +405,6 @@ murk_status murk_fit_save(murk_fit *f, const char *folder,
         return murk_call_refuse(error, "fit is NULL, or has not run");
     }
     murk_call call = murk_call_begin(f->scene->context, &f->files, error);
-    murk_session session = f->session; /* borrows the fit */
-    const murk_error late = {0};
-    murk_status status =
-        murk_save_set(&session, folder, options, &call.failure);
-    if (!status) {
-        status = save(f, &session, options, &call.failure);
-    }
-    return murk_save_end(&call, &session, &f->saved, fields, status, &late);
+    return murk_save_results(&call, &f->session, &f->saved, folder, options,
+                             fields, save, f);
 }

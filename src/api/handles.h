@@ -131,6 +131,11 @@ void murk_call_report(murk_error *to, murk_error *failure);
 /* Fails without a context: a NULL handle, or another misuse. */
 murk_status murk_call_refuse(murk_error *error, const char *text);
 
+/* Copies the struct of options of a caller, which begins with its size, to
+ * *known of `size` bytes: the members that both have. The others stay as they
+ * are. NULL options change nothing. */
+void murk_options_copy(void *known, size_t size, const void *options);
+
 /* Fails because of a value in an argument. The place is "argument NAME", which
  * is neither a file nor a key. */
 murk_status murk_call_bad_argument(murk_error *err, const char *name,

@@ -1,5 +1,4 @@
 /* Light: both photon maps, ledger and tallies, traced or read from a file. */
-#include "api/light.h"
 
 #include "api/save.h"
 #include "base/log.h"
@@ -11,17 +10,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-murk_session murk_world_session(const murk_world *world)
-{
-    return (murk_session){.settings.threads = world->context->threads,
-                          .settings.is_quiet = true,
-                          .run.threads = world->context->threads,
-                          .run.load_s = world->load_s,
-                          .scene = world->desc,
-                          .stage = world->stage,
-                          .begun_s = world->begun_s};
-}
 
 /* Without light yet. NULL when out of memory. */
 static murk_light *make(murk_world *world)
@@ -204,9 +192,11 @@ murk_status murk_light_fields(murk_light *light, const murk_fields **fields,
 
 /* ---- files ---- */
 
-static murk_status save(murk_session *session, const murk_save_options *options,
-                        murk_error *late, murk_error *err)
+static murk_status save(void *of, murk_session *session,
+                        const murk_save_options *options, murk_error *late,
+                        murk_error *err)
 {
+    (void)of; /* all results are in the session */
     murk_status status = murk_save_check(session, "trace", 0, err);
     if (!status) {
         status = murk_save_identify(session, "trace", options, err);
@@ -237,12 +227,6 @@ murk_status murk_light_save(murk_light *light, const char *folder,
     }
     murk_world *world = light->world;
     murk_call call = murk_call_begin(world->context, &world->files, error);
-    murk_session session = light->session; /* borrows the light */
-    murk_error late = {0};
-    murk_status status =
-        murk_save_set(&session, folder, options, &call.failure);
-    if (!status) {
-        status = save(&session, options, &late, &call.failure);
-    }
-    return murk_save_end(&call, &session, &light->saved, fields, status, &late);
+    return murk_save_results(&call, &light->session, &light->saved, folder,
+                             options, fields, save, light);
 }

@@ -1,5 +1,5 @@
 /* Pictures: a camera of the scene renders the light of a world. */
-#include "api/light.h"
+#include "api/save.h"
 
 #include "api/scene_picture.h"
 #include "base/file.h"

@@ -1,6 +1,5 @@
 /* Plans: the sensors that placement chooses for a light, or over the conditions
  * of a scene. */
-#include "api/light.h"
 
 #include "api/save.h"
 #include "base/log.h"
@@ -211,10 +210,11 @@ murk_status murk_plan_fields(murk_plan *plan, const murk_fields **fields,
     return murk_call_end(&call, status);
 }
 
-static murk_status save(murk_plan *plan, murk_session *session,
+static murk_status save(void *of, murk_session *session,
                         const murk_save_options *options, murk_error *late,
                         murk_error *err)
 {
+    murk_plan *plan = of;
     murk_plan_results results;
     murk_repeat_results repeated;
     /* Judge the folder and the options. */
@@ -251,12 +251,6 @@ murk_status murk_plan_save(murk_plan *plan, const char *folder,
     }
     murk_world *world = plan->world;
     murk_call call = murk_call_begin(world->context, &world->files, error);
-    murk_session session = plan->session; /* borrows the plan */
-    murk_error late = {0};
-    murk_status status =
-        murk_save_set(&session, folder, options, &call.failure);
-    if (!status) {
-        status = save(plan, &session, options, &late, &call.failure);
-    }
-    return murk_save_end(&call, &session, &plan->saved, fields, status, &late);
+    return murk_save_results(&call, &plan->session, &plan->saved, folder,
+                             options, fields, save, plan);
 }

@@ -3,8 +3,6 @@
  * results, and makes the main JSON the fields that the caller reads. */
 #include "api/save.h"
 
-#include "api/light.h"
-
 #include "base/file.h"
 #include "results/exports.h"
 #include "results/identity.h"
@@ -15,17 +13,24 @@
 /* Bytes of the name of a result file of a condition, "scene-NAME.yaml". */
 #define FILE_SIZE (MURK_SCENE_NAME_SIZE + 16)
 
-#define NAMES_MAX                                              \
-    10 /* of the files of a command, with the NULL behind them \
-        */
+/* Names of the files of a command, with the NULL behind them. */
+#define NAMES_MAX 10
+
+murk_session murk_world_session(const murk_world *world)
+{
+    return (murk_session){.settings.threads = world->context->threads,
+                          .settings.is_quiet = true,
+                          .run.threads = world->context->threads,
+                          .run.load_s = world->load_s,
+                          .scene = world->desc,
+                          .stage = world->stage,
+                          .begun_s = world->begun_s};
+}
 
 murk_save_options murk_save_known(const murk_save_options *options)
 {
     murk_save_options all = {0};
-    if (options) {
-        memcpy(&all, options,
-               options->size < sizeof all ? options->size : sizeof all);
-    }
+    murk_options_copy(&all, sizeof all, options);
     return all;
 }
 
@@ -238,9 +243,11 @@ static bool add_saved(cJSON *root, const murk_results *results)
     return files != NULL;
 }
 
-murk_status murk_save_end(murk_call *call, murk_session *session,
-                          murk_fields *saved, const murk_fields **fields,
-                          murk_status status, const murk_error *late)
+/* Ends the folder and the call, which failed if status is not MURK_OK, and
+ * makes the main JSON the fields. */
+static murk_status end_save(murk_call *call, murk_session *session,
+                            murk_fields *saved, const murk_fields **fields,
+                            murk_status status, const murk_error *late)
 {
     /* Make the main JSON the fields. */
     murk_fields_release(saved);
@@ -265,4 +272,20 @@ murk_status murk_save_end(murk_call *call, murk_session *session,
                            late->text);
     }
     return murk_call_end_long(call, status);
+}
+
+murk_status murk_save_results(murk_call *call, const murk_session *from,
+                              murk_fields *saved, const char *folder,
+                              const murk_save_options *options,
+                              const murk_fields **fields, murk_save_work *save,
+                              void *of)
+{
+    murk_session session = *from;
+    murk_error late = {0};
+    murk_status status =
+        murk_save_set(&session, folder, options, &call->failure);
+    if (!status) {
+        status = save(of, &session, options, &late, &call->failure);
+    }
+    return end_save(call, &session, saved, fields, status, &late);
 }

@@ -5,6 +5,9 @@
 
 #include "api/handles.h"
 
+/* A session (results/session.h) that borrows scene and stage of a world. */
+murk_session murk_world_session(const murk_world *world);
+
 /* The options as this library knows them: the members that the struct of the
  * caller has, and zeros; NULL: zeros. */
 murk_save_options murk_save_known(const murk_save_options *options);
@@ -27,13 +30,21 @@ murk_status murk_save_identify(murk_session *session, const char *command,
                                const murk_save_options *options,
                                murk_error *err);
 
-/* Ends the folder of a session that borrows scene, stage and light, and ends
- * the call, which failed if status is not MURK_OK. Makes the text of the main
- * JSON, if it was made, the fields *saved, and returns them in *fields, which
- * may be NULL. An export that could not be made, told in *late, is an error
- * although the other files are written. */
-murk_status murk_save_end(murk_call *call, murk_session *session,
-                          murk_fields *saved, const murk_fields **fields,
-                          murk_status status, const murk_error *late);
+/* Adds the results of a handle to the files of a session. An export that could
+ * not be made is told in *late, and the other files are written. */
+typedef murk_status murk_save_work(void *of, murk_session *session,
+                                   const murk_save_options *options,
+                                   murk_error *late, murk_error *err);
+
+/* Writes the results of a handle by save(of, ...), in a session that borrows
+ * scene, stage and light of the session `from` of the handle, and ends the
+ * call. Makes the text of the main JSON the fields *saved, and returns them in
+ * *fields, which may be NULL, or NULL if there are none. Fails as
+ * murk_save_set() and save() do, and with the error in *late. */
+murk_status murk_save_results(murk_call *call, const murk_session *from,
+                              murk_fields *saved, const char *folder,
+                              const murk_save_options *options,
+                              const murk_fields **fields, murk_save_work *save,
+                              void *of);
 
 #endif

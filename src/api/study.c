@@ -144,10 +144,7 @@ murk_status murk_study_read(murk_study **out, murk_context *context,
         return murk_call_refuse(error, "out, context or path is NULL");
     }
     murk_study_options known = {0};
-    if (options) { /* the members that the caller's struct has */
-        memcpy(&known, options,
-               options->size < sizeof known ? options->size : sizeof known);
-    }
+    murk_options_copy(&known, sizeof known, options);
     murk_call call = murk_call_begin(context, NULL, error);
     murk_study *study = calloc(1, sizeof *study);
     murk_status status = MURK_NO_MEMORY;
@@ -282,9 +279,12 @@ static murk_status note_fluence(const murk_study *study, murk_session *session,
 }
 
 /* The table, the base scene and the grids; the JSON comes last. */
-static murk_status save(murk_study *study, murk_session *session,
-                        const murk_save_options *options, murk_error *err)
+static murk_status save(void *of, murk_session *session,
+                        const murk_save_options *options, murk_error *late,
+                        murk_error *err)
 {
+    murk_study *study = of;
+    (void)late; /* has no exports */
     const murk_study_results results = {study->sweep, study->is_interrupted,
                                         session->settings.folder};
     murk_status status = check(session, err);
@@ -315,12 +315,6 @@ murk_status murk_study_save(murk_study *study, const char *folder,
         return murk_call_refuse(error, "study is NULL");
     }
     murk_call call = murk_call_begin(study->context, NULL, error);
-    murk_session session = study->session; /* borrows the study */
-    const murk_error late = {0};
-    murk_status status =
-        murk_save_set(&session, folder, options, &call.failure);
-    if (!status) {
-        status = save(study, &session, options, &call.failure);
-    }
-    return murk_save_end(&call, &session, &study->saved, fields, status, &late);
+    return murk_save_results(&call, &study->session, &study->saved, folder,
+                             options, fields, save, study);
 }
