@@ -168,15 +168,17 @@ static murk_status keep_files(murk_fit *f, murk_error *err)
 }
 
 static murk_status make(murk_fit *f, const char *data, const char *const *keys,
-                        size_t n, const murk_fit_options *options,
+                        size_t n, const murk_fit_options *given,
                         murk_call *call)
 {
+    murk_fit_options options = {0};
+    murk_options_copy(&options, sizeof options, given);
     const unsigned threads = f->scene->context->threads;
     f->session = (murk_session){.settings.threads = threads,
                                 .settings.is_quiet = true,
                                 .run.threads = threads};
     /* The options must be right by themselves. */
-    murk_status status = take_options(f, options, &call->failure);
+    murk_status status = take_options(f, &options, &call->failure);
     if (!status && f->predict && (n > 0 || f->wanted_places > 0)) {
         status = murk_fail(&call->failure, MURK_BAD_VALUE, "predict",
                            "fits nothing, so it goes with neither free keys "
@@ -196,7 +198,7 @@ static murk_status make(murk_fit *f, const char *data, const char *const *keys,
         status = build(f, &call->failure);
     }
     return status ? status
-                  : read_input(f, data, keys, n, options, &call->failure);
+                  : read_input(f, data, keys, n, &options, &call->failure);
 }
 
 murk_status murk_fit_create(murk_fit **out, murk_scene *scene, const char *data,
@@ -209,15 +211,13 @@ murk_status murk_fit_create(murk_fit **out, murk_scene *scene, const char *data,
     if (!out || !scene || !data || (n > 0 && !keys)) {
         return murk_call_refuse(error, "out, scene, data or keys is NULL");
     }
-    murk_fit_options known = {0};
-    murk_options_copy(&known, sizeof known, options);
     murk_fit *f = calloc(1, sizeof *f);
     murk_call call = murk_call_begin(scene->context, &scene->files, error);
     murk_status status = MURK_NO_MEMORY;
     if (f) {
         f->scene = scene;
         ++scene->references;
-        status = make(f, data, keys, n, &known, &call);
+        status = make(f, data, keys, n, options, &call);
     }
     status = murk_call_end_long(&call, status);
     if (status) {
