@@ -167,10 +167,12 @@ static murk_status keep_files(murk_fit *f, murk_error *err)
     return murk_memory_add(&f->files, SCENE_TEXT, file, err);
 }
 
-static murk_status make(murk_fit *f, const char *data, const char *const *keys,
-                        size_t n, const murk_fit_options *given,
-                        murk_call *call)
+static murk_status make(murk_fit *f, murk_scene *scene, const char *data,
+                        const char *const *keys, size_t n,
+                        const murk_fit_options *given, murk_call *call)
 {
+    f->scene = scene;
+    ++scene->references;
     murk_fit_options options = {0};
     murk_options_copy(&options, sizeof options, given);
     const unsigned threads = f->scene->context->threads;
@@ -215,9 +217,7 @@ murk_status murk_fit_create(murk_fit **out, murk_scene *scene, const char *data,
     murk_call call = murk_call_begin(scene->context, &scene->files, error);
     murk_status status = MURK_NO_MEMORY;
     if (f) {
-        f->scene = scene;
-        ++scene->references;
-        status = make(f, data, keys, n, options, &call);
+        status = make(f, scene, data, keys, n, options, &call);
     }
     status = murk_call_end_long(&call, status);
     if (status) {

@@ -94,9 +94,10 @@ static void read_base(murk_study *study)
 }
 
 static murk_status read_study(murk_study *study, const char *path,
-                              const murk_study_options *options,
-                              murk_error *err)
+                              const murk_study_options *given, murk_error *err)
 {
+    murk_study_options options = {0};
+    murk_options_copy(&options, sizeof options, given);
     snprintf(study->version, sizeof study->version, "%s %s", MURK_VERSION,
              murk_version_commit());
     const unsigned threads = study->context->threads;
@@ -104,7 +105,7 @@ static murk_status read_study(murk_study *study, const char *path,
                                     .settings.is_quiet = true,
                                     .run.threads = threads,
                                     .begun_s = murk_clock_s()};
-    murk_status status = take_options(study, options, err);
+    murk_status status = take_options(study, &options, err);
     if (!status) {
         status = murk_study_file_read(&study->file, path, err);
     }
@@ -112,7 +113,7 @@ static murk_status read_study(murk_study *study, const char *path,
                                   .overrides = study->set,
                                   .n_overrides = study->n,
                                   .folder = study->folder,
-                                  .force = options->replaces,
+                                  .force = options.replaces,
                                   .version = study->version,
                                   .threads = threads,
                                   .row_done = report_row,
@@ -143,15 +144,14 @@ murk_status murk_study_read(murk_study **out, murk_context *context,
     if (!out || !context || !path) {
         return murk_call_refuse(error, "out, context or path is NULL");
     }
-    murk_study_options known = {0};
-    murk_options_copy(&known, sizeof known, options);
+    /* A failure of the call takes the handle back. */
     murk_call call = murk_call_begin(context, NULL, error);
     murk_study *study = calloc(1, sizeof *study);
     murk_status status = MURK_NO_MEMORY;
     if (study) {
         study->context = context;
         ++context->references;
-        status = read_study(study, path, &known, &call.failure);
+        status = read_study(study, path, options, &call.failure);
     }
     status = murk_call_end_long(&call, status);
     if (status) {
@@ -167,11 +167,11 @@ void murk_study_destroy(murk_study *study)
     if (!study) {
         return;
     }
-    murk_fields_release(&study->fields);
-    murk_fields_release(&study->saved);
     murk_session_end(&study->session);
     murk_sweep_destroy(study->sweep);
     murk_study_file_destroy(study->file);
+    murk_fields_release(&study->fields);
+    murk_fields_release(&study->saved);
     for (size_t i = 0; i < study->n; ++i) {
         free((char *)study->set[i].option);
     }
