@@ -1,5 +1,6 @@
 """Every struct, union and enum name of src/ is defined once (tools/house finds no other), and the
-names of the handles of the public interface (src/murk.h, src/api) are taken by no type and no function elsewhere."""
+names of the handles of the public interface (src/murk.h, src/api) are taken by no type and no function elsewhere.
+The program (src/app) uses the interface, and defines none of these names."""
 import os
 import re
 import subprocess
@@ -12,8 +13,21 @@ TOKENS = re.compile(r"/\*.*?\*/|//[^\n]*|\"(?:\\.|[^\"\\\n])*\"|(\bmurk_(?:%s)(?
                     % "|".join(HANDLES), re.S)
 
 
+# A type that is defined, or a function: its name stands in a line that begins without a blank, before a body.
+DEFINED = re.compile(r"\b(?:struct|union|enum)\s+(\w+)\s*\{|\}\s*(\w+)\s*;|^[a-z][\w\s*]*?\b(\w+)\([^;{}]*\)\s*\{", re.M)
+
+
 def reserved_names(text):
     return [m[1] for m in TOKENS.finditer(text) if m[1]]
+
+
+def defined_names(text):
+    return [name for m in DEFINED.finditer(text) for name in m.groups() if name and TOKENS.fullmatch(name)]
+
+
+assert defined_names("typedef struct murk_plan { int a; } murk_plan;\nint murk_scene_set(int x)\n{\n"
+                     "    if (murk_fit_read(x)) {\n}}\nmurk_light *other(murk_scene *s)\n{\n") == \
+    ["murk_plan", "murk_plan", "murk_scene_set"]
 
 
 assert reserved_names("typedef struct murk_plan { int a; } murk_plan; murk_scene_set(x); /* murk_fit */") == \
@@ -26,7 +40,8 @@ for name in (f for f in files if f != "src/murk.h" and not f.startswith("src/api
     path = os.path.join(TOP, name)
     if os.path.isfile(path):
         with open(path, encoding="utf-8") as f:
-            for taken in reserved_names(f.read()):
+            text = f.read()
+            for taken in defined_names(text) if name.startswith("src/app/") else reserved_names(text):
                 found += f"{name}: {taken} is reserved for the public interface\n"
 print(found, end="")
 sys.exit(1 if found.strip() else 0)
