@@ -141,12 +141,26 @@ typedef struct murk_progress {
 typedef void (*murk_progress_function)(void *user,
                                        const murk_progress *progress);
 
+/* Which process reads the mesh and grid files of a scene. A file may be
+ * malformed or hostile. */
+typedef enum murk_imports {
+    MURK_IMPORTS_READER, /* the program murk-reader, started for each file, with
+                          * limits on memory and time, that can only read */
+    MURK_IMPORTS_FORK, /* a fork of the process, likewise: needs no program, but
+                        * is safe only while the process has one thread */
+    MURK_IMPORTS_IN_PROCESS /* the process itself, without limits: for files
+                             * that are trusted */
+} murk_imports;
+
 typedef struct murk_context_options {
     size_t size;                     /* sizeof(murk_context_options) */
     unsigned threads;                /* 0: as many as there are processors */
     murk_log_function log;           /* NULL: warnings and notes are dropped */
     murk_progress_function progress; /* NULL: none */
     void *user;                      /* passed to both */
+    murk_imports imports;
+    const char *reader; /* path of murk-reader; NULL: libmurk0/murk-reader in
+                         * the folder of the library; copied */
 } murk_context_options;
 
 /* Creates a context, which all other handles are made in; options NULL: zeros.
@@ -362,9 +376,9 @@ typedef struct murk_save_options {
 typedef struct murk_world murk_world;
 
 /* Checks the whole scene, reads its files and builds surfaces, media and light
- * sources. Mesh and grid files are read in subprocesses with limits on memory
- * and time. Fails as murk_scene_check(), with MURK_BAD_FILE if a mesh or a grid
- * is missing, malformed or larger than the limits, and with MURK_INTERRUPTED if
+ * sources. The options of the context say which process reads mesh and grid
+ * files. Fails as murk_scene_check(), with MURK_BAD_FILE if a mesh or a grid is
+ * missing, malformed or larger than the limits, and with MURK_INTERRUPTED if
  * the call is cancelled. */
 murk_status murk_world_create(murk_world **out, murk_scene *scene,
                               murk_error *error);

@@ -23,6 +23,23 @@ static void show_progress(void *user, const murk_progress_facts *facts)
     context->options.progress(context->options.user, &progress);
 }
 
+static const murk_importing importing[] = {
+    [MURK_IMPORTS_READER] = MURK_IMPORT_STARTS,
+    [MURK_IMPORTS_FORK] = MURK_IMPORT_FORKS,
+    [MURK_IMPORTS_IN_PROCESS] = MURK_IMPORT_IN_PROCESS};
+
+/* Copies the members that the caller's struct has. False if one is wrong, or
+ * when out of memory. */
+static bool take_options(murk_context *context,
+                         const murk_context_options *options)
+{
+    murk_options_copy(&context->options, sizeof context->options, options);
+    const char *reader = context->options.reader;
+    context->reader = reader ? strdup(reader) : NULL;
+    return (unsigned)context->options.imports <= MURK_IMPORTS_IN_PROCESS &&
+           (!reader || context->reader);
+}
+
 murk_status murk_context_create(murk_context **out,
                                 const murk_context_options *options,
                                 murk_error *error)
@@ -41,10 +58,17 @@ murk_status murk_context_create(murk_context **out,
     }
     context->references = 1;
     context->host = host;
-    murk_options_copy(&context->options, sizeof context->options, options);
+    if (options && !take_options(context, options)) {
+        murk_context_release(context);
+        return murk_call_refuse(error, "options->imports is no value of "
+                                       "murk_imports, or no memory for a copy "
+                                       "of options->reader");
+    }
     context->threads = context->options.threads ? context->options.threads
                                                 : murk_pool_processors();
     /* Set up the host. */
+    host->importing = importing[context->options.imports];
+    host->reader = context->reader;
     murk_call call = murk_call_begin(context, NULL, error);
     murk_inputs_begin();
     murk_log_to(context->options.log, context->options.user);
@@ -62,6 +86,7 @@ void murk_context_release(murk_context *context)
 {
     if (context && --context->references == 0) {
         murk_host_destroy(context->host);
+        free(context->reader);
         free(context);
     }
 }

@@ -18,6 +18,7 @@ struct murk_context {
     murk_host *host;
     unsigned threads;
     murk_context_options options;
+    char *reader; /* a copy of options.reader */
 };
 
 struct murk_scene {

@@ -142,7 +142,8 @@ murk_status murk_terminal_begin(murk_options *options, murk_error *err)
     const murk_context_options settings = {.size = sizeof settings,
                                            .threads = options->threads,
                                            .log = tell,
-                                           .user = options};
+                                           .user = options,
+                                           .imports = MURK_IMPORTS_FORK};
     const murk_status status =
         murk_context_create(&options->context, &settings, err);
     if (status) {

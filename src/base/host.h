@@ -16,6 +16,13 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+/* The process that reads untrusted files: base/subprocess.h. */
+typedef enum murk_importing {
+    MURK_IMPORT_FORKS,      /* a fork of this process, which has no threads */
+    MURK_IMPORT_STARTS,     /* the program murk-reader */
+    MURK_IMPORT_IN_PROCESS, /* none: files that are trusted */
+} murk_importing;
+
 typedef struct murk_host {
     /* The receiver of warnings and notes (NULL: none), and the receiver with an
      * argument of the caller that murk_log_to() sets instead: base/log.h */
@@ -32,7 +39,10 @@ typedef struct murk_host {
     _Atomic uint64_t *inputs; /* the set of files that are read; NULL: none was
                                * begun: base/inputs.h */
     atomic_bool inputs_are_full;
-    struct murk_progress_bar *bar;         /* base/progress.h */
+    struct murk_progress_bar *bar; /* base/progress.h */
+    murk_importing importing;
+    const char *reader; /* path of the program murk-reader; NULL: that beside
+                         * the library */
     const struct murk_memory_files *files; /* of paths "memory:NAME", or NULL:
                                             * base/memory_files.h */
 } murk_host;

@@ -13,6 +13,8 @@
 
 #include <stdatomic.h>
 #include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
 #include <sys/mman.h>
 #include <xxhash.h>
 
@@ -47,11 +49,10 @@ static uint64_t hash_of(const struct stat *file)
     return hash ? hash : 1;
 }
 
-void murk_inputs_add(const struct stat *file)
+static void add(uint64_t hash)
 {
     murk_host *host = murk_host_now();
-    const uint64_t hash = hash_of(file);
-    if (!host->inputs) {
+    if (!host->inputs || hash == 0) {
         return;
     }
     for (size_t tried = 0; tried < SLOTS; ++tried) {
@@ -63,6 +64,36 @@ void murk_inputs_add(const struct stat *file)
         }
     }
     atomic_store(&host->inputs_are_full, true);
+}
+
+void murk_inputs_add(const struct stat *file)
+{
+    add(hash_of(file));
+}
+
+void murk_inputs_list(uint64_t **hash, size_t *n)
+{
+    const murk_host *host = murk_host_now();
+    *hash = NULL;
+    *n = 0;
+    for (size_t i = 0; host->inputs && i < SLOTS; ++i) {
+        const uint64_t found = atomic_load(&host->inputs[i]);
+        uint64_t *grown =
+            found ? realloc(*hash, (*n + 1) * sizeof *grown) : NULL;
+        if (grown) {
+            *hash = grown;
+            (*hash)[(*n)++] = found;
+        }
+    }
+}
+
+void murk_inputs_add_listed(const void *hash, size_t n)
+{
+    for (size_t i = 0; i < n; ++i) {
+        uint64_t one;
+        memcpy(&one, (const char *)hash + i * sizeof one, sizeof one);
+        add(one);
+    }
 }
 
 FILE *murk_inputs_open(const char *path)

@@ -13,6 +13,7 @@
 #define MURK_BASE_INPUTS_H
 
 #include <stdbool.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <sys/stat.h>
 
@@ -25,6 +26,12 @@ void murk_inputs_end(void);
 
 /* Adds a file that is opened for reading, as fstat() describes it. */
 void murk_inputs_add(const struct stat *file);
+
+/* The hashes of the files in the set, and their addition to another set: for a
+ * process that shares no memory. The caller frees *hash; a hash that has no
+ * memory is left out. The hashes to be added may lie at any address. */
+void murk_inputs_list(uint64_t **hash, size_t *n);
+void murk_inputs_add_listed(const void *hash, size_t n);
 
 /* Opens a file with fopen(path, "rb") and adds the file to the set. The caller
  * closes the stream. On failure returns NULL, and errno has the reason. */

@@ -1,14 +1,17 @@
-/* Forks, limits and confines the subprocess, and reads chunks of bytes from a
- * pipe until the subprocess reports its end. The parent process trusts nothing
- * that comes through the pipe: it checks kinds and sizes, and gives up at a
- * deadline. */
+/* Forks or starts the subprocess, which is limited and confined, and reads
+ * chunks of bytes from a pipe until the subprocess reports its end. The parent
+ * process trusts nothing that comes through the pipe: it checks kinds and
+ * sizes, and gives up at a deadline. */
 #include "base/subprocess.h"
 
 #include "base/c_locale.h"
 #include "base/confine.h"
+#include "base/host.h"
+#include "base/inputs.h"
 #include "base/log.h"
 #include "base/pipe.h"
 #include "base/progress.h"
+#include "base/reader.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -51,16 +54,63 @@ typedef enum kind {
     CHUNK = 0x6d75726b,
     UNCONFINED = 0x66726565, /* the first block, if the kernel cannot confine
                               * the subprocess */
+    INPUTS = 0x696e7075,     /* hashes of the files that murk-reader opened */
     END = 0x656e6421
 } kind;
 
+typedef struct inbox {
+    unsigned char *bytes;
+    size_t size, capacity;
+} inbox;
+
 struct murk_subprocess {
     int fd;
+    inbox *in; /* NULL, unless the work is done in the calling process */
 };
+
+typedef enum verdict {
+    RECEIVED = MURK_PIPE_RECEIVED,
+    CUT_SHORT = MURK_PIPE_CUT_SHORT,
+    TOO_LONG = MURK_PIPE_TOO_LONG,
+    STOPPED = MURK_PIPE_STOPPED,
+    TOO_MUCH
+} verdict;
+
+static verdict reserve(inbox *in, uint64_t more, uint64_t max)
+{
+    if (more > max || in->size > max - more) {
+        return TOO_MUCH;
+    }
+    const size_t need = in->size + (size_t)more;
+    if (need <= in->capacity) {
+        return RECEIVED;
+    }
+    const size_t capacity = need + need / 2 + 64;
+    unsigned char *grown = realloc(in->bytes, capacity);
+    if (!grown) {
+        return TOO_MUCH;
+    }
+    in->bytes = grown;
+    in->capacity = capacity;
+    return RECEIVED;
+}
+/* Of work in the calling process. */
+static murk_status put_into(inbox *in, const void *bytes, size_t size)
+{
+    if (reserve(in, size, UINT64_MAX) != RECEIVED) {
+        return MURK_NO_MEMORY;
+    }
+    memcpy(in->bytes + in->size, bytes, size);
+    in->size += size;
+    return MURK_OK;
+}
 
 murk_status murk_subprocess_send(murk_subprocess *process, const void *bytes,
                                  size_t size)
 {
+    if (process->in) {
+        return put_into(process->in, bytes, size);
+    }
     return murk_pipe_send(process->fd, CHUNK, MURK_OK, bytes, size)
                ? MURK_OK
                : MURK_RUN_FAILED;
@@ -102,6 +152,22 @@ static uint64_t address_space_now(void)
 }
 #endif
 
+/* Sends the set of inputs of murk-reader. A fork shares the set with the
+ * parent process. */
+static bool send_inputs(int fd)
+{
+    uint64_t *hash = NULL;
+    size_t n = 0;
+    if (murk_host_now()->importing != MURK_IMPORT_STARTS) {
+        return true;
+    }
+    murk_inputs_list(&hash, &n);
+    const bool sent =
+        murk_pipe_send(fd, INPUTS, MURK_OK, hash, n * sizeof *hash);
+    free(hash);
+    return sent;
+}
+
 static _Noreturn void run_and_exit(int fd, murk_subprocess_work work,
                                    void *context,
                                    const murk_subprocess_limits *limits)
@@ -124,44 +190,13 @@ static _Noreturn void run_and_exit(int fd, murk_subprocess_work work,
         !murk_pipe_send(fd, UNCONFINED, MURK_OK, NULL, 0)) {
         _exit(1);
     }
-    murk_subprocess process = {fd};
+    murk_subprocess process = {.fd = fd};
     murk_error err = {0};
     const murk_status status = work(&process, context, &err);
-    const bool sent = murk_pipe_send(fd, END, status, &err, sizeof err);
+    const bool sent =
+        send_inputs(fd) && murk_pipe_send(fd, END, status, &err, sizeof err);
     _exit(sent ? 0 : 1); /* no atexit handlers: the file may have damaged their
                           * data */
-}
-
-typedef struct inbox {
-    unsigned char *bytes;
-    size_t size, capacity;
-} inbox;
-
-typedef enum verdict {
-    RECEIVED = MURK_PIPE_RECEIVED,
-    CUT_SHORT = MURK_PIPE_CUT_SHORT,
-    TOO_LONG = MURK_PIPE_TOO_LONG,
-    STOPPED = MURK_PIPE_STOPPED,
-    TOO_MUCH
-} verdict;
-
-static verdict reserve(inbox *in, uint64_t more, uint64_t max)
-{
-    if (more > max || in->size > max - more) {
-        return TOO_MUCH;
-    }
-    const size_t need = in->size + (size_t)more;
-    if (need <= in->capacity) {
-        return RECEIVED;
-    }
-    const size_t capacity = need + need / 2 + 64;
-    unsigned char *grown = realloc(in->bytes, capacity);
-    if (!grown) {
-        return TOO_MUCH;
-    }
-    in->bytes = grown;
-    in->capacity = capacity;
-    return RECEIVED;
 }
 
 /* Printed once in a run of the program, because the kernel is the same for all
@@ -195,7 +230,7 @@ static verdict receive(int fd, inbox *in, const murk_subprocess_limits *limits,
             say_unconfined();
             continue;
         }
-        if (h.kind != CHUNK) {
+        if (h.kind != CHUNK && h.kind != INPUTS) {
             return CUT_SHORT;
         }
         v = reserve(in, h.size, limits->handed_bytes);
@@ -206,7 +241,12 @@ static verdict receive(int fd, inbox *in, const murk_subprocess_limits *limits,
         if (v != RECEIVED) {
             return v;
         }
-        in->size += (size_t)h.size;
+        if (h.kind == CHUNK) {
+            in->size += (size_t)h.size;
+        } else {
+            murk_inputs_add_listed(in->bytes + in->size,
+                                   (size_t)h.size / sizeof(uint64_t));
+        }
     }
 }
 
@@ -245,6 +285,36 @@ static murk_status explain(verdict v, int ended,
                      memory_gb);
 }
 
+/* Receives, then kills the subprocess unless it has sent its end or closed the
+ * pipe. Reports a failure of the subprocess, or the error of the parser. */
+static murk_status take_result(int fd, pid_t pid, unsigned char **out,
+                               size_t *size,
+                               const murk_subprocess_limits *limits,
+                               const char *where, murk_error *err)
+{
+    inbox in = {0};
+    murk_error reported = {0};
+    const verdict v = receive(fd, &in, limits, &reported);
+    close(fd);
+    if (v != RECEIVED && v != CUT_SHORT) {
+        kill(pid, SIGKILL);
+    }
+    const int ended = murk_pipe_wait(pid);
+    /* A failure of the subprocess, or the error of the parser. */
+    if (v != RECEIVED) {
+        free(in.bytes);
+        return explain(v, ended, limits, where, err);
+    }
+    if (reported.code) {
+        free(in.bytes);
+        return murk_fail(err, reported.code, reported.where, "%s",
+                         reported.text);
+    }
+    *out = in.bytes;
+    *size = in.size;
+    return MURK_OK;
+}
+
 murk_status murk_subprocess_run(unsigned char **out, size_t *size,
                                 murk_subprocess_work work, void *context,
                                 const murk_subprocess_limits *limits,
@@ -273,28 +343,100 @@ murk_status murk_subprocess_run(unsigned char **out, size_t *size,
         run_and_exit(ends[1], work, context, limits);
     }
     close(ends[1]);
+    return take_result(ends[0], pid, out, size, limits, where, err);
+}
 
-    /* Parent: receive, then kill the subprocess unless it has sent its end or
-     * closed the pipe. */
+/* ---- work in the process that the host chooses ---- */
+
+static murk_status start(unsigned char **out, size_t *size,
+                         const murk_subprocess_job *job, const void *context,
+                         const murk_subprocess_limits *limits,
+                         const char *where, murk_error *err)
+{
+    murk_parcel request = {0};
+    pid_t pid = 0;
+    int fd = -1;
+    /* The request: name of the job, limits, and the packed context. */
+    murk_parcel_put_text(&request, job->name);
+    murk_parcel_put(&request, limits, sizeof *limits);
+    job->pack(&request, context);
+    const murk_status status =
+        request.is_short ? murk_no_memory(err, where, "for its reader")
+                         : murk_reader_start(&pid, &fd, &request, where, err);
+    murk_parcel_release(&request);
+    return status ? status
+                  : take_result(fd, pid, out, size, limits, where, err);
+}
+
+/* Without a subprocess, limits and confinement. */
+static murk_status do_here(unsigned char **out, size_t *size,
+                           const murk_subprocess_job *job, void *context,
+                           murk_error *err)
+{
     inbox in = {0};
-    murk_error reported = {0};
-    const verdict v = receive(ends[0], &in, limits, &reported);
-    close(ends[0]);
-    if (v != RECEIVED && v != CUT_SHORT) {
-        kill(pid, SIGKILL);
-    }
-    const int ended = murk_pipe_wait(pid);
-    /* Report a failure of the subprocess, or the error of the parser. */
-    if (v != RECEIVED) {
+    murk_subprocess process = {.fd = -1, .in = &in};
+    void *const locale = murk_c_locale_enter();
+    const murk_status status = job->work(&process, context, err);
+    murk_c_locale_leave(locale);
+    if (status) {
         free(in.bytes);
-        return explain(v, ended, limits, where, err);
-    }
-    if (reported.code) {
-        free(in.bytes);
-        return murk_fail(err, reported.code, reported.where, "%s",
-                         reported.text);
+        return status;
     }
     *out = in.bytes;
     *size = in.size;
     return MURK_OK;
+}
+
+murk_status murk_subprocess_do(unsigned char **out, size_t *size,
+                               const murk_subprocess_job *job, void *context,
+                               const murk_subprocess_limits *limits,
+                               const char *where, murk_error *err)
+{
+    switch (murk_host_now()->importing) {
+    case MURK_IMPORT_STARTS:
+        return start(out, size, job, context, limits, where, err);
+    case MURK_IMPORT_IN_PROCESS:
+        return do_here(out, size, job, context, err);
+    case MURK_IMPORT_FORKS:
+        break;
+    }
+    return murk_subprocess_run(out, size, job->work, context, limits, where,
+                               err);
+}
+
+/* ---- murk-reader ---- */
+
+/* A job and the parcel that has the context. */
+typedef struct packed_job {
+    const murk_subprocess_job *job;
+    murk_parcel *from;
+} packed_job;
+
+/* A murk_subprocess_work. */
+static murk_status work_packed(murk_subprocess *process, void *context,
+                               murk_error *err)
+{
+    const packed_job *packed = context;
+    return packed->job->work_packed(process, packed->from, err);
+}
+
+_Noreturn void murk_subprocess_serve(murk_parcel *request, int fd,
+                                     const murk_subprocess_job *const jobs[],
+                                     size_t n)
+{
+    packed_job packed = {.from = request};
+    const char *name = murk_parcel_take_text(request);
+    const murk_subprocess_limits *limits =
+        murk_parcel_take(request, sizeof *limits);
+    for (size_t i = 0; name && i < n; ++i) {
+        if (strcmp(jobs[i]->name, name) == 0) {
+            packed.job = jobs[i];
+        }
+    }
+    if (!packed.job || !limits) {
+        _exit(1);
+    }
+    murk_host_now()->importing = MURK_IMPORT_STARTS;
+    murk_inputs_begin();
+    run_and_exit(fd, work_packed, &packed, limits);
 }

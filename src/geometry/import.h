@@ -24,6 +24,10 @@ typedef struct murk_import_request {
  * letters. */
 murk_affine murk_import_up_to_z(char up);
 
+/* The import as a job of murk_subprocess_do(); the context is a
+ * murk_import_request. */
+extern const murk_subprocess_job murk_import_job;
+
 /* A murk_subprocess_work function; `context` is a murk_import_request. */
 murk_status murk_import_work(murk_subprocess *subprocess, void *context,
                              murk_error *err);

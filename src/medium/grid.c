@@ -5,6 +5,7 @@
  * copies to aligned memory and opens as a tree (medium/tree.h). */
 #include "medium/grid.h"
 #include "medium/grid_internal.h"
+#include "medium/grid_jobs.h"
 
 #include "base/inputs.h"
 #include "base/log.h"
@@ -78,6 +79,68 @@ static murk_status make_in_subprocess(murk_subprocess *subprocess,
     return murk_vdb_from_samples(j->size, j->density, j->index_to_world,
                                  j->as_tiles, send_grid, j, j->where, err);
 }
+
+/* ---- the jobs ---- */
+
+static void pack_file(murk_parcel *to, const void *context)
+{
+    const job *j = context;
+    murk_parcel_put_text(to, j->path);
+    murk_parcel_put_text(to, j->name);
+    murk_parcel_put_text(to, j->where);
+    murk_parcel_put(to, &j->is_albedo, sizeof j->is_albedo);
+}
+
+static murk_status read_packed(murk_subprocess *subprocess, murk_parcel *from,
+                               murk_error *err)
+{
+    job j = {0};
+    j.path = murk_parcel_take_text(from);
+    j.name = murk_parcel_take_text(from);
+    j.where = murk_parcel_take_text(from);
+    const bool *is_albedo = murk_parcel_take(from, sizeof *is_albedo);
+    if (!is_albedo || !j.path || !j.where) {
+        return murk_fail(err, MURK_RUN_FAILED, "", "malformed request");
+    }
+    j.is_albedo = *is_albedo;
+    return read_in_subprocess(subprocess, &j, err);
+}
+
+const murk_subprocess_job murk_grid_read_job = {"grid", read_in_subprocess,
+                                                pack_file, read_packed};
+
+static void pack_samples(murk_parcel *to, const void *context)
+{
+    const job *j = context;
+    murk_parcel_put(to, j->size, 3 * sizeof *j->size);
+    murk_parcel_put(to, j->density,
+                    j->size[0] * j->size[1] * j->size[2] * sizeof *j->density);
+    murk_parcel_put(to, j->index_to_world, sizeof j->index_to_world);
+    murk_parcel_put(to, &j->as_tiles, sizeof j->as_tiles);
+    murk_parcel_put_text(to, j->where);
+}
+
+static murk_status make_packed(murk_subprocess *subprocess, murk_parcel *from,
+                               murk_error *err)
+{
+    job j = {0};
+    j.size = murk_parcel_take(from, 3 * sizeof *j.size);
+    j.density = murk_parcel_take(from, 0);
+    const double *rows = murk_parcel_take(from, sizeof j.index_to_world);
+    const bool *as_tiles = murk_parcel_take(from, sizeof *as_tiles);
+    j.where = murk_parcel_take_text(from);
+    if (from->is_short || !j.where) {
+        return murk_fail(err, MURK_RUN_FAILED, "", "malformed request");
+    }
+    memcpy(j.index_to_world, rows, sizeof j.index_to_world);
+    j.as_tiles = *as_tiles;
+    return make_in_subprocess(subprocess, &j, err);
+}
+
+const murk_subprocess_job murk_grid_make_job = {"samples", make_in_subprocess,
+                                                pack_samples, make_packed};
+
+/* ---- the answer ---- */
 
 static murk_grid_facts facts_from_vdb(const murk_vdb_facts *vdb)
 {
@@ -165,7 +228,7 @@ done:
     return status;
 }
 
-static murk_status run(murk_grid **out, murk_subprocess_work work, job *j,
+static murk_status run(murk_grid **out, const murk_subprocess_job *kind, job *j,
                        uint64_t input_bytes, murk_error *err)
 {
     murk_subprocess_limits limits = murk_subprocess_limits_for(input_bytes);
@@ -175,7 +238,7 @@ static murk_status run(murk_grid **out, murk_subprocess_work work, job *j,
     unsigned char *sent = NULL;
     size_t size = 0;
     murk_status status =
-        murk_subprocess_run(&sent, &size, work, j, &limits, j->where, err);
+        murk_subprocess_do(&sent, &size, kind, j, &limits, j->where, err);
     if (!status) {
         status = build_received(out, sent, size, j->is_albedo, j->where, err);
     }
@@ -262,7 +325,7 @@ static murk_status read_grid(murk_grid **out, const char *path,
     job j = {
         .path = path, .name = name, .is_albedo = is_albedo, .where = place};
     if (!status && !is_in_memory) {
-        status = run(out, read_in_subprocess, &j, size, err);
+        status = run(out, &murk_grid_read_job, &j, size, err);
     }
     if (status) {
         return status;
@@ -323,7 +386,7 @@ murk_status murk_grid_make(murk_grid **out, const size_t size[3],
     job j = {
         .size = size, .density = density, .as_tiles = as_tiles, .where = where};
     murk_affine_rows(index_to_world, j.index_to_world);
-    return run(out, make_in_subprocess, &j, voxels * sizeof *density, err);
+    return run(out, &murk_grid_make_job, &j, voxels * sizeof *density, err);
 }
 
 murk_status murk_grid_from_samples(murk_grid **out, const size_t size[3],

@@ -2,6 +2,7 @@
  * replaces the random file identifier by one derived from the contents. */
 #include "medium/grid_write.h"
 #include "medium/grid_internal.h"
+#include "medium/grid_jobs.h"
 
 #include "base/file.h"
 #include "base/subprocess.h"
@@ -110,6 +111,79 @@ static murk_status write_in_subprocess(murk_subprocess *subprocess,
                           send_bytes, j, j->where, err);
 }
 
+/* The notes of a field end with NULL. */
+static size_t count_notes(const murk_vdb_field *field)
+{
+    size_t n = 0;
+    while (field->notes && field->notes[n]) {
+        ++n;
+    }
+    return n;
+}
+
+static void pack(murk_parcel *to, const void *context)
+{
+    const job *j = context;
+    const size_t voxels = j->size[0] * j->size[1] * j->size[2];
+    murk_parcel_put_text(to, j->where);
+    murk_parcel_put(to, j->size, 3 * sizeof *j->size);
+    murk_parcel_put(to, j->index_to_world, sizeof j->index_to_world);
+    murk_parcel_put(to, &j->n, sizeof j->n);
+    for (size_t i = 0; i < j->n; ++i) {
+        const murk_vdb_field *field = &j->field[i];
+        const size_t notes = count_notes(field);
+        murk_parcel_put_text(to, field->name);
+        murk_parcel_put(to, field->value, voxels * sizeof *field->value);
+        murk_parcel_put(to, &notes, sizeof notes);
+        for (size_t k = 0; k < notes; ++k) {
+            murk_parcel_put_text(to, field->notes[k]);
+        }
+    }
+}
+
+/* Takes the field that pack() put; *notes is released by the caller. */
+static void take_field(murk_vdb_field *field, const char ***notes,
+                       murk_parcel *from)
+{
+    field->name = murk_parcel_take_text(from);
+    field->value = murk_parcel_take(from, 0);
+    const size_t *n = murk_parcel_take(from, sizeof *n);
+    *notes = n ? calloc(*n + 1, sizeof **notes) : NULL;
+    from->is_short |= !*notes;
+    for (size_t k = 0; *notes && k < *n; ++k) {
+        (*notes)[k] = murk_parcel_take_text(from);
+    }
+    field->notes = *notes;
+}
+
+static murk_status write_packed(murk_subprocess *subprocess, murk_parcel *from,
+                                murk_error *err)
+{
+    job j = {0};
+    const char **notes[MURK_GRID_FIELDS_MAX] = {0};
+    j.where = murk_parcel_take_text(from);
+    j.size = murk_parcel_take(from, 3 * sizeof *j.size);
+    const double *rows = murk_parcel_take(from, sizeof j.index_to_world);
+    const size_t *n = murk_parcel_take(from, sizeof *n);
+    for (; n && j.n < *n && j.n < MURK_GRID_FIELDS_MAX; ++j.n) {
+        take_field(&j.field[j.n], &notes[j.n], from);
+    }
+    murk_status status = MURK_OK;
+    if (from->is_short || !rows || !j.where) {
+        status = murk_fail(err, MURK_RUN_FAILED, "", "malformed request");
+    } else {
+        memcpy(j.index_to_world, rows, sizeof j.index_to_world);
+        status = write_in_subprocess(subprocess, &j, err);
+    }
+    for (size_t i = 0; i < j.n; ++i) {
+        free(notes[i]);
+    }
+    return status;
+}
+
+const murk_subprocess_job murk_grid_write_job = {"write", write_in_subprocess,
+                                                 pack, write_packed};
+
 /* Position of the identifier in an OpenVDB file: behind 8 bytes of magic,
  * three 32-bit versions (file, library major and minor) and one byte that
  * says whether grids can be found by offset (openvdb/io/Archive.cc). */
@@ -177,8 +251,8 @@ murk_status murk_grid_write(const char *path, const murk_grid_field *fields,
     unsigned char *bytes = NULL;
     size_t n_bytes = 0;
     murk_error failure = {0};
-    status = murk_subprocess_run(&bytes, &n_bytes, write_in_subprocess, &j,
-                                 &limits, path, &failure);
+    status = murk_subprocess_do(&bytes, &n_bytes, &murk_grid_write_job, &j,
+                                &limits, path, &failure);
     if (status) { /* no file of the user was read, so the failure is one of the
                      run */
         status = status == MURK_BAD_FILE ? MURK_RUN_FAILED : status;
