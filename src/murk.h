@@ -9,8 +9,9 @@
  *
  * Each handle is created by one call and released by murk_<handle>_destroy(),
  * which takes NULL. A handle keeps the handles that it was made from alive, so
- * handles may be destroyed in any order. World, light, coverage, plan, study,
- * fit and picture do not change after they are made.
+ * handles may be destroyed in any order. World, light, coverage and picture do
+ * not change after they are made; a plan changes by murk_plan_repeat(), a study
+ * by murk_study_run() and a fit by murk_fit_run() alone.
  *
  * Units: metres, watts, 1/m, nanometres, degrees where a name ends in _deg.
  * Directions are unit vectors along the travel of light.
@@ -605,7 +606,8 @@ murk_status murk_plan_sensors(murk_sensors **out, const murk_plan *plan,
 /* Makes `runs` - 1 further plans with the seeds that follow that of the scene,
  * each with light of its own, and compares them with the plan: how much the
  * result depends on chance. The fields `repeat` of plan.json and the file
- * repeat.csv have the results. If the call fails or is cancelled, the plan
+ * repeat.csv have the results. Fields of the plan that were asked for before
+ * are valid no longer. If the call fails or is cancelled, the plan
  * keeps the runs that were finished. A plan in the dark does not depend on
  * chance: it notes so and makes none. Fails with MURK_BAD_VALUE as
  * murk_world_check_save() does. */
@@ -650,9 +652,10 @@ murk_status murk_study_check_save(murk_study *study, const char *folder,
 
 /* Runs the rows that are not done, as murk study. A row that fails is no
  * failure of the study: its field `failed` has the reason. A cancelled study
- * keeps the rows that are done, and may be run again. Groups of rows run in
- * subprocesses. Fails with MURK_INTERRUPTED, or with MURK_RUN_FAILED if a
- * finished row cannot be kept. */
+ * keeps the rows that are done, and may be run again. Fields that were asked
+ * for before are valid no longer. Groups of rows run in subprocesses, which are
+ * forks of the host, also if it has threads. Fails with MURK_INTERRUPTED, or
+ * with MURK_RUN_FAILED if a finished row cannot be kept. */
 murk_status murk_study_run(murk_study *study, murk_error *error);
 void murk_study_destroy(murk_study *study);
 

@@ -92,6 +92,10 @@ murk_status murk_call_end(murk_call *call, murk_status status)
 {
     call->host->files = NULL;
     (void)murk_host_enter(call->before);
+    /* The request to stop is met, so the next call works as usual. */
+    if (status == MURK_INTERRUPTED) {
+        atomic_store(&call->host->stop, 0);
+    }
     if (status) {
         (void)murk_fail(&call->failure, status, "", "%s",
                         murk_status_text(status));

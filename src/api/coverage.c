@@ -150,7 +150,7 @@ murk_status murk_coverage_save(murk_coverage *coverage, const char *folder,
                                const murk_fields **fields, murk_error *error)
 {
     if (!coverage) {
-        return murk_call_refuse(error, "coverage is NULL");
+        return murk_save_refuse(fields, error, "coverage is NULL");
     }
     murk_light *light = coverage->light;
     murk_call call =

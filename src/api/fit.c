@@ -402,7 +402,7 @@ murk_status murk_fit_save(murk_fit *f, const char *folder,
                           const murk_fields **fields, murk_error *error)
 {
     if (!f || !f->has_run) {
-        return murk_call_refuse(error, "fit is NULL, or has not run");
+        return murk_save_refuse(fields, error, "fit is NULL, or has not run");
     }
     murk_call call = murk_call_begin(f->scene->context, &f->files, error);
     return murk_save_results(&call, &f->session, &f->saved, folder, options,

@@ -223,7 +223,7 @@ murk_status murk_light_save(murk_light *light, const char *folder,
                             const murk_fields **fields, murk_error *error)
 {
     if (!light) {
-        return murk_call_refuse(error, "light is NULL");
+        return murk_save_refuse(fields, error, "light is NULL");
     }
     murk_world *world = light->world;
     murk_call call = murk_call_begin(world->context, &world->files, error);

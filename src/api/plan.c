@@ -157,6 +157,7 @@ static murk_status repeat(murk_plan *plan, uint64_t runs, murk_error *err)
     const murk_repeat_first first = {
         &plan->plan, plan->conditions ? NULL : plan->session.stage,
         plan->conditions};
+    murk_fields_release(&plan->fields);
     murk_repeat_release(&plan->repeat);
     return murk_repeat_make(&plan->repeat, &first, (size_t)runs,
                             plan->world->context->threads, err);
@@ -169,7 +170,6 @@ murk_status murk_plan_repeat(murk_plan *plan, uint64_t runs, murk_error *error)
     }
     murk_world *world = plan->world;
     murk_call call = murk_call_begin(world->context, &world->files, error);
-    murk_fields_release(&plan->fields);
     return murk_call_end_long(&call, repeat(plan, runs, &call.failure));
 }
 
@@ -247,7 +247,7 @@ murk_status murk_plan_save(murk_plan *plan, const char *folder,
                            const murk_fields **fields, murk_error *error)
 {
     if (!plan) {
-        return murk_call_refuse(error, "plan is NULL");
+        return murk_save_refuse(fields, error, "plan is NULL");
     }
     murk_world *world = plan->world;
     murk_call call = murk_call_begin(world->context, &world->files, error);

@@ -274,6 +274,15 @@ static murk_status end_save(murk_call *call, murk_session *session,
     return murk_call_end_long(call, status);
 }
 
+murk_status murk_save_refuse(const murk_fields **fields, murk_error *error,
+                             const char *text)
+{
+    if (fields) {
+        *fields = NULL;
+    }
+    return murk_call_refuse(error, text);
+}
+
 murk_status murk_save_results(murk_call *call, const murk_session *from,
                               murk_fields *saved, const char *folder,
                               const murk_save_options *options,

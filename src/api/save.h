@@ -30,6 +30,10 @@ murk_status murk_save_identify(murk_session *session, const char *command,
                                const murk_save_options *options,
                                murk_error *err);
 
+/* Refuses to save as murk_call_refuse() does, and leaves *fields NULL. */
+murk_status murk_save_refuse(const murk_fields **fields, murk_error *error,
+                             const char *text);
+
 /* Adds the results of a handle to the files of a session. An export that could
  * not be made is told in *late, and the other files are written. */
 typedef murk_status murk_save_work(void *of, murk_session *session,

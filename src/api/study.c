@@ -312,7 +312,7 @@ murk_status murk_study_save(murk_study *study, const char *folder,
                             const murk_fields **fields, murk_error *error)
 {
     if (!study) {
-        return murk_call_refuse(error, "study is NULL");
+        return murk_save_refuse(fields, error, "study is NULL");
     }
     murk_call call = murk_call_begin(study->context, NULL, error);
     return murk_save_results(&call, &study->session, &study->saved, folder,

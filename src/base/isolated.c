@@ -8,6 +8,7 @@
 #include "base/progress.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <math.h>
 #include <signal.h>
 #include <stdint.h>
@@ -143,7 +144,7 @@ murk_status murk_isolated_run(murk_isolated_work work, void *work_context,
                               void *receive_context, murk_error *err)
 {
     int ends[2];
-    if (pipe(ends) != 0) {
+    if (pipe2(ends, O_CLOEXEC) != 0) {
         return murk_fail(err, MURK_RUN_FAILED, "", "cannot open a pipe: %s",
                          strerror(errno));
     }

@@ -321,7 +321,7 @@ murk_status murk_subprocess_run(unsigned char **out, size_t *size,
                                 const char *where, murk_error *err)
 {
     int ends[2];
-    if (pipe(ends) != 0) {
+    if (pipe2(ends, O_CLOEXEC) != 0) {
         return murk_fail(err, MURK_RUN_FAILED, where, "cannot open a pipe: %s",
                          strerror(errno));
     }

@@ -54,7 +54,7 @@ def visibility_sweep(kept):
     picture = os.path.join(kept, "visibility_sweep.png")
     v = run("visibility_sweep.py", picture)
     recorded = RECORDED_SWEEP
-    for value, found, error, (expected, expected_error) in zip(v["visibility_m"], v["coverage"], v["errors"], recorded):
+    for value, found, error, (expected, expected_error) in zip(v["visibility_m"], v["coverage"], v["errors"], recorded, strict=True):
         near(found, error, expected, expected_error, f"coverage at {value} m")
     check(v["coverage"] == sorted(v["coverage"]), "the clearer the more is seen")
     if "pyplot" not in v:
@@ -69,7 +69,7 @@ def visibility_sweep(kept):
 def scenario_loop():
     v = run("scenario_loop.py")
     # Sun and sky follow closed models: a thousandth is for other rounding.
-    for hour, found, error, expected in zip(v["hours"], v["irradiance"], v["irradiance_errors"], RECORDED_DAY):
+    for hour, found, error, expected in zip(v["hours"], v["irradiance"], v["irradiance_errors"], RECORDED_DAY, strict=True):
         check(abs(found - expected) <= SIGMA * error + 1e-3 * expected + 1e-3, f"{hour}:00: {found}, not {expected} W/m2")
     check(v["brightest_x_m"] == v["lamp_x_m"], "the brightest cell is that of the lamp")
     seen, errors = v["seen"], v["seen_errors"]
@@ -88,7 +88,7 @@ def numpy_grid():
 def fit_csv():
     """Readings that were planted with an extinction of .22 and a mean cosine of .87."""
     v = run("fit_csv.py")
-    for parameter, planted in zip(v["fit"].parameters, (0.22, 0.87)):
+    for parameter, planted in zip(v["fit"].parameters, (0.22, 0.87), strict=True):
         near(parameter.value, parameter.standard_error, planted, 0, parameter.key)
     check(v["fit"].accepted and v["fit"].degrees_of_freedom == v["readings"] - 2, "a fit that is accepted")
 

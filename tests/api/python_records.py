@@ -12,7 +12,7 @@ import time
 from python_module import ROOM, allocated_bytes, check, done, murk, resident_mb
 
 RECORDS = int(sys.argv[3]) if len(sys.argv) > 3 else 10000000
-SECONDS = 1.0  # of the issue that asked for these arrays
+SECONDS = 1.0  # what a user at a prompt takes for at once
 STORED = {"position_m": 12, "power_w": 4, "emitted": 4, "band": 1, "light": 1, "material": 1}
 PACKED = {"direction": 12, "normal": 12, "event_class": 1}
 

@@ -87,6 +87,26 @@ static void call_all(const given *g)
     CONSTRUCTORS(BOTH)
 }
 
+/* Saving that is refused leaves NULL in *fields. */
+#define SAVE(handle)                                                       \
+    do {                                                                   \
+        murk_error error = MURK_ERROR_NONE;                                \
+        const murk_fields *fields = (const void *)&failures;               \
+        check(murk_##handle##_save(NULL, NULL, NULL, &fields, &error) ==   \
+                      MURK_BAD_VALUE &&                                    \
+                  !fields && error.text[0],                                \
+              "murk_" #handle "_save", "is not refused with NULL fields"); \
+    } while (0)
+
+static void save_all(void)
+{
+    SAVE(light);
+    SAVE(coverage);
+    SAVE(plan);
+    SAVE(study);
+    SAVE(fit);
+}
+
 int main(void)
 {
     static const char text[] =
@@ -108,6 +128,7 @@ int main(void)
         return 1;
     }
     call_all(&g);
+    save_all();
     murk_sensors_destroy(g.none);
     murk_light_destroy(g.light);
     murk_world_destroy(g.world);
