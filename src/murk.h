@@ -65,8 +65,10 @@ typedef enum murk_status {
 const char *murk_status_text(murk_status status);
 
 /* The reason for a failure. The caller sets `size` to sizeof(murk_error) and
- * all else to 0, as MURK_ERROR_NONE does. A message that the struct contains
- * already is kept: the deepest cause is the most useful one. */
+ * all else to 0, as MURK_ERROR_NONE does, and does so again before the struct
+ * is used for another call: a message that it contains already is kept, and a
+ * call that succeeds does not clear it. A value that murk_scene_set() gave has
+ * a key and no file or line. */
 typedef struct murk_error {
     size_t size;
     murk_status code;
@@ -210,9 +212,9 @@ void murk_scene_destroy(murk_scene *scene);
 /* Sets a key by its path, "sensors.count" or "lights.0.power_w", to a value in
  * YAML flow style: "5", "[1, 2, 3]", "{preset: fog/radiation, mor_m: 80}". The
  * last value of a key counts. The value is parsed here and checked with the
- * whole scene. Worlds that exist do not change. Fails with MURK_BAD_VALUE if
- * the path leads to no place in the text, or if the value is not YAML; the
- * scene is then as before. */
+ * whole scene. Worlds that exist do not change. The key need not be in the text
+ * of the scene. Fails with MURK_BAD_VALUE if there is no such key, or if the
+ * value is not YAML; the scene is then as before. */
 murk_status murk_scene_set(murk_scene *scene, const char *key,
                            const char *value, murk_error *error);
 
@@ -485,8 +487,9 @@ size_t murk_light_count(const murk_light *light, murk_map map);
  *   event_class  n     uint8    0 first event, 1 specular before,
  *                               2 later; a copy
  *
- * Copies are made once and belong to the light. Fails with MURK_BAD_VALUE for
- * another name. */
+ * A photon has a record at each of its events, so the power of the records of a
+ * map may add up to more than that of the light sources. Copies are made once
+ * and belong to the light. Fails with MURK_BAD_VALUE for another name. */
 murk_status murk_light_array(murk_light *light, murk_map map, const char *field,
                              murk_array *view, murk_error *error);
 
