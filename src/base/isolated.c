@@ -8,7 +8,6 @@
 #include "base/progress.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <math.h>
 #include <signal.h>
 #include <stdint.h>
@@ -144,9 +143,9 @@ murk_status murk_isolated_run(murk_isolated_work work, void *work_context,
                               void *receive_context, murk_error *err)
 {
     int ends[2];
-    if (pipe2(ends, O_CLOEXEC) != 0) {
-        return murk_fail(err, MURK_RUN_FAILED, "", "cannot open a pipe: %s",
-                         strerror(errno));
+    const murk_status opened = murk_pipe_open(ends, "", err);
+    if (opened) {
+        return opened;
     }
     /* No other thread may run during fork(): stop the progress display. */
     murk_progress_pause();

@@ -7,9 +7,19 @@
 #include "base/progress.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <poll.h>
+#include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+murk_status murk_pipe_open(int ends[2], const char *where, murk_error *err)
+{
+    return pipe2(ends, O_CLOEXEC) == 0
+               ? MURK_OK
+               : murk_fail(err, MURK_RUN_FAILED, where,
+                           "cannot open a pipe: %s", strerror(errno));
+}
 
 bool murk_pipe_write(int fd, const void *bytes, size_t size)
 {

@@ -9,6 +9,10 @@
 #include <stdint.h>
 #include <sys/types.h>
 
+/* Opens a pipe: ends[0] to read, ends[1] to write. A program that another
+ * thread starts does not inherit the ends. Fails with MURK_RUN_FAILED. */
+murk_status murk_pipe_open(int ends[2], const char *where, murk_error *err);
+
 /* Writes all bytes. Returns false if a write fails, for example because the
  * reading end is closed and SIGPIPE is ignored. */
 bool murk_pipe_write(int fd, const void *bytes, size_t size);

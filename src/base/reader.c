@@ -129,9 +129,9 @@ murk_status murk_reader_start(pid_t *pid, int *fd, const murk_parcel *request,
                          "the context",
                          path);
     }
-    if (pipe2(ends, O_CLOEXEC) != 0) {
-        return murk_fail(err, MURK_RUN_FAILED, where, "cannot open a pipe: %s",
-                         strerror(errno));
+    const murk_status opened = murk_pipe_open(ends, where, err);
+    if (opened) {
+        return opened;
     }
     /* The ends that the reader gets are closed here in any case. */
     const int answer = fcntl(ends[1], F_DUPFD_CLOEXEC, MIN_FD),

@@ -321,9 +321,9 @@ murk_status murk_subprocess_run(unsigned char **out, size_t *size,
                                 const char *where, murk_error *err)
 {
     int ends[2];
-    if (pipe2(ends, O_CLOEXEC) != 0) {
-        return murk_fail(err, MURK_RUN_FAILED, where, "cannot open a pipe: %s",
-                         strerror(errno));
+    const murk_status opened = murk_pipe_open(ends, where, err);
+    if (opened) {
+        return opened;
     }
     /* No other thread may run during fork(): stop the progress display. */
     murk_progress_pause();

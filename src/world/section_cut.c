@@ -57,8 +57,11 @@ static double floor_of(const murk_stage *stage, const murk_vec3 *site,
                               at.z - stage->world.domain.box.min.z, &hit);
         below[n++] = is_hit ? at.z - hit.distance_m : things->min.z;
     }
+    if (n == 0) {
+        return things->min.z;
+    }
     qsort(below, n, sizeof *below, by_value);
-    return n > 0 ? below[n / 2] : things->min.z;
+    return below[n / 2];
 }
 
 murk_box murk_stage_things_box(const murk_stage *stage, const murk_vec3 *site,
