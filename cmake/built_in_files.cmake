@@ -1,5 +1,6 @@
 # Writes files (FILES, names below SOURCE, separated by spaces) as arrays of
-# bytes into the C source OUTPUT: murk_KIND_files of the header HEADER.
+# bytes into the C source OUTPUT: the list murk_KIND_files (base/built_in.h) of
+# the header HEADER.
 separate_arguments(FILES)
 list(SORT FILES)
 set(arrays "")
@@ -14,5 +15,5 @@ foreach(name ${FILES})
     math(EXPR number "${number} + 1")
 endforeach()
 file(WRITE ${OUTPUT} "#include \"${HEADER}\"\n\n${arrays}
-const murk_${KIND}_file murk_${KIND}_files[] = {\n${rows}};
-const size_t murk_${KIND}_files_count = ${number};\n")
+static const murk_built_in_file files[] = {\n${rows}};
+const murk_built_in murk_${KIND}_files = {files, ${number}};\n")

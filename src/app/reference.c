@@ -6,7 +6,7 @@
  * allows. */
 #include "app/reference.h"
 
-#include "app/reference_files.h"
+#include "app/built_in_files.h"
 #include "scene/value.h"
 
 #include <ctype.h>
@@ -146,8 +146,8 @@ static bool names_table(const char *text, const murk_keys *table)
 /* The text behind the comment of a table; NULL: there is none. */
 static const char *find_text(const murk_keys *table)
 {
-    for (size_t i = 0; i < murk_reference_files_count; ++i) {
-        const char *at = murk_reference_files[i].text;
+    for (size_t i = 0; i < murk_reference_files.n; ++i) {
+        const char *at = murk_reference_files.file[i].text;
         while ((at = strstr(at, BEGIN))) {
             at += sizeof BEGIN - 1;
             if (names_table(at, table)) {

@@ -38,16 +38,6 @@ struct murk_report {
     const char *page; /* path of the page, borrowed */
 };
 
-static const murk_web_file *find_file(const char *name)
-{
-    for (size_t i = 0; i < murk_web_files_count; ++i) {
-        if (strcmp(murk_web_files[i].name, name) == 0) {
-            return &murk_web_files[i];
-        }
-    }
-    return NULL;
-}
-
 /* ---- head ---- */
 
 /* The name of the folder, also if it was given as ".". */
@@ -77,8 +67,10 @@ static void name_of(char out[NAME_SIZE], const murk_results_in *results)
 
 static void write_head(FILE *to, const char *name, bool has_pictures)
 {
-    const murk_web_file *css = find_file("page.css");
-    const murk_web_file *js = find_file("page.js");
+    const murk_built_in_file *css =
+        murk_built_in_find(&murk_web_files, "page.css");
+    const murk_built_in_file *js =
+        murk_built_in_find(&murk_web_files, "page.js");
     char style[MURK_HTML_HASH_SIZE], script[MURK_HTML_HASH_SIZE];
     murk_html_hash(style, css->text, css->size);
     murk_html_hash(script, js->text, js->size);
@@ -224,7 +216,8 @@ static murk_status write_page(FILE *to, const murk_report *c, murk_error *err)
     if (!status) {
         status = write_data(to, c, err);
     }
-    const murk_web_file *js = find_file("page.js");
+    const murk_built_in_file *js =
+        murk_built_in_find(&murk_web_files, "page.js");
     fputs("<script>", to);
     (void)fwrite(js->text, 1, js->size, to);
     fputs("</script>\n</body>\n</html>\n", to);

@@ -1,17 +1,9 @@
-/* The files under src/report/web/, of which pages are made, as part of the
- * program. cmake/built_in_files.cmake writes the definition. */
+/* The files under src/report/web/, of which pages are made. */
 #ifndef MURK_REPORT_WEB_FILES_H
 #define MURK_REPORT_WEB_FILES_H
 
-#include <stddef.h>
+#include "base/built_in.h"
 
-typedef struct murk_web_file {
-    const char *name; /* "page.css" */
-    const char *text; /* ends with '\0' */
-    size_t size;      /* without the '\0' */
-} murk_web_file;
-
-extern const murk_web_file murk_web_files[];
-extern const size_t murk_web_files_count;
+extern const murk_built_in murk_web_files;
 
 #endif

@@ -14,7 +14,7 @@
 #define NANOMETRES "_nm"
 
 /* Parses a built-in table; the caller owns it. */
-static murk_status open_table(murk_table **out, const murk_media_file *file,
+static murk_status open_table(murk_table **out, const murk_built_in_file *file,
                               murk_error *err)
 {
     char *text = malloc(file->size + 1);
@@ -102,7 +102,8 @@ murk_status murk_preset_read_angles(murk_key_reader *walk, const murk_key *key,
     if (node->kind != MURK_YAML_SCALAR) {
         return murk_value_wrong(walk, key, node);
     }
-    const murk_media_file *file = murk_media_file_find(node->text);
+    const murk_built_in_file *file =
+        murk_built_in_find(&murk_media_files, node->text);
     if (!file) {
         return murk_walk_fail(walk, node, "no file %.100s in media",
                               node->text);

@@ -45,7 +45,7 @@ murk_status murk_preset_parse(murk_preset **out, const char *name,
 
 /* Copies the name of a preset file without the ending: "fog/kruse" for
  * "fog/kruse.yaml". Returns false for tables. */
-static bool name_of(const murk_media_file *file,
+static bool name_of(const murk_built_in_file *file,
                     char out[MURK_PRESET_NAME_SIZE])
 {
     const size_t length = strlen(file->name), end = strlen(ENDING);
@@ -62,8 +62,8 @@ size_t murk_presets_count(void)
 {
     char name[MURK_PRESET_NAME_SIZE];
     size_t n = 0;
-    for (size_t i = 0; i < murk_media_files_count; ++i) {
-        n += name_of(&murk_media_files[i], name);
+    for (size_t i = 0; i < murk_media_files.n; ++i) {
+        n += name_of(&murk_media_files.file[i], name);
     }
     return n;
 }
@@ -72,8 +72,8 @@ void murk_presets_name(size_t index, char out[MURK_PRESET_NAME_SIZE])
 {
     size_t n = 0;
     out[0] = '\0';
-    for (size_t i = 0; i < murk_media_files_count; ++i) {
-        if (name_of(&murk_media_files[i], out) && n++ == index) {
+    for (size_t i = 0; i < murk_media_files.n; ++i) {
+        if (name_of(&murk_media_files.file[i], out) && n++ == index) {
             return;
         }
     }
@@ -113,8 +113,8 @@ murk_status murk_presets_read(murk_preset **out, const char *name,
                               const char *where, murk_error *err)
 {
     char own[MURK_PRESET_NAME_SIZE];
-    for (size_t i = 0; i < murk_media_files_count; ++i) {
-        const murk_media_file *file = &murk_media_files[i];
+    for (size_t i = 0; i < murk_media_files.n; ++i) {
+        const murk_built_in_file *file = &murk_media_files.file[i];
         if (name_of(file, own) && strcmp(own, name) == 0) {
             return murk_preset_parse(out, name, file->text, file->size, err);
         }

@@ -1,0 +1,15 @@
+/* Finds a built-in file by name: compares all names, a few dozen a list. */
+#include "base/built_in.h"
+
+#include <string.h>
+
+const murk_built_in_file *murk_built_in_find(const murk_built_in *list,
+                                             const char *name)
+{
+    for (size_t i = 0; i < list->n; ++i) {
+        if (strcmp(list->file[i].name, name) == 0) {
+            return &list->file[i];
+        }
+    }
+    return NULL;
+}
