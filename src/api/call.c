@@ -46,6 +46,19 @@ static bool is_key(const char *text)
                         "0123456789._@-") == strlen(text);
 }
 
+/* The key of a place "set KEY=VALUE", "keys KEY" or "bounds KEY=LOW:HIGH", of
+ * values that the caller has given; NULL: another place. */
+static const char *given_key(const char *place)
+{
+    static const char *const begin[] = {"set ", "keys ", "bounds "};
+    for (size_t i = 0; i < sizeof begin / sizeof *begin; ++i) {
+        if (strncmp(place, begin[i], strlen(begin[i])) == 0) {
+            return place + strlen(begin[i]);
+        }
+    }
+    return NULL;
+}
+
 /* "FILE:LINE:COLUMN: KEY", "set KEY=VALUE: KEY" or "FILE" as members. */
 static void split_place(murk_error *error)
 {
@@ -63,10 +76,11 @@ static void split_place(murk_error *error)
     if (strncmp(place, MURK_ARGUMENT, strlen(MURK_ARGUMENT)) == 0) {
         return;
     }
-    if (strncmp(place, "set ", 4) == 0) {
+    const char *given = given_key(place);
+    if (given) {
         if (error->key[0] == '\0') {
             snprintf(error->key, sizeof error->key, "%.*s",
-                     (int)strcspn(place + 4, "="), place + 4);
+                     (int)strcspn(given, "="), given);
         }
         return;
     }

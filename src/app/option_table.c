@@ -85,11 +85,11 @@ const murk_option murk_option_table[] = {
      "the scene's keys to be found, by their paths; KEY@each: one value for "
      "each condition; gain.NAME: a factor of readings. Repeatable; each starts "
      "from the scene's value",
-     OWN(murk_option_free), .part = MURK_OPTION_AS_TEXT},
+     OWN(murk_option_free), .setting = "keys", .part = MURK_OPTION_AS_TEXT},
     {"--bounds", NULL, "KEY=LOW:HIGH", "fit",
      "keep a free key within these, either of which may be left out; "
      "repeatable",
-     OWN(murk_option_bounds), .part = MURK_OPTION_AS_TEXT},
+     OWN(murk_option_bounds), .setting = "bounds", .part = MURK_OPTION_AS_TEXT},
     {"--loss", NULL, "none|huber|cauchy[:WIDTH]", "fit",
      "what a residual costs: its square, or less beyond WIDTH standard errors "
      "(1.345, 2.385), so that outliers pull less",

@@ -40,8 +40,11 @@ static const char *place_of(const murk_options *options, const char *where,
 {
     for (size_t i = 0; i < murk_option_table_size; ++i) {
         const murk_option *option = &murk_option_table[i];
-        if (option->setting && strcmp(option->setting, where) == 0) {
-            return option->name;
+        const size_t length = option->setting ? strlen(option->setting) : 0;
+        if (length > 0 && strncmp(option->setting, where, length) == 0 &&
+            (where[length] == '\0' || where[length] == ' ')) {
+            snprintf(out, PLACE_SIZE, "%s%s", option->name, where + length);
+            return out;
         }
     }
     if (strncmp(where, SET, SET_LENGTH) != 0) {

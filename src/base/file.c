@@ -333,7 +333,7 @@ murk_status murk_file_not_ours(const char *path, murk_error *err)
 {
     return murk_fail(err, MURK_BAD_VALUE, path,
                      "not written by murk, or edited since; must be another "
-                     "file or folder, or --force replaces it");
+                     "file or folder; force replaces it");
 }
 
 murk_status murk_file_check_owner(const char *path, const char *mark,

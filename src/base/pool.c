@@ -180,12 +180,11 @@ murk_status murk_pool_allow(unsigned threads, murk_error *err)
     for (unsigned i = 0; i < started; ++i) {
         pthread_join(thread[i], NULL);
     }
-    return refusal
-               ? murk_fail(err, MURK_RUN_FAILED, "",
-                           "cannot start %u threads, only %u: %s; "
-                           "--threads N asks for fewer",
-                           threads_allowed(), started + 1, strerror(refusal))
-               : MURK_OK;
+    return refusal ? murk_fail(
+                         err, MURK_RUN_FAILED, "",
+                         "cannot start %u threads, only %u: %s; ask for fewer",
+                         threads_allowed(), started + 1, strerror(refusal))
+                   : MURK_OK;
 }
 
 void murk_pool_run(unsigned threads, uint64_t batches, murk_job job,

@@ -16,6 +16,10 @@
  * field determine. */
 #define MURK_FREE_MAX 512
 
+/* How places in messages begin that concern free keys, "keys KEY": the argument
+ * of murk_fit_create(). */
+#define MURK_FREE_PLACE "keys"
+
 typedef enum murk_free_kind {
     MURK_FREE_MEDIUM, /* extinction, albedo, phase function of media:
                        * re-weighted */
@@ -43,7 +47,7 @@ typedef struct murk_free_key {
     bool *is_in;                /* [conditions]; true if the condition has the
                                  * key */
     /* Internal: the place of the key in the scene. */
-    char *source;     /* "--free media.fog.albedo.0", for messages */
+    char *source;     /* "keys media.fog.albedo.0", for messages */
     char *put;        /* path that is set: that of the key, or of the list that
                        * contains it, because a list may exist by default alone
                        */
@@ -104,7 +108,7 @@ murk_status murk_free_keys_create(murk_free_keys **out,
 void murk_free_keys_destroy(murk_free_keys *keys); /* NULL is fine */
 
 /* The scene of condition c (an index into keys->condition) at value[keys->n],
- * or unchanged if value is NULL; and its optics. Both fail at "--free KEY" if
+ * or unchanged if value is NULL; and its optics. Both fail at "keys KEY" if
  * the scene does not accept a value, and print no warnings. The caller owns
  * *out. */
 murk_status murk_free_scene(murk_scene_desc **out, const murk_free_keys *keys,

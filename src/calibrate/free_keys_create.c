@@ -14,7 +14,6 @@
 
 /* Values that are made here name the option in messages, not a line of the
  * scene. */
-#define SOURCE "--free"
 
 /* Relative change of a key that is used to find the effect of the key: small
  * enough to be valid, large enough to exceed rounding. */
@@ -26,7 +25,7 @@
 
 static murk_status no_memory(murk_error *err)
 {
-    return murk_no_memory(err, SOURCE, "for free keys");
+    return murk_no_memory(err, MURK_FREE_PLACE, "for free keys");
 }
 
 /* ---- places ---- */
@@ -92,8 +91,9 @@ static murk_status read_trees(murk_yaml **root, const murk_free_keys *keys,
         murk_scene_desc *scene = NULL;
         status = murk_free_scene(&scene, keys, c, NULL, err);
         if (!status) {
-            status = murk_yaml_parse(&root[c], scene->resolved,
-                                     strlen(scene->resolved), SOURCE, err);
+            status =
+                murk_yaml_parse(&root[c], scene->resolved,
+                                strlen(scene->resolved), MURK_FREE_PLACE, err);
         }
         murk_scene_desc_destroy(scene);
     }
@@ -170,7 +170,7 @@ static murk_status probe(murk_key_effect *effect, murk_free_keys *keys,
         status = murk_fail(err, MURK_BAD_VALUE, keys->key[k].source,
                            "%s has no extinction, scattering or power at the "
                            "start, and nothing cannot be re-weighted: must "
-                           "start above 0, by --set %s=VALUE",
+                           "start above 0, by another value of %s",
                            nothing, keys->key[k].path);
     }
     murk_optics_destroy(moved);
@@ -262,7 +262,7 @@ static murk_status check_count(const murk_free_keys *keys, murk_error *err)
 {
     const murk_readings *m = keys->desc.measured;
     if (keys->n == 0) {
-        return murk_fail(err, MURK_BAD_VALUE, SOURCE,
+        return murk_fail(err, MURK_BAD_VALUE, MURK_FREE_PLACE,
                          "no keys, must be one or more");
     }
     return keys->n <= m->rows - m->held_out

@@ -12,13 +12,12 @@
 #include <stdio.h>
 #include <string.h>
 
-#define EACH   "@each"
-#define GAIN   "gain."
-#define SOURCE "--free"
+#define EACH "@each"
+#define GAIN "gain."
 
 static murk_status no_memory(murk_error *err)
 {
-    return murk_no_memory(err, SOURCE, "for free keys");
+    return murk_no_memory(err, MURK_FREE_PLACE, "for free keys");
 }
 
 static murk_status fail(const murk_free_keys *keys, size_t k, murk_error *err,
@@ -95,11 +94,11 @@ static murk_status add(murk_free_keys *keys, const char *name, const char *path,
     }
     /* Append. */
     if (keys->n == MURK_FREE_MAX) {
-        return murk_fail(err, MURK_BAD_VALUE, SOURCE,
+        return murk_fail(err, MURK_BAD_VALUE, MURK_FREE_PLACE,
                          "more than %d parameters, the most there may be",
                          MURK_FREE_MAX);
     }
-    const size_t size = sizeof SOURCE " " + strlen(name);
+    const size_t size = sizeof MURK_FREE_PLACE " " + strlen(name);
     murk_arena *arena = &keys->arena;
     murk_free_key *key = &keys->key[keys->n];
     *key = (murk_free_key){
@@ -115,7 +114,7 @@ static murk_status add(murk_free_keys *keys, const char *name, const char *path,
     ++keys->n;
     snprintf(key->name, sizeof key->name, "%s", name);
     snprintf(key->path, sizeof key->path, "%s", path);
-    snprintf(key->source, size, SOURCE " %s", name);
+    snprintf(key->source, size, MURK_FREE_PLACE " %s", name);
     memcpy(key->put, path, strlen(path));
     return MURK_OK;
 }
@@ -134,7 +133,7 @@ static murk_status add_gain(murk_free_keys *keys, const char *asked,
         known[g] = m->gain[g];
     }
     murk_words_show(shown, sizeof shown, name);
-    snprintf(where, sizeof where, SOURCE " " GAIN "%s", shown);
+    snprintf(where, sizeof where, MURK_FREE_PLACE " " GAIN "%s", shown);
     return murk_fail(err, MURK_BAD_VALUE, where,
                      "no reading of %.200s names this factor%s", m->path,
                      murk_words_suggest(name, known, m->gains).text);
@@ -176,7 +175,7 @@ static murk_status add_key(murk_free_keys *keys, const char *asked,
     const char *at = strrchr(asked, '@');
     const size_t length = at ? (size_t)(at - asked) : strlen(asked);
     murk_words_show(shown, sizeof shown, asked);
-    snprintf(where, sizeof where, SOURCE " %s", shown);
+    snprintf(where, sizeof where, MURK_FREE_PLACE " %s", shown);
     if (length >= sizeof path) {
         return murk_fail(err, MURK_BAD_VALUE, where,
                          "a key of %zu bytes, must be at most %zu", length,
@@ -273,11 +272,11 @@ murk_status murk_free_check_gains(const murk_free_keys *keys, murk_error *err)
             char where[320];
             snprintf(where, sizeof where, "%.250s:%zu: gain", m->path,
                      reading->line);
-            return murk_fail(err, MURK_BAD_VALUE, where,
-                             "light in %s by factor %s, which is not free: "
-                             "must be, by --free " GAIN "%s",
-                             murk_reading_unit_name(reading->unit), m->gain[g],
-                             m->gain[g]);
+            return murk_fail(
+                err, MURK_BAD_VALUE, where,
+                "light in %s by factor %s, which is not free: " GAIN
+                "%s must be a free key",
+                murk_reading_unit_name(reading->unit), m->gain[g], m->gain[g]);
         }
     }
     return MURK_OK;
@@ -287,7 +286,7 @@ murk_status murk_free_check_gains(const murk_free_keys *keys, murk_error *err)
 
 typedef struct bound {
     char key[240], low_text[40], high_text[40];
-    char where[320]; /* "--bounds KEY=LOW:HIGH" */
+    char where[320]; /* "bounds KEY=LOW:HIGH" */
     double low, high;
 } bound;
 
@@ -305,7 +304,7 @@ static murk_status read_bound(bound *out, const char *text, murk_error *err)
     const char *equals = strrchr(text, '=');
     const char *colon = equals ? strchr(equals, ':') : NULL;
     murk_words_show(shown, sizeof shown, text);
-    snprintf(out->where, sizeof out->where, "--bounds %s", shown);
+    snprintf(out->where, sizeof out->where, "bounds %s", shown);
     /* Split at "=" and ":". */
     const bool fits = colon && (size_t)(equals - text) < sizeof out->key &&
                       (size_t)(colon - equals) < sizeof out->low_text &&
@@ -392,7 +391,7 @@ static murk_status check_start(murk_free_keys *keys, size_t k, murk_error *err)
                ? MURK_OK
                : murk_fail(err, MURK_BAD_VALUE, key->source,
                            "starts at %.9g, must be within its bounds, %.9g to "
-                           "%.9g; --set %s=VALUE starts elsewhere",
+                           "%.9g; it starts at the value of %s in the scene",
                            key->start, key->lower, key->upper,
                            key->path[0] ? key->path : key->name);
 }

@@ -99,9 +99,7 @@ static murk_status unknown(const walk *f, const murk_key_position *at,
     shown_so_far(f, owner, sizeof owner);
     murk_words_show(shown, sizeof shown, part);
     if (keys && murk_keys_find(keys, part)) {
-        return fail(f,
-                    "%s has no %s to start from, must be in the scene, or "
-                    "given by --set",
+        return fail(f, "%s has no %s to start from, must be given in the scene",
                     owner, shown);
     }
     /* A suggestion from the names of the map and of the key table. */

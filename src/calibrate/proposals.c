@@ -50,7 +50,7 @@ static murk_status choose_kind(murk_proposals *out,
     if (n == 0) {
         return murk_fail(err, MURK_BAD_VALUE, measured->path,
                          "no reading of coverage, fluence or irradiance is "
-                         "fitted: --next proposes places for such");
+                         "fitted: new places are proposed for such readings");
     }
     /* Median of the relative errors. */
     double *error = malloc(n * sizeof *error);
@@ -85,8 +85,8 @@ static murk_status check_sensors(const murk_scene_desc *scene, murk_error *err)
     return scene->sensors.given
                ? MURK_OK
                : murk_fail(err, MURK_BAD_VALUE, scene->path,
-                           "sensors: the scene has none, and --next chooses "
-                           "among its candidates");
+                           "sensors: the scene has none, and new places are "
+                           "chosen among its candidates");
 }
 
 murk_status murk_proposals_check(const murk_readings *measured,

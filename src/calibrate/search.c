@@ -366,8 +366,7 @@ static void advise_bounds(murk_error *failure, const murk_free_keys *keys,
         if (key->kind == MURK_FREE_WORLD &&
             !(isfinite(key->lower) && isfinite(key->upper))) {
             snprintf(failure->text + length, sizeof failure->text - length,
-                     "; --bounds %.80s=LOW:HIGH keeps the search inside",
-                     key->name);
+                     "; bounds of %.80s keep the search inside", key->name);
             return;
         }
     }

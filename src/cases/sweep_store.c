@@ -37,7 +37,7 @@ murk_status murk_sweep_check_folder(const murk_sweep *sweep, murk_error *err)
     return !sweep->desc.folder && sweep->outputs.wants[MURK_OUTPUT_FLUENCE]
                ? murk_fail(err, MURK_BAD_VALUE,
                            sweep->desc.study->outputs_where,
-                           "fluence_vdb needs a folder to write into: -o DIR")
+                           "fluence_vdb needs a folder to write into")
                : MURK_OK;
 }
 

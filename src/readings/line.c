@@ -287,10 +287,11 @@ static murk_status read_unit(murk_reading *out, const murk_reading_line *at)
     /* Compare with the column of factors. */
     const bool has_gain = !murk_reading_is_empty(at, MURK_COLUMN_GAIN);
     if (!has_gain && murk_reading_unit_needs_gain(out->unit, out->kind)) {
-        return murk_reading_fail(at, MURK_COLUMN_GAIN,
-                                 "nothing, but light in %s has a free factor, "
-                                 "must be its name NAME, for --free gain.NAME",
-                                 murk_reading_unit_name(out->unit));
+        return murk_reading_fail(
+            at, MURK_COLUMN_GAIN,
+            "nothing, but light in %s has a free factor, "
+            "must be its name NAME, of the free key gain.NAME",
+            murk_reading_unit_name(out->unit));
     }
     if (has_gain && murk_reading_unit_law(out->unit)) {
         return murk_reading_fail(

@@ -189,8 +189,8 @@ static murk_status add_gain(murk_readings *m, const named **first,
     if (!is_plain(at->gain)) {
         return murk_fail(all->err, MURK_BAD_VALUE,
                          where_of(all, at, MURK_COLUMN_GAIN).text,
-                         "must be a name of letters, digits, - and _, for "
-                         "--free gain.NAME");
+                         "must be a name of letters, digits, - and _, of the "
+                         "free key gain.NAME");
     }
     if (m->gains == MURK_READING_GAINS_MAX) {
         return murk_fail(all->err, MURK_BAD_VALUE,

@@ -178,7 +178,7 @@ static murk_status write_calibrated(FILE *file, const void *context,
     places p;
     if (!find_places(&p, f)) {
         release(&p);
-        return murk_no_memory(err, "--data", "for it");
+        return murk_no_memory(err, "calibrated.yaml", "for it");
     }
     bool has_keys = false;
     fprintf(file, "# values found by murk fit; for --set @FILE\n");

@@ -122,8 +122,8 @@ echo 'media.fog.albedo: [1, 2]' >"$dir/list.yaml"
 refused 'list.yaml:1:1: media.fog.albedo: must be a number or a word' "$beams" --free $fog --set "@$dir/list.yaml"
 refused '--set @: no name' "$beams" --free $fog --set @
 # a start that cannot be re-weighted, with advice
-refused 'must start above 0, by --set media.clean.extinction_per_m=VALUE' "$lights" --free media.clean.extinction_per_m
-refused 'must start above 0, by --set media.soot.albedo=VALUE' "$lights" --free media.soot.albedo
+refused 'must start above 0, by another value of media.clean.extinction_per_m' "$lights" --free media.clean.extinction_per_m
+refused 'must start above 0, by another value of media.soot.albedo' "$lights" --free media.soot.albedo
 # bounds and other options
 refused 'the first must be less than the second' "$beams" --free $fog --bounds $fog=2:1
 refused 'must be KEY=LOW:HIGH' "$beams" --free $fog --bounds $fog=nan:1
@@ -133,7 +133,7 @@ refused 'must be none, huber or cauchy' "$beams" --free $fog --loss tukey
 refused 'must be none, huber or cauchy' "$beams" --free $fog --loss huber:0
 refused '--starts: 0' "$beams" --free $fog --starts 0
 refused '--next: -1' "$beams" --free $fog --next -1
-refused '--next proposes places for such' "$beams" --free $fog --next 2
+refused 'new places are proposed for such readings' "$beams" --free $fog --next 2
 # more parameters than rows
 refused '3 rows to be fitted (0 held out) for 4 parameters' "$lights" --free $fog,media.fog.albedo,media.fog.phase.hg,lights.0.power_w
 refused '2 rows to be fitted (1 held out) for 3 parameters' "${lights}hold_out" --free $fog,media.fog.albedo,media.fog.phase.hg
@@ -165,7 +165,7 @@ refused 'data.csv:2: unit: lux' "$beam
 transmittance,1,1,1,3,1,1,lux,50,1" --free $fog
 refused 'data.csv:2: gain: nothing, but light in relative has a free factor' "$light
 fluence,,1,1,1,.4,,relative,.3,.01," --free $fog
-refused 'which is not free: must be, by --free gain.a' "$light
+refused 'which is not free: gain.a must be a free key' "$light
 fluence,,1,1,1,.4,a,relative,.3,.01," --free $fog
 refused 'data.csv:3: unit: W/m2, but line 2 of factor a is in relative' "$light
 fluence,,1,1,1,.4,a,relative,.3,.01,

@@ -202,7 +202,7 @@ static void test_values_out_of_range_are_named(void)
     murk_error err = {0};
     CHECK(murk_free_scene(&at, keys, 0, &value, &err) == MURK_BAD_VALUE);
     CHECK(at == NULL);
-    CHECK_MENTIONS(err.where, "--free media.plain.albedo");
+    CHECK_MENTIONS(err.where, "keys media.plain.albedo");
     CHECK_MENTIONS(err.text, "0..1");
     murk_free_keys_destroy(keys);
 }

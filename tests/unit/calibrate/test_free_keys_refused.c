@@ -24,7 +24,7 @@ static void refused(const char *asked, const char *why)
     field f;
     char where[200];
     make_field(&f, AS_IT_STANDS);
-    snprintf(where, sizeof where, "--free %s", asked);
+    snprintf(where, sizeof where, "keys %s", asked);
     refused_with(&f, asked, NULL, where, why);
 }
 
@@ -71,8 +71,9 @@ static void test_keys_are_refused(void)
     refused("gain.prob", "did you mean probe?");
     refused("media.black.albedo",
             "media.black has no extinction, scattering or power at the start");
-    refused("media.clear.extinction_per_m",
-            "must start above 0, by --set media.clear.extinction_per_m=VALUE");
+    refused(
+        "media.clear.extinction_per_m",
+        "must start above 0, by another value of media.clear.extinction_per_m");
     refused("lights.4.power_w", "lights.4 has no extinction");
     refused("lights.3.linke_turbidity", "changes nothing in the light");
 }
@@ -96,26 +97,26 @@ static void test_counts_and_bounds_are_refused(void)
     CHECK(create(&keys, &f, twice, 1, NULL, &err) == MURK_OK);
     murk_free_keys_destroy(keys);
     f.all.held_out = 0;
-    refused_with(&f, "media.plain.albedo", "media.plain.albedo=.9:.9",
-                 "--bounds", "less than the second");
-    refused_with(&f, "media.plain.albedo", "media.plain.albdo=0:1", "--bounds",
+    refused_with(&f, "media.plain.albedo", "media.plain.albedo=.9:.9", "bounds",
+                 "less than the second");
+    refused_with(&f, "media.plain.albedo", "media.plain.albdo=0:1", "bounds",
                  "no free key, did you mean media.plain.albedo?");
-    refused_with(&f, "media.plain.albedo", "media.plain.albedo=.5", "--bounds",
+    refused_with(&f, "media.plain.albedo", "media.plain.albedo=.5", "bounds",
                  "must be KEY=LOW:HIGH");
-    refused_with(&f, "media.plain.albedo", "media.plain.albedo=.5:x",
-                 "--bounds", "must be KEY=LOW:HIGH");
-    refused_with(&f, "media.plain.albedo", "media.plain.albedo=.5:.4",
-                 "--bounds", "less than the second");
-    refused_with(&f, "media.plain.albedo", "media.plain.albedo=0:2", "--bounds",
+    refused_with(&f, "media.plain.albedo", "media.plain.albedo=.5:x", "bounds",
+                 "must be KEY=LOW:HIGH");
+    refused_with(&f, "media.plain.albedo", "media.plain.albedo=.5:.4", "bounds",
+                 "less than the second");
+    refused_with(&f, "media.plain.albedo", "media.plain.albedo=0:2", "bounds",
                  "must be within 0 to 1");
     refused_with(&f, "media.plain.albedo", "media.plain.albedo=.1:.4",
-                 "--free media.plain.albedo",
+                 "keys media.plain.albedo",
                  "starts at 0.9, must be within its bounds, 0.1 to 0.4");
     f.reading[0].unit = MURK_UNIT_RELATIVE;
     refused_with(&f, "media.plain.albedo", NULL, "field.csv:2: gain",
-                 "by --free gain.probe");
+                 "gain.probe must be a free key");
     f.reading[1].is_held_out = true;
-    refused_with(&f, "gain.other", NULL, "--free gain.other", "held out");
+    refused_with(&f, "gain.other", NULL, "keys gain.other", "held out");
 }
 
 int main(void)
