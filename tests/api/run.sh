@@ -1,8 +1,9 @@
 #!/bin/sh
 # Installs a build into a folder of its own, builds the programs of this folder
 # against it with find_package(murk) and with pkg-config, runs them, and compares
-# the exported symbols with the functions of murk.h and with abi.txt, the recorded
-# list.
+# the exported symbols with the functions of murk.h, and all that built programs
+# rely on with abi.txt, the recorded list: the soname, the versions of symbols, the
+# layout of structs and the values of enumerations.
 #
 #     run.sh BUILD
 set -eu
@@ -42,6 +43,11 @@ tr -s '\n ' ' ' <"$work/murk/include/murk.h" | grep -o 'murk_[a-z0-9_]*(murk_[a-
     sort >"$work/constructors"
 sed -n 's/^ *X([a-z]*, \(murk_[a-z_]*\),.*/\1/p' "$here/refused.c" | sort >"$work/refused"
 diff "$work/constructors" "$work/refused" || { echo "refused.c has other constructors than murk.h"; exit 1; }
-diff "$here/abi.txt" "$work/exported" || { echo "the exports differ from tests/api/abi.txt"; exit 1; }
+{
+    readelf -d "$library/libmurk.so" | sed -n 's/.*(SONAME).*\[\(.*\)\]/soname \1/p'
+    nm -D --defined-only "$library/libmurk.so" | awk '$2 == "T" {print "function", $3}' | LC_ALL=C sort
+    "$work/build/layout"
+} >"$work/abi"
+diff "$here/abi.txt" "$work/abi" || { echo "what programs rely on differs from tests/api/abi.txt"; exit 1; }
 nm -D --defined-only "$library/libmurk.so" | grep -v ' [TA] ' && { echo "libmurk exports data"; exit 1; }
 exit 0
