@@ -4,6 +4,7 @@
 #include "app/terminal.h"
 
 #include "api/handles.h"
+#include "base/file.h"
 #include "base/inputs.h"
 #include "base/log.h"
 
@@ -12,6 +13,9 @@
 #include <string.h>
 
 #define PLACE_SIZE 640 /* of a place with the name of an option */
+
+/* What helps with a file that murk did not write. */
+#define FORCE ", or --force replaces it"
 
 /* How the library marks a key that the caller has set: "set KEY=VALUE". */
 #define SET        "set "
@@ -68,8 +72,10 @@ static const char *place_of(const murk_options *options, const char *where,
 
 void murk_terminal_fail(const murk_options *options, const murk_error *err)
 {
-    char place[PLACE_SIZE];
-    murk_message("", place_of(options, err->where, place), err->text);
+    char place[PLACE_SIZE], text[sizeof err->text + sizeof FORCE];
+    const bool helps = strcmp(err->text, MURK_NOT_OURS) == 0;
+    snprintf(text, sizeof text, "%s%s", err->text, helps ? FORCE : "");
+    murk_message("", place_of(options, err->where, place), text);
 }
 
 /* ---- messages ---- */

@@ -331,9 +331,7 @@ static bool has_mark(const char *path, const char *mark, size_t size)
 
 murk_status murk_file_not_ours(const char *path, murk_error *err)
 {
-    return murk_fail(err, MURK_BAD_VALUE, path,
-                     "not written by murk, or edited since; must be another "
-                     "file or folder; force replaces it");
+    return murk_fail(err, MURK_BAD_VALUE, path, MURK_NOT_OURS);
 }
 
 murk_status murk_file_check_owner(const char *path, const char *mark,

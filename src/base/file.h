@@ -67,8 +67,11 @@ murk_status murk_file_check_input(const char *path, murk_error *err);
 murk_status murk_file_check_owner(const char *path, const char *mark,
                                   size_t size, bool force, murk_error *err);
 
-/* Fails with MURK_BAD_VALUE and the message for a file that murk did not write.
- */
+/* Fails with MURK_BAD_VALUE and the text MURK_NOT_OURS, the message for a file
+ * that murk did not write. */
+#define MURK_NOT_OURS                                        \
+    "not written by murk, or edited since; must be another " \
+    "file or folder"
 murk_status murk_file_not_ours(const char *path, murk_error *err);
 
 /* Creates a folder and the missing folders above it. An existing folder that
