@@ -1,5 +1,6 @@
-/* Interruption by SIGINT and SIGTERM: long computations stop at the next batch,
- * remove unfinished files, and the program ends with exit code 130.
+/* Requests to stop, by murk_context_cancel() or by a signal that the program
+ * receives (app/terminal.h): long computations stop at the next batch and
+ * remove unfinished files.
  *
  * A host is a caller of the library (base/host.h), and has one flag. A thread
  * that is bound to no host belongs to the host of the process, so every thread
@@ -11,11 +12,6 @@
 
 #include <stdbool.h>
 
-/* Installs the handler for SIGINT and SIGTERM, which set the flag of the host
- * of the calling thread (base/host.h). A second signal with the same number
- * ends the program at once. */
-void murk_interrupt_install(void);
-
 /* True if the flag of the host of the calling thread is set. */
 bool murk_interrupted(void);
 
@@ -23,8 +19,7 @@ bool murk_interrupted(void);
  * set. */
 murk_status murk_interrupt_check(murk_error *err);
 
-/* Sets the flag of the host of the calling thread, as a signal would; for
- * callers of the library. */
+/* Sets the flag of the host of the calling thread. */
 void murk_interrupt_request(void);
 
 #endif

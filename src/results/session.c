@@ -176,9 +176,11 @@ murk_status murk_session_add_ledger(murk_session *session, const char *name,
     return status;
 }
 
-static murk_status show(murk_session *session, const char *name, cJSON *root,
-                        cJSON *summary, bool is_last, murk_error *err)
+murk_status murk_session_finish(murk_session *session, const char *name,
+                                cJSON *root, murk_print_results *print,
+                                const void *of, murk_error *err)
 {
+    cJSON *summary = print ? murk_print_collect(print, of) : NULL;
     session->run.total_s = murk_clock_s() - session->begun_s;
     murk_json_identify(root, session->identity, &session->results, name);
     murk_run_facts run = session->run;
@@ -193,31 +195,15 @@ static murk_status show(murk_session *session, const char *name, cJSON *root,
         status = murk_results_show(&session->results, err);
     }
     /* Print after the files are in place. */
-    if (!status && is_last && session->settings.prints_json) {
+    if (!status && session->settings.prints_json) {
         murk_print_json(text);
-    } else if (!status && is_last && murk_session_speaks(session)) {
+    } else if (!status && murk_session_speaks(session)) {
         murk_print_lines(summary);
     }
     cJSON_free(session->document);
     session->document = text;
     cJSON_Delete(summary);
     return status;
-}
-
-murk_status murk_session_finish(murk_session *session, const char *name,
-                                cJSON *root, murk_print_results *print,
-                                const void *of, murk_error *err)
-{
-    cJSON *summary = print ? murk_print_collect(print, of) : NULL;
-    return show(session, name, root, summary, true, err);
-}
-
-murk_status murk_session_keep(murk_session *session, const char *name,
-                              cJSON *root, murk_print_results *print,
-                              const void *of, murk_error *err)
-{
-    cJSON *summary = print ? murk_print_collect(print, of) : NULL;
-    return show(session, name, root, summary, false, err);
 }
 
 bool murk_session_speaks(const murk_session *session)

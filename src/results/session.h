@@ -79,12 +79,6 @@ murk_status murk_session_finish(murk_session *session, const char *name,
                                 cJSON *root, murk_print_results *print,
                                 const void *of, murk_error *err);
 
-/* Does the same without printing, to keep results that must not be lost while
- * the command goes on. Deletes root in any case. */
-murk_status murk_session_keep(murk_session *session, const char *name,
-                              cJSON *root, murk_print_results *print,
-                              const void *of, murk_error *err);
-
 /* True if the summary is to be printed: not JSON, and not quiet. */
 bool murk_session_speaks(const murk_session *session);
 
