@@ -28,16 +28,29 @@ static const murk_importing importing[] = {
     [MURK_IMPORTS_FORK] = MURK_IMPORT_FORKS,
     [MURK_IMPORTS_IN_PROCESS] = MURK_IMPORT_IN_PROCESS};
 
-/* Copies the members that the caller's struct has. False if one is wrong, or
- * when out of memory. */
-static bool take_options(murk_context *context,
-                         const murk_context_options *options)
+static murk_status no_memory(murk_error *error, const char *purpose)
+{
+    murk_error failure = {0};
+    (void)murk_no_memory(&failure, "", "%s", purpose);
+    murk_call_report(error, &failure);
+    return MURK_NO_MEMORY;
+}
+
+/* Copies the members that the caller's struct has. */
+static murk_status take_options(murk_context *context,
+                                const murk_context_options *options,
+                                murk_error *error)
 {
     murk_options_copy(&context->options, sizeof context->options, options);
+    if ((unsigned)context->options.imports > MURK_IMPORTS_IN_PROCESS) {
+        return murk_call_refuse(error, "options->imports is no value of "
+                                       "murk_imports");
+    }
     const char *reader = context->options.reader;
     context->reader = reader ? strdup(reader) : NULL;
-    return (unsigned)context->options.imports <= MURK_IMPORTS_IN_PROCESS &&
-           (!reader || context->reader);
+    return !reader || context->reader
+               ? MURK_OK
+               : no_memory(error, "for a copy of options->reader");
 }
 
 murk_status murk_context_create(murk_context **out,
@@ -53,16 +66,15 @@ murk_status murk_context_create(murk_context **out,
     if (!context || !host) {
         free(context);
         murk_host_destroy(host);
-        murk_call_refuse(error, "no memory for a context");
-        return MURK_NO_MEMORY;
+        return no_memory(error, "for a context");
     }
     context->references = 1;
     context->host = host;
-    if (options && !take_options(context, options)) {
+    murk_status status =
+        options ? take_options(context, options, error) : MURK_OK;
+    if (status) {
         murk_context_release(context);
-        return murk_call_refuse(error, "options->imports is no value of "
-                                       "murk_imports, or no memory for a copy "
-                                       "of options->reader");
+        return status;
     }
     context->threads = context->options.threads ? context->options.threads
                                                 : murk_pool_processors();
@@ -73,7 +85,7 @@ murk_status murk_context_create(murk_context **out,
     murk_inputs_begin();
     murk_log_to(context->options.log, context->options.user);
     murk_progress_to(context->options.progress ? show_progress : NULL, context);
-    const murk_status status = murk_pool_allow(context->threads, &call.failure);
+    status = murk_pool_allow(context->threads, &call.failure);
     if (murk_call_end(&call, status)) {
         murk_context_release(context);
         return status;
