@@ -289,22 +289,13 @@ static murk_status check_picture(const murk_options *out, murk_error *err)
                : MURK_OK;
 }
 
-/* The kind of input that a command reads, as its arguments name it. */
-static const char *kind_of_input(const murk_command *command)
-{
-    static const char *const kinds[][2] = {{"DIR", "folder"},
-                                           {"STUDY", "study"},
-                                           {"[NAME]", "preset"},
-                                           {"[KEY]", "key"},
-                                           {"[>FILE]", "file"}};
-    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; ++i) {
-        const char *word = kinds[i][0];
-        if (strncmp(command->arguments, word, strlen(word)) == 0) {
-            return kinds[i][1];
-        }
-    }
-    return "scene";
-}
+/* The noun for the input of a command, in messages. */
+static const char *const NOUN[] = {
+    [MURK_INPUT_SCENE] = "scene",       [MURK_INPUT_STUDY] = "study",
+    [MURK_INPUT_FOLDER] = "folder",     [MURK_INPUT_PRESET] = "preset",
+    [MURK_INPUT_START_SCENE] = "scene", [MURK_INPUT_KEY] = "key",
+    [MURK_INPUT_NONE] = "file",
+};
 
 static murk_status check_input(const murk_options *out, murk_error *err)
 {
@@ -319,7 +310,7 @@ static murk_status check_input(const murk_options *out, murk_error *err)
                ? MURK_OK
                : murk_fail(err, MURK_BAD_VALUE, "",
                            "%s: no %s; usage: murk %s %s", out->command->name,
-                           kind_of_input(out->command), out->command->name,
+                           NOUN[out->command->input], out->command->name,
                            out->command->arguments);
 }
 
@@ -356,7 +347,7 @@ static murk_status take_word(murk_options *out, const char *word,
     } else {
         return murk_fail(err, MURK_BAD_VALUE, "",
                          "%s: one %s at a time, %s is named already", word,
-                         kind_of_input(out->command), out->input);
+                         NOUN[out->command->input], out->input);
     }
     return MURK_OK;
 }

@@ -122,7 +122,8 @@ const murk_command murk_commands[] = {
      "DIR/rows: the same command goes on where it was stopped. A row that "
      "fails is told in the column failed, the others go on, and the command "
      "ends with 1. The study's keys: murk-study(5).",
-     murk_command_study, .formats = "murk-study murk-scene murk-results",
+     murk_command_study, .input = MURK_INPUT_STUDY,
+     .formats = "murk-study murk-scene murk-results",
      .example = {{"murk study scenes/studies/fog-yard.yaml -o out",
                   "A yard from dense fog to clear air, by day and by night."}},
      .file = {{"study.json", "rows, plans, units, notes"},
@@ -163,7 +164,7 @@ const murk_command murk_commands[] = {
      "one file, loads nothing from elsewhere, and can be read without "
      "JavaScript and printed. At most 100000 photons and 40000 triangles are "
      "shown, and it says so.",
-     murk_command_report, .formats = "murk-results",
+     murk_command_report, .input = MURK_INPUT_FOLDER, .formats = "murk-results",
      .example = {{"murk report out", "The page of what lies in out."}},
      .file = {{"report.html", "the page"}}},
     {"replay", "SCENE --photon N", "print every event of one emitted photon",
@@ -179,7 +180,8 @@ const murk_command murk_commands[] = {
      "visibility_m=50 gives a word (or albedo, extinction_per_m, phase), --set "
      "bands_nm=[532] other bands. --profile FILE.csv -o FILE.vdb turns a "
      "measured profile into a grid that holds its optical depth.",
-     murk_command_media, .formats = "murk-media murk-scene",
+     murk_command_media, .input = MURK_INPUT_PRESET,
+     .formats = "murk-media murk-scene",
      .example = {{"murk media", "All presets."},
                  {"murk media fog/kruse --set visibility_m=200",
                   "What a fog of 200 m comes to, by band."}},
@@ -189,7 +191,8 @@ const murk_command murk_commands[] = {
      "comments that explain the main keys: a room with fog and lamps (the "
      "default), a street in rain under the sky, a harbour under water, a hall "
      "with smoke and without.",
-     murk_command_init, .is_text_alone = true, .formats = "murk-scene",
+     murk_command_init, .input = MURK_INPUT_START_SCENE, .is_text_alone = true,
+     .formats = "murk-scene",
      .example = {{"murk init room > room.yaml", "A room with fog, to change."},
                  {"murk place room.yaml", "Sensors for that room."}}},
     {"schema", "[>FILE]", "a JSON Schema of scene and study files, for editors",
@@ -203,7 +206,7 @@ const murk_command murk_commands[] = {
      "the "
      "line \"# yaml-language-server: $schema=scene.schema.json\" at the top of "
      "a scene.",
-     murk_command_schema, .is_text_alone = true,
+     murk_command_schema, .input = MURK_INPUT_NONE, .is_text_alone = true,
      .formats = "murk-scene "
                 "murk-study",
      .example = {{"murk schema > scene.schema.json",
@@ -214,7 +217,8 @@ const murk_command murk_commands[] = {
      "KEY is a path such as sensors.count or media.fog.extinction_per_m; * "
      "stands for any name or number of an item. Without KEY: the keys of the "
      "top level. The whole reference: murk-scene(5).",
-     murk_command_help, .is_text_alone = true, .formats = "murk-scene",
+     murk_command_help, .input = MURK_INPUT_KEY, .is_text_alone = true,
+     .formats = "murk-scene",
      .example = {{"murk help sensors.types", "The keys of a type of sensors."},
                  {"murk help media.*.extinction_per_m",
                   "The extinction coefficient of a medium."}}},

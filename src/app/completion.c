@@ -6,7 +6,9 @@
  * tables and is the same for both shells. The second, fixed part asks this
  * function and hands the answer to the shell. The word "@files" stands for the
  * names of files and folders, "@keys" for the scene keys and "=". */
+#include "app/built_in_files.h"
 #include "app/help.h"
+#include "app/reference.h"
 #include "scene/keys.h"
 #include "scene/presets.h"
 
@@ -108,17 +110,50 @@ static void put_options_of(FILE *to, const char *command)
     }
 }
 
-/* Prints what the first argument of a command may be. */
-static void put_inputs_of(FILE *to, const murk_command *command)
+static void put_presets(FILE *to)
 {
-    if (strcmp(command->arguments, "[NAME]") != 0) {
-        fputs("@files", to);
-        return;
-    }
     for (size_t i = 0; i < murk_presets_count(); ++i) {
         char name[MURK_PRESET_NAME_SIZE];
         murk_presets_name(i, name);
-        fprintf(to, "%s%s", i ? " " : "", name);
+        fprintf(to, " %s", name);
+    }
+}
+
+/* Prints the names of the scenes to start from: those of the files, without
+ * the ending. */
+static void put_start_scenes(FILE *to)
+{
+    for (size_t i = 0; i < murk_start_files.n; ++i) {
+        const char *file = murk_start_files.file[i].name;
+        fprintf(to, " %.*s", (int)strcspn(file, "."), file);
+    }
+}
+
+static void put_path(void *to, const char *path)
+{
+    fprintf(to, " %s", path);
+}
+
+/* Prints the words that may follow a command. */
+static void put_inputs_of(FILE *to, const murk_command *command)
+{
+    switch (command->input) {
+    case MURK_INPUT_SCENE:
+    case MURK_INPUT_STUDY:
+    case MURK_INPUT_FOLDER:
+        fputs("@files", to);
+        break;
+    case MURK_INPUT_PRESET:
+        put_presets(to);
+        break;
+    case MURK_INPUT_START_SCENE:
+        put_start_scenes(to);
+        break;
+    case MURK_INPUT_KEY:
+        murk_reference_visit_all(put_path, to);
+        break;
+    case MURK_INPUT_NONE:
+        break;
     }
 }
 
@@ -164,7 +199,7 @@ void murk_completion_print(FILE *to, bool is_zsh)
     }
     fputs("    */-*) echo '", to);
     put_options_of(to, NULL);
-    fputs("' ;;\n    */*) echo 'help", to);
+    fputs("' ;;\n    */*) echo '", to);
     for (size_t i = 0; i < murk_commands_count; ++i) {
         fprintf(to, " %s", murk_commands[i].name);
     }

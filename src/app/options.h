@@ -83,10 +83,22 @@ typedef struct murk_note_pair {
 typedef murk_status murk_command_run(const murk_options *options,
                                      murk_error *err);
 
+/* What the word behind the name of a command stands for. */
+typedef enum murk_command_input {
+    MURK_INPUT_SCENE,  /* a file */
+    MURK_INPUT_STUDY,  /* a file */
+    MURK_INPUT_FOLDER, /* of results */
+    MURK_INPUT_PRESET,
+    MURK_INPUT_START_SCENE, /* of scenes/start */
+    MURK_INPUT_KEY,         /* of a scene */
+    MURK_INPUT_NONE         /* the command takes no word */
+} murk_command_input;
+
 typedef struct murk_command {
     const char *name, *arguments, *summary;
     const char *text; /* a paragraph or two for --help and the man page */
     murk_command_run *run;
+    murk_command_input input;
     bool is_text_alone;  /* prints one text: no scene, no JSON of results */
     const char *formats; /* man pages of section 5, with spaces between */
     murk_note_pair example[MURK_NOTES_EXAMPLES + 1];
