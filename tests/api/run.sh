@@ -43,10 +43,13 @@ tr -s '\n ' ' ' <"$work/murk/include/murk.h" | grep -o 'murk_[a-z0-9_]*(murk_[a-
     sort >"$work/constructors"
 sed -n 's/^ *X([a-z]*, \(murk_[a-z_]*\),.*/\1/p' "$here/refused.c" | sort >"$work/refused"
 diff "$work/constructors" "$work/refused" || { echo "refused.c has other constructors than murk.h"; exit 1; }
+# shellcheck disable=SC2046
+awk -f "$here/layout.awk" "$work/murk/include/murk.h" >"$work/layout.c" &&
+    cc "$work/layout.c" -o "$work/layout" $(PKG_CONFIG_PATH="$library/pkgconfig" pkg-config --cflags murk)
 {
     readelf -d "$library/libmurk.so" | sed -n 's/.*(SONAME).*\[\(.*\)\]/soname \1/p'
     nm -D --defined-only "$library/libmurk.so" | awk '$2 == "T" {print "function", $3}' | LC_ALL=C sort
-    "$work/build/layout"
+    "$work/layout"
 } >"$work/abi"
 diff "$here/abi.txt" "$work/abi" || { echo "what programs rely on differs from tests/api/abi.txt"; exit 1; }
 nm -D --defined-only "$library/libmurk.so" | grep -v ' [TA] ' && { echo "libmurk exports data"; exit 1; }
