@@ -155,6 +155,9 @@ murk_status murk_command_study(const murk_options *options, murk_error *err)
         if (murk_shows_summary(options)) {
             show_run(options, saved);
         }
+    }
+    /* An interrupt while the files were written stays the failure. */
+    if (!status) {
         status = judge(options, saved, err);
     }
     murk_study_destroy(study);
