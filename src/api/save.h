@@ -21,7 +21,8 @@ murk_status murk_save_set(murk_session *session, const char *folder,
 /* Refuses what the results of a command ("trace", "sense", "place") on the
  * scene of the session cannot be written as, before any light is traced:
  * exports, the number of repeats, and files that may not be replaced. Begins
- * the folder; murk_save_end() ends it, also after a failure. */
+ * the folder of session->results, which murk_results_end() ends, also after a
+ * failure. */
 murk_status murk_save_check(murk_session *session, const char *command,
                             uint64_t runs, murk_error *err);
 

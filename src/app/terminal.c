@@ -122,8 +122,8 @@ static void install_handlers(void)
 {
     struct sigaction action = {.sa_handler = on_signal};
     sigemptyset(&action.sa_mask);
-    action.sa_flags = (int)SA_RESETHAND; /* the second signal kills the
-                                          * process */
+    action.sa_flags = (int)SA_RESETHAND; /* the second signal of a number kills
+                                          * the process */
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
 }

@@ -8,7 +8,8 @@
 
 /* Makes options->context for the rest of the program, with the threads, the
  * progress and the quietness of the options. Long computations of the context
- * stop after a signal; a second signal ends the program at once. */
+ * stop after a signal; a second signal of the same number ends the program at
+ * once. */
 murk_status murk_terminal_begin(murk_options *options, murk_error *err);
 
 /* True after the first signal. */

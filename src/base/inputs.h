@@ -6,9 +6,9 @@
  * subprocesses, and the files that they open count, too. A file is identified
  * by device and inode, so that every path and link to the file is recognised.
  *
- * The program begins the set. A caller of the library may want to read a file
- * and write it again; for such a caller the set stays empty unless
- * murk_inputs_begin() is called. */
+ * Each context of the library begins the set of its host, so no call of a
+ * context writes over a file that another call of the context has read. The set
+ * of a host without a context stays empty until murk_inputs_begin(). */
 #ifndef MURK_BASE_INPUTS_H
 #define MURK_BASE_INPUTS_H
 

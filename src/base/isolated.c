@@ -147,7 +147,8 @@ murk_status murk_isolated_run(murk_isolated_work work, void *work_context,
     if (opened) {
         return opened;
     }
-    /* No other thread may run during fork(): stop the progress display. */
+    /* No thread of this call may run during fork(): stop the progress
+     * display. */
     murk_progress_pause();
     const pid_t self = getpid(), pid = fork();
     if (pid < 0) {

@@ -2,8 +2,8 @@
  * devices, which end with it, and a crash of the subprocess leaves the calling
  * process intact. Results return as messages through a pipe.
  *
- * murk_isolated_run() forks, so the calling process must have no other threads
- * (the thread of the progress line is stopped) and no ray device. */
+ * murk_isolated_run() forks. The caller must use no thread pool at that time;
+ * the progress line is stopped. Other threads may run (src/api/README.md). */
 #ifndef MURK_BASE_ISOLATED_H
 #define MURK_BASE_ISOLATED_H
 
