@@ -250,7 +250,7 @@ class Scene:
         Raises Error if the lengths differ.
 
         Example: `scene.add_table("places", x_m=x, y_m=y, z_m=z)`, then
-        `scene["sensors.candidates"] = {"file": "memory:places"}`.
+        `scene["sensors.candidates"] = {"points": "memory:places"}`.
         """
         arrays = [numpy.array(column, float) for column in columns.values()]
         if len({array.shape for array in arrays}) != 1 or arrays[0].ndim != 1:

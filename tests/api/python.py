@@ -5,10 +5,12 @@ place, cancelling, no leaks.
 """
 import ctypes
 import gc
+import inspect
 import io
 import json
 import os
 import pickle
+import re
 import signal
 import subprocess
 import sys
@@ -198,6 +200,22 @@ def grids_and_meshes():
     scene["materials"] = {"default": {"diffuse": 0}, "black": {"diffuse": 0}}
     scene.add_mesh("wall", [[5, -1, -1], [5, 1, -1], [5, 1, 1], [5, -1, 1]], [[0, 1, 2], [0, 2, 3]])
     check(scene.trace().tally("end").values.flat[0] == 0, "a mesh stops the beam")
+
+
+def examples_of_arrays():
+    """The examples in the docstrings of the methods that add arrays, run as they stand."""
+    places = numpy.linspace(2, 8, 4)
+    for method, is_used in (("add_mesh", lambda scene: len(scene.trace().surface) > 0),
+                            ("add_grid", lambda scene: scene.world().bands_nm.size == 1),
+                            ("add_table", lambda scene: scene.place().result["candidates"]["asked"] == len(places))):
+        scene = murk.Scene(ROOM, media={"smoke": {"extinction_per_m": 1, "albedo": 0.9}}, regions=[{"medium": "smoke"}])
+        example = inspect.getdoc(getattr(murk.Scene, method)).split("Example: ")[1]
+        codes = re.findall("`([^`]+)`", example)
+        check(len(codes) == 2, f"the example of {method} adds an array and names it: {codes}")
+        names = {"scene": scene, "density": numpy.ones((4, 4, 4)), "x": places, "y": places, "z": 0 * places + 2}
+        for code in codes:
+            exec(code, names)  # noqa: S102
+        check(is_used(scene), f"the example of {method}")
 
 
 # ---- threads, cancelling, leaks ----
@@ -418,6 +436,7 @@ def main():
         pictures(folder)
     arrays()
     grids_and_meshes()
+    examples_of_arrays()
     keys()
     interpreter_is_free()
     interrupt()
