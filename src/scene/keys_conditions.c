@@ -37,6 +37,12 @@ static murk_status check_name(murk_key_reader *walk, const murk_yaml *map,
             walk, map, "%s is a word of placement.over, must be another name",
             name);
     }
+    if (strcmp(name, "scene") == 0) {
+        return murk_walk_fail_key(walk, map,
+                                  "%s is the word for the scene without a "
+                                  "condition, must be another name",
+                                  name);
+    }
     return MURK_OK;
 }
 

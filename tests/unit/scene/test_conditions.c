@@ -169,6 +169,10 @@ static void test_refusals(void)
                   "a name of other characters than letters, digits, - and _");
     CHECK_REFUSED(HEAD "worst: {}}\n", VALUE, "fog.yaml:7:25: conditions.worst",
                   "worst is a word of placement.over, must be another name");
+    /* murk fit writes KEY@scene for readings without a condition */
+    CHECK_REFUSED(HEAD "scene: {}}\n", VALUE, "fog.yaml:7:25: conditions.scene",
+                  "scene is the word for the scene without a condition, must "
+                  "be another name");
     CHECK_REFUSED(HEAD "fog: {}}\n"
                        "placement: {condition_weights: {fgo: 1}}\n",
                   VALUE, "fog.yaml:8:33: placement.condition_weights.fgo",
