@@ -1,8 +1,6 @@
 /* Light: both photon maps, ledger and tallies, traced or read from a file. */
 
 #include "api/save.h"
-#include "base/log.h"
-#include "base/progress.h"
 #include "results/exports.h"
 #include "results/ledger.h"
 #include "results/tallies.h"
@@ -27,23 +25,12 @@ static murk_light *make(murk_world *world)
 static murk_status read_light(murk_light *light, const char *path,
                               murk_error *err)
 {
-    murk_session *session = &light->session;
-    const double begun_s = murk_clock_s();
     light->path = strdup(path);
     if (!light->path) {
         return murk_no_memory(err, path, "for the light");
     }
-    if (murk_owned_belonging(path) == MURK_OF_ANOTHER_RUN) {
-        murk_warn(path, "is of another run than the results beside it, or of "
-                        "one that was killed while it wrote them");
-    }
-    murk_progress_begin_group("read light", 0, "");
-    const murk_status status = murk_lightmap_load(
-        &session->traced, session->stage, path, session->settings.threads, err);
-    murk_progress_end();
-    session->settings.light = light->path;
-    session->run.load_s += murk_clock_s() - begun_s;
-    return status;
+    light->session.settings.light = light->path;
+    return murk_session_read_light(&light->session, err);
 }
 
 /* The function of the caller that receives batches. */

@@ -3,7 +3,6 @@
 #include "app/session.h"
 
 #include "app/identity.h"
-#include "results/ownership.h"
 #include "results/tallies.h"
 
 #include "base/log.h"
@@ -144,26 +143,11 @@ murk_status murk_session_build(murk_session *session, murk_error *err)
 
 murk_status murk_session_light(murk_session *session, murk_error *err)
 {
-    const unsigned threads = session->settings.threads;
-    const double begun_s = murk_clock_s();
-    murk_status status;
-    /* Read the light from a file, or trace it. */
-    if (session->settings.light) {
-        if (murk_owned_belonging(session->settings.light) ==
-            MURK_OF_ANOTHER_RUN) {
-            murk_warn(session->settings.light,
-                      "is of another run than the results beside it, or of "
-                      "one that was killed while it wrote them");
-        }
-        murk_progress_begin_group("read light", 0, "");
-        status = murk_lightmap_load(&session->traced, session->stage,
-                                    session->settings.light, threads, err);
-        murk_progress_end();
-        session->run.load_s += murk_clock_s() - begun_s;
-    } else {
-        status = murk_lightmap_trace(&session->traced, session->stage, 0,
-                                     threads, err);
-    }
+    const murk_status status =
+        session->settings.light
+            ? murk_session_read_light(session, err)
+            : murk_lightmap_trace(&session->traced, session->stage, 0,
+                                  session->settings.threads, err);
     if (!status) {
         session->run.trace_s = session->traced->trace_s;
         session->run.map_s = session->traced->map_s;

@@ -1,11 +1,13 @@
-/* Writes the files that most commands have in common: the light, the ledger,
- * the resolved scene and the main JSON; and checks beforehand that none of the
- * run's files would be refused. */
+/* Reads the light from a file. Writes the files that most commands have in
+ * common: the light, the ledger, the resolved scene and the main JSON; and
+ * checks beforehand that none of the run's files would be refused. */
 #include "results/session.h"
 
 #include "results/json.h"
+#include "results/ownership.h"
 #include "results/summary.h"
 
+#include "base/log.h"
 #include "base/progress.h"
 #include "world/stage_build.h"
 
@@ -51,6 +53,22 @@ void murk_session_end(murk_session *session)
     murk_stage_destroy(session->stage);
     murk_scene_desc_destroy(session->scene);
     *session = (murk_session){0};
+}
+
+murk_status murk_session_read_light(murk_session *session, murk_error *err)
+{
+    const char *path = session->settings.light;
+    const double begun_s = murk_clock_s();
+    if (murk_owned_belonging(path) == MURK_OF_ANOTHER_RUN) {
+        murk_warn(path, "is of another run than the results beside it, or of "
+                        "one that was killed while it wrote them");
+    }
+    murk_progress_begin_group("read light", 0, "");
+    const murk_status status = murk_lightmap_load(
+        &session->traced, session->stage, path, session->settings.threads, err);
+    murk_progress_end();
+    session->run.load_s += murk_clock_s() - begun_s;
+    return status;
 }
 
 static murk_status expect_all(murk_results *results, const char *const *names,

@@ -52,6 +52,11 @@ murk_status murk_session_read_exports(unsigned *out, const char *words,
 
 void murk_session_end(murk_session *session);
 
+/* Reads the light of the stage from the file settings.light. Adds the time to
+ * run.load_s. Warns if the file is of another run than the results beside it.
+ * Fails as murk_lightmap_load(). */
+murk_status murk_session_read_light(murk_session *session, murk_error *err);
+
 /* Fail at once if files could not replace those that are there
  * (murk_results_expect()): the first for the named files (a list that ends with
  * NULL), the resolved scene and the files of --export; the second for the light
