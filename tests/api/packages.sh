@@ -32,6 +32,14 @@ for package in murk libmurk0 libmurk-dev python3-murk murk-doc; do
     [ -f "$(echo "$build/$package"_*.deb)" ] || fail "no package $package"
 done
 
+# every man page of the build is in a package, compressed; so are the changelogs
+find "$build/man" -name '*.[1-8]' | sed "s|$build/man/\(.*\)|./usr/share/man/\1.gz|" | sort >"$work/made"
+for package in "$build"/*.deb; do
+    dpkg-deb --fsys-tarfile "$package" | tar -t
+done >"$work/packed"
+grep '^\./usr/share/man/.*[^/]$' "$work/packed" | sort | diff "$work/made" - || fail "packages with other man pages"
+grep '^\./usr/share/doc/[^/]*/changelog' "$work/packed" | grep -v '\.gz$' && fail "a changelog is not compressed"
+
 # lintian
 if command -v lintian >/dev/null; then
     [ "$(id -u)" = 0 ] && as_root=--allow-root || as_root=
