@@ -8,7 +8,7 @@
 # what it is". A line "<!-- include FILE -->" takes in DIR/FILE as a section, and
 # "<!-- include FILE: HEADING -->" the section of that heading, which a FILE that
 # begins with "@" (one that the build made) has taken in without the heading.
-# The first section is DESCRIPTION.
+# The first section is SYNOPSIS, or else DESCRIPTION.
 # A table becomes a list: its first column is what is listed; of a table of keys
 # ("key | value | default | meaning") default "-" is left out.
 
@@ -72,8 +72,11 @@ function flush() {
 function heading(level, text) {
     flush()
     gsub(/`/, "", text)
-    if (!headed++ || text == "See also") {
-        text = toupper(headed == 1 ? "Description" : text)
+    if (!headed++ && text != "Synopsis") {
+        text = "Description"
+    }
+    if (text ~ /^(Synopsis|Description|See also)$/) {
+        text = toupper(text)
     }
     print (level == 2 ? ".SH \"" : ".SS \"") escaped(text) "\""
     after_heading = 1

@@ -65,6 +65,14 @@ def check_installed():
           f"{len(pages)} pages")
 
 
+def check_headings():
+    """The sections that each page begins with; those of formats of files have no synopsis."""
+    for name, page in pages.items():
+        first = ["NAME", "SYNOPSIS", "DESCRIPTION"] if not name.endswith(".5") else ["NAME", "DESCRIPTION"]
+        found = re.findall(r'^\.SH "?([^"\n]*)', page, re.M)
+        check(found[:len(first)] == first and found[-1] == "SEE ALSO", f"{name}: sections {found}")
+
+
 def check_warnings():
     for path in sorted(glob.glob(FOLDER + "/man?/*")):
         name = os.path.basename(path)
@@ -177,6 +185,7 @@ def check_examples():
 
 
 check_installed()
+check_headings()
 check_warnings()
 check_commands_and_options()
 check_keys()
