@@ -32,7 +32,7 @@ class World:
         out = ffi.new("murk_world **")
         call_long(self.context, lib.murk_world_create, out, scene.c)
         self.c = ffi.gc(out[0], lib.murk_world_destroy)
-        self.tallies: list[str] = [tally["name"] for tally in scene["tallies"] or []] if "tallies" in scene else []
+        self.tallies: list[str] = [tally["name"] for tally in scene["tallies"]]
 
     @property
     def bounds_m(self) -> NDArray[numpy.float64]:

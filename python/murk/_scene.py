@@ -147,11 +147,12 @@ class Scene:
 
     def __contains__(self, key: str) -> bool:
         """True if the resolved scene has the key: `"media.fog" in scene`. Raises Error if the scene is wrong."""
-        self.check()
         try:
             return self[key] is not None
         except Error:
-            return False
+            pass
+        self.check()  # raises if not the key, but the scene is wrong
+        return False
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _rebuilt, (type(self), self._source, self._keys, self._arrays)

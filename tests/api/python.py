@@ -374,6 +374,18 @@ def keys():
     scene["lights.0.center_m"] = numpy.array([5, 5, 3.5])
     check(scene["lights.0.center_m"] == [5, 5, 3.5] and scene["seed"] == 3, "NumPy values as keys")
     check(scene["photons.emit"] == 1000 and "media.fog" in scene and "media.smoke" not in scene, "keys")
+    # the scene is resolved once for an answer, and once for the names of tallies of a world
+    call_in, calls = murk._scene.call_in, []
+    murk._scene.call_in = lambda *arguments: (calls.append(arguments[1]), call_in(*arguments))
+    check("media.fog" in scene and len(calls) == 1, f"calls of `in`: {calls}")
+    check(scene.world().tallies == ["box", "floor"] and len(calls) == 2, f"calls of world(): {calls}")
+    murk._scene.call_in = call_in
+    try:
+        found = "media.smoke" in murk.Scene({**ROOM, "seed": -1})
+    except murk.Error as error:
+        check(error.key == "seed", str(error))
+    else:
+        check(False, f"`in` raises the error of a wrong scene, and is not {found}")
     plan = scene.place()
     check(plan.coverage.held_out == plan["coverage"]["held_out"] == plan.result.get_path("coverage.held_out"),
           "fields by attribute, item and path")
