@@ -7,7 +7,8 @@ import subprocess
 import sys
 
 TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-HANDLES = "context scene world light sensors coverage plan study fit picture".split()
+with open(os.path.join(TOP, "src", "murk.h"), encoding="utf-8") as header:
+    HANDLES = re.findall(r"^void murk_(\w+)_destroy\(murk_\1 \*\1\);", header.read(), re.M)
 # A word in a comment or a string, such as the key murk_study, is not a name of the program.
 TOKENS = re.compile(r"/\*.*?\*/|//[^\n]*|\"(?:\\.|[^\"\\\n])*\"|(\bmurk_(?:%s)(?:_(?:create|read|destroy|set|get))?\b)"
                     % "|".join(HANDLES), re.S)
@@ -25,6 +26,7 @@ def defined_names(text):
     return [name for m in DEFINED.finditer(text) for name in m.groups() if name and TOKENS.fullmatch(name)]
 
 
+assert len(HANDLES) >= 10, HANDLES  # the handles that interface 0.1 of murk.h has
 assert defined_names("typedef struct murk_plan { int a; } murk_plan;\nint murk_scene_set(int x)\n{\n"
                      "    if (murk_fit_read(x)) {\n}}\nmurk_light *other(murk_scene *s)\n{\n") == \
     ["murk_plan", "murk_plan", "murk_scene_set"]
