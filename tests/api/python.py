@@ -66,6 +66,28 @@ def program_agrees(folder):
     return plan
 
 
+def options_of_a_fit(room, data, key):
+    """Bounds between the start and the value of the free fit, which lies between 2.7 and 3.5; losses."""
+    for start, bounds, limit in ((2.5, (None, 2.7), 2.7), (4, (3.5, None), 3.5)):
+        scene = murk.Scene(file=room, **{key: start})
+        free, bound = scene.fit(data, [key]).parameters[0], scene.fit(data, [key], bounds={key: bounds}).parameters[0]
+        check(2.7 < free.value < 3.5 and not free.at_bound, f"a fit without bounds: {free}")
+        check(bound.value == limit and bound.at_bound, f"a fit with the bounds {bounds}: {bound}")
+    chi2 = [murk.Scene(file=room).fit(data, [key], loss=loss).chi2 for loss in (None, "none", "huber:0.1", "cauchy")]
+    check(chi2[0] == chi2[1] and len(set(chi2)) == 3, f"losses: {chi2}")
+    for options, place, named, part in (({"loss": "hubber"}, "loss", "", "hubber, must be none, huber or cauchy"),
+                                        ({"loss": "huber:-1"}, "loss", "", "huber:-1, must be"),
+                                        ({"bounds": {key: (2, 1)}}, f"bounds {key}=2:1", key, "2 to 1"),
+                                        ({"bounds": {"media.fog.albedo": (0, 1)}}, "bounds media.fog.albedo=0:1",
+                                         "media.fog.albedo", "no free key")):
+        try:
+            murk.Scene(file=room).fit(data, [key], **options)
+        except murk.Error as error:
+            check((error.where, error.key) == (place, named) and part in error.text, f"{options}: {error}")
+        else:
+            check(False, f"{options} is refused")
+
+
 def study_and_fit_agree(folder):
     room, study, data = (os.path.join(folder, name) for name in ("room.yaml", "study.yaml", "data.csv"))
     with open(study, "w", encoding="utf-8") as file:
@@ -92,8 +114,7 @@ def study_and_fit_agree(folder):
     check(mine["parameters"] == theirs["parameters"] and mine["chi2"] == theirs["chi2"], "a fit of a scene file")
     mine.save(os.path.join(folder, "saved-fit"))
     check(without_run(os.path.join(folder, "saved-fit", "fit.json"))["parameters"] == theirs["parameters"], "a saved fit")
-    held = murk.Scene(file=room).fit(data, [key], bounds={key: (0.15, 1)}, loss="huber")
-    check(held.parameters[0].value >= 0.15, "a bound of a fit")
+    options_of_a_fit(room, data, key)
     told = murk.Scene(file=room).fit(data, predict=os.path.join(folder, "saved-fit", "fit.json"))
     told.save(os.path.join(folder, "predicted"))
     check(os.path.exists(os.path.join(folder, "predicted", "fit.csv")), "predicted readings")
