@@ -2,74 +2,26 @@
  * and tracing its light or reading it from a file. */
 #include "app/session.h"
 
+#include "app/given.h"
 #include "app/identity.h"
 #include "results/tallies.h"
 
+#include "api/scene.h"
 #include "base/log.h"
 #include "base/progress.h"
 #include "world/stage_build.h"
 #include "world/units.h"
 
-#include <stdlib.h>
-#include <string.h>
-
-/* True if an option or --set gives this key or the map that it is in. */
-static bool is_given(const murk_options *options, const char *key)
-{
-    for (size_t i = 0; i < options->n_overrides; ++i) {
-        const char *text = options->overrides[i].text;
-        const size_t length = strcspn(text, "=");
-        if (strncmp(text, key, length) == 0 &&
-            (key[length] == '\0' || key[length] == '.')) {
-            return true;
-        }
-    }
-    return false;
-}
-
-/* Reads the scene. With --light, the seed and the number of photons are the
- * file's unless the command line gives them: light of another seed or number is
- * refused later (murk_lightmap_load), and nobody should have to repeat them. */
+/* Reads the scene as the commands that call murk.h do. */
 static murk_status read_scene(murk_scene_desc **out,
                               const murk_options *options, murk_error *err)
 {
-    murk_lightmap_counts counts;
-    murk_error unread = {0};
-    murk_status status = MURK_OK;
-    if (!options->light ||
-        murk_lightmap_read_counts(&counts, options->light, &unread)) {
-        status = murk_scene_desc_read(out, options->input, options->overrides,
-                                      options->n_overrides, err);
-        /* Placement over conditions refuses --light itself, whatever the file
-         * holds. */
-        if (status || (*out)->placement.over != MURK_SCENE_OBJECTIVE_NONE) {
-            return status;
-        }
-        return murk_fail(err, unread.code, unread.where, "%s", unread.text);
+    murk_scene *scene = NULL;
+    murk_status status = murk_given_scene(&scene, options, err);
+    if (!status) {
+        status = murk_scene_describe(out, scene, err);
     }
-    murk_override *all = calloc(options->n_overrides + 2, sizeof *all);
-    char seed[32], number[64];
-    size_t n = 0;
-    if (!all) {
-        return murk_no_memory(err, "", "for the options");
-    }
-    if (!is_given(options, "seed")) {
-        snprintf(seed, sizeof seed, "seed=%lu", (unsigned long)counts.seed);
-        all[n++] = (murk_override){seed, "--light"};
-    }
-    if ((counts.emit || counts.store) && !is_given(options, "photons.emit") &&
-        !is_given(options, "photons.store")) {
-        snprintf(
-            number, sizeof number, "photons.%s=%llu",
-            counts.emit ? "emit" : "store",
-            (unsigned long long)(counts.emit ? counts.emit : counts.store));
-        all[n++] = (murk_override){number, "--light"};
-    }
-    for (size_t i = 0; i < options->n_overrides; ++i) {
-        all[n++] = options->overrides[i];
-    }
-    status = murk_scene_desc_read(out, options->input, all, n, err);
-    free(all);
+    murk_scene_destroy(scene);
     return status;
 }
 
