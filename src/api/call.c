@@ -4,6 +4,7 @@
 #include "api/handles.h"
 
 #include "base/version.h"
+#include "scene/yaml.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -50,7 +51,7 @@ static bool is_key(const char *text)
  * values that the caller has given; NULL: another place. */
 static const char *given_key(const char *place)
 {
-    static const char *const begin[] = {"set ", "keys ", "bounds "};
+    static const char *const begin[] = {MURK_SET_MARK, "keys ", "bounds "};
     for (size_t i = 0; i < sizeof begin / sizeof *begin; ++i) {
         if (strncmp(place, begin[i], strlen(begin[i])) == 0) {
             return place + strlen(begin[i]);
@@ -147,6 +148,22 @@ murk_status murk_call_bad_argument(murk_error *err, const char *name,
     vsnprintf(text, sizeof text, format, args);
     va_end(args);
     return murk_fail(err, MURK_BAD_VALUE, where, "%s", text);
+}
+
+murk_status murk_call_check_texts(murk_error *err, const char *name,
+                                  const char *const *text, size_t n)
+{
+    if (!text && n > 0) {
+        return murk_call_bad_argument(err, name, "is NULL, must be %zu texts",
+                                      n);
+    }
+    for (size_t i = 0; i < n; ++i) {
+        if (!text[i]) {
+            return murk_call_bad_argument(
+                err, name, "element %zu of %zu is NULL, must be a text", i, n);
+        }
+    }
+    return MURK_OK;
 }
 
 void murk_options_copy(void *known, size_t size, const void *options)

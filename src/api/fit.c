@@ -180,7 +180,14 @@ static murk_status make(murk_fit *f, murk_scene *scene, const char *data,
                                 .settings.is_quiet = true,
                                 .run.threads = threads};
     /* The options must be right by themselves. */
-    murk_status status = take_options(f, &options, &call->failure);
+    murk_status status = murk_call_check_texts(&call->failure, "keys", keys, n);
+    if (!status) {
+        status = murk_call_check_texts(&call->failure, "options->bounds",
+                                       options.bounds, options.n_bounds);
+    }
+    if (!status) {
+        status = take_options(f, &options, &call->failure);
+    }
     if (!status && f->predict && (n > 0 || f->wanted_places > 0)) {
         status = murk_fail(&call->failure, MURK_BAD_VALUE, "predict",
                            "fits nothing, so it goes with neither free keys "

@@ -143,6 +143,11 @@ murk_status murk_call_bad_argument(murk_error *err, const char *name,
                                    const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
+/* Fails as murk_call_bad_argument() if one of text[n] is NULL, or if text is
+ * NULL and n is not 0. */
+murk_status murk_call_check_texts(murk_error *err, const char *name,
+                                  const char *const *text, size_t n);
+
 /* ---- references ---- */
 
 void murk_context_release(murk_context *context);

@@ -105,7 +105,7 @@ void murk_scene_release(murk_scene *scene)
         return;
     }
     for (size_t i = 0; i < scene->n; ++i) {
-        free((char *)scene->set[i].option);
+        murk_override_release(&scene->set[i]);
     }
     free(scene->set);
     murk_memory_release(&scene->files);
@@ -124,34 +124,31 @@ void murk_scene_destroy(murk_scene *scene)
 
 /* ---- keys ---- */
 
-/* The offset of KEY=VALUE in the option "set KEY=VALUE". */
-#define SET_LENGTH 4
-
 static murk_status add_key(murk_scene *scene, const char *key,
                            const char *value, murk_error *err)
 {
-    const size_t size = SET_LENGTH + strlen(key) + strlen(value) + 2;
     murk_override *grown =
         realloc(scene->set, (scene->n + 1) * sizeof *scene->set);
-    scene->set = grown ? grown : scene->set;
-    char *option = malloc(size);
-    if (!grown || !option) {
-        free(option);
+    if (!grown) {
         return murk_no_memory(err, key, "for the key");
     }
-    snprintf(option, size, "set %s=%s", key, value);
+    scene->set = grown;
+    murk_status status =
+        murk_override_make(&scene->set[scene->n], key, value, err);
+    if (status) {
+        return status;
+    }
     /* Apply all keys to the tree, which finds errors of path and value. */
-    scene->set[scene->n] = (murk_override){option + SET_LENGTH, option};
     murk_yaml *root = NULL;
-    murk_status status = murk_yaml_parse(&root, scene->text,
-                                         strlen(scene->text), scene->name, err);
+    status = murk_yaml_parse(&root, scene->text, strlen(scene->text),
+                             scene->name, err);
     for (size_t i = 0; !status && i <= scene->n; ++i) {
         status = murk_override_apply(root, &scene->set[i], scene->set[i].option,
                                      err);
     }
     murk_yaml_destroy(root);
     if (status) {
-        free(option);
+        murk_override_release(&scene->set[scene->n]);
         return status;
     }
     ++scene->n;

@@ -11,15 +11,13 @@
 #include "results/study.h"
 #include "results/study_print.h"
 #include "results/version.h"
+#include "scene/override.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #define VERSION_SIZE 128 /* bytes of a version and a commit */
-
-/* The offset of KEY=VALUE in the option "set KEY=VALUE". */
-#define SET_LENGTH 4
 
 struct murk_study {
     murk_context *context;
@@ -65,21 +63,26 @@ static murk_status take_options(murk_study *study,
                                 const murk_study_options *options,
                                 murk_error *err)
 {
+    murk_status status =
+        murk_call_check_texts(err, "options->key", options->key, options->n);
+    if (!status) {
+        status = murk_call_check_texts(err, "options->value", options->value,
+                                       options->n);
+    }
+    if (status) {
+        return status;
+    }
     study->folder = options->folder ? strdup(options->folder) : NULL;
     study->set = calloc(options->n + 1, sizeof *study->set);
-    bool is_whole = study->set && (study->folder || !options->folder);
-    for (size_t i = 0; is_whole && i < options->n; ++i) {
-        const char *key = options->key[i], *value = options->value[i];
-        const size_t size = SET_LENGTH + strlen(key) + strlen(value) + 2;
-        char *option = malloc(size);
-        is_whole = option != NULL;
-        if (is_whole) {
-            snprintf(option, size, "set %s=%s", key, value);
-            study->set[study->n++] =
-                (murk_override){option + SET_LENGTH, option};
-        }
+    if (!study->set || (options->folder && !study->folder)) {
+        return murk_no_memory(err, "", "for the study");
     }
-    return is_whole ? MURK_OK : murk_no_memory(err, "", "for the study");
+    for (size_t i = 0; i < options->n && !status; ++i) {
+        status = murk_override_make(&study->set[i], options->key[i],
+                                    options->value[i], err);
+        study->n += !status;
+    }
+    return status;
 }
 
 /* The scene that rows differ from; none if it cannot stand without the values
@@ -173,7 +176,7 @@ void murk_study_destroy(murk_study *study)
     murk_fields_release(&study->fields);
     murk_fields_release(&study->saved);
     for (size_t i = 0; i < study->n; ++i) {
-        free((char *)study->set[i].option);
+        murk_override_release(&study->set[i]);
     }
     free(study->set);
     free(study->seen);

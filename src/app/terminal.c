@@ -7,6 +7,7 @@
 #include "base/file.h"
 #include "base/inputs.h"
 #include "base/log.h"
+#include "scene/yaml.h"
 
 #include <signal.h>
 #include <stdatomic.h>
@@ -16,10 +17,6 @@
 
 /* What helps with a file that murk did not write. */
 #define FORCE ", or --force replaces it"
-
-/* How the library marks a key that the caller has set: "set KEY=VALUE". */
-#define SET        "set "
-#define SET_LENGTH (sizeof SET - 1)
 
 /* ---- places ---- */
 
@@ -51,10 +48,11 @@ static const char *place_of(const murk_options *options, const char *where,
             return out;
         }
     }
-    if (strncmp(where, SET, SET_LENGTH) != 0) {
+    const size_t mark = strlen(MURK_SET_MARK);
+    if (strncmp(where, MURK_SET_MARK, mark) != 0) {
         return where;
     }
-    const char *place = where + SET_LENGTH;
+    const char *place = where + mark;
     const murk_override *override = override_of(options, place);
     if (!override) { /* --set KEY=VALUE */
         snprintf(out, PLACE_SIZE, "--%s", where);

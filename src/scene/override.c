@@ -258,9 +258,28 @@ bool murk_override_overlap(const char *a, const char *b)
     return strncmp(a, b, min) == 0 && (n == m || (n < m ? b : a)[min] == '.');
 }
 
+murk_status murk_override_make(murk_override *out, const char *key,
+                               const char *value, murk_error *err)
+{
+    const size_t size = sizeof MURK_SET_MARK "=" + strlen(key) + strlen(value);
+    char *option = malloc(size);
+    if (!option) {
+        return murk_no_memory(err, key, "for the key");
+    }
+    snprintf(option, size, MURK_SET_MARK "%s=%s", key, value);
+    *out = (murk_override){option + strlen(MURK_SET_MARK), option};
+    return MURK_OK;
+}
+
+void murk_override_release(murk_override *made)
+{
+    free((char *)made->option); /* which contains the text */
+    *made = (murk_override){0};
+}
+
 char *murk_override_source(const murk_override *override)
 {
-    const char *prefix = override->option ? "" : "--set ";
+    const char *prefix = override->option ? "" : "--" MURK_SET_MARK;
     const char *text = override->option ? override->option : override->text;
     const size_t size = strlen(prefix) + strlen(text) + 1;
     char *source = malloc(size);

@@ -26,6 +26,13 @@ murk_status murk_override_put(murk_yaml *root, const char *path,
 /* True if the paths are equal or one lies within the other. */
 bool murk_override_overlap(const char *a, const char *b);
 
+/* Makes the override of a key that a call of the library sets: the text
+ * "KEY=VALUE", and the option "set KEY=VALUE" (MURK_SET_MARK). Release it with
+ * murk_override_release(). Fails with MURK_NO_MEMORY. */
+murk_status murk_override_make(murk_override *out, const char *key,
+                               const char *value, murk_error *err);
+void murk_override_release(murk_override *made);
+
 /* The option as messages show it: override->option, or "--set KEY=VALUE".
  * NULL when out of memory; the caller frees it with free(). */
 char *murk_override_source(const murk_override *override);

@@ -36,12 +36,12 @@ void murk_walk_leave(murk_key_reader *walk, size_t length)
  * library, or --seed 3. */
 static bool names_key(const char *source, const char *key)
 {
-    const size_t length = strlen(key);
+    const size_t length = strlen(key), mark = strlen(MURK_SET_MARK);
     const char *set = strncmp(source, "--", 2) == 0 ? source + 2 : source;
-    if (strncmp(set, "set ", 4) != 0) {
+    if (strncmp(set, MURK_SET_MARK, mark) != 0) {
         return murk_yaml_is_option(source);
     }
-    return strncmp(set + 4, key, length) == 0 && set[4 + length] == '=';
+    return strncmp(set + mark, key, length) == 0 && set[mark + length] == '=';
 }
 
 void murk_walk_where(const murk_yaml *node, const char *key, bool at_key,

@@ -69,9 +69,13 @@ void murk_yaml_remove(murk_yaml *map, const char *key);
 void murk_yaml_clear(murk_yaml *node); /* removes all children and the text */
 bool murk_yaml_set_text(murk_yaml *scalar, const char *text);
 
+/* How the source of a value begins that a call of the library sets: "set
+ * KEY=VALUE". */
+#define MURK_SET_MARK "set "
+
 /* True if a source is no file but an option of the command line, which begins
- * with "--", or a call of the library, "set KEY=VALUE". Paths in the value of
- * an option are relative to the working folder. */
+ * with "--", or a call of the library, which begins with MURK_SET_MARK. Paths
+ * in the value of an option are relative to the working folder. */
 bool murk_yaml_is_option(const char *source);
 
 /* The place of a node: "fog.yaml:12:5", the file alone for a node made by the

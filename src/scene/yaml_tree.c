@@ -19,7 +19,8 @@
 
 bool murk_yaml_is_option(const char *source)
 {
-    return strncmp(source, "--", 2) == 0 || strncmp(source, "set ", 4) == 0;
+    return strncmp(source, "--", 2) == 0 ||
+           strncmp(source, MURK_SET_MARK, strlen(MURK_SET_MARK)) == 0;
 }
 
 void murk_yaml_show_place(const char *source, int line, int column, char *out,

@@ -87,6 +87,31 @@ static void call_all(const given *g)
     CONSTRUCTORS(BOTH)
 }
 
+/* A list of texts with NULL in it, or NULL in place of the list. */
+static void pass_null_texts(const given *g)
+{
+    static const char *const none[] = {"seed", NULL};
+    static const murk_study_options studies[] = {
+        {.size = sizeof *studies, .n = 2},
+        {.size = sizeof *studies, .n = 1, .key = none},
+        {.size = sizeof *studies, .n = 1, .value = none},
+        {.size = sizeof *studies, .n = 2, .key = none, .value = none},
+        {.size = sizeof *studies, .n = 1, .key = none, .value = none + 1}};
+    for (size_t i = 0; i < sizeof studies / sizeof *studies; ++i) {
+        CALL(study, murk_study_read,
+             (&out, g->context, "no-such-study.yaml", &studies[i], &error))
+    }
+    static const murk_fit_options fits[] = {
+        {.size = sizeof *fits, .n_bounds = 1},
+        {.size = sizeof *fits, .n_bounds = 1, .bounds = none + 1}};
+    for (size_t i = 0; i < sizeof fits / sizeof *fits; ++i) {
+        CALL(fit, murk_fit_create,
+             (&out, g->scene, "no-such-data.csv", keys, 1, &fits[i], &error))
+    }
+    CALL(fit, murk_fit_create,
+         (&out, g->scene, "no-such-data.csv", none, 2, NULL, &error))
+}
+
 /* Saving that is refused leaves NULL in *fields. */
 #define SAVE(handle)                                                       \
     do {                                                                   \
@@ -128,6 +153,7 @@ int main(void)
         return 1;
     }
     call_all(&g);
+    pass_null_texts(&g);
     save_all();
     murk_sensors_destroy(g.none);
     murk_light_destroy(g.light);
