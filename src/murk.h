@@ -42,12 +42,12 @@ extern "C" {
 
 /* ---- library ---- */
 
-/* The version of this header: programs compiled against it run with libraries
- * of the same major number. */
+/* The version of this header; any libmurk.so.0 not older supports it. */
 #define MURK_VERSION_MAJOR 0
 #define MURK_VERSION_MINOR 1
+#define MURK_VERSION_PATCH 0
 
-/* The version of the library that runs, "0.1.0". */
+/* The version of the library that runs, as "MAJOR.MINOR.PATCH". */
 const char *murk_version(void);
 
 typedef enum murk_status {
@@ -75,7 +75,7 @@ typedef struct murk_error {
     int line, column; /* in `file`, from 1; 0: the whole file */
     char file[320];   /* the file, or the name of a text; "" if there is none */
     char key[160];   /* path of the key in a scene, "media.fog.albedo"; or "" */
-    char where[320]; /* file, line, column and key as one text */
+    char where[320]; /* all of these as one text; or "argument NAME" */
     char text[640];  /* the value found and the allowed values, with units */
 } murk_error;
 
@@ -174,8 +174,8 @@ murk_status murk_context_create(murk_context **out,
 void murk_context_destroy(murk_context *context);
 
 /* Makes the call that runs in the context, or else the next one, stop at the
- * next batch and return MURK_INTERRUPTED; the call after that one works as
- * usual. */
+ * next batch and return MURK_INTERRUPTED; later calls work as usual. Calls that
+ * do no long work, such as murk_scene_set(), neither stop nor count. */
 void murk_context_cancel(murk_context *context);
 
 /* Writes the page of a folder of results (plan.json, ledger.json, study.json,
@@ -248,13 +248,13 @@ murk_status murk_scene_resolved(murk_scene *scene, const char **text,
  * vertices_m: n x 3, floats or doubles; triangles: m x 3 indices, uint32 or
  * uint64; material: m indices into material_names[n_materials], uint32, or NULL
  * if all triangles have the first material. material_names NULL: the name of
- * the only material is "". A name that exists is replaced.
+ * the only material is "". Replaces an array of the same name.
  *
  * release NULL: the arrays are copied; else vertices_m must be dense float32
  * and triangles dense uint32, both are used in place, and release(user) is
- * called once, when the mesh is replaced or the scene and all worlds of it are
- * destroyed. If the call fails, release is not called and the arrays stay the
- * caller's. A world has a copy of its own in any case. Fails with
+ * called once: after the mesh was replaced or the scene destroyed, and all
+ * worlds and fits that were made with the mesh are destroyed. If the call
+ * fails, release is not called and the arrays stay the caller's. Fails with
  * MURK_BAD_VALUE if the name has other characters than letters, digits, "_",
  * "-" and ".", if a shape or a type does not fit, if an index is out of range,
  * or if a coordinate is not finite. */
@@ -270,12 +270,12 @@ murk_status murk_scene_add_mesh(murk_scene *scene, const char *name,
  *
  * values: nx x ny x nz, floats or doubles, finite, at least 0. Value (i, j, k)
  * fills the cell around the point index_to_world * (i, j, k, 1); index_to_world
- * is 3 x 4, row by row, in metres. release NULL: the values are copied; else
- * they must be dense floats with x fastest (stride[0] = 4), are used in place,
- * and release(user) is called when the scene and all worlds of it are
- * destroyed. If the call fails, release is not called. Fails with
- * MURK_BAD_VALUE if the name, the type or the order is wrong, or if a value is
- * negative or not finite. */
+ * is 3 x 4, row by row, in metres. Replaces an array of the same name. release
+ * NULL: the values are copied; else they must be dense floats with x fastest
+ * (stride[0] = 4), are used in place, and release(user) is called as for a
+ * mesh. If the call fails, release is not called. Fails with MURK_BAD_VALUE if
+ * the name, the type or the order is wrong, or if a value is negative or not
+ * finite. */
 murk_status murk_scene_add_grid(murk_scene *scene, const char *name,
                                 const murk_array *values,
                                 const double index_to_world[12],
@@ -286,9 +286,9 @@ murk_status murk_scene_add_grid(murk_scene *scene, const char *name,
  * targets, spectra, profiles, phase functions.
  *
  * values: rows x columns, floats or doubles; columns[]: the heads of the file
- * that the key describes. Copied. Fails with MURK_BAD_VALUE if the name or the
- * type is wrong, or if a head is NULL; the values are checked by the key that
- * takes the table. */
+ * that the key describes. Copied; replaces an array of the same name. Fails
+ * with MURK_BAD_VALUE if the name or the type is wrong, or if a head is NULL;
+ * the values are checked by the key that takes the table. */
 murk_status murk_scene_add_table(murk_scene *scene, const char *name,
                                  const char *const *columns,
                                  const murk_array *values, murk_error *error);
@@ -341,7 +341,7 @@ const char *murk_fields_json(const murk_fields *fields);
 /* ---- folders ---- */
 
 /* What murk_<handle>_save() writes beside the files that it always writes, and
- * what these files say of the run. All members may be NULL or false.
+ * what these files say of the run. All members but size may be NULL or false.
  *
  * murk_light_save(), murk_coverage_save(), murk_plan_save(), murk_study_save()
  * and murk_fit_save() write the files of the command murk trace, sense, place,
@@ -358,8 +358,8 @@ const char *murk_fields_json(const murk_fields *fields);
  * of the main JSON. *fields are valid until the next save of the handle.
  *
  * Fail with MURK_BAD_VALUE if a file may not be replaced or if the options ask
- * for what the scene does not have, and with MURK_RUN_FAILED if a file cannot
- * be written. */
+ * for what the scene does not have, with MURK_RUN_FAILED if a file cannot be
+ * written, and with MURK_INTERRUPTED if the call is cancelled. */
 typedef struct murk_save_options {
     size_t size;         /* sizeof(murk_save_options) */
     const char *exports; /* words with commas between: fields, photons,
@@ -387,7 +387,7 @@ murk_status murk_world_create(murk_world **out, murk_scene *scene,
                               murk_error *error);
 void murk_world_destroy(murk_world *world);
 
-/* The box of the domain: min x, y, z, max x, y, z [m]. */
+/* The box of the domain: min x, y, z, max x, y, z [m]; NaN on failure. */
 void murk_world_bounds(const murk_world *world, double bounds_m[6]);
 
 /* The number of bands, and the wavelength of band i [nm], from 0 (NaN: no such
@@ -461,10 +461,10 @@ murk_status murk_batch_array(murk_batch *batch, murk_map map, const char *field,
  * band. */
 double murk_light_packet_w(const murk_light *light, int source, int band);
 
-/* Reads and writes light.murk. Reading fails with MURK_BAD_FILE if the file is
- * missing or malformed, and with MURK_BAD_VALUE if the seed, or a key that
- * light depends on, differs from that of the world. Writing fails with
- * MURK_RUN_FAILED. */
+/* Reads and writes light.murk, not over a file that the context has read.
+ * Reading fails with MURK_BAD_FILE if there is no light in it, MURK_BAD_VALUE
+ * if the seed or a key that light depends on is not that of the world, and
+ * MURK_INTERRUPTED. Writing fails with MURK_BAD_VALUE or MURK_RUN_FAILED. */
 murk_status murk_light_read(murk_light **out, murk_world *world,
                             const char *path, murk_error *error);
 murk_status murk_light_write(const murk_light *light, const char *path,
@@ -476,7 +476,7 @@ size_t murk_light_count(const murk_light *light, murk_map map);
 
 /* A field of the records of a map, in the order of the map:
  *
- *   position_m   n x 3 float32
+ *   position_m   n x 3 float32  float64, a copy, if the scene is far from 0
  *   power_w      n     float32
  *   emitted      n     uint32   number of the photon
  *   band, light  n     uint8
@@ -628,7 +628,7 @@ murk_status murk_plan_save(murk_plan *plan, const char *folder,
 
 typedef struct murk_study murk_study;
 
-/* How the rows of a study are run. All members may be zeros. */
+/* How the rows of a study are run. All members but size may be zeros. */
 typedef struct murk_study_options {
     size_t size;            /* sizeof(murk_study_options) */
     const char *folder;     /* keeps the finished rows, which are not run again
@@ -677,7 +677,7 @@ murk_status murk_study_save(murk_study *study, const char *folder,
 
 typedef struct murk_fit murk_fit;
 
-/* How a fit searches. All members may be zeros. */
+/* How a fit searches. All members but size may be zeros. */
 typedef struct murk_fit_options {
     size_t size;               /* sizeof(murk_fit_options) */
     size_t n_bounds;           /* limits of free keys: */
