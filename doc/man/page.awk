@@ -1,6 +1,6 @@
 # A man page from Markdown, in roff's man macros.
 #
-#   awk -v source=DIR -v header=murk_build.h -v version=0.1.0 -f page.awk NAME.5.md
+#   awk -v source=DIR -v header=murk_build.h -v version=VERSION -f page.awk NAME.5.md
 #
 # The header says the date (MURK_BUILD_DATE).
 # Markdown as this project's files use it: headings, paragraphs, lists, fences,

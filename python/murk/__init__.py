@@ -28,7 +28,7 @@ __all__ = ["Scene", "World", "Light", "Tally", "Coverage", "Plan", "Picture", "S
 def version() -> str:
     """The version of the library that runs.
 
-    Example: `murk.version()` is "0.1.0".
+    Example: `print(murk.version())`.
     """
     return _string(_lib.murk_version())
 

@@ -18,7 +18,9 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 import browser  # noqa: E402
 import pages  # noqa: E402
 
-PLAN = {"murk": {"version": "0.1.0"}, "scene": "a.yaml", "seed": 1,
+MAJOR, MINOR, PATCH = pages.VERSION
+RELEASE = f"{MAJOR}.{MINOR}"
+PLAN = {"murk": {"version": f"{RELEASE}.{PATCH}"}, "scene": "a.yaml", "seed": 1,
         "sensors": [{"type": "node", "position_m": [1, 2, 3]}],
         "coverage": {"in_sample": 0.5}}
 PLY = ("ply\nformat binary_little_endian 1.0\ncomment x\nelement vertex %d\n"
@@ -135,16 +137,16 @@ def main(murk, is_sanitized):
         plan()
         run(2, "no --set and no --seed", ".", "--seed", "3")
         plan(murk={"version": "0.0.9"})
-        run(2, "0.0.9, must be 0.1: results of another version")
-        plan(murk={"version": "0.10.0"})
-        run(2, "0.10.0, must be 0.1")
-        plan(murk={"version": "0.2.0"})
-        run(2, "plan.json:1:22: murk.version: 0.2.0, must be 0.1")
-        plan(murk={"version": "1"})
-        run(2, "1, must be 0.1")
+        run(2, f"0.0.9, must be {RELEASE}: results of another version")
+        plan(murk={"version": f"{RELEASE}0.0"})
+        run(2, f"{RELEASE}0.0, must be {RELEASE}")
+        plan(murk={"version": f"{MAJOR}.{MINOR + 1}.0"})
+        run(2, f"plan.json:1:22: murk.version: {MAJOR}.{MINOR + 1}.0, must be {RELEASE}")
+        plan(murk={"version": f"{MAJOR + 1}"})
+        run(2, f"{MAJOR + 1}, must be {RELEASE}")
         plan(murk={})
         run(2, "murk.version is missing")
-        write("plan.json", '{"murk": {"version": "0.1.0"')
+        write("plan.json", '{"murk": {"version": "0.0.0"')
         run(2, "plan.json:2:1: not YAML")
         write("plan.json", "[" * 100000)
         run(2, "plan.json")
@@ -154,12 +156,12 @@ def main(murk, is_sanitized):
         run(2, "plan.json")
         write("plan.json", "[1, 2]")
         run(2, "murk.version is missing")
-        write("study.json", json.dumps({"murk": {"version": "0.1.0"}, "axes": [{"key": "a"}]}))
+        write("study.json", json.dumps({"murk": PLAN["murk"], "axes": [{"key": "a"}]}))
         write("table.csv", "a,b\n1\n")
         run(2, "table.csv:2")
-        write("study.json", json.dumps({"murk": {"version": "0.1.0"}, "axes": []}))
+        write("study.json", json.dumps({"murk": PLAN["murk"], "axes": []}))
         run(0, "no table.csv")
-        write("study.json", json.dumps({"murk": {"version": "0.1.0"},
+        write("study.json", json.dumps({"murk": PLAN["murk"],
                                         "axes": [{"key": "a"}] * 99, "rows": "x"}))
         write("table.csv", "a,b,b_standard_error\n1e999,nan,x\n,,\n2,1e300,1e300\n")
         run(0, "The study")
@@ -211,7 +213,7 @@ def main(murk, is_sanitized):
         check("<b>bold" not in text and "<i>x" not in text, "a line is a tag")
 
         # tables beside the JSON that are not what they should be
-        ledger = json.dumps({"murk": {"version": "0.1.0"}})
+        ledger = json.dumps({"murk": PLAN["murk"]})
         for rows in ("top,550,0,0,0,forward,1,0,W\n" * 2, "top,550,9,0,0,forward,1,0,W\n",
                      "top,nan,0,0,0,forward,1,0,W\n", "top,550,-1,0,0,forward,1,0,W\n",
                      "top,550,1e9,1e9,1e9,forward,1,0,W\n", "top,550,0.5,0,0,,1e999,x,W\n",
@@ -255,7 +257,7 @@ def main(murk, is_sanitized):
         write("plan.ply", (PLY % 2).encode() + photon(1e30) + photon(-3))
         run(0, "1 of the 1 stored photons")
         for content in (b"", b"murk", b"\x00" * 100000):
-            write("ledger.json", json.dumps({"murk": {"version": "0.1.0"}}))
+            write("ledger.json", json.dumps({"murk": PLAN["murk"]}))
             write("light.murk", content)
             run(0, "light.murk cannot be read, so photons are not shown")
         for content in (b"", (PLY % 3).encode(), PATH % 10**15, PATH % 5 + b"\x00" * 17,
@@ -264,10 +266,10 @@ def main(murk, is_sanitized):
             write("path.ply", content)
             run(0, "The path is not shown")
         for content in ("", "a,b\n1\n", "x_m,y_m,z_m\n1,2\n"):
-            write("fit.json", json.dumps({"murk": {"version": "0.1.0"}}))
+            write("fit.json", json.dumps({"murk": PLAN["murk"]}))
             write("fit.csv", content)
             run(2, "fit.csv")
-        write("fit.json", json.dumps({"murk": {"version": "0.1.0"}}))
+        write("fit.json", json.dumps({"murk": PLAN["murk"]}))
         write("fit.csv", "x_m,y_m,z_m,kind,unit,residual_in_standard_errors,value\n"
               "1,2,3,<b>,&,x,1e999\n,,,a,b,1,2\n1e300,0,0,a,b,1,2\n")
         text = run(0, "\"kind\":\"\\u003cb>\"")
@@ -275,7 +277,7 @@ def main(murk, is_sanitized):
         plan(conditions=[{"name": "../" * 50}, {"name": "x"}, {"name": "<i>"}, {}])
         run(0, "&lt;i&gt;")
         # files of one run, and of two
-        ledger = {"murk": {"version": "0.1.0"}, "seed": 1, "run": {"command": "murk place a"}}
+        ledger = {"murk": PLAN["murk"], "seed": 1, "run": {"command": "murk place a"}}
         for change, is_one in (({}, True), ({"seed": 2}, False), ({"scene_sha256": "b"}, False),
                                ({"run": {"command": "murk trace a"}}, False)):
             plan(scene_sha256="a", run={"command": "murk place a"})

@@ -17,7 +17,7 @@ import browser  # noqa: E402
 import pages  # noqa: E402
 from pages import Plot, check  # noqa: E402
 
-VERSION = {"murk": {"version": "0.1.0"}}
+VERSION = {"murk": {"version": ".".join(map(str, pages.VERSION))}}
 TICKS = (  # the ends of an axis, and its ticks
     ("0", "1", "0.0 0.2 0.4 0.6 0.8 1.0"),
     ("-3", "3", "-3 -2 -1 0 1 2 3"),

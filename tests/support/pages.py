@@ -16,6 +16,8 @@ import browser
 BYTES_MAX = 3_000_000
 VOID = {"meta", "link", "br", "hr", "img", "input", "wbr"}
 failed = []
+with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../src/murk.h"), encoding="utf-8") as header:
+    VERSION = [int(n) for n in re.findall(r"^#define MURK_VERSION_\w+ (\d+)", header.read(), re.M)]  # major, minor, patch
 
 
 def check(holds, *what):
