@@ -4,7 +4,6 @@
 #include "api/save.h"
 #include "api/scene.h"
 
-#include "base/log.h"
 #include "base/progress.h"
 #include "calibrate/calibrate.h"
 #include "calibrate/covered.h"
@@ -12,7 +11,6 @@
 #include "calibrate/proposals.h"
 #include "results/fit.h"
 #include "world/stage_build.h"
-#include "world/units.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -70,11 +68,7 @@ static murk_status build(murk_fit *f, murk_error *err)
     murk_progress_begin_group("build", 0, "");
     murk_status status = murk_scene_describe(&session->scene, f->scene, err);
     if (!status) {
-        murk_units_note(session->scene);
-        for (size_t i = 0; i < session->scene->idles; ++i) {
-            murk_warn(session->scene->idle[i].where, "%s",
-                      session->scene->idle[i].text);
-        }
+        murk_scene_tell(session->scene);
         status = murk_imported_stages_import(&f->imported, session->scene, err);
     }
     if (!status) {

@@ -4,9 +4,11 @@
 #include "api/scene.h"
 
 #include "base/file.h"
+#include "base/log.h"
 #include "lightmap/lightmap.h"
 #include "scene/key_path.h"
 #include "scene/yaml.h"
+#include "world/units.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -217,6 +219,14 @@ murk_status murk_scene_describe(murk_scene_desc **out, const murk_scene *scene,
 {
     return murk_scene_desc_parse(out, scene->text, scene->name, scene->set,
                                  scene->n, err);
+}
+
+void murk_scene_tell(const murk_scene_desc *scene)
+{
+    murk_units_note(scene);
+    for (size_t i = 0; i < scene->idles; ++i) {
+        murk_warn(scene->idle[i].where, "%s", scene->idle[i].text);
+    }
 }
 
 murk_status murk_scene_check(murk_scene *scene, murk_error *error)

@@ -10,4 +10,7 @@
 murk_status murk_scene_describe(murk_scene_desc **out, const murk_scene *scene,
                                 murk_error *err);
 
+/* Gives the note on units, and a warning for each key without effect. */
+void murk_scene_tell(const murk_scene_desc *scene);
+
 #endif

@@ -2,11 +2,9 @@
  * built from it. */
 #include "api/scene.h"
 
-#include "base/log.h"
 #include "base/progress.h"
 
 #include "world/stage_build.h"
-#include "world/units.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -39,10 +37,7 @@ static murk_status build(murk_world *world, murk_scene *scene, murk_error *err)
     if (status) {
         return status;
     }
-    murk_units_note(world->desc);
-    for (size_t i = 0; i < world->desc->idles; ++i) {
-        murk_warn(world->desc->idle[i].where, "%s", world->desc->idle[i].text);
-    }
+    murk_scene_tell(world->desc);
     return world->desc->placement.over == MURK_SCENE_OBJECTIVE_NONE
                ? murk_world_build(world, err)
                : MURK_OK;

@@ -10,7 +10,6 @@
 #include "base/log.h"
 #include "base/progress.h"
 #include "world/stage_build.h"
-#include "world/units.h"
 
 /* Reads the scene as the commands that call murk.h do. */
 static murk_status read_scene(murk_scene_desc **out,
@@ -66,11 +65,7 @@ murk_status murk_session_scene(murk_session *session,
     if (status) {
         return status;
     }
-    murk_units_note(session->scene);
-    for (size_t i = 0; i < session->scene->idles; ++i) {
-        murk_warn(session->scene->idle[i].where, "%s",
-                  session->scene->idle[i].text); /* keys without effect */
-    }
+    murk_scene_tell(session->scene);
     return murk_identity_scene(session->identity, options, session->scene, err);
 }
 
