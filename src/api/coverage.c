@@ -30,12 +30,16 @@ murk_status murk_coverage_measure(murk_coverage **out, murk_light *light,
     if (out) {
         *out = NULL;
     }
-    if (!out || !light || !sensors || sensors->world != light->world ||
-        (sensors->n == 0 &&
-         !murk_stage_has_nothing_to_see(light->world->stage))) {
-        return murk_call_refuse(error, "out, light or sensors is NULL, there "
-                                       "are no sensors, or they are of another "
-                                       "world than the light");
+    if (!out || !light || !sensors) {
+        return murk_call_refuse(error, "out, light or sensors is NULL");
+    }
+    if (sensors->world != light->world) {
+        return murk_call_refuse(
+            error, "the sensors are of another world than the light");
+    }
+    if (sensors->n == 0 &&
+        !murk_stage_has_nothing_to_see(light->world->stage)) {
+        return murk_call_refuse(error, "there are no sensors");
     }
     /* Copy the sensors, then measure. */
     murk_world *world = light->world;

@@ -1,7 +1,8 @@
 /* A constructor that is refused leaves NULL in *out and a message in the error:
- * a table of all functions of murk.h that have an `out`, each called with an
- * argument that is NULL, and with a value that its work refuses. run.sh
- * compares the table with the header. */
+ * tables of all functions of murk.h that have an `out`, each called with an
+ * argument that is NULL, and with a value that its work refuses, if there is
+ * one. The message tells the two cases apart. run.sh compares the tables with
+ * the header. */
 #include <murk.h>
 
 #include <stdio.h>
@@ -11,50 +12,63 @@
 /* Handles that the calls of the table share. */
 typedef struct given {
     murk_context *context;
-    murk_scene *scene;  /* the key photons.emit is wrong */
-    murk_world *world;  /* of the scene before that key was set */
+    murk_scene *wrong;  /* the key photons.emit is wrong */
+    murk_scene *scene;  /* with sensors, and too small a photons.max_stored */
+    murk_world *small;  /* of that scene */
+    murk_world *world;  /* of the scene before both keys were set */
     murk_light *light;  /* of the world */
     murk_sensors *none; /* an empty list of sensors of the world */
 } given;
 
 static const char *const keys[] = {"media.fog.albedo"};
 
-/* A context is only refused without an `out`.
- *
- * X(handle, function, call with NULL, call that the work refuses); the calls
- * may use g, out and error. */
-#define CONSTRUCTORS(X)                                                       \
-    X(context, murk_context_create, (NULL, NULL, &error),                     \
-      (NULL, NULL, &error))                                                   \
-    X(scene, murk_scene_create, (&out, NULL, &error), (&out, NULL, &error))   \
-    X(scene, murk_scene_read, (&out, g->context, NULL, &error),               \
-      (&out, g->context, "no-such-scene.yaml", &error))                       \
-    X(scene, murk_scene_parse, (&out, g->context, NULL, NULL, &error),        \
-      (&out, g->context, "murk: [", "text", &error))                          \
-    X(world, murk_world_create, (&out, NULL, &error),                         \
-      (&out, g->scene, &error))                                               \
-    X(light, murk_light_trace, (&out, NULL, &error), (&out, NULL, &error))    \
-    X(light, murk_light_stream, (&out, g->world, NULL, NULL, &error),         \
-      (&out, NULL, NULL, NULL, &error))                                       \
-    X(light, murk_light_read, (&out, g->world, NULL, &error),                 \
-      (&out, g->world, "no-such-light.murk", &error))                         \
-    X(sensors, murk_sensors_create, (&out, NULL, &error),                     \
-      (&out, NULL, &error))                                                   \
-    X(sensors, murk_sensors_read, (&out, g->world, NULL, &error),             \
-      (&out, g->world, "no-such-sensors.csv", &error))                        \
-    X(sensors, murk_plan_sensors, (&out, NULL, &error), (&out, NULL, &error)) \
-    X(coverage, murk_coverage_measure, (&out, g->light, NULL, &error),        \
-      (&out, g->light, g->none, &error))                                      \
-    X(plan, murk_plan_make, (&out, NULL, &error), (&out, g->world, &error))   \
-    X(plan, murk_plan_for_light, (&out, NULL, &error),                        \
-      (&out, g->light, &error))                                               \
-    X(study, murk_study_read, (&out, g->context, NULL, NULL, &error),         \
-      (&out, g->context, "no-such-study.yaml", NULL, &error))                 \
-    X(fit, murk_fit_create, (&out, g->scene, NULL, keys, 1, NULL, &error),    \
-      (&out, g->scene, "no-such-data.csv", keys, 1, NULL, &error))            \
-    X(picture, murk_picture_render,                                           \
-      (&out, NULL, NULL, MURK_METHOD_MAPS, &error),                           \
-      (&out, g->light, "no-such-camera", MURK_METHOD_MAPS, &error))
+/* Cancels a trace. */
+static int cancel(void *user, murk_batch *batch)
+{
+    (void)user;
+    (void)batch;
+    return 1;
+}
+
+/* X(handle, function, call with NULL, call that the work refuses, a part of the
+ * message of that); the calls may use g, out and error. */
+#define CONSTRUCTORS(X)                                                        \
+    X(scene, murk_scene_read, (&out, g->context, NULL, &error),                \
+      (&out, g->context, "no-such-scene.yaml", &error), "cannot read")         \
+    X(scene, murk_scene_parse, (&out, g->context, NULL, NULL, &error),         \
+      (&out, g->context, "murk: [", "text", &error), "not YAML")               \
+    X(world, murk_world_create, (&out, NULL, &error),                          \
+      (&out, g->wrong, &error), "many, must be")                               \
+    X(light, murk_light_trace, (&out, NULL, &error), (&out, g->small, &error), \
+      "max_stored allows 1")                                                   \
+    X(light, murk_light_stream, (&out, g->world, NULL, NULL, &error),          \
+      (&out, g->world, cancel, NULL, &error), "stopped by the function")       \
+    X(light, murk_light_read, (&out, g->world, NULL, &error),                  \
+      (&out, g->world, "no-such-light.murk", &error), "cannot read")           \
+    X(sensors, murk_sensors_read, (&out, g->world, NULL, &error),              \
+      (&out, g->small, "no-such-sensors.csv", &error), "cannot read")          \
+    X(coverage, murk_coverage_measure, (&out, g->light, NULL, &error),         \
+      (&out, g->light, g->none, &error), "no sensors")                         \
+    X(plan, murk_plan_make, (&out, NULL, &error), (&out, g->world, &error),    \
+      "the scene has none")                                                    \
+    X(plan, murk_plan_for_light, (&out, NULL, &error),                         \
+      (&out, g->light, &error), "the scene has none")                          \
+    X(study, murk_study_read, (&out, g->context, NULL, NULL, &error),          \
+      (&out, g->context, "no-such-study.yaml", NULL, &error), "cannot read")   \
+    X(fit, murk_fit_create, (&out, g->scene, NULL, keys, 1, NULL, &error),     \
+      (&out, g->scene, "no-such-data.csv", keys, 1, NULL, &error),             \
+      "cannot read")                                                           \
+    X(picture, murk_picture_render,                                            \
+      (&out, NULL, NULL, MURK_METHOD_MAPS, &error),                            \
+      (&out, g->light, "no-such-camera", MURK_METHOD_MAPS, &error),            \
+      "no camera no-such-camera")
+
+/* Without memory alone the work of these fails. */
+#define WITHOUT_WORK(X)                                   \
+    X(context, murk_context_create, (NULL, NULL, &error)) \
+    X(scene, murk_scene_create, (&out, NULL, &error))     \
+    X(sensors, murk_sensors_create, (&out, NULL, &error)) \
+    X(sensors, murk_plan_sensors, (&out, NULL, &error))
 
 static int failures;
 
@@ -66,25 +80,30 @@ static void check(bool holds, const char *function, const char *text)
     }
 }
 
-/* One call: *out is any address but NULL before, and NULL afterwards. */
-#define CALL(handle, function, arguments)                                      \
+/* One call: *out is any address but NULL before, and NULL afterwards. A context
+ * is refused without an `out` alone. */
+#define CALL(handle, function, arguments, part)                                \
     do {                                                                       \
         murk_error error = MURK_ERROR_NONE;                                    \
         murk_##handle *out = (void *)&failures;                                \
         const murk_status status = function arguments;                         \
         check(status != MURK_OK, #function, "is not refused");                 \
         check(error.code == status && error.text[0], #function, "no message"); \
+        check(strstr(error.text, part) != NULL, #function, error.text);        \
         check(!out || strcmp(#handle, "context") == 0, #function,              \
               "*out is not NULL");                                             \
     } while (0);
 
-#define BOTH(handle, function, with_null, refused) \
-    CALL(handle, function, with_null)              \
-    CALL(handle, function, refused)
+#define WITH_NULL(handle, function, arguments) \
+    CALL(handle, function, arguments, "NULL")
+#define BOTH(handle, function, with_null, refused, part) \
+    CALL(handle, function, with_null, "NULL")            \
+    CALL(handle, function, refused, part)
 
 static void call_all(const given *g)
 {
     CONSTRUCTORS(BOTH)
+    WITHOUT_WORK(WITH_NULL)
 }
 
 /* A list of texts with NULL in it, or NULL in place of the list. */
@@ -98,18 +117,19 @@ static void pass_null_texts(const given *g)
         {.size = sizeof *studies, .n = 2, .key = none, .value = none},
         {.size = sizeof *studies, .n = 1, .key = none, .value = none + 1}};
     for (size_t i = 0; i < sizeof studies / sizeof *studies; ++i) {
-        CALL(study, murk_study_read,
-             (&out, g->context, "no-such-study.yaml", &studies[i], &error))
+        WITH_NULL(study, murk_study_read,
+                  (&out, g->context, "no-such-study.yaml", &studies[i], &error))
     }
     static const murk_fit_options fits[] = {
         {.size = sizeof *fits, .n_bounds = 1},
         {.size = sizeof *fits, .n_bounds = 1, .bounds = none + 1}};
     for (size_t i = 0; i < sizeof fits / sizeof *fits; ++i) {
-        CALL(fit, murk_fit_create,
-             (&out, g->scene, "no-such-data.csv", keys, 1, &fits[i], &error))
+        WITH_NULL(
+            fit, murk_fit_create,
+            (&out, g->scene, "no-such-data.csv", keys, 1, &fits[i], &error))
     }
-    CALL(fit, murk_fit_create,
-         (&out, g->scene, "no-such-data.csv", none, 2, NULL, &error))
+    WITH_NULL(fit, murk_fit_create,
+              (&out, g->scene, "no-such-data.csv", none, 2, NULL, &error))
 }
 
 /* Saving that is refused leaves NULL in *fields. */
@@ -120,7 +140,7 @@ static void pass_null_texts(const given *g)
         check(murk_##handle##_save(NULL, NULL, NULL, &fields, &error) ==   \
                       MURK_BAD_VALUE &&                                    \
                   !fields && error.text[0],                                \
-              "murk_" #handle "_save", "is not refused with NULL fields"); \
+              "murk_" #handle "_save", "is not refused without a handle"); \
     } while (0)
 
 static void save_all(void)
@@ -148,7 +168,12 @@ int main(void)
         murk_world_create(&g.world, g.scene, NULL) ||
         murk_light_trace(&g.light, g.world, NULL) ||
         murk_sensors_create(&g.none, g.world, NULL) ||
-        murk_scene_set(g.scene, "photons.emit", "many", NULL)) {
+        murk_scene_set(g.scene, "photons.max_stored", "1", NULL) ||
+        murk_scene_set(g.scene, "sensors",
+                       "{types: [{name: node, range_m: 3}], count: 1}", NULL) ||
+        murk_world_create(&g.small, g.scene, NULL) ||
+        murk_scene_parse(&g.wrong, g.context, text, "text", NULL) ||
+        murk_scene_set(g.wrong, "photons.emit", "many", NULL)) {
         fprintf(stderr, "the handles of the table cannot be made\n");
         return 1;
     }
@@ -157,7 +182,9 @@ int main(void)
     save_all();
     murk_sensors_destroy(g.none);
     murk_light_destroy(g.light);
+    murk_world_destroy(g.small);
     murk_world_destroy(g.world);
+    murk_scene_destroy(g.wrong);
     murk_scene_destroy(g.scene);
     murk_context_destroy(g.context);
     return failures != 0;

@@ -22,7 +22,8 @@ mkdir "$program" "$api"
 "$murk" study "$scenes/log-study.yaml" --emit 200 -o "$program/study" -q
 "$murk" fit "$fog" --data "$data" --free $key --bounds $key=0.001:5 --loss huber:2 --starts 1 --traces 2 --next 1 \
     --emit 2000 -o "$program/fit" -q 2>"$work/refused" || { cat "$work/refused"; exit 1; }
-"$murk" fit "$fog" --data "$data" --predict "$program/fit/fit.json" --emit 2000 -o "$program/predict" -q 2>"$work/refused"
+"$murk" fit "$fog" --data "$data" --predict "$program/fit/fit.json" --emit 2000 -o "$program/predict" \
+    -q 2>"$work/refused" || { cat "$work/refused"; exit 1; }
 "$saves" "$room" "$scenes/log-study.yaml" "$fog" "$data" "$api"
 
 # without_run FILE: a JSON up to `run`
@@ -46,6 +47,7 @@ while read -r file; do
         cp "$api/$file" "$work/b"
         ;;
     esac
+    [ -s "$work/a" ] || { echo "nothing of $file is compared"; exit 1; }
     cmp "$work/a" "$work/b" || { echo "$file differs from that of the program"; exit 1; }
 done <"$work/program-files"
 [ "$(wc -l <"$work/program-files")" -gt 30 ] || { echo "too few files"; exit 1; }
