@@ -6,13 +6,8 @@
 set -eu
 build=$1
 top=$(cd "$(dirname "$0")/../.." && pwd)
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cmake --install "$build" --prefix "$work/murk" >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
-cmake -S "$top/doc/api/examples" -B "$work/build" -DCMAKE_PREFIX_PATH="$work/murk" >"$work/log" 2>&1 &&
-    cmake --build "$work/build" >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
-LD_LIBRARY_PATH=$(dirname "$(find "$work/murk" -name libmurk.so)")
-export LD_LIBRARY_PATH
+. "$top/tests/api/installed.sh"
+install_and_build "$build" "$top/doc/api/examples"
 failed=0
 for source in "$top"/doc/api/examples/*.c; do
     name=$(basename "$source" .c)

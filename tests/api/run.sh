@@ -9,15 +9,8 @@
 set -eu
 build=$1
 here=$(cd "$(dirname "$0")" && pwd)
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cmake --install "$build" --prefix "$work/murk" >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
-
-# with CMake
-cmake -S "$here" -B "$work/build" -DCMAKE_PREFIX_PATH="$work/murk" >"$work/log" 2>&1 &&
-    cmake --build "$work/build" >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
-library=$(dirname "$(find "$work/murk" -name libmurk.so)")
-export LD_LIBRARY_PATH="$library"
+. "$here/installed.sh"
+install_and_build "$build" "$here" # with find_package()
 "$work/build/plan" "$work/results"
 test -s "$work/results/plan.json" || { echo "no plan.json was saved"; exit 1; }
 "$work/build/contexts"
