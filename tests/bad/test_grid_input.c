@@ -8,6 +8,7 @@
 #include "check.h"
 #include "grid_line.h"
 #include "medium/grid.h"
+#include "written.h"
 
 #include <stdlib.h>
 #include <sys/resource.h>
@@ -59,15 +60,6 @@ static bytes load(const char *file)
     return b;
 }
 
-static void store(const unsigned char *from, size_t size)
-{
-    FILE *to = fopen(path, "wb");
-    CHECK(to && fwrite(from, 1, size, to) == size);
-    if (to) {
-        fclose(to);
-    }
-}
-
 /* True when the file still gives a grid. */
 static bool survives(void)
 {
@@ -97,13 +89,13 @@ static bool survives(void)
 static void test_cut_off_anywhere(const char *file, size_t cuts)
 {
     const bytes whole = load(file);
-    store(whole.at, whole.size);
+    write_bytes(path, whole.at, whole.size);
     CHECK(survives());
     for (size_t i = 0; i < cuts; ++i) {
-        store(whole.at, whole.size * i / cuts);
+        write_bytes(path, whole.at, whole.size * i / cuts);
         CHECK(!survives());
     }
-    store(whole.at, whole.size - 1);
+    write_bytes(path, whole.at, whole.size - 1);
     (void)survives();
     free(whole.at);
 }
@@ -124,7 +116,7 @@ static void test_flipped_bits(const char *file, size_t among, uint64_t flips)
             copy[murk_random_below(word[0], (uint32_t)among)] ^=
                 (unsigned char)(1u << (word[1] & 7));
         }
-        store(copy, whole.size);
+        write_bytes(path, copy, whole.size);
         refused += !survives();
         free(copy);
     }
@@ -147,7 +139,7 @@ static void test_hostile_words(const char *file, size_t words)
         if (at + 4 <= whole.size) {
             memcpy(copy, whole.at, whole.size);
             memcpy(copy + at, worst[i % 4], 4);
-            store(copy, whole.size);
+            write_bytes(path, copy, whole.size);
             (void)survives();
         }
     }
@@ -168,11 +160,11 @@ static void test_no_file_at_all(void)
 {
     refuses("/nowhere/at/all.vdb", "No such file");
     refuses(folder, "is a folder");
-    store((const unsigned char *)"", 0);
+    write_bytes(path, "", 0);
     refuses(path, "is empty");
-    store((const unsigned char *)" BDV", 4);
+    write_bytes(path, " BDV", 4);
     refuses(path, "is not an OpenVDB file");
-    store((const unsigned char *)"NanoVDB0 and so on", 18);
+    write_bytes(path, "NanoVDB0 and so on", 18);
     refuses(path, "is a NanoVDB file");
     unlink(path);
     CHECK(mkfifo(path, 0600) == 0); /* opening it would wait for ever */
@@ -180,12 +172,12 @@ static void test_no_file_at_all(void)
     unlink(path);
 
     /* A billion bytes of something else. */
-    store((const unsigned char *)"text", 4);
+    write_bytes(path, "text", 4);
     CHECK(truncate(path, 1000000000) == 0);
     refuses(path, "is not an OpenVDB file");
 
     /* Behind a good magic, nothing but zeros. */
-    store((const unsigned char *)" BDV\0\0\0\0", 8);
+    write_bytes(path, " BDV\0\0\0\0", 8);
     CHECK(truncate(path, 100000000) == 0);
     CHECK(!survives());
 }

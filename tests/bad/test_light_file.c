@@ -5,6 +5,7 @@
 #include "base/file.h"
 #include "base/rng.h"
 #include "photonmap/map_file.h"
+#include "written.h"
 
 #include <stdint.h>
 #include <stdlib.h>
@@ -13,15 +14,6 @@
 #include <unistd.h>
 
 static char path[64];
-
-static void put(const void *bytes, size_t size)
-{
-    FILE *file = fopen(path, "wb");
-    if (!file || fwrite(bytes, 1, size, file) != size || fclose(file) != 0) {
-        printf("cannot write %s\n", path);
-        exit(1);
-    }
-}
 
 /* The line that refuses the file; "" where it was taken. */
 static const char *refusal(murk_status want)
@@ -57,13 +49,13 @@ static char *make_small_file(size_t *size)
 static void test_every_length_is_refused(const char *bytes, size_t size)
 {
     for (size_t n = 0; n < size; ++n) {
-        put(bytes, n);
+        write_bytes(path, bytes, n);
         const char *line = refusal(MURK_BAD_FILE);
         CHECK_MENTIONS(line, n < 8 ? "not a light.murk file" : "cut short: ");
     }
-    put(bytes, 0);
+    write_bytes(path, bytes, 0);
     CHECK_TEXT(refusal(MURK_BAD_FILE), "not a light.murk file: it is empty");
-    put(bytes, 100);
+    write_bytes(path, bytes, 100);
     CHECK_TEXT(refusal(MURK_BAD_FILE), "cut short: 100 bytes, must be 264");
 }
 
@@ -73,7 +65,7 @@ static void test_every_changed_byte_is_seen(char *bytes, size_t size)
         const char flips[] = {1, 64, (char)128, (char)255};
         for (size_t j = 0; j < sizeof flips; ++j) {
             bytes[i] = (char)(bytes[i] ^ flips[j]);
-            put(bytes, size);
+            write_bytes(path, bytes, size);
             const char *line = refusal(MURK_BAD_FILE);
             CHECK_MENTIONS(line, i < 8              ? "not a light.murk file"
                                  : i >= 8 && i < 12 ? "version "
@@ -91,10 +83,10 @@ static void test_more_bytes_are_refused(const char *bytes, size_t size)
 {
     char longer[1001] = {0};
     memcpy(longer, bytes, size);
-    put(longer, size + 1);
+    write_bytes(path, longer, size + 1);
     CHECK_TEXT(refusal(MURK_BAD_FILE),
                "265 bytes, must be 264: something stands behind its end");
-    put(longer, 1001);
+    write_bytes(path, longer, 1001);
     CHECK_MENTIONS(refusal(MURK_BAD_FILE), "something stands behind");
 }
 
@@ -137,7 +129,7 @@ static void test_signed_nonsense_is_refused(const char *bytes, size_t size)
         memcpy(changed + 32, checksum, sizeof checksum);
         murk_checksum(changed, 48, checksum);
         memcpy(changed + 48, checksum, sizeof checksum);
-        put(changed, size);
+        write_bytes(path, changed, size);
         CHECK_MENTIONS(refusal(MURK_BAD_FILE), changes[i].says);
     }
 }
@@ -157,7 +149,7 @@ static void test_more_than_memory_is_refused(const char *bytes)
     memcpy(head + 32, checksum, sizeof checksum);
     murk_checksum(head, 48, checksum);
     memcpy(head + 48, checksum, sizeof checksum);
-    put(head, sizeof head);
+    write_bytes(path, head, sizeof head);
     if (truncate(path, (off_t)size) == 0) {
         CHECK_MENTIONS(refusal(MURK_NO_MEMORY), "needs 4398 GB of memory");
         /* another section is missing, however large this one is */
@@ -174,10 +166,10 @@ static void test_noise_is_refused(void)
         for (uint32_t j = 0; j < 64; ++j) {
             murk_random_words(3, MURK_TEST, i, j, 0, noise + 4 * j);
         }
-        put(noise, (size_t)(i * 3));
+        write_bytes(path, noise, (size_t)(i * 3));
         CHECK_MENTIONS(refusal(MURK_BAD_FILE), "not a light.murk file");
     }
-    put("murk: 1\nbands_nm: [532]\n", 24);
+    write_bytes(path, "murk: 1\nbands_nm: [532]\n", 24);
     CHECK_TEXT(refusal(MURK_BAD_FILE), "not a light.murk file");
 }
 

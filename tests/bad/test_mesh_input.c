@@ -7,6 +7,7 @@
 #include "base/subprocess.h"
 #include "check.h"
 #include "geometry/surfaces.h"
+#include "written.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -60,11 +61,7 @@ static void try_bytes(const char *extension, const char *bytes, size_t size)
     /* Write the bytes to a file with the extension. */
     char path[96];
     snprintf(path, sizeof path, "%s/a.%s", folder, extension);
-    FILE *f = fopen(path, "wb");
-    CHECK(f && fwrite(bytes, 1, size, f) == size);
-    if (f) {
-        fclose(f);
-    }
+    write_bytes(path, bytes, size);
     /* Read the file: the reading ends within its limit of processor time. */
     murk_mesh *m = NULL;
     murk_error err = {0};

@@ -48,7 +48,7 @@ static void try_table(const char *text, size_t size)
 {
     murk_phases *phases = NULL;
     murk_error err = {0};
-    put_file("p.csv", text, size);
+    write_bytes("p.csv", text, size);
     const double start = seconds();
     const murk_status status = murk_phases_create(&phases, scene, &err);
     CHECK(seconds() - start < SLOWEST_S);

@@ -7,6 +7,7 @@
 #include "calibrate/key_place.h"
 #include "check.h"
 #include "readings/readings.h"
+#include "written.h"
 
 #include <stdlib.h>
 #include <sys/resource.h>
@@ -56,8 +57,7 @@ static void try_file(const char *bytes, size_t size)
 {
     murk_readings *m = NULL;
     murk_error err = {0};
-    FILE *to = fopen(path, "wb");
-    CHECK(to && fwrite(bytes, 1, size, to) == size && fclose(to) == 0);
+    write_bytes(path, bytes, size);
     const murk_status status =
         murk_readings_read(&m, path, scene, &scene->domain, &err);
     if (status) {

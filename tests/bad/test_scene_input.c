@@ -47,7 +47,7 @@ static void check_file(const char *path, const char *part)
 
 static void check_bytes(const char *bytes, size_t size, const char *part)
 {
-    put_file("fog.yaml", bytes, size);
+    write_bytes("fog.yaml", bytes, size);
     check_file("fog.yaml", part);
 }
 
@@ -214,7 +214,7 @@ static void check_table(const char *text, size_t size, const char *part)
     murk_table *table = NULL;
     murk_error err = {0};
     if (text) {
-        put_file("a.csv", text, size);
+        write_bytes("a.csv", text, size);
     }
     const double start = seconds();
     const murk_status status = murk_table_read(&table, "a.csv", &err);

@@ -3,6 +3,7 @@
  * inputs of the context in each case, and a malformed file is an error. */
 #include "check.h"
 #include "murk.h"
+#include "written.h"
 
 #include <stdlib.h>
 #include <unistd.h>
@@ -19,19 +20,13 @@ static const char scene_text[] =
     "lights: [{type: point, position_m: [2, 2, 2], power_w: 1}]\n"
     "photons: {emit: 5000}\n";
 
-static void write_file(const char *path, const char *text)
-{
-    FILE *file = fopen(path, "w");
-    CHECK(file && fputs(text, file) >= 0 && fclose(file) == 0);
-}
-
 static void write_files(void)
 {
-    write_file("floor.obj", "mtllib floor.mtl\n"
+    write_text("floor.obj", "mtllib floor.mtl\n"
                             "v 0 0 0.5\nv 4 0 0.5\nv 4 4 0.5\nv 0 4 0.5\n"
                             "usemtl oak\nf 1 2 3\nf 1 3 4\n");
-    write_file("floor.mtl", "newmtl oak\n");
-    write_file("bad.obj", "v 0 0 0\nv 1 0 0\nf 1 2 99\n");
+    write_text("floor.mtl", "newmtl oak\n");
+    write_text("bad.obj", "v 0 0 0\nv 1 0 0\nf 1 2 99\n");
 }
 
 static murk_context *make_context(murk_imports imports, const char *reader)

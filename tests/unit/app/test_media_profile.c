@@ -5,6 +5,7 @@
 #include "app/media_profile.h"
 #include "check.h"
 #include "medium/media.h"
+#include "written.h"
 
 #include <stdlib.h>
 #include <unistd.h>
@@ -12,17 +13,11 @@
 static char folder[] = "/tmp/murk_profile_XXXXXX";
 static char csv[64], vdb[64];
 
-static void put(const char *text)
-{
-    FILE *file = fopen(csv, "w");
-    CHECK(file && fputs(text, file) >= 0 && fclose(file) == 0);
-}
-
 static murk_status layers_of(murk_profile_layers *out, const char *text,
                              const char *column, const char *rows,
                              double voxel_m, murk_error *err)
 {
-    put(text);
+    write_text(csv, text);
     *err = (murk_error){0};
     const murk_profile_settings settings = {
         .csv = csv, .column = column, .rows = rows, .voxel_m = voxel_m};

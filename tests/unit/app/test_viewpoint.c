@@ -3,6 +3,7 @@
 #include "app/viewpoint.h"
 #include "check.h"
 #include "stage_text.h"
+#include "written.h"
 
 #include <string.h>
 #include <unistd.h>
@@ -94,13 +95,8 @@ int main(void)
 {
     snprintf(sensors, sizeof sensors, "test_viewpoint.tmp.%ld.csv",
              (long)getpid());
-    FILE *file = fopen(sensors, "w");
-    if (file) {
-        fputs("type,x_m,y_m,z_m,heading_deg,tilt_deg\n"
-              "node,1,1,1,,\ncam,2,3,1,225,-30\n",
-              file);
-        fclose(file);
-    }
+    write_text(sensors, "type,x_m,y_m,z_m,heading_deg,tilt_deg\n"
+                        "node,1,1,1,,\ncam,2,3,1,225,-30\n");
     murk_stage *stage = stage_text_create(scene_text, NULL);
     CHECK(stage != NULL);
     if (stage) {

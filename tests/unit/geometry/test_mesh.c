@@ -3,6 +3,7 @@
 #include "check.h"
 #include "geometry/mesh.h"
 #include "geometry/surfaces.h"
+#include "written.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,11 +16,7 @@ static char path[64];
 static const char *written(const char *name, const char *text)
 {
     snprintf(path, sizeof path, "%s/%s", folder, name);
-    FILE *f = fopen(path, "w");
-    if (f) {
-        fputs(text, f);
-        fclose(f);
-    }
+    write_text(path, text);
     return path;
 }
 
@@ -341,11 +338,7 @@ static void test_files_that_a_mesh_names(void)
     for (int i = 0; i < 2; ++i) {
         char file[120];
         snprintf(file, sizeof file, i ? "%s/own.bin" : "%s", places[i]);
-        FILE *f = fopen(file, "wb");
-        CHECK(f && fwrite(triangle, 1, sizeof triangle, f) == sizeof triangle);
-        if (f) {
-            fclose(f);
-        }
+        write_bytes(file, triangle, sizeof triangle);
     }
     CHECK(symlink(outside, link) == 0);
     for (int k = 0; k < 2; ++k) {

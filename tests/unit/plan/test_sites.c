@@ -5,6 +5,7 @@
 #include "check.h"
 #include "plan/sites.h"
 #include "stage_text.h"
+#include "written.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -23,16 +24,6 @@ static const char scene_text[] =
     "lights: [{type: point, position_m: [1, 1, 2.2], power_w: 8}]\n"
     "photons: {emit: 300}\n"
     "sensors: {types: [{name: node, range_m: 1}], count: 1}\n";
-
-static void put(const char *path, const char *text)
-{
-    FILE *file = fopen(path, "w");
-    CHECK(file != NULL);
-    if (file) {
-        fputs(text, file);
-        fclose(file);
-    }
-}
 
 /* With err, it must fail so. */
 static murk_candidates *sites_of(const char *candidates, unsigned threads,
@@ -85,8 +76,9 @@ static void check_refused(const char *candidates, const char *where,
 
 static void test_sources_join(void)
 {
-    put(surveyed, "name,z_m,x_m,y_m\n# behind the door\na,1,.5,.5\nb,.5,2.5,"
-                  "1.5\n\"c\",1.2,3.25,1.75\n");
+    write_text(surveyed,
+               "name,z_m,x_m,y_m\n# behind the door\na,1,.5,.5\nb,.5,2.5,"
+               "1.5\n\"c\",1.2,3.25,1.75\n");
     char text[300];
     /* of the grid's 7 x 5 x 4, 3 x 3 x 2 are in or on the crate */
     check_counts("{" GRID "}", 140, 140 - 18);
@@ -107,7 +99,8 @@ static void test_sources_join(void)
 /* Zones: a mesh in its own units and place, and a turned box. */
 static void test_zones(void)
 {
-    put(crate, "v 0 0 0\nv 0 1000 0\nv 1000 0 0\nv 0 0 1000\nf 1 2 3\nf 1 2 "
+    write_text(crate,
+               "v 0 0 0\nv 0 1000 0\nv 1000 0 0\nv 0 0 1000\nf 1 2 3\nf 1 2 "
                "4\nf 1 3 4\nf 2 3 4\n");
     char text[400];
     /* of points .4 m apart from .2 m on, those with x + y + z < .95 */
@@ -138,20 +131,20 @@ static void test_bad_files_are_named(void)
 {
     char text[300], where[100];
     snprintf(text, sizeof text, "{points: %s}", surveyed);
-    put(surveyed, "x_m,y_m,z_m\n1,1,1\n1,1,high\n");
+    write_text(surveyed, "x_m,y_m,z_m\n1,1,1\n1,1,high\n");
     snprintf(where, sizeof where, "%s:3: z_m", surveyed);
     check_refused(text, where, "high");
-    put(surveyed, "x_m,y_m,z_m\n1,1,1\n\n1,,1\n");
+    write_text(surveyed, "x_m,y_m,z_m\n1,1,1\n\n1,,1\n");
     snprintf(where, sizeof where, "%s:4: y_m", surveyed);
     check_refused(text, where, "");
-    put(surveyed, "x_m,y_m,z_m\n1,1,1\n1,1,2.6\n");
+    write_text(surveyed, "x_m,y_m,z_m\n1,1,1\n1,1,2.6\n");
     snprintf(where, sizeof where, "%s:3", surveyed);
     check_refused(text, where,
                   "[1, 1, 2.6] m is outside the domain, [0, 0, "
                   "0] to [4, 3, 2.5] m");
-    put(surveyed, "x_m,y_m,height\n1,1,1\n");
+    write_text(surveyed, "x_m,y_m,height\n1,1,1\n");
     check_refused(text, surveyed, "misses column z_m");
-    put(surveyed, "x_m,y_m,z_m\n");
+    write_text(surveyed, "x_m,y_m,z_m\n");
     check_refused(text, surveyed, "lists no points");
     unlink(surveyed);
     check_refused(text, surveyed, "");

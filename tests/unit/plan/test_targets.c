@@ -9,6 +9,7 @@
 #include "check.h"
 #include "plan/targets.h"
 #include "stage_text.h"
+#include "written.h"
 
 #include <stdlib.h>
 #include <unistd.h>
@@ -235,12 +236,7 @@ static char list_path[] = "/tmp/murk_test_targets_XXXXXX";
 static murk_status read_list(murk_targets *t, const char *text, murk_error *err)
 {
     char settings[128];
-    FILE *file = fopen(list_path, "w");
-    CHECK(file != NULL);
-    if (file) {
-        fputs(text, file);
-        fclose(file);
-    }
+    write_text(list_path, text);
     snprintf(settings, sizeof settings, "{points: %s}", list_path);
     murk_stage *stage = stage_with(settings);
     const murk_status status = murk_targets_create(t, stage, 0, 2, err);

@@ -3,6 +3,7 @@
 #include "base/log.h"
 #include "check.h"
 #include "readings/readings.h"
+#include "written.h"
 
 #include <stdlib.h>
 #include <unistd.h>
@@ -33,8 +34,7 @@ static void keep_note(const char *where, const char *text)
 static murk_status read_bytes(murk_readings **out, const char *text,
                               size_t size, murk_error *err)
 {
-    FILE *to = fopen(path, "wb");
-    CHECK(to && fwrite(text, 1, size, to) == size && fclose(to) == 0);
+    write_bytes(path, text, size);
     *err = (murk_error){0};
     noted[0] = '\0';
     return murk_readings_read(out, path, scene, &scene->domain, err);

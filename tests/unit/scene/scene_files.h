@@ -8,6 +8,7 @@
 
 #include "check.h"
 #include "scene/scene.h"
+#include "written.h"
 
 static char folder_path[256];
 
@@ -29,13 +30,6 @@ static inline void folder_leave(const char *const *files)
     CHECK(chdir("..") == 0 && rmdir(folder_path) == 0);
 }
 
-/* Plainly: murk_file_write would wait for the disk each time. */
-static inline void put_file(const char *name, const void *bytes, size_t size)
-{
-    FILE *file = fopen(name, "wb");
-    CHECK(file && fwrite(bytes, 1, size, file) == size && fclose(file) == 0);
-}
-
 /* Reads the text as fog.yaml. */
 static inline murk_status scene_of(murk_scene_desc **out, const char *text,
                                    const murk_override *overrides, size_t n,
@@ -43,7 +37,7 @@ static inline murk_status scene_of(murk_scene_desc **out, const char *text,
 {
     *out = NULL;
     *err = (murk_error){0};
-    put_file("fog.yaml", text, strlen(text));
+    write_text("fog.yaml", text);
     return murk_scene_desc_read(out, "fog.yaml", overrides, n, err);
 }
 

@@ -2,6 +2,7 @@
 #define _DEFAULT_SOURCE /* P_tmpdir */
 #include "check.h"
 #include "scene/frames.h"
+#include "written.h"
 
 #include <stdlib.h>
 #include <unistd.h>
@@ -39,11 +40,7 @@ static void put(const char *name)
 {
     char path[128];
     snprintf(path, sizeof path, "%s/%s", folder, name);
-    FILE *file = fopen(path, "w");
-    CHECK(file != NULL);
-    if (file) {
-        fclose(file);
-    }
+    write_text(path, "");
 }
 
 static void holds(const char *pattern, const char *want)

@@ -53,7 +53,7 @@ static void test_the_example_is_a_scene(void)
     }
     murk_scene_desc *scene = NULL;
     murk_error err = {0};
-    put_file("fog.yaml", fence + 8, (size_t)(end - fence - 8));
+    write_bytes("fog.yaml", fence + 8, (size_t)(end - fence - 8));
     CHECK(murk_scene_desc_read(&scene, "fog.yaml", NULL, 0, &err) == MURK_OK);
     CHECK_TEXT(err.text, "");
     murk_scene_desc_destroy(scene);

@@ -381,7 +381,7 @@ static void test_paths(void)
     const murk_override option = {.text = "media.smoke.vdb=other.vdb"};
     char path[400];
     snprintf(path, sizeof path, "%s/fog.yaml", folder_path);
-    put_file("fog.yaml", FULL_SCENE, strlen(FULL_SCENE));
+    write_text("fog.yaml", FULL_SCENE);
     CHECK(murk_scene_desc_read(&scene, path, &option, 1, &err) == MURK_OK);
     if (scene) {
         CHECK_TEXT(scene->media[1].vdb, "other.vdb");
@@ -455,7 +455,7 @@ static void read_any(const char *bytes, size_t size)
 {
     murk_scene_desc *scene = NULL;
     murk_error err = {0};
-    put_file("fog.yaml", bytes, size);
+    write_bytes("fog.yaml", bytes, size);
     const murk_status status =
         murk_scene_desc_read(&scene, "fog.yaml", NULL, 0, &err);
     CHECK((status == MURK_OK) == (scene != NULL));

@@ -13,7 +13,7 @@ static murk_status study_of(murk_study_file **out, const char *text,
 {
     *out = NULL;
     *err = (murk_error){0};
-    put_file("study.yaml", text, strlen(text));
+    write_text("study.yaml", text);
     return murk_study_file_read(out, "study.yaml", err);
 }
 

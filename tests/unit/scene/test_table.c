@@ -10,7 +10,7 @@ static murk_table *read_table(const char *text, size_t size, murk_error *err)
 {
     murk_table *table = NULL;
     *err = (murk_error){0};
-    put_file("a.csv", text, size);
+    write_bytes("a.csv", text, size);
     murk_table_read(&table, "a.csv", err);
     return table;
 }
