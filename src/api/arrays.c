@@ -134,7 +134,7 @@ void *murk_made_add(murk_made **list, const char *name, size_t bytes,
     void *data = made ? calloc(1, bytes + 1) : NULL;
     if (!data) {
         free(made);
-        (void)murk_no_memory(err, name, "for the array");
+        (void)murk_no_memory(err, "", "for the array %s", name);
         return NULL;
     }
     snprintf(made->name, sizeof made->name, "%s", name);

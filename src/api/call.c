@@ -4,7 +4,7 @@
 #include "api/handles.h"
 
 #include "base/version.h"
-#include "scene/yaml.h"
+#include "scene/keys.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -13,6 +13,8 @@
 
 /* How the place of a failure begins that an argument has caused. */
 #define MURK_ARGUMENT "argument "
+
+#define KEY_PART_SIZE 256 /* of one part of a path; names are shorter */
 
 const char *murk_version(void)
 {
@@ -47,17 +49,65 @@ static bool is_key(const char *text)
                         "0123456789._@-") == strlen(text);
 }
 
-/* The key of a place "set KEY=VALUE", "keys KEY" or "bounds KEY=LOW:HIGH", of
- * values that the caller has given; NULL: another place. */
-static const char *given_key(const char *place)
+/* Settings of calls that are places by their names: arguments, and members of
+ * options. A value of a list of texts has the place "NAME TEXT", which begins
+ * with a key: "keys KEY" or "bounds KEY=LOW:HIGH". */
+static const struct {
+    const char *name;
+    bool is_list;
+} settings[] = {{"keys", true},     {"bounds", true},  {"exports", false},
+                {"voxel_m", false}, {"runs", false},   {"loss", false},
+                {"predict", false}, {"command", false}};
+
+/* The rest of a place that begins with MURK_SET_MARK or is a setting: a text
+ * that begins with a key, or "". NULL: another place. */
+static const char *rest_of_setting(const char *place)
 {
-    static const char *const begin[] = {MURK_SET_MARK, "keys ", "bounds "};
-    for (size_t i = 0; i < sizeof begin / sizeof *begin; ++i) {
-        if (strncmp(place, begin[i], strlen(begin[i])) == 0) {
-            return place + strlen(begin[i]);
+    if (strncmp(place, MURK_SET_MARK, strlen(MURK_SET_MARK)) == 0) {
+        return place + strlen(MURK_SET_MARK);
+    }
+    for (size_t i = 0; i < sizeof settings / sizeof *settings; ++i) {
+        const size_t length = strlen(settings[i].name);
+        if (strncmp(place, settings[i].name, length) != 0) {
+            continue;
+        }
+        if (place[length] == '\0') {
+            return place + length;
+        }
+        if (settings[i].is_list && place[length] == ' ') {
+            return place + length + 1;
         }
     }
     return NULL;
+}
+
+/* True if the key table has this path, such as "placement.threshold" or
+ * "lights.0"; names of media and the like are not known here. */
+static bool is_scene_key(const char *path)
+{
+    const murk_keys *keys = &murk_scene_keys;
+    while (*path) {
+        char part[KEY_PART_SIZE];
+        const size_t length = strcspn(path, ".");
+        snprintf(part, sizeof part, "%.*s", (int)length, path);
+        const bool is_index =
+            keys != &murk_scene_keys && strspn(part, "0123456789") == length;
+        const murk_key *row =
+            keys && !is_index ? murk_keys_find(keys, part) : NULL;
+        if (!row && !is_index) {
+            return false;
+        }
+        keys = is_index ? keys : row->keys;
+        path += length + (path[length] == '.');
+    }
+    return true;
+}
+
+/* True if a place without a line is no file, but a key or a setting. A file of
+ * such a name can fail in other ways: it is malformed, or cannot be written. */
+static bool may_be_name(const murk_error *error)
+{
+    return error->code == MURK_BAD_VALUE || error->code == MURK_NO_MEMORY;
 }
 
 /* "FILE:LINE:COLUMN: KEY", "set KEY=VALUE: KEY" or "FILE" as members. */
@@ -77,12 +127,16 @@ static void split_place(murk_error *error)
     if (strncmp(place, MURK_ARGUMENT, strlen(MURK_ARGUMENT)) == 0) {
         return;
     }
-    const char *given = given_key(place);
-    if (given) {
+    const char *rest = rest_of_setting(place);
+    if (rest && (rest[0] || may_be_name(error))) {
         if (error->key[0] == '\0') {
             snprintf(error->key, sizeof error->key, "%.*s",
-                     (int)strcspn(given, "="), given);
+                     (int)strcspn(rest, "="), rest);
         }
+        return;
+    }
+    if (!key && may_be_name(error) && is_scene_key(place)) {
+        snprintf(error->key, sizeof error->key, "%s", place);
         return;
     }
     const int last = take_number(place), line = last ? take_number(place) : 0;
@@ -93,13 +147,18 @@ static void split_place(murk_error *error)
 
 void murk_call_report(murk_error *to, murk_error *failure)
 {
+    split_place(failure);
+    murk_call_pass(to, failure);
+}
+
+void murk_call_pass(murk_error *to, murk_error *failure)
+{
     if (!to || to->code != MURK_OK) {
         return;
     }
     const size_t size =
         to->size > 0 && to->size < sizeof *failure ? to->size : sizeof *failure;
     failure->size = to->size;
-    split_place(failure);
     memcpy(to, failure, size);
 }
 

@@ -81,7 +81,7 @@ static murk_status refuse(const murk_fields *fields, const char *path,
     (void)murk_fail(&failure, MURK_BAD_VALUE, path ? path : "",
                     "is %s, must be %s", kinds[murk_fields_kind(fields, path)],
                     wanted);
-    murk_call_report(error, &failure);
+    murk_call_pass(error, &failure); /* the place is the path of a field */
     return MURK_BAD_VALUE;
 }
 

@@ -129,6 +129,9 @@ murk_status murk_call_end_long(murk_call *call, murk_status status);
  * members that the caller's struct has. `to` may be NULL. */
 void murk_call_report(murk_error *to, murk_error *failure);
 
+/* The same for a place that is neither a file nor a key and is not split. */
+void murk_call_pass(murk_error *to, murk_error *failure);
+
 /* Fails without a context: a NULL handle, or another misuse. */
 murk_status murk_call_refuse(murk_error *error, const char *text);
 

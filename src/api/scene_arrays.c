@@ -211,9 +211,10 @@ add_mesh(murk_scene *scene, const char *name, const murk_array *vertices_m,
     if (!status && release &&
         (!is_dense(vertices_m, MURK_TYPE_FLOAT32) ||
          !is_dense(triangles, MURK_TYPE_UINT32))) {
-        status = murk_fail(err, MURK_BAD_VALUE, "vertices_m",
-                           "must be dense float32, and triangles dense uint32, "
-                           "to be used in place");
+        status = murk_call_bad_argument(
+            err, "vertices_m",
+            "must be dense float32, and triangles dense uint32, to be used in "
+            "place");
     }
     lent_mesh *lent = status ? NULL : calloc(1, sizeof *lent);
     if (!lent) {
@@ -414,15 +415,13 @@ static murk_status add_table(murk_scene *scene, const char *name,
                              const char *const *columns,
                              const murk_array *values, murk_error *err)
 {
-    const murk_status status = murk_array_check(values, 2, "values", err);
+    murk_status status = murk_array_check(values, 2, "values", err);
+    if (!status) {
+        status =
+            murk_call_check_texts(err, "columns", columns, values->shape[1]);
+    }
     if (status) {
         return status;
-    }
-    for (size_t k = 0; k < values->shape[1]; ++k) {
-        if (!columns || !columns[k]) {
-            return murk_fail(err, MURK_BAD_VALUE, "columns", "name %zu is NULL",
-                             k);
-        }
     }
     char *text = table_text(columns, values);
     if (!text) {

@@ -17,6 +17,7 @@ test -s "$work/results/plan.json" || { echo "no plan.json was saved"; exit 1; }
 "$here/same_files.sh" "$build/murk" "$work/build/saves" "$work"
 "$work/build/cpp"
 "$work/build/refused"
+"$work/build/places"
 
 # with pkg-config, as C11 and as C17
 for standard in c11 c17; do

@@ -1,0 +1,138 @@
+/* The place of an error that is a setting of a call, a key of the scene without
+ * a line, or the path of a field of results: it stands in `where`, a key in
+ * `key`, too, and `file` is empty. */
+#include <murk.h>
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Handles that the checks share. */
+typedef struct given {
+    murk_context *context;
+    murk_scene *scene;
+    murk_world *world;
+    murk_light *light;
+} given;
+
+static const char *const keys[] = {"media.fog.albedo"};
+
+static const char text[] =
+    "murk: 1\n"
+    "domain: {min_m: [0, 0, 0], max_m: [4, 4, 3]}\n"
+    "media: {fog: {extinction_per_m: 0.1, albedo: 0.9, phase: {hg: 0.8}}}\n"
+    "regions: [{medium: fog}]\n"
+    "lights: [{type: point, position_m: [2, 2, 2], power_w: 1}]\n"
+    "photons: {emit: 1000}\n";
+
+static int failures;
+
+static void check(bool holds, const char *name, const char *problem)
+{
+    if (!holds) {
+        fprintf(stderr, "%s: %s\n", name, problem);
+        ++failures;
+    }
+}
+
+static void check_place(const char *where, const char *key,
+                        const murk_error *error)
+{
+    check(strcmp(error->where, where) == 0 && strcmp(error->key, key) == 0 &&
+              !error->file[0] && error->line == 0,
+          where, "is not the place of its error");
+    if (strcmp(error->where, where) != 0) {
+        fprintf(stderr, "the place is %s, the file %s, the key %s: %s\n",
+                error->where, error->file, error->key, error->text);
+    }
+}
+
+static void check_settings(const given *g)
+{
+    static const struct {
+        const char *where, *command;
+        uint64_t runs;
+        murk_save_options options;
+    } saves[] = {
+        {"exports", "trace", 0, {.exports = "pictures"}},
+        {"voxel_m", "trace", 0, {.exports = "surfaces", .voxel_m = "wide"}},
+        {"runs", "place", UINT64_MAX, {0}},
+        {"command", "render", 0, {0}}};
+    for (size_t i = 0; i < sizeof saves / sizeof *saves; ++i) {
+        murk_error error = MURK_ERROR_NONE;
+        murk_save_options options = saves[i].options;
+        options.size = sizeof options;
+        (void)murk_world_check_save(g->world, saves[i].command, saves[i].runs,
+                                    NULL, &options, &error);
+        check_place(saves[i].where, "", &error);
+    }
+    static const struct {
+        const char *where;
+        size_t n;
+        murk_fit_options options;
+    } fits[] = {{"loss", 1, {.loss = "cubic"}},
+                {"keys", 0, {0}},
+                {"predict", 1, {.predict = "fit.json"}}};
+    for (size_t i = 0; i < sizeof fits / sizeof *fits; ++i) {
+        murk_error error = MURK_ERROR_NONE;
+        murk_fit *fit = NULL;
+        murk_fit_options options = fits[i].options;
+        options.size = sizeof options;
+        (void)murk_fit_create(&fit, g->scene, "no-such-data.csv", keys,
+                              fits[i].n, &options, &error);
+        check_place(fits[i].where, "", &error);
+    }
+    /* A field of results. */
+    murk_error error = MURK_ERROR_NONE;
+    const murk_fields *fields = NULL;
+    double value;
+    check(!murk_light_fields(g->light, &fields, NULL), "the light",
+          "no fields");
+    (void)murk_fields_double(fields, "photons.none", &value, &error);
+    check_place("photons.none", "", &error);
+}
+
+/* A key of a scene whose picture is asked for from the map that is left out. */
+static void check_key(const given *g)
+{
+    murk_error error = MURK_ERROR_NONE;
+    murk_scene *scene = NULL;
+    murk_world *world = NULL;
+    murk_light *light = NULL;
+    murk_picture *picture = NULL;
+    if (murk_scene_parse(&scene, g->context, text, "text", &error) ||
+        murk_scene_set(scene, "photons.maps", "surface", &error) ||
+        murk_scene_set(scene, "cameras",
+                       "[{name: a, from_m: [1, 1, 1], to_m: [2, 2, 1]}]",
+                       &error) ||
+        murk_world_create(&world, scene, &error) ||
+        murk_light_trace(&light, world, &error)) {
+        check(false, error.where, error.text);
+    } else {
+        (void)murk_picture_render(&picture, light, NULL, MURK_METHOD_MAPS,
+                                  &error);
+        check_place("photons.maps", "photons.maps", &error);
+    }
+    murk_light_destroy(light);
+    murk_world_destroy(world);
+    murk_scene_destroy(scene);
+}
+
+int main(void)
+{
+    given g = {0};
+    if (murk_context_create(&g.context, NULL, NULL) ||
+        murk_scene_parse(&g.scene, g.context, text, "text", NULL) ||
+        murk_world_create(&g.world, g.scene, NULL) ||
+        murk_light_trace(&g.light, g.world, NULL)) {
+        fprintf(stderr, "the handles cannot be made\n");
+        return 1;
+    }
+    check_settings(&g);
+    check_key(&g);
+    murk_light_destroy(g.light);
+    murk_world_destroy(g.world);
+    murk_scene_destroy(g.scene);
+    murk_context_destroy(g.context);
+    return failures != 0;
+}
