@@ -4,6 +4,7 @@
 
 #include <stdio.h>
 
+#include "sensing/sensor.h"
 #include "world/extent.h"
 
 /* Points that are drawn at most, evenly chosen: more run together. */
@@ -404,16 +405,14 @@ static void draw_fixed(murk_canvas *c, const murk_section_view *v,
 {
     const murk_scene_fixed_sensor *s = &scene->sensors.fixed[i];
     const bool has_view = scene->sensors.type[s->type].view != MURK_VIEW_SPHERE;
-    const murk_vec3 east = murk_cross(scene->north, murk_vec(0, 0, 1));
-    murk_vec3 toward = murk_scale(cos(s->heading_rad), scene->north);
-    toward = murk_along(toward, sin(s->heading_rad), east);
-    toward = murk_along(murk_scale(cos(s->tilt_rad), toward), sin(s->tilt_rad),
-                        murk_vec(0, 0, 1));
+    const murk_pose pose = {.heading_rad = s->heading_rad,
+                            .tilt_rad = s->tilt_rad};
     double at[2], shown[2] = {0, 0};
     char number[24];
     murk_section_find(v, s->position, at);
     if (has_view) {
-        murk_section_direction(v, toward, shown);
+        murk_section_direction(v, murk_pose_frame(&pose, scene->north).axis,
+                               shown);
     }
     draw_sensor(c, at, shown, u);
     snprintf(number, sizeof number, "%zu", i + 1);

@@ -38,14 +38,6 @@ typedef struct legend {
 
 /* ---- numbers ---- */
 
-/* 1, 2 or 5 times a power of ten: the least that is not less. */
-static double round_length(double minimum)
-{
-    const double power = pow(10, floor(log10(minimum)));
-    const double m = minimum / power;
-    return power * (m <= 1 ? 1 : m <= 2 ? 2 : m <= 5 ? 5 : 10);
-}
-
 /* Prints a coordinate with the decimals that its step needs. */
 static void show_step(char *out, size_t size, double value, double step)
 {
@@ -219,7 +211,7 @@ static void draw_scale(murk_canvas *c, const murk_section_layout *l, double x,
                        double y)
 {
     const double u = l->unit, scale = l->view[0].scale;
-    double length_m = round_length(70 * u / scale);
+    double length_m = murk_canvas_step(70 * u / scale);
     if (length_m * scale > 140 * u) {
         length_m /= 2;
     }
@@ -266,7 +258,7 @@ static double step_of(murk_canvas *c, const murk_section_layout *l,
                       const murk_section_view *v, const double ends_m[2],
                       bool across)
 {
-    double step = round_length(TICK_SPACE * l->unit / v->scale);
+    double step = murk_canvas_step(TICK_SPACE * l->unit / v->scale);
     for (int tries = 0; across && tries < 9; ++tries) {
         double width = 0;
         for (int i = 0; i < 2; ++i) {
@@ -277,7 +269,7 @@ static double step_of(murk_canvas *c, const murk_section_layout *l,
         if (width + l->text < step * v->scale) {
             break;
         }
-        step = round_length(1.5 * step);
+        step = murk_canvas_step(1.5 * step);
     }
     return step;
 }

@@ -355,3 +355,10 @@ void murk_canvas_text(murk_canvas *c, double x, double y, double size,
                                                       : 1;
     walk_text(c, x - share * width, y, size, text, &ink);
 }
+
+double murk_canvas_step(double min)
+{
+    const double power = pow(10, floor(log10(min)));
+    const double m = min / power;
+    return power * (m <= 1 ? 1 : m <= 2 ? 2 : m <= 5 ? 5 : 10);
+}

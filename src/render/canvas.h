@@ -67,4 +67,8 @@ void murk_canvas_text(murk_canvas *canvas, double x, double y, double size,
 double murk_canvas_text_width(murk_canvas *canvas, double size,
                               const char *text);
 
+/* The smallest number not below min that is 1, 2 or 5 times a power of ten: a
+ * step of an axis. min > 0. */
+double murk_canvas_step(double min);
+
 #endif

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "render/canvas.h"
 #include "render/glyphs.h"
 #include "render/spread.h"
 
@@ -134,14 +135,6 @@ typedef struct ticks {
     size_t n;
 } ticks;
 
-/* The smallest number not below min that is 1, 2 or 5 times a power of ten. */
-static double round_step(double min)
-{
-    const double power = pow(10, floor(log10(min)));
-    const double m = min / power;
-    return power * (m <= 1 ? 1 : m <= 2 ? 2 : m <= 5 ? 5 : 10);
-}
-
 static void add_tick(ticks *t, const murk_false_colour *c, double value)
 {
     const double slack = 1e-9; /* of the bar: what rounding moves a tick by */
@@ -164,7 +157,7 @@ static ticks ticks_of(const murk_false_colour *c, bool is_whole, double wanted)
         }
         return t;
     }
-    double step = round_step((c->high - c->low) / wanted);
+    double step = murk_canvas_step((c->high - c->low) / wanted);
     step = is_whole ? fmax(1, step) : step;
     const double first = ceil(c->low / step - 1e-9);
     for (int k = 0; k < TICKS_MAX; ++k) {

@@ -4,6 +4,7 @@
 #include "report/view_data.h"
 
 #include "report/html.h"
+#include "world/extent.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -34,26 +35,17 @@ static murk_box points_box(murk_box box, const murk_plan_points *points)
     return box;
 }
 
-static bool is_box(const murk_box *box)
-{
-    return box->min.x <= box->max.x && box->min.y <= box->max.y &&
-           box->min.z <= box->max.z;
-}
-
 /* The box of the surfaces within the domain; without any, the domain. */
 static murk_box world_box(const murk_stage *stage)
 {
     const murk_box *all = &stage->world.domain.box;
     const murk_surfaces_facts facts = murk_surfaces_describe(stage->surfaces);
     murk_box box = facts.bounds_m;
-    if (!is_box(&box)) {
+    if (!murk_extent_is_box(&box)) {
         return *all;
     }
-    box.min = murk_vec(fmax(box.min.x, all->min.x), fmax(box.min.y, all->min.y),
-                       fmax(box.min.z, all->min.z));
-    box.max = murk_vec(fmin(box.max.x, all->max.x), fmin(box.max.y, all->max.y),
-                       fmin(box.max.z, all->max.z));
-    return is_box(&box) ? box : *all;
+    box = murk_box_meet(box, *all);
+    return murk_extent_is_box(&box) ? box : *all;
 }
 
 /* The box of all photons (without any, of the surfaces), sensors, readings and
@@ -64,7 +56,7 @@ static murk_box view_box(const murk_report_scene *s)
     for (size_t i = 0; i < s->states; ++i) {
         box = points_box(box, &s->state[i].points);
     }
-    if (!is_box(&box) && s->stage) {
+    if (!murk_extent_is_box(&box) && s->stage) {
         box = world_box(s->stage);
     }
     for (size_t i = 0; i < s->states; ++i) {
@@ -79,7 +71,7 @@ static murk_box view_box(const murk_report_scene *s)
     for (size_t i = 0; i < s->stops; ++i) {
         box = murk_box_with(box, s->stop[i]);
     }
-    return is_box(&box) ? box : (murk_box){{0, 0, 0}, {0, 0, 0}};
+    return murk_extent_is_box(&box) ? box : (murk_box){{0, 0, 0}, {0, 0, 0}};
 }
 
 /* ---- making ---- */
@@ -155,7 +147,7 @@ size_t murk_view_bit_bytes(const murk_shown_state *state)
 murk_box murk_view_photon_box(const murk_plan_points *points)
 {
     const murk_box box = points_box(murk_box_empty(), points);
-    return is_box(&box) ? box : (murk_box){{0, 0, 0}, {0, 0, 0}};
+    return murk_extent_is_box(&box) ? box : (murk_box){{0, 0, 0}, {0, 0, 0}};
 }
 
 bool murk_view_is_wide(const murk_view_mesh *mesh)

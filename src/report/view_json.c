@@ -85,15 +85,9 @@ static void add_balls(murk_data *item, const murk_surfaces *surfaces)
 static murk_vec3 travel_of(const murk_scene_desc *scene,
                            const murk_sky_facts *facts)
 {
-    const double heading = radians(facts->azimuth_deg);
-    const double height = radians(facts->elevation_deg);
-    const murk_vec3 north = scene->north;
-    const murk_vec3 east = murk_vec(north.y, -north.x, 0);
-    const murk_vec3 level = murk_add(murk_scale(cos(heading), north),
-                                     murk_scale(sin(heading), east));
-    const murk_vec3 to =
-        murk_add(murk_scale(cos(height), level), murk_vec(0, 0, sin(height)));
-    return murk_scale(-1, to);
+    const murk_pose to = {.heading_rad = radians(facts->azimuth_deg),
+                          .tilt_rad = radians(facts->elevation_deg)};
+    return murk_scale(-1, murk_pose_frame(&to, scene->north).axis);
 }
 
 static void add_lamp(murk_data *item, const murk_report_scene *s, size_t i)

@@ -10,16 +10,17 @@
  */
 #define DOMAIN_MARGIN 0.01
 
-static bool is_empty(const murk_box *box)
+bool murk_extent_is_box(const murk_box *box)
 {
-    return !(box->min.x <= box->max.x);
+    return box->min.x <= box->max.x && box->min.y <= box->max.y &&
+           box->min.z <= box->max.z;
 }
 
-static murk_box join(murk_box a, murk_box b)
+murk_box murk_extent_join(murk_box a, murk_box b)
 {
-    return is_empty(&b)   ? a
-           : is_empty(&a) ? b
-                          : murk_box_with(murk_box_with(a, b.min), b.max);
+    return murk_extent_is_box(&b)
+               ? murk_box_with(murk_box_with(a, b.min), b.max)
+               : a;
 }
 
 /* The box of a placed sphere. */
@@ -52,9 +53,7 @@ bool murk_extent_is_bounded(const murk_scene_region *r)
 static murk_box meet(murk_box a, murk_box b)
 {
     const murk_box both = murk_box_meet(a, b);
-    const bool is_none = both.min.x > both.max.x || both.min.y > both.max.y ||
-                         both.min.z > both.max.z;
-    return is_none ? murk_box_empty() : both;
+    return murk_extent_is_box(&both) ? both : murk_box_empty();
 }
 
 /* The box of the active voxels. The field of nearest interpolation ends half a
@@ -124,8 +123,9 @@ murk_box murk_extent_region(const murk_scene_desc *scene,
     }
     if (z_m->n > 0) {
         const murk_box local = box_of_shape(r, mesh, z_m);
-        return is_empty(&local) ? local
-                                : meet(box, murk_affine_box(&placed, &local));
+        return murk_extent_is_box(&local)
+                   ? meet(box, murk_affine_box(&placed, &local))
+                   : local;
     }
     return grid ? meet(box, box_of_grid(&placed, grid, is_linear)) : box;
 }
@@ -141,30 +141,32 @@ murk_status murk_extent_domain(murk_domain *out, const murk_scene_desc *scene,
     /* Bound the geometry alone: half spaces and distant light need it. */
     murk_box solid = murk_box_empty();
     for (size_t i = 0; i < scene->geometries; ++i) {
-        solid = join(solid, murk_extent_geometry(&scene->geometry[i], mesh[i]));
+        solid = murk_extent_join(
+            solid, murk_extent_geometry(&scene->geometry[i], mesh[i]));
     }
     /* Add the regions that are finite. */
     murk_box all = solid;
     for (size_t i = 0; i < scene->n_regions; ++i) {
         const murk_scene_region *r = &scene->regions[i];
-        if (r->shape == MURK_REGION_BELOW && is_empty(&solid)) {
+        if (r->shape == MURK_REGION_BELOW && !murk_extent_is_box(&solid)) {
             return murk_fail(err, MURK_BAD_VALUE, r->where,
                              "a half space needs a domain or geometry");
         }
         if (murk_extent_is_bounded(r)) {
-            all = join(all, murk_extent_region(scene, r, grid[r->medium],
-                                               region_mesh[i]));
+            all = murk_extent_join(
+                all,
+                murk_extent_region(scene, r, grid[r->medium], region_mesh[i]));
         }
     }
     /* Add the lamps. */
     for (size_t i = 0; i < scene->n_lights; ++i) {
         const murk_scene_light *light = &scene->lights[i];
-        if (murk_scene_light_is_distant(light) && is_empty(&solid)) {
+        if (murk_scene_light_is_distant(light) && !murk_extent_is_box(&solid)) {
             return murk_fail(err, MURK_BAD_VALUE, light->where,
                              "distant light needs a domain or geometry");
         }
         const murk_source lamp = murk_sky_lamp(light); /* empty if distant */
-        all = join(all, murk_source_box(&lamp));
+        all = murk_extent_join(all, murk_source_box(&lamp));
     }
     /* The box must have a length; then it is grown by the margin. */
     const murk_vec3 size = murk_sub(all.max, all.min);

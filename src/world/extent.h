@@ -7,6 +7,13 @@
 #include "medium/grid.h"
 #include "scene/scene.h"
 
+/* False if the box is empty: min exceeds max on an axis. */
+bool murk_extent_is_box(const murk_box *box);
+
+/* The bounding box of two boxes. Either may be empty, a only as
+ * murk_box_empty(). */
+murk_box murk_extent_join(murk_box a, murk_box b);
+
 /* The bounding box of one item in world coordinates. mesh is the imported mesh
  * if the item is a mesh file. grid is the density grid of the medium of a
  * region, NULL if the medium has none. The box of a region is that of its

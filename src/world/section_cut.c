@@ -3,7 +3,8 @@
  * the plan below most of it. */
 #include "world/section_cut.h"
 
-#include <stdlib.h>
+#include "base/quantile.h"
+#include "world/extent.h"
 
 /* Height of a plan above the floor [m]: between sill and lintel of doors and
  * windows, as architects cut. */
@@ -15,17 +16,6 @@
 /* Planes that nothing asks for lie at multiples of this length. */
 #define CUT_STEP_M 0.01
 
-static bool is_box(const murk_box *box)
-{
-    return box->min.x <= box->max.x && box->min.y <= box->max.y &&
-           box->min.z <= box->max.z;
-}
-
-static murk_box box_of_all(murk_box a, murk_box b)
-{
-    return is_box(&b) ? murk_box_with(murk_box_with(a, b.min), b.max) : a;
-}
-
 static murk_box box_of_sites(const murk_vec3 *site, size_t sites)
 {
     murk_box box = murk_box_empty();
@@ -33,12 +23,6 @@ static murk_box box_of_sites(const murk_vec3 *site, size_t sites)
         box = murk_box_with(box, site[i]);
     }
     return box;
-}
-
-static int by_value(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
 }
 
 /* The floor: the median height of the surfaces below sites, which neither
@@ -60,7 +44,7 @@ static double floor_of(const murk_stage *stage, const murk_vec3 *site,
     if (n == 0) {
         return things->min.z;
     }
-    qsort(below, n, sizeof *below, by_value);
+    murk_sort(below, n);
     return below[n / 2];
 }
 
@@ -70,9 +54,9 @@ murk_box murk_stage_things_box(const murk_stage *stage, const murk_vec3 *site,
     const murk_scene_desc *scene = stage->scene;
     const murk_surfaces_facts facts = murk_surfaces_describe(stage->surfaces);
     murk_box box = murk_box_empty();
-    box = box_of_all(box, facts.bounds_m);
-    box = box_of_all(box, murk_media_bounds(stage->media));
-    box = box_of_all(box, box_of_sites(site, sites));
+    box = murk_extent_join(box, facts.bounds_m);
+    box = murk_extent_join(box, murk_media_bounds(stage->media));
+    box = murk_extent_join(box, box_of_sites(site, sites));
     for (size_t i = 0; i < scene->n_lights; ++i) {
         if (!murk_scene_light_is_distant(&scene->lights[i])) {
             box = murk_box_with(box, scene->lights[i].position);
@@ -85,7 +69,7 @@ murk_box murk_stage_things_box(const murk_stage *stage, const murk_vec3 *site,
         box = murk_box_with(box, scene->cameras[i].from);
     }
     box = murk_box_meet(box, stage->world.domain.box);
-    return is_box(&box) ? box : stage->world.domain.box;
+    return murk_extent_is_box(&box) ? box : stage->world.domain.box;
 }
 
 murk_vec3 murk_stage_section_cut(const murk_stage *stage, const murk_vec3 *site,
@@ -93,7 +77,8 @@ murk_vec3 murk_stage_section_cut(const murk_stage *stage, const murk_vec3 *site,
 {
     const murk_box things = murk_stage_things_box(stage, site, sites);
     const murk_box site_box = box_of_sites(site, sites);
-    const murk_box middle_of = is_box(&site_box) ? site_box : things;
+    const murk_box middle_of =
+        murk_extent_is_box(&site_box) ? site_box : things;
     const double floor_m = floor_of(stage, site, sites, &things),
                  plan_m = floor_m + PLAN_ABOVE_FLOOR_M;
     murk_vec3 cut = murk_scale(0.5, murk_add(middle_of.min, middle_of.max));
