@@ -31,7 +31,7 @@ static void test_tables_are_shared(void)
     murk_scene_desc *scene;
     murk_stage *stage;
     murk_error err;
-    put_file("p.csv", GOOD, strlen(GOOD));
+    write_text("p.csv", GOOD);
     CHECK(stage_of(&scene, &stage, SCENE("[{table: p.csv}, {table: p.csv}]"),
                    &err) == MURK_OK);
     CHECK(stage && stage->phases->n == 1);
@@ -121,7 +121,7 @@ static void test_tables(void)
     murk_scene_desc *scene;
     murk_stage *stage;
     murk_error err;
-    put_file("p.csv", GOOD, strlen(GOOD));
+    write_text("p.csv", GOOD);
     CHECK(stage_of(&scene, &stage,
                    SCENE("[{table: p.csv}, {fournier_forand: [1.1, 3.58]}]"),
                    &err) == MURK_OK);
@@ -144,7 +144,7 @@ static void test_tables(void)
     char before[4000] = "";
     snprintf(before, sizeof before, "%s", stage ? stage->light_key : "");
     murk_stage_destroy(stage);
-    put_file("p.csv", GOOD "# another\n", strlen(GOOD "# another\n"));
+    write_text("p.csv", GOOD "# another\n");
     stage = NULL;
     CHECK(scene && murk_stage_create(&stage, scene, &err) == MURK_OK);
     CHECK(stage && strcmp(stage->light_key, before) != 0);
@@ -157,7 +157,7 @@ static void refused(const char *csv, const char *where, const char *text)
     murk_scene_desc *scene;
     murk_stage *stage;
     murk_error err;
-    put_file("p.csv", csv, strlen(csv));
+    write_text("p.csv", csv);
     CHECK(stage_of(&scene, &stage, SCENE("{table: p.csv}"), &err) != MURK_OK);
     CHECK(stage == NULL);
     CHECK_TEXT(err.where, where);
