@@ -1,5 +1,6 @@
 /* The lights of a scene as murk check reports them: power, the position of sun
- * and moon, irradiance, and the share that the media of the domain take. */
+ * and moon, irradiance, and the share of the light from outside that the media
+ * of the domain absorb or scatter before it meets a surface or water. */
 #include "app/check.h"
 
 #include "results/summary.h"

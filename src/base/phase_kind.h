@@ -1,9 +1,10 @@
-/* The kinds of phase functions that scenes and presets describe by numbers.
+/* The kinds of phase functions in scenes and presets, and how many numbers
+ * describe each.
  *
- * One list for all rooms: the scene and the presets read the numbers, and the
- * room `medium` evaluates the function (medium/phase.c, one row a kind). The
- * accepted range of each number is in the key table of the scene
- * (scene/keys_media.c). */
+ * All rooms (folders of src) use this one list: the scene and the presets read
+ * the numbers, and the room `medium` evaluates the function (medium/phase.c,
+ * one row for each kind). The ranges that scenes and presets accept are in
+ * scene/keys_rows.h; the room `medium` checks what it accepts itself. */
 #ifndef MURK_BASE_PHASE_KIND_H
 #define MURK_BASE_PHASE_KIND_H
 

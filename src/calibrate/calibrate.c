@@ -114,8 +114,9 @@ static void convert_errors(murk_calibration *out, const murk_free_keys *keys)
     }
 }
 
-/* Adds the noise of slopes that come from light traced at two values: such
- * noise, too, looks like information. */
+/* Adds the error of slopes that come from light traced at two values, from
+ * photons and step size together: such an error, too, looks like
+ * information. */
 static void add_world_noise(murk_slope_noise *noise, const murk_fit_search *s,
                             const double *jacobian)
 {

@@ -239,7 +239,9 @@ bool murk_path_next_change(murk_path *path, murk_path_change *change)
     return false;
 }
 
-/* Optical depth of the ray from gone_m to to_m, in the regions around it. */
+/* Optical depth of the part of the ray from gone_m to to_m, which must cross no
+ * face of a mesh: path->inside tells which meshes hold this part. For regions
+ * of other shapes the position decides. */
 static double depth_to(const murk_path *path, int band, double to_m)
 {
     return murk_media_optical_depth(

@@ -1,5 +1,6 @@
-/* The result of a fit or prediction: rows of fit.json, predict.json and
- * fit.csv, the file calibrated.yaml, and the summary. */
+/* The result of a fit or a prediction: the fields of fit.json or predict.json,
+ * the columns of fit.csv, and the summary; for a fit also the file
+ * calibrated.yaml. */
 #ifndef MURK_RESULTS_FIT_H
 #define MURK_RESULTS_FIT_H
 

@@ -6,10 +6,12 @@
 /* Halvings of an interval, for all digits of a double. */
 #define HALVINGS 53
 
-/* In units of the radius of the disc, with x along the tilt of the plane, the
- * cosine is proportional to max(0, edge + x), -1 < edge < 1. This is half of
- * the integral of the cosine over the disc up to x: the antiderivative of (edge
- * + x) sqrt(1 - x^2). */
+/* Lengths are in units of the radius of the disc, and x points along the
+ * projection of the normal of the plane on the disc, along which the cosine
+ * rises. The cosine is proportional to max(0, edge + x), with -1 < edge < 1.
+ * Returns an antiderivative of (edge + x) sqrt(1 - x^2): for -edge <= x,
+ * cut_integral(edge, x) - cut_integral(edge, -edge) is half of the integral of
+ * edge + x over the part of the disc between -edge and x. */
 static double cut_integral(double edge, double x)
 {
     const double rest = sqrt(fmax(0, (1 - x) * (1 + x)));

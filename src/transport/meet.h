@@ -19,9 +19,10 @@ murk_fate murk_meet_surface(murk_walker *w, const murk_hit *hit, double path_m,
                             murk_inside crossed);
 
 /* Called after a surface that transmitted the photon and in which a face of a
- * boundary mesh lies. The surface of a solid has handled the face. After a thin
- * sheet, the photon meets the face at its position. Then the photon skips as
- * much of the ray as keeps it from meeting the mesh again. */
+ * boundary mesh lies. If the surface bounds a solid, murk_meet_surface() has
+ * crossed the face already. If the surface is a thin sheet, the photon meets
+ * the face here, at its position. In both cases the photon then skips the first
+ * part of its ray, so that it does not meet the same face again. */
 murk_fate murk_meet_mesh_beyond(murk_walker *w, const murk_hit *hit,
                                 murk_path_boundary *ahead);
 
