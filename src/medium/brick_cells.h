@@ -1,9 +1,9 @@
-/* Storage of the bounds of medium/bricks.h: cells of 128, 4096, ... voxels
- * in one hash table. A cell that contains smaller ones is their parent. The
- * bound of a cell applies to all of it, so the bound at a voxel is the
- * largest on the path from the top cell down. A large value can therefore be
- * stored at a parent without visiting the cells below. For bricks_build.c
- * and brick_walk.c only. */
+/* Storage of the bounds of medium/bricks.h: cells with edges of 128, 4096, ...
+ * voxels in one hash table. A cell that contains smaller ones is their parent.
+ * The bound of a cell applies to all of it, so the bound at a voxel is the
+ * largest on the path from the top cell down. The value of a tile can therefore
+ * be stored at one cell, whether or not that cell contains smaller ones. For
+ * bricks_build.c and brick_walk.c only. */
 #ifndef MURK_MEDIUM_BRICK_CELLS_H
 #define MURK_MEDIUM_BRICK_CELLS_H
 

@@ -1,12 +1,13 @@
 /* Upper bounds (majorants) of a grid's density per brick, for delta tracking.
  *
  * A brick is a cube of voxels whose edge is a power of two, aligned to the
- * edge. Bricks exist only in blocks of 128 voxels in which the tree has values.
- * Empty space has the bound 0, in cells that grow with the size of the empty
- * space, so that a ray crosses empty space in a few steps. A tile (one value
- * for a large cell of the tree) has one bound, and so have the neighbouring
- * cells from which the interpolation reads it. Memory is at most a few times
- * that of the tree.
+ * edge. Bricks exist only in those blocks of 128 voxels along an edge in which
+ * the interpolation reads a value above 0 of a leaf, or of a tile of the size
+ * of a leaf. Empty space has the bound 0, in cells that grow with the size of
+ * the empty space, so that a ray crosses empty space in a few steps. A tile
+ * (one value for a large cell of the tree) has one bound, and so have the
+ * neighbouring cells from which the interpolation reads it. Memory is at most a
+ * few times that of the tree.
  *
  * Space and ray parameter are those of march.h. Immutable after creation.
  * Inside this room only. */
@@ -39,7 +40,9 @@ typedef struct murk_brick_walk {
     murk_grid_ray ray;
     double bound; /* on the current segment */
 
-    /* The block visited last, and the lower limit of the bounds in it. */
+    /* The table of bounds of the block visited last (NULL: that block has no
+     * bricks, or there is none yet), a lower limit of the bounds of its bricks,
+     * and the lowest voxel of the block. */
     const float *block;
     float block_min;
     int32_t block_first[3];

@@ -1,7 +1,7 @@
 /* Computes the bounds of bricks from the tree of a grid (medium/bricks.h):
- * every leaf and tile raises the bounds of the bricks from which the
- * interpolation reads it. Functions that return bool or a pointer fail only
- * if there is no memory. */
+ * every leaf and tile raises the bounds of the bricks, or larger cells, in
+ * which the interpolation reads its values. Functions that return bool or a
+ * pointer fail only if there is no memory. */
 #include "medium/bricks.h"
 
 #include "medium/brick_cells.h"
@@ -196,7 +196,8 @@ static bool add_large_tile(murk_bricks *b, int level, const int32_t at[3],
     return true;
 }
 
-/* Position of the n-th of side^3 cells, counted from `first`. */
+/* The lowest voxel of the n-th (n = 0, 1, ...) of side^3 cells of the given
+ * edge, the first of which has the lowest voxel `first`. */
 static void nth_cell(const int32_t first[3], int n, int side, int32_t edge,
                      int32_t at[3])
 {

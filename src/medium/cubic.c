@@ -6,8 +6,8 @@
 #include <math.h>
 #include <stdbool.h>
 
-/* A bisection halves the bracket, so 64 steps make the bracket narrower than
- * the rounding of 1. Newton's method needs far fewer. */
+/* A bisection halves the bracket, so 64 bisections make the bracket narrower
+ * than the rounding of 1. Newton's method needs far fewer steps. */
 #define STEPS_MAX 64
 
 murk_cubic murk_cubic_in_cell(const double corner[8], const double a[3],
@@ -30,8 +30,8 @@ murk_cubic murk_cubic_in_cell(const double corner[8], const double a[3],
                          c2[0] + d2 * a[2] + d1 * dz, d2 * dz}};
 }
 
-/* For a linear function c0 + c1 s; this form of the root loses no digits to
- * cancellation. */
+/* The s at which the integral of c0 + c1 s from 0 reaches `target`: the form of
+ * the root without a difference of nearly equal numbers. */
 static double reach_of_line(double c0, double c1, double target)
 {
     const double end = sqrt(fmax(0, c0 * c0 + 2 * c1 * target));

@@ -39,10 +39,9 @@ static inline double murk_cubic_integral(const murk_cubic *cubic, double s)
 }
 
 /* The s at which the integral from 0 reaches `share` of the integral over [0,
- * 1], to rounding. `share` itself, cut to 0..1, if `share` is not inside (0, 1)
- * or the whole integral is not above 0. Closed form for a linear function,
- * otherwise Newton's method with a bracket, in at most some sixty steps for any
- * cubic. */
+ * 1]. `share` itself, cut to 0..1, if `share` is not inside (0, 1) or the whole
+ * integral is not above 0. Closed form for a linear function, otherwise
+ * Newton's method with a bracket, in at most 64 steps. */
 double murk_cubic_reach(const murk_cubic *cubic, double share);
 
 #endif

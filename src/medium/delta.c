@@ -1,6 +1,6 @@
-/* Delta tracking through overlapping grids (medium/delta.h). The majorant of
- * an interval is the sum of the majorants of all grids and the constant
- * extinction; each grid walks through the bricks on its own
+/* Delta tracking through overlapping grids (medium/delta.h). The majorant of an
+ * interval is the sum of the majorants of all grids and the constant
+ * extinction; each grid has a walk through bricks of its own
  * (medium/bricks.h). */
 #include "medium/delta.h"
 

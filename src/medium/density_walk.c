@@ -85,7 +85,8 @@ bool murk_density_walk_integrate(murk_density_walk *walk, double scale,
     murk_linear *linear = &walk->in.linear;
     murk_layers *layers = &walk->in.layers;
     bool collides = false;
-    /* Each walk stores the end of the segment and the density there. */
+    /* If the limit is reached, the walk has moved the end of its segment to the
+     * collision and has stored the density there. */
     switch (walk->filling) {
     case MURK_FILLED_BY_NEAREST:
         collides = murk_march_integrate(march, scale, offset, limit, sum);

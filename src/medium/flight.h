@@ -28,7 +28,8 @@ typedef struct murk_flight {
     murk_inside inside;
     murk_vec3 origin, direction;
     double depth,
-        limit; /* optical depth so far; optical depth of the collision */
+        limit; /* optical depth so far, and that of the next collision; in
+                  delta tracking both count from the last null collision */
     double u;  /* selects the medium of the collision */
     murk_flight_randoms *stream; /* NULL: the flight marches */
     double collision_m;

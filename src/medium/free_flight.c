@@ -93,9 +93,9 @@ static bool cross_cubic(ray *r, double from, double to, const murk_cubic *total)
     return true;
 }
 
-/* Crosses an interval with several grids or profiles, always to the nearest
- * end of any of their segments. A part with constant extinction is crossed
- * as everywhere else. */
+/* Crosses an interval with several grids or profiles, always to the nearest end
+ * of any of their segments. A part in which the sum of the extinctions is
+ * constant is crossed by cross_even(). */
 static bool cross_walks(ray *r, double from, double to,
                         const murk_place *const *places, size_t n,
                         double even_per_m, double *density)
@@ -326,8 +326,8 @@ static double albedo_of(const ray *r, const murk_place *place, murk_vec3 at)
     return murk_albedo_at(&r->media->media[place->medium], place, r->band, at);
 }
 
-/* fly() for a scene that is one homogeneous medium: a short cut, since most
- * of a photon's time would go into finding out that there is nothing else. */
+/* fly() for a scene that is one homogeneous medium: a short cut, since fly()
+ * would spend most of its time on finding out that there is no other region. */
 static bool fly_evenly(const ray *r, double length_m, murk_collision *collision)
 {
     const murk_vec3 o = r->origin, d = r->direction;

@@ -22,11 +22,11 @@
 #include <string.h>
 #include <sys/stat.h>
 
-/* Memory limit of the subprocess. A sparse tree is larger in memory than in
- * the file: a node of 4096 voxels takes some 8 kB in a file and 262 kB in
- * memory, twice while it is converted. 200 bytes for each byte of the file
- * is three times that, and a small hostile file still cannot cost seconds.
- * The minimum is for the libraries themselves. */
+/* Memory limit of the subprocess. A sparse tree is larger in memory than in the
+ * file: a node of 4096 voxels along an edge takes some 8 kB in a file and 262
+ * kB in memory, twice while it is converted. 200 bytes for each byte of the
+ * file is three times that, and a small hostile file still cannot cost seconds.
+ * MIN_BYTES, which is added, is for the libraries themselves. */
 #define MIN_BYTES           UINT64_C(400000000)
 #define BYTES_PER_FILE_BYTE 200
 

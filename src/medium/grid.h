@@ -3,7 +3,8 @@
  * The file is parsed in a subprocess with limits (base/subprocess.h), checked
  * (float, half or double; not a level set; finite; not negative; sane size) and
  * handed over as one NanoVDB float grid. Large sparse grids are never made
- * dense. Call before any thread or Embree device exists, because reading forks.
+ * dense. The functions that read or make a grid may fork, as the host chooses
+ * (base/subprocess.h); then no other thread and no Embree device may exist.
  *
  * Source: Museth, ACM Trans. Graph. 32 (2013) 27,
  * doi:10.1145/2487228.2487235; Museth, NanoVDB, SIGGRAPH Talks 2021,
@@ -22,7 +23,10 @@ typedef struct murk_grid murk_grid;
 typedef struct murk_grid_facts {
     char name[128];
     uint64_t active; /* active voxels; a tile counts as all voxels in it */
-    double minimum, maximum, sum; /* over active voxels; 0 if there are none */
+    double minimum, maximum, sum; /* over the box of active voxels of a
+                                     density, in which inactive voxels count
+                                     as 0; over the active voxels of an
+                                     albedo; 0 if there are none */
     double background;            /* the value elsewhere; 0 for densities */
     int64_t index_min[3], index_max[3]; /* inclusive box of active voxels */
     double voxel_m[3]; /* edge lengths before the scene moves the grid */

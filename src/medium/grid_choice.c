@@ -68,7 +68,8 @@ static found those_named(const murk_grid_entry *entry, size_t n,
 }
 
 /* The entries selected without a name: the only density, or the one named
- * `density`; or the only grid, so that the message names its kind. */
+ * `density`; or, if there is no density, the only grid, which check_kind() then
+ * refuses with a message that names its kind. */
 static found those_meant(const murk_grid_entry *entry, size_t n)
 {
     found all = {0, 0};

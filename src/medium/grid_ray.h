@@ -5,9 +5,10 @@
  * that face is known as a whole number; along the other axes the position is
  * computed and clamped to the cell. Rounding can therefore shift a crossing by
  * the last digits but never skip a cell, visit one twice, or stall: every step
- * advances along at least one axis. Crossings are computed anew as (face -
- * origin) / direction for each cell and each block, so that errors do not grow
- * with the number of cells.
+ * advances along at least one axis. Crossings are computed anew from the origin
+ * of the ray wherever the ray enters a cell that it crosses in one segment, or
+ * a block of 8 x 8 x 8 cells; only inside of a block strides are added. Errors
+ * therefore do not grow with the number of cells.
  *
  * Cell i covers [i, i + 1), upper faces excluded. Inside this room only. */
 #ifndef MURK_MEDIUM_GRID_RAY_H
@@ -24,13 +25,16 @@ typedef struct murk_grid_ray {
     double stride[3]; /* ray parameter from face to face; 0: parallel */
     double end;
 
-    /* The current segment [from, to), and the cell that begins at `to`. */
+    /* The current segment [from, to), and the cell that the ray enters at `to`.
+     * While the ray is in a block, at[] is the cell in which the ray entered
+     * the block. */
     double from, to;
     int32_t at[3];
 
     /* A block of 8 x 8 x 8 cells that the ray visits one by one: the lowest
-     * cell, the cell of the segment in the block, and the ray parameter at
-     * which the ray leaves that cell, by axis. */
+     * cell; by axis the number 0..7 of the current cell in the block, the step
+     * of this number, +1 or -1, and the ray parameter at which the ray reaches
+     * the face ahead. */
     bool is_in_block;
     int32_t block_first[3];
     int in_block[3], step[3];
@@ -81,8 +85,8 @@ static inline int32_t murk_voxel_at(double place, int32_t first, int32_t last)
 }
 
 /* Clips [*t0, *t1] to the box of active voxels, enlarged by `below` voxels at
- * the lower side. False if nothing is left, if the tree is empty, or if a
- * number is NaN. */
+ * the low end of each axis. False if nothing is left, if the tree is empty, or
+ * if a number is NaN. */
 bool murk_grid_clip(const murk_tree *tree, int32_t below, murk_vec3 origin,
                     murk_vec3 direction, double *t0, double *t1);
 
@@ -145,7 +149,7 @@ static inline void murk_grid_ray_cross_cell(murk_grid_ray *r, int32_t size)
 }
 
 /* Crosses empty space up to the nearest root cell ahead, enlarged by `below`
- * voxels at the lower side, or to the end of the ray. */
+ * voxels at the low end of each axis, or to the end of the ray. */
 void murk_grid_ray_skip(murk_grid_ray *ray, const murk_tree *tree,
                         int32_t below);
 

@@ -237,8 +237,9 @@ murk_status murk_grid_write(const char *path, const murk_grid_field *fields,
         j.field[i] =
             (murk_vdb_field){fields[i].name, fields[i].value, fields[i].notes};
     }
-    /* Limits: the trees, and the bytes of the file twice, each at most as
-     * large as the trees. */
+    /* The limit of four times the memory of the trees is for the trees and
+     * twice the bytes of the file, which are at most as large as the trees,
+     * with a margin. */
     const uint64_t tree_bytes =
         n * (nodes(size, 8) * LEAF_BYTES + nodes(size, 128) * LOWER_BYTES +
              nodes(size, 4096) * UPPER_BYTES);

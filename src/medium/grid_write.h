@@ -2,11 +2,11 @@
  * OpenVDB read.
  *
  * Each field becomes one float grid of class fog volume; all have the same
- * transform. Values of 0 are left out (they are the background), so the size
- * of the file follows its content. The file is built in a subprocess, which
- * sees the memory of the parent; the parent writes the bytes. The file
- * identifier of the format is derived from the contents, so equal fields
- * give equal bytes. */
+ * transform. Values of 0 are left out (they are the background), so the size of
+ * the file follows its content. The bytes of the file are built in a
+ * subprocess, which has or receives the fields; the calling process writes the
+ * file. The file identifier of the format is derived from the contents, so
+ * equal fields give equal bytes. */
 #ifndef MURK_MEDIUM_GRID_WRITE_H
 #define MURK_MEDIUM_GRID_WRITE_H
 
@@ -30,8 +30,8 @@ typedef struct murk_grid_field {
  * / 2. The file appears whole or not at all (base/file.h). Fails at `path` with
  * MURK_BAD_VALUE if an argument is out of the stated range or the file is an
  * input of the run, or with MURK_NO_MEMORY, MURK_INTERRUPTED or
- * MURK_RUN_FAILED. Call it while no other thread of this process runs, because
- * it forks. */
+ * MURK_RUN_FAILED. If the host imports by forks (base/subprocess.h), no other
+ * thread of the process may run. */
 murk_status murk_grid_write(const char *path, const murk_grid_field *fields,
                             size_t n, const size_t size[3],
                             const murk_affine *index_to_world, murk_error *err);

@@ -156,8 +156,9 @@ static murk_vec3 facing(const boundary_hit *hit, bool is_inside,
     return flips ? murk_scale(-1, n) : n;
 }
 
-/* A face as a plane in world coordinates: in the frame of the region, the
- * points with row . p + shift = at. */
+/* A face as a plane in world coordinates: the points p with row . p + shift =
+ * at, where row and shift are those of to_local for this axis, and `at` is the
+ * coordinate of the face in the frame of the region. */
 static murk_flat flat_of(const murk_region_boundary *region_boundary, int axis,
                          double at, bool is_upper)
 {
@@ -254,7 +255,8 @@ bool murk_media_boundary(const murk_media *media, murk_inside inside,
     if (!any) {
         return false;
     }
-    /* Combine all boundaries at that place, measured along the normal. */
+    /* Combine all boundaries that lie at most near_m beyond the nearest one,
+     * measured along their normals. */
     *boundary = (murk_boundary){.distance_m = nearest};
     for (size_t i = 0; i < media->n_boundaries; ++i) {
         const murk_region_boundary *region_boundary = &media->boundaries[i];

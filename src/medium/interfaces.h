@@ -32,7 +32,7 @@ typedef struct murk_boundary {
 } murk_boundary;
 
 /* A flat boundary: the whole plane of a face of a box or of the surface of a
- * half space. The region bounds only a part of the plane. */
+ * half space. Of a box, only a part of the plane bounds the region. */
 typedef struct murk_flat {
     size_t region;
     murk_vec3 point, normal; /* unit normal, out of the region */
@@ -53,8 +53,8 @@ size_t murk_media_indices(const murk_media *media,
 /* True if any region has an index of refraction. */
 bool murk_media_bends(const murk_media *media);
 
-/* The refractive regions around a point, without meshes. Lower faces belong
- * to a region and upper faces do not, as for all regions. */
+/* The refractive regions that contain a point, meshes left out. A box contains
+ * its faces at the low end of each axis and not those at the high end. */
 murk_inside murk_media_inside(const murk_media *media, murk_vec3 point);
 
 /* The index of refraction inside a set of regions. */

@@ -11,8 +11,9 @@
  *
  * Inside this room only.
  *
- * Source: the walk is that of march.h; the mean is the Taylor series about the
- * middle, which ends there for a cubic. */
+ * Source: the walk is that of march.h; the mean follows from the Taylor series
+ * about the middle, of which a cubic has no terms that change the mean beyond
+ * the second derivative. */
 #ifndef MURK_MEDIUM_LINEAR_H
 #define MURK_MEDIUM_LINEAR_H
 
@@ -31,9 +32,11 @@ typedef struct murk_linear {
     double low[3], corner[8];
     double value; /* field at the collision of murk_linear_integrate() */
 
-    /* In a block, the cells whose lowest voxel is in one leaf: leaf[4 x + 2 y +
-     * z] are the leaves that contain the corners, found when first needed. For
-     * a tile, leaf points to its single value and offset_mask is 0. */
+    /* In a block of 8 x 8 x 8 cells the corners are in up to eight leaves:
+     * leaf[4 x + 2 y + z] is the leaf that begins 8 x, 8 y, 8 z voxels beyond
+     * the lowest voxel of the block. It is looked up when first needed, and
+     * that bit of `known` is then set. If a tile is there instead, leaf points
+     * to the single value of the tile and offset_mask is 0. */
     unsigned known;
     const float *leaf[8];
     int offset_mask[8];

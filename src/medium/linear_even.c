@@ -91,8 +91,9 @@ static void cross_even_box(murk_linear *m, const even_box *box)
     murk_grid_ray_cross(&m->ray, first, last);
 }
 
-/* Crosses empty space up to the nearest root cell ahead, including the cells
- * before it that interpolate with it. */
+/* Crosses empty space up to the nearest root cell ahead, enlarged by one cell
+ * at the low end of each axis: in these cells the interpolation reads values of
+ * the root cell. */
 static void skip_to_root_cell(murk_linear *m)
 {
     for (int axis = 0; axis < 3; ++axis) {

@@ -2,8 +2,8 @@
  *
  * The corners of a cell belong to up to eight nodes of the tree. Two methods
  * cover all cases: if only constant nodes take part, a whole box of cells is
- * one segment (linear_even.c); if a leaf takes part, the ray visits cell by
- * cell the block of 8 x 8 x 8 cells that begins there. As in march.c the
+ * one segment (linear_even.c); if a leaf takes part, the ray visits, cell by
+ * cell, the aligned block of 8 x 8 x 8 cells in which it is. As in march.c the
  * cell beyond a face is known as whole numbers, so rounding can shift a
  * crossing by the last digits but never skip a cell, visit one twice, or
  * stall. */
@@ -173,8 +173,9 @@ typedef struct tally {
 } tally;
 
 /* The limit is reached in the current segment, in which the field has the given
- * mean: moves m->ray.to back. If rounding makes the field 0 there (at an end of
- * the segment), the mean is used, so that a collision has a medium. */
+ * mean: moves m->ray.to back. If rounding makes the field 0 at the new
+ * m->ray.to (at an end of the segment), m->value is the mean, so that a
+ * collision has a medium. */
 static void stop_in_segment(murk_linear *m, tally *sum, double mean)
 {
     const double length = m->ray.to - m->ray.from;
@@ -190,7 +191,8 @@ static void stop_in_segment(murk_linear *m, tally *sum, double mean)
     sum->reached = sum->limit;
 }
 
-/* Adds a segment with the given mean; true if the limit is reached in it. */
+/* Adds the integral over a segment with the given mean of the field. True, and
+ * nothing is added, if the limit is reached in the segment. */
 static inline bool add_segment(tally *sum, double length, double mean)
 {
     const double density = sum->scale * mean + sum->offset;

@@ -58,8 +58,8 @@ typedef struct tally {
     double scale, offset, limit, reached;
 } tally;
 
-/* Adds a segment of constant value; true if the limit is reached in it, and
- * then *to is moved back. */
+/* Adds the integral over a segment of constant value. True if the limit is
+ * reached in the segment: then *to is moved back to that place. */
 static inline bool add_segment(tally *sum, double from, double *to,
                                double value)
 {

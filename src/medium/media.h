@@ -5,15 +5,17 @@
  * a grid, or a function of height (profile). Media of overlapping regions add:
  * extinctions are summed, and a collision belongs to a medium in proportion to
  * extinction. A region that replaces others removes the regions listed before
- * it; so does a region with an index of refraction (medium/interfaces.h). The
- * region of a grid is the box of active voxels, moved with the grid. Lower
- * faces belong to a region and upper faces do not, so regions that share a face
- * never count twice.
+ * it, inside its own shape; so does a region with an index of refraction
+ * (medium/interfaces.h). The region of a grid is the box of active voxels,
+ * moved with the grid. A box contains its faces at the low end of each axis and
+ * not those at the high end, so boxes that share a face never count a point
+ * twice.
  *
  * Free flight and optical depth are computed exactly, region by region: in
  * grids cell by cell through the tree, in profiles layer by layer. Hence
- * T(ac) = T(ab) T(bc). The media are immutable after creation and
- * murk_media_prepare_delta(): any number of threads may use them. */
+ * transmittances multiply: T(ac) = T(ab) T(bc) for points a, b, c in a line.
+ * Only murk_media_prepare_delta() changes media after their creation; otherwise
+ * any number of threads may use them. */
 #ifndef MURK_MEDIUM_MEDIA_H
 #define MURK_MEDIUM_MEDIA_H
 
@@ -96,17 +98,17 @@ typedef struct murk_region {
 } murk_region;
 
 /* The set of regions with a boundary (an index, or a mesh) that a ray is in:
- * bit i stands for region i. Flight and optical depth use the bits of meshes
- * only, and a ray must not leave a mesh on the way: for regions of other
- * shapes the position decides. */
+ * bit i stands for region i. Free flight and optical depth use the bits of
+ * meshes only, so the part of the ray that they follow must not cross a face of
+ * a mesh. For regions of other shapes the position decides. */
 typedef uint64_t murk_inside;
 
 typedef struct murk_media murk_media;
 
-/* Places media in regions. n_regions may be 0: clear air. A medium that is
- * everywhere has no bounds; the domain bounds the light. Warns of regions
- * outside of the domain. Fails with MURK_BAD_VALUE at the `where` of a medium
- * or region, or with MURK_NO_MEMORY. The array `media` is copied; grids,
+/* Places media in regions. n_regions may be 0: clear air. A region that is
+ * everywhere has no bounds: the caller ends its rays at the domain. Warns of
+ * regions outside of the domain. Fails with MURK_BAD_VALUE at the `where` of a
+ * medium or region, or with MURK_NO_MEMORY. The array `media` is copied; grids,
  * profiles, phase tables and `where` are borrowed. The caller owns *out and
  * releases it with murk_media_destroy(). */
 murk_status murk_media_create(murk_media **out, const murk_medium *media,
@@ -122,8 +124,9 @@ size_t murk_media_count(const murk_media *media);
 const murk_phase *murk_media_phase(const murk_media *media, size_t medium,
                                    int band);
 
-/* False if no medium has an extinction in any band (no regions, or
- * extinction 0 everywhere). */
+/* False if no region has a medium with an extinction above 0 in any band; a
+ * medium whose grid has no active voxels, or whose profile is 0 at all heights,
+ * does not count. */
 bool murk_media_any(const murk_media *media);
 
 /* Optical depth from `origin` along the unit vector `direction` over

@@ -1,6 +1,7 @@
 /* Creates and describes murk_media: checks media and regions, places the
- * regions, finds refractive boundaries; and sums coefficients at a point.
- * Free flight is in free_flight.c, refraction in interfaces.c. */
+ * regions, finds refractive boundaries; and sums coefficients at a point. Free
+ * flight is in free_flight.c, the search for boundaries on a ray in
+ * interfaces.c. */
 #include "medium/grid_internal.h"
 #include "medium/media.h"
 
@@ -202,7 +203,8 @@ static void warn_outside(const murk_place *place, const murk_box *domain,
     }
 }
 
-/* True if the medium has no density anywhere in the band. */
+/* True if the grid of the medium has no active voxels, or the profile of the
+ * medium is 0 at all heights in the band. */
 static bool has_no_density(const murk_medium *medium, int band)
 {
     if (medium->grid) {
@@ -239,7 +241,7 @@ static murk_status place_all(murk_media *media, const murk_region *regions,
 }
 
 /* True for a similarity. A sheared sphere would be an ellipsoid, for which
- * no intersection test exists. */
+ * interfaces.c has no intersection test. */
 static bool is_similarity(const murk_affine *a)
 {
     const double(*m)[3] = a->matrix;

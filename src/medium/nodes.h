@@ -15,8 +15,8 @@ typedef struct murk_cell {
     float value;
 } murk_cell;
 
-/* PNanoVDB.h addresses bytes from the start of a buffer. With the node
- * itself as the start, every address is 0. */
+/* PNanoVDB.h addresses bytes from the start of a buffer. With a node as the
+ * start, the address of that node is 0. */
 static inline pnanovdb_buf_t murk_node_buffer(const unsigned char *node)
 {
     return pnanovdb_make_buf((uint32_t *)(uintptr_t)node, 0);
@@ -32,7 +32,8 @@ static inline murk_cell murk_table_cell(const unsigned char *node,
                     : (murk_cell){NULL, pnanovdb_read_float(buffer, entry)};
 }
 
-/* The 128-voxel cell of an upper node that contains the voxel. */
+/* The cell of an upper node that contains the voxel: 128 voxels along an
+ * edge. */
 static inline murk_cell murk_upper_cell(const unsigned char *node,
                                         const int32_t voxel[3])
 {
@@ -46,7 +47,7 @@ static inline murk_cell murk_upper_cell(const unsigned char *node,
                            pnanovdb_upper_get_child_mask(buffer, upper, n));
 }
 
-/* The 8-voxel cell of a lower node that contains the voxel. */
+/* The cell of a lower node that contains the voxel: 8 voxels along an edge. */
 static inline murk_cell murk_lower_cell(const unsigned char *node,
                                         const int32_t voxel[3])
 {

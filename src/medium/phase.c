@@ -49,7 +49,9 @@ static double two_hg_density(const murk_phase *p, double mu)
            (1 - p->value[2]) * murk_hg_density(p->value[1], mu);
 }
 
-/* s is 1 - mu, root^2 is 1 + g^2 - 2 g mu: nothing cancels, for any g. */
+/* Share of the light that is scattered by less than the angle with 1 -
+ * cos(angle) = s. With mu = 1 - s, root^2 is 1 + g^2 - 2 g mu, in a form that
+ * loses no digits for small s. */
 static double hg_share(double g, double s)
 {
     const double root = sqrt((1 - g) * (1 - g) + 2 * g * s);
@@ -158,12 +160,14 @@ typedef struct phase_number {
     }
 
 /* A kind of phase functions. A kind has either the four functions of a closed
- * form, or `tabulate`, which computes a table from the numbers. */
+ * form or of a given table, or `tabulate`, which computes a table from the
+ * numbers. */
 typedef struct phase_row {
     phase_number number[MURK_PHASE_NUMBERS_MAX];
     double (*density)(const murk_phase *p, double mu); /* 1/sr */
     double (*sample)(const murk_phase *p, double u);   /* inverse CDF */
-    /* share of the light that is scattered by less than the angle of 1 - s */
+    /* share of the light that is scattered by less than the angle with the
+     * cosine 1 - s */
     double (*share)(const murk_phase *p, double s);
     double (*mean_cosine)(const murk_phase *p);
     murk_status (*tabulate)(murk_phase_table **out, const double *value,

@@ -35,8 +35,9 @@ murk_phase murk_phase_tabulated(const murk_phase_table *table);
 murk_phase murk_phase_of(murk_phase_kind kind,
                          const double value[MURK_PHASE_NUMBERS_MAX]);
 
-/* True for a kind that has no closed inverse of the distribution function: a
- * table is computed from the numbers and stands for the function. */
+/* True for a kind whose numbers murk_phase_tabulate() turns into a table, which
+ * stands for the function, because the distribution function has no closed
+ * inverse. False for MURK_PHASE_TABLE, whose table is given. */
 bool murk_phase_is_tabulated(murk_phase_kind kind);
 
 /* Makes the table of a kind for which murk_phase_is_tabulated() is true. The
@@ -58,9 +59,8 @@ double murk_phase_density(const murk_phase *phase, double mu);
 /* A cosine distributed as the density: the inverse CDF at u in (0, 1). */
 double murk_phase_sample(const murk_phase *phase, double u);
 
-/* Share of the light that is scattered by less than an angle, 0..pi: 2 pi
- * times the integral of density sin(angle). Exact for any angle, however
- * small. */
+/* Share of the light that is scattered by less than an angle, 0..pi: 2 pi times
+ * the integral of density sin(angle). No digits are lost for small angles. */
 double murk_phase_share_within(const murk_phase *phase, double angle_rad);
 
 double murk_phase_mean_cosine(const murk_phase *phase);

@@ -84,7 +84,7 @@ void murk_phase_nodes_law(murk_phase_nodes *nodes, double s,
                           double (*law)(const void *context, double s),
                           const void *context)
 {
-    enum { DEPTH = 80 }; /* 6 halvings in log s, 53 more to its last digit */
+    enum { DEPTH = 80 }; /* 6 halvings in log s, 53 to the last digit of s */
     murk_phase_node waiting[DEPTH];
     size_t n = 0;
     waiting[n++] = (murk_phase_node){0, s, law(context, s)};
@@ -230,8 +230,8 @@ double murk_phase_table_density(const murk_phase_table *table, double mu)
 }
 
 /* Behind the first node solves a = p t + (slope / 2) t^2 for the step t beyond
- * the node before u, where 2 pi a is the share of the light that is left, with
- * the form of the root that does not cancel. */
+ * the node before u, where 2 pi a is the share of the light between that node
+ * and the sample, with the form of the root that does not cancel. */
 double murk_phase_table_sample(const murk_phase_table *table, double u)
 {
     assert(u > 0 && u < 1);

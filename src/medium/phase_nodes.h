@@ -22,8 +22,8 @@ typedef struct murk_phase_node {
 struct murk_phase_table {
     size_t nodes, guides;  /* guides: a power of two */
     murk_phase_node *node; /* [nodes]; the last one at s = 2 */
-    uint32_t *guide; /* [guides]: entry k is the last node but the final one
-                      * whose `below` is at most k / guides */
+    uint32_t *guide; /* [guides]: entry k is the last of the nodes 0 to nodes
+                        - 2 whose `below` is at most k / guides, or node 0 */
     double power;    /* before node 0 the density is proportional to
                         s^power; > -1 */
     murk_phase_facts facts;

@@ -24,8 +24,9 @@ typedef struct murk_phase_table murk_phase_table;
 /* A measured or computed phase function. Between rows log value is linear in
  * log angle; if either value is 0, or from a row at angle 0, the value is
  * linear in the cosine. Before the first row the power law of the first two
- * rows continues to angle 0 (constant if it would fall towards 0); beyond
- * the last row the value is constant up to 180 degrees. */
+ * rows continues to angle 0 (the value is constant if it would fall towards
+ * angle 0, or if one of the two values is 0); beyond the last row the value is
+ * constant up to 180 degrees. */
 typedef struct murk_phase_rows {
     size_t rows; /* 2..1e6 */
     const double

@@ -17,7 +17,7 @@
 #define DEGREE 0.017453292519943295
 
 #define FIRST_DEG_MAX 10.0  /* less than 1 % of the sphere is inside */
-#define MIN_DEG       1e-6  /* a smaller angle has the same cosine as 0 */
+#define MIN_DEG       1e-6  /* below 6e-7 the cosine is rounded to 1 */
 #define LAST_DEG_MIN  150.0 /* less than 7 % of the sphere is beyond */
 /* More rows and a wider range of values than any measurement has; the range
  * keeps logarithms and integrals finite. */
@@ -25,8 +25,8 @@
 #define VALUE_MIN 1e-30
 #define VALUE_MAX 1e30
 
-/* Below this s, angle^k is s^(k/2) to a relative error of angle^2 k / 24 =
- * 8e-7. */
+/* Below this s, angle^k is (2 s)^(k/2) to a relative error of angle^2 k / 24,
+ * at most 8e-7 for |k| <= 2. */
 #define HEAD_S 5e-6
 
 static murk_status fail_row(murk_error *err, const murk_phase_rows *rows,
@@ -286,8 +286,9 @@ static double forand_density(const void *context, double s)
     return murk_fournier_forand(f->n, f->slope, s);
 }
 
-/* The largest s before which the phase function is a power law to the
- * tolerance, searched from HEAD_S down to the limit of double precision. */
+/* An s before which the phase function is a power law to the tolerance: the
+ * first such number of HEAD_S, HEAD_S / 4, HEAD_S / 16 and so on, down to some
+ * 1e-18. */
 static double forand_head(const forand *f)
 {
     const double power = .5 * (f->slope - 5), far = 0x1p-20;

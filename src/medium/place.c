@@ -11,8 +11,8 @@
 #include <string.h>
 
 /* Bounding box of the image of a sphere. An affine map takes a sphere to an
- * ellipsoid, whose extent along an axis is the length of that row of the
- * matrix, times the radius. */
+ * ellipsoid. Half of the extent of the ellipsoid along an axis is the radius
+ * times the length of that row of the matrix. */
 static murk_box sphere_bounds(const murk_affine *map, murk_vec3 center,
                               double radius)
 {
@@ -133,7 +133,9 @@ bool murk_place_make(murk_place *place, const murk_region *region,
     return true;
 }
 
-/* The interval in which one coordinate is in [low, high). */
+/* Clips [*t0, *t1] to the ray parameters at which one coordinate is between low
+ * and high. If the ray does not change that coordinate and is outside of [low,
+ * high), *t1 becomes -infinity. */
 static inline void clip_axis(double low, double high, double origin,
                              double direction, double *t0, double *t1)
 {

@@ -1,11 +1,11 @@
 /* A region placed in the world: the part of a ray inside it, the density at a
  * point, and the bounding box. Inside this room only.
  *
- * A region has a shape and a filling: a constant density, a grid or a
- * profile. Where it replaces other media, it does so in all of the shape;
- * density is where both shape and filling are. Lower faces belong to a
- * region and upper faces do not, so regions that share a face never count
- * twice. */
+ * A region has a shape and a filling: a constant density, a grid or a profile.
+ * A region that replaces other media replaces them in all of its shape. Its
+ * density is above 0 only in the part of the shape that the filling covers. A
+ * box contains its faces at the low end of each axis and not those at the high
+ * end, so boxes that share a face never count a point twice. */
 #ifndef MURK_MEDIUM_PLACE_H
 #define MURK_MEDIUM_PLACE_H
 
@@ -47,9 +47,9 @@ typedef struct murk_place {
     murk_bricks *bricks; /* majorants of a grid, once computed for delta
                             tracking; owned by the murk_media */
     const murk_profile *profile;
-    murk_box bounds; /* bounding box of the shape in the world; infinite in all
-                        directions for everywhere, sideways and downwards for
-                        below; empty if nothing is there */
+    murk_box bounds; /* bounding box of the shape in the world; infinite in
+                        all directions for everywhere, sideways and downwards
+                        for below; empty for a grid without active voxels */
 } murk_place;
 
 /* Places a region that has been checked. False if the placement cannot be
@@ -57,8 +57,10 @@ typedef struct murk_place {
 bool murk_place_make(murk_place *place, const murk_region *region,
                      const murk_medium *medium);
 
-/* False for a mesh that does not contain the ray; `region` is the number of
- * the place. The functions below may be used for all other places. */
+/* False if the region is a mesh and the ray is outside of it, according to the
+ * bits `inside`; `region` is the number of the place in murk_media. Call the
+ * functions below only if the result is true, because they assume that a mesh
+ * contains the ray or point. */
 static inline bool murk_place_may_hold(const murk_place *place, size_t region,
                                        murk_inside inside)
 {

@@ -292,7 +292,7 @@ static bool are_separate(const body *a, const body *b, double near)
                           : box_pair_separate(a, b, near);
 }
 
-/* A distance of four times the largest finite coordinate of any boundary and
+/* Four times an upper limit of the finite coordinates of all boundaries and of
  * the domain. */
 static double far_of(const murk_region_boundary *boundaries, size_t n,
                      const murk_box *domain)

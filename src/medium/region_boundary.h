@@ -11,7 +11,8 @@ typedef struct murk_region_boundary {
     double ior;
     double mean_square_slope; /* of the waves on a half space; 0: flat */
     bool is_moved;            /* to_local is not the identity */
-    bool spans[2]; /* reaches both sides of the domain along x, along y */
+    bool spans[2]; /* reaches both sides of the domain along x, along y; also
+                      true for a mesh, whatever its extent */
     murk_affine to_local;
     murk_box box; /* in the frame of the region. Faces on a side of the domain
                      or beyond are moved to infinity, so that no ray hits them.
@@ -30,8 +31,9 @@ bool murk_region_boundary_make(murk_region_boundary *boundary, size_t number,
                                const murk_region *region,
                                const murk_box *domain);
 
-/* True if p is inside: lower faces belong to the region, upper faces do not.
- * False for meshes, which this room does not know. */
+/* True if p is inside. A box contains its faces at the low end of each axis and
+ * not those at the high end. False for meshes, which this room does not
+ * know. */
 bool murk_region_boundary_holds(const murk_region_boundary *boundary,
                                 murk_vec3 p);
 

@@ -1,5 +1,6 @@
-/* A NanoVDB float tree, opened for walks: cells of 4096, 128, 8 and 1 voxels,
- * of which all but the last may have one constant value.
+/* A NanoVDB float tree, opened for walks: cells with edges of 4096, 128, 8 and
+ * 1 voxels. A cell that is larger than a voxel may have one constant value
+ * instead of smaller cells.
  *
  * Inside this room only. Values of inactive voxels are 0 here, or
  * MURK_VDB_NO_ALBEDO in a grid of albedos. */
@@ -16,7 +17,8 @@
 #define MURK_ROOT_CELL 4096               /* voxels along an edge */
 #define MURK_INDEX_MAX (INT32_C(1) << 30) /* keeps cell ends inside int32_t */
 
-/* One 4096-voxel cell of the root: a constant, or a node with children. */
+/* One cell of the root, 4096 voxels along an edge: a constant, or a node with
+ * children. */
 typedef struct murk_root_cell {
     int32_t first[3];          /* lowest voxel */
     float value;               /* value of the cell if node is NULL */
@@ -30,14 +32,16 @@ typedef struct murk_tree {
     float elsewhere; /* value outside of all cells: 0, or MURK_VDB_NO_ALBEDO */
 } murk_tree;
 
-/* A position in the tree: the node of 128 voxels visited last. */
+/* A position in the tree: the node with an edge of 128 voxels that was visited
+ * last. */
 typedef struct murk_tree_cursor {
     const murk_tree *tree;
     const unsigned char *lower; /* NULL: none yet */
     int32_t lower_first[3];
 } murk_tree_cursor;
 
-/* True if at[] is in the cell of `size` voxels that begins at first[]. */
+/* True if at[] is in the cell with an edge of `size` voxels whose lowest voxel
+ * is first[]. */
 static inline bool murk_cell_contains(const int32_t first[3],
                                       const int32_t at[3], int32_t size)
 {
@@ -45,7 +49,8 @@ static inline bool murk_cell_contains(const int32_t first[3],
             ~(size - 1)) == 0;
 }
 
-/* The lowest voxel of the cell of `size` voxels around at[]. */
+/* The lowest voxel of the cell with an edge of `size` voxels that contains
+ * at[]. */
 static inline void murk_cell_first(int32_t first[3], const int32_t at[3],
                                    int32_t size)
 {
@@ -74,9 +79,8 @@ typedef struct murk_tree_node {
     int32_t size;
 } murk_tree_node;
 
-/* Descends to the node that contains the voxel: from the node of 128 voxels
- * that the cursor visited last if that node contains the voxel, else from the
- * root. */
+/* Descends to the node that contains the voxel: from the cursor's node if that
+ * node contains the voxel, else from the root. */
 murk_tree_node murk_tree_node_at(murk_tree_cursor *cursor,
                                  const int32_t voxel[3]);
 
@@ -90,7 +94,8 @@ static inline int murk_offset_in_leaf(const int32_t voxel[3])
 float murk_tree_value(const murk_tree *tree, const int32_t voxel[3]);
 
 /* The voxel that contains p, and the position of p in it. False if p is not in
- * the box of active voxels, enlarged by `below` voxels at the lower side. */
+ * the box of active voxels, enlarged by `below` voxels at the low end of each
+ * axis. */
 bool murk_tree_voxel_at(const murk_tree *tree, int32_t below, murk_vec3 p,
                         int32_t voxel[3], double in[3]);
 

@@ -1,5 +1,5 @@
-/* The bridge to OpenVDB (medium/vdb_bridge.h). Runs in a subprocess only. No
- * exception leaves this file. */
+/* The bridge to OpenVDB (medium/vdb_bridge.h). Called by the jobs of
+ * murk_subprocess_do(). No exception leaves this file. */
 extern "C" {
 #include "medium/vdb_bridge.h"
 #include "medium/grid_choice.h"
@@ -54,7 +54,8 @@ std::vector<Entry> list_grids(openvdb::io::File &file)
                 grid->getGridClass() == openvdb::GRID_LEVEL_SET;
             entry.is_linear = grid->transform().isLinear();
         } catch (const openvdb::Exception &) {
-            /* a type that is not registered: listed, but never selected */
+            /* a type that is not registered: listed, but refused if it is
+             * selected */
         }
         entries.push_back(entry);
     }

@@ -1,9 +1,11 @@
 /* The bridge to OpenVDB: reads one grid of a file as a density or an albedo,
  * checks it and converts it to a NanoVDB float grid; and writes dense fields as
- * the bytes of a file. Inside this room only; plain C for both sides.
+ * the bytes of a file. Inside this room only; plain C, which vdb_bridge.cpp and
+ * C files include.
  *
- * Runs in a subprocess (base/subprocess.h), since a hostile file may crash
- * OpenVDB or make it ask for any amount of memory.
+ * Runs in a subprocess (base/subprocess.h), unless the host trusts its files,
+ * since a hostile file may crash OpenVDB or make it ask for any amount of
+ * memory.
  *
  * Source: Museth, ACM Trans. Graph. 32 (2013) 27,
  * doi:10.1145/2487228.2487235; Museth, NanoVDB, SIGGRAPH Talks 2021,
@@ -19,7 +21,8 @@
 typedef struct murk_vdb_facts {
     char name[128];
     uint64_t active;  /* active voxels; a tile counts as all voxels in it */
-    uint64_t cleared; /* inactive voxels with a value, which was set to 0 */
+    uint64_t cleared; /* inactive voxels with a value other than 0, which was
+                         set to 0 */
     double minimum, maximum, sum, background; /* medium/grid.h */
     int64_t index_min[3], index_max[3];       /* inclusive */
     double index_to_world[12];                /* three rows of four */

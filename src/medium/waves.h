@@ -41,8 +41,9 @@ double murk_wind_mean_square_slope(double wind_m_per_s);
 double murk_facets_projected_area(double width, double cosine);
 
 typedef struct murk_slope {
-    double along; /* slope along the horizontal direction of the ray; above 0
-                     the facet faces the ray */
+    double along; /* slope along the horizontal direction of the ray: above 0
+                     if the facet rises in that direction, which turns it
+                     towards the ray */
     double across;
 } murk_slope;
 
