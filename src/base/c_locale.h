@@ -2,11 +2,11 @@
  * program has set, and the locale of the host program is not changed.
  *
  * The build includes this file first in every C file of src/ (CMakeLists.txt),
- * so that no call can be forgotten: each of the functions below calls the
- * function of the C library with the same name while the locale of this thread
- * is "C". One switch where a program enters the library would not be enough,
- * because threads begin with the locale of the host program and every murk_
- * function is an entry. */
+ * so that no call can be forgotten: each function murk_c_NAME below replaces
+ * the function NAME of the C library, and calls NAME while the locale of this
+ * thread is "C". One switch where a program enters the library would not be
+ * enough, because threads begin with the locale of the host program and every
+ * murk_ function is an entry. */
 #ifndef MURK_BASE_C_LOCALE_H
 #define MURK_BASE_C_LOCALE_H
 
@@ -25,8 +25,8 @@ int murk_c_vsnprintf(char *out, size_t size, const char *format, va_list args)
     __attribute__((format(printf, 3, 0)));
 
 /* murk_c_locale_enter() sets the locale "C" for the calling thread, around
- * calls of other libraries. murk_c_locale_leave() takes the value that
- * murk_c_locale_enter() returned. A subprocess that runs parsers of other
+ * calls of other libraries. murk_c_locale_leave() restores the previous locale,
+ * which murk_c_locale_enter() returned. A subprocess that runs parsers of other
  * libraries enters the locale and never leaves it. */
 void *murk_c_locale_enter(void);
 void murk_c_locale_leave(void *before);

@@ -18,8 +18,8 @@ double murk_date_days(murk_date date); /* since 1970-01-01, whole, negative
                                         * before */
 murk_date murk_date_of_days(double days);
 
-/* Each of the functions below reads the whole text. If the text is malformed,
- * the function returns false and leaves the results unchanged.
+/* Each of the functions murk_..._read() reads the whole text. If the text is
+ * malformed, the function returns false and leaves the results unchanged.
  *
  * A date: "2026-06-21". */
 bool murk_date_read(const char *text, murk_date *out);

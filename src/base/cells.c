@@ -30,10 +30,10 @@ static int64_t cell_of(double x, double size_m)
     return (int64_t)fmax(-CELL_LIMIT, fmin(CELL_LIMIT, floor(x / size_m)));
 }
 
-/* Mixes one axis after the other into the hash by multiplications and shifts,
- * with a constant of the finalisation of MurmurHash3 (A. Appleby, public
- * domain). A change of one bit of a cell number changes about half of the bits
- * of the hash. */
+/* Mixes one axis after the other into the hash by shifts and multiplications,
+ * with 2^64 divided by the golden ratio and a constant of the finalisation of
+ * MurmurHash3 (A. Appleby, public domain). A change of one bit of a cell number
+ * changes about half of the bits of the hash. */
 static uint32_t hash_of(const int64_t cell[3])
 {
     uint64_t h = 0;

@@ -16,11 +16,11 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* The process that reads untrusted files: base/subprocess.h. */
+/* The process that parses files of meshes and grids: base/subprocess.h. */
 typedef enum murk_importing {
     MURK_IMPORT_FORKS,      /* a fork of this process, which has no threads */
     MURK_IMPORT_STARTS,     /* the program murk-reader */
-    MURK_IMPORT_IN_PROCESS, /* none: files that are trusted */
+    MURK_IMPORT_IN_PROCESS, /* this process: for files that are trusted */
 } murk_importing;
 
 typedef struct murk_host {

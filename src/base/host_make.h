@@ -1,4 +1,5 @@
-/* Creates and destroys hosts (base/host.h) beside that of the process. */
+/* Creates and destroys hosts (base/host.h) in addition to the host of the
+ * process. */
 #ifndef MURK_BASE_HOST_MAKE_H
 #define MURK_BASE_HOST_MAKE_H
 

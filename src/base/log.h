@@ -39,8 +39,9 @@ void murk_log_to(murk_log_sink log, void *user);
  */
 void murk_message(const char *kind, const char *where, const char *text);
 
-/* True if the same message is not among the last 256 that were printed, or
- * asked about here; if so, records the message as printed. */
+/* True if the same message is not among the last 256 messages that were
+ * recorded here. The function records a message for which it returns true; the
+ * caller then prints the message. */
 bool murk_message_is_new(const char *kind, const char *where, const char *text);
 
 /* Silences the warnings and notes of the calling thread (true) or ends the

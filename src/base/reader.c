@@ -1,7 +1,7 @@
-/* Finds and starts murk-reader. A host with threads may not fork and then do
- * more than call exec; posix_spawn() of the C library does that without copying
- * the process. The request is a file in memory, so nothing waits for the reader
- * and no signal comes when the reader ends early. */
+/* Finds and starts murk-reader. A process with threads may only call exec after
+ * a fork; posix_spawn() of the C library does both without copying the process.
+ * The request is a file in memory, so nothing waits for the reader and no
+ * signal comes when the reader ends early. */
 #include "base/reader.h"
 
 #include "base/host.h"
@@ -22,8 +22,9 @@
 
 extern char **environ;
 
-/* Files of the request and of the answer, before they get their numbers in
- * murk-reader, are above the numbers there. */
+/* The smallest descriptor, in this process, of the files of the request and of
+ * the answer: above the numbers that they get in murk-reader, so that dup2()
+ * overwrites neither. */
 #define MIN_FD (MURK_READER_ANSWER + 1)
 
 /* The places of the program, seen from the folder of the library: beside it,

@@ -17,7 +17,8 @@
 
 /* Opens a new file in the folder of `path` for reading and writing, and locks
  * it. The caller frees *name, closes the descriptor, and removes or renames the
- * file. Returns the descriptor, or -1 with errno and *name unchanged. */
+ * file. Returns the descriptor. On failure returns -1, leaves *name unchanged,
+ * and errno has the reason. */
 int murk_staging_file(const char *path, char **name);
 
 typedef struct murk_staging {

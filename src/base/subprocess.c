@@ -47,9 +47,9 @@
 #define MIN_MEMORY \
     (2000 * MEGABYTE) /* the parsing libraries alone take some of it */
 
-/* The blocks in the pipe, in order: UNCONFINED or nothing, chunks, then the end
- * with status and error of the parser. The values are arbitrary marks that
- * detect garbage in the pipe. */
+/* The blocks in the pipe, in order: UNCONFINED or nothing, chunks, INPUTS if
+ * murk-reader sends them, then the end with status and error of the parser. The
+ * values are arbitrary marks that detect garbage in the pipe. */
 typedef enum kind {
     CHUNK = 0x6d75726b,
     UNCONFINED = 0x66726565, /* the first block, if the kernel cannot confine

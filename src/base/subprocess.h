@@ -19,9 +19,9 @@
 #include <stdint.h>
 
 /* The parser, called in the subprocess, sends bytes by murk_subprocess_send(),
- * which fails with MURK_RUN_FAILED. The error of a failed parser is passed to
- * the caller of murk_subprocess_run() unchanged, so a failure must fill *err.
- */
+ * which fails with MURK_RUN_FAILED, or with MURK_NO_MEMORY if the parser runs
+ * in the calling process. The error of a failed parser is passed to the caller
+ * of murk_subprocess_run() unchanged, so a failure must fill *err. */
 typedef struct murk_subprocess murk_subprocess;
 typedef murk_status (*murk_subprocess_work)(murk_subprocess *process,
                                             void *context, murk_error *err);
