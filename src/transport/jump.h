@@ -22,8 +22,8 @@ murk_status murk_jump_heights(double (**out)[2], size_t *n,
 double murk_jump_ahead(const murk_walker *w);
 
 /* Moves the photon, scores the segment and reports one wrap. The position of
- * the event is the end of the segment, outside of the domain; the next segment
- * begins at the image of this position inside. */
+ * the event is the end of the segment, which may lie outside of the domain; the
+ * next segment begins at the image of this position inside. */
 void murk_jump(murk_walker *w, double length_m);
 
 #endif

@@ -7,7 +7,8 @@
  * beam and Fresnel's reflectance is lost (waves count as level). The flux
  * through an upright side is the vertical flux times the tangent of the zenith
  * angle, so bending also changes it by the ratio of the tangents. All factors
- * are at most 1 where light enters from the thinner medium. */
+ * are at most 1, except for this ratio if the last layer has a lower index of
+ * refraction than the first. */
 #include "transport/outside.h"
 
 #include "medium/fresnel.h"

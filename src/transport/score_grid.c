@@ -8,7 +8,7 @@
 #include <math.h>
 
 /* Below this number of cells per metre, a segment of any length within the
- * domain stays in one layer of cells, and the inverse would be infinite. */
+ * domain stays in one layer of cells, and the inverse might be infinite. */
 #define STILL 1e-290
 
 typedef struct axis_walk {

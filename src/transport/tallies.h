@@ -7,10 +7,11 @@
  * and Neutron Transport Problems, 1969, ch. 2).
  *
  * The contributions of a photon to a cell are summed over the whole path and
- * rounded once, to quanta (planes) or to 2^-30 of a packet times the diameter
- * of the cell (lengths). The value and its square are added to integer sums by
- * channel and cell. No result therefore depends on order or threads, and errors
- * are by emitted photon: all contributions of a photon are one sample.
+ * rounded once, to quanta (planes) or to 2^-30 of a packet times the diagonal
+ * of a grid cell or the diameter of a sphere (lengths). The value and its
+ * square are added to integer sums by channel and cell. No result therefore
+ * depends on order or threads, and errors are by emitted photon: all
+ * contributions of a photon are one sample.
  *
  * Objects that lie in the plane of a tally: light is counted on the side from
  * which the normal points away. In a floor, an interface or a side of the

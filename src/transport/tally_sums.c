@@ -227,7 +227,9 @@ const murk_tally_desc *murk_tallies_desc(const murk_tallies *t, size_t tally)
     return &t->desc[tally];
 }
 
-/* The value of one packet per watt in the sums of a cell. */
+/* The factor from a sum [W], in which lengths count in units of the diagonal of
+ * a cell or the diameter of a sphere, to the value of the cell: 1 for a plane
+ * [W], length / volume [1/m2] for a grid or sphere. */
 static double worth(const murk_tally_desc *d)
 {
     if (d->type == MURK_TALLY_PLANE) {

@@ -8,14 +8,14 @@
  * medium the photon is scattered with probability albedo, else absorbed. At the
  * boundary of a region or solid with an index, Snell's law and the exact
  * unpolarised Fresnel reflectance act, by roulette. The index is that of the
- * innermost solid, else of the last listed region around the photon
- * (medium/interfaces.h), else 1; on waves, facet by facet (transport/facets.h).
- * Tracing cannot fail: photons that cannot be followed are counted as lost, by
- * cause.
+ * innermost solid that contains the photon, else of the last listed region that
+ * contains the photon (medium/interfaces.h), else 1; on waves, facet by facet
+ * (transport/facets.h). Tracing cannot fail: photons that cannot be followed
+ * are counted as lost, by cause.
  *
  * If least_weight is below 1, a photon that has more than that share of its
  * packet left is not subject to roulette: the absorbed part of the quanta is
- * left behind, and the photon continues with the rest. Below that share,
+ * left behind, and the photon continues with the rest. At that share or below,
  * roulette applies. No quantum is ever created, and no mean changes. */
 #ifndef MURK_TRANSPORT_TRACE_H
 #define MURK_TRANSPORT_TRACE_H
@@ -79,8 +79,8 @@ typedef enum murk_loss {
                           * waves */
     MURK_LOSS_WRAPS,     /* more than wraps_max wraps without another event */
     MURK_LOSS_NUMERICAL, /* a position that is not finite or not inside the
-                          * domain, or more solids around the photon than
-                          * MURK_PATH_SOLIDS_MAX */
+                            domain, or more than MURK_PATH_SOLIDS_MAX solids
+                            that contain the photon */
     MURK_LOSSES
 } murk_loss;
 
@@ -97,8 +97,8 @@ typedef struct murk_event {
     murk_vec3 position;      /* wrapped: where the photon left */
     murk_vec3 direction_in;  /* unit, of travel, arriving; emitted: zero */
     murk_vec3 direction_out; /* unit, leaving; zero when absorbed or lost */
-    murk_vec3 normal;        /* boundaries: unit, on the side from which the
-                              * photon came */
+    murk_vec3 normal;        /* surfaces and interfaces: unit, on the side
+                                from which the photon came */
     double reflectance;      /* surfaces: diffuse reflectance; media: albedo */
     double weight;           /* share of the packet that arrives */
     double leaving;          /* share of the packet that leaves; 0 when absorbed

@@ -3,10 +3,9 @@
  *
  * Rounding may put a surface that lies in a side of the domain slightly outside
  * of the domain. Surfaces are therefore searched in a slightly larger box. The
- * search for surfaces begins at `probe`, which differs from `position` at the
- * start of a photon: light that enters through a side of the domain must meet a
- * surface in that side, and light of a lamp must not meet the ceiling that the
- * lamp touches.
+ * search for surfaces begins at `probe`, which may differ from `position`:
+ * light that enters through a side of the domain must meet a surface in that
+ * side, and light of a lamp must not meet the ceiling that the lamp touches.
  *
  * The set `inside`, not the position, determines on which side of the
  * boundaries of refractive regions and of meshes the photon is (path/path.h).
@@ -196,7 +195,7 @@ static murk_fate follow(murk_walker *w)
 /* ---- starts ---- */
 
 /* Puts the photon at the beginning of the ray, and finds the regions and solids
- * around it. `probe`: where the search for surfaces begins. */
+ * that contain the photon. `probe`: where the search for surfaces begins. */
 static void set_out(murk_walker *w, murk_ray ray, murk_vec3 probe)
 {
     const murk_path_space *space = &w->setup->space;

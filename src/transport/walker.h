@@ -28,7 +28,7 @@ typedef struct murk_walk_setup {
     const murk_transport_world *world;
     murk_path_space space;
     double in_plane_m; /* a surface nearer than this to the plane of a tally
-                        * lies in it */
+                          counts as lying in that plane */
     bool any_media;
     bool jumps;              /* the domain is periodic, and the ray may jump:
                               * transport/jump.h */

@@ -48,8 +48,8 @@ static inline double murk_wide_value(murk_wide x)
 }
 
 /* Returns sum x^2 - (sum x)^2 / n for n numbers, n < 2^32, with a sum below
- * 2^95. The result is rounded once, so it is exactly 0 if all numbers are
- * equal. */
+ * 2^95. n sum x^2 - (sum x)^2 is computed in integers, so the result is exactly
+ * 0 if all numbers are equal. */
 double murk_wide_spread(murk_wide sum, murk_wide squares, uint64_t n);
 
 #endif
