@@ -19,7 +19,8 @@
  * before it changes to sorting; random ranges need 3 to 4 at these sizes. */
 #define PATIENCE 16
 
-/* More subtrees than threads, so that all threads finish at about the same
+/* The number of subtrees that the threads order in parallel: several for each
+ * thread of most machines, so that all threads finish at about the same
  * time. */
 #define SUBTREES 64
 
