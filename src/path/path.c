@@ -4,13 +4,13 @@
  * spheres, exact in double precision, and the one of closed meshes, exact to a
  * tolerance. Within that tolerance both are crossed in one step, at the place
  * of the exact one; otherwise rounding would put a gap between regions that
- * touch, and gaps reflect totally. Optical depth asks for the meshes alone:
- * regions of other shapes tell by themselves which part of a ray they hold
- * (medium/media.h). */
+ * touch, and gaps reflect totally. An optical depth needs the faces of meshes
+ * only: for regions of other shapes murk_media_optical_depth() finds the part
+ * of the ray inside (medium/media.h). */
 #include "path/path.h"
 
 /* Share of the domain's largest coordinate by which the box for surfaces is
- * grown: some times the error of rays in single precision and the step of
+ * grown: several times the error of rays in single precision and the step of
  * murk_surfaces_leave(). */
 #define GROWN_BY 4e-6
 
@@ -23,8 +23,9 @@
  * steps is caught between two boundaries by rounding. */
 #define STEPS_MAX 100000
 
-/* Cosine between a surface and a boundary above which the boundary lies in the
- * surface; below it they merely cross there. */
+/* Cosine of the angle between the normals of a surface and of a near boundary.
+ * Above this value the boundary lies in the surface; below it boundary and
+ * surface merely cross there. */
 #define ALIKE 0.9
 
 /* ---- the space ---- */
@@ -216,7 +217,8 @@ bool murk_path_next_change(murk_path *path, murk_path_change *change)
     for (int step = 0; step < STEPS_MAX; ++step) {
         murk_path_boundary b;
         const bool any = murk_path_next_boundary(path, mesh_max_m, &b);
-        /* The meshes ahead have put the first set right. */
+        /* murk_path_next_boundary() has corrected path->inside by the meshes
+         * ahead. */
         if (step == 0) {
             before = murk_media_index(media, path->inside);
         }

@@ -3,10 +3,10 @@
  *
  * Regions with a boundary are those with an index of refraction
  * (medium/interfaces.h) and those bounded by a closed mesh
- * (geometry/boundary_meshes.h). A ray carries the set of such regions around
- * it. The set, and not the position, tells on which side of a boundary the ray
- * is: nothing is nudged, and the ray may stand on the boundary that it has just
- * crossed.
+ * (geometry/boundary_meshes.h). Each ray carries the set of the regions with a
+ * boundary that contain the ray. The set, and not the position, tells on which
+ * side of a boundary the ray is: no position is shifted, and the ray may begin
+ * on the boundary that it has just crossed.
  *
  * Surfaces and boundary meshes are known in single precision only, boundaries
  * of other shapes in double. So boundaries that lie within the tolerance of a
@@ -44,17 +44,19 @@ murk_path_space murk_path_space_of(const murk_surfaces *surfaces,
                                    const murk_boundary_meshes *boundary_meshes,
                                    const murk_domain *domain);
 
-/* The regions with a boundary around a point. For a point on a boundary, to
- * rounding, either answer is possible. */
+/* The regions with a boundary that contain a point. For a point on a boundary,
+ * to rounding, either answer is possible. */
 murk_inside murk_path_inside(const murk_path_space *space, murk_vec3 point);
 
-/* The regions around light that sets out from a point along `direction`: on a
- * boundary, the regions that lie ahead. */
+/* The regions with a boundary that contain the beginning of a ray that starts
+ * at a point along `direction`: if the point is on a boundary, those that lie
+ * ahead. */
 murk_inside murk_path_inside_ahead(const murk_path_space *space,
                                    murk_vec3 point, murk_vec3 direction);
 
-/* The regions around a ray that has left a periodic domain across an axis (0 x,
- * 1 y) with the set `inside` and continues at `point` on the opposite side. */
+/* The regions with a boundary that contain a ray that has left a periodic
+ * domain across an axis (0 x, 1 y) with the set `inside` and continues at
+ * `point` on the opposite side. */
 murk_inside murk_path_inside_wrapped(const murk_path_space *space,
                                      murk_inside inside, murk_vec3 point,
                                      int axis);
@@ -68,7 +70,8 @@ typedef struct murk_path {
     double skip_m;      /* faces of meshes nearer than this to `position` do not
                          * count: the ray begins in such a face, or has just
                          * passed it */
-    murk_inside inside; /* regions around the ray beyond gone_m */
+    murk_inside inside; /* regions with a boundary that contain the ray
+                           beyond gone_m */
 } murk_path;
 
 /* The whole ray between two points of the domain. If the points are equal,

@@ -67,8 +67,8 @@ bool murk_path_next_piece(murk_path_pieces *p)
         jump(p, run);
         return true;
     }
-    /* The piece ends at the side of the domain or after the largest length of a
-     * piece. */
+    /* The piece ends at the side of the domain, at the end of the ray, or after
+     * the largest extent of a piece. */
     const murk_path_tiling *t = p->tiling;
     const murk_path_sides *sides = &t->space.sides;
     const murk_vec3 d = p->direction;

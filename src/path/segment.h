@@ -10,9 +10,10 @@
 #include "geometry/surfaces.h"
 
 /* A point nearer to a surface than this [m] lies on the surface: the rounding
- * of single-precision coordinates, with room. 2^-18 of the domain's largest
- * coordinate, some 32 to 64 steps of a float (38 micrometres at 10 m), or twice
- * the step of murk_surfaces_leave(), if surfaces are larger than the domain. */
+ * of single-precision coordinates, with room. The larger of 2^-18 of the
+ * domain's largest coordinate, which is 32 to 64 steps of a float (38
+ * micrometres at 10 m), and twice the step of murk_surfaces_leave(), which
+ * counts if surfaces are larger than the domain. */
 double murk_path_surface_tolerance_m(const murk_surfaces *surfaces,
                                      const murk_domain *domain);
 

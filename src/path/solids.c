@@ -1,5 +1,6 @@
-/* Solids around a point of a ray: see path/solids.h. A solid encloses a point
- * if a ray from the point meets the solid's boundary an odd number of times. */
+/* The solids that contain a point of a ray: see path/solids.h. A solid encloses
+ * a point if a ray from the point meets the solid's boundary an odd number of
+ * times. */
 #include "path/solids.h"
 
 /* The largest number of boundaries of solids, and of surfaces of all kinds,
@@ -43,10 +44,11 @@ bool murk_path_solids_cross(murk_path_solids *solids, uint16_t solid,
     return true;
 }
 
-/* Follows the ray outwards and notes each boundary of a solid. Read from the
- * far end, the first boundary met of each solid with an odd count is the one
- * that leaves the solid last: those solids are put on the stack, and solids
- * with even counts take themselves off again. */
+/* Follows the ray outwards and notes each boundary of a solid. From the far end
+ * back, each boundary adds its solid to the list or removes it again. Solids
+ * with an odd number of boundaries remain, in the order of their nearest
+ * boundaries, so that the solid that the ray leaves first is the last of the
+ * list. */
 murk_path_solids murk_path_solids_around(const murk_surfaces *surfaces,
                                          murk_vec3 point, murk_vec3 direction)
 {

@@ -1,5 +1,6 @@
-/* The solids around a point of a ray, one inside the other: which index of
- * refraction holds, and whether a boundary is entered or left. */
+/* The solids that contain a point of a ray, one inside the other: they tell
+ * which index of refraction holds, and whether the ray enters or leaves a solid
+ * at a boundary. */
 #ifndef MURK_PATH_SOLIDS_H
 #define MURK_PATH_SOLIDS_H
 
@@ -25,7 +26,7 @@ double murk_path_solids_index(const murk_path_solids *solids);
 bool murk_path_solids_cross(murk_path_solids *solids, uint16_t solid,
                             double ior);
 
-/* The solids around a point, found along a ray from the point in the unit
+/* The solids that contain a point, found along a ray from the point in the unit
  * direction. If solids overlap, the one left first counts as the innermost. */
 murk_path_solids murk_path_solids_around(const murk_surfaces *surfaces,
                                          murk_vec3 point, murk_vec3 direction);

@@ -1,6 +1,6 @@
-/* Straight paths from one point to many: see path/viewpoint.h. Without boundary
- * meshes a region tells by itself which part of a ray it holds, so optical
- * depth is one question for each segment. */
+/* Straight paths from one point to many: see path/viewpoint.h. If no region is
+ * a mesh, murk_media_optical_depth() needs no set of regions, so one call for
+ * each segment gives the optical depth. */
 #include "path/viewpoint.h"
 
 murk_path_viewpoint murk_path_viewpoint_at(const murk_path_space *space,
@@ -23,9 +23,9 @@ double murk_path_index_at(const murk_path_space *space, murk_vec3 point)
     return murk_media_index(space->media, murk_path_inside(space, point));
 }
 
-/* The path along a segment, number `i` of the line. All but the first begin in
- * a side of the domain, in which a face of a mesh is no boundary: their meshes
- * are asked for beyond. */
+/* The path along a segment, number `i` of the line. All segments but the first
+ * begin in a side of the domain, in which a face of a mesh is no boundary: the
+ * meshes that contain such a segment are looked up a little beyond the side. */
 static murk_path path_of(const murk_path_viewpoint *v, int i,
                          const murk_path_segment *segment)
 {
@@ -119,9 +119,9 @@ double murk_path_transmittance_to(const murk_path_viewpoint *v, int band,
 
 /* ---- the index of refraction ---- */
 
-/* True if the index changes between two points, which lie in one segment, if no
- * region is a mesh. Different indices at the points decide at once; equal ones
- * may still enclose a change. */
+/* True if the index changes between two points, which lie in one segment. Only
+ * for worlds in which no region is a mesh. Different indices at the points
+ * decide at once; equal ones may still enclose a change. */
 static bool bends_between(const murk_path_space *space, murk_vec3 from,
                           murk_vec3 to)
 {

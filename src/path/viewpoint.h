@@ -10,7 +10,8 @@
 typedef struct murk_path_viewpoint {
     const murk_path_space *space;
     murk_vec3 position;
-    murk_inside meshes; /* the regions bounded by a mesh around the position */
+    murk_inside meshes; /* the regions bounded by a mesh that contain the
+                           position */
     double index;       /* index of refraction at the position */
 } murk_path_viewpoint;
 
