@@ -62,7 +62,7 @@ static void sort_by_row(murk_sparse_builder *b)
 }
 
 /* Distributes the entries to columns. The rows increase, so two entries of one
- * row and column meet. */
+ * row and column are neighbours in the column. */
 static murk_status fill_columns(murk_sparse_matrix *m,
                                 const murk_sparse_builder *b, murk_error *err)
 {

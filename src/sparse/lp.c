@@ -1,8 +1,8 @@
 /* Writes a placement problem as an integer program for other solvers
- * (formulation: sparse/matrix.h). Rows with equal entries need one
- * variable with the summed weight: they are found by a hash of 128 bits, built
- * column by column. A collision of hashes is neglected: among 1e7 rows the
- * probability is below 1e-24. */
+ * (formulation: sparse/matrix.h). Rows with equal entries become one row with
+ * the summed weight. Equal rows are found by a hash of 128 bits for each row,
+ * built column by column. A collision of hashes is neglected: among 1e7 rows
+ * the probability is below 1e-24. */
 #include "sparse/matrix.h"
 
 #include "base/file.h"
@@ -11,8 +11,9 @@
 #include <stdarg.h>
 #include <stdlib.h>
 
-/* Entries and pairs of an LP file: some hundred bytes each make files of a
- * gigabyte, beyond which solvers are of no use. */
+/* The largest number of entries, and of conflicting pairs of candidates, in an
+ * LP file: some hundred bytes each make files of a gigabyte, beyond which
+ * solvers are of no use. */
 #define ENTRIES_MAX 10000000
 /* Keeps lines below 255 bytes, the limit of some readers. */
 #define TERMS_A_LINE 8
@@ -67,7 +68,8 @@ static row_hash *hash_rows(const murk_sparse_matrix *m)
     return hash;
 }
 
-/* Groups the rows. Rows without entries or without weight are in no group. */
+/* Groups the rows. is_first stays false in a group without entries or without
+ * weight. */
 static bool group(kinds *k, const murk_sparse_matrix *m)
 {
     row_hash *hash = hash_rows(m);

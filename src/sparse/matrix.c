@@ -1,7 +1,9 @@
 /* A coverage matrix as a placement problem, and the reverse: the collection of
- * all rows of a problem into a matrix. Collecting works in blocks: each block
- * of rows is computed over all threads and then appended in order, so memory
- * beyond the result stays small. */
+ * the entries of all candidates of a problem into a matrix, in which each
+ * candidate is a column. (In a problem the entries of a candidate are called a
+ * row.) Collecting works in blocks: the entries of each block of candidates are
+ * computed over all threads and then appended in order, so memory beyond the
+ * result stays small. */
 #include "sparse/matrix.h"
 
 #include "base/interrupt.h"
@@ -64,8 +66,8 @@ bool murk_sparse_matrix_by_rows(murk_sparse_rows *out,
     return true;
 }
 
-/* Rows of a block for each thread: enough that threads seldom wait for the
- * slowest row (a choice). */
+/* Candidates of a block for each thread: enough that threads seldom wait for
+ * the slowest candidate (a choice). */
 #define BLOCK_EACH 8
 
 typedef struct stored_row {
@@ -203,7 +205,7 @@ murk_status murk_sparse_matrix_collect(murk_sparse_matrix **out,
         murk_sparse_matrix_destroy(m);
         return murk_fail(err, status, "", "no memory for the matrix");
     }
-    /* Reduce the weights, then collect the rows. */
+    /* Reduce the weights, then collect the entries of all candidates. */
     memcpy(m->weight, problem->weight, problem->photons * sizeof *m->weight);
     reduce_weights(m);
     collection c = {.problem = problem, .matrix = m, .max = max_entries};

@@ -101,18 +101,19 @@ typedef struct murk_lp_goal {
 } murk_lp_goal;
 
 /* Writes the problem as an LP file (CPLEX's format). Rows with equal entries
- * become one row with the summed weight. With x_j in {0, 1} for "column j is
- * chosen" and y in 0..1 for "this row is covered (by column j)":
+ * become one row with the summed weight. With w_i the weight of row i, p_ij the
+ * clarity of an entry (0..1), x_j in {0, 1} for "column j is chosen" and y in
+ * 0..1 for "row i is covered (by column j)":
  *
  *     maximise sum w_i y_i, y_i <= sum_j x_j        if all are clear, else
  *     maximise sum w_i p_ij y_ij, y_ij <= x_j, sum_j y_ij <= 1
  *
  * (with redundancy k: y_i <= k, sum_j y_ij <= k, and the objective divided by
  * k), and sum x_j = count; or minimise sum x_j such that the target is reached.
- * Constraints on plans are further rows: the budget in whole units, counts by
- * class, x = 1 for fixed columns, at most one column of a site and of a
- * conflicting pair. The objective is in weights as given. Fails with
- * MURK_RUN_FAILED beyond 1e7 entries or conflicting pairs, or with
+ * Constraints on plans are further constraints of the program: the budget in
+ * whole units, counts by class, x = 1 for fixed columns, at most one column of
+ * a site and of a conflicting pair. The objective is in weights as given. Fails
+ * with MURK_RUN_FAILED beyond 1e7 entries or conflicting pairs, or with
  * MURK_BAD_VALUE if the constraints contradict each other.
  *
  * Source: Church, ReVelle, Pap. Reg. Sci. 32 (1974) 101,

@@ -13,7 +13,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Longer than any number; a longer token is refused. */
+/* Bytes of a token with the '\0', more than any number has; a longer token is
+ * refused. */
 #define TOKEN_SIZE 64
 
 typedef struct reader {
