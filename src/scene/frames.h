@@ -1,8 +1,9 @@
 /* Names of the files of a sequence in time: the pattern "smoke.####.vdb" or
  * "smoke.%04d.vdb" stands for smoke.0001.vdb, smoke.0002.vdb and so on. A
- * pattern has one # for each digit, or %0Nd for N digits, of which there are
- * 1..18, or %d for numbers without leading zeros; a longer number takes more
- * digits. The pattern is in the name of the file, not of a folder. */
+ * pattern has 1..18 characters #, one for each digit, or %0Nd for N digits (N
+ * is 1..18), or %d for numbers without leading zeros. A number with more
+ * digits is written in full. The pattern is in the name of the file, not of a
+ * folder. */
 #ifndef MURK_SCENE_FRAMES_H
 #define MURK_SCENE_FRAMES_H
 

@@ -1,6 +1,6 @@
-/* Keys without effect: a table states for each key that may have none the
- * feature of a scene with which the key has an effect. The tree is searched for
- * keys of the table that the user has set. */
+/* Finds keys that have no effect. A table lists the keys that are used only
+ * with a certain feature of a scene. Keys of the table that the user has set
+ * are reported if neither the scene nor a condition has the feature. */
 #include "scene/idle.h"
 
 #include "scene/key_path.h"

@@ -2,7 +2,7 @@
  * used only together with a certain value of another key. Such keys are
  * reported, because they are often mistakes.
  *
- * For use inside this room only; doc/reference/scene-file.md shows the same
+ * For use inside src/scene only; doc/reference/scene-file.md shows the same
  * table. */
 #ifndef MURK_SCENE_IDLE_H
 #define MURK_SCENE_IDLE_H

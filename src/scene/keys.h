@@ -74,17 +74,18 @@ typedef struct murk_key {
     bool may_differ; /* top level: conditions may set it */
     murk_status (*read)(murk_key_reader *walk, const struct murk_key *key,
                         murk_yaml *node, void *member);
-    const char *allowed; /* allowed values of a key that reads itself: "free or
-                            a list", and the same as JSON Schema */
+    const char *allowed; /* of a key of kind MURK_KEY_OWN: the allowed values
+                          * for messages, such as "free or a list", and the same
+                          * as a JSON Schema */
     const char *schema;
 } murk_key;
 
 struct murk_keys {
     const murk_key *key;
     const char *noun; /* "light" */
-    /* The variant of a map: the value of the word key `selector`, the result
-     * of choose(), or the last of variant_names that is a key of the map (else
-     * 0); otherwise there is one variant only. */
+    /* The variant of a map: the value of the word key `selector`, the result of
+     * choose(), or with by_key the last of variant_names that is a key of the
+     * map (else 0); otherwise there is one variant only. */
     const char *selector;
     murk_status (*choose)(murk_key_reader *walk, const murk_yaml *map,
                           int *variant);

@@ -11,8 +11,8 @@
 #define LETTERS \
     "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_"
 
-/* True if the keys at a path are the same in all conditions, as they describe
- * the sensors or the frame of the world. */
+/* True if a condition must not set the key at a path: the row of the top-level
+ * key in the table of the scene is not marked `may_differ`. */
 static bool is_fixed(const char *path)
 {
     const murk_key *key = murk_scene_keys.key;

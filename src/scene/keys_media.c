@@ -263,8 +263,8 @@ static murk_status choose_region(murk_key_reader *walk, const murk_yaml *map,
     return MURK_OK;
 }
 
-/* Shapes that may have an index of refraction: all but a grid without a
- * shape. */
+/* A region may have an index of refraction, unless it has no shape of its own
+ * and its medium is a grid. */
 #define SHARP (~BIT(MURK_REGION_GRID))
 
 #define MOVABLE                                                  \

@@ -52,7 +52,8 @@ static murk_status check_word(murk_key_reader *walk, const murk_yaml *map,
         FLAG(murk_preset_word, has_preset)),                 \
         ROW("least", __VA_ARGS__, NEEDED, WORD_MEMBER(min)), \
         ROW("most", __VA_ARGS__, NEEDED, WORD_MEMBER(max)), END
-/* A number without a place of its own: the list keeps it. */
+/* A number of a list. The row has no member of its own: the row of the list
+ * states where the numbers go. */
 #define BARE_NUMBER(name_)                      \
     {                                           \
         .name = name_, .kind = MURK_KEY_NUMBER, \
@@ -228,9 +229,9 @@ static murk_status check_wavelengths(murk_key_reader *walk,
                                 nm[0], nm[n - 1]);
 }
 
-/* Checks a part: a table spans the wavelengths of the preset; diffuse
- * attenuation is meaningful to some laws only, and such a law and such a table
- * need each other; words of the part are words of the preset. */
+/* Checks a part: tables span the wavelengths of the preset; the part has a law
+ * or a table, or both if the law uses the column of diffuse attenuation; the
+ * words that `times`, `scaled` and the law use are words of the preset. */
 static murk_status check_part(murk_key_reader *walk, const murk_yaml *map,
                               const murk_preset *preset,
                               const murk_preset_part *part)

@@ -64,7 +64,7 @@
 #define MURK_SCHEDULE_ALLOWED \
     "always, night, never, or a list of spans such as [[06:00, 22:00]]"
 
-/* The JSON Schema of keys that read themselves from a text. */
+/* The JSON Schema of keys of kind MURK_KEY_OWN whose reader takes a text. */
 #define TEXT_SCHEMA .schema = "{\"type\": \"string\"}"
 
 /* A mean cosine: at -1 and 1 the phase function has no density. */
@@ -85,7 +85,8 @@
         __VA_ARGS__)
 
 /* Rows of a struct that has a murk_scene_solid as the member `solid`. The
- * further arguments are added to each row: group, variants. */
+ * further arguments (group, variants) are added to each row, but not to the
+ * rows unit_m and up. */
 #define BOX_ROW(type, ...)                                           \
     ROW("box", MAP, .keys = &murk_box_keys, INSIDE(type, solid.box), \
         __VA_ARGS__)
@@ -147,7 +148,8 @@ murk_status murk_read_schedule(murk_key_reader *walk, const murk_key *key,
                                murk_yaml *node, void *schedule);
 
 /* For a light of the sky: takes place and time that the light does not give
- * from the site of the scene, and checks them. */
+ * from the site of the scene, checks that they are complete (a night sky needs
+ * none), and checks the irradiance. */
 murk_status murk_check_sky(murk_key_reader *walk, const murk_yaml *map,
                            murk_scene_light *light);
 

@@ -42,7 +42,8 @@ static const murk_keys DOMAIN_KEYS = {.noun = "domain",
                                       WHERE(murk_scene_desc, domain_where),
                                       .key = DOMAIN_ROWS};
 
-/* Keys on which the traced light depends: fixed, or set by conditions. */
+/* Keys on which the traced light depends: TRACED are the same in all
+ * conditions, VARIED may be set by conditions. */
 #define TRACED .lights = true
 #define VARIED .lights = true, .may_differ = true
 #define NM     .above = true, .max = 1e9, .unit = "nm"

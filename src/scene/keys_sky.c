@@ -35,7 +35,8 @@ murk_status murk_read_time(murk_key_reader *walk, const murk_key *key,
     if (!has_zone) {
         zone_min = site->has_zone ? site->zone_min : whole->zone_min;
     }
-    if (!site->has_zone) { /* a separate time zone also applies to clocks */
+    if (!site->has_zone) { /* the key time_zone, if given, stays the zone of the
+                            * clocks of schedules */
         site->zone_min = zone_min;
     }
     site->unix_s = local_s - 60.0 * zone_min;
@@ -43,8 +44,8 @@ murk_status murk_read_time(murk_key_reader *walk, const murk_key *key,
     return MURK_OK;
 }
 
-/* Reads the time zone, the date, or the time of day of a site. The flag of the
- * row says that it is given. */
+/* Reads the time zone, the date, or the time of day of a site. The caller has
+ * set the flag of the row, such as has_date. */
 static murk_status read_part(murk_key_reader *walk, const murk_key *key,
                              murk_yaml *node, void *member)
 {
@@ -245,8 +246,10 @@ static murk_status check_place_and_time(murk_key_reader *walk,
                : MURK_OK;
 }
 
-/* Checks that a total irradiance can be spread over the bands: this needs
- * band edges, since lines have no width. */
+/* Notes whether the irradiance is a total, and then stores the total in band
+ * 0. Fails if the spectrum of the light would have to be spread over lines:
+ * they have no width. Spreading is not needed if the irradiance is a list with
+ * one value a band, or is given for a single band. */
 static murk_status check_irradiance(murk_key_reader *walk, const murk_yaml *map,
                                     murk_scene_light *light)
 {

@@ -1,6 +1,7 @@
-/* Keys of a solid (murk_scene_solid): a box, a sphere or a closed mesh. The
- * regions of media, the regions of interest, the volume of targets, the zones
- * of candidate sites and the geometry share these keys. */
+/* Keys of the box and of the sphere of a solid (murk_scene_solid), checks of
+ * boxes and of edges, the words for the up axis of a mesh, and the names of
+ * shapes. The regions of media, the regions of interest, the volume of
+ * targets, the zones of candidate sites and the geometry share them. */
 #include "scene/keys_rows.h"
 
 #include <float.h>

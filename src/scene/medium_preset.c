@@ -124,10 +124,10 @@ static murk_spectrum same_in_all(double g)
     return murk_spectrum_flat(g, MURK_BANDS_MAX);
 }
 
-/* Stores a mixture in the plainest form that describes the same function: one
- * kind with numbers, or two terms of Henyey-Greenstein. For a mixture that has
- * no such form, the phase function becomes the owner, and *mixture becomes
- * NULL. */
+/* Stores a mixture in the plainest form that describes the same function: a
+ * single kind (not a table), or two terms of Henyey-Greenstein. For a mixture
+ * that has no such form, the phase function becomes the owner, and *mixture
+ * becomes NULL. */
 static void fill_phase(murk_scene_phase *out, murk_mixture **mixture)
 {
     const murk_mixture_part *part = (*mixture)->part;
@@ -234,8 +234,9 @@ static void put_medium(FILE *out, const murk_scene_medium *medium, size_t bands)
     put_numbers(out, medium->albedo.band, bands);
     for (size_t k = 0; k < medium->n_phases; ++k) {
         const murk_scene_phase *phase = &medium->phase[k];
-        /* The columns are those of light.murk files that exist: a mixture is
-         * 5, and the numbers of fournier_forand follow those of two_hg. */
+        /* The columns must stay as they were in earlier light.murk files: a
+         * mixture has the kind 5, and the numbers of fournier_forand come after
+         * those of two_hg. */
         double value[MURK_PHASE_NUMBERS_MAX + 2] = {0};
         const bool is_later = phase->kind == MURK_PHASE_FOURNIER_FORAND;
         memcpy(value + (is_later ? MURK_PHASE_NUMBERS_MAX : 0), phase->value,

@@ -13,7 +13,7 @@
  * other maps. */
 murk_status murk_medium_preset_complete(murk_key_reader *walk, murk_yaml *map);
 
-/* Computes those of extinction, albedo and phase function from the preset that
+/* Computes from the preset those of extinction, albedo and phase function that
  * the map does not give, for the bands of walk->scene. */
 murk_status murk_medium_preset_fill(murk_key_reader *walk, const murk_yaml *map,
                                     murk_scene_medium *medium);

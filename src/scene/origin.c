@@ -149,9 +149,11 @@ static double held_by(double own, double origin)
 
 /* Moves a solid. Changes the translation, and returns the vector that has been
  * subtracted from the coordinates of the solid itself, of which `at` is one
- * point. Without rotation and scale, the origin is taken out of these
- * coordinates, so that they are small, too. has_layers: a profile is moved in
- * z in any case. is_file: the coordinates are in a file and do not change. */
+ * point. Without rotation and scale, the origin is subtracted from these
+ * coordinates, too, if that makes them smaller (held_by()). is_file: the
+ * coordinates are in a file and are not changed so. has_layers: the heights of
+ * a profile share these coordinates; origin.z has been subtracted from the
+ * heights and is subtracted from the coordinates in any case. */
 static murk_vec3 move_solid(murk_scene_solid *s, murk_vec3 at, murk_vec3 origin,
                             bool is_file, bool has_layers)
 {
@@ -165,7 +167,9 @@ static murk_vec3 move_solid(murk_scene_solid *s, murk_vec3 at, murk_vec3 origin,
     if (has_layers) {
         own.z = origin.z;
     }
-    /* p = M q + t, q = q' + own: p - origin = M q' + (t + M own - origin) */
+    /* A point q of the solid lies at p = M q + t. With q' = q - own for the
+     * moved point, p - origin = M q' + (t + M own - origin): the last term is
+     * the new translation. */
     const murk_vec3 none = {0, 0, 0};
     const murk_affine turn = murk_affine_place(s->rotate_deg, s->scale, none);
     const murk_vec3 back = is_plain ? own : murk_affine_direction(&turn, own);
@@ -204,8 +208,9 @@ static void move_zones(murk_scene_site_zone *zone, size_t n, murk_vec3 origin)
     }
 }
 
-/* Moves a box, sphere or mesh in world coordinates, as of interest and of
- * targets: only meshes have a translation. */
+/* Moves the solid of a region of interest, or the volume of targets. A box or
+ * a sphere there is in world coordinates; only a mesh is placed, by its
+ * translation. */
 static void move_in_world(murk_scene_solid *s, murk_vec3 origin)
 {
     move_box(&s->box, origin);

@@ -62,8 +62,8 @@ static murk_status unknown_key(const option_context *option,
     return unknown(option, owner, part, names, n);
 }
 
-/* True if the node is a value that the same command line or condition put
- * there, or, for a condition, contains such a value. */
+/* True if the node is a value that the same command line, condition or row of a
+ * study put there, or, for the latter two, contains such a value. */
 static bool is_own(const option_context *option, const murk_yaml *node)
 {
     if (!option->own) {
@@ -82,8 +82,8 @@ static bool is_own(const option_context *option, const murk_yaml *node)
     return false;
 }
 
-/* Removes the keys that `key` excludes. Two options that exclude each other
- * are an error. */
+/* Removes the keys that `key` excludes. Fails if one of them has been set by
+ * the same command line, condition or row of a study. */
 static murk_status remove_excluded(const option_context *option, murk_yaml *map,
                                    const murk_key *owner, const murk_key *key)
 {
@@ -105,8 +105,9 @@ static murk_status remove_excluded(const option_context *option, murk_yaml *map,
     return MURK_OK;
 }
 
-/* Turns a word (phase: isotropic) or an empty value into an empty map if the
- * table allows a map. */
+/* Turns a single value, such as the word in `phase: isotropic`, into an empty
+ * map if the table allows a map there; for a map of names only an empty
+ * value. */
 static bool make_map(const murk_key_position *at)
 {
     murk_yaml *node = at->node;

@@ -1,5 +1,6 @@
-/* Changes values of a scene's tree by their path, before anything is
- * checked: --set KEY=VALUE of the command line, and the keys of a condition. */
+/* Changes values of a scene's tree by their path, before anything is checked:
+ * --set KEY=VALUE of the command line, the keys of a condition, and the keys
+ * that a row of a study sets. */
 #ifndef MURK_SCENE_OVERRIDE_H
 #define MURK_SCENE_OVERRIDE_H
 

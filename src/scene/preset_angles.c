@@ -10,7 +10,7 @@
 #include "scene/table.h"
 #include "scene/value.h"
 
-/* The ending of a column of a phase function at one wavelength. */
+/* The end of the name of a column with a phase function at one wavelength. */
 #define NANOMETRES "_nm"
 
 /* Parses a built-in table; the caller owns it. */

@@ -1,5 +1,7 @@
-/* Prints YAML trees in one canonical form: a text is quoted unless it can
- * only be read as itself, and maps are printed in flow style. */
+/* Prints YAML trees in one canonical form: a quoted text keeps quotes unless
+ * it can only be read as itself. The value of a top-level key is printed in
+ * flow style; a value that contains maps or lists of lists has one line in
+ * flow style for each item. */
 #include "scene/print.h"
 
 #include <stdio.h>
@@ -7,8 +9,8 @@
 #include <string.h>
 
 /* True if a text may stand without quotes everywhere: the text is no number,
- * null or boolean of scene/yaml.h, begins with a letter, / or _, and has no
- * character with a meaning in YAML. */
+ * null or boolean of scene/yaml.h, begins with a letter, / or _, and has only
+ * letters, digits, _ . / and -. */
 static bool is_plain(const char *text)
 {
     static const char *const words[] = {"null", "Null",  "NULL",

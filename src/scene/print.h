@@ -8,8 +8,9 @@
 
 #include <stdio.h>
 
-/* Prints a text as a scalar, in quotes if the text without quotes could be read
- * as anything else. */
+/* Prints a text as a scalar, in quotes if the text is a boolean or null, does
+ * not begin with a letter, / or _, or has other characters than letters,
+ * digits, _ . / and -. */
 void murk_print_text(FILE *out, const char *text);
 
 /* Prints a tree in one line: {a: 1, b: [2, 3]}. Returns the text, which the

@@ -1,6 +1,7 @@
-/* A scene file, read and checked: plain structs in SI units (wavelengths in
- * nm). Items such as media keep their place in the file ("yard.yaml:12:5:
- * media.fog") for later messages.
+/* A scene file, read and checked: plain structs in SI units, or in the unit
+ * that ends the name of a member (_nm, _deg, _hpa, _min). Items such as media
+ * keep their place in the file ("yard.yaml:12:5: media.fog") for later
+ * messages.
  *
  * Keys and meanings: doc/reference. An unknown key is refused, with a
  * suggestion or the list of known keys. */
@@ -402,7 +403,7 @@ typedef enum murk_scene_through {
     MURK_SCENE_THIN, /* sheets attenuate; refracting boundaries block */
     MURK_SCENE_BLOCK,
     MURK_SCENE_REFRACT /* like MURK_SCENE_THIN, and sightlines may cross one
-                        * flat boundary */
+                        * flat refracting boundary */
 } murk_scene_through;
 
 typedef struct murk_scene_placement {
@@ -429,8 +430,10 @@ typedef struct murk_scene_placement {
     double elsewhere; /* weight of photons in no region of interest */
     murk_scene_targets targets;
     bool hold_out;
-    double jitter_m, jitter_rad; /* uncertainty of a sensor's position and
-                                    direction; both 0: not evaluated */
+    double jitter_m, jitter_rad; /* largest displacement of a sensor from the
+                                  * planned position and direction, for the
+                                  * robustness of a plan; both 0: not
+                                  * evaluated */
     uint64_t jitter_draws;
     murk_scene_objective over;
     bool relative_regret; /* regret: relative */
@@ -442,8 +445,8 @@ typedef struct murk_scene_placement {
 typedef struct murk_scene_desc murk_scene_desc;
 
 typedef struct murk_scene_condition {
-    murk_scene_name name; /* letters, digits, - and _; not mean,
-                             worst, regret */
+    murk_scene_name name; /* letters, digits, - and _; not mean, worst, regret
+                           * or scene */
     murk_scene_where where;
     double weight; /* from placement.condition_weights; 1 if none is given */
     murk_scene_desc *scene; /* the scene with the overrides of the condition,
@@ -502,14 +505,17 @@ struct murk_scene_desc {
                         out and absolute paths, as YAML that gives the same scene
                         when read from any folder */
     char *light_key; /* the part of the resolved scene that the traced light
-                        depends on, with names of files without folders. Two
-                        scenes give the same light if their keys and the
-                        checksums of those files are equal */
-    char *world_key; /* light_key without the lights: if it is equal for two
-                        scenes, their light differs only by the light sources */
+                      * depends on, with names of files without folders, and
+                      * the properties computed from presets. Two scenes give
+                      * the same light if their keys and the checksums of those
+                      * files are equal */
+    char *world_key; /* light_key without the keys `lights` and `site`: if it
+                      * is equal for two scenes, their light differs only by
+                      * the light sources */
     char *whole_key; /* the resolved scene and conditions, with names of files
-                        without folders. Two scenes give the same results if
-                        their keys and the checksums of those files are equal */
+                      * without folders, and the properties computed from
+                      * presets. Two scenes give the same results if their keys
+                      * and the checksums of those files are equal */
     murk_scene_idle *idle; /* [idles] keys without effect in the scene and in
                               every condition */
     size_t idles;
@@ -552,9 +558,9 @@ typedef struct murk_override {
  * checked; messages about them name the option. If two keys exclude each other
  * (photons.emit, photons.store), the key on the command line replaces that of
  * the scene; both on the command line are an error. Paths in the scene are
- * relative to the scene, paths in overrides to the working folder. Files named
- * in the scene are not opened. Fails with MURK_BAD_FILE, MURK_BAD_VALUE or
- * MURK_NO_MEMORY. */
+ * relative to the folder of the scene file, paths in overrides to the working
+ * folder. Files named in the scene are not opened. Fails with MURK_BAD_FILE,
+ * MURK_BAD_VALUE or MURK_NO_MEMORY. */
 murk_status murk_scene_desc_read(murk_scene_desc **out, const char *path,
                                  const murk_override *overrides,
                                  size_t n_overrides, murk_error *err);

@@ -1,7 +1,8 @@
-/* Reads a scene: parses the text, applies overrides and a variant, checks
- * and resolves the tree by the key table, resolves each condition in the
- * same way, prints the resolved scene and the keys by which results are
- * recognised, and moves the scene to the local origin. */
+/* Reads a scene: parses the text, applies overrides and a variant, checks and
+ * resolves the tree by the key table, resolves each condition in the same way,
+ * prints the resolved scene and the texts by which results are recognised
+ * (light_key, world_key, whole_key), and moves the scene to the local
+ * origin. */
 #include "scene/scene.h"
 
 #include <limits.h>
@@ -150,14 +151,16 @@ static murk_status print_resolved(const murk_key_reader *walk,
     return scene->resolved ? MURK_OK : MURK_NO_MEMORY;
 }
 
-/* True for all keys but `conditions`: each condition has a key of its own. */
+/* True for all top-level keys but `conditions`: print_key() adds the whole_key
+ * of each condition instead. */
 static bool is_of_base(const char *key)
 {
     return strcmp(key, "conditions") != 0;
 }
 
-/* Prints the wanted keys of the tree, the properties of presets, and if asked
- * for the keys of the conditions. NULL when out of memory. */
+/* Prints the top-level keys of the tree for which is_wanted() is true, the
+ * properties computed from presets, and with has_conditions the whole_key of
+ * each condition. Returns the text; NULL when out of memory. */
 static char *print_key(const murk_key_reader *walk,
                        const murk_scene_desc *scene,
                        bool (*is_wanted)(const char *key), bool has_conditions)
@@ -178,8 +181,9 @@ static char *print_key(const murk_key_reader *walk,
     return murk_print_finish(out, &text);
 }
 
-/* Prints the keys by which results are recognised. Paths are replaced by names
- * of files, so that a scene that moves with its files keeps its keys. */
+/* Sets light_key, world_key and whole_key of the scene, the texts by which
+ * results are recognised. Paths are replaced by names of files, so that a
+ * scene that moves with its files keeps these texts. */
 static murk_status print_keys(const murk_key_reader *walk,
                               murk_scene_desc *scene)
 {

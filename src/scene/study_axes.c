@@ -83,7 +83,8 @@ static murk_status read_names(murk_key_reader *walk, murk_study_axis *axis,
                 .allowed = "a map of keys and values, or from, to and steps"};
             return murk_value_wrong(walk, &keys, item);
         }
-        /* A name stands for a map of keys; nothing is an empty map. */
+        /* A name stands for a map of keys; an empty value counts as an empty
+         * map. */
         if (!is_printable(map->key[i]) || !has_printable_keys(item)) {
             return murk_walk_fail_key(walk, item,
                                       "a name with control characters");

@@ -1,5 +1,5 @@
-/* Reads the axes of a study: lists, ranges and named sets of values. Private
- * to the room. */
+/* Reads the axes of a study: lists, ranges and named sets of values. For use
+ * inside src/scene only. */
 #ifndef MURK_SCENE_STUDY_AXES_H
 #define MURK_SCENE_STUDY_AXES_H
 

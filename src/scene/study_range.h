@@ -1,5 +1,5 @@
-/* Ranges of values in a study: {from, to, steps}, of numbers, times, dates
- * or times of day. Private to the room. */
+/* Ranges of values in a study: {from, to, steps}, of numbers, times, dates or
+ * times of day. For use inside src/scene only. */
 #ifndef MURK_SCENE_STUDY_RANGE_H
 #define MURK_SCENE_STUDY_RANGE_H
 

@@ -14,7 +14,8 @@
 #include "base/number.h"
 #include "scene/words.h"
 
-/* Lists of numbers are read into members of other types of the same form. */
+/* Lists of numbers are read into size_t[] and murk_vec3 as if these were
+ * uint64_t[] and double[3]. */
 _Static_assert(sizeof(size_t) == sizeof(uint64_t), "sizes are counts");
 _Static_assert(sizeof(murk_vec3) == 3 * sizeof(double), "a vector is a list");
 
@@ -73,7 +74,8 @@ static murk_status read_count(murk_key_reader *walk, const murk_key *key,
 {
     uint64_t value = 0;
     double number;
-    /* A number that is no count is refused by the range first. */
+    /* A number that is not whole is checked against the range, too: if it is
+     * outside, the message states the range. */
     const bool is_count = murk_yaml_count(node, &value);
     murk_status status = MURK_OK;
     if (is_count || murk_yaml_number(node, &number)) {

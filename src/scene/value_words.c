@@ -29,7 +29,8 @@ void murk_value_found(const murk_yaml *node, char out[MURK_FOUND_SIZE])
     }
 }
 
-/* Prints a bound: powers of ten as 1e9, other numbers in full. */
+/* Prints a bound: powers of ten from 1e5 in the form 1e9 or -1e9, other
+ * numbers as murk_number_print() does. */
 static void show_bound(char out[MURK_NUMBER_SIZE], double bound)
 {
     murk_number_print(out, bound);

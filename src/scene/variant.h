@@ -22,9 +22,9 @@ typedef struct murk_variant {
 } murk_variant;
 
 /* murk_scene_desc_read() for a variant: overrides are applied first, then the
- * condition, then the changes. A file named by a change is relative to the file
- * that the value comes from. variant NULL: the scene as it stands, with its
- * conditions. */
+ * condition, then the changes. The path of a file in a change is relative to
+ * the folder of the file that the value comes from. variant NULL: the scene as
+ * it stands, with its conditions. */
 murk_status
 murk_scene_desc_read_variant(murk_scene_desc **out, const char *path,
                              const murk_override *overrides, size_t n_overrides,

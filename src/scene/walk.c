@@ -32,8 +32,8 @@ void murk_walk_leave(murk_key_reader *walk, size_t length)
     walk->key[length] = '\0';
 }
 
-/* True if an option names the key itself: --set KEY=VALUE, set KEY=VALUE of the
- * library, or --seed 3. */
+/* True if `source` is an option that names the key itself: --set KEY=VALUE, set
+ * KEY=VALUE of the library, or any other option, such as --seed 3. */
 static bool names_key(const char *source, const char *key)
 {
     const size_t length = strlen(key), mark = strlen(MURK_SET_MARK);

@@ -17,8 +17,8 @@ struct murk_key_reader {
     murk_yaml *root;
     murk_error *err;
     char key[MURK_WALK_KEY_SIZE]; /* path of the current key:
-                                   * "lights.0.power_w"; after a failure the
-                                   * key that failed */
+                                   * "lights.0.power_w"; of no meaning after a
+                                   * failure */
     murk_yaml **paths; /* nodes that name files, borrowed; the owner of the
                           reader frees the array */
     size_t n_paths;
@@ -62,8 +62,9 @@ murk_status murk_walk_fail_key(murk_key_reader *walk, const murk_yaml *node,
     __attribute__((format(printf, 3, 4)));
 murk_status murk_walk_no_memory(murk_key_reader *walk);
 
-/* The place of a node: "FILE:LINE:COLUMN: KEY"; "FILE: KEY" for a node that
- * is not in the file; or the option of the command line. */
+/* The place of a node: "FILE:LINE:COLUMN: KEY"; "FILE: KEY" for a node that is
+ * not in the file; or the option of the command line, with ": KEY" unless the
+ * option names the key. */
 void murk_walk_where(const murk_yaml *node, const char *key, bool at_key,
                      murk_scene_where out);
 

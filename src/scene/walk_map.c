@@ -343,7 +343,8 @@ murk_status murk_walk_value(murk_key_reader *walk, const murk_key *key,
     if (key->has_flag) {
         murk_value_store(item, key->flag_at, sizeof(bool), true);
     }
-    /* One of the words. A list does not store the word: it is empty then. */
+    /* One of the words. The member of a list is larger than an int, so
+     * murk_value_store() does not store the word, and the list stays empty. */
     if (key->words && node->kind == MURK_YAML_SCALAR &&
         key->kind != MURK_KEY_PER_BAND) {
         int word = 0;

@@ -3,8 +3,9 @@
  * The only file that uses libyaml is yaml_read.c. Refused: more than 16 MB of
  * text, nesting beyond 64 levels, more than 1e6 nodes or 32 MB of text after
  * aliases are expanded, more than 1000 anchors, duplicate keys, tags, merge
- * keys (<<), keys that are not plain text, more than one document, text that is
- * not UTF-8, ASCII control characters other than tab and line ends. */
+ * keys (<<), keys that are lists, maps or aliases or have an anchor, more than
+ * one document, text that is not UTF-8, ASCII control characters other than
+ * tab and line ends. */
 #ifndef MURK_SCENE_YAML_H
 #define MURK_SCENE_YAML_H
 

@@ -1,6 +1,6 @@
 /* Checks of text and keys that libyaml does not make.
  *
- * Inside this room only. */
+ * For use inside src/scene only. */
 #ifndef MURK_SCENE_YAML_CHECK_H
 #define MURK_SCENE_YAML_CHECK_H
 

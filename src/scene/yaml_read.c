@@ -109,7 +109,8 @@ static bool is_in_depth(reader *r, yaml_mark_t mark, int depth)
     return !r->status;
 }
 
-/* Counts the nodes of a copy of a tree, which stands at `depth`. */
+/* Counts the nodes and the text that a copy of the tree `from` adds, whose
+ * root lies at `depth`. False if a limit is exceeded. */
 static bool count_copy(reader *r, const murk_yaml *from, yaml_mark_t mark,
                        int depth)
 {
