@@ -7,9 +7,10 @@
  * tolerance are treated as one cluster. If the hits of a cluster disagree, are
  * near an edge, or contradict the state the caller believed in, the state is
  * decided by testing points before and beyond the cluster. Such a test casts
- * rays in up to five directions. The first ray whose nearest cluster is certain
- * decides; without such a ray, or for a mesh without known sides, the majority
- * of the five decides by the number of crossings (odd: inside). */
+ * rays in up to five directions. The first ray that hits nothing (outside) or
+ * whose nearest cluster is certain decides; without such a ray, or for a mesh
+ * without known sides, the majority of the five decides by the number of
+ * crossings (odd: inside). */
 #include "geometry/boundary_mesh.h"
 
 #include "geometry/triangle.h"

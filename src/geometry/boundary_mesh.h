@@ -1,5 +1,5 @@
 /* One closed mesh that bounds a region, with a ray scene of its own. For use
- * inside this room only.
+ * inside src/geometry only.
  *
  * Each mesh has a scene of its own so that a face shared by several regions
  * is found once for each of them. */

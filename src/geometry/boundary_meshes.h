@@ -63,18 +63,19 @@ uint64_t murk_boundary_meshes_at(const murk_boundary_meshes *boundary_meshes,
 
 typedef struct murk_crossing {
     double distance_m;
-    uint64_t inside;  /* the regions around the ray beyond the crossing */
+    uint64_t inside;  /* the set of regions that the ray is inside of just
+                       * beyond the crossing */
     uint64_t changed; /* the regions entered or left at the crossing */
     murk_vec3 normal; /* unit normal of the nearest crossed triangle, on the
                          side of the ray's origin */
 } murk_crossing;
 
-/* The first crossing along the unit vector `direction`, beyond from_m and up
- * to max_m (may be INFINITY). *inside holds the regions around the ray just
- * beyond from_m, as the caller believes; the function corrects it if the
- * boundaries ahead prove it wrong. To continue beyond a crossing, call again
- * with from_m = distance_m + tolerance_m. Returns false if the ray crosses
- * no boundary. */
+/* The first crossing along the unit vector `direction`, beyond from_m and up to
+ * max_m (may be INFINITY). *inside is the set of regions that the ray is inside
+ * of just beyond from_m, as the caller believes; the function corrects the set
+ * if the boundaries ahead prove it wrong. To continue beyond a crossing, call
+ * again with from_m = distance_m + tolerance_m. Returns false if the ray
+ * crosses no boundary. */
 bool murk_boundary_meshes_next(const murk_boundary_meshes *boundary_meshes,
                                murk_vec3 origin, murk_vec3 direction,
                                double from_m, double max_m, uint64_t *inside,
@@ -88,10 +89,11 @@ double
 murk_boundary_meshes_tolerance_m(const murk_boundary_meshes *boundary_meshes);
 
 /* True if the boundaries of two regions intersect, so that each boundary has
- * parts inside and outside of the other region; *place is then a point near
- * the intersection. Nested and separate regions do not intersect. Touching
- * is not intersecting: a part that protrudes by less than tolerance_m is
- * ignored. */
+ * parts inside and outside of the other region; *place is then a point of one
+ * of the two boundaries that is inside or outside of the other region, for
+ * messages; it need not be near the intersection. Nested and separate regions
+ * do not intersect. Touching is not intersecting: a part that protrudes by less
+ * than tolerance_m is ignored. */
 bool murk_boundary_meshes_meet(const murk_boundary_meshes *boundary_meshes,
                                int region, int other, murk_vec3 *place);
 
@@ -106,7 +108,8 @@ typedef struct murk_plain_shape {
 } murk_plain_shape;
 
 /* murk_boundary_meshes_meet() for a mesh and a convex shape, without sampling:
- * exact but for tolerance_m. False if to_world cannot be inverted. */
+ * exact but for tolerance_m. *place is a corner of a triangle of the mesh.
+ * False if to_world cannot be inverted. */
 bool murk_boundary_meshes_meet_plain(
     const murk_boundary_meshes *boundary_meshes, int region,
     const murk_plain_shape *shape, murk_vec3 *place);

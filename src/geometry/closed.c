@@ -138,8 +138,9 @@ static uint32_t root(const topology *t, uint32_t i, bool *turned)
     return i;
 }
 
-/* Joins the sets of two triangles whose windings are opposite or not. False if
- * both are already in one set and this contradicts it. */
+/* Joins the sets of two triangles, whose windings are opposite if `turned` is
+ * true. False if both are in one set already and their windings there
+ * contradict `turned`. */
 static bool join(const topology *t, uint32_t a, uint32_t b, bool turned)
 {
     bool turned_a, turned_b;

@@ -1,5 +1,5 @@
-/* Topology of triangle meshes: which parts are closed, and which triangles
- * have the same side. */
+/* Topology of triangle meshes: which parts are closed, and which triangles are
+ * wound towards the same side. */
 #ifndef MURK_GEOMETRY_CLOSED_H
 #define MURK_GEOMETRY_CLOSED_H
 
@@ -20,7 +20,8 @@ murk_status murk_closed_parts(const float *vertex, size_t vertices,
                               murk_error *err);
 
 /* Connectivity of a mesh. A patch is a maximal set of triangles that are
- * connected by edges which belong to exactly two triangles. In an orientable
+ * connected by edges which belong to exactly two triangles, copies not counted;
+ * a copy belongs to the patch of the triangle that it repeats. In an orientable
  * patch all normals can be oriented to the same side. */
 typedef struct murk_patches {
     size_t open_edges; /* edges that belong to an odd number of triangles */

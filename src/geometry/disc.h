@@ -6,11 +6,11 @@
 
 #include "geometry/surfaces.h"
 
-/* True only if the areas of triangles that lie in the plane of the disc add up
- * to the area of the disc, to one part in a thousand, and no other surface
- * reaches into the ball with the centre and radius of the disc. `normal` is a
- * unit vector. False means unknown: on spheres, and on meshes that are not
- * quite flat, the answer is always false. */
+/* True only if the parts inside the disc of all triangles in the plane of the
+ * disc add up to the area of the disc, to one part in a thousand, and no other
+ * surface reaches into the ball with the centre and radius of the disc.
+ * `normal` is a unit vector. False means unknown: on spheres, and on meshes
+ * that are not quite flat, the answer is always false. */
 bool murk_surfaces_fill_disc(const murk_surfaces *surfaces, murk_vec3 center,
                              murk_vec3 normal, double radius_m);
 

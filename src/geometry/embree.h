@@ -1,7 +1,8 @@
 /* One set of names for the calls that differ between Embree 3 and 4.
  *
- * Only this room includes the file. Embree 4 calls the context a ray query
- * context and takes it inside an argument struct. */
+ * Only files of src/geometry include this one. Embree 4 calls the intersection
+ * context of Embree 3 a ray query context and takes it inside an argument
+ * struct. */
 #ifndef MURK_GEOMETRY_EMBREE_H
 #define MURK_GEOMETRY_EMBREE_H
 

@@ -105,7 +105,8 @@ static conventions conventions_of(const struct aiScene *scene)
     if (strstr(name, "Collada")) {
         const murk_affine root = affine_of(&scene->mRootNode->mTransformation);
         c.up = c.own_up =
-            'y'; /* own_up: read_scene() makes Assimp keep the file's axes */
+            'y'; /* own_up is used only if the user states the up axis;
+                  * read_scene() then makes Assimp keep the file's axes */
         c.own_unit_m = length_scale(&root);
     } else if (strstr(name, "IFC") || strstr(name, "3DS") ||
                strstr(name, "ASE") || strstr(name, "DXF")) {

@@ -1,5 +1,5 @@
-/* The part of reading a mesh that runs in a subprocess: the only file of murk
- * that calls Assimp.
+/* The part of reading a mesh that runs in a subprocess. import.c is the only
+ * file of murk that calls Assimp.
  *
  * The subprocess sends, in this order: murk_import_head, float[vertices][3],
  * uint32_t[triangles][4] (three corners and the material),

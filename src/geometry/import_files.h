@@ -30,9 +30,9 @@ typedef struct murk_import_source {
 } murk_import_source;
 
 /* Prepares the mesh file at `path`. Vertices far from the origin are shifted
- * towards 0 (geometry/import_shift.h). `allow` is a folder beside the mesh's
- * own folder that may be opened, or NULL. The memory of the rewritten mesh is
- * never freed: a subprocess reads one mesh and ends. */
+ * towards 0 (geometry/import_shift.h). `allow` is a further folder whose files
+ * may be opened, besides the folder of the mesh, or NULL. The memory of the
+ * rewritten mesh is never freed: a subprocess reads one mesh and ends. */
 void murk_import_source_of(murk_import_source *out, const char *path,
                            const char *allow);
 

@@ -112,8 +112,8 @@ static bool numbers(const char *at, const char *end, const size_t columns[3],
     return true;
 }
 
-/* Writes the line with the shift subtracted from those three numbers, which get
- * nine significant digits, enough for single precision. */
+/* Writes the line with the shift subtracted from the numbers in the three
+ * columns, which get nine significant digits, enough for single precision. */
 static void put_shifted(FILE *out, const char *at, const char *end,
                         const size_t columns[3], const double shift[3])
 {

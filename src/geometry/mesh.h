@@ -1,10 +1,10 @@
 /* Triangle meshes from files of any format that Assimp reads (OBJ, PLY, STL,
  * glTF, Collada, FBX, IFC, ...).
  *
- * The file is parsed in a subprocess with limits (base/subprocess.h),
- * checked (finite coordinates, indices in range), and handed over as plain
- * arrays in metres with z up. Call murk_mesh_read() before any thread or
- * Embree device exists, because it forks. */
+ * The file is parsed in a subprocess with limits (base/subprocess.h), checked
+ * (finite coordinates, indices in range), and handed over as plain arrays in
+ * metres with z up. Call murk_mesh_read() before any thread or Embree device
+ * exists, because it may fork the process. */
 #ifndef MURK_GEOMETRY_MESH_H
 #define MURK_GEOMETRY_MESH_H
 
@@ -27,7 +27,8 @@ typedef struct murk_mesh {
     uint32_t *material; /* triangles: index into material_name */
     char (*material_name)[MURK_NAME_SIZE]; /* the names in the file */
     size_t degenerate; /* number of triangles without area; they are removed */
-    murk_box bounds_m; /* of the vertices with origin_m added */
+    murk_box bounds_m; /* of the corners of all triangles, with origin_m
+                        * added */
 } murk_mesh;
 
 typedef struct murk_mesh_import {
@@ -38,8 +39,8 @@ typedef struct murk_mesh_import {
      * the format states (Collada, glTF, FBX, IFC, 3DS, ASE, DXF, X3D),
      * otherwise z. */
     char up;
-    /* A folder, beside the mesh's own, in which the mesh may name other
-     * files (glTF's buffers, OBJ's mtllib). NULL: no other folder. */
+    /* A further folder, besides that of the mesh, in which the mesh may name
+     * other files (glTF's buffers, OBJ's mtllib). NULL: no other folder. */
     const char *allow;
 } murk_mesh_import;
 
@@ -50,7 +51,7 @@ typedef struct murk_mesh_import {
  * murk_mesh_destroy(). Fails at `where` with MURK_BAD_FILE if the file is
  * missing, malformed, without triangles, not finite, or has an index out of
  * range, and with MURK_BAD_VALUE if a member of *import is out of range; also
- * with MURK_NO_MEMORY and as murk_subprocess_run() does. */
+ * with MURK_NO_MEMORY and as murk_subprocess_do() does. */
 murk_status murk_mesh_read(murk_mesh **out, const char *path,
                            const murk_mesh_import *import, const char *where,
                            murk_error *err);

@@ -183,8 +183,8 @@ static murk_status unpack(murk_mesh *mesh, const unsigned char *bytes,
     return MURK_OK;
 }
 
-/* Copies a mesh of the caller of the library, in the unit and with the up axis
- * of the request. */
+/* Copies a mesh in memory, which the caller of the library gave, and converts
+ * it from the unit and the up axis of the request to metres with z up. */
 static murk_status read_memory(murk_mesh **out, const char *path,
                                const murk_mesh_import *import,
                                const char *where, murk_error *err)

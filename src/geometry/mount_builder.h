@@ -1,4 +1,5 @@
-/* The list of candidate sites while it is built. Internal to the room. */
+/* The list of candidate sites while it is built. For use inside src/geometry
+ * only. */
 #ifndef MURK_GEOMETRY_MOUNT_BUILDER_H
 #define MURK_GEOMETRY_MOUNT_BUILDER_H
 

@@ -23,8 +23,8 @@ static murk_vec3 nearest_on_segment(murk_vec3 a, murk_vec3 b, murk_vec3 p)
     return murk_along(a, fmin(1, fmax(0, share)), ab);
 }
 
-/* The nearest point of a convex polygon in the plane with the given normal
- * (of any length). */
+/* The point of a convex polygon that is nearest to p. `normal`, of any length,
+ * is the normal of the polygon by its winding. */
 static murk_vec3 nearest_on(const murk_polygon *polygon, murk_vec3 normal,
                             murk_vec3 p)
 {

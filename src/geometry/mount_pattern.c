@@ -195,8 +195,8 @@ static void fill_gaps(const piece *p, murk_vec3 a, murk_vec3 b, murk_vec3 c)
     }
 }
 
-/* Fills the part of a triangle in the box, fan by fan. A flat box may leave
- * only a segment or a point of a triangle. */
+/* Fills the part of a triangle in the box, divided into a fan of triangles. A
+ * flat box may leave only a segment or a point of a triangle. */
 static void fill_part(murk_mount_builder *l, const murk_polygon *p,
                       murk_vec3 normal)
 {

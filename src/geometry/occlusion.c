@@ -120,9 +120,9 @@ typedef struct shadow {
     double offset[4];
 } shadow;
 
-/* Computes the shadow; false if the triangle has none that is certain.
- * unit_m: spacing of floats in the scene; farthest_m: the largest distance
- * of any queried point from the eye. */
+/* Computes the shadow; false if the triangle has none that is certain. unit_m:
+ * a float step (geometry/ray_scene.h); farthest_m: the largest distance of any
+ * queried point from the eye. */
 static bool make_shadow(shadow *s, const murk_triangle *triangle, murk_vec3 eye,
                         double unit_m, double farthest_m)
 {

@@ -17,8 +17,8 @@ static void sphere_bounds(const struct RTCBoundsFunctionArguments *args)
 {
     const murk_stored_sphere *b =
         (const murk_stored_sphere *)args->geometryUserPtr + args->primID;
-    /* Enlarge the box by two float steps (2^-22) of the largest magnitude,
-     * so that rounding cannot cut off a part of the sphere. */
+    /* Enlarge the box by two float steps (2^-22) of the sum of the coordinates
+     * and the radius, so that rounding cannot cut off a part of the sphere. */
     const double x = fabs(b->center.x), y = fabs(b->center.y),
                  z = fabs(b->center.z);
     const double r = b->radius + (x + y + z + b->radius) * 0x1p-22;

@@ -1,14 +1,14 @@
-/* The Embree scene behind murk_surfaces, shared by the files of this room.
+/* The Embree scene behind murk_surfaces, shared by the files of src/geometry.
  *
  * Embree works in single precision and names the primitive that a ray hits. The
  * exact place is then computed in double precision from that primitive, whose
  * float vertices define the geometry.
  *
- * Lengths that rounding makes necessary are multiples of `unit_m`, the
- * spacing of floats at the largest stored coordinate. Rounding a ray's
- * origin moves the ray by at most 0.9 units, rounding its direction by some
- * 2 units at the far side, and Embree's distance to a plane is off by a few
- * units. */
+ * Lengths that rounding makes necessary are multiples of `unit_m`, the largest
+ * stored coordinate times 2^-23, which is at least the spacing of floats there.
+ * Comments call it a float step. Rounding a ray's origin moves the ray by at
+ * most 0.9 units, rounding its direction by some 2 units at the far side, and
+ * Embree's distance to a plane is off by a few units. */
 #ifndef MURK_GEOMETRY_RAY_SCENE_H
 #define MURK_GEOMETRY_RAY_SCENE_H
 

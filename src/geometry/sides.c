@@ -28,8 +28,9 @@ typedef struct piercing {
     bool is_pierced;
 } piercing;
 
-/* Notes whether an edge passes through a triangle that does not share a
- * vertex with it: its ends are then on different sides. */
+/* Notes whether an edge passes through a triangle that does not share a vertex
+ * with the edge: the ends of the edge are then on different sides of the
+ * triangle. */
 static void find_piercing(void *context, size_t triangle, double distance_m)
 {
     piercing *p = context;

@@ -12,7 +12,7 @@ typedef struct murk_walk {
     murk_ray_context context;
     struct RTCRayHit ray;
     float reach;  /* Embree's largest distance of the ray */
-    float passed; /* Embree's distance of the last hit */
+    float passed; /* the next float beyond Embree's distance of the last hit */
 } murk_walk;
 
 /* Starts a ray; `origin` is in world coordinates and `direction` a unit vector.
