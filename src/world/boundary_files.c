@@ -40,7 +40,7 @@ static void open_faces(murk_plain_shape *shape, const murk_scene_region *r,
 }
 
 /* True if the boundary of a region that is no mesh crosses a boundary mesh;
- * *place then receives a point of the crossing. */
+ * *place then receives a corner of a triangle of the mesh, for the message. */
 static bool crosses_plain(const murk_boundary_meshes *boundary_meshes, int mesh,
                           const murk_scene_region *r, const murk_box *domain,
                           murk_vec3 *place)

@@ -1,7 +1,8 @@
-/* The share of light from outside that the media of the domain take before a
- * surface or water: transmittances along rays on a fixed pattern of squares and
- * directions, averaged by the light that each ray stands for. The pattern has
- * no random numbers, so the same scene gives the same share for any seed. */
+/* The share of light from outside that the media of the domain absorb or
+ * scatter before a surface or water: transmittances along rays on a fixed
+ * pattern of rectangles of the floor and directions, averaged by the light that
+ * each ray stands for. The pattern has no random numbers, so the same scene
+ * gives the same share for any seed. */
 #include "world/daylight_loss.h"
 
 #include "path/pieces.h"
@@ -26,9 +27,9 @@ typedef struct rays {
 } rays;
 
 /* A ray that leaves through a side continues at the opposite side if the domain
- * is periodic or if the media continue outside. (In the second case surfaces
- * are taken to repeat as well, which matters only to the distance that light
- * comes from.) */
+ * is periodic or if the media continue outside. (In the second case the
+ * surfaces are repeated, too, although there are none outside, so a ray may end
+ * early at one of them.) */
 static void begin(rays *r, const murk_transport_world *world)
 {
     r->world = world;
@@ -41,9 +42,10 @@ static void begin(rays *r, const murk_transport_world *world)
         .free_above_m = INFINITY};
 }
 
-/* The ray along `direction` that ends at a point of the floor. It begins at the
- * height of the top if the domain repeats, else where it enters the domain
- * through the top or a side. */
+/* The ray along `direction` for one point of the floor. If the domain repeats,
+ * the ray begins straight above the point at the top of the domain and ends at
+ * the height of the floor. Otherwise the ray ends at the point and begins where
+ * it enters the domain through the top or a side. */
 static murk_path_pieces ray_to(const rays *r, murk_vec3 floor,
                                murk_vec3 direction)
 {
@@ -61,7 +63,7 @@ static murk_path_pieces ray_to(const rays *r, murk_vec3 floor,
 }
 
 /* Optical depths by band from the beginning of the ray to its end, or to the
- * surface or bend before it. */
+ * first surface or bend (change of the index of refraction) before the end. */
 static murk_spectrum depth_of(const rays *r, murk_path_pieces ray)
 {
     const double length_m = ray.left_m;
@@ -94,7 +96,8 @@ static murk_spectrum depth_of(const rays *r, murk_path_pieces ray)
     return depth;
 }
 
-/* Adds the means over the rectangles of the floor, times weight. */
+/* Adds the means of optical depth and transmittance over the rectangles of the
+ * floor, times weight. */
 static void add_direction(murk_daylight_loss *out, const rays *r,
                           murk_vec3 direction, int squares, double weight)
 {

@@ -1,4 +1,6 @@
-/* How much the domain's own media take of light that comes from outside.
+/* The share of light from outside that the media of the domain absorb or
+ * scatter before the light meets a surface, a change of the index of refraction
+ * or the floor.
  *
  * Models of sun and sky give the light that the whole atmosphere lets through,
  * weather included. If the domain of a scene also contains fog, the fog dims
@@ -8,10 +10,11 @@
  * The share is a mean over rays of a fixed pattern without random numbers. The
  * rays are parallel to the beam, lead to the middles of equal rectangles of the
  * domain's floor, and reach from their entry into the domain to the first
- * surface, the first change of the index of refraction, or the floor. A dome
- * has such rays from 32 directions with equal parts of the irradiance of an
- * even sky. Light that is scattered counts as lost, even if it goes on towards
- * the floor. */
+ * surface, the first change of the index of refraction, or the floor. If the
+ * domain is periodic or continues outside, they begin straight above these
+ * middles, at the top of the domain. A dome has such rays from 32 directions
+ * with equal parts of the irradiance of an even sky. Light that is scattered
+ * counts as lost, even if it goes on towards the floor. */
 #ifndef MURK_WORLD_DAYLIGHT_LOSS_H
 #define MURK_WORLD_DAYLIGHT_LOSS_H
 

@@ -45,7 +45,7 @@ murk_status murk_fillings_files(const murk_scene_desc *scene, size_t i,
     return m->vdb ? find_frame(m, err) : MURK_OK;
 }
 
-/* Reads the grids and takes the profile of medium i. */
+/* Reads the grids of medium i and borrows the profile from the scene. */
 static murk_status fill(murk_fillings *f, const murk_scene_medium *m, size_t i,
                         murk_error *err)
 {

@@ -14,9 +14,10 @@
 
 /* The scattering angles of the rows: logarithmic steps from FIRST_DEG to
  * EVEN_DEG, even steps beyond. Between two rows the table is linear in log
- * angle and log value. The relative error is step^2 / 8 times the second
- * derivative there, which is about 2 for Henyey-Greenstein and 10 for the
- * backward rise of Rayleigh scattering: 1e-5. */
+ * angle and log value. The relative error is step^2 / 8, with the step in log
+ * angle, times the second derivative of log value by log angle, which is about
+ * 2 for Henyey-Greenstein and 10 for the backward rise of Rayleigh scattering:
+ * 1e-5. */
 #define FIRST_DEG      1e-3
 #define LOG_STEPS      400 /* per decade, up to EVEN_DEG */
 #define EVEN_DEG       10.0

@@ -13,7 +13,7 @@
 /* Sites below which the floor is looked for, at most. */
 #define FLOOR_SAMPLES 1024
 
-/* Planes that nothing asks for lie at multiples of this length. */
+/* Planes that the user has not chosen lie at multiples of this length [m]. */
 #define CUT_STEP_M 0.01
 
 static murk_box box_of_sites(const murk_vec3 *site, size_t sites)

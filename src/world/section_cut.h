@@ -1,5 +1,5 @@
-/* Where plans and sections of a world are cut if nobody says: for the picture
- * of murk check and the drawings of the report page. */
+/* Where plans and sections of a world are cut unless the user chooses the
+ * planes: for the picture of murk check and the drawings of the report page. */
 #ifndef MURK_WORLD_SECTION_CUT_H
 #define MURK_WORLD_SECTION_CUT_H
 
@@ -10,10 +10,13 @@
 murk_box murk_stage_things_box(const murk_stage *stage, const murk_vec3 *site,
                                size_t sites);
 
-/* The planes x, y, z: the sections through the middle of the sites, or of
- * everything without sites; the plan 1.5 m above the floor below the sites, or
- * at half the height of a world that is lower. Whole centimetres in the
- * coordinates of the user. */
+/* The planes of the two sections, x = result.x and y = result.y, and of the
+ * plan, z = result.z, relative to the local origin (scene/origin.h). The
+ * sections pass through the middle of the box of the sites, or without sites of
+ * murk_stage_things_box(). The plan is 1.5 m above the floor below the sites,
+ * or halfway between this floor and the highest thing if that is lower. In the
+ * coordinates of the user the numbers are whole centimetres, unless rounding
+ * would leave the domain. */
 murk_vec3 murk_stage_section_cut(const murk_stage *stage, const murk_vec3 *site,
                                  size_t sites);
 

@@ -265,7 +265,8 @@ static murk_status find_daylight(daylight *out, const murk_scene_light *light,
     return MURK_OK;
 }
 
-/* Sets a directional source whose rays come from the body. */
+/* Sets the direction and the angular radius of a source whose rays come from
+ * the body. */
 static void aim_from(murk_source *out, const murk_body *body, murk_vec3 north)
 {
     out->direction = murk_scale(-1, towards(body, north));

@@ -1,6 +1,6 @@
-/* Converts the light sources of a scene into those of the room source: computes
- * the positions of sun and moon, the irradiance of sun, moon and sky, and which
- * lamps are on at the time of the scene.
+/* Converts the light sources of a scene into murk_source (source/source.h):
+ * computes the positions of sun and moon, the irradiance of sun, moon and sky,
+ * and which lamps are on at the time of the scene.
  *
  * Irradiances are those of a real atmosphere and hold at the boundary of the
  * domain. */
@@ -17,8 +17,9 @@ typedef struct murk_sky_facts {
     bool is_on;           /* true if the source has power in any band at the
                            * time of the scene: false for a lamp that is off by
                            * its schedule */
-    double azimuth_deg;   /* azimuth of sun or moon, for a sky that of the sun;
-                           * clockwise from north; NAN for other sources */
+    double azimuth_deg;   /* azimuth of sun or moon, for a light of type sky
+                           * that of the sun; clockwise from north; NAN for
+                           * other sources, night skies included */
     double elevation_deg; /* apparent elevation of the same body; NAN for other
                            * sources */
     double irradiance_w_per_m2;   /* of distant light, summed over the bands:

@@ -1,6 +1,6 @@
 /* A text that describes the light sources of a scene except their power. If two
- * scenes have the same text, their light sources differ in power alone, or are
- * dark in both. */
+ * scenes have the same text, their light sources differ in power alone, except
+ * for distant light that is dark in both scenes. */
 #ifndef MURK_WORLD_SOURCE_SHAPES_H
 #define MURK_WORLD_SOURCE_SHAPES_H
 

@@ -22,8 +22,8 @@
 #include <string.h>
 
 /* Warn if the step of single precision is more than this share of the extent of
- * a mesh. A mesh that lies about 160 times its extent from the origin reaches
- * this share (160 * 2^-24 = 1e-5). */
+ * a mesh. The step is 2^-24 to 2^-23 of the distance from the origin, so a mesh
+ * reaches this share at 84 to 168 times its extent. */
 #define STEP_WARNED 1e-5
 
 /* Appends the checksum of a file to the light key. The key already contains the
@@ -132,8 +132,9 @@ static murk_status import_world(murk_stage *stage, murk_error *err)
     return status ? status : murk_fillings_create(&stage->fillings, scene, err);
 }
 
-/* Takes meshes, grids and their checksums from another stage. That stage must
- * not be built yet: building appends the checksums of tables. */
+/* Borrows the meshes and grids of another stage and copies their checksums.
+ * That stage must not be built yet: building appends the checksums of
+ * tables. */
 static murk_status borrow_world(murk_stage *stage, const murk_stage *other,
                                 murk_error *err)
 {

@@ -9,8 +9,8 @@
 #include "world/stage.h"
 
 /* Imports and builds. The caller owns *out (murk_stage_destroy()); the scene
- * must outlive *out. Fails as the readers of the files and the rooms that build
- * the parts do: with MURK_BAD_FILE, MURK_BAD_VALUE, MURK_UNSUPPORTED,
+ * must outlive *out. Fails as the readers of the files and the functions that
+ * build the parts do: with MURK_BAD_FILE, MURK_BAD_VALUE, MURK_UNSUPPORTED,
  * MURK_NO_MEMORY and others. */
 murk_status murk_stage_create(murk_stage **out, const murk_scene_desc *scene,
                               murk_error *err);
@@ -42,7 +42,9 @@ murk_status murk_stage_media(murk_media **out, const murk_stage *stage,
                              const murk_fillings *fillings,
                              const murk_phases *phases, murk_error *err);
 
-/* Prints the warnings and notes. Call it when the stage is complete. */
+/* Prints warnings and notes about settings that are valid but probably not
+ * meant (stage_notes.c). murk_stage_build() calls the function at the end,
+ * because the stage must be complete. */
 void murk_stage_warn(const murk_stage *stage);
 
 /* Builds the boundary meshes of all regions whose shape is a mesh, and checks
@@ -54,9 +56,10 @@ void murk_stage_warn(const murk_stage *stage);
  *
  * Fails with MURK_BAD_VALUE at the place of a region in the scene if a mesh is
  * not closed, or if two regions with an index of refraction cross and at least
- * one of them is a mesh. (The room medium checks pairs of other shapes.) A face
- * of a box that lies in a side of the domain or beyond that side does not count
- * as a boundary: the box is taken to continue outside the domain. */
+ * one of them is a mesh. (murk_media_create() checks pairs of other shapes.) A
+ * face of a box without rotation that lies in a side of the domain or beyond
+ * that side does not count as a boundary: the box is taken to continue outside
+ * the domain. */
 murk_status murk_stage_boundary_meshes(murk_boundary_meshes **out,
                                        const murk_scene_desc *scene,
                                        murk_mesh *const *mesh,

@@ -1,6 +1,6 @@
-/* Warns of settings that are valid but probably not meant: geometry and regions
- * that reach out of the domain, media that touch an open side under sun or sky,
- * portals that face away from their light, a dark scene. */
+/* Warns of settings that are valid but probably not meant, among them geometry
+ * and regions that reach out of the domain, media that touch an open side under
+ * sun or sky, portals that face away from their light, a dark scene. */
 #include "world/stage_build.h"
 
 #include "base/log.h"
