@@ -7,7 +7,8 @@
 
 #include <stdlib.h>
 
-/* The largest number of levels: 16^8 = 2^32 balls. */
+/* The largest number of levels of boxes: 8 levels hold 16^9 = 2^36 balls, and
+ * maps have fewer than 2^32 records. */
 #define LEVELS_MAX 8
 
 /* Alignment of the boxes in bytes: the size of the largest vector register. */

@@ -77,7 +77,8 @@ murk_camera murk_camera_parallel(murk_vec3 from, murk_vec3 to, murk_vec3 up,
 /* A ray of a camera. */
 typedef struct murk_camera_ray {
     murk_vec3 origin, direction;
-    double skipped_m; /* from the camera to the origin */
+    double skipped_m; /* from the camera, or its plane if orthographic, to the
+                       * origin */
 } murk_camera_ray;
 
 /* The ray of a direction through the point (x, y) of the picture, from where it

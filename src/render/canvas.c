@@ -19,12 +19,14 @@
 /* FreeType measures in 64ths of a pixel. */
 #define UNITS 64.0
 
-/* Larger shapes are cut off before they reach the rasterizer, whose numbers end
- * at 2^15 pixels. */
+/* The largest coordinate [pixels]: coordinates beyond it are set to it, because
+ * the numbers of the rasterizer end at 2^15 pixels. */
 #define REACH 16384.0
 
-/* A circle is drawn as a polygon whose sides are off by less than 1/20 pixel:
- * the sagitta r (1 - cos(pi / n)) is about r pi^2 / (2 n^2). */
+/* A circle is drawn as a polygon whose sides are off by at most 1/20 pixel: the
+ * sagitta r (1 - cos(pi / n)) is about r pi^2 / (2 n^2). Circles with radii
+ * above 166 pixels have MURK_CANVAS_CORNERS_MAX sides, which are off by
+ * more. */
 #define SAGITTA 0.05
 
 struct murk_canvas {
@@ -186,8 +188,8 @@ static bool clip_line(const murk_canvas *c, const double from[2],
                          murk_vec(to[0] - from[0], to[1] - from[1], 0), t0, t1);
 }
 
-/* A straight piece of a line, as a rectangle; a piece is as much longer as it
- * is half as wide, so that lines meet in corners. */
+/* Draws a straight piece of a line as a rectangle that extends `beyond` pixels
+ * past either end. With half of the width, two lines meet in a full corner. */
 static void draw_piece(murk_canvas *c, const double from[2], const double to[2],
                        const murk_pen *pen, double beyond)
 {

@@ -61,7 +61,7 @@ void murk_canvas_fill(murk_canvas *canvas, double left, double top,
 void murk_canvas_polygon(murk_canvas *canvas, const double (*corner)[2],
                          size_t n, murk_ink ink);
 
-/* Draws text of a height of `size` pixels; UTF-8. */
+/* Draws a text in UTF-8 with the font size `size` [pixels]. */
 void murk_canvas_text(murk_canvas *canvas, double x, double y, double size,
                       murk_text_anchor anchor, murk_ink ink, const char *text);
 double murk_canvas_text_width(murk_canvas *canvas, double size,

@@ -1,11 +1,11 @@
 /* Distributes shadow rays over lights and over the images of a lamp.
  *
  * Lights: each light is drawn in proportion to an estimate of the irradiance
- * that it would give in clear air without occluders, from the center of the
- * light. A share of the rays is distributed by power alone and evenly, so that
- * a light is found, too, when brighter lights are occluded (Shirley, Wang and
- * Zimmerman, ACM Trans. Graph. 15 (1996) 1, doi:10.1145/226150.226151, section
- * 5).
+ * that it would give in clear air without occluders, if all light came from the
+ * center of the light. A share of the rays is distributed without regard to the
+ * point, half in proportion to power and half evenly, so that a light is found,
+ * too, when brighter lights are occluded (Shirley, Wang and Zimmerman, ACM
+ * Trans. Graph. 15 (1996) 1, doi:10.1145/226150.226151, section 5).
  *
  * Images: half of the draws go to the nearest image and the eight images around
  * it, by the inverse square of the distance. The other half draw an isotropic
@@ -16,7 +16,7 @@
  * as the infinite lamp that it forms with its images. */
 #include "render/choice.h"
 
-/* The share of the rays that is distributed by power and evenly. */
+/* The share of the rays that is distributed half by power and half evenly. */
 #define BLIND_SHARE 0.25
 
 /* An image that is farther away than this [periods] is left to rays that hit it

@@ -28,9 +28,9 @@ double murk_direct_light(const murk_scenery *scenery,
 
 /* Returns the weight of light that the continued ray has found. arriving:
  * direction of travel of the light, which murk_sources_shine() samples with
- * density per_sr. wrapped: the total displacement of the ray at the sides of a
- * periodic domain since the point, in whole periods, which identifies the image
- * of the light. */
+ * density per_sr. wrapped: the total displacement [m] of the ray at the sides
+ * of a periodic domain since the point, a multiple of the period on each axis,
+ * which identifies the image of the light. */
 double murk_direct_rest(const murk_scenery *scenery,
                         const murk_shading_point *place, size_t light,
                         murk_vec3 arriving, double per_sr, murk_vec3 wrapped);

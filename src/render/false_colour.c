@@ -117,7 +117,8 @@ void murk_false_colour_at(double t, uint8_t rgb[3])
     }
 }
 
-/* The position of a value within the range, 0..1. */
+/* The position of a value on the scale: 0 at the low and 1 at the high end of
+ * the range; NAN for a value that a logarithmic scale cannot show. */
 static double place_of(const murk_false_colour *c, double value)
 {
     if (!c->is_log) {

@@ -31,8 +31,8 @@
 #define MURK_GATHER_MAX    256
 #define MURK_GATHER_GROUPS 64
 
-/* With fewer records than this in a map and band, a kernel extends to every
- * second record or farther, and says little about the point. */
+/* With fewer records than this in a map and band, a kernel reaches at least
+ * half of the other records, and says little about the point. */
 #define MURK_GATHER_FEW (2 * MURK_GATHER_MIN + 1)
 
 /* k for a number of records of one map and band: sqrt(n) / 8, within
@@ -52,7 +52,7 @@ typedef struct murk_gathering_desc {
 /* Creates a kernel for each record that counts. The caller destroys *out. Fails
  * with MURK_NO_MEMORY. After an interrupt it ends early, and *out, whose
  * kernels are then incomplete, may only be destroyed. Progress is counted in
- * photons. */
+ * records of both maps. */
 murk_status murk_gather_create(murk_gather **out,
                                const murk_gathering_desc *desc,
                                murk_error *err);

@@ -24,7 +24,8 @@
  * pass curved parts and small steps. */
 #define EYE 0.25
 
-/* The golden ratio: turns by it are spread evenly for any number of points. */
+/* The golden ratio minus 1: angles that rise by this part of a full turn are
+ * spread evenly for any number of points. */
 #define GOLDEN 0.6180339887498949
 
 /* The step in spherical layers from one test point of a ball to the next:
@@ -166,7 +167,8 @@ static murk_kernel on_surface(const murk_probing *probing,
     murk_kernel kernel = {
         .radius_m = radius_m,
         .index = index_at(scenery, murk_along(from, scenery->margin_m, up))};
-    /* A disc that nothing cuts needs no test points. */
+    /* A disc that nothing cuts needs no test points, unless the index of
+     * refraction changes somewhere. */
     double share = 1;
     kernel.is_cut =
         !is_within(&world->domain.box, from, reach_of(up, radius_m)) ||

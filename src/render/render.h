@@ -52,8 +52,8 @@ typedef struct murk_image {
                          * the ray shows nothing */
     float *position[3]; /* position at that distance */
     /* For the first surface: the number of sensors that see it, and the largest
-     * clarity of their views; NAN without a surface. NULL before
-     * murk_image_add_coverage(). */
+     * clarity of their views (0..1: sensing/sight.h); NAN without a surface.
+     * NULL before murk_image_add_coverage(). */
     float *seen_by, *clarity;
     /* Mean radiance of the picture: over the pixels, or over the solid angle of
      * a panorama, so that 4 pi times the mean is the scalar irradiance. */
@@ -73,9 +73,10 @@ double murk_image_bytes(size_t width, size_t height, int bands);
 double murk_render_bytes(size_t width, size_t height, int bands,
                          murk_render_method method);
 
-/* Renders a picture; the camera is within the domain. Reports progress by rays.
- * The caller destroys *out. Fails with MURK_NO_MEMORY. Ends early after an
- * interrupt: the caller checks murk_interrupted(). */
+/* Renders a picture; the camera is within the domain. Progress counts one ray
+ * for each sample, whatever the number of bands. The caller destroys *out.
+ * Fails with MURK_NO_MEMORY. Ends early after an interrupt: the caller checks
+ * murk_interrupted(). */
 murk_status murk_render_run(murk_image **out, const murk_render *render,
                             murk_error *err);
 void murk_image_destroy(murk_image *picture); /* NULL is fine */

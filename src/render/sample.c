@@ -8,8 +8,9 @@
 #include "source/shine.h"
 #include "transport/outside.h"
 
-/* The least cosine for the tolerance of a lamp that is seen along the plane of
- * its face. */
+/* The tolerance of the distance to a lamp is margin_m divided by the cosine at
+ * which the ray meets the face of the lamp; this is the least cosine that is
+ * used. */
 #define GRAZING 1e-3
 
 /* The density [1/sr] above which the forward peak of a phase function begins:
@@ -17,7 +18,8 @@
  * add noise; with a higher one, few records carry most of the light. */
 #define PEAK_PER_SR 0.5
 
-/* The number of angles at which the peak is searched. */
+/* The number of equal steps from 0 to 180 degrees in which the edge of the peak
+ * is searched. */
 #define PEAK_STEPS 360
 
 typedef enum part { SURFACE, VOLUME, PARTS } part;
@@ -74,8 +76,9 @@ static double slack_at(const murk_scenery *scenery, const murk_source *light,
     return scenery->margin_m / fmax(GRAZING, fabs(murk_dot(face, sight)));
 }
 
-/* The weight of a light that is hit on a segment: 1, unless shadow rays from
- * the last point have a share in it. */
+/* The weight of a light that is hit on a segment: murk_direct_rest() if shadow
+ * rays from the last point may have found the light; otherwise 1, but by maps 0
+ * after the ray was scattered. */
 static double share_met(const murk_sampler *s, size_t light, murk_vec3 sight)
 {
     if (!s->is_connected) {
@@ -270,7 +273,8 @@ static void receive_event(void *context, uint64_t batch,
 
 /* ---- rays ---- */
 
-/* The cosine at which the forward peak begins: 1 if there is none. */
+/* The cosine of the angle at the edge of the forward peak, within which the
+ * density is above PEAK_PER_SR; 1 if there is no peak. */
 static double cone_of(const murk_phase *phase)
 {
     double cone = 1;

@@ -17,8 +17,9 @@
  * direct light, too, also within the cone, because the continued ray does not
  * find all lights.
  *
- * Not found by paths: beams of zero width, and parallel light after mirrors or
- * refraction; the maps contain both. */
+ * Not found by paths: beams of zero width and divergence, and the light of
+ * directional sources, points and narrow beams after mirrors or refraction. The
+ * maps contain all of these. */
 #ifndef MURK_RENDER_SAMPLE_H
 #define MURK_RENDER_SAMPLE_H
 

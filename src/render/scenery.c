@@ -9,7 +9,7 @@
 #include <stdlib.h>
 
 /* Share of the domain's largest coordinate that surfaces may be off by: some
- * times the step of murk_surfaces_leave(). */
+ * ten times the step of murk_surfaces_leave(). */
 #define OFF_BY 1e-5
 
 /* Sightlines go to the nearest image of a point, so a piece stays below half a
@@ -20,8 +20,7 @@
  * often enough to be taken for lost. */
 #define PIECES_MAX 10000
 
-/* Transmittance of the present piece: nothing if the index of refraction
- * changes. */
+/* Transmittance of the present piece: 0 if the index of refraction changes. */
 static double piece_through(const murk_scenery *scenery,
                             const murk_path_piece *piece, int band)
 {
@@ -167,7 +166,8 @@ murk_status murk_scenery_prepare(murk_scenery *scenery,
     const murk_box *box = &world->domain.box;
     const murk_box bounded = murk_media_bounds(world->media);
     const double margin_m = OFF_BY * murk_box_largest_coordinate(box);
-    /* Free heights end clear of surfaces and bounded regions. */
+    /* The heights beyond which nothing depends on x and y keep clear of
+     * surfaces and bounded regions. */
     *scenery = (murk_scenery){
         .world = world,
         .tiling = {.space = murk_path_space_of(world->surfaces, world->media,

@@ -1,5 +1,5 @@
 /* Quantiles of the values of a channel, over at most MURK_SPREAD_MAX pixels at
- * even steps. */
+ * equal steps. */
 #include "render/spread.h"
 
 #include "base/sort.h"
