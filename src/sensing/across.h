@@ -3,8 +3,10 @@
  *
  * Range and field of view refer to the apparent position of the photon: the
  * direction from which the light arrives, at the apparent distance of
- * sensing/snell.h. The tests of the photon's own side, and of light that
- * travels toward the sensor, refer to the part of the path at the photon. */
+ * sensing/snell.h. The normal of a surface photon must face the crossing of the
+ * boundary, and a type that detects only light that travels toward the sensor
+ * (`toward`) compares the photon's direction with the part of the path between
+ * crossing and photon. */
 #ifndef MURK_SENSING_ACROSS_H
 #define MURK_SENSING_ACROSS_H
 

@@ -58,8 +58,8 @@ typedef struct murk_candidate_mount {
 typedef struct murk_candidate_desc {
     murk_candidate_grid
         grid; /* the clearance_m of the grid holds for all candidates */
-    bool
-        is_reach_grid; /* the grid only carries reach and gives no candidates */
+    bool is_reach_grid;     /* the grid only serves to find free space
+                               (sensing/candidates.h) and gives no candidates */
     const murk_vec3 *point; /* [points] inside the domain */
     size_t points;
     const murk_candidate_mount *mount; /* [mounts] */

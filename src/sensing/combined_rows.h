@@ -14,7 +14,8 @@ typedef struct murk_combined_rows {
     uint32_t *clearest; /* [photons][layers] the sensors of the first `layers`
                            of these entries */
     /* For detection probabilities, in place of clarity and clearest: the sum of
-     * the doses of a photon, and the table of doses. */
+     * the doses of a photon, and the table of doses. The dose of a detection
+     * probability p is -ln(1 - p), as a whole number (placement/dose.h). */
     uint64_t *dose; /* [photons] */
     murk_doses *doses;
 } murk_combined_rows;

@@ -1,12 +1,12 @@
 /* Coverage of a set of sensors, with the standard error.
  *
  * Records of one emitted photon are correlated, so the error is computed by
- * emitted photon e. With whole-number weights, X_e the covered and Y_e the
- * whole weight of the records of e, C = sum X / sum Y has the linearised
- * residual r_e = (X_e - C Y_e) / sum Y. The `balanced` coverage is a fixed mix
- * of two such ratios, so the residual is the same mix of both residuals;
- * photons without records have residual 0. Then se^2 = N / (N - 1) sum r_e^2
- * (Cochran, Sampling Techniques, 1977, ch. 6). */
+ * emitted photon e. N is the number of emitted photons. With whole-number
+ * weights, X_e the covered and Y_e the whole weight of the records of e, C =
+ * sum X / sum Y has the linearised residual r_e = (X_e - C Y_e) / sum Y. The
+ * `balanced` coverage is a fixed mix of two such ratios, so the residual is the
+ * same mix of both residuals; photons without records have residual 0. Then
+ * se^2 = N / (N - 1) sum r_e^2 (Cochran, Sampling Techniques, 1977, ch. 6). */
 #include "base/interrupt.h"
 #include "base/pool.h"
 #include "base/position.h"
@@ -44,13 +44,15 @@ typedef struct measure {
                           */
     uint64_t *seen_by;   /* [sensors + 1]: weight of the photons that exactly so
                             many sensors see */
-    size_t at_least; /* 0, or: a photon seen by so many sensors counts fully,
-                        any other not at all */
+    size_t at_least; /* 0, or a number of sensors: a photon that so many sensors
+                        or more see counts fully, any other photon not at all */
 } measure;
 
-/* The content of one map, and the covered part of it, times clarity: in the
- * whole-number weights of the plan, and in power. Weights may give a map no
- * weight, or round it away, so the map's own fraction uses power. */
+/* Sums over the photons of one map: `whole` of weight times the clarity of full
+ * coverage, `seen` of weight times the clarity that the sensors reach; seen_w
+ * and whole_w are the same sums with the power [W] in place of the whole-number
+ * weight. Weights may give a map no weight, or round it away, so the map's own
+ * fraction uses power. */
 typedef struct share {
     uint64_t seen, whole;
     double seen_w, whole_w;
@@ -108,8 +110,8 @@ static murk_status find_rows(measure *m, murk_error *err)
     for (m->first = 0; m->first < m->sensors; m->first += m->capacity) {
         const size_t left = m->sensors - m->first;
         const size_t n = left < m->capacity ? left : m->capacity;
-        /* One block of rows over threads, then added in the order of the
-         * sensors. */
+        /* The threads compute the rows of a block, which are then added in the
+         * order of the sensors. */
         murk_pool_run_workers(m->sight->desc.threads, n, find_row, m);
         if (murk_interrupted()) {
             return murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
@@ -151,7 +153,7 @@ static uint32_t worth_of(const measure *m, size_t i)
                                                    : 0;
 }
 
-/* Sums over the records of a map, which begin with photon `first`. Power is
+/* Sums over the records of a map; the first record is photon `first`. Power is
  * summed in the order of the map, which does not depend on threads. */
 static share add_up(const measure *m, const murk_photon_map *map, size_t first)
 {
@@ -175,8 +177,8 @@ static double ratio(uint64_t part, uint64_t whole)
     return whole > 0 ? (double)part / (double)whole : NAN;
 }
 
-/* The fraction of a map by power; NaN for a map that is empty or without
- * power. */
+/* The covered fraction of the power of a map; NaN for a map that is empty or
+ * without power. */
 static double own_fraction(const share *s)
 {
     return s->whole_w > 0 ? s->seen_w / s->whole_w : NAN;
@@ -285,8 +287,9 @@ static double error_of(double squares, double whole, double emitted)
                : NAN;
 }
 
-/* The share seen by at least as many sensors as the sight asks for, in the way
- * of seen_by_at_least, with the error. */
+/* The share of the whole weight that lies in photons seen by desc->at_least
+ * sensors or more, each of which counts fully, with the standard error; NaN if
+ * at_least is 0. */
 static void find_at_least(murk_coverage_result *out, const measure *m,
                           const uint64_t *sorted)
 {

@@ -47,8 +47,9 @@ static inline const murk_side *murk_side_recall(murk_side sides[MURK_SIDES],
     return s;
 }
 
-/* The point from which sightlines to a photon start: off the surface of a
- * surface photon. *side: the side of the surface, NULL for a volume photon. */
+/* The end of the sightlines to a photon: the place of a volume photon, or for a
+ * surface photon a point slightly off the surface. *side is set to the side of
+ * the surface, or to NULL for a volume photon. */
 static inline murk_vec3 murk_side_start(const murk_photon *photon,
                                         const murk_surfaces *surfaces,
                                         murk_side sides[MURK_SIDES],

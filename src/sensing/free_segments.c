@@ -17,8 +17,8 @@ murk_free_segments murk_free_segments_of(const murk_surfaces *surfaces,
         .surfaces = surfaces,
         .domain = domain,
         .tolerance_m = murk_path_surface_tolerance_m(surfaces, domain)};
-    /* at right angles to each other, so that no seam follows both; tilted, so
-     * that no axis does */
+    /* at right angles to each other, so that no seam is parallel to both;
+     * tilted, so that no axis is parallel to either */
     murk_vec3 aside[3] = {{0.537, 0.781, 0.319}};
     aside[0] = murk_unit(aside[0]);
     murk_frame(aside[0], &aside[1], &aside[2]);

@@ -1,10 +1,10 @@
 /* Regions of interest: factors on the weight of photons.
  *
- * A region is the inside of a box, a sphere or a closed mesh, or the photons on
- * a material or in a medium, or several of these at once. Regions may overlap:
- * their weights are factors that multiply, so weight 0 leaves out a photon
- * whatever other regions contain it. Photons in no region have the factor
- * `elsewhere`.
+ * A region is the inside of a box, a sphere or a closed mesh, or all space. It
+ * may be limited to the surface photons on one material or to the volume
+ * photons in one medium. Regions may overlap: their weights are factors that
+ * multiply, so weight 0 leaves out a photon whatever other regions contain it.
+ * Photons in no region have the factor `elsewhere`.
  *
  * Shapes include their boundary. For surface photons they are wider by the
  * distance by which storage may have moved a photon. So the photons of a wall

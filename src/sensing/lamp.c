@@ -85,7 +85,8 @@ static bool lets_light_through(const murk_surfaces *surfaces,
 {
     const murk_material *m = murk_surfaces_material(surfaces, hit->material);
     for (int i = 0; i < MURK_BANDS_MAX; ++i) {
-        /* Fresnel's equations split the light that a solid does not absorb. */
+        /* Of a solid, specular + transmit is the share of light that is not
+         * absorbed, which Fresnel's equations then split. */
         const double specular = hit->solid ? m->specular.band[i] : 0;
         if (m->transmit.band[i] + specular > 0) {
             return true;

@@ -127,8 +127,9 @@ static bool is_of_grid(const murk_candidate_grid *g, murk_vec3 p,
            tolerance_m;
 }
 
-/* Marks a site as duplicate if an earlier site lies within the tolerance; the
- * earlier site may be a duplicate itself. */
+/* Marks a site as duplicate if a grid point that is a candidate, or an earlier
+ * site, lies within the tolerance; the earlier site may be a duplicate itself.
+ */
 static murk_status find_duplicates(uint8_t *verdict, const murk_listed *site,
                                    size_t n, const murk_candidate_desc *desc,
                                    double tolerance_m, murk_error *err)

@@ -7,8 +7,8 @@
 
 typedef enum murk_verdict {
     MURK_SITE_USABLE,
-    MURK_SITE_DOUBTFUL, /* usable, but within twice the tolerance of a
-                           surface */
+    MURK_SITE_DOUBTFUL, /* usable, but nearer to a surface than twice
+                           murk_path_surface_tolerance_m() */
     MURK_SITE_DUPLICATE,
     MURK_SITE_FORBIDDEN,
     MURK_SITE_TOO_CLOSE,

@@ -1,7 +1,7 @@
 /* Photons within range of a sensor. Internal to the room.
  *
  * In a periodic domain the map is queried around each image of the sensor, and
- * a photon counts if that image is the nearest one. */
+ * a photon counts if no other image of the sensor is nearer to the photon. */
 #ifndef MURK_SENSING_NEARBY_H
 #define MURK_SENSING_NEARBY_H
 

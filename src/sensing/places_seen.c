@@ -15,15 +15,16 @@
 #include <string.h>
 
 /* Places in a piece: small pieces keep memory low. Detection by power first
- * surveys all light on all threads, so its pieces are large and processed one
- * after the other. */
+ * gathers the light around each place of a piece on all threads, so pieces are
+ * large and processed one after the other. */
 #define PIECE          8192
 #define PIECE_BY_POWER 1048576
 
 typedef struct work {
     const murk_places *places;
-    murk_sight_desc sight, open; /* as plans see; without media, sheets aside */
-    const murk_media *media;     /* media along unblocked sightlines */
+    murk_sight_desc sight,
+        open; /* the sight of plans; the same without the media, for depths */
+    const murk_media *media; /* media along unblocked sightlines */
     const murk_pose *pose;
     size_t sensors;
     size_t piece;  /* places in a piece */
@@ -198,12 +199,14 @@ static void describe(work *w, const murk_sight *like,
                                w->sight.photons_emitted};
     }
     w->piece = by_power ? PIECE_BY_POWER : PIECE;
-    w->is_shown = w->places->step &&
-                  !by_power; /* the survey of light has a progress bar itself */
+    /* With detection by power, the gathering of light has its own progress bar.
+     */
+    w->is_shown = w->places->step && !by_power;
     w->sight.threads = by_power ? w->sight.threads : 1;
 }
 
-/* The same sight without attenuation. Acceptance angles and power are left out
+/* The same sight without attenuation by the media, to find the straight
+ * unblocked sightlines. Acceptance angles and detection by power are left out
  * as well, because both depend on attenuated light. */
 static void describe_open(work *w, murk_sensor_type *type,
                           const murk_media *clear)
@@ -243,8 +246,9 @@ static murk_status run(work *w, unsigned threads, murk_error *err)
     if (w->is_shown) {
         murk_progress_begin(w->places->step, n, "places");
     }
-    /* One piece a thread; the first error in the order of the pieces is
-     * reported. */
+    /* Each thread evaluates one piece at a time, but with detection by power
+     * all threads work on one piece. The first error in the order of the pieces
+     * is reported. */
     murk_pool_run(w->sight.threads > 1 ? 1 : threads, pieces, see_piece, w);
     if (w->is_shown) {
         murk_progress_end();

@@ -1,11 +1,11 @@
 /* Coverage of given places instead of stored photons: voxels of a field,
  * centres of the faces of a mesh.
  *
- * Places are photon records (plan/targets.h), and they are evaluated by a sight
- * like the one that plans use: the same surfaces, media, sheets, detection mode
- * and types. Only properties that a place lacks differ: regions of interest do
- * not weigh it, and `arrival: toward` is ignored, because no light travels
- * there. */
+ * Each place is given as a photon record, as targets are (plan/targets.h), and
+ * is evaluated by a sight like the one that plans use: the same surfaces,
+ * media, sheets, detection mode and types. Only properties that a place lacks
+ * differ: regions of interest do not weigh it, and `arrival: toward` is
+ * ignored, because a place has no direction in which light travels. */
 #ifndef MURK_SENSING_PLACES_SEEN_H
 #define MURK_SENSING_PLACES_SEEN_H
 
@@ -35,10 +35,11 @@ typedef struct murk_places {
 } murk_places;
 
 /* Fills out[places->n] for the sensors pose[n] of the types of `like`; the same
- * for any number of threads. Needs some 200 bytes a place, for some ten
- * thousand places a thread at a time, or a million with detection by power.
- * Fails with MURK_NO_MEMORY or MURK_INTERRUPTED, or as murk_sight_create()
- * does. */
+ * for any number of threads. The places are evaluated in pieces: each thread
+ * holds a piece of some ten thousand places at a time, or with detection by
+ * power all threads together hold one piece of a million. The memory is some
+ * 200 bytes for each place of these pieces. Fails with MURK_NO_MEMORY or
+ * MURK_INTERRUPTED, or as murk_sight_create() does. */
 murk_status murk_places_see(murk_place_seen *out, const murk_places *places,
                             const murk_sight *like, const murk_pose *pose,
                             size_t n, murk_error *err);

@@ -46,9 +46,10 @@ struct murk_power {
 
 /* ---- gathering ---- */
 
-/* The fixed radius. With neighbours it is the radius of a single spot of light;
- * single precision resolves it in domains of up to some 1e5 times that radius.
- */
+/* The fixed radius. If the settings give a number of neighbours, it is a
+ * thousandth of the maximum radius, and photons within it count as one spot of
+ * light; single precision of the positions resolves that radius in domains of
+ * up to some 1e5 times the fixed radius. */
 static double within_m(const murk_power_settings *settings)
 {
     return settings->neighbours > 0 ? MIN_RADIUS * settings->radius_m

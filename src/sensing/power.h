@@ -1,9 +1,9 @@
 /* Detection by power: the light that a sensor receives from the place of a
  * stored photon, and the probability of detection. Internal to the room.
  *
- * The power of a packet falls as more packets are traced, so the place is
- * judged instead of the packet. With r the radius of the estimate, in the
- * photon's band,
+ * The power of a packet falls as more packets are traced, so detection is
+ * decided by the light at the place of the stored photon, not by the power of
+ * the packet. With r the radius of the estimate, in the photon's band,
  *
  *     surface   L = (power leaving on the same side within r) / (pi^2 r^2)
  *               [W/m2/sr], as if light left by the cosine law,
@@ -63,8 +63,9 @@ typedef struct murk_sightline {
 } murk_sightline;
 
 /* For a description with desc->power.radius_m > 0. Copies desc and borrows
- * everything that desc points to. The places to be judged are desc's maps; the
- * light is that of desc->power.light, or that of the places.
+ * everything that desc points to. The places are those of the photons in desc's
+ * maps; the light is that of desc->power.light or, if its maps are NULL, the
+ * photons in desc's maps.
  *
  * With a fixed radius, needs up to 550 bytes a place of the volume map, 4 a
  * place of the surface map, and 40 a photon of the light. Runs over threads,

@@ -25,8 +25,7 @@ void murk_interfaces_find(murk_interfaces *out, const murk_path_space *space)
             : 0;
     for (int i = 0; i < MURK_REGIONS_MAX; ++i) {
         const murk_inside bit = (murk_inside)1 << i;
-        /* the index of the region alone: 1 if it has none or does not refract
-         */
+        /* the index inside this region alone; 1 if the region has none */
         if ((meshes & bit) && murk_media_index(media, bit) != 1) {
             out->any_mesh = true;
         }
@@ -190,8 +189,10 @@ size_t murk_refracted_paths_find(
     assert(n[0] != n[1]);
     size_t paths = 0;
     for (size_t i = 0; i < at->n; ++i) {
-        /* a face that does not extend from side to side may be near the sensor,
-         * or near the photon in another period */
+        /* In a periodic domain the nearest image of the photon may lie in
+         * another period than the sensor. The path may then cross the face in
+         * the period of the sensor, or the copy of the face in the period of
+         * the image. */
         murk_interface_plane plane = {at->flat[i].point, at->flat[i].normal};
         paths = add_path(at, v, &plane, image, n, path, paths);
         if (!is_here) {
@@ -259,8 +260,9 @@ double murk_refracted_path_transmittance(const murk_refracted_path *path,
            murk_path_transmittance_to(&back, band, crossing);
 }
 
-/* The end of a part of a path that starts at `from`: a little beyond the
- * crossing, at most to the end of the part ahead. */
+/* The end of the test of the part of a path from `from` to the crossing:
+ * tolerance_m beyond the crossing, or length_m beyond it if the other part of
+ * the path, of this length, is shorter. */
 static murk_vec3 beyond(murk_vec3 from, murk_vec3 crossing, double tolerance_m,
                         double length_m)
 {

@@ -63,8 +63,9 @@ murk_field murk_field_of(const murk_sensor_type *type, const murk_pose *pose,
  * tested. */
 bool murk_field_contains(const murk_field *field, murk_vec3 offset);
 
-/* True if the field takes light that travels along `travel`, from a point at
- * `offset` from the sensor: always, unless `toward` is set. */
+/* True if the sensor detects light that arrives from a point at `offset` from
+ * the sensor and that travelled along `travel` there: always, unless `toward`
+ * is set. The field of view is not tested. */
 bool murk_field_takes(const murk_field *field, murk_vec3 offset,
                       murk_vec3 travel);
 

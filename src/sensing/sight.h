@@ -12,14 +12,16 @@
  *
  * A segment is open if it meets no surface (with `through_sheets`: none but
  * thin sheets), and the refractive index does not change along the segment,
- * unless `refracts` is set. With detection by power the clarity is the
- * detection probability (sensing/power.h).
+ * unless `refracts` is set. With MURK_VISIBILITY_NORMAL every segment is open.
+ * With detection by power the clarity is the detection probability
+ * (sensing/power.h).
  *
  * Grazing photons are not seen. "> 0" means more than the possible error of
  * storage: 2^-20 of the domain's largest coordinate, and
  * MURK_DIRECTION_ERROR_RAD if the normal is not along an axis (axes are stored
  * exactly). So a sensor in the plane of a wall sees nothing of the wall; the
- * cost is the sliver within that height or angle of the plane. */
+ * cost is that sensors within that height or angle of the plane do not see the
+ * wall either. */
 #ifndef MURK_SENSING_SIGHT_H
 #define MURK_SENSING_SIGHT_H
 
@@ -51,8 +53,8 @@ typedef struct murk_map_weights {
     double surface, volume; /* a, b >= 0, not both 0 */
 } murk_map_weights;
 
-/* A place with fewer photons in the estimate is judged badly: the relative
- * error is 1 / sqrt(10 - 2), a third, or more. */
+/* With fewer photons in the estimate, the light at a place is estimated badly:
+ * the relative standard error is 1 / sqrt(10 - 2), a third, or more. */
 #define MURK_POWER_FEW 10
 
 /* The stored light, and the number of emitted photons. */
@@ -64,8 +66,10 @@ typedef struct murk_power_light {
 /* Settings of detection by power (sensing/power.h). */
 typedef struct murk_power_settings {
     double radius_m;   /* 0: not by power; else murk_power_check_radius() */
-    size_t neighbours; /* 0: all photons within radius_m; otherwise, at least 2,
-                          the radius of so many photons, radius_m at most */
+    size_t neighbours; /* 0: the estimate uses all photons within radius_m.
+                          Otherwise >= 2: its radius is the distance of the
+                          photon of this number, counted from the nearest, but
+                          radius_m at most */
     double band_nm[MURK_BANDS_MAX];
     murk_power_light light; /* maps NULL: those of the sight */
 } murk_power_settings;
@@ -99,11 +103,12 @@ typedef struct murk_sight_desc {
                                       transmittance */
     double threshold; /* of the transmittance, 0..1; for modes that have one */
     murk_combining combining; /* how entries of several sensors combine */
-    unsigned redundancy; /* entries of a photon that count, 0 or 1: one; up to
-                            MURK_REDUNDANCY_MAX, and one for detection
-                            probabilities */
-    unsigned at_least;   /* the coverage also gives the share seen by so many
-                            sensors or more; 0: not; up to MURK_REDUNDANCY_MAX */
+    unsigned
+        redundancy; /* number of the largest entries of a photon that count, 0
+                       or 1: one; up to MURK_REDUNDANCY_MAX. For detection
+                       probabilities 0 or 1, and all entries count */
+    unsigned at_least; /* the coverage also gives the share seen by so many
+                          sensors or more; 0: not; up to MURK_REDUNDANCY_MAX */
     murk_power_settings
         power; /* detection by power, with combining INDEPENDENT: the clarity is
                   the probability of sensing/power.h. Not with a threshold */
@@ -158,14 +163,15 @@ void murk_sight_problem_init(murk_sight_problem *out, murk_sight *sight,
 /* Whole-number weights of the photons [surface + volume], as plans count them:
  * within a map proportional to power (times the factor of the regions of
  * interest), rounded; equal powers have equal weights. Rounding changes a
- * weight by at most half a unit, which is less than 2^-20 of the map's mean
- * weight up to 2^26 records, unless the power of a map lies in so few records
- * that their weights reach the limit of 32 bits. The sum, times the redundancy
- * (or at_least, if larger), is below 2^47. */
+ * weight by at most half a unit. For `balanced` maps and a redundancy of 1 this
+ * is less than 2^-20 of the map's mean weight up to 2^26 records, unless the
+ * power of a map lies in so few records that their weights reach the limit of
+ * 32 bits. The sum, times the redundancy (or at_least, if larger), is below
+ * 2^47. */
 const uint32_t *murk_sight_weights(const murk_sight *sight);
 size_t murk_sight_photons(const murk_sight *sight);
 
-/* Photon i, by the index of rows. */
+/* Photon i, with i as in murk_sparse_row.photon. */
 const murk_photon *murk_sight_photon(const murk_sight *sight, size_t i);
 
 /* The regions of interest that contain photon i, bit r for region r (0 without
@@ -235,11 +241,11 @@ typedef struct murk_coverage_result {
  * ratio estimator over all emitted photons, each with all records in both maps;
  * for `balanced` the residuals of the two ratios are added photon by photon,
  * because the records of one path are correlated. Fails with MURK_BAD_VALUE if
- * a sensor is outside the domain, with MURK_NO_MEMORY (some 26 bytes a photon,
- * 6 more for each further entry that counts) or MURK_INTERRUPTED. With
- * detection probabilities the row of each sensor is computed twice. After
- * success call murk_coverage_result_release(); after a failure *out is
- * unchanged. */
+ * a sensor is outside the domain, with MURK_NO_MEMORY (some 28 bytes a photon,
+ * 6 more for each further entry that counts, and the rows of 4 sensors for each
+ * thread) or MURK_INTERRUPTED. With detection probabilities the row of each
+ * sensor is computed twice. After success call murk_coverage_result_release();
+ * after a failure *out is unchanged. */
 murk_status murk_coverage_result_measure(murk_coverage_result *out,
                                          murk_sight *sight,
                                          const murk_pose *pose, size_t n,

@@ -17,7 +17,8 @@
 
 /* ---- detection ---- */
 
-/* The clarity of a sensor that detects all or nothing. */
+/* The clarity of a sightline if the sensor detects all or nothing: 1 from the
+ * threshold on, else 0. */
 static double detect_from_threshold(const murk_sight_desc *desc,
                                     double transmittance)
 {
@@ -211,7 +212,8 @@ murk_status murk_sight_create(murk_sight **out, const murk_sight_desc *desc,
     if (murk_length(desc->north) == 0) {
         sight->desc.north = murk_vec(0, 1, 0);
     }
-    /* twice the diagonal contains every image, and its square is finite */
+    /* longer than the distance of any point of the domain from any image of the
+     * sensor; not infinite, so that the square is finite */
     sight->max_m = 2 * murk_length(murk_sub(box->max, box->min));
     sight->position_error_m = POSITION_ERROR * murk_box_largest_coordinate(box);
     sight->photons = murk_photon_map_count(desc->surface_map) +

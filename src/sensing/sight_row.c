@@ -214,8 +214,9 @@ static void search_map(row_search *l, const murk_photon_map *map,
         const murk_vec3 sensor =
             is_periodic ? murk_path_nearest_image(&desc->domain, l->sensor, at)
                         : l->sensor;
-        /* A photon in another index is handled alone, after the block before
-         * it, so the order stays. */
+        /* A photon in a medium of another refractive index is tested alone,
+         * after the photons collected before it, so that the row keeps the
+         * order of the map. */
         if (l->sight->interfaces) {
             const murk_side *facing;
             const murk_vec3 start =

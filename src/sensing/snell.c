@@ -14,8 +14,9 @@
 
 #include "medium/fresnel.h"
 
-/* Newton's steps double their digits once they are near; grazing takes some
- * ten to come near. Beyond this rounding alone moves t. */
+/* Near the root each step of Newton's method doubles the number of correct
+ * digits; at grazing incidence some ten steps are needed to come near. After
+ * STEPS_MAX steps only rounding would still change t. */
 #define STEPS_MAX 100
 
 static double tangent_of(double r, double h_rare, double h_dense, double m)
@@ -75,13 +76,17 @@ bool murk_snell_path(murk_vec3 sensor, murk_vec3 photon,
     return true;
 }
 
-/* With a = d1 and b = d2 n1/n2 the square of the apparent distance is (a + b)(a
- * / k + b k), k = cos1/cos2. Into the denser side k <= 1: where a >= b the
- * second factor is at least a + b, so the two are apart by at most range n2/n1;
- * else at least 2 sqrt(a b), so range^4 >= 4 b^3 a, and a is the height or
- * more. Into the rarer side the same holds with the ends of k exchanged; where
- * b < a, k gives no bound, but Snell's law keeps d1 below the height over the
- * cosine of the critical angle. */
+/* The points are at most d1 + d2 apart. With a = d1 and b = d2 n1/n2 the square
+ * of the apparent distance is (a + b)(a / k + b k), k = cos1/cos2.
+ *
+ * Into the denser side k <= 1. If a >= b, the second factor is at least a + b,
+ * so a + b <= range and d1 + d2 <= range n2/n1. If a < b, the second factor is
+ * at least 2 sqrt(a b), so range^4 >= 4 b^3 a; as a is the height or more, this
+ * bounds b, and d1 + d2 < b (1 + n2/n1).
+ *
+ * Into the rarer side k >= 1. If b >= a, the second factor is at least a + b,
+ * so d1 + d2 <= range. If b < a, d1 + d2 < a (1 + n2/n1), and by Snell's law d1
+ * is below the height over the cosine of the critical angle. */
 double murk_snell_reach(double range_m, double height_m, const double n[2])
 {
     const double ratio = n[0] / n[1], spread = 1 + 1 / ratio;

@@ -58,9 +58,10 @@ static void scale(uint32_t *weight, const powers *p, double factor)
 }
 
 /* Gives each map's weights the same sum; a map without power leaves all weight
- * to the other. The mean weight of the map with more records, which has smaller
- * weights, is a whole number, so equal powers are not all rounded the same way
- * there. */
+ * to the other. The sum is a multiple of the number of records of the larger
+ * map, which has the smaller weights: if all these records have the same power,
+ * their weight is a whole number, so that rounding does not change the sum of
+ * this map. */
 static void balance(double *factor_surface, double *factor_volume,
                     const powers *surface, const powers *volume, double whole)
 {
