@@ -55,8 +55,9 @@ static bool is_shared(const murk_free_key *key)
     return key->kind != MURK_FREE_GAIN && key->condition == SIZE_MAX;
 }
 
-/* Reads the scene again with the found values of all keys that it shares with
- * its conditions. NULL if it cannot be read so. */
+/* Reads the scene again, with the found values in place of those keys that hold
+ * for the scene and not for one condition alone. NULL if the scene cannot be
+ * read with these values. */
 static murk_scene_desc *scene_with(const murk_fit_facts *f, const places *p)
 {
     const murk_free_keys *keys = f->keys;
@@ -152,7 +153,8 @@ static void write_value(FILE *file, const murk_fit_facts *f, size_t k,
                 text);
         return;
     }
-    /* a comment says it of a value that the data do not determine */
+    /* If the data do not determine the value, a comment line before the value
+     * states so. */
     if (!murk_calibration_determines(f->found, k)) {
         fprintf(file, "# %s: %s\n", key->name,
                 murk_calibration_status(f->found, k));
@@ -187,8 +189,8 @@ static murk_status write_calibrated(FILE *file, const void *context,
         write_value(file, f, k, &p);
         has_keys = has_keys || f->keys->key[k].kind != MURK_FREE_GAIN;
     }
-    fputs(has_keys ? "" : "{}\n", file); /* an empty map, so that the file is
-                                            not empty */
+    /* Without a key, an empty map: YAML of comments alone would be empty. */
+    fputs(has_keys ? "" : "{}\n", file);
     release(&p);
     return MURK_OK;
 }

@@ -1,4 +1,4 @@
-/* Numbers of candidates by outcome, as rows of JSON and as a line of the
+/* Numbers of candidates by outcome, as fields of JSON and as a line of the
  * summary. */
 #include "results/candidates.h"
 

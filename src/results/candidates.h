@@ -6,8 +6,9 @@
 #include "results/fields.h"
 #include "sensing/candidates.h"
 
-/* Lists rows "asked" to "duplicates" of the object "candidates". `of` points to
- * a murk_candidates, NULL in a description. */
+/* Lists the fields "asked" to "duplicates" of the object "candidates". `of`
+ * points to a murk_candidates; NULL: the fields are only described
+ * (results/fields.h). */
 void murk_results_list_candidates(murk_results_fields *f, const void *of);
 
 /* Prints one line: "candidates 48 asked, 40 usable: ...". */

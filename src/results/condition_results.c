@@ -1,4 +1,5 @@
-/* Placement over conditions: rows of JSON and CSV, files and lines. */
+/* Placement over conditions: fields of JSON, columns of CSV, files, and lines
+ * of the summary. */
 #include "results/condition_results.h"
 
 #include "results/coverage.h"
@@ -25,9 +26,9 @@
 #define DIGITS       9 /* of shares in regret.csv */
 #define ERROR_DIGITS 6 /* of their standard errors */
 
-/* The coverage of a plan by one objective over the conditions; from held-out
- * coverages if these were measured, else from those in sample.
- */
+/* The coverage of a plan by one objective over the conditions; from the
+ * coverages on second (held-out) maps if these were measured, else from those
+ * in sample, on the maps that chose the plans. */
 static murk_estimate best_known_of(const murk_condition_plans *r,
                                    const murk_condition_plan *plan,
                                    murk_scene_objective by)
@@ -44,8 +45,9 @@ static bool is_for_regret(const murk_condition_plans *r)
     return r->conditions->scene->placement.over == MURK_SCENE_OBJECTIVE_REGRET;
 }
 
-/* The name of the condition that decides about the chosen plan: of the largest
- * regret, or the one that is covered least. NULL if all are dark. */
+/* The name of the condition with the largest regret (with placement.over:
+ * regret), or else of the condition that the chosen plan covers least, in
+ * sample. NULL if all conditions are dark. */
 static const char *worst_of(const murk_condition_plans *r)
 {
     size_t worst;
@@ -66,7 +68,8 @@ static murk_estimate seen_in(const murk_condition_plans *r,
     return r->has_held_out ? plan->held_out[c] : plan->in_sample[c];
 }
 
-/* Number of all conditions. In condition[], dark ones follow the lit ones. */
+/* Number of all conditions. In condition[], dark conditions (in which there is
+ * no light to see) follow the lit ones. */
 static size_t all_conditions(const murk_condition_plans *r)
 {
     return r->conditions->n + r->conditions->dark;
@@ -89,7 +92,7 @@ static murk_status add_condition(murk_session *session,
 {
     murk_results *results = &session->results;
     char name[FILE_NAME_MAX];
-    /* Light, ledger and scene of the condition, and who sees what in it. */
+    /* Light, ledger, scene and plan-NAME.ply of the condition. */
     const murk_ledger_results ledger = {condition->traced, condition->stage};
     murk_status status = murk_results_add_light(
         results, name_file(name, "light", condition, ".murk"),

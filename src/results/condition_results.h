@@ -6,9 +6,10 @@
 #include "results/fields.h"
 #include "results/session.h"
 
-/* Adds light-NAME.murk, ledger-NAME.json, scene-NAME.yaml and (unless it is
- * dark) plan-NAME.ply of each condition, then scene.resolved.yaml and
- * regret.csv. Does nothing without a folder for results. */
+/* Adds light-NAME.murk, ledger-NAME.json, scene-NAME.yaml and (unless the
+ * condition is dark: there is no light to see) plan-NAME.ply of each condition,
+ * then scene.resolved.yaml and regret.csv. Does nothing without a folder for
+ * results. */
 murk_status murk_add_condition_files(murk_session *session,
                                      const murk_plan_result *plan,
                                      const murk_condition_plans *plans,
@@ -18,8 +19,9 @@ murk_status murk_add_condition_files(murk_session *session,
  * i is plan i / n in lit condition i % n, of n lit conditions. */
 void murk_results_list_use(murk_results_fields *f, const void *of, size_t i);
 
-/* The first lists the rows of "photons", as sums over all conditions; the
- * second the rows "over" to "regret". `of` points to a murk_condition_plans. */
+/* The first lists the fields of the object "photons", as sums over all
+ * conditions; the second lists the fields "over" to "regret" of plan.json. `of`
+ * points to a murk_condition_plans. */
 void murk_results_list_condition_photons(murk_results_fields *f,
                                          const void *of);
 void murk_results_list_conditions(murk_results_fields *f, const void *of);
@@ -33,8 +35,9 @@ void murk_print_conditions(const murk_condition_plans *plans);
 void murk_print_regret_bound(const murk_condition_plans *plans,
                              const char *sample);
 
-/* For the command check: prints the conditions that the scene names and what
- * placement is over. Prints nothing if the scene has none. */
+/* For the command check: prints the names of the scene's conditions and how
+ * placement combines them (placement.over). Prints nothing if the scene has
+ * none. */
 void murk_print_asked_conditions(const murk_scene_desc *scene);
 
 #endif

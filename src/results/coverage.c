@@ -1,4 +1,5 @@
-/* Sensors and coverage: rows of JSON and CSV, and lines of the summary. */
+/* Sensors and coverage: fields of JSON, columns of CSV, and lines of the
+ * summary. */
 #include "results/coverage.h"
 
 #include "plan/few_photons.h"

@@ -1,4 +1,5 @@
-/* Sensors and coverage as JSON, CSV and lines: what place and sense share. */
+/* Sensors and coverage as JSON, CSV and lines of the summary, for the commands
+ * place and sense. */
 #ifndef MURK_RESULTS_COVERAGE_H
 #define MURK_RESULTS_COVERAGE_H
 
@@ -19,26 +20,27 @@ typedef struct murk_sensor_results {
  * degrees comes back without the rounding of its conversion to radians. */
 double murk_degrees(double rad);
 
-/* Lists the rows of "photons". `of` points to a murk_traced. */
+/* Lists the fields of the object "photons". `of` points to a murk_traced. */
 void murk_results_list_photons(murk_results_fields *f, const void *of);
 
-/* Lists the row "sensors". `of` points to a murk_sensor_results. */
+/* Lists the field "sensors". `of` points to a murk_sensor_results. */
 void murk_results_list_sensors(murk_results_fields *f, const void *of);
 
-/* Lists the rows of sensors[], or the columns of coverage.csv. `of` points to a
- * murk_sensor_results, NULL in a description. */
+/* Lists the fields of sensors[i], or the columns of coverage.csv. `of` points
+ * to a murk_sensor_results; NULL: the fields are only described
+ * (results/fields.h). */
 void murk_results_list_sensor(murk_results_fields *f, const void *of, size_t i);
 
 /* Lists the columns of sensors.csv, which the command sense can read. `of`
- * points to a murk_sensor_results, NULL in a description. */
+ * points to a murk_sensor_results; NULL: the columns are only described. */
 void murk_results_list_place(murk_results_fields *f, const void *of, size_t i);
 
-/* Lists the rows from "weights_used" to "seen_by_at_least". `of` points to a
- * murk_sensor_results, NULL in a description. */
+/* Lists the fields from "weights_used" to "seen_by_at_least". `of` points to a
+ * murk_sensor_results; NULL: the fields are only described. */
 void murk_results_list_shares(murk_results_fields *f, const void *of);
 
-/* A pose and its scene, for the rows of a type, a position or a view direction.
- * Both are NULL in a description. */
+/* A pose and its scene, for the fields of a type, a position or a view
+ * direction. Both are NULL if the fields are only described. */
 typedef struct murk_posed {
     const murk_scene_desc *scene;
     const murk_pose *pose;

@@ -1,6 +1,7 @@
-/* How an exploration went: rows of JSON and CSV, lines of the summary, and
- * path.ply: the stops of the path, and a thin three-sided tube about each
- * segment, because some viewers leave the edges of a PLY file out. */
+/* How an exploration went: fields of JSON, columns of CSV, lines of the
+ * summary, and path.ply: the stops of the path, and a thin three-sided tube
+ * about each segment, because some viewers leave the edges of a PLY file out.
+ */
 #include "results/explore.h"
 
 #include "results/coverage.h"
@@ -239,7 +240,8 @@ murk_status murk_add_explore(murk_results *results, const murk_stage *stage,
                              const murk_plan_result *plan, murk_error *err)
 {
     const murk_explore *explore = &plan->explore;
-    if (explore->steps == 0) { /* also over conditions, where stage is NULL */
+    /* A plan over conditions has no steps, and stage is NULL. */
+    if (explore->steps == 0) {
         return MURK_OK;
     }
     const explored e = {plan, stage->scene};

@@ -5,16 +5,17 @@
 
 #include "results/fields.h"
 
-/* Lists the row "explore". */
+/* Lists the field "explore". */
 void murk_results_list_explore(murk_results_fields *f,
                                const murk_scene_desc *scene,
                                const murk_plan_result *plan);
 
-/* Lists the rows of steps[], or the columns of explore.csv. `of` points to a
- * struct internal to explore.c, NULL in a description. */
+/* Lists the fields of steps[i], or the columns of explore.csv. `of` points to a
+ * struct internal to explore.c; NULL: the fields are only described
+ * (results/fields.h). */
 void murk_results_list_step(murk_results_fields *f, const void *of, size_t i);
 
-/* Adds explore.csv, with a row for each step, and path.ply. The vertices of
+/* Adds explore.csv, with a line for each step, and path.ply. The vertices of
  * path.ply are the stops of the path, in order, then six corners of a thin
  * three-sided tube about each segment (some viewers do not show edges). The
  * faces are the sides of the tubes. A vertex has

@@ -1,6 +1,6 @@
-/* What commands write for other programs: `murk place` the coverage matrix, the
- * problem for an outside solver, and plan.ply; commands that have light also
- * fields, photons and surfaces. */
+/* The files for other programs. `murk place` writes the coverage matrix, the
+ * problem for an outside solver, and plan.ply. `murk trace`, `murk sense` and
+ * `murk place` write fields, photons and surfaces. */
 #ifndef MURK_RESULTS_EXPORTS_H
 #define MURK_RESULTS_EXPORTS_H
 
@@ -28,14 +28,14 @@ murk_status murk_exports_check(unsigned exports, murk_detection detection,
                                murk_error *err);
 
 /* Lists the columns of candidates.csv. `of` points to a struct internal to
- * exports.c, NULL in a description. */
+ * exports.c; NULL: the fields are only described (results/fields.h). */
 void murk_results_list_candidate(murk_results_fields *f, const void *of,
                                  size_t i);
 
-/* Checks --export and --voxel against the scene: sizes, and tallies whose files
- * would have the names of other files. Fails with MURK_BAD_VALUE, or
- * MURK_NO_MEMORY. To be called once the world is built and before light is
- * traced. */
+/* Checks --export and --voxel against the scene: the numbers of voxels and of
+ * pieces of surfaces, and that no file of a tally would have the name of
+ * another file. Fails with MURK_BAD_VALUE, or MURK_NO_MEMORY. To be called once
+ * the world is built and before light is traced. */
 murk_status murk_exports_begin(const murk_session *session, murk_error *err);
 
 /* Adds fields, photons and surfaces if --export asks for them. sight NULL: of

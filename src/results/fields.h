@@ -11,10 +11,12 @@
  *     }
  *
  * The same rows become keys of a JSON object, columns of a CSV file and the
- * description that the manual prints. The description has no results: `of` is
- * NULL then. So a list reads `of` only inside the value of a row, inside
- * MURK_LISTED_IF() and inside the arguments of MURK_OBJECT() and
- * MURK_LIST(), which are not evaluated for a description. */
+ * description that the manual prints. The description and the heading of a CSV
+ * file are made without results: `of` is NULL then. So a list reads `of` only
+ * inside the value of a row, inside MURK_LISTED_IF() and inside the arguments
+ * of MURK_OBJECT() and MURK_LIST(), which are not evaluated if there are no
+ * results. In the comments below, "a description" includes the heading of a CSV
+ * file. */
 #ifndef MURK_RESULTS_FIELDS_H
 #define MURK_RESULTS_FIELDS_H
 
@@ -42,7 +44,7 @@ typedef void (*murk_results_item)(murk_results_fields *f, const void *of,
 #define MURK_JSON(f, ...)    MURK_RESULT(f, json, __VA_ARGS__)
 #define MURK_ROUNDED(f, ...) MURK_RESULT(f, rounded, __VA_ARGS__)
 /* One row that never has a unit: name, help, value. MURK_NULL is a row whose
- * value is always null. */
+ * value is always null: name, unit, help. */
 #define MURK_COUNT(f, name, ...) MURK_RESULT(f, count, name, "", __VA_ARGS__)
 #define MURK_FLAG(f, name, ...)  MURK_RESULT(f, flag, name, "", __VA_ARGS__)
 #define MURK_TEXT(f, name, ...)  MURK_RESULT(f, text, name, "", __VA_ARGS__)
@@ -113,10 +115,11 @@ void murk_results_items(murk_results_fields *f, const char *name,
                         const char *help, murk_results_item item,
                         const void *of, size_t n);
 
-/* Rows that a JSON begins with: murk the row "murk" alone (`of` is not used);
- * every the rows "murk" to "seed" (`of` points to a murk_scene_desc); head the
- * same, but nothing in a description, because they are described once for all
- * files. */
+/* List the rows that a JSON begins with. murk_results_list_murk() lists the row
+ * "murk" alone and does not use `of`. murk_results_list_every() lists the rows
+ * "murk" to "seed"; `of` points to a murk_scene_desc. murk_results_list_head()
+ * lists the same rows, but none in a description, because they are described
+ * once for all files. */
 void murk_results_list_murk(murk_results_fields *f, const void *of);
 void murk_results_list_every(murk_results_fields *f, const void *of);
 void murk_results_list_head(murk_results_fields *f,

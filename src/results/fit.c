@@ -1,4 +1,5 @@
-/* A fit: rows of fit.json, predict.json and fit.csv, and the summary. */
+/* A fit or prediction: fields of fit.json and predict.json, columns of fit.csv,
+ * and the summary. */
 #include "results/fit.h"
 
 #include "calibrate/verdict.h"
@@ -33,8 +34,7 @@ static void list_parameter(murk_results_fields *fields, const void *of,
     if (!MURK_LISTED_IF(fields, !f->only_predicts)) {
         return;
     }
-    /* A prediction does not search, so the other rows have no value.
-     */
+    /* A prediction does not search, so the other fields have no value. */
     MURK_NUMBER(fields, "standard_error", "", "of value", c->standard_error[k]);
     MURK_NUMBER(fields, "lower", "", "95 % confidence limit", c->lower[k]);
     MURK_NUMBER(fields, "upper", "", "95 % confidence limit", c->upper[k]);
@@ -149,7 +149,7 @@ static void list_next(murk_results_fields *fields, const void *of)
               murk_reading_unit_name(next->unit));
     MURK_TEXT(fields, "condition", "of the reading",
               condition_of(f->scene, next->condition));
-    /* Rows that depend on the kind of reading. */
+    /* Fields that depend on the kind of reading. */
     if (MURK_LISTED_IF(fields, next->kind == MURK_READ_IRRADIANCE)) {
         MURK_VECTOR(fields, "direction", "", "the irradiated face looks to",
                     next->direction);
@@ -234,7 +234,7 @@ void murk_results_list_fit(murk_results_fields *fields, const void *of)
 {
     const murk_fit_facts *f = of;
     const murk_calibration *c = f ? f->found : NULL;
-    /* predict.json has no rows about the search. */
+    /* predict.json has no fields about the search. */
     const bool fits = MURK_LISTED_IF(fields, !f->only_predicts);
     murk_results_list_head(fields, f ? f->scene : NULL);
     if (fits) {

@@ -20,8 +20,8 @@ typedef struct murk_fit_facts {
  * murk_fit_facts. */
 void murk_results_list_fit(murk_results_fields *fields, const void *of);
 
-/* Lists the columns of fit.csv. `of` points to a murk_fit_facts; i: row of the
- * data. */
+/* Lists the columns of fit.csv. `of` points to a murk_fit_facts; i: index of
+ * the reading among the rows of the data. */
 void murk_results_list_fit_row(murk_results_fields *fields, const void *of,
                                size_t i);
 

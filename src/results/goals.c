@@ -1,4 +1,4 @@
-/* Regions of interest and targets: rows of JSON and lines of the summary. */
+/* Regions of interest and targets: fields of JSON and lines of the summary. */
 #include "results/goals.h"
 
 #include "results/summary.h"

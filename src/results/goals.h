@@ -1,17 +1,18 @@
-/* What plans are to see, as rows of JSON and lines of the summary: regions of
+/* What plans are to see, as fields of JSON and lines of the summary: regions of
  * interest, and targets in place of photons. */
 #ifndef MURK_RESULTS_GOALS_H
 #define MURK_RESULTS_GOALS_H
 
 #include "results/coverage.h"
 
-/* Lists the row "regions_of_interest". `of` points to a murk_sensor_results. */
+/* Lists the field "regions_of_interest". `of` points to a murk_sensor_results.
+ */
 void murk_results_list_regions(murk_results_fields *f, const void *of);
 
 /* Prints the table of regions of interest; nothing if there are none. */
 void murk_print_regions(const murk_sensor_results *sensors);
 
-/* What the row "targets" is listed from. */
+/* The values that the field "targets" is made from. */
 typedef struct murk_target_results {
     const murk_scene_desc *scene;
     const murk_target_facts *facts;

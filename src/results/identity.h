@@ -1,5 +1,5 @@
-/* A hash of everything that results depend on. It does not depend on the number
- * of threads or on the folder. */
+/* A hash of everything that results depend on. The hash does not depend on the
+ * number of threads or on the folder of the results. */
 #ifndef MURK_RESULTS_IDENTITY_H
 #define MURK_RESULTS_IDENTITY_H
 

@@ -118,10 +118,11 @@ static bool is_written(const murk_results *results, const char *name)
     return false;
 }
 
-/* Lists under run.earlier the files of earlier runs that no JSON would list any
- * more after this run, so that they would be taken for files of the user: those
- * listed by JSONs that this run replaces (or by killed runs), still in the
- * folder with the listed checksum, and not written again by this run. */
+/* Lists files of earlier runs under run.earlier: files that are listed by a
+ * JSON that this run replaces, or by the JSON of a killed run, that are still
+ * in the folder with the listed checksum, and that this run does not write
+ * again. Without run.earlier no JSON would list these files after this run, and
+ * they would count as files of the user. */
 static void add_earlier(cJSON *root, murk_results *results, const char *name)
 {
     cJSON *earlier = cJSON_CreateObject();

@@ -1,5 +1,6 @@
-/* The JSON of a command: its first and last keys, and values that many have.
- * Without memory, values may be missing, and murk_json_end() returns NULL. */
+/* The JSON of a command: its first and last keys, and values that the JSON of
+ * many commands has. Without memory, values may be missing, and murk_json_end()
+ * returns NULL. */
 #ifndef MURK_RESULTS_JSON_H
 #define MURK_RESULTS_JSON_H
 

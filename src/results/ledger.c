@@ -26,7 +26,7 @@ double murk_ledger_watts(const murk_traced *traced, const murk_tally *column)
 }
 
 /* Returns {"total": .., "bands": [..]} of quanta[channels]; packet[channels] is
- * the value of a packet of each channel. */
+ * the value of a packet of each channel (a light source in a band). */
 static cJSON *worth_json(const murk_ledger_results *l, const int64_t *quanta,
                          const double *packet)
 {

@@ -98,8 +98,8 @@ typedef struct lighting {
     const murk_photon *photon;
     double emitted;
     const uint32_t *order; /* numbers of the records, piece by piece */
-    const size_t *begin;   /* [pieces + 1]; of the records of each piece in
-                              order[] */
+    const size_t *begin;   /* [pieces + 1]; index in order[] of the first record
+                              of each piece */
     arrival *scratch;      /* as many as the piece with most records has */
 } lighting;
 
@@ -171,7 +171,7 @@ static murk_status light_all(murk_lit_pieces *out, const murk_traced *traced,
 {
     const size_t pieces = out->pieces->n;
     const size_t n = murk_photon_map_count(traced->surface);
-    /* Sort the photons by piece, then treat piece by piece. */
+    /* Sort the photons by piece, then compute the irradiance piece by piece. */
     size_t *begin = calloc(pieces + 1, sizeof *begin);
     uint32_t *order = malloc(n * sizeof *order + 1);
     const size_t maximum =

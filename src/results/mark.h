@@ -1,7 +1,8 @@
-/* The shape that stands for a sensor in plan.ply: an octahedron around a sensor
- * that sees in all directions; for others a pyramid or a cone of 16 sides, with
- * its apex at the sensor, the opening of the view, and edges four times as long
- * as half the width of an octahedron. */
+/* The shape that stands for a sensor in plan.ply and in files like it
+ * (results/plan_ply.h): an octahedron around a sensor that sees in all
+ * directions; for others a pyramid or a cone of 16 sides, with its apex at the
+ * sensor, the opening of the view, and edges four times as long as half the
+ * width of an octahedron. */
 #ifndef MURK_RESULTS_MARK_H
 #define MURK_RESULTS_MARK_H
 
@@ -10,8 +11,8 @@
 #include <stddef.h>
 
 #define MURK_MARK_SIDES 16 /* of a cone */
-/* Those of a cone: corners of the rim and the apex; triangles of the sides and
- * of the cap. */
+/* Numbers for a cone: the corners are those of the rim and the apex; the faces
+ * are the triangles of the sides and of the cap. */
 #define MURK_MARK_CORNERS_MAX (MURK_MARK_SIDES + 1)
 #define MURK_MARK_FACES_MAX   (2 * MURK_MARK_SIDES - 2)
 

@@ -1,4 +1,4 @@
-/* A plan over a coverage matrix: rows of plan.json, and the summary. */
+/* A plan over a coverage matrix: fields of plan.json, and the summary. */
 #include "results/matrix.h"
 #include "results/plan.h"
 #include "results/summary.h"
@@ -41,7 +41,7 @@ static void list_matrix(murk_results_fields *f, const void *of)
                 as_given(p, p->place.upper));
 }
 
-/* Lists rows that are null here, but have a value in a plan for a scene. */
+/* Lists fields that are null here, but have a value in a plan for a scene. */
 static void list_nulls(murk_results_fields *f, const char *const *name,
                        size_t n)
 {
@@ -154,7 +154,8 @@ void murk_results_list_matrix_plan(murk_results_fields *f, const void *of)
     }
     list_nulls(f, scene, 2);
     MURK_COUNT(f, "seed", "of all random numbers", p->desc.seed);
-    /* Rows of the matrix, then those of a plan of places. */
+    /* The fields about the matrix, then the fields that a plan for a scene has,
+     * too. */
     MURK_OBJECT(f, "matrix", "with --matrix", list_matrix, p);
     MURK_OBJECT(f, "photons", "nulls", list_photons, p);
     MURK_OBJECT(f, "candidates", "the columns", list_candidates, p);

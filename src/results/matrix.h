@@ -31,7 +31,7 @@ typedef struct murk_matrix_plan {
     murk_covering covers;
 } murk_matrix_plan;
 
-/* The first lists the rows of plan.json except `run`, the second prints the
+/* The first lists the fields of plan.json except `run`, the second prints the
  * summary. `of` points to a murk_matrix_plan. */
 void murk_results_list_matrix_plan(murk_results_fields *f, const void *of);
 void murk_matrix_plan_print(const void *of);

@@ -46,7 +46,8 @@ void murk_json_sum(char out[65], const char *text)
     murk_sha256_hex(text, run ? (size_t)(run - text) : strlen(text), out);
 }
 
-/* True if the JSON has its checksum, or has no checksum. */
+/* True if the text before `run` has the checksum that `run` states, or if `run`
+ * states none. */
 static bool is_unchanged(const cJSON *root, const char *text)
 {
     const cJSON *sum =

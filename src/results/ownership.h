@@ -56,8 +56,10 @@ void murk_json_sum(char out[65], const char *text);
 
 /* How a file is related to the main JSONs in the same folder. */
 typedef enum murk_belonging {
-    MURK_UNLISTED, /* none lists a file of this name, or it cannot be read */
-    MURK_LISTED,   /* one lists it under `files` with its present checksum */
+    MURK_UNLISTED, /* no main JSON lists a file of this name, or the file cannot
+                      be read */
+    MURK_LISTED,   /* a main JSON lists the file under `files` with its present
+                      checksum */
     MURK_OF_ANOTHER_RUN
 } murk_belonging;
 murk_belonging murk_owned_belonging(const char *path);

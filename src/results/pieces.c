@@ -40,8 +40,8 @@ static double longest_edge_m(const murk_pieces *p, size_t whole)
                 murk_length(murk_sub(c[0], c[2])));
 }
 
-/* Number of cuts k. If the longest edge is a multiple of edge_m within
- * rounding, k is that multiple. */
+/* The number k of parts into which each edge is cut. If the longest edge is a
+ * multiple of edge_m within rounding, k is that multiple. */
 static double cuts(double longest_m, double edge_m)
 {
     return fmax(1, ceil(longest_m / edge_m * (1 - 1e-6)));
@@ -106,7 +106,7 @@ murk_status murk_pieces_create(murk_pieces *out, const murk_surfaces *surfaces,
                          .wholes = facts.triangles + OCTANTS * facts.spheres,
                          .step_m = LEAVES_BEFORE *
                                    murk_surfaces_leave_step_m(surfaces)};
-    /* Cut by the longest edge of each whole. */
+    /* Cut by the longest edge of each triangle or octant. */
     double *longest_m = calloc(out->wholes + 1, sizeof *longest_m);
     out->cut = malloc(out->wholes * sizeof *out->cut + 1);
     out->first = malloc((out->wholes + 1) * sizeof *out->first);
@@ -248,7 +248,7 @@ murk_piece murk_piece_of(const murk_pieces *p, size_t i)
     const bool is_ball = whole >= p->triangles;
     murk_vec3 c[3];
     murk_piece out;
-    /* The corners of the piece in its whole. */
+    /* The corners of the piece within its triangle or octant. */
     corners_of(p, whole, c);
     cut_out(c, p->cut[whole],
             spot_of(p->cut[whole], (uint32_t)(i - p->first[whole])),

@@ -22,7 +22,8 @@ typedef struct murk_pieces {
     double step_m;   /* distance from the surface at which the search for the
                         piece of a photon begins */
     uint32_t *cut;   /* [wholes]; k of each triangle or octant */
-    uint32_t *first; /* [wholes + 1]; number of its first piece */
+    uint32_t *first; /* [wholes + 1]; number of the first piece of each triangle
+                        or octant */
     size_t n;
 } murk_pieces;
 

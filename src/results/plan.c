@@ -1,4 +1,4 @@
-/* A plan for a scene: rows of plan.json, and the summary. */
+/* A plan for a scene: fields of plan.json, and lines of the summary. */
 #include "results/plan.h"
 
 #include "results/candidates.h"
@@ -12,7 +12,7 @@
 
 #include <math.h>
 
-/* ---- rows of every plan ---- */
+/* ---- fields of every plan ---- */
 
 static void list_bound(murk_results_fields *f, const void *of)
 {
@@ -69,7 +69,7 @@ void murk_results_list_budget(murk_results_fields *f, const void *of)
                 (double)budget->place->cost * MURK_COST_UNIT);
 }
 
-/* ---- rows of a plan of places ---- */
+/* ---- fields of a plan for a scene ---- */
 
 static void list_candidates(murk_results_fields *f, const void *of)
 {
@@ -217,7 +217,7 @@ void murk_results_list_plan(murk_results_fields *f, const void *of)
     murk_results_list_regions(f, &sensors);
     murk_results_list_robust(f, &robust);
     murk_results_list_bound(f, place);
-    /* Rows that only some plans have. */
+    /* Fields that only some plans have. */
     if (MURK_LISTED_IF(f, scene->sensors.target > 0)) {
         MURK_OBJECT(f, "target", "with a target", list_target, r);
     }

@@ -7,13 +7,13 @@
 #include "results/repeat.h"
 #include "results/session.h"
 
-/* List rows that a plan over a matrix has, too: the first "bound" and "curve",
- * the second "nodes" and "cut_by" of the object "placement". `of` points to a
- * murk_place_result. */
+/* List fields that a plan over a matrix has, too: the first "bound" and
+ * "curve", the second "nodes" and "cut_by" of the object "placement". `of`
+ * points to a murk_place_result. */
 void murk_results_list_bound(murk_results_fields *f, const void *of);
 void murk_results_list_cut(murk_results_fields *f, const void *of);
 
-/* What the rows of "budget" are listed from. */
+/* The values that the fields of the object "budget" are made from. */
 typedef struct murk_budget_results {
     double asked;
     const murk_place_result *place;
@@ -33,12 +33,13 @@ typedef struct murk_plan_results {
     const murk_repeat_results *repeat;      /* NULL: not repeated */
 } murk_plan_results;
 
-/* The sensors of the plan with their coverage in sample, and of regions of
- * interest held out. Borrows from both. */
+/* The sensors of the plan with their coverage in sample, and with the coverage
+ * of the regions of interest on the held-out map. Borrows from scene and plan.
+ */
 murk_sensor_results murk_plan_sensor_results(const murk_scene_desc *scene,
                                              const murk_plan_result *plan);
 
-/* The first lists the rows of plan.json except `run`, the second prints the
+/* The first lists the fields of plan.json except `run`, the second prints the
  * summary. `of` points to a murk_plan_results. */
 void murk_results_list_plan(murk_results_fields *f, const void *of);
 void murk_print_plan(const void *of);

@@ -1,4 +1,5 @@
-/* Adds the files of a plan in the order in which they are shown. */
+/* Adds the files of a plan, in the order in which they are moved into the
+ * folder. */
 #include "results/plan_files.h"
 
 #include "results/condition_results.h"

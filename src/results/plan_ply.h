@@ -1,4 +1,5 @@
-/* plan.ply: the plan as points and marks, for ParaView, MeshLab and Blender. */
+/* plan.ply, and plan-NAME.ply and coverage.ply of the same form: sensors and
+ * photons as points and marks, for ParaView, MeshLab and Blender. */
 #ifndef MURK_RESULTS_PLAN_PLY_H
 #define MURK_RESULTS_PLAN_PLY_H
 
@@ -19,13 +20,13 @@
  *     kind            uchar: 0 sensor, 1 surface photon, 2 volume photon,
  *                     3 corner of a sensor's mark
  *     seen_by         ushort: of a photon, how many sensors see it
- *     quality         float, 0..1: of a photon, its clearest sightline; else 1
+ *     quality         float, 0..1: largest clarity of a photon; else 1
  *     sensors         uint: of a photon, who sees it: bit k is sensor k, from
  *                     0, of the first 32
  *
- * Binary, little endian. By the diagonal of the domain, octahedra are 1/100
- * wide, and the edges of views 1/50 long. Fails with MURK_NO_MEMORY, or as
- * murk_results_add() does. */
+ * Binary, little endian. Octahedra are 1/100 of the diagonal of the domain
+ * wide, and the edges of views are 1/50 of the diagonal long. Fails with
+ * MURK_NO_MEMORY, or as murk_results_add() does. */
 murk_status murk_add_plan_ply(murk_results *results, const char *name,
                               const murk_stage *stage, murk_sight *sight,
                               const murk_pose *sensor, size_t n,

@@ -1,4 +1,5 @@
-/* Repeated placements: rows of JSON and CSV, and lines of the summary. */
+/* Repeated placements: fields of JSON, columns of CSV, and lines of the
+ * summary. */
 #include "results/repeat.h"
 
 #include "results/summary.h"
@@ -9,7 +10,7 @@
 
 #define CONFIDENCE 0.95 /* of the limits of murk_gap, cases/repeat.h */
 
-/* ---- rows ---- */
+/* ---- fields ---- */
 
 static void list_spread(murk_results_fields *f, const void *of)
 {
@@ -122,7 +123,7 @@ void murk_print_repeat(const murk_repeat_results *results)
         murk_print("            %zu of %zu meet the target, held out\n", s.met,
                    repeat->runs);
     }
-    /* The plan of the first run, judged by the other runs. */
+    /* The plan of the first run, measured on maps that did not choose it. */
     if (isfinite(s.plan.standard_error)) {
         murk_print(
             "            the plan covers %.4f +- %.4f, by maps that did not "

@@ -6,7 +6,7 @@
 #include "cases/repeat.h"
 #include "results/fields.h"
 
-/* What the rows of "repeat" are listed from. */
+/* The values that the fields of the object "repeat" are made from. */
 typedef struct murk_repeat_results {
     const murk_repeat *repeat; /* at least one run is finished */
     murk_repeat_summary summary;

@@ -36,11 +36,12 @@ typedef struct murk_results {
                            refused; no code: none was */
 } murk_results;
 
-/* Makes the folder, checks that it can be written to, and removes what killed
- * runs left in it. To be called before any long work. murk_results_end()
- * removes a new folder again if it is empty. folder NULL: all functions below
- * do nothing and return MURK_OK. `folder` is borrowed. Fails with
- * MURK_RUN_FAILED or MURK_NO_MEMORY. */
+/* Makes the folder, checks that it can be written to, and removes the staged
+ * files that killed runs left in it, except those of a run that was killed
+ * while it moved its files into place. To be called before any long work.
+ * murk_results_end() removes a new folder again if it is empty. folder NULL:
+ * all functions below do nothing and return MURK_OK. `folder` is borrowed.
+ * Fails with MURK_RUN_FAILED or MURK_NO_MEMORY. */
 murk_status murk_results_begin(murk_results *results, const char *folder,
                                bool force, murk_error *err);
 

@@ -1,4 +1,4 @@
-/* Robustness of a plan: rows of JSON and lines of the summary. */
+/* Robustness of a plan: fields of JSON and lines of the summary. */
 #include "results/robust.h"
 
 #include "results/coverage.h"

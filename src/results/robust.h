@@ -7,7 +7,7 @@
 #include "results/fields.h"
 #include "scene/scene.h"
 
-/* What the row "robustness" is listed from. */
+/* The values that the field "robustness" is made from. */
 typedef struct murk_robust_results {
     const murk_scene_desc *scene;
     const murk_robust *robust;

@@ -1,4 +1,5 @@
-/* Coverage of given sensors: rows of coverage.json, and the summary. */
+/* Coverage of given sensors: fields of coverage.json, and lines of the summary.
+ */
 #include "results/sense.h"
 
 #include "results/robust.h"

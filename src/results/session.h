@@ -45,8 +45,8 @@ typedef struct murk_session {
                        is made */
 } murk_session;
 
-/* Adds the murk_export bits that words with commas between name to *out. where:
- * the name of the setting, for messages. */
+/* Reads the names of exports, with commas between them, and adds their
+ * murk_export bits to *out. where: the name of the setting, for messages. */
 murk_status murk_session_read_exports(unsigned *out, const char *words,
                                       const char *where, murk_error *err);
 
@@ -76,10 +76,10 @@ murk_status murk_session_add_ledger(murk_session *session, const char *name,
                                     murk_error *err);
 
 /* Completes the JSON with identity, `files` and `run`, adds it as the main JSON
- * `name` (NULL: it is not added), and shows all files. Then prints the JSON
- * with --format json, else, unless quiet, the summary. print(of) prints the
- * summary, which also becomes run.summary; NULL: there is none. Deletes root in
- * any case. */
+ * `name` (NULL: it is not added), and moves all files into place
+ * (murk_results_show()). Then prints the JSON with --format json, else, unless
+ * quiet, the summary. print(of) prints the summary, which also becomes
+ * run.summary; NULL: there is none. Deletes root in any case. */
 murk_status murk_session_finish(murk_session *session, const char *name,
                                 cJSON *root, murk_print_results *print,
                                 const void *of, murk_error *err);

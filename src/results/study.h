@@ -1,4 +1,4 @@
-/* The rows of a study as table.csv, and as rows of study.json. */
+/* The rows of a study as table.csv, and as the list `rows` of study.json. */
 #ifndef MURK_RESULTS_STUDY_H
 #define MURK_RESULTS_STUDY_H
 
@@ -12,7 +12,7 @@
 murk_status murk_add_table(murk_results *results, const murk_sweep *sweep,
                            murk_error *err);
 
-/* What the rows of study.json are listed from. */
+/* The values that the fields of study.json are made from. */
 typedef struct murk_study_results {
     const murk_sweep *sweep;
     bool is_interrupted;

@@ -62,8 +62,8 @@ static void show_value(cell out, const murk_study_value *v)
     }
 }
 
-/* The text of one cell. The last part of "media.fog.visibility_m" is the
- * heading of that axis. */
+/* The text of one cell. The heading of an axis is the last part of the key:
+ * "visibility_m" for "media.fog.visibility_m". */
 static void show_cell(cell out, const table *t, size_t row, size_t column)
 {
     const murk_study_file *study = t->sweep->desc.study;

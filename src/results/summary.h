@@ -1,5 +1,5 @@
-/* The summary on standard output: a label of up to 11 letters, then text from
- * column 12 on.
+/* The summary on standard output: a label of up to 11 letters, filled with
+ * blanks to 12, then text.
  *
  *   coverage    0.8253 in sample (surface 0.7839 +- 0.0016, volume 0.8667 +-
  *               0.0022); all candidates: 0.9540

@@ -242,7 +242,7 @@ void murk_surfaces_add(murk_session *session, murk_sight *sight,
     murk_lit_pieces lit = {0};
     murk_error why = {0};
     double edge_m = 0;
-    /* Cut the surfaces, then find out what arrives and who sees it. */
+    /* Cut the surfaces, then compute irradiance and coverage of the pieces. */
     murk_status status = edge_asked(&edge_m, session, &why);
     if (!status) {
         status =

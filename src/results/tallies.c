@@ -28,9 +28,9 @@ typedef struct tally {
     const murk_tally_desc *desc;
     size_t number;
     murk_units units;
-    double packet[MURK_SOURCES_MAX * MURK_BANDS_MAX]; /* [channels]; of a
-                                                         packet, in those
-                                                         units */
+    /* [channels]; value of a packet of each channel (light source and band), in
+     * `units` */
+    double packet[MURK_SOURCES_MAX * MURK_BANDS_MAX];
 } tally;
 
 static tally tally_in(murk_quantity quantity, const murk_session *session,
@@ -154,8 +154,8 @@ static murk_field_box box_of(const murk_tally_desc *d)
                             .size = {d->size[0], d->size[1], d->size[2]}};
 }
 
-/* Adds the values of one band, or their sum (-1), as a field. False when out of
- * memory. */
+/* Adds the values of one band, or the sums over all bands (band -1), as a
+ * field. False when out of memory. */
 static bool add_field(murk_voxel_fields *fields, const tally *t, int band,
                       bool is_error, const murk_voxel_field *like)
 {
@@ -168,7 +168,8 @@ static bool add_field(murk_voxel_fields *fields, const tally *t, int band,
     return value != NULL;
 }
 
-/* Adds a field of one band (or -1), and one of the errors. */
+/* Adds a field of one band, or of the sums over all bands (band -1), and a
+ * field of the errors. */
 static bool add_pair(murk_voxel_fields *fields, const tally *t, int band,
                      const murk_voxel_field like[2])
 {

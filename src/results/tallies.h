@@ -6,8 +6,8 @@
 #include "results/session.h"
 
 /* Adds tallies.csv and, for each grid, NAME.vdb and NAME_error.vdb. Adds
- * nothing if the scene has no tallies, or if the light is from a file, of which
- * it warns. Fails as murk_results_add() does. */
+ * nothing if the scene has no tallies, or if the light is from a file; it warns
+ * of the latter. Fails as murk_results_add() does. */
 murk_status murk_add_tallies(murk_session *session, murk_error *err);
 
 /* Adds light.murk, the resolved scene, ledger.json, and the files of
@@ -34,7 +34,7 @@ void murk_json_tallies(cJSON *root, const murk_session *session);
 void murk_print_asked_tallies(const murk_session *session);
 
 /* Lists the columns of tallies.csv. `of` points to a struct internal to
- * tallies.c, NULL in a description. */
+ * tallies.c; NULL: the fields are only described (results/fields.h). */
 void murk_results_list_tally(murk_results_fields *f, const void *of, size_t i);
 
 #endif
