@@ -1,8 +1,8 @@
 /* Grid tallies of a result folder as data of the page. Each band has three
- * slices through the middle of the grid; of a grid that is one cell thick, only
- * the slices along it are written. If there are more cells than a map can show,
- * every n-th cell is taken. A slice that is one line of cells also has the
- * standard errors. */
+ * slices through the middle of the grid; of a grid that is one cell thick along
+ * an axis, only the slices at right angles to this axis are written. If there
+ * are more cells than a map can show, every n-th cell is taken. A slice that is
+ * one line of cells also has the standard errors. */
 #include "report/fields.h"
 
 #include "base/file.h"

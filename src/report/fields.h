@@ -1,6 +1,6 @@
-/* Grid tallies of a result folder: slices through the middle of each. Child
- * processes read the grids, so this must be done before the program makes a
- * thread or a ray device. */
+/* Grid tallies of a result folder: slices through the middle of each.
+ * Subprocesses read the grids, so murk_report_fields_read() must be called
+ * before the program makes a thread or a ray device. */
 #ifndef MURK_REPORT_FIELDS_H
 #define MURK_REPORT_FIELDS_H
 

@@ -72,9 +72,9 @@ static bool write_typed(FILE *to, const murk_results_in *results)
     return has_any;
 }
 
-/* Writes a command that uses the resolved scene in the folder. This has all
- * keys of the scene, but not other options, of which --repeat and --sensors are
- * restored. */
+/* Writes a command that uses the resolved scene in the folder. The resolved
+ * scene has all keys, also those that options of the command line set. Of the
+ * other options only --repeat and --sensors are written. */
 static void write_resolved(FILE *to, const murk_results_in *results)
 {
     const murk_yaml *plan = results->json[MURK_RESULT_PLAN];

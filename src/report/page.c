@@ -22,7 +22,7 @@
 #include <string.h>
 
 #define NAME_SIZE 256 /* of a title; longer names are cut at 200 bytes */
-#define FILE_SIZE 176 /* of a condition, with the rest of a file name */
+#define FILE_SIZE 176 /* of "ledger-NAME.json", NAME that of a condition */
 
 /* Largest number of bytes of a JSON file in the page. In a longer one, lists
  * and maps are cut to the first of these lengths with which it fits, or to the
@@ -256,7 +256,7 @@ murk_status murk_report_read(murk_report **out, const char *folder,
     murk_status status = murk_results_read(&c->results, folder, err);
     if (!status) {
         c->results.strangers = murk_results_strangers(&c->results);
-        /* by child processes, so before there is a ray device */
+        /* Subprocesses read the grids, so before there is a ray device. */
         status = murk_report_fields_read(&c->fields, &c->results, err);
     }
     if (!status) {

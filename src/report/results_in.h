@@ -106,7 +106,7 @@ size_t murk_result_entries(const murk_yaml *root);
 
 /* The value at a path such as "coverage.held_out"; "" is root itself. As node:
  * NULL if there is none, or if root is NULL. As number: NaN if it is not one.
- * As text, of any value but null, a list or a map: NULL if it is none. As
+ * As text: the text of any value but null, a list or a map; otherwise NULL. As
  * number of items: 0 if it is not a list. */
 const murk_yaml *murk_result_at(const murk_yaml *root, const char *path);
 double murk_result_number(const murk_yaml *root, const char *path);

@@ -1,5 +1,5 @@
-/* Reads what the page shows in space: sensors and photons of each state; read.c
- * and world.c read the rest. */
+/* Reads what the page shows in space: sensors and photons of each state. read.c
+ * reads studies, readings and paths, and world.c builds surfaces and media. */
 #include "report/scene.h"
 
 #include "base/file.h"

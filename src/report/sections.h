@@ -8,8 +8,8 @@
 
 #include <stdio.h>
 
-/* Largest number of rows of a table in the page, and of other lists; the files
- * have all. */
+/* Largest number of files of the folder, of packages, and of ledgers of
+ * conditions in the page. CSV files are cut by bytes instead (report/csv.c). */
 #define MURK_REPORT_ROWS_MAX 200
 
 /* Writes the summaries of the runs, and the meanings of words. */

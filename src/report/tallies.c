@@ -293,7 +293,8 @@ murk_status murk_report_tallies(murk_data *data, const murk_results_in *results,
     if (status || !table) {
         return status;
     }
-    /* rows of one tally are consecutive; rows that are no tally are left out */
+    /* rows of one tally are consecutive; a tally whose rows are not a full grid
+     * is left out */
     bool is_whole = true;
     size_t drawn = 0;
     murk_data_begin(data, "tallies", '[');

@@ -1,5 +1,5 @@
-/* The data of the view in space: one JSON and blocks of bytes, which
- * tools/report/view.js reads by these names. */
+/* The data of the view in space: one JSON (report/view_json.c) and blocks of
+ * bytes, which scripts in tools/report read by the ids of their elements. */
 #ifndef MURK_REPORT_VIEW_DATA_H
 #define MURK_REPORT_VIEW_DATA_H
 

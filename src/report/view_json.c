@@ -204,7 +204,8 @@ static void add_media(murk_data *item, const murk_view_data *data)
     murk_data_end(item, ']');
 }
 
-/* Adds facts that the words and switches of the section depend on. */
+/* Adds facts on which texts and switches of the page's section about the view
+ * depend. */
 static void add_facts(murk_data *root, const murk_report_scene *s)
 {
     bool has_lamps = false;

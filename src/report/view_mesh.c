@@ -8,8 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A lattice of cubic cells in a box. The size of the box also serves for places
- * in steps, which have the same number along each side. */
+/* A lattice of cubic cells in a box. The size of the box is also used to
+ * convert places to steps, of which each side of the box has the same number.
+ */
 typedef struct lattice {
     double low[3], size[3];
     double cell_m;
@@ -73,8 +74,8 @@ static void order(uint32_t v[2])
 
 /* Joins corners on a lattice. Fills key[] with the distinct cells of corners,
  * sorted, and faces[] with the distinct triangles that keep three corners, as
- * indices into key[]. Returns their number. all[3 * n] and key[3 * n] are
- * workspaces; faces[n]. */
+ * indices into key[]. Returns the number of these triangles. all[3 * n] and
+ * key[3 * n] are workspaces; faces[n]. */
 static size_t cluster(const murk_surfaces *surfaces, size_t n, const lattice *l,
                       uint64_t *all, uint64_t *key, face *faces)
 {

@@ -18,7 +18,8 @@ static const int AXES[MURK_VIEW_SECTIONS][3] = {{2, 0, 1}, {1, 0, 2}};
 
 /* ---- cutting ---- */
 
-/* The side that is hidden is above the plan, and in front of the section. */
+/* The normal points towards the viewer: upwards for the drawing from above, and
+ * against y for the drawing from the side. */
 static murk_cut_plane plane_of(murk_vec3 cut, int axis)
 {
     murk_cut_plane plane = {cut, {0, 0, 0}};

@@ -23,9 +23,9 @@ murk_status murk_view_sections_make(murk_view_sections *out,
                                     murk_error *err);
 void murk_view_sections_release(murk_view_sections *sections);
 
-/* Adds `sections`: a list of {axis, at_m, asked, lines}. Lines are four floats
- * each, two coordinates of two ends, counted from the lower corner of the
- * domain. */
+/* Adds `sections`: a list of {axis, at_m, asked, count, lines}. Each line is
+ * four floats: two coordinates of two ends, counted from the lower corner of
+ * the domain. */
 void murk_view_sections_add(murk_data *data,
                             const murk_view_sections *sections);
 

@@ -35,9 +35,10 @@ static const murk_scene_desc *condition_of(const murk_scene_desc *scene,
 }
 
 /* The scene of the condition that a state stands for, if its media have to be
- * built. NULL if the state is no condition, if its world is that of the scene,
- * or if its media cannot be built in it, so that those of the scene are
- * shown. */
+ * built. NULL if the state is no condition, or if the condition has the same
+ * world as the scene. Also NULL if the media of the condition cannot be built
+ * with the boundary meshes of the scene; the media of the scene are then shown
+ * instead. */
 static const murk_scene_desc *other_media(const murk_report_scene *s,
                                           size_t state)
 {
