@@ -1,5 +1,6 @@
-/* murk-reader: reads meshes and grids, which may be hostile, for hosts with
- * threads. The library starts it with a request on standard input and takes the
+/* murk-reader: imports meshes, and reads, makes and writes grids, for programs
+ * with threads that use the library. The files that it reads may be hostile.
+ * The library starts murk-reader with a request on standard input and reads the
  * answer from a pipe (base/reader.h); it is of no use by hand. */
 #include "base/reader.h"
 #include "base/subprocess.h"
