@@ -13,14 +13,13 @@ static bool same_file(const char *a, const char *b)
 /* True if the media of one scene can be built with the boundary meshes of the
  * other: same numbers of media and regions, and the same meshes of regions.
  */
-static bool differs_in_numbers(const murk_scene_desc *a,
-                               const murk_scene_desc *b)
+static bool has_same_meshes(const murk_scene_desc *a, const murk_scene_desc *b)
 {
-    bool is_so = a->n_regions == b->n_regions && a->n_media == b->n_media;
-    for (size_t i = 0; is_so && i < a->n_regions; ++i) {
-        is_so = same_file(a->regions[i].solid.mesh, b->regions[i].solid.mesh);
+    bool is_same = a->n_regions == b->n_regions && a->n_media == b->n_media;
+    for (size_t i = 0; is_same && i < a->n_regions; ++i) {
+        is_same = same_file(a->regions[i].solid.mesh, b->regions[i].solid.mesh);
     }
-    return is_so;
+    return is_same;
 }
 
 static const murk_scene_desc *condition_of(const murk_scene_desc *scene,
@@ -44,7 +43,7 @@ static const murk_scene_desc *other_media(const murk_report_scene *s,
 {
     const murk_scene_desc *of = condition_of(s->scene, s->state[state].name);
     return of && strcmp(of->world_key, s->scene->world_key) != 0 &&
-                   differs_in_numbers(of, s->scene)
+                   has_same_meshes(of, s->scene)
                ? of
                : NULL;
 }

@@ -6,8 +6,6 @@
 
 #include <stdio.h>
 
-#include <stdio.h>
-
 /* Prints a text as a scalar, in quotes if the text is a boolean or null, does
  * not begin with a letter, / or _, or has other characters than letters,
  * digits, _ . / and -. */
