@@ -1,9 +1,10 @@
 /* The light of a scene: surface and volume photon map, energy ledger, tallies,
  * and the power of photon packets.
  *
- * The power of a record is the power that leaves the event. Records stored when
- * a photon is reflected (power after Russian roulette) and records stored when
- * a photon hits (expected power) therefore agree in the mean. */
+ * The power of a record is the power that leaves the event. Records stored only
+ * when a photon is reflected diffusely or scattered (power after Russian
+ * roulette) and records stored at every event (expected power) therefore agree
+ * in the mean. */
 #ifndef MURK_LIGHTMAP_LIGHTMAP_H
 #define MURK_LIGHTMAP_LIGHTMAP_H
 
@@ -16,7 +17,8 @@ typedef struct murk_traced {
                                         * they are filled */
     uint64_t emitted;
     uint32_t seed, stream;
-    size_t channels;  /* number of channels: light * bands + band */
+    size_t channels;  /* number of channels; channel light * bands + band is one
+                       * band of one light source */
     double *packet_w; /* [channels]: power of one photon packet; 0 for a channel
                        * without photons */
     murk_ledger *ledger;
@@ -66,10 +68,11 @@ void murk_traced_destroy(murk_traced *traced); /* NULL is fine */
 
 /* As murk_lightmap_trace(), for stream 0, and calls each(context, batch) for
  * the records of each batch, in the order of photons and in the calling thread.
- * The sink may keep nothing of a batch. The power of the records is in watts if
+ * The records of a batch may move in memory after the sink returns, so the sink
+ * must copy the records that it keeps. The power of the records is in watts if
  * photons.emit gives the number of photons, as later in the maps; with
- * photons.store it is the share of a packet, whose power is known at the
- * end. A failure of the sink ends the trace. */
+ * photons.store it is the share of a packet, whose power is known at the end. A
+ * failure of the sink ends the trace. */
 murk_status murk_lightmap_stream(murk_traced **out, const murk_stage *stage,
                                  unsigned threads, murk_record_batch_sink each,
                                  void *context, murk_error *err);
@@ -94,8 +97,8 @@ murk_status murk_lightmap_load(murk_traced **out, const murk_stage *stage,
 
 /* The settings of the run that wrote a light.murk: the seed, and the number of
  * emitted photons or of stored records, whichever was asked for; the other is
- * 0. Both are 0 if the light key of the file has no such number. Fails as
- * murk_map_file_read_one(). */
+ * 0. emit and store are both 0 if the light key of the file contains neither
+ * number. Fails as murk_map_file_read_one(). */
 typedef struct murk_lightmap_counts {
     uint32_t seed;
     uint64_t emit, store;

@@ -84,9 +84,10 @@ uint64_t murk_record_buffers_photon_of(const murk_record_buffers *buffers,
 murk_status murk_record_buffers_gather(murk_record_buffers *buffers,
                                        uint64_t last, murk_error *err);
 
-/* Multiplies the power of each record by the power of a packet of the same
- * channel, packet_w[light * bands + band], so that shares become watts; and the
- * same for all gathered records. */
+/* murk_records_to_watts() multiplies the power of each of n records by the
+ * power of a packet of the same channel, packet_w[light * bands + band], so
+ * that shares become watts. murk_record_buffers_to_watts() does so for all
+ * gathered records. */
 void murk_records_to_watts(murk_photon *photon, size_t n,
                            const double *packet_w, int bands);
 void murk_record_buffers_to_watts(murk_record_buffers *buffers,

@@ -83,10 +83,11 @@ static void find_largest(double *share, size_t *who, double *const *power_w,
 }
 
 /* Sets the power of each light source so that the power of each channel [W]
- * equals its share. light[] are those of the first scene, of which the portals
- * stay, and so does a source that emits in no scene. The power of a channel is
- * proportional to power_w of the source, so the ratio of share to channel power
- * scales power_w, whatever quantity power_w is for that type. */
+ * equals its share. light[] holds the sources of the first scene. They keep
+ * their portals, and a source that emits in no scene gets the power 0. The
+ * power of a channel is proportional to power_w of the source, so the ratio of
+ * share to channel power scales power_w, whatever quantity power_w is for that
+ * type. */
 static murk_status set_shares(murk_source *light, const double *share,
                               const size_t *who,
                               const murk_scene_desc *const *scene,

@@ -232,9 +232,11 @@ static void load_ledger(murk_traced *traced, const facts *f,
     }
     const int64_t *share = absorbed->bytes;
     for (size_t i = 0; i < absorbers(ledger); ++i) {
-        murk_tally_add(&ledger->absorber[i], share[i]); /* a ledger has lanes of
-                                                         * threads; the first
-                                                         * one takes all */
+        murk_tally_add(&ledger->absorber[i], share[i]); /* absorber[] has
+                                                         * several lanes, whose
+                                                         * sum counts; all
+                                                         * values go to the
+                                                         * first lane */
     }
     for (int i = 0; i < MURK_LOSSES; ++i) {
         murk_tally_add(&ledger->lost_photons[i], (int64_t)f->lost_photons[i]);
