@@ -175,8 +175,8 @@ static void try_plan(strict_run *r)
 /* ---- branch and bound ---- */
 
 /* Callback of branch and bound for every plan with enough V. The first plan
- * that meets the target ends the search: the returned cutoff is V of all
- * sensors. */
+ * that meets the target ends the search: the returned cutoff is k times the
+ * weight of all photons, which V cannot exceed. */
 static uint64_t check_plan(void *context, const uint32_t *plan, size_t size,
                            uint64_t known)
 {

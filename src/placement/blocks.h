@@ -46,8 +46,8 @@ typedef struct murk_block_layouts {
     const murk_evaluator *evaluator;     /* of all blocks together */
     murk_layout layout[MURK_BLOCKS_MAX]; /* with the evaluator's slots */
     uint64_t whole[MURK_BLOCKS_MAX];     /* weight times MURK_CLEAR */
-    /* The worth of a block is value / unit + offset, in units of
-     * MURK_SHARE_ONE. */
+    /* The worth of a block in units of 1 / MURK_SHARE_ONE is MURK_SHARE_ONE *
+     * value / unit + offset. */
     uint64_t unit[MURK_BLOCKS_MAX], offset[MURK_BLOCKS_MAX];
     uint64_t *max; /* [candidates][n] upper bounds on gains: the value of the
                       candidate alone in the block, plus the rounding slack of
@@ -63,10 +63,10 @@ murk_status murk_block_layouts_init(murk_block_layouts *out,
                                     const murk_blocks *blocks, murk_error *err);
 void murk_block_layouts_release(murk_block_layouts *layouts);
 
-/* part / whole in units of MURK_SHARE_ONE, rounded down. */
+/* part / whole in units of 1 / MURK_SHARE_ONE, rounded down. */
 uint64_t murk_share_units(uint64_t part, uint64_t whole);
 
-/* The worth of a block with this value, in units. */
+/* The worth of block c with this value, in units of 1 / MURK_SHARE_ONE. */
 uint64_t murk_block_worth(const murk_block_layouts *layouts, size_t c,
                           uint64_t value);
 

@@ -268,8 +268,8 @@ static uint64_t descend(murk_bound *b, size_t n, uint64_t lower, size_t rounds)
             break;
         }
         uint64_t now = evaluate(b, n, &chosen);
-        /* A lower bound: store the multipliers. Otherwise shrink the step after
-         * some rounds. */
+        /* If the bound has fallen, store the multipliers. Otherwise shrink the
+         * step after some rounds. */
         if (now < lowest) {
             b->step *= lowest < UINT64_MAX ? GROW : 1;
             lowest = now;

@@ -7,14 +7,15 @@
  *
  * is an upper bound on the value of every plan of n: the value is at most sum w
  * t plus the parts of the members' entries above t. In the usual form the
- * multipliers are u_i = w_i t_i; for 0/1 rows the bound is sum (w - u) + top-n
- * sum b u with u = w (1 - t). With redundancy, and with detection
- * probabilities, both sums differ (placement/multipliers.h). Multipliers are
- * rounded to whole numbers, so the bound is an exact integer and holds in spite
- * of rounding. The volume algorithm lowers the bound: each step starts at the
- * multipliers of the lowest bound and goes down the mean of the subgradients
- * met so far. Candidates that provably belong to no better plan than the best
- * known one are fixed out on the way.
+ * multipliers are u_i = w_i t_i. For 0/1 entries b, and t as a share of
+ * MURK_CLEAR, the bound is sum (w - v) + top-n sum b v with v = w (1 - t). With
+ * redundancy, and with detection probabilities, both sums differ
+ * (placement/multipliers.h). Multipliers are rounded to whole numbers, so the
+ * bound is an exact integer and holds in spite of rounding. The volume
+ * algorithm lowers the bound: each step starts at the multipliers of the lowest
+ * bound and goes down the mean of the subgradients met so far. Candidates that
+ * provably belong to no better plan than the best known one are fixed out on
+ * the way.
  *
  * Under constraints the top n become the best feasible choice or a relaxation
  * of it (placement/relaxation.h). Fixed sensors belong to every plan; the
@@ -43,7 +44,8 @@ typedef struct murk_bound {
     float *subgradient; /* [slots] of the last evaluation, per weight */
     murk_multipliers multipliers;
     murk_cover cover; /* of the starting plan, or of the fixed sensors */
-    uint64_t *gain;   /* [candidates] part above the multipliers, of live[] */
+    uint64_t *gain;   /* [live_count] weighted part of the row of each live[]
+                         above the multipliers */
     uint32_t *live;   /* [candidates] not fixed out */
     size_t live_count;
     uint64_t base;        /* first sum of the last evaluation */
@@ -63,9 +65,9 @@ void murk_bound_release(murk_bound *bound);
 
 /* Bounds the value of plans of n sensors. The multipliers start at the cover of
  * plan[plan_count]; plan NULL: they go on from the last call. Makes at most
- * `rounds` evaluations, each of all live candidates. `lower` is the value of a
- * known plan of n. Returns an upper bound, at least `lower`, and stops early
- * when the bound reaches `lower`. */
+ * `rounds` evaluations (with constraints one more), each of all live
+ * candidates. `lower` is the value of a known plan of n. Returns an upper
+ * bound, at least `lower`, and stops early when the bound reaches `lower`. */
 uint64_t murk_bound_tighten(murk_bound *bound, size_t n, uint64_t lower,
                             const uint32_t *plan, size_t plan_count,
                             size_t rounds);

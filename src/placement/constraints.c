@@ -93,8 +93,9 @@ bool murk_constraint_set_conflict(const murk_constraint_set *set, uint32_t a,
 }
 
 /* True if every candidate that conflicts with a is b or conflicts with b as
- * well. Under sites and spacing only a simple case is recognised: the same site
- * and the same position. Otherwise the result is false. */
+ * well. Only a simple case is recognised: with one sensor a site, the result is
+ * false unless a and b have the same site, and with a spacing, unless they have
+ * the same position. */
 static bool has_fewer_conflicts(const murk_constraint_set *set, uint32_t a,
                                 uint32_t b)
 {
@@ -128,9 +129,10 @@ bool murk_constraint_set_may_drop(const murk_constraint_set *set, uint32_t a,
         !has_fewer_conflicts(set, a, b)) {
         return false;
     }
-    /* Without conflict between them b may be needed to fill the count: a plan
-     * of exactly n can be filled up again for certain only if there are no
-     * conflicts. */
+    /* If a and b are not in conflict, a plan may have both. A plan of exactly n
+     * sensors that loses b can be filled up again for certain only if the set
+     * has no conflicts; a plan within a budget need not be filled up unless the
+     * class has a minimum count. */
     const bool may_go =
         set->has_budget ? set->min[class] == 0 : !set->has_conflicts;
     return may_go || murk_constraint_set_conflict(set, a, b);
@@ -262,7 +264,8 @@ static murk_status index_counts(murk_constraint_set *set, murk_error *err)
     const murk_constraints *constraints = set->constraints;
     char name[NAME_SIZE];
     for (size_t c = 0; c < set->classes; ++c) {
-        /* A missing limit is 0, or the size of the class. */
+        /* A missing minimum is 0, a missing maximum is the size of the class.
+         */
         const size_t size = set->class_first[c + 1] - set->class_first[c];
         const bool is_given = constraints->classes > 0;
         const size_t min =
@@ -294,8 +297,8 @@ static murk_status index_fixed(murk_constraint_set *set, murk_error *err)
     const murk_constraints *constraints = set->constraints;
     for (size_t k = 0; k < constraints->fixed_count; ++k) {
         const size_t j = constraints->fixed[k];
-        /* A fixed sensor is a candidate, once, without conflict with another
-         * one. */
+        /* A fixed sensor must be one of the candidates, be given once, and not
+         * be in conflict with another fixed sensor. */
         if (j >= set->candidates) {
             return murk_fail(err, MURK_BAD_VALUE, "",
                              "fixed sensor at candidate %zu, must be below "
@@ -330,7 +333,9 @@ static size_t fixed_of_class(const murk_constraint_set *set, size_t class)
     return sum;
 }
 
-/* The smallest cost of the fixed sensors and the minimum counts. */
+/* Lower bound on the cost of a plan: the fixed sensors, and the cheapest
+ * candidates that fill up the minimum count of each class. Conflicts are
+ * ignored. */
 static uint64_t min_cost(const murk_constraint_set *set)
 {
     uint64_t sum = 0;
@@ -380,8 +385,9 @@ static murk_status check_budget(const murk_constraint_set *set, murk_error *err)
     return MURK_OK;
 }
 
-/* Checks what counts alone can contradict: fixed sensors, minimum and maximum
- * counts, and sites against the wanted count. */
+/* Compares the wanted count with the fixed sensors, the minimum and maximum
+ * counts of the classes, and the number of sites; then sets the limits of a
+ * plan's size. */
 static murk_status check_count(murk_constraint_set *set, size_t count,
                                bool is_max, murk_error *err)
 {

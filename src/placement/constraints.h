@@ -3,9 +3,9 @@
  * and conflicts between candidates. A member that is zero is no constraint.
  *
  * Without a budget a plan has exactly the wanted count of sensors. With a
- * budget a plan has at most that count. Fixed sensors belong to every plan;
- * they count towards the wanted count, towards their class and the budget (cost
- * 0: already paid), and their conflicts hold. */
+ * budget a plan has at most that count. Fixed sensors belong to every plan.
+ * They count towards the wanted count, their class and the budget, and their
+ * conflicts hold. A fixed sensor that is paid for already has the cost 0. */
 #ifndef MURK_PLACEMENT_CONSTRAINTS_H
 #define MURK_PLACEMENT_CONSTRAINTS_H
 

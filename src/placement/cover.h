@@ -1,9 +1,10 @@
 /* A cover: the coverage of each photon by a set of candidates.
  *
  * A cover with k layers holds the k largest entries of each photon; the lowest
- * layer has the smallest of them. The gain of a further row is the amount by
- * which the row exceeds the lowest layer, for any k (a weighted rank, summed
- * over photons). */
+ * layer has the smallest of them. For any k, the gain of a further row is the
+ * sum over the photons of weight times the amount by which the row's entry
+ * exceeds the lowest layer. With detection probabilities a cover holds the sum
+ * of the doses (placement/dose.h) of each photon instead. */
 #ifndef MURK_PLACEMENT_COVER_H
 #define MURK_PLACEMENT_COVER_H
 
@@ -24,7 +25,8 @@ typedef struct murk_cover {
  * with is_binary. False when out of memory. */
 bool murk_cover_init(murk_cover *out, const murk_layout *layout,
                      bool is_binary);
-/* The same for the largest entry alone, whatever the objective. */
+/* The same with one layer and without doses, whatever layers and doses the
+ * layout has. */
 bool murk_cover_init_single(murk_cover *out, const murk_layout *layout,
                             bool is_binary);
 void murk_cover_release(murk_cover *cover);
@@ -34,8 +36,8 @@ void murk_cover_copy(murk_cover *to, const murk_layout *layout,
                      const murk_cover *from);
 void murk_cover_add(murk_cover *cover, const murk_layout *layout,
                     const murk_row *row);
-/* Adds the rows of another cover, of other candidates. Both must have the same
- * form. */
+/* Adds the rows that make up another cover; no candidate may be in both. Both
+ * covers must have the same number of layers and the same arrays. */
 void murk_cover_join(murk_cover *cover, const murk_layout *layout,
                      const murk_cover *other);
 

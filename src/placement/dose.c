@@ -1,7 +1,8 @@
 /* Fills the tables that turn clarities into doses and doses into clarities. The
  * worth of a dose is linear between nodes of -expm1(-dose); the dose of a
  * clarity is the smallest dose with that worth, found by a walk along both
- * tables. All values are whole numbers, rounded down. */
+ * tables. All values are whole numbers; the nodes and `below` are rounded down.
+ */
 #include "placement/dose.h"
 
 #include <math.h>

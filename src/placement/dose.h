@@ -2,12 +2,12 @@
  *
  * Sensors that detect a photon independently with probabilities p_j detect it
  * together with probability 1 - prod (1 - p_j) = 1 - exp(-sum d_j), where d_j =
- * -ln(1 - p_j) is called the dose. Doses are whole numbers, so a sum does not
- * depend on the order. murk_dose_worth() turns a dose into a clarity. The worth
- * never falls as the dose grows, and the dose of one clarity is worth exactly
- * that clarity. The worth lies less than MURK_WORTH_ERROR below MURK_CLEAR
- * (1 - exp(-dose)) and, for a dose that counts as certainty, less than .008
- * above. */
+ * -ln(1 - p_j) is called the dose. Doses are stored as whole numbers, in units
+ * of 1 / MURK_DOSE_ONE, so a sum does not depend on the order.
+ * murk_dose_worth() turns a dose into a clarity. The worth never falls as the
+ * dose grows, and the dose of one clarity is worth exactly that clarity. The
+ * worth lies less than MURK_WORTH_ERROR below MURK_CLEAR (1 - exp(-dose)) and,
+ * for a dose that counts as certainty, less than .008 above. */
 #ifndef MURK_PLACEMENT_DOSE_H
 #define MURK_PLACEMENT_DOSE_H
 

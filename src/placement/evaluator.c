@@ -18,9 +18,9 @@
  * more, so threads pay. */
 #define BYTES_WORTH_THREADS 2097152
 
-/* Candidates that a thread takes at once: evaluating 16 rows outweighs taking
- * the next batch. In an unknown environment a row is a batch by itself, as
- * computing it always outweighs that. */
+/* Candidates in one batch of a thread: evaluating 16 rows takes longer than
+ * fetching the next batch. In an unknown environment each row is a batch by
+ * itself, because computing a row always takes longer than fetching a batch. */
 #define ROWS_AT_ONCE 16
 
 /* A task for the thread pool: gains of n candidates. */
@@ -271,10 +271,11 @@ static void order_by_cost(const murk_evaluator *o, costed *key, uint32_t *order)
 }
 
 /* The number of dominators that make a candidate superfluous. A dominator
- * outside the plan may take the place of the candidate. If all are in the plan,
- * every photon has as many entries at least as large: with redundancy k, k
- * dominators leave no gain; probabilities always add up, so there the number is
- * the size of the plan. */
+ * outside the plan may take the place of the candidate. If all dominators are
+ * in the plan, each gives every photon an entry at least as large as the
+ * candidate's: with redundancy k, k such entries leave the candidate no gain.
+ * Probabilities always add up, so the number is then the size of the plan: a
+ * plan with the candidate cannot contain so many dominators as well. */
 static size_t dominators_needed(const murk_evaluator *o, size_t max)
 {
     return o->layout->doses ? max : o->layout->layers;

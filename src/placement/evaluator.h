@@ -29,18 +29,19 @@ typedef struct murk_evaluator {
     uint64_t *slack; /* [candidates] the amount by which a gain may grow later,
                         through rounding; NULL: gains never grow */
     /* If only the largest entry of a photon counts, a dominated candidate can
-     * have the largest gain only if the dominator has it, too. Otherwise
-     * `ranked` takes no candidate for dominated, and only `presolved` leaves
-     * candidates out. */
+     * have the largest gain only if the dominator has the same gain. With
+     * redundancy, or with detection probabilities in plans of several sensors,
+     * that is not so: `ranked` then treats every candidate as undominated, and
+     * only `presolved` leaves candidates out. */
     uint32_t *dominator; /* [candidates] an undominated candidate whose entries
                             are nowhere smaller; or the candidate itself */
     murk_ranked *ranked; /* [candidates] undominated candidates first; by
                             falling single_value + slack, then by cost if
-                            dominance was tested, then by index */
+                            murk_presolve() has run, then by index */
     size_t undominated;
     murk_ranked *presolved; /* [presolved_count] candidates that suffice for an
-                               optimal plan, in the same order; the others
-                               follow them */
+                               optimal plan, by falling single_value + slack;
+                               the others follow them */
     size_t presolved_count;
     uint64_t ceiling, grain; /* ceiling: value of all candidates together; each
                                 value is a multiple of grain */
@@ -88,7 +89,8 @@ void murk_evaluator_run(const murk_evaluator *evaluator, size_t n,
                         murk_worker_job job, void *context);
 
 /* gain[k] = the gain of candidate[k] over the cover, k < n. Uses at most
- * `threads` threads; a single thread works as `worker`. */
+ * `threads` threads. If the calling thread works alone, it asks for rows as
+ * worker number `worker`. */
 void murk_evaluator_gains(const murk_evaluator *evaluator,
                           const murk_cover *cover, const uint32_t *candidate,
                           size_t n, unsigned threads, unsigned worker,

@@ -24,10 +24,10 @@
  * the same plan. 2^15 evaluations are some 2 microseconds for 0/1 rows. */
 #define MURK_NODE_WEIGHINGS 32768
 
-/* Replaces the objective of the search by another one that the bound's
- * objective limits. The callback receives each plan whose value exceeds the
- * cutoff `known`, and returns the new cutoff. It stores the plans that it wants
- * to keep. */
+/* Replaces the value as the objective of the search. A plan may be the best one
+ * by the other objective only if its value exceeds a cutoff. The callback
+ * receives each plan found whose value exceeds the cutoff `known`, stores the
+ * plan if that is better than the stored one, and returns the new cutoff. */
 typedef struct murk_exact_callback {
     uint64_t (*callback)(void *context, const uint32_t *plan, size_t size,
                          uint64_t known);
@@ -46,9 +46,9 @@ typedef struct murk_exact {
 /* Improves plan[size], worth `value`, with some `nodes` units of work at most;
  * plan has room for n sensors. size is n, or with a budget at most n. The last
  * call of murk_bound_tighten() must have been for plans of n; `upper` is the
- * bound, and the root takes the multipliers. Needs a matrix. callback NULL: the
- * value is the objective. Otherwise `value` is the first cutoff, and plan[]
- * stays as it is. Fails with MURK_NO_MEMORY. */
+ * bound that it returned, and the root starts at its multipliers. Needs a
+ * matrix. callback NULL: the value is the objective. Otherwise `value` is the
+ * first cutoff, and plan[] stays as it is. Fails with MURK_NO_MEMORY. */
 murk_status murk_exact_search(murk_exact *out, murk_bound *bound,
                               uint32_t *plan, size_t size, size_t n,
                               uint64_t value, uint64_t upper, uint64_t nodes,

@@ -1,7 +1,8 @@
 /* Gains of a row over a cover, by the format of the row and of the cover, and
- * the comparisons of a row with a cover. A segment whose photons have one
- * weight takes the weight times the sum of a kernel (placement/kernels.h); a
- * segment of mixed weights takes the weighted sum. */
+ * the comparisons of a row with a cover. For a segment whose photons have one
+ * weight, the gain is that weight times an unweighted sum of a kernel
+ * (placement/kernels.h); for a segment of mixed weights, the kernel computes
+ * the weighted sum. Lists are summed entry by entry. */
 #include "placement/gain.h"
 
 #include "placement/kernel_loops.h"
@@ -47,8 +48,8 @@ static uint64_t gain_of_bits(const murk_layout *layout, const murk_row *row,
         const uint32_t *weight =
             segment->is_mixed ? layout->weight + 64 * p.from : NULL;
         const uint64_t factor = weight ? 1 : segment->weight;
-        /* A segment without weight is left out; the clarities of packed rows
-         * must be counted. */
+        /* A segment of weight 0 is skipped, except in a PACKED row, whose
+         * clarities must be counted to find those of the next segment. */
         if (factor == 0 && !clarity) {
             continue;
         }
@@ -103,8 +104,10 @@ static uint64_t gain_of_list(const murk_layout *layout, const murk_row *row,
     return sum;
 }
 
-/* The gain over a cover of bits or clarities. With is_independent, clarities
- * are taken for probabilities; an entry of MURK_CLEAR is certain anyway. */
+/* The gain over a cover of bits or clarities. With is_independent, the terms
+ * are those of independent detection (murk_gain_term()). A row without
+ * clarities has only entries of MURK_CLEAR, for which detection is certain; the
+ * ordinary term MURK_CLEAR - best is then exact. */
 static uint64_t gain_by_kind(const murk_layout *layout, const murk_row *row,
                              const murk_cover *cover, bool is_independent)
 {
@@ -149,10 +152,11 @@ uint64_t murk_row_gain(const murk_layout *layout, const murk_row *row,
 
 /* Let the cover have the dose Y with worth `best`, and let h = 65535 (1 -
  * exp(-Y)), which exceeds best by less than 1.01. An entry of clarity p adds at
- * most (65535 - h)(p + .07) / 65535 to h, so the worth grows by at most p
- * (65535 - best) / 65535 + 1.1. That is less than 2 above the same product
- * divided by 65536 and rounded down, which the kernels compute.
- * MURK_GAIN_BOUND_SLACK is twice that. */
+ * most (65535 - h) (p + .08) / 65535 to h, so the worth grows by at most p
+ * (65535 - best) / 65535 + 1.1. The kernels compute p (65535 - best) / 65536,
+ * rounded down, which is less than 2 below p (65535 - best) / 65535. So the
+ * worth grows by less than 3.1 more than the kernels compute.
+ * MURK_GAIN_BOUND_SLACK is the next multiple of MURK_WORTH_SLACK. */
 uint64_t murk_row_gain_bound(const murk_layout *layout, const murk_row *row,
                              const murk_cover *cover)
 {
@@ -175,7 +179,8 @@ uint64_t murk_row_weight(const murk_layout *layout, const murk_row *row)
 void murk_row_count_above(const murk_layout *layout, const murk_row *row,
                           const uint16_t *best, uint16_t *count)
 {
-    /* The bound asks for this at each evaluation: bits without the iterator. */
+    /* The Lagrangian bound calls this function at each evaluation, so rows of
+     * bits do without the iterator, which is slower. */
     if (row->kind == MURK_ROW_BITS) {
         for (size_t k = 0; k < row->words; ++k) {
             const size_t first = 64 * murk_row_word(row, k);

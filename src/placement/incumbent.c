@@ -19,8 +19,8 @@
 
 /* Maximum number of evaluations of the bound in a known environment. Large
  * matrices get fewer: as many as 2e10 evaluated entries allow, some seconds of
- * work. In an unknown environment each evaluation asks for every row, so one is
- * made, and only if greedy's own scans do not bound the value well enough. */
+ * work. In an unknown environment each evaluation asks for every row, so at
+ * most one is made; rounds_of() says for which counts. */
 #define ROUNDS_MAX        400
 #define ROUNDS_MIN        40
 #define PAIRS_WEIGHED_MAX 20000000000.0

@@ -1,11 +1,11 @@
 /* Inner loops of placement: integer sums over one row and one cover, with a
  * version for each instruction set.
  *
- * All sums are exact, so every version gives the same bits. Arrays are aligned
- * to 64 bytes and padded to whole words of 64 slots; rows are 0 in the padding.
- * A row may store only some words: its word k belongs to word at[k] of the
- * cover (at NULL: k). Each term is multiplied by the weight of its slot; weight
- * NULL stands for weights of 1. */
+ * All sums are exact, so every version gives the same bits. Arrays of slots are
+ * padded to whole words of 64 slots, and rows are 0 in the padding; the arrays
+ * of dense() are aligned to 64 bytes. A row may store only some words: its word
+ * k belongs to word at[k] of the cover (at NULL: k). Each term is multiplied by
+ * the weight of its slot; weight NULL stands for weights of 1. */
 #ifndef MURK_PLACEMENT_KERNELS_H
 #define MURK_PLACEMENT_KERNELS_H
 

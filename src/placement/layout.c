@@ -163,8 +163,8 @@ done:
 }
 
 /* Sets the weight of each segment anew. The segments themselves stay, because
- * stored rows refer to them. In a segment of one weight, slots with weight 0
- * are unused. */
+ * stored rows refer to them. If a segment of `from` has one weight above 0, its
+ * slots of weight 0 are unused and do not make the segment mixed. */
 static void update_segments(murk_layout *l, const murk_layout *from)
 {
     for (size_t s = 0; s < from->segments; ++s) {

@@ -31,8 +31,8 @@ typedef struct murk_lazy_greedy {
     murk_arena arena;
 } murk_lazy_greedy;
 
-/* Borrows problem and set, which is not NULL. With a budget, gains per cost are
- * compared. Fails with MURK_NO_MEMORY. */
+/* Borrows problem and set; the set must not be NULL. With a budget, gains per
+ * cost are compared. Fails with MURK_NO_MEMORY. */
 murk_status murk_lazy_greedy_init(murk_lazy_greedy *out,
                                   const murk_problem *problem,
                                   const murk_constraint_set *set,

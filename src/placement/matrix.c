@@ -1,9 +1,9 @@
 /* Builds the coverage matrix: asks the problem for every row, over all threads,
  * and stores each in a compact format (placement/row.h). If the matrix could
  * exceed the memory limit, a pilot sample of rows estimates the size first, so
- * a run that does not fit ends before the sightlines are computed. At the end
- * photons with equal columns are merged, if the caller allows it and the rows
- * become so much shorter that merging pays (placement/merge.h). */
+ * that a matrix that does not fit is refused before all rows are computed. At
+ * the end photons with equal columns are merged, if the caller allows it and
+ * the rows become so much shorter that merging pays (placement/merge.h). */
 #include "placement/matrix.h"
 
 #include "base/interrupt.h"
@@ -15,8 +15,9 @@
 #include <assert.h>
 #include <stdlib.h>
 
-/* Fewer photons are not merged: their rows are so short that the calls of the
- * kernels outweigh the words (a choice). */
+/* With fewer photons nothing is merged: the rows are so short that calling the
+ * kernels takes longer than the loops over words that merging would shorten (a
+ * choice). */
 #define PHOTONS_WORTH_MERGING 16384
 
 /* Rows of the pilot sample. A rough estimate suffices, as the limit

@@ -88,8 +88,8 @@ static int by_hash(const void *a, const void *b)
 }
 
 /* Chooses the representatives of a group of n photons: one for each binary
- * digit 1 of n, with that multiple of the weight. A weight that would exceed 32
- * bits is split. */
+ * digit 1 of n, with the weight times the power of two of that digit. A weight
+ * that would exceed 32 bits is split. */
 static void choose_representatives(merging *m, const hashed_photon *first,
                                    size_t n)
 {

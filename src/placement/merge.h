@@ -22,7 +22,7 @@ void murk_merge_hash(_Atomic uint64_t *hash, size_t candidate,
  * shorter that merging pays, or always with is_forced. Equal hashes are
  * verified, row by row; if columns with one hash differ, nothing is merged.
  * *row_bytes is set to the new size of the rows if photons were merged. Fails
- * when out of memory. */
+ * with MURK_NO_MEMORY or MURK_INTERRUPTED. */
 murk_status murk_merge(murk_layout *layout, murk_row *row,
                        const murk_problem *problem,
                        const _Atomic uint64_t *hash, bool is_forced,

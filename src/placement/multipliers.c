@@ -155,7 +155,9 @@ void murk_multipliers_gains(const murk_multipliers *t,
     murk_evaluator_run(t->evaluator, n, weigh_row, &w);
 }
 
-/* The number of the k largest entries that the multiplier replaces. */
+/* The number of the partial plan's k entries for this slot that the multiplier
+ * replaces in max(L, t): those not above t, of which the lowest is always one.
+ */
 static size_t layers_below(const murk_multipliers *t, size_t slot)
 {
     const murk_layout *layout = t->evaluator->layout;
@@ -182,8 +184,8 @@ static void subgradient_of_clearest(murk_multipliers *t,
     }
 }
 
-/* If the row's dose exceeds 1 + y - Y0, the term itself falls with t, by y -
- * Y0. */
+/* A row's term (1 - t) min(d, 1 + y - Y0) has the derivative -d by t, or -(y -
+ * Y0) if d exceeds 1 + y - Y0; the first sum has the derivative y - Y0. */
 static void subgradient_of_chances(murk_multipliers *t,
                                    const murk_ranked *chosen, size_t n,
                                    float *subgradient)

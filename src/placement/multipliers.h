@@ -1,8 +1,7 @@
 /* The Lagrangian bound and its subgradient as functions of the multipliers, for
- * each way in which entries combine. Each photon has a multiplier t,
- * which is a clarity; w are weights and p clarities. All sums are over photons,
- * whose index is left out, also of the entries L and doses Y0 of the partial
- * plan.
+ * each way in which entries combine. Each photon has a multiplier t, which is a
+ * clarity; w are weights and p clarities. All sums are over photons, whose
+ * index is left out, also of the entries L and doses Y0 of the partial plan.
  *
  * Redundancy k (k = 1: the largest entry). The partial plan has the entries L_1
  * >= .. >= L_k. Each of the k largest entries of the complete plan is either
@@ -21,10 +20,10 @@
  *     value <= sum w (1 - exp(-y) (1 + y - Y0))
  *              + sum_j sum w exp(-y) min(d_j, 1 + y - Y0).
  *
- * A multiplier with y below Y0 is of no use: a larger y gives the same first
- * sum and no larger terms in the second. exp(-y) = 1 - t is exact here. y is
- * rounded down in the first sum and up in the second, sums have 128 bits and
- * are rounded up, so the bound holds in spite of rounding. */
+ * Multipliers with y below Y0 are not used: as y rises to Y0, the first sum
+ * falls, and so does each term with d_j in the second sum. exp(-y) = 1 - t is
+ * exact here. y is rounded down in the first sum and up in the second, sums
+ * have 128 bits and are rounded up, so the bound holds in spite of rounding. */
 #ifndef MURK_PLACEMENT_MULTIPLIERS_H
 #define MURK_PLACEMENT_MULTIPLIERS_H
 
@@ -41,7 +40,8 @@ typedef struct murk_multipliers {
     /* Detection probabilities only. */
     uint64_t *factor; /* [slots] weight * (1 - t) */
     uint32_t *max;    /* [slots] 1 + y - Y0, rounded up */
-    float *drawn;     /* [slots] scratch: sum of the doses that count */
+    float *drawn;     /* [slots] scratch: sum over the chosen rows of d, or of y
+                         - Y0 if d exceeds 1 + y - Y0 */
     murk_arena arena;
 } murk_multipliers;
 
@@ -56,7 +56,7 @@ void murk_multipliers_set_partial_plan(murk_multipliers *multipliers,
                                        const murk_cover *partial);
 
 /* Sets the multipliers, multiplier[slots], rounded to whole clarities; none may
- * be below the smallest. Returns the first sum, rounded up. */
+ * be below floor[slot]. Returns the first sum, rounded up. */
 uint64_t murk_multipliers_set(murk_multipliers *multipliers,
                               const float *multiplier);
 

@@ -1,15 +1,16 @@
-/* The frame of every placement: checks the settings, ranks the candidates,
- * finds the plan of each count (placement/incumbent.h), and makes the result.
- * Bounds of one count also bound other counts.
+/* Placement by the value of a plan: within the frame of placement/run.h, finds
+ * the plan of each count (placement/incumbent.h), and makes the result. Bounds
+ * of one count also bound other counts.
  *
- * The guarantee is that of greedy for the given constraints. Greedy is greedy
- * over sets that are k-extendible: k is 1 for the count and the minimum and
- * maximum counts by class together (a matroid), 1 more for one sensor a site,
- * and 12 more for a spacing (at most 12 sensors that keep the spacing lie
- * closer than it to one point: the kissing number); a plain count is contained
- * in these. The fraction is 1 / (k + 1). The value must be submodular, as it is
- * for every way of combining entries; for detection probabilities up to
- * rounding, 2 / 65535 of what is seen.
+ * The guarantee is that of greedy for the given constraints. With a count alone
+ * the fraction of the optimum is 1 - (1 - 1/n)^n. With further constraints the
+ * sets of candidates that keep all of them are k-extendible, and the fraction
+ * is 1 / (k + 1). k is a sum: 1 for minimum and maximum counts by class (a
+ * matroid, together with the count), 1 for one sensor a site, and 12 for a
+ * spacing (of sensors that keep the spacing from each other, at most 12 lie
+ * closer to one point than the spacing: the kissing number). The value must be
+ * submodular, as it is for every way of combining entries; for detection
+ * probabilities up to rounding, 2 / 65535 of what is seen.
  *
  * Source: Nemhauser, Wolsey, Fisher, Math. Program. 14 (1978) 265,
  * doi:10.1007/BF01588971 (count); Calinescu, Chekuri, Pal, Vondrak, SIAM J.

@@ -29,10 +29,11 @@
  * them. If the constraints stop greedy before the count is reached, any
  * feasible plan is the start.
  *
- * Source: SPOQ, doc of 2013 (`paper/spoq-2013.txt`); Nemhauser, Wolsey, Fisher,
- * Math. Program. 14 (1978) 265, doi:10.1007/BF01588971; Cornuejols, Fisher,
- * Nemhauser, Manage. Sci. 23 (1977) 789, doi:10.1287/mnsc.23.8.789 (greedy and
- * Lagrangian bound for facility location). */
+ * Source: the SPOQ paper of 2013 (Sensor Placement Optimization via Queries);
+ * Nemhauser, Wolsey, Fisher, Math. Program. 14 (1978) 265,
+ * doi:10.1007/BF01588971; Cornuejols, Fisher, Nemhauser, Manage. Sci. 23 (1977)
+ * 789, doi:10.1287/mnsc.23.8.789 (greedy and Lagrangian bound for facility
+ * location). */
 #ifndef MURK_PLACEMENT_PLACE_H
 #define MURK_PLACEMENT_PLACE_H
 

@@ -1,20 +1,21 @@
 /* Dominance: candidate A dominates candidate B if A sees every photon at least
- * as clearly. The gain of A over any partial plan is then at least that of B.
- * So some best plan consists of undominated candidates, and a search needs to
- * evaluate B only if A has the largest gain. */
+ * as clearly. The gain of A over any partial plan without A is then at least
+ * that of B. If only the largest entry of a photon counts, B adds nothing to a
+ * plan with A. Some best plan then consists of undominated candidates, and a
+ * search needs to evaluate B only if A has the largest gain. */
 #ifndef MURK_PLACEMENT_PRESOLVE_H
 #define MURK_PLACEMENT_PRESOLVE_H
 
 #include "placement/constraints.h"
 #include "placement/matrix.h"
 
-/* order[candidates]: by falling value of each candidate alone.
- * dominator[candidates] receives the first undominated candidate in that order
- * that dominates, or the candidate itself. Of equal candidates the first one is
- * kept. With constraints (NULL: none) a candidate that they may still need is
- * not dominated (murk_constraint_set_may_drop). With more than 10,000
- * candidates nothing is compared, and every candidate is the dominator of
- * itself. */
+/* order[candidates]: by falling value of each candidate alone. dominator[j]
+ * receives the first undominated candidate in that order that dominates
+ * candidate j, or j itself if there is none. Of equal candidates the first one
+ * is kept. With constraints (set NULL: none) a candidate that a feasible plan
+ * may still need counts as undominated (murk_constraint_set_may_drop). With
+ * more than 10,000 candidates nothing is compared, and every candidate is the
+ * dominator of itself. */
 murk_status murk_presolve(uint32_t *dominator, const murk_matrix *matrix,
                           const murk_constraint_set *set, const uint32_t *order,
                           unsigned threads, murk_error *err);

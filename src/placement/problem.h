@@ -1,10 +1,11 @@
 /* The placement problem: the weights of the photons, and the coverage matrix.
  *
  * Entry (j, i) of the coverage matrix is the clarity with which candidate j
- * sees photon i: visibility times transmittance of the sightline, as a whole
- * number. Placement knows no physics. Clarities and weights are whole numbers,
- * so a coverage is an exact integer sum: equal values are equal in every bit,
- * and no sum depends on the order of addition.
+ * sees photon i, as a whole number 0..MURK_CLEAR: visibility times
+ * transmittance of the sightline, unless another mode of detection
+ * (base/detection.h) is chosen. Placement knows no physics. Clarities and
+ * weights are whole numbers, so a coverage is an exact integer sum: equal
+ * values are equal in every bit, and no sum depends on the order of addition.
  *
  * The value of a plan is sum_i weight_i f_i. f_i is computed from the entries
  * of the plan's candidates for photon i; by default f_i is the largest entry,
@@ -38,9 +39,10 @@ typedef enum murk_combining {
                                 0/1 entries min(redundancy, sensors that see the
                                 photon) */
     MURK_COMBINE_INDEPENDENT /* 1 - prod_j (1 - p_ij) with the detection
-                                probabilities p = clarity / MURK_CLEAR, rounded
-                                down to a whole clarity; one entry alone gives
-                                exactly its own clarity */
+                                probabilities p = clarity / MURK_CLEAR, as a
+                                whole clarity (placement/dose.h has the
+                                rounding); one entry alone gives exactly its own
+                                clarity */
 } murk_combining;
 
 /* The rule for a mode of detection. */
@@ -84,9 +86,11 @@ static inline size_t murk_problem_layers(const murk_problem *problem)
  * several formats (placement/row.h). */
 typedef struct murk_matrix murk_matrix;
 
-/* Asks the problem once for the row of each candidate, and reports progress.
- * Fails with MURK_RUN_FAILED, and names the sizes, if the rows need more than
- * max_bytes; or with MURK_NO_MEMORY or MURK_INTERRUPTED. */
+/* Asks the problem for the row of each candidate, and reports progress. If the
+ * matrix could exceed max_bytes, the rows of a few candidates are asked for
+ * twice, first to estimate the size. Fails with MURK_RUN_FAILED, and names the
+ * sizes, if the rows need more than max_bytes; or with MURK_NO_MEMORY or
+ * MURK_INTERRUPTED. */
 murk_status murk_matrix_create(murk_matrix **out, const murk_problem *problem,
                                uint64_t max_bytes, murk_error *err);
 /* The same rows with other weights, weight[photons]. Borrows the rows of

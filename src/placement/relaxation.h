@@ -64,8 +64,8 @@ uint64_t murk_relaxation_top(murk_relaxation *relaxed,
                              const uint32_t *live, const uint64_t *gain,
                              size_t n, murk_ranked *top, size_t *chosen);
 
-/* After murk_relaxation_top(): upper bound on the gains of the others if the
- * extension has this candidate. */
+/* After murk_relaxation_top(): upper bound on the sum of the gains of the other
+ * candidates of an extension that contains this candidate. */
 uint64_t murk_relaxation_others(const murk_relaxation *relaxed,
                                 const murk_partial_plan *partial,
                                 uint32_t candidate);

@@ -62,7 +62,8 @@ static row_format format_of(const murk_layout *layout,
         s.words = words_used;
     }
     s.bytes = bytes_of_bits(&s, layout);
-    /* Lists if they take no more than bits; then DENSE for full rows. */
+    /* Lists if they take no more than bits; else DENSE for rows that are more
+     * than half full and not all clear. */
     const size_t clarities = is_clear ? 0 : seen * sizeof(uint16_t);
     const size_t list = seen * sizeof(uint32_t);
     if (list <= s.bytes) {
@@ -139,8 +140,9 @@ static void store_bits(murk_row *row, const row_format *s,
         memcpy(words, bits, s->words * sizeof *words);
         return;
     }
-    /* Sparse: the words with a set bit, the places of the words behind them,
-     * then the first word of each segment. */
+    /* Sparse: the memory holds the words with a set bit, then the place of each
+     * of these words in the layout, then the index of the first stored word of
+     * each segment. */
     uint32_t *at = (uint32_t *)(words + s->words),
              *segment_start = at + s->words;
     row->at = at;
@@ -206,7 +208,8 @@ static void store_list(murk_row *row, const murk_layout *layout,
 bool murk_row_store(murk_row *out, const murk_layout *layout,
                     const murk_sparse_row *entries)
 {
-    /* All formats but lists are made from one bit a slot. */
+    /* One bit a slot: the choice of the format needs the number of words with a
+     * set bit, and BITS and PACKED store these bits. */
     size_t words_used;
     uint64_t *bits = set_bits(layout, entries, &words_used);
     if (!bits) {

@@ -21,8 +21,9 @@ typedef struct murk_row {
     const uint32_t *at; /* [words], increasing: word k of bits is word at[k] of
                            the layout; NULL: word k is word k */
     const uint32_t
-        *segment_start; /* [segments + 1], with `at` only: the first word of
-                           each segment of the layout; the last is `words` */
+        *segment_start; /* [segments + 1], with `at` only: index in bits[] of
+                           the first stored word of each segment of the layout;
+                           the last element is `words` */
     const uint16_t *clarity; /* DENSE: [slots]; PACKED, LIST: [seen] */
     const uint32_t *slot;    /* [seen], distinct; LIST and CLEAR_LIST only */
     void *memory;            /* for free(); NULL if borrowed */
@@ -33,9 +34,11 @@ typedef struct murk_row {
  * i in slot i. */
 murk_row murk_row_borrow(const murk_sparse_row *entries);
 
-/* Stores the entries in the format that needs least memory, except that
- * MURK_ROW_DENSE is taken for rows with entries in more than half of the slots.
- * False when out of memory. The caller frees out->memory. */
+/* Stores the entries in the format that needs least memory, with two exceptions
+ * that are faster to evaluate: all words of bits are stored if more than a
+ * third of them have a set bit, and a row with entries in more than half of the
+ * slots is MURK_ROW_DENSE unless all its clarities are MURK_CLEAR. False when
+ * out of memory. The caller frees out->memory. */
 bool murk_row_store(murk_row *out, const murk_layout *layout,
                     const murk_sparse_row *entries);
 /* The number of bytes that murk_row_store() would allocate. */
@@ -51,8 +54,10 @@ static inline size_t murk_row_word(const murk_row *row, size_t k)
 /* Iterator over the entries of a row. */
 typedef struct murk_row_walk {
     const murk_row *row;
-    size_t at;     /* BITS and PACKED: index of the word; else of the entry */
-    size_t end;    /* number of entries; not for BITS and PACKED */
+    size_t at;     /* BITS and PACKED: index of the word; DENSE: of the slot;
+                      else of the entry */
+    size_t end;    /* DENSE: number of slots; lists: number of entries; else not
+                      used */
     uint64_t left; /* bits of the word that are still to come */
     const uint16_t *clarity; /* PACKED: clarity of the next entry */
 } murk_row_walk;
@@ -74,7 +79,8 @@ static inline murk_row_walk murk_row_begin(const murk_layout *layout,
 static inline bool murk_row_next(murk_row_walk *walk, size_t *slot,
                                  uint16_t *clarity)
 {
-    /* Bits: the lowest bit left of the word, or of the next word with one. */
+    /* BITS and PACKED: the lowest bit that remains in the word, or the lowest
+     * bit of the next word that has any. */
     const murk_row *row = walk->row;
     if (row->kind == MURK_ROW_BITS || row->kind == MURK_ROW_PACKED) {
         while (walk->left == 0) {

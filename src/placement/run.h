@@ -57,8 +57,10 @@ murk_status murk_place_run_counts(murk_place_run *run, murk_find_count find,
 uint64_t murk_place_run_nodes_left(const murk_place_run *run,
                                    const murk_place_desc *desc);
 
-/* The points of the curve bound each other: a plan of fewer sensors is worth no
- * more, if every plan can be completed. */
+/* Lowers the upper bound of each point of the curve to the bound of the next
+ * larger count: a plan of fewer sensors is worth no more, because it can be
+ * completed. Does nothing with conflicts, with which some plans cannot be
+ * completed. */
 void murk_place_run_join_bounds(murk_place_run *run);
 
 /* Completes the result if status is 0, and releases the run. */

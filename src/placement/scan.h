@@ -66,8 +66,8 @@ static inline bool murk_objective_is_greater(murk_objective_value a,
     return a.first != b.first ? a.first > b.first : a.second > b.second;
 }
 
-/* The number of rows that fit the limit on work (MURK_SEARCH_WORK); unlimited
- * in an unknown environment. */
+/* The number of rows that fit the limit on work, evaluator->search_work
+ * (MURK_SEARCH_WORK if that is 0); UINT64_MAX in an unknown environment. */
 uint64_t murk_gain_scan_rows_max(const murk_evaluator *evaluator);
 
 murk_status murk_gain_scan_init(murk_gain_scan *out,

@@ -11,11 +11,12 @@
 
 #define CHUNK MURK_SCAN_CHUNK
 
-/* Lowers greedy_bound, from the ranking of a plan worth `value`. Every
- * candidate adds at most the bound in the ranking, so k more candidates add at
- * most the sum of the k largest bounds. (Rounding of probabilities: k
- * candidates that see a photon together exceed the sum by less than 1.02 (k +
- * 1), and each bound has a slack of 2.) */
+/* Lowers greedy_bound by the ranking over a partial plan worth `value`. Every
+ * candidate adds at most its bound in the ranking, so k more candidates add at
+ * most the sum of the k largest bounds. (With detection probabilities, k
+ * candidates that see one photon may together add more than the sum of their
+ * gains, by rounding: less than 1.02 (k + 1) clarities. Each bound includes a
+ * slack of 2 clarities for that.) */
 static void lower_greedy_bounds(murk_gain_scan *s, uint64_t value)
 {
     const size_t n = s->evaluator->undominated;
@@ -69,7 +70,8 @@ uint64_t murk_search_greedy(murk_gain_scan *s, uint32_t *plan, size_t given,
         if (s->ties == 0 || is_enough(s, gain)) {
             break;
         }
-        /* Add the best candidate, and learn from the scan. */
+        /* Add the best candidate, and lower the bounds by the gains of the
+         * scan. */
         s->size = k + 1;
         plan[k] = s->tie[0];
         murk_gain_scan_add(s, plan[k]);
@@ -123,8 +125,8 @@ static murk_priced find_best_density(murk_gain_scan *s)
     return best;
 }
 
-/* The cheapest candidate that a minimum count still needs; false if there is
- * none. */
+/* The cheapest candidate that can be added in the first class whose minimum
+ * count is not reached; false if there is none. */
 static bool find_required(const murk_gain_scan *s, uint32_t *candidate)
 {
     const murk_constraint_set *set = s->evaluator->set;
@@ -200,8 +202,8 @@ static void draw_order(uint32_t *order, size_t n, uint32_t seed,
     }
 }
 
-/* Takes candidates in random order, with constraints each if they allow it. If
- * that does not complete a plan, returns the fallback plan. */
+/* Adds candidates in random order; with constraints, those that can be added.
+ * If that does not complete a plan, returns the fallback plan. */
 size_t murk_search_draw(murk_gain_scan *s, uint32_t *plan, size_t n,
                         uint32_t seed, uint64_t restart)
 {

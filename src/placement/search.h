@@ -14,9 +14,10 @@
  * may stop before n, and with a budget a plan has as many sensors as the budget
  * pays, n at most. */
 
-/* With constraints: begins a plan of n sensors, or with a budget of any number,
- * with the fixed sensors, unless plan[given] has them already. Returns the
- * number of sensors in the plan; without constraints `given`. */
+/* With constraints: begins a plan of n sensors (with a budget: of at most the
+ * set's max_sensors). Puts the fixed sensors in front, unless plan[given]
+ * begins with them already. Returns the number of sensors in the plan; without
+ * constraints `given`. */
 size_t murk_search_begin(murk_gain_scan *s, uint32_t *plan, size_t given,
                          size_t n);
 
@@ -34,8 +35,9 @@ size_t murk_search_draw(murk_gain_scan *s, uint32_t *plan, size_t n,
                         uint32_t seed, uint64_t restart);
 
 /* The published SPOQ algorithm from start number `restart`. Two sensors never
- * share a candidate: a second sensor at a candidate adds nothing, so this
- * matters only if no candidate has a gain. */
+ * share a candidate. In the published problem, in which only the largest entry
+ * counts, a second sensor at a candidate adds nothing, so this rule matters
+ * only if no candidate has a gain. */
 uint64_t murk_search_spoq(murk_gain_scan *s, uint32_t *plan, size_t n,
                           uint32_t seed, uint64_t restart);
 
@@ -45,8 +47,8 @@ uint64_t murk_search_spoq(murk_gain_scan *s, uint32_t *plan, size_t n,
 uint64_t murk_search_relocate(murk_gain_scan *s, uint32_t *plan, size_t n);
 
 /* With a budget: extends plan[given] by the affordable candidate with the
- * largest gain per cost, until no candidate has a gain; then by the cheapest
- * candidates that the minimum counts still need. */
+ * largest gain per cost, until no candidate has a gain; then, class by class,
+ * by the cheapest candidates that the minimum counts still need. */
 uint64_t murk_search_budget_greedy(murk_gain_scan *s, uint32_t *plan,
                                    size_t given);
 

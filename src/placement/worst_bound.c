@@ -12,8 +12,8 @@
 
 typedef murk_uint128 wide;
 
-/* Scaled weights add up to 2^46, and to one more for each photon by rounding
- * up: far below the 2^47 of placement/problem.h. None reaches the 2^32 of the
+/* Scaled weights add up to at most 2^46, plus 1 for each photon by rounding up:
+ * far below the 2^47 of placement/problem.h. None reaches the 2^32 of the
  * layout: half of that leaves room for rounding. */
 #define WEIGHT_SUM 0x1p46
 #define WEIGHT_MAX 0x1p31
@@ -84,7 +84,7 @@ static unsigned find_factors(const murk_worst_bound *b, const double *lambda,
         sum += lambda[c] * (double)b->layouts->whole[c] /
                (double)b->layouts->unit[c];
     }
-    /* the shares add up to 1, but for rounding */
+    /* the sum is 1, but for rounding, and more with relative regret */
     double scale = WEIGHT_SUM * MURK_CLEAR / fmax(1, sum * (1 - 0x1p-40));
     for (size_t c = 0; c < n; ++c) {
         const double per_unit = lambda[c] / (double)b->layouts->unit[c];

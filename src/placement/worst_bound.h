@@ -52,10 +52,12 @@ void murk_worst_bound_release(murk_worst_bound *bound);
 murk_status murk_worst_bound_set_lambda(murk_worst_bound *bound,
                                         const double *lambda, murk_error *err);
 
-/* Lowers *upper to an upper bound on the smallest share of plans of n, in
- * units, at least `lower`, the smallest share of plan[plan_count]. Makes
- * `steps` steps of lambda from the present one, with `rounds` evaluations each.
- * Leaves lambda at the lowest bound. */
+/* Lowers *upper to an upper bound on the smallest share of plans of n, in units
+ * of 1 / MURK_SHARE_ONE. `lower` is in the same units; the bound is not lowered
+ * further than to `lower`. The multipliers start at plan[plan_count], or, with
+ * plan NULL, go on from the last call. Makes at most `steps` steps of lambda
+ * from the present one, with `rounds` evaluations each. Leaves lambda at the
+ * lowest bound. */
 murk_status murk_worst_bound_tighten(murk_worst_bound *bound, size_t n,
                                      uint64_t lower, const uint32_t *plan,
                                      size_t plan_count, size_t steps,

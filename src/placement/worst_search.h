@@ -3,8 +3,8 @@
  *
  * The smallest of several coverages is not submodular: greedy on it stops at
  * the first plan for which no single sensor helps the worst block. The sum over
- * blocks of min(coverage, level) is submodular, and equals level * blocks
- * exactly if all blocks reach the level. Greedy maximises that sum.
+ * blocks of min(coverage, level) is submodular, and equals level * blocks if
+ * and only if all blocks reach the level. Greedy maximises that sum.
  *
  * Source: Krause, McMahan, Guestrin, Gupta, J. Mach. Learn. Res. 9 (2008) 2761
  * (SATURATE). */
