@@ -70,9 +70,9 @@ static void count_opened(void *context, uint64_t batch)
 }
 
 /* Finds the pose that brings most places into view; false if none brings any.
- * The number of a pose only decreases while more is seen, so poses are
- * evaluated in the order of their last number until the best cannot be
- * exceeded. */
+ * The count of places of a pose only decreases while more is seen, so poses are
+ * evaluated in falling order of their last known count until the best count
+ * cannot be exceeded. Ties go to the pose with the lowest index. */
 static bool find_opener(exploring *e, size_t n, uint32_t *next)
 {
     /* Sort by the upper bounds. */
@@ -82,7 +82,7 @@ static bool find_opener(exploring *e, size_t n, uint32_t *next)
     murk_ranked_sort(e->ranked, n);
     murk_ranked best = {0, 0};
     /* Evaluate a chunk of poses that may exceed the best, or equal it with a
-     * lower number. */
+     * lower index. */
     for (size_t at = 0; at < n && !murk_interrupted();) {
         size_t taken = 0;
         while (at < n && taken < CHUNK &&
@@ -195,7 +195,9 @@ static bool choose(exploring *e, uint32_t *next)
                                 * gained there */
 }
 
-/* Puts the start into the path and the fixed sensors into the plan. */
+/* Adds the fixed sensors to the plan. Without start_m the path begins here, at
+ * the first fixed sensor; with start_m the path begins later, with the first
+ * station. */
 static murk_status begin(exploring *e, bool has_start, murk_error *err)
 {
     double none;
@@ -303,8 +305,8 @@ static murk_status fill(murk_place_result *place, const exploring *e,
     return MURK_OK;
 }
 
-/* Allocates; the bound on places brought into view starts at the largest
- * number. */
+/* Allocates; the upper bounds on the places that poses bring into view start at
+ * UINT32_MAX. */
 static murk_status allocate(exploring *e, murk_error *err)
 {
     const size_t n = e->poses->count + 1;

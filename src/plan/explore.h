@@ -14,7 +14,7 @@
  *
  * The first station is at the start. The path between two stations is the
  * shortest path over places seen so far, in straight unobstructed steps
- * (plan/route.h).
+ * (plan/route.c).
  *
  * Source: C. I. Connolly, Proc. IEEE ICRA (1985) 432,
  * doi:10.1109/ROBOT.1985.1087372 (next best view). */

@@ -7,9 +7,9 @@
 #include <math.h>
 #include <stdio.h>
 
-/* A record of a thin map weighs more than this number of records of the other
- * map. An order of magnitude is more than a difference that a user sets on
- * purpose. */
+/* A record of a thin map weighs, in the mean, more than this number of records
+ * of the other map. An order of magnitude is more than a difference that a user
+ * sets on purpose. */
 #define THIN_RATIO 10
 
 /* Text of the remedy in both warnings. */

@@ -122,8 +122,9 @@ static murk_status create(murk_sight **out, const murk_stage *stage,
     return status;
 }
 
-/* With weights, regions of interest and detection of the scene; warns of poor
- * density estimates. */
+/* Creates the sight onto photons or targets: with the weights, the regions of
+ * interest, the redundancy and the detection by power of the scene. Warns of
+ * density estimates from few neighbours. */
 static murk_status sight_onto(murk_sight **out, const murk_stage *stage,
                               const murk_traced *traced, const seen_maps *maps,
                               unsigned threads, murk_error *err)

@@ -30,10 +30,10 @@ typedef struct murk_poses {
 
 /* Creates the poses at the usable sites, site[n]. The caller owns *out; the
  * scene must outlive it. Fails with MURK_BAD_VALUE if there are more than 1e7
- * poses, if a fixed sensor lies outside the domain (at that sensor in the
- * scene; all others at the sensors of the scene), if the count exceeds the
- * candidates, or if constraints contradict each other; or with
- * MURK_NO_MEMORY. */
+ * poses, if a fixed sensor lies outside the domain, if the count exceeds the
+ * candidates, or if constraints contradict each other; or with MURK_NO_MEMORY.
+ * The message for a fixed sensor outside the domain names the place of that
+ * sensor in the scene, other messages that of the key sensors. */
 murk_status murk_poses_create(murk_poses **out, const murk_scene_desc *scene,
                               const murk_domain *domain, const murk_vec3 *site,
                               size_t n, murk_error *err);

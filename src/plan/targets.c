@@ -1,5 +1,5 @@
-/* Creates the records of targets: reads the list or draws points
- * (targets_drawn.c, targets_listed.c), then builds the maps. */
+/* Creates the records of targets: reads the list (targets_listed.c) or draws
+ * points (targets_drawn.c), then builds the maps. */
 #include "plan/targets.h"
 
 #include <stdlib.h>

@@ -1,12 +1,14 @@
 /* Draws targets uniformly over area and volume by rejection.
  *
  * Draws are numbered, and each is a function of its number alone. A wave of
- * draws is tested in parallel; then the draws are accepted in the order of
- * their numbers until enough points are kept, so the result does not depend on
- * threads. The powers of the kept records add up to an unbiased estimate of the
- * size of the free space: of n draws each represents size / n. If sampling
- * stops at the k-th kept point, each represents size (k - 1) / (k (n - 1)) (J.
- * B. S. Haldane, Biometrika 33 (1945) 222, doi:10.1093/biomet/33.3.222). */
+ * draws is tested in parallel; then the records of the draws are stored in the
+ * order of the numbers until enough points are kept, so the result does not
+ * depend on threads. A draw is accepted, and its point kept, if it gives any
+ * record. The powers of the kept records add up to an unbiased estimate of the
+ * size of the free space: of n draws each represents size / n, where size is
+ * the area or volume that is drawn from. If sampling stops at the k-th kept
+ * point, each represents size (k - 1) / (k (n - 1)) (J. B. S. Haldane,
+ * Biometrika 33 (1945) 222, doi:10.1093/biomet/33.3.222). */
 #include "plan/target_records.h"
 
 #include "base/interrupt.h"
@@ -171,8 +173,9 @@ static murk_status set_amount(drawing *d, uint64_t points, double spacings,
     return MURK_OK;
 }
 
-/* Accepts the draws of a wave in order until enough points are kept. *draws
- * counts draws up to the last accepted one. */
+/* Goes through the draws of a wave in order and stores their records, until
+ * enough points are kept. *draws grows by the number of draws gone through,
+ * accepted or not. */
 static murk_status accept_wave(drawing *d, uint64_t *points, uint64_t *draws,
                                murk_error *err)
 {
@@ -246,7 +249,7 @@ static murk_status begin(drawing *d, murk_error *err)
 
 /* Draws in waves until d->keeps points are kept or d->draws_max draws are made;
  * a spacing fixes d->draws_max as the number of draws to make. Fails if no
- * point is kept, not if fewer are than d->keeps. */
+ * point is kept; fewer than d->keeps points are no failure. */
 static murk_status draw_waves(drawing *d, murk_estimate *size, murk_error *err)
 {
     murk_status status = MURK_OK;
@@ -345,7 +348,8 @@ static murk_box box_of_medium(const murk_stage *stage, int medium)
     return box;
 }
 
-/* The box that points are drawn from: domain, shape and medium. */
+/* The box that points are drawn from: the part common to the domain and the
+ * boxes of the shape and the medium that the scene asks for. */
 static murk_box box_to_draw_from(const murk_stage *stage)
 {
     const murk_scene_targets *settings = &stage->scene->placement.targets;
