@@ -17,7 +17,7 @@ static bool is_whole(double share)
 }
 
 /* True if any surface or medium of the scene absorbs light of the band. A
- * medium with an albedo grid is taken to absorb. */
+ * medium with an albedo grid is assumed to absorb. */
 static bool absorbs(const murk_stage *stage, int band)
 {
     const murk_scene_desc *scene = stage->scene;

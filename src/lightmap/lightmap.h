@@ -26,7 +26,7 @@ typedef struct murk_traced {
                             * 0, and in light that was read from a file or
                             * scaled */
     double trace_s, map_s; /* wall-clock times of tracing and of building the
-                            * maps, for the record of the run */
+                            * maps, for the results */
 } murk_traced;
 
 /* Forecast from a short pilot run. */

@@ -126,8 +126,9 @@ static bool append(murk_record_buffers *h, murk_record_list *buffer,
     return fits;
 }
 
-/* Gives the sink of batches the records behind the first n_surface and
- * n_volume of the lists. */
+/* Counts a batch, and passes to the sink of batches, if there is one, the
+ * records that the batch added to the lists: those after the first n_surface
+ * surface records and the first n_volume volume records. */
 static murk_status hand_over(murk_record_buffers *h, size_t n_surface,
                              size_t n_volume, uint64_t last, murk_error *err)
 {

@@ -19,13 +19,13 @@ murk_status murk_scaled_light_powers(double **out, const murk_scene_desc *scene,
 
 /* Light sources whose traced light serves n > 0 scenes at once. The scenes have
  * the same light sources, portals included, except for power;
- * power_w[n][channels] gives the channel powers of each scene, at least one of
- * them above 0. Each channel gets the largest share that it has of the total
- * power in any of the scenes. *grow is the sum of these shares: if *grow times
- * as many photons are emitted as for one scene, then every channel gets, to a
- * few photons, at least as many as it would get in a run of any scene alone.
- * The caller owns *out. Fails as murk_sky_lights() and murk_sources_create(),
- * or with MURK_NO_MEMORY. */
+ * power_w[n][channels] gives the channel powers of each scene; at least one of
+ * all these powers is above 0. Each channel gets the largest share that it has
+ * of the total power in any of the scenes. *grow is the sum of these shares: if
+ * *grow times as many photons are emitted as for one scene, then every channel
+ * gets, to a few photons, at least as many as it would get in a run of any
+ * scene alone. The caller owns *out. Fails as murk_sky_lights() and
+ * murk_sources_create(), or with MURK_NO_MEMORY. */
 murk_status murk_scaled_light_sources(murk_sources **out, double *grow,
                                       const murk_scene_desc *const *scene,
                                       double *const *power_w, size_t n,

@@ -101,7 +101,7 @@ murk_status murk_lightmap_save(const murk_traced *traced,
     }
     int64_t *absorbed = energy + LEDGER_COLUMNS * channels;
     absorbed_cells(traced->ledger, absorbed);
-    /* List the sections; the origin is written only if there is one. */
+    /* List the sections; the origin is written only if it is not 0. */
     const facts f = facts_of(traced);
     const murk_vec3 o = stage->scene->origin;
     const murk_section sections[] = {
@@ -158,8 +158,8 @@ static murk_status check_key(const murk_section *key, const char *light_key,
 
 /* Positions of records are relative to the local origin of the scene that they
  * were traced for. In a scene without a domain the origin depends on the
- * sensors as well, which the light key does not contain, so it is compared
- * here. */
+ * sensors as well, which the light key does not contain, so the origin is
+ * compared here. */
 static murk_status check_origin(const murk_section *origin,
                                 const murk_scene_desc *scene, const char *path,
                                 murk_error *err)
@@ -375,8 +375,9 @@ murk_status murk_lightmap_read_counts(murk_lightmap_counts *out,
         memcpy(&f, fact->bytes, sizeof f);
         *out = (murk_lightmap_counts){.seed = f.seed};
         /* The light key is YAML as murk_scene_desc_read() writes it, one line
-         * for each key of the scene. If the line is missing, the file is
-         * refused later by its light key. */
+         * for each key of the scene. If the line of the key photons is missing,
+         * emit and store stay 0, and murk_lightmap_load() refuses the file,
+         * because the light key of a scene has that line. */
         char *text = strndup(key->bytes, key->size);
         const char *line = text ? strstr(text, photons) : NULL;
         if (line) {

@@ -86,7 +86,8 @@ murk_status murk_lightmap_check_numbers(const murk_lightmap_numbers *f,
 {
     const size_t channels = murk_sources_channels(stage->lights);
     uint64_t lost = 0;
-    /* Counts: every photon is counted, and at most that many are lost. */
+    /* Every emitted photon is counted in the ledger, and no more photons are
+     * lost than were emitted. */
     bool is_possible = f->emitted <= UINT32_MAX && f->counted == f->emitted &&
                        f->collisions <= INT64_MAX;
     for (int i = 0; i < MURK_LOSSES && is_possible; ++i) {
@@ -96,7 +97,7 @@ murk_status murk_lightmap_check_numbers(const murk_lightmap_numbers *f,
     if (!is_possible) {
         return impossible(path, "facts", "counts that are out of range", err);
     }
-    /* The number of photons of each channel, then each channel. */
+    /* Find the number of photons of each channel, then check each channel. */
     uint64_t *count = calloc(channels + 1, sizeof *count);
     if (!count) {
         return murk_no_memory(err, path, "to check it");
@@ -158,7 +159,7 @@ murk_status murk_lightmap_check_records(const murk_photon *photon, size_t n,
                                         const murk_stage *stage,
                                         const char *path, murk_error *err)
 {
-    /* The domain, grown by the rounding of positions. */
+    /* The domain, grown on all sides by the tolerance of positions. */
     murk_box within = stage->world.domain.box;
     const double slack = PLACE_TOLERANCE * murk_box_largest_coordinate(&within);
     const murk_vec3 wider = murk_vec(slack, slack, slack);

@@ -30,7 +30,8 @@ murk_status murk_lightmap_check_numbers(const murk_lightmap_numbers *numbers,
                                         const char *path, murk_error *err);
 
 /* Fails with MURK_BAD_FILE at `path` if one of n records cannot belong to the
- * surface map or the volume map of such a run. */
+ * surface map (with is_volume: the volume map) of a run of this scene that
+ * emitted that many photons. */
 murk_status murk_lightmap_check_records(const murk_photon *photon, size_t n,
                                         bool is_volume, uint64_t emitted,
                                         const double *packet_w,
