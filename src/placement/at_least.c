@@ -1,10 +1,12 @@
 /* The strict target of placement/at_least.h. The strict weight S is that of the
  * photons seen by k or more sensors; V is the sum of weight times min(k,
- * sensors), and k S <= V. For each count the search takes the plan that
- * placement/incumbent.h finds for the mean, and the best strict plan of one
- * sensor fewer with one more, and relocates both by the strict weight. If
- * neither meets the target and the bound does not exclude it, branch and bound
- * (placement/exact.h) runs with a callback.
+ * sensors), and k S <= V. The search by V is called the search by the mean: V /
+ * (k W), with the weight W of all photons, is the weighted mean of min(k,
+ * sensors) / k. For each count, the plan that placement/incumbent.h finds by
+ * the mean, and the best strict plan of one sensor fewer with one more, are
+ * both relocated by the strict weight. If neither meets the target and the
+ * bound does not exclude it, branch and bound (placement/exact.h) runs with a
+ * callback.
  *
  * A cover with k layers of bits holds in the lowest layer the photons seen by k
  * or more sensors, in the next one those seen by k - 1 or more. The strict
@@ -350,8 +352,8 @@ static murk_status begin(strict_run *r, murk_error *err)
                          r->redundancy,
                          (double)result->ceiling / (double)result->whole);
     }
-    /* A plan with this V meets the target for certain. Branch and bound is kept
-     * for the strict weight. */
+    /* A plan with this V meets the target for certain. The search by the mean
+     * makes no branch and bound of its own; that runs for the strict weight. */
     const uint64_t enough = target + (r->redundancy - 1) * result->whole;
     r->mean_desc = *run->desc;
     r->mean_desc.target = enough < o->ceiling ? enough : o->ceiling;

@@ -53,9 +53,9 @@ typedef struct murk_bound {
     uint64_t evaluations; /* gains computed */
     uint64_t queries;
     murk_relaxation relaxed; /* with constraints: in place of the top n */
-    const murk_partial_plan
-        *partial; /* that the n candidates extend; NULL: no constraints */
-    murk_partial_plan fixed; /* with constraints: the fixed sensors */
+    const murk_partial_plan *partial; /* with constraints: the partial plan that
+                                         the n candidates extend; else NULL */
+    murk_partial_plan fixed;          /* with constraints: the fixed sensors */
     murk_arena arena;
 } murk_bound;
 

@@ -40,7 +40,8 @@ typedef struct murk_constraints {
     /* For messages only. */
     const char *const
         *class_name;  /* [classes]; NULL: messages give the number */
-    double cost_unit; /* user's unit of cost and budget; 0: 1 */
+    double cost_unit; /* the user's cost that 1 in cost[] and budget stands for;
+                         0 means 1 */
 } murk_constraints;
 
 /* Constraints, checked and indexed. Immutable while plans are searched. */

@@ -15,7 +15,7 @@
 
 /* The dose 1.0, and the dose that stands for certainty. 65535 exp(-16) < .008
  * clarity units, so a dose of 16 taken for certainty changes a worth by less
- * than that. Sums stop there. */
+ * than that. Sums of doses stop at MURK_DOSE_FULL. */
 #define MURK_DOSE_ONE  (UINT32_C(1) << 20)
 #define MURK_DOSE_FULL (16 * MURK_DOSE_ONE)
 

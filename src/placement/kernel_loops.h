@@ -15,7 +15,8 @@
 #define MURK_LOOP MURK_TARGET static inline __attribute__((always_inline))
 
 /* max(0, clarity - best); or, with is_independent, clarity * (MURK_CLEAR -
- * best) / 65536, rounded down: the gain of independent detection. */
+ * best) / 65536, rounded down: an approximation of the gain of independent
+ * detection (murk_row_gain_bound()). */
 static inline uint64_t murk_gain_term(uint16_t clarity, uint16_t best,
                                       bool is_independent)
 {

@@ -9,8 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Regrouping may leave one slot unused for every four photons. With more
- * distinct weights the longer rows cost more than bit counts save (a
+/* Regrouping may leave at most one slot unused for every four photons. With
+ * more distinct weights the longer rows cost more than bit counts save (a
  * choice). */
 #define PHOTONS_PER_PADDING 4
 

@@ -1,7 +1,7 @@
 /* The partial plan under constraints: counts by class, cost and members are
  * kept up to date, so a test of a candidate takes time in proportion to the
- * plan's size, plus the cheapest candidates of a class where a budget must
- * leave enough for minimum counts. */
+ * plan's size. If a budget must leave enough for minimum counts, the test also
+ * goes through the cheapest candidates of the classes. */
 #include "placement/partial_plan.h"
 
 #include "base/interrupt.h"

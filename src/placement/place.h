@@ -13,8 +13,8 @@
  *
  * A plan that reaches the ceiling (the value of all candidates together) is
  * optimal and ends the work on that count. In a known environment search_work
- * limits the work of the searches. The starts have the same limit for
- * themselves. Once half of the limit is spent, points of a curve without
+ * limits the work of the searches. The SPOQ starts have a limit of their own,
+ * of the same size. Once half of the limit is spent, points of a curve without
  * constraints take greedy's plan and the bound from greedy's scans. Once the
  * limit is spent, relocation stops, and is_work_cut says so.
  *
@@ -23,11 +23,12 @@
  * branch and bound (if the method has it) runs before the next count is tried.
  *
  * Constraints (placement/constraints.h) hold in every method: each move leads
- * to a feasible plan, and the certificate speaks of such moves. With a budget
- * greedy takes the candidate with the largest gain per cost; its plan competes
- * with that of plain greedy, and sensors are added while the budget pays for
- * them. If the constraints stop greedy before the count is reached, any
- * feasible plan is the start.
+ * to a feasible plan, and the certificate of relocation (no single move
+ * improves the plan) holds for feasible moves. With a budget greedy takes the
+ * candidate with the largest gain per cost; its plan competes with that of
+ * plain greedy, and sensors are added while the budget pays for them. If the
+ * constraints stop greedy before the count is reached, any feasible plan is the
+ * start.
  *
  * Source: the SPOQ paper of 2013 (Sensor Placement Optimization via Queries);
  * Nemhauser, Wolsey, Fisher, Math. Program. 14 (1978) 265,

@@ -309,7 +309,8 @@ uint64_t murk_relaxation_others(const murk_relaxation *r,
     }
     const uint64_t left = r->set->budget - s->cost;
     const uint64_t cost = murk_constraint_set_cost(r->set, candidate);
-    /* the candidate's own place is taken, so the others need not pay for it */
+    /* the candidate occupies one place of its class, so the charge of that
+     * place is left out of the bound on the others */
     const uint64_t own =
         r->multiplier ? r->multiplier[r->set->class_of[candidate]].charged : 0;
     const uint64_t cap_charges =

@@ -46,7 +46,8 @@ typedef struct murk_relaxation {
         multiplier; /* [classes] with a budget and maximum counts; NULL: none */
     uint64_t cap_charges; /* sum of the charges for all places that maximum
                              counts leave */
-    double carry;         /* sum of fractions of candidates not yet chosen */
+    double carry;         /* sum of the fractions of candidates that were paid
+                             in part and not yet chosen */
     murk_arena arena;
 } murk_relaxation;
 

@@ -108,11 +108,10 @@ static inline uint64_t murk_gain_scan_slack(const murk_gain_scan *s,
 uint64_t murk_gain_scan_evaluate(murk_gain_scan *s, size_t n, uint64_t best);
 
 /* Fills s->tie with all candidates of the largest gain over the partial plan,
- * which is worth `value`, and returns that gain. If it is 0, these are all
- * candidates outside the partial plan that can be added. 0 also if the run is
- * interrupted. `ranking` orders the evaluator's candidates by upper bounds on
- * their gains.
- */
+ * which is worth `value`, and returns that gain. If that gain is 0, s->tie
+ * receives all candidates outside the partial plan that can be added. Also
+ * returns 0 if the run is interrupted. `ranking` orders the evaluator's
+ * candidates by upper bounds on their gains. */
 uint64_t murk_gain_scan_find_best(murk_gain_scan *s, const murk_ranked *ranking,
                                   uint64_t value);
 

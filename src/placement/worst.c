@@ -210,8 +210,9 @@ static murk_status branch_and_bound(worst *w, size_t n, murk_error *err)
 
 /* ---- one count ---- */
 
-/* Makes the first plans: by the method, or any plan; and the plan of one sensor
- * fewer with one more. */
+/* Makes the first plans: those of the method or, if constraints leave these
+ * incomplete, any feasible plan; and, for MURK_PLACE_BEST, the plan of one
+ * sensor fewer with one more. */
 static void make_first_plans(worst *w, size_t n, const uint32_t *from)
 {
     murk_place_run *run = &w->run;

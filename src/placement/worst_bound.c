@@ -220,8 +220,8 @@ murk_status murk_worst_bound_tighten(murk_worst_bound *b, size_t n,
     const murk_constraint_set *set = b->evaluator.set;
     const size_t left = n - (set ? set->constraints->fixed_count : 0);
     double lambda[MURK_BLOCKS_MAX], average[MURK_BLOCKS_MAX] = {0};
-    /* The bound at the present lambda; the first evaluation of a plan gets
-     * twice the rounds. */
+    /* The bound at the present lambda, with twice the rounds if the multipliers
+     * start at a plan. */
     uint64_t lowest =
         bound_here(b, n, lower, plan, plan_count, plan ? rounds * 2 : rounds);
     memcpy(b->lowest_lambda, b->lambda, sizeof b->lambda);
