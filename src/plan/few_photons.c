@@ -7,9 +7,9 @@
 #include <math.h>
 #include <stdio.h>
 
-/* A record of a thin map weighs, in the mean, more than this number of records
- * of the other map. An order of magnitude is more than a difference that a user
- * sets on purpose. */
+/* The mean weight of the records of a thin map is more than this number times
+ * that of the other map. An order of magnitude is more than a difference that a
+ * user sets on purpose. */
 #define THIN_RATIO 10
 
 /* Text of the remedy in both warnings. */
@@ -57,7 +57,7 @@ bool murk_thin_map_text(char *out, size_t size, const murk_scene_desc *scene,
     if (p < 0) {
         return false;
     }
-    /* The variance is not finite if neither map has an error. */
+    /* The share of the variance is not finite if neither map has an error. */
     const double variance = murk_map_variance_share(coverage, p);
     char error[64] = "";
     if (isfinite(variance)) {

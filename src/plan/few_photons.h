@@ -3,8 +3,8 @@
  * With `weights: balanced` both maps have the same total weight, however few
  * records one of them has. A handful of records in a thin plume may then be
  * half of the coverage that a plan maximises. A map is called thin if it has
- * fewer than MURK_THIN_MAP_PHOTONS records and one of them weighs, in the mean,
- * more than ten records of the other map. */
+ * fewer than MURK_THIN_MAP_PHOTONS records and the mean weight of its records
+ * is more than ten times that of the other map. */
 #ifndef MURK_PLAN_FEW_PHOTONS_H
 #define MURK_PLAN_FEW_PHOTONS_H
 

@@ -135,8 +135,8 @@ void murk_plan_result_release(murk_plan_result *plan);
 
 /* Chooses the sensors by the given sight: fills plan->place and plan->sensor,
  * with knowledge: explore the steps, and the time and the work of choosing.
- * Measures no coverage. Fails at the sensors of the scene unless a deeper place
- * is known. */
+ * Measures no coverage. An error names the key sensors of the scene as the
+ * place, unless a more exact place is known. */
 murk_status murk_plan_choose(murk_plan_result *plan, const murk_stage *stage,
                              murk_sight *sight, murk_error *err);
 

@@ -10,15 +10,16 @@
 #include "sensing/candidates.h"
 #include "world/stage.h"
 
-/* The caller owns *out (murk_candidates_destroy()). Fails at the place in the
- * scene, or in the file that the scene names. */
+/* The caller owns *out (murk_candidates_destroy()). An error names the place in
+ * the scene, or in the file that the scene names. */
 murk_status murk_sites_find(murk_candidates **out, const murk_stage *stage,
                             unsigned threads, murk_error *err);
 
 /* The candidates that are usable in all n stages; candidates with the same
  * coordinates are the same candidate. Rejected candidates are counted as in the
  * first stage, and those that only a later stage rejects are added to the count
- * of unreached candidates. Fails at where[i] if stage i leaves none. */
+ * of unreached candidates. If stage i leaves none, the error names where[i] as
+ * the place. */
 murk_status murk_sites_find_common(murk_candidates **out,
                                    const murk_stage *const *stage,
                                    const char *const *where, size_t n,

@@ -14,8 +14,8 @@ typedef struct murk_target_facts {
     uint64_t points;        /* drawn and kept, or listed; 0: the scene has no
                              * targets */
     size_t surface, volume; /* number of records in each map */
-    /* Size of the free space, each side of a surface counted; NaN if no points
-     * were drawn there. */
+    /* Sizes of the requested space that is free: area of surfaces, each side
+     * counted, and volume. NaN if no points were drawn there. */
     murk_estimate area_m2, volume_m3;
 } murk_target_facts;
 
