@@ -98,7 +98,8 @@ typedef struct murk_plan_result {
                                 */
     murk_pose *sensor;         /* [place.count] */
     murk_target_facts targets; /* points 0: the plan covers photons */
-    bool is_dark;              /* no light source emits: see plan/dark.h */
+    bool is_dark;              /* no light source emits, so all coverage is NaN
+                                * (plan/dark.c) */
     murk_coverage_result in_sample; /* on the photons that chose the plan */
     bool has_held_out;
     murk_estimate held_out; /* coverage on the second map */
