@@ -33,7 +33,6 @@ typedef struct murk_worst_bound {
                                               block */
     double lambda[MURK_BLOCKS_MAX];        /* of the present weights; sum 1 */
     double lowest_lambda[MURK_BLOCKS_MAX]; /* of the lowest bound */
-    double average_lambda[MURK_BLOCKS_MAX]; /* mean over all steps */
     uint64_t full_value;     /* lower bound on the value plus offset_sum /
                                 MURK_SHARE_ONE of a plan whose smallest worth is
                                 1 */

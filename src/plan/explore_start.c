@@ -80,10 +80,12 @@ murk_status murk_explore_start(uint32_t *start, const murk_stage *stage,
     murk_outlook_init(&outlook, &seen, stage->scene->bands);
     const bool is_found = find_nearest(start, &outlook, sites, order, x);
     free(order);
-    return is_found ? MURK_OK
-                    : murk_fail(err, MURK_BAD_VALUE, settings->where,
-                                "start_m: no straight open way leads from %s m "
-                                "to any of the %zu usable candidates: inside "
-                                "of something, or out of their sight",
-                                murk_position_show(x).text, sites->usable);
+    const murk_status status = murk_interrupt_check(err);
+    return status || is_found
+               ? status
+               : murk_fail(err, MURK_BAD_VALUE, settings->where,
+                           "start_m: no straight open way leads from %s m "
+                           "to any of the %zu usable candidates: inside "
+                           "of something, or out of their sight",
+                           murk_position_show(x).text, sites->usable);
 }

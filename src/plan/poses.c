@@ -220,14 +220,18 @@ static void fill_constraints(murk_poses *p, const murk_scene_sensors *settings)
         p->position_m[j][1] = x.y;
         p->position_m[j][2] = x.z;
     }
-    /* Leave out the arrays of constraints that the scene does not have. */
+    /* Leave out the arrays of constraints that the scene does not have. A
+     * budget of less than half a unit stays a budget: 0 would stand for none.
+     */
     p->constraints = (murk_constraints){
         .classes = has_classes ? settings->types : 0,
         .class_of = has_classes ? p->class_of : NULL,
         .min = has_classes ? p->min : NULL,
         .max = has_classes ? p->max : NULL,
         .cost = has_costs ? p->cost : NULL,
-        .budget = has_costs ? llround(settings->budget / MURK_COST_UNIT) : 0,
+        .budget = has_costs ? (int64_t)fmax(
+                                  1, round(settings->budget / MURK_COST_UNIT))
+                            : 0,
         .fixed = p->fixed ? p->fixed_number : NULL,
         .fixed_count = p->fixed,
         .site = settings->one_per_site ? p->site : NULL,

@@ -129,6 +129,11 @@ static void test_what_cannot_be_is_refused(void)
                   "sensors",
                   "type a must have at least 4 sensors, but has only 3 usable "
                   "candidates");
+    /* A budget of less than half a millionth is not "no budget". */
+    check_refused("  types: [{name: a, range_m: 1, cost: 1}]\n"
+                  "  budget: 1e-9\n",
+                  "sensors",
+                  "budget is 1e-06, but the cheapest candidate costs 1");
     check_refused("  types: [{name: a, range_m: 1}]\n  count: 1\n"
                   "  fixed: [{position_m: [1, 2, 2]}, {position_m: [1, 2, "
                   "1]}]\n",
