@@ -16,7 +16,8 @@
 struct murk_beams {
     murk_domain domain; /* not periodic: segments are straight */
     const murk_boundary_meshes *boundary_meshes;
-    murk_fillings fillings; /* grids of the stage, profiles of this scene */
+    murk_fillings fillings; /* grids of the stage; profiles of the scene of the
+                             * optics */
     murk_profile *profile;
     murk_media *media;
     int bands;
@@ -108,7 +109,8 @@ murk_status murk_beams_create(murk_beams **out, const murk_stage *stage,
            scene->n_regions == stage->scene->n_regions);
     murk_status status = MURK_OK;
     murk_beams *beams = calloc(1, sizeof *beams);
-    /* Allocate; profiles depend on the values, grids do not. */
+    /* Allocate. Profiles are those of the scene of the optics, because they
+     * depend on the parameters; grids do not. */
     if (beams) {
         beams->profile = calloc(scene->n_media + 1, sizeof *beams->profile);
     }

@@ -15,8 +15,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A value is at a bound if it is closer than this share of itself or of 1; for
- * a factor of readings, whose size is arbitrary, of itself. */
+/* A value is at a bound if it is not farther from the bound than this share of
+ * the value, for keys that are searched in logarithms and for factors of
+ * readings, whose size is arbitrary; else this share of the larger of the
+ * absolute value and 1. */
 #define AT_BOUND 1e-6
 
 /* 97.5 % quantile of the standard normal distribution */
@@ -114,9 +116,10 @@ static void convert_errors(murk_calibration *out, const murk_free_keys *keys)
     }
 }
 
-/* Adds the error of slopes that come from light traced at two values, from
- * photons and step size together: such an error, too, looks like
- * information. */
+/* Adds the error of the slopes of world keys, which are differences of light
+ * that is traced at two values of the key. Photons and the size of the step
+ * cause this error, which adds to J^T J and so looks like information, as the
+ * photon noise of other slopes does. */
 static void add_world_noise(murk_slope_noise *noise, const murk_fit_search *s,
                             const double *jacobian)
 {
@@ -287,10 +290,10 @@ static size_t starts_asked(const murk_calibration_desc *desc)
     return desc->starts ? desc->starts : MURK_FIT_STARTS;
 }
 
-/* True if the best start so far may be a false minimum: the cost is impossible
- * for a correct model, or a value ended at a bound. The cost includes the
- * robust loss, because outliers that the user asked to tolerate are no reason
- * to search again. */
+/* True if the best start so far may be a false minimum: such a cost has a
+ * probability below MURK_FIT_REFUSED for a correct model, or a value ended at a
+ * bound. The cost includes the robust loss, because outliers that the user
+ * asked to tolerate are no reason to search again. */
 static bool is_doubtful(const murk_calibration *out, const murk_fit_search *s)
 {
     const murk_calibration_start *best = &out->start[out->best];
@@ -307,8 +310,8 @@ static bool is_doubtful(const murk_calibration *out, const murk_fit_search *s)
 static murk_status run(murk_calibration *out, murk_fit_search *s,
                        murk_error *err)
 {
-    /* The requested starts: the first traces light, the others use that light
-     * as far as it is valid. */
+    /* The requested starts: the first traces light, each other one begins with
+     * the light traced last, as far as that light is valid. */
     const size_t asked = starts_asked(s->desc);
     size_t done = 0;
     murk_status status = MURK_OK;
@@ -324,10 +327,11 @@ static murk_status run(murk_calibration *out, murk_fit_search *s,
     const bool is_cut = status == MURK_INTERRUPTED && done > 1;
     out->starts_done = is_cut ? done - 1 : done;
     if (is_cut) {
-        return status; /* the values of the best start; nothing else is known */
+        return status; /* out->start[out->best] has the values; no other result
+                        * is known */
     }
-    /* Evaluate the best start again, with the light at hand if that light was
-     * traced for it. */
+    /* Evaluate the end of the best start again. The light at hand serves if no
+     * light was traced since that start ended. */
     const murk_calibration_start *best = &out->start[out->best];
     if (!status && out->best + 1 != done) {
         const bool is_valid =

@@ -2,10 +2,11 @@
  * data, with their uncertainty.
  *
  * Light is traced at the present parameters and re-weighted while Ceres varies
- * them. Light is traced again when the effective share of the sample falls
- * below MURK_MIN_SHARE. The fit ends when least squares converge on light that
- * is still valid there. Rows are whitened by the measurement errors together
- * with the covariance from photons. */
+ * them. Light is traced again when the effective sample size falls below
+ * MURK_MIN_SHARE of the sample, or when a parameter that re-weighting cannot
+ * vary has moved. A search ends when least squares end at a point where the
+ * light is still valid, or at the limit on traces. Rows are whitened by the
+ * measurement errors together with the covariance from photons. */
 #ifndef MURK_CALIBRATE_CALIBRATE_H
 #define MURK_CALIBRATE_CALIBRATE_H
 

@@ -18,8 +18,8 @@
 
 /* Number of searches from different starts, if the user does not state one.
  * With a single search, 2 of 110 synthetic fits (three parameters, thirteen
- * readings of 3 %) ended in a false minimum. The number is fixed, so that a
- * result does not depend on the machine. */
+ * readings with errors of 3 %) ended in a false minimum. The number is fixed,
+ * so that a result does not depend on the machine. */
 #define MURK_FIT_STARTS 4
 
 typedef struct murk_calibration_desc {
@@ -34,8 +34,9 @@ typedef struct murk_calibration_desc {
     unsigned threads;
     uint32_t seed;      /* for the values of further starts */
     bool only_predicts; /* predict the rows at the start values; no search */
-    /* Called after each step of the search, in the thread of the caller; may be
-     * NULL. */
+    /* Called after each successful step of least squares with the cost (chi2,
+     * or less with a robust loss) and the values, in the thread of the caller;
+     * may be NULL. */
     void (*watch)(void *context, size_t start, size_t traces, int iteration,
                   double chi2, const double *value);
     /* As in murk_model_desc. */
@@ -46,18 +47,20 @@ typedef struct murk_calibration_desc {
 typedef struct murk_calibrated_row {
     double predicted;    /* in the unit of the row */
     double photon_error; /* standard error by photons */
-    double residual;     /* measured minus predicted, over both errors */
+    double residual;     /* measured minus predicted, divided by the square root
+                          * of the sum of squares of the measurement error and
+                          * photon_error */
 } murk_calibrated_row;
 
 typedef struct murk_calibration_start {
     double *from, *to; /* [keys->n] */
-    double chi2;       /* NaN if the search failed */
+    double chi2;       /* NaN if the search failed or was abandoned */
     double cost;       /* the minimised quantity: chi2, or less with a robust
                         * loss */
     char why[256];     /* why the search failed or ended */
     bool converged;
-    size_t traces; /* traces of light; 0: the light of an earlier start was
-                    * sufficient */
+    size_t traces; /* number of times that this search traced light; 0: it used
+                    * only the light of earlier starts */
     size_t light;  /* number of traces of the fit when this search ended */
 } murk_calibration_start;
 
@@ -69,8 +72,8 @@ typedef struct murk_calibration {
                                  is */
     double *standard_error;   /* [n]; NaN if undetermined or at a bound */
     bool *at_bound;           /* [n] */
-    murk_certainty certainty; /* in search coordinates: logarithms of positive
-                               * keys */
+    murk_certainty certainty; /* in search coordinates: the logarithm of a key
+                               * with is_log, the value of any other */
     double *covariance, *correlation; /* [n * n]; of the values */
     murk_calibrated_row *row;         /* [measured->rows] */
     double chi2;
@@ -78,11 +81,11 @@ typedef struct murk_calibration {
     double p_value;    /* probability of at least this chi2; NaN without degrees
                         * of freedom */
     bool is_accepted;  /* false: chi2 rejects the model (verdict.h) */
-    char verdict[512]; /* the verdict in one or two sentences, for every output
-                        */
+    char verdict[512]; /* the verdict in a few sentences, the same for every
+                        * output */
     size_t held_out;
-    double held_out_rms; /* in the unit of the held-out rows, NaN if their units
-                          * differ */
+    double held_out_rms; /* in the unit of the held-out rows; NaN if their kinds
+                          * or units differ, or without held-out rows */
     double held_out_rms_sigma; /* in standard errors; NaN without held-out rows
                                 */
     bool converged;
@@ -99,15 +102,17 @@ typedef struct murk_calibration {
                             whitened, in search coordinates, without photon
                             noise */
     double *scale;       /* [n]; size of a large change in search coordinates: 1
-                            (a factor e) if a logarithm is searched, else the
-                            width of the range of the key, or about its value if
-                            the range is not finite */
+                          * (a factor e) if a logarithm is searched; the value
+                          * of a factor of readings; else the width of the range
+                          * of the key or, if the range is not finite, the
+                          * larger of the absolute value and 1 */
     double *information; /* [n * n]; Fisher information of the fitted rows */
     murk_calibration_start *start; /* [starts]; of which starts_done were run:
                                     * the requested ones, then restarts */
     size_t starts, starts_done, best;
     double trace_s;
-    murk_model *model; /* evaluated at the values, or close to them */
+    murk_model *model; /* its last prediction is at the values; its light was
+                        * traced there or nearby */
     murk_arena arena;  /* of all arrays but those of the certainty */
 } murk_calibration;
 

@@ -33,8 +33,9 @@ static bool do_turn(const murk_optics *a, const murk_optics *b, size_t medium,
            !(are_tables && murk_optics_turn_alike(a, b, medium, (int)band));
 }
 
-/* Fails if the wanted optics need scattering, extinction or power that the
- * traced light did not have: such light has no histories to re-weight. */
+/* Fails if the wanted optics need extinction or scattering that the traced
+ * light did not have: such events are not in the histories that are
+ * re-weighted. */
 static murk_status check(const murk_optics *traced, const murk_optics *at,
                          size_t medium, size_t band, murk_error *err)
 {

@@ -19,7 +19,10 @@ typedef struct murk_medium_change {
     const murk_phase *traced, *at;
 } murk_medium_change;
 
-/* The derivative of these quantities with respect to a key. */
+/* The derivatives of `scattering` and `more_per_m` of a medium in a band with
+ * respect to a key, and the phase functions at the two values of the key, from
+ * whose difference the derivative of a phase function follows. turns: these two
+ * differ by more than rounding. */
 typedef struct murk_change_slope {
     double scattering, more_per_m;
     bool turns;
@@ -29,7 +32,9 @@ typedef struct murk_change_slope {
 typedef struct murk_changes {
     size_t media, keys, channels;
     int bands;
-    double *span;               /* [keys]; 0: the key has no effect here */
+    double *span;               /* [keys]; difference of the two values of a key
+                                 * that derivatives are taken from; 0: the key
+                                 * has no effect here */
     murk_medium_change *medium; /* [media][bands] */
     murk_change_slope *slope;   /* [keys][media][bands] */
     double *power;              /* [channels]; ratio of powers */

@@ -31,7 +31,7 @@ bool murk_coverage_mix_of(murk_coverage_mix *out,
 }
 
 /* The contribution to C, to first order, of weights seen[] and all[] that are
- * added to X and Y of the maps. ratio[] are the shares by which Y counts. */
+ * added to X and Y of the maps. ratio[] is from find_ratios(). */
 static double linearised(const murk_coverage_mix *mix, const double ratio[MAPS],
                          const double seen[MAPS], const double all[MAPS])
 {
@@ -45,7 +45,8 @@ static double linearised(const murk_coverage_mix *mix, const double ratio[MAPS],
     return sum;
 }
 
-/* Fills the ratio of each map and returns the coverage. */
+/* Fills ratio[] with X / Y of each map, or with the common ratio of both maps
+ * if mix->is_one, and returns the coverage. */
 static double find_ratios(double ratio[MAPS], const double *seen,
                           size_t batches, const murk_coverage_mix *mix)
 {
@@ -120,7 +121,9 @@ static void add_run(run_sums *to, const murk_coverage_sums *sums, size_t group,
     }
 }
 
-/* The contribution of a run to the derivative of the coverage. */
+/* The contribution of a run to the derivative of the coverage, without the
+ * equal share that each run gets of that derivative. turn[] and by_whole[] are
+ * from turns_of(). */
 static double slope_part(const run_sums *run, const double ratio[MAPS],
                          const double turn[MAPS], const murk_coverage_mix *mix,
                          const double by_whole[MAPS])

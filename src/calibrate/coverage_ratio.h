@@ -1,15 +1,16 @@
-/* Coverage as a ratio of sums: C = X / Y for one map, with X the weight of the
- * records that are covered and Y the weight of all; with balanced weights, the
- * mean of two such ratios. Internal to this room.
+/* Coverage as a ratio of sums, C = X / Y: X is the sum of weight times clarity
+ * over the records in view, and Y the sum of the weights of all records. Both
+ * maps form one ratio; with balanced weights, C is the mean of the ratios of
+ * the two maps. Internal to this room.
  *
  * The contribution of a batch to C = X / Y is C / batches + (X_b - C Y_b) / Y.
  * The second term is the linearised residual of the ratio estimator and sums to
- * 0. The covariance over batches is therefore that of sensing/coverage.c over
- * emitted photons (Cochran, Sampling Techniques, 1977, ch. 6), and equal to it
- * if each photon is a batch. Larger batches contain the photons of each light
- * source and band in proportion, so differences between sources do not count as
- * error (stratified sampling, ibid. ch. 5). That is correct, because the
- * proportions are fixed; photons taken one by one would count these
+ * 0. The covariance over batches is therefore computed as in sensing/coverage.c
+ * over emitted photons (Cochran, Sampling Techniques, 1977, ch. 6), and equal
+ * to it if each photon is a batch. Larger batches contain the photons of each
+ * light source and band in proportion, so differences between sources do not
+ * count as error (stratified sampling, ibid. ch. 5). That is correct, because
+ * the proportions are fixed; photons taken one by one would count these
  * differences. */
 #ifndef MURK_CALIBRATE_COVERAGE_RATIO_H
 #define MURK_CALIBRATE_COVERAGE_RATIO_H
@@ -23,7 +24,8 @@ typedef struct murk_coverage_mix {
 } murk_coverage_mix;
 
 /* Sets the weights of both maps as the scene asks, from the total weight of
- * each map. False if neither map has weight. */
+ * each map. False if no map that counts has weight, or if a weight is not
+ * finite. */
 bool murk_coverage_mix_of(murk_coverage_mix *out,
                           const murk_map_weights *weights,
                           const double all[MURK_MAP_PARTS]);
@@ -36,9 +38,10 @@ void murk_coverage_ratio(double *value, double *slope, double *batch,
                          const murk_coverage_sums *sums,
                          const murk_coverage_mix *mix);
 
-/* Contributions of the runs to the slopes: part[runs * stride], each [keys],
- * which add up to slope[keys]. They are the derivatives of the linearised
- * residuals (X_b - C Y_b) / Y, by the quotient rule. */
+/* Contributions of the runs to the slopes: part[run * stride + k] is that of a
+ * run to slope[k], and all runs add up to slope[k]. Each is an equal share of
+ * slope[k] plus the derivative of the linearised residual (X_r - C Y_r) / Y of
+ * the run r, by the quotient rule. */
 void murk_coverage_slope_parts(double *part, size_t stride, const double *slope,
                                size_t group, const murk_coverage_sums *sums,
                                const murk_coverage_mix *mix);

@@ -54,8 +54,9 @@ static void sum_all(void *context, uint64_t run)
 static double combine(const murk_coverage_sums *r, const double *through,
                       size_t n, double *by)
 {
-    /* Independent detections: D = 1 - product of (1 - T). The derivatives are
-     * products of the other factors, from both ends. */
+    /* Independent detections: D = 1 - product of (1 - T). The derivative by T
+     * of one sightline is the product of the factors of all others: the first
+     * loop multiplies those before, the second those after. */
     double before = 1, after = 1;
     if (r->combining == MURK_COMBINE_INDEPENDENT) {
         for (size_t j = 0; j < n; ++j) {
@@ -133,7 +134,8 @@ static void add_record(const murk_coverage_sums *r,
     seen_by[map] += w * clarity;
     add_slopes(slope + map * r->keys, r, contribution, worth_w * clarity);
     double *less = s->less + map * murk_coverage_cells(r);
-    /* The sums for the derivatives of the extinctions. */
+    /* Sums of w (dD/dT) T path; sum_seen() multiplies them by the derivatives
+     * of the extinctions. */
     for (size_t j = i; j < end; ++j) {
         const double factor = w * s->by[j - i] * s->through[j - i];
         double *row = less + row_of(r, lines, j) * media;

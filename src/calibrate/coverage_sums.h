@@ -9,7 +9,7 @@
  * The derivative of an extinction with respect to a parameter is the same for
  * all sightlines of equal acceptance and band, so it is factored out: one sum
  * of w * (dD/dT) * T * path by acceptance, band and medium serves all
- * parameters.
+ * parameters, with w the re-weighted weight of the record.
  *
  * Records are summed in their order, in runs of batches, so the result does not
  * depend on threads. */
@@ -26,7 +26,8 @@ typedef struct murk_coverage_sums {
     const murk_visible *visible;
     const murk_reweighed *reweighed;
     murk_combining combining;
-    size_t redundancy; /* number of views that count, at least 1 */
+    size_t redundancy; /* number of sightlines of a record that count, the
+                        * clearest ones; at least 1 */
     size_t bands, batches, keys;
     size_t runs;        /* runs of batches, processed in parallel; at most
                          * batches */
@@ -52,8 +53,8 @@ void murk_coverage_sums_release(murk_coverage_sums *sums);
 
 size_t murk_coverage_cells(const murk_coverage_sums *sums);
 
-/* Computes all sums. False when out of memory, or when interrupted, which the
- * caller must check. */
+/* Computes all sums. False when out of memory. After an interrupt the sums are
+ * incomplete, and the caller must check for it. */
 bool murk_coverage_sums_add(murk_coverage_sums *sums, unsigned threads);
 
 #endif

@@ -15,7 +15,8 @@ struct murk_covered {
     murk_visible_desc desc;
     murk_map_weights weights;
     murk_combining combining;
-    size_t redundancy; /* number of views that count, at least 1 */
+    size_t redundancy; /* number of sightlines of a record that count, the
+                        * clearest ones; at least 1 */
     murk_visible *visible;
 };
 
@@ -99,7 +100,8 @@ double murk_covered_bytes(const murk_covered *covered)
 
 /* ---- evaluation ---- */
 
-/* Fails if a medium without stored density paths differs. */
+/* Fails if the extinction of a medium without stored density paths differs from
+ * the traced one. */
 static murk_status check_others(const murk_covered *c,
                                 const murk_optics *traced,
                                 const murk_optics *at, murk_error *err)
@@ -192,7 +194,8 @@ murk_status murk_covered_read(const murk_row_sums *out, size_t first,
                                .runs = out->runs,
                                .keys = keys};
     murk_coverage_mix mix;
-    /* Check the optics, allocate; batches, extinctions and derivatives. */
+    /* Check the optics; allocate; fill the bounds of batches, the extinctions
+     * and their derivatives. */
     murk_status status = check_others(covered, traced, at, err);
     bool has_memory = status || murk_coverage_sums_allocate(&sums);
     if (!status && has_memory) {

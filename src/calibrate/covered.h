@@ -11,8 +11,8 @@
  * sightline at other parameters follows from the density path along it, stored
  * by medium, and from the extinctions for the acceptance angle of the sensor
  * (medium/rescaled.h). At the traced parameters, the result differs from
- * murk_coverage_result_measure() of the same records by about the rounding of
- * clarities there, to 1/65535. */
+ * murk_coverage_result_measure() of the same records by about 1/65535, because
+ * that function rounds clarities to this unit. */
 #ifndef MURK_CALIBRATE_COVERED_H
 #define MURK_CALIBRATE_COVERED_H
 

@@ -36,7 +36,8 @@ typedef struct murk_free_key {
     char path[160]; /* key of the scene; empty for a factor of readings */
     size_t condition; /* index into keys->condition[]; SIZE_MAX: all conditions
                        * that have the key */
-    size_t gain;      /* index of the factor; SIZE_MAX: a key */
+    size_t gain;      /* index into measured->gain[]; SIZE_MAX: a key of the
+                       * scene, not a factor */
     murk_free_kind kind;
     double start, lower, upper; /* in the unit of the key; limits may be
                                  * infinite; lower may be 0 also for a key that
@@ -45,7 +46,7 @@ typedef struct murk_free_key {
     bool turns_phase;           /* changes the phase function of a medium, so
                                  * cosines are needed */
     bool *is_in;                /* [conditions]; true if the condition has the
-                                 * key */
+                                 * key, or readings with the factor */
     /* Internal: the place of the key in the scene. */
     char *source;     /* "keys media.fog.albedo.0", for messages */
     char *put;        /* path that is set: that of the key, or of the list that
@@ -82,8 +83,9 @@ typedef struct murk_free_keys {
     murk_scene_name *condition_name; /* [conditions]; empty for the scene
                                       * without a condition */
     murk_free_desc desc;             /* what it points to must outlive this */
-    double **power_w; /* [conditions]; internal: channel powers if no key
-                       * affects them, else NULL */
+    double **power_w; /* [conditions]; internal: powers of all light sources by
+                       * band at the start, or NULL if a free key may change
+                       * them */
     char sha256[65];  /* of the scene file, which must not change during a fit
                        */
     murk_arena arena; /* of all arrays */
@@ -116,16 +118,19 @@ murk_status murk_free_scene(murk_scene_desc **out, const murk_free_keys *keys,
 murk_status murk_free_optics(murk_optics **out, const murk_free_keys *keys,
                              size_t c, const double *value, murk_error *err);
 
-/* Two values around `value` of key k and within bounds, for derivatives:
- * df/dvalue = (f(high) - f(low)) / (high - low). They are symmetric about it,
- * at a smaller distance near a bound, and one-sided if less than a quarter of
- * the distance is left. The distance to each is 1e-5 of the size of the value,
- * which gives an error of some 1e-9. For keys that change tabulated phase
- * functions, whose nodes are accurate to 1e-5, the distance is 2e-2. */
+/* Two values around `value` of key k and within the range of the key, for
+ * derivatives: df/dvalue = (f(high) - f(low)) / (high - low). Both have the
+ * same distance from `value`: 1e-5 of the size of the value, which gives a
+ * relative error of some 1e-9, or 2e-2 of it for keys that change tabulated
+ * phase functions, whose nodes are accurate to 1e-5. The size is the value
+ * itself for keys that are searched in logarithms, else the absolute value, but
+ * at least 1 or the width of the range, whichever is smaller. Near a limit of
+ * the range the distance is smaller; if less than a quarter of the full
+ * distance is left, one of the two values is `value` itself. */
 void murk_free_key_around(const murk_free_keys *keys, size_t k, double value,
                           double *low, double *high);
 
-/* The same at distance `step`, relative to the size of the value. */
+/* The same with the distance `step`, a share of the size of the value. */
 void murk_free_key_beside(const murk_free_key *key, double step, double value,
                           double *low, double *high);
 

@@ -12,9 +12,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Values that are made here name the option in messages, not a line of the
- * scene. */
-
 /* Relative change of a key that is used to find the effect of the key: small
  * enough to be valid, large enough to exceed rounding. */
 #define PROBE 1e-3
@@ -68,7 +65,8 @@ static murk_status place_in(murk_free_keys *keys, size_t k, size_t c,
     return MURK_OK;
 }
 
-/* Notes of conditions that do not have the key. */
+/* Prints a note for each condition that lacks a key meant for all
+ * conditions. */
 static void note_absence(const murk_free_keys *keys, size_t k)
 {
     for (size_t c = 0; c < keys->conditions; ++c) {
@@ -82,7 +80,8 @@ static void note_absence(const murk_free_keys *keys, size_t k)
     }
 }
 
-/* Parses the resolved scene of each condition. */
+/* Parses the resolved scene of each condition. Nodes of the trees name the
+ * option in messages, not a line of the scene. */
 static murk_status read_trees(murk_yaml **root, const murk_free_keys *keys,
                               murk_error *err)
 {

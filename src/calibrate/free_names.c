@@ -79,7 +79,7 @@ static const char *condition_text(const murk_free_keys *keys, size_t c)
     return keys->condition_name[c][0] ? keys->condition_name[c] : "scene";
 }
 
-/* Adds a parameter, unless it is there already. */
+/* Adds a parameter; fails if the key or factor is free already. */
 static murk_status add(murk_free_keys *keys, const char *name, const char *path,
                        size_t condition, size_t gain, murk_error *err)
 {
@@ -332,8 +332,9 @@ static murk_status read_bound(bound *out, const char *text, murk_error *err)
                            out->low, out->high);
 }
 
-/* True if the name of a bound means this parameter: KEY stands for "KEY",
- * "KEY@each" and "KEY@dawn". */
+/* True if the name of a bound means this parameter: its own name (such as
+ * "KEY@dawn"), or the path of its key, alone ("KEY") or as "KEY@each"; the path
+ * means the parameters of all conditions. */
 static bool is_meant(const murk_free_key *key, const char *name)
 {
     const size_t length = strlen(key->path);

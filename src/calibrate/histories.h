@@ -9,9 +9,10 @@
  *
  * (perturbation Monte Carlo: Hayakawa, Spanier, Bevilacqua, Dunn, You,
  * Tromberg, Venugopalan, Opt. Lett. 26 (2001) 1335, doi:10.1364/OL.26.001335).
- * Density path and number of scatterings are therefore stored for each medium,
- * and the cosines if a phase function is free. A contribution is the chord of a
- * path in a receiver, or a stored record.
+ * Density path (the optical depth in a medium of extinction 1) and number of
+ * scatterings are therefore stored for each medium that is re-weighted, and the
+ * cosines if a phase function is free. A contribution is the chord of a path in
+ * a receiver, or a stored record.
  *
  * The same formula holds if packets are weighted instead of absorbed by Russian
  * roulette (least_weight below 1): the factor sigma_s appears in the weight
@@ -70,7 +71,8 @@ typedef struct murk_contribution {
     uint8_t medium; /* record of the volume map: number of the medium in the
                      * scene */
     float value; /* chord: length times weight [m], times cosine for irradiance;
-                  * record: share of a packet that leaves */
+                  * record: share of the power of its packet that the record
+                  * gets */
 } murk_contribution;
 
 static inline bool

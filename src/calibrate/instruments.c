@@ -85,8 +85,9 @@ void murk_instruments_release(murk_instruments *instruments)
     *instruments = (murk_instruments){0};
 }
 
-/* A surface must cut a sphere by more than this share of the radius: the cap of
- * a smaller cut has less than 7.5e-5 of the volume (3/4 of the square). */
+/* A receiver is reported only if a surface cuts off more than this share of the
+ * radius of the sphere: a smaller cap has less than 7.5e-5 of the volume (3/4
+ * of the square of the share). */
 #define CUT_DEPTH .01
 
 /* Number of receivers that warnings name one by one. */

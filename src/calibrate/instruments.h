@@ -12,8 +12,8 @@
 typedef struct murk_instruments {
     size_t receivers;
     murk_receiver *receiver; /* [receivers] */
-    murk_quantity *quantity; /* [receivers]; quantity of the unit of each
-                              * receiver */
+    murk_quantity *quantity; /* [receivers]; whether the unit of a receiver
+                              * counts watts, lux, photons or PAR */
     size_t groups, poses;
     murk_pose *pose;   /* [poses]; ordered by group */
     size_t *group;     /* [poses] */

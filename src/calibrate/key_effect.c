@@ -19,9 +19,8 @@ static murk_status no_memory(murk_error *err)
 
 /* ---- the world ---- */
 
-/* True for keys that the light depends on, except optics, which are compared by
- * value, and light sources with the site, which are compared by their shapes.
- */
+/* True for top-level keys of a scene that the light depends on, except `lights`
+ * and `site`: light sources are compared by their shapes. */
 static bool is_of_world(const char *key)
 {
     const murk_key *row = murk_keys_find(&murk_scene_keys, key);

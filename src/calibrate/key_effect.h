@@ -15,7 +15,8 @@ typedef struct murk_key_effect {
 
 /* Adds the differences of two scenes of one file to *effect. Everything that is
  * neither the optics of a medium nor the power of a light source is compared
- * key by key, and light sources by position and shape. Fails as
+ * key by key, and light sources by position and shape. If a difference is found
+ * there, optics and powers are not compared. Fails as
  * murk_source_shapes_print(). */
 murk_status murk_key_effect_add(murk_key_effect *effect, const murk_optics *a,
                                 const murk_optics *b, murk_error *err);

@@ -251,8 +251,9 @@ murk_status murk_key_place_find(murk_key_place *out, murk_yaml *root, int bands,
 #define SLIP_OF_THE_PEN 1e9
 #define OFF_THE_END     1e-3 /* distance from a limit that may not be reached */
 
-/* A key whose range is 0 to at least this value is a scale: relative changes
- * matter. Albedo, index of refraction, temperature and wind are not scales. */
+/* A key is a scale, of which relative changes matter, if its range starts at 0
+ * or above and reaches at least to this value. Albedo, index of refraction,
+ * temperature and wind are not scales. */
 #define SCALE_FROM 1000
 
 static void from_row(murk_key_range *out, const murk_key *row)
@@ -269,8 +270,8 @@ static void from_row(murk_key_range *out, const murk_key *row)
     }
 }
 
-/* Narrows the range by that of the preset, which knows the words that it uses.
- */
+/* Narrows the range of a word of presets to the range that the preset of the
+ * medium states for the word. */
 static murk_status from_preset(murk_key_range *out, const murk_key_place *place,
                                const char *name, const char *where,
                                murk_error *err)

@@ -95,15 +95,16 @@ static double sums_bytes(const murk_model *m, double rows)
             (double)m->facts.runs * ((double)m->n + 1));
 }
 
-/* Memory of the covariance of all rows that need light, of the fitted ones, of
- * the factor, and of the batches. */
+/* Memory of the covariance of all rows that need light, of the covariance of
+ * the fitted ones, of the Cholesky factor of the latter, and of the batches. */
 static double noise_bytes(const murk_model *m)
 {
     const double lights = (double)m->facts.lights;
     return 3 * lights * lights * sizeof(double) + sums_bytes(m, lights);
 }
 
-/* Memory that all conditions keep, and the largest additional memory of any. */
+/* Memory of all conditions together, and the largest additional memory of any
+ * one while light is traced and while rows are evaluated. */
 typedef struct need {
     double light, weights, sums;
     double tracing, reading;
@@ -141,8 +142,8 @@ murk_status murk_model_forecast(murk_fit_forecast *out, const murk_model *m,
             contributions += size.contributions;
         }
     }
-    /* Weights are released before light is traced again, so the larger of both
-     * counts. */
+    /* Weights are released before light is traced again, so the larger of the
+     * memory of tracing and that of an evaluation counts. */
     const double max = fmax(all.tracing, all.weights + all.reading);
     *out = (murk_fit_forecast){contributions, all.light + all.weights,
                                all.light + all.sums + max};

@@ -43,18 +43,20 @@ murk_status murk_model_no_memory(murk_error *err);
  * again. */
 bool murk_model_changes_world(const murk_model *model, size_t k, size_t c);
 
-/* The optics of condition c at two values around value[k] of each key that
- * re-weights it; low and high are NULL for other keys. sides[n] belongs to the
- * caller, who releases it also after a failure. */
+/* The optics of condition c at two values around value[k], for each key whose
+ * effect in this condition is computed by re-weighting; low and high are NULL
+ * for other keys. sides[n] belongs to the caller, who releases it also after a
+ * failure. */
 murk_status murk_model_sides(murk_optics_sides **sides, const murk_model *model,
                              size_t c, const double *value, murk_error *err);
 void murk_model_sides_release(murk_optics_sides *sides, size_t n);
 
-/* The memory of a fit: contributions with the data for re-weighting, ratios and
- * slopes, records in maps, sightlines, and sums by batch, which each condition
- * keeps until the end. On top of that come, one after the other: the growth of
- * arrays while light is traced again, a second light if slopes come from light
- * that is traced again, and the covariance of the rows. */
+/* The memory of a fit. Each condition keeps until the end: contributions with
+ * the data for re-weighting, records in maps, sightlines, and sums by batch. On
+ * top of that comes the larger of two: while light is traced, the growth of
+ * arrays, and a second light if slopes come from light that is traced again;
+ * while rows are evaluated, ratios and slopes of all conditions, and the
+ * covariance of the rows. */
 typedef struct murk_fit_forecast {
     double contributions; /* of all conditions */
     double light_bytes;   /* contributions, maps, sightlines, and ratios and

@@ -1,6 +1,6 @@
-/* Evaluates the forward model: lit rows by re-weighting plus the linear effect
- * of world keys, transmittance along beams exactly, then factors of readings.
- * Also computes the noise of the last prediction. */
+/* Evaluates the forward model: rows that need light by re-weighting plus the
+ * linear effect of world keys, transmittance along beams exactly, then factors
+ * of readings. Also computes the noise of the last prediction. */
 #include "calibrate/beams.h"
 #include "calibrate/model_parts.h"
 #include "calibrate/world_slopes.h"
@@ -10,8 +10,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* If the slopes over a small step and over a wide one differ by more than this
- * factor, the small one is dominated by steps of the function. */
+/* If the slopes over a narrow and over a wide interval of a key differ by more
+ * than this factor, the slope over the narrow one is dominated by jumps of the
+ * function. */
 #define STEEP 10
 
 murk_status murk_model_no_memory(murk_error *err)
@@ -154,10 +155,10 @@ static murk_status beam_differences(double *out, double *below,
     return status;
 }
 
-/* True if the slopes over a small and a wide step differ much. If a grid moves,
- * a level beam changes only when it crosses a layer of voxels: it is constant
- * almost everywhere, and then jumps. The slopes over the wide step are then
- * used. */
+/* True if the slopes over a narrow and a wide interval of a key differ much. If
+ * a grid moves, a level beam changes only when it crosses a layer of voxels: it
+ * is constant almost everywhere, and then jumps. The slopes over the wide
+ * interval are then used. */
 static bool are_of_steps(const double *slope, const double *wide, size_t n)
 {
     double of_slopes = 0, of_wide = 0;

@@ -24,8 +24,9 @@
  * error itself is then uncertain by more than 10 %. */
 #define PHOTONS_FEW 50
 
-/* Runs of photons for the noise of slopes. That covariance is not inverted, so
- * fewer suffice. */
+/* Largest number of runs of photons, from which the noise of slopes is
+ * estimated. The covariance of slopes is not inverted, so fewer runs than
+ * batches suffice. */
 #define RUNS_MAX 256
 
 void murk_model_destroy(murk_model *m)
@@ -69,8 +70,8 @@ static murk_status choose_media(murk_model *m, size_t c, const double *value,
         status = murk_model_no_memory(err);
     }
     w->desc.medium = w->medium;
-    /* A medium is recorded if a key changes extinction, albedo or phase
-     * function. */
+    /* A medium is recorded if a key changes its extinction or albedo, or if a
+     * key changes the phase function of any medium. */
     for (size_t i = 0; i < n_media && !status; ++i) {
         bool is_recorded = false;
         for (size_t k = 0; k < m->n; ++k) {
@@ -294,7 +295,7 @@ static void warn_of_few(const murk_model *m, const murk_model_world *w)
     free(photons);
 }
 
-/* Forecasts the memory, and fails if there is less. */
+/* Forecasts the memory of the fit, and fails if less is free. */
 static murk_status forecast_memory(murk_model *m, murk_error *err)
 {
     murk_fit_forecast forecast;

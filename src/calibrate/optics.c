@@ -85,14 +85,14 @@ void murk_optics_destroy(murk_optics *optics)
     }
 }
 
-/* Angles at which phase functions are compared, in logarithmic steps because of
- * the diffraction peak. */
+/* Number of steps between the angles at which phase functions are compared; the
+ * steps are logarithmic because of the diffraction peak. */
 #define ANGLES 60
 
 /* Relative tolerance, above rounding. A parameter that changes a phase function
- * by less than this when it changes by a thousandth changes the weight of a
- * path by at most 1e-4 for each scattering when it doubles. Example: the
- * absorbed share of rain in the visible. */
+ * by less than this when the parameter changes by a thousandth changes the
+ * weight of a path by at most 1e-4 for each scattering when the parameter
+ * doubles. Example: the absorbed share of rain in the visible. */
 #define ALIKE 1e-7
 
 bool murk_optics_turn_alike(const murk_optics *a, const murk_optics *b,

@@ -14,8 +14,9 @@
 typedef struct murk_optics {
     size_t media, channels; /* channel: light * bands + band */
     int bands;
-    murk_spectrum *extinction_per_m; /* [media]; times density; 1 if a profile
-                                      * states the extinction */
+    murk_spectrum *extinction_per_m; /* [media]; to be multiplied by the
+                                      * density; 1 if a profile states the
+                                      * extinction */
     murk_spectrum *albedo;           /* [media]; 0 if the albedo is a grid */
     murk_phases *phases;             /* phases->medium[media][band] */
     double *power_w;                 /* [channels]; all 0: no source emits */

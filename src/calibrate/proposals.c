@@ -12,8 +12,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A reading has at least the error of a reading of this share of the largest
- * one. Otherwise places where almost nothing is measured would seem best. */
+/* The error that is assumed for a reading is at least that of a reading of this
+ * share of the largest predicted one. Otherwise places where almost nothing is
+ * measured would seem best. */
 #define FLOOR_SHARE .01
 
 static murk_status no_memory(murk_error *err)
@@ -98,8 +99,9 @@ murk_status murk_proposals_check(const murk_readings *measured,
     return status ? status : check_sensors(scene, err);
 }
 
-/* Lists the poses or positions of the candidates of the scene, of which *pose
- * [out->judged] are judged; the caller owns *pose. */
+/* Lists the candidates of the scene, poses for coverage and positions else, or
+ * every k-th of them if there are too many. The caller owns *pose, which has
+ * out->judged elements. */
 static murk_status list_poses(murk_pose **pose, murk_proposals *out,
                               const murk_stage *stage, unsigned threads,
                               murk_error *err)
@@ -134,7 +136,8 @@ static murk_status list_poses(murk_pose **pose, murk_proposals *out,
     return status;
 }
 
-/* One row for each candidate, like the example. */
+/* Makes a reading and a row for each candidate, with the properties of the
+ * example. */
 static murk_status make_rows(murk_readings *out, const murk_readings *measured,
                              const murk_reading *example, const murk_pose *pose,
                              size_t n, murk_error *err)

@@ -13,15 +13,16 @@
 typedef struct murk_proposed_place {
     murk_pose pose;        /* coverage: a pose of that sensor type; else a
                             * position alone */
-    double gain;           /* increase of log det of the information, in this
-                            * order */
+    double gain;           /* increase of the logarithm of the determinant of
+                            * the information by this place, after the places
+                            * before it in place[] */
     double predicted;      /* predicted reading, in `unit` */
     double standard_error; /* assumed error of the reading */
 } murk_proposed_place;
 
 typedef struct murk_proposals {
     murk_reading_kind kind; /* the most frequent kind of the fitted readings of
-                             * light */
+                             * light and coverage */
     murk_reading_unit unit;
     size_t condition;      /* number in the scene; SIZE_MAX: the scene without a
                             * condition */
@@ -45,7 +46,8 @@ typedef struct murk_proposals {
 murk_status murk_proposals_check(const murk_readings *measured,
                                  const murk_scene_desc *scene, murk_error *err);
 
-/* Proposes k places after a calibration. Release it also after a failure. */
+/* Proposes k places, or all candidates if there are fewer, after the
+ * calibration `found`. Release *out also after a failure. */
 murk_status murk_proposals_create(murk_proposals *out, size_t k,
                                   const murk_calibration *found,
                                   const murk_calibration_desc *desc,

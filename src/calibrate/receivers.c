@@ -17,7 +17,8 @@ typedef struct job {
     const murk_reweighed *reweighed;
 } job;
 
-/* The value of a contribution with ratio 1. */
+/* The value of a contribution in the unit of its receiver, before
+ * re-weighting. */
 static double worth_of(const job *j, const murk_contribution *c)
 {
     const murk_histories *f = j->histories;

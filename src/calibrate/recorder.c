@@ -129,8 +129,8 @@ static void record(const murk_recorder *r, murk_photon_history *f,
         path[m] = (float)f->path_m[m];
         chord[m] = 0;
     }
-    /* A record in a medium includes its own scattering, since the power leaves
-     * it. */
+    /* The count of a record in a medium includes the scattering at the record
+     * itself, because the record has the power that leaves that scattering. */
     if (is_volume && r->index_of[made.medium] >= 0) {
         ++f->buffer.count[(f->buffer.n - 1) * r->all->media +
                           (size_t)r->index_of[made.medium]];

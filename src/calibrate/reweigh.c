@@ -16,7 +16,7 @@
 #define BATCH 8192
 
 /* Below this |x|, the series of the slope of the mean is accurate to rounding;
- * above, the closed form loses at most a further factor of ten. */
+ * above, the closed form loses about one more decimal digit at most. */
 #define SERIES_BELOW 0.1
 
 /* Limit of densities, so that logarithms are finite. */
@@ -175,7 +175,7 @@ static void reweigh_one(const job *j, turns *t, size_t i)
     const bool is_cut = !(path * power <= MURK_RATIO_MAX);
     j->out->ratio[i] = is_cut ? MURK_RATIO_MAX : w.zeros > 0 ? 0 : path * power;
     /* Derivatives: 0 if more than one scattering is impossible; with one, the
-     * derivative of that factor alone. */
+     * derivative of the factor of that scattering times all other factors. */
     for (size_t k = 0; k < c->keys; ++k) {
         double *slope = &j->out->slope[k * n + i];
         *slope = 0;

@@ -14,15 +14,18 @@
 #include <string.h>
 
 /* A world key that moved by less than WORLD_STILL standard errors, or by less
- * than WORLD_CLOSE of its value, does not need new slopes. */
+ * than WORLD_CLOSE of the larger of its absolute value and 1, does not need new
+ * slopes. */
 #define WORLD_STILL .2
 #define WORLD_CLOSE 1e-3
 
 /* Default limit on traces for each start: each costs a full run. */
 #define TRACES_MAX 12
 
-/* Further starts lie within this factor of the values of the scene, or within
- * this share of the width of the bounds. */
+/* Values of further starts: within START_FACTOR of the value of the scene for
+ * keys that are searched in logarithms, within the middle START_SHARE of the
+ * range of other keys; without a finite range, at most the larger of 1 and the
+ * absolute value of the scene away from that value. */
 #define START_FACTOR 4.0
 #define START_SHARE  .9
 
@@ -163,8 +166,8 @@ static bool has_ended_away(murk_fit_search *s, const double *x,
  * any effective share, with the whitening of the last prediction. No light is
  * traced. x becomes the end, and *is_valid tells whether the light describes
  * that point well enough for the search to continue there. Slopes of world keys
- * hold at the traced values only, so with such keys light is traced in any
- * case. */
+ * hold at the traced values only, so *is_valid is false if there are such
+ * keys. */
 static murk_status scout(murk_fit_search *s, double *x, bool *is_valid,
                          murk_error *err)
 {
@@ -320,8 +323,8 @@ static murk_status run(murk_fit_search *s, murk_calibration_start *to,
 
 /* ---- starts ---- */
 
-/* Start value i of a key: the value of the scene first, random ones around it
- * later. */
+/* The value of key number k in start i: that of the scene if i is 0, else a
+ * random one. */
 static double start_of(const murk_free_key *key, uint32_t seed, size_t i,
                        size_t k)
 {
@@ -384,7 +387,8 @@ murk_status murk_fit_start(murk_calibration *out, murk_fit_search *s, size_t i,
     s->start = i;
     s->cost_to_beat = i > 0 ? out->start[out->best].cost : INFINITY;
     murk_fit_search_coordinates(s, start->from, s->x);
-    /* Search; only the first start may fail the fit. */
+    /* Search. A failure of a further start does not fail the fit, except an
+     * interrupt and lack of memory. */
     murk_error failure = {0};
     const murk_status status = run(s, start, &failure);
     if (status) {

@@ -1,10 +1,12 @@
 /* The searches of a fit: the first starts at the values of the scene, further
- * ones at random values around them. Internal to this room.
+ * ones at random values. Internal to this room.
  *
  * A search with shares_light and has_light first follows the light at hand
- * without tracing. Light is traced only if that leads to a point that the light
- * no longer describes and whose cost is below cost_to_beat; otherwise the
- * search is abandoned (is_dropped). */
+ * without tracing. If the search comes to a point that this light still
+ * describes, it goes on there with this light. Otherwise light is traced there
+ * if the cost is below cost_to_beat plus the number of parameters, and the
+ * search is abandoned (is_dropped) if not. If the light at hand gives no
+ * residuals, light is traced at the start. */
 #ifndef MURK_CALIBRATE_SEARCH_H
 #define MURK_CALIBRATE_SEARCH_H
 
@@ -12,8 +14,8 @@
 
 /* Runs search i: fills out->start[i], and out->best if it is the best so far.
  * Afterwards the last prediction of the search is that at search->x, the end. A
- * failure of a further start is recorded in out->start[i].why and is no failure
- * of the fit. */
+ * failure of a further start (i > 0) is recorded in out->start[i].why and is no
+ * failure of the fit, except an interrupt and lack of memory. */
 murk_status murk_fit_start(murk_calibration *out, murk_fit_search *search,
                            size_t i, murk_error *err);
 

@@ -7,9 +7,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* A positive key may change by at most this factor from the start. At that
- * limit the key is practically zero or infinite, and is reported as being at a
- * bound; logarithms have no limit of their own. */
+/* A key that is searched in logarithms may change by at most this factor from
+ * the start. At that limit the key is practically zero or infinite, and is
+ * reported as being at a bound; logarithms have no limit of their own. */
 #define MURK_FREE_REACH 1e9
 
 double murk_free_lowest(const murk_free_key *key)
@@ -105,8 +105,8 @@ void murk_fit_search_coordinates(const murk_fit_search *s, const double *value,
     }
 }
 
-/* Whitens the fitted rows that need light by their covariance: photons plus
- * measurement errors. */
+/* Computes the whitening of the fitted rows that need light, from their
+ * covariance: photons plus measurement errors. */
 static murk_status whiten(murk_fit_search *s, murk_error *err)
 {
     murk_whitening_destroy(s->whitening);

@@ -1,6 +1,6 @@
-/* The state of a search for the best parameters, in search coordinates
- * (logarithms of positive keys, values of others), and the residuals that least
- * squares minimise. Internal to this room. */
+/* The state of a search for the best parameters, in search coordinates (the
+ * logarithm of a key with is_log, the value of any other), and the residuals
+ * that least squares minimise. Internal to this room. */
 #ifndef MURK_CALIBRATE_SEARCH_STATE_H
 #define MURK_CALIBRATE_SEARCH_STATE_H
 
@@ -20,10 +20,11 @@ typedef struct murk_fit_search {
     murk_whitening *whitening;   /* of the first n_light rows; NULL: none */
     double *x;                   /* [n]; present point of the search */
     double *lower, *upper;       /* [n]; bounds */
-    double *traced, *before;     /* [n]; point of the last trace, and the one
-                                  * before */
-    double *residual, *jacobian; /* [n_fitted], [n_fitted][n]; whitened, at the
-                                  * point of the last trace */
+    double *traced, *before;     /* [n]; point of the last trace that was
+                                  * accepted; point to which the search goes
+                                  * back halfway if a step was too long */
+    double *residual, *jacobian; /* [n_fitted], [n_fitted][n]; whitened; while
+                                  * least squares run, those at `traced` */
     double *value;               /* [n]; at the last prediction */
     double *predicted, *slope;   /* [rows], [rows][n]; at the last prediction */
     double *offset;              /* [n_fitted]; offset of the whitened
@@ -33,8 +34,8 @@ typedef struct murk_fit_search {
     int iterations;
     size_t traces;        /* of this start */
     size_t start;         /* number of the start */
-    bool is_undersampled; /* the last search ended because the effective share
-                           * was too low */
+    bool is_undersampled; /* least squares, or the correction after them, ended
+                           * last because the effective share was too low */
     bool has_light; /* the last search succeeded, so the light can be used again
                      */
     bool shares_light;   /* the next search begins with that light */

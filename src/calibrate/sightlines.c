@@ -8,8 +8,9 @@
 
 /* Sightlines with a smaller transmittance at the traced optics are dropped.
  * Each changes a coverage by less than this, and by less than the square root
- * of this if the extinction is halved. Coverage rows drop sightlines of 8000
- * times as much (half a clarity). */
+ * of this if the extinction is halved. Rows of coverage matrices drop
+ * sightlines already below 8000 times this, half a unit of the 16-bit
+ * clarity. */
 #define MIN_THROUGH 0x1p-30
 
 #define CHUNK 512 /* sightlines computed together: fits the cache */

@@ -210,8 +210,8 @@ static bool are_finite(const double *a, size_t n)
     return true;
 }
 
-/* The decomposition that both uses need: J^T J = V diag(s^2) V^T, and the noise
- * in units of it, Q diag(part) Q^T. */
+/* The decomposition that step and information need: J^T J = V diag(s^2) V^T,
+ * and the noise in units of J^T J, Q diag(part) Q^T. */
 typedef struct axes {
     size_t rank;
     double *singular, *direction; /* [rank], [rank][n] */

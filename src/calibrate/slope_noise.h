@@ -2,9 +2,10 @@
  * Internal to this room.
  *
  * Values f and slopes J of re-weighted rows come from the same photons, so
- * their errors are correlated. With weights W = L^-T L^-1, the equation of
- * least squares, J^T W (y - f) = 0, has the bias tr(W cov(f, J)), and J^T W J
- * exceeds the information by N = tr(W cov(J, J)). Without correction,
+ * their errors are correlated. With y the measured values, L the Cholesky
+ * factor of the covariance of the rows and weights W = L^-T L^-1, the equation
+ * of least squares, J^T W (y - f) = 0, has the bias tr(W cov(f, J)), and J^T W
+ * J exceeds the information by N = tr(W cov(J, J)). Without correction,
  * parameters are drawn to where paths have less noise, and their errors are too
  * small (errors in variables: Fuller, Measurement Error Models, 1987,
  * doi:10.1002/9780470316665). The weights come from the same photons, too: rows
@@ -15,8 +16,8 @@
  *
  * The correction: rows are offset by d with J^T W d = b, the difference of both
  * effects. The information is A = J^T W J - N, and the covariance is A^-1 (A +
- * (1 + phi) N) A^-1; phi, the share of photons in all noise, bounds the effect
- * of their correlation. */
+ * (1 + phi) N) A^-1; phi, the share of photons in all noise of the rows, bounds
+ * the effect of the correlation of values and slopes. */
 #ifndef MURK_CALIBRATE_SLOPE_NOISE_H
 #define MURK_CALIBRATE_SLOPE_NOISE_H
 
@@ -51,9 +52,10 @@ murk_status murk_slope_noise_offset(double *offset,
                                     const double *jacobian, size_t rows,
                                     size_t n, murk_error *err);
 
-/* Computes step[n] = A^-1 (J^T residual + b) and the length of the step in
- * standard errors of A. No step is taken along a direction if noise contributes
- * more than half of the apparent information. */
+/* Computes step[n] = A^-1 (b - jacobian^T residual), with the jacobian of the
+ * residuals, and the length of the step in standard errors of A. No step is
+ * taken along a direction if noise contributes more than half of the apparent
+ * information. */
 murk_status murk_slope_noise_step(double *step, double *length,
                                   const murk_slope_noise *noise,
                                   const double *residual,

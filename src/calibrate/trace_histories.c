@@ -107,7 +107,8 @@ static murk_status make_maps(murk_histories *f, const job *j, murk_error *err)
                                          j->desc->threads, err);
 }
 
-/* Checks the losses and moves the contributions into the result. */
+/* Checks the losses and completes the result, which has all contributions
+ * already: powers of packets, exact sizes of arrays, photon maps. */
 static murk_status finish(murk_histories *f, const job *j, murk_error *err)
 {
     const murk_status status = murk_emission_check_losses(&j->emission, err);

@@ -15,8 +15,8 @@
 #include <stdio.h>
 #include <string.h>
 
-/* One-sided probabilities that add up to 5 %: beyond them the verdict mentions
- * the scatter. */
+/* The verdict calls the scatter of the readings too large if p_value is below
+ * this, and too small if 1 - p_value is: 5 % of correct fits together. */
 #define REMARKABLE .025
 
 bool murk_calibration_determines(const murk_calibration *c, size_t k)
@@ -43,8 +43,8 @@ __attribute__((format(printf, 2, 3))) static void say(murk_calibration *c,
     va_end(list);
 }
 
-/* Names the parameters without a standard error: a single one by name, several
- * by number. */
+/* States which parameters the data do not determine: a single one by name, of
+ * several the number. Then states the number of parameters at a bound. */
 static void say_what_is_unknown(murk_calibration *c, const murk_free_keys *keys)
 {
     size_t unknown = 0, first = 0, bound = 0;

@@ -6,8 +6,8 @@
 
 #include "calibrate/calibration.h"
 
-/* A model is rejected if such a large chi-squared has a smaller probability
- * than this: of 10,000 fits of a correct model with correct errors, one is
+/* A model is rejected if the probability of a chi-squared at least as large is
+ * below this: of 10,000 fits of a correct model with correct errors, one is
  * rejected. */
 #define MURK_FIT_REFUSED 1e-4
 

@@ -18,8 +18,8 @@
 typedef struct murk_visible {
     size_t groups, media, acceptances;
     murk_sightlines *of;    /* [groups] */
-    double *acceptance_rad; /* [acceptances]; distinct acceptance angles, by
-                             * type */
+    double *acceptance_rad; /* [acceptances]; distinct acceptance angles of the
+                             * sensors */
     size_t n;               /* number of contributions */
     double *worth_w;        /* [n]; power times factors of regions of interest;
                              * 0 for chords */

@@ -7,9 +7,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The wide step: a share of the value of a positive key, of the width of the
- * bounds, or of the value of an unbounded key, which is then at least STEP_MIN
- * (a length in metres, for example). */
+/* The wide step is STEP_SHARE of the value of a key that is searched in
+ * logarithms, of the width of the bounds of another key, or of the value of a
+ * key without bounds. In the last case the step is at least STEP_MIN, in the
+ * unit of the key. */
 #define STEP_SHARE .1
 #define STEP_MIN   .1
 

@@ -3,8 +3,8 @@
  * seed.
  *
  * A wide step has a bias, a narrow step has more noise. Both a step and half of
- * it are used: their difference beyond the noise estimates the curvature, and
- * each row takes the slope with the smaller expected error. */
+ * it are used: the difference of the two slopes beyond the noise estimates the
+ * bias, and each row takes the slope with the smaller expected error. */
 #ifndef MURK_CALIBRATE_WORLD_SLOPES_H
 #define MURK_CALIBRATE_WORLD_SLOPES_H
 
