@@ -1,4 +1,5 @@
-/* The interface to Ceres and Eigen, in C. No other file uses them.
+/* The interface to Ceres and Eigen, in C. Only ceres_bridge.cpp includes these
+ * packages.
  *
  * No function here throws an exception, prints or ends the program. */
 #ifndef MURK_FIT_CERES_BRIDGE_H
@@ -30,7 +31,7 @@ typedef struct murk_ceres_found {
  * without bounds. Parameters with is_held keep their values; at least one is
  * free. The callback `watch` receives the best x so far, which is in x[n] at
  * the end; after a failed step it receives the cost of that step. Residuals and
- * Jacobian must be finite if the callback returns true. Fails with
+ * Jacobian must be finite if the callback `residuals` returns true. Fails with
  * MURK_NO_MEMORY or MURK_RUN_FAILED (an exception of Ceres). */
 murk_status murk_ceres_minimise(murk_ceres_found *found, double *x,
                                 const bool *is_held,

@@ -2,12 +2,12 @@
  * parameters the data determine.
  *
  * In scaled parameters x_j / scale_j, J = U diag(s) V^T: along a column v of V
- * the data have a standard error of 1 / s. Directions with a standard error
- * above `undetermined` are not determined. The variance of a parameter is the
- * sum over all directions of (v_j / s)^2, with 1 / s cut at 1000. A parameter
- * whose error exceeds `undetermined` scales in this way has no standard error.
- * Therefore confounded parameters have none, and parameters with a small
- * component in a confounded direction keep theirs.
+ * the data determine the parameters with a standard error of 1 / s. Directions
+ * with a standard error above `undetermined` are not determined. The variance
+ * of a parameter is the sum over all directions of (v_j / s)^2, with 1 / s cut
+ * at 1000. A parameter whose error exceeds `undetermined` scales in this way
+ * has no standard error. Therefore confounded parameters have none, and
+ * parameters with a small component in a confounded direction keep theirs.
  *
  * Errors are those of rows with unit variance, to first order (Bard, Nonlinear
  * Parameter Estimation, 1974, ch. 7). */

@@ -79,8 +79,8 @@ static void take_other(search *s)
     read_best(s);
 }
 
-/* True if the sum of squares is finite, too: Ceres fails on values that are
- * not. */
+/* True if all numbers and the sum of their squares are finite: Ceres fails
+ * otherwise. */
 static bool is_summable(const double *x, size_t n)
 {
     double sum = 0;
@@ -162,13 +162,13 @@ static bool report(const search *s, bool is_successful)
     return !p->watch || p->watch(p->context, &step);
 }
 
-/* Reports a step. A successful step is reported when residuals and Jacobian at
- * the new point are known. */
+/* Reports a step. After a successful step, the new point becomes the best one
+ * first: Ceres has requested its residuals and Jacobian by then. */
 static bool answer_watch(void *context, const murk_least_squares_step *step)
 {
     search *s = context;
     if (step->iteration == 0) {
-        return true; /* reported at the end of the previous pass */
+        return true; /* the start of a pass was reported before */
     }
     s->iterations = s->iterations_before + step->iteration;
     if (step->is_successful &&
@@ -221,7 +221,8 @@ static bool goes_on(murk_least_squares_found *found, const search *s,
         say(found, MURK_LEAST_SQUARES_ITERATIONS, "out of iterations", ceres);
         return false;
     }
-    if (s->is_refused) { /* steps may have become short because of that */
+    if (s->is_refused) { /* points without residuals may be why steps became
+                          * short */
         say(found, MURK_LEAST_SQUARES_FAILED,
             "where the search goes there are no finite residuals", ceres);
         return false;

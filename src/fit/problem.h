@@ -44,8 +44,9 @@ typedef struct murk_least_squares {
     void *context;
     murk_loss_function loss;
     double loss_width;  /* > 0, unless there is no loss; Huber: residuals beyond
-                           this width have less weight; Cauchy: the weight falls
-                           with every residual, to a half at this width */
+                         * this width have less weight; Cauchy: the weight of
+                         * every residual falls with its size, to a half at this
+                         * width */
     int iterations_max; /* 0: 100 */
     double tolerance;   /* relative tolerance of the cost; 0: 1e-10 */
 } murk_least_squares;

@@ -98,8 +98,9 @@ void murk_whitening_apply(const murk_whitening *whitening, double *a,
     }
 }
 
-/* sum (b_i - mean_i) is 0, so any constant may replace the mean of b_j. The
- * value of the first batch avoids a loss of digits and needs no memory. */
+/* With b_i the sum of batch b for row i, the sum over the batches of b_i -
+ * mean_i is 0, so any constant may replace the mean of b_j. The value of the
+ * first batch avoids a loss of digits and needs no memory. */
 void murk_covariance_of_batches(double *covariance, const double *batch,
                                 size_t batches, size_t rows)
 {
