@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* some 300 bytes for each of the most readings */
+/* some 300 bytes for each of MURK_READINGS_MAX readings */
 #define FILE_BYTES_MAX 32000000
 
 /* A reading with the names of group and factor, which point into the table. */
@@ -122,7 +122,7 @@ static murk_status find_rows(listing *all)
     if (n > 0) {
         qsort(sorted, n, sizeof *sorted, compare_groups);
     }
-    /* Compare neighbours: first of the name, leader of the row. */
+    /* Compare neighbours; `first` begins the group name, `leader` the row. */
     for (size_t i = 1, first = 0, leader = 0; i < n && !status; ++i) {
         const bool is_named = strcmp(sorted[i]->group, sorted[i - 1]->group);
         first = is_named ? i : first;

@@ -1,9 +1,9 @@
 /* The readings of a CSV file, and the rows of a fit that they form.
  *
  * Columns and meanings: doc/reference/calibration.md. A row of a fit is one
- * reading, or all readings of one `group` of coverage together. Values stay in
- * the unit of the file; the prediction of the model is converted to it
- * (murk_reading_in_unit()). */
+ * reading, or all readings of coverage of one `group` in one condition
+ * together. Values stay in the unit of the file; the prediction of the model is
+ * converted to it (murk_reading_in_unit()). */
 #ifndef MURK_READINGS_READINGS_H
 #define MURK_READINGS_READINGS_H
 

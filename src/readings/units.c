@@ -26,8 +26,8 @@
 #define LIGHT    (BIT(MURK_READ_FLUENCE) | BIT(MURK_READ_IRRADIANCE))
 #define BEAM     BIT(MURK_READ_TRANSMITTANCE)
 
-/* Ranges: any number; percent of a metre; noise may carry readings beyond 0 and
- * 1, so they allow half as much again. */
+/* Ranges of values: any number; percent per metre, 0..100 and half as much
+ * again on both sides, because noise may carry readings there; lengths. */
 #define ANY             -INFINITY, INFINITY, ""
 #define PERCENT_PER_M   -50, 150, "0..100, and noise up to half beyond"
 #define POSITIVE_LENGTH 0, INFINITY, "more than 0 m"

@@ -26,7 +26,7 @@ extern const char *const murk_reading_kinds[MURK_READING_KINDS];
  * transmittance, the fraction for coverage. */
 typedef enum murk_reading_unit {
     MURK_UNIT_FRACTION, /* coverage, transmittance */
-    MURK_UNIT_PERCENT,  /* likewise; for light a free factor is needed */
+    MURK_UNIT_PERCENT,  /* coverage, transmittance; light, with a free factor */
     MURK_UNIT_W_PER_M2, /* light */
     MURK_UNIT_LUX,      /* light */
     MURK_UNIT_PHOTONS,  /* light: 1/s/m2 */
