@@ -17,7 +17,8 @@
 
 /* One plan and the coverage that it has in each condition. */
 typedef struct murk_condition_plan {
-    murk_scene_name made_for; /* name of a condition, or mean, worst, regret */
+    murk_scene_name made_for; /* name of a condition, or mean, worst, regret;
+                               * empty for the scene as it stands */
     size_t count;
     murk_pose *sensor; /* [count] */
     murk_estimate in_sample[MURK_SCENE_CONDITIONS_MAX];
@@ -31,7 +32,7 @@ typedef struct murk_condition_plans {
     murk_conditions *conditions;
     /* The plan of each condition in their order; then the plans for the mean,
      * for the worst condition (in a known environment) and for the regret (if
-     * it is asked for). */
+     * it is asked for). The scene as it stands has one plan. */
     murk_condition_plan plan[MURK_CONDITION_PLANS_MAX];
     size_t plans;      /* 0: every condition is dark */
     size_t chosen;     /* number of the plan that is asked for */
@@ -40,8 +41,9 @@ typedef struct murk_condition_plans {
     murk_coverage_result coverage[MURK_SCENE_CONDITIONS_MAX];
     murk_estimate *shaken; /* [conditions * draws] coverage of the chosen plan
                               with jitter; NULL without jitter */
-    size_t unmoved;        /* displacements that found no free position, of
-                              draws times sensors in one condition */
+    size_t unmoved;        /* number of displacements, out of draws times
+                            * sensors, for which no free position was found;
+                            * equal in all conditions */
     /* With the objective regret, on the sample that chose: the largest regret
      * of the chosen plan to the best plans known; a lower bound of the largest
      * regret of any plan, which holds for the true optima too, because these
@@ -55,15 +57,16 @@ typedef struct murk_condition_plans {
 
 /* Regret of a plan in condition c, which is not dark: the coverage of the own
  * plan of that condition less the coverage of the plan, from held-out coverages
- * if they were measured, else from those in sample. Never relative. */
+ * if they were measured, else from those in sample. The difference is absolute,
+ * also with placement.regret: relative. */
 double murk_condition_plans_regret(const murk_condition_plans *plans,
                                    const murk_condition_plan *plan, size_t c);
 
 /* Releases all plans and the conditions, also after a failure. */
 void murk_condition_plans_release(murk_condition_plans *plans);
 
-/* Finds all errors of the scene before light is traced: fills the conditions of
- * out, and the candidates and poses of the plan. */
+/* Checks the scene before light is traced, and fills the conditions of out, and
+ * the candidates and poses of the plan. */
 murk_status murk_condition_plans_prepare(murk_condition_plans *out,
                                          murk_plan_result *plan,
                                          const murk_scene_desc *scene,
@@ -72,8 +75,9 @@ murk_status murk_condition_plans_prepare(murk_condition_plans *out,
 /* Traces the light of the conditions, chooses the plans and measures them,
  * after murk_condition_plans_prepare(). The fields in_sample, held_out and
  * confirmed of the plan are those of the mean, or of the condition that the
- * objective looks at. The total of in_sample is the value of the problem of all
- * scenarios (cases/scenarios.h), which the bound is about; the error of that
+ * objective looks at. With several conditions and an objective other than the
+ * regret, the total of in_sample is the value of the problem of all scenarios
+ * (cases/scenarios.h), because the bound is one of that value; the error of the
  * total is measured. Release plans and plan also after a failure. */
 murk_status murk_condition_plans_make(murk_condition_plans *plans,
                                       murk_plan_result *plan, unsigned threads,
@@ -90,8 +94,8 @@ murk_status murk_plan_for_scene(murk_plan_result *plan, const murk_stage *stage,
 
 /* Fills plan->place with the plan that is asked for, and plans->plan with that
  * plan and the others. The others are chosen by the same method, with the same
- * number of sensors and without curves. The conditions must have their light
- * (murk_conditions_light()). */
+ * number of sensors or the same budget, and without curves. The conditions must
+ * have their light (murk_conditions_light()). */
 murk_status murk_condition_plans_choose(murk_condition_plans *plans,
                                         murk_plan_result *plan,
                                         murk_error *err);

@@ -117,7 +117,8 @@ static murk_status measure_all(murk_condition_plans *plans, size_t c,
 
 /* ---- jitter ---- */
 
-/* Draws of the chosen plan; a plan without sensors has none. */
+/* The number of draws of jitter for the chosen plan; 0 for a plan without
+ * sensors. */
 static size_t draws_of(const murk_condition_plans *plans)
 {
     return plans->plan[plans->chosen].count > 0
@@ -125,8 +126,9 @@ static size_t draws_of(const murk_condition_plans *plans)
                : 0;
 }
 
-/* The draws of the chosen plan in condition c. Sensors are displaced in the
- * world of the first condition, so that the draws are the same in all. */
+/* Measures the chosen plan with jitter in condition c: one coverage for each
+ * draw. Sensors are displaced in the world of the first condition, so that the
+ * draws are the same in all conditions. */
 static murk_status shake(murk_condition_plans *plans, size_t c,
                          murk_sight *sight, murk_error *err)
 {
@@ -174,7 +176,7 @@ static murk_status sum_up_jitter(murk_condition_plans *plans,
         covered[d] = murk_conditions_estimate(
             all, of, all->scene->placement.over, plans->has_held_out, &worst);
     }
-    /* The spread of the draws about the figure of the plan as it stands. */
+    /* The spread of the draws about the figure of the plan without jitter. */
     const murk_status status =
         draws == 0 ? MURK_OK
                    : murk_robust_summarise(
@@ -290,8 +292,9 @@ static murk_status measure_held_out(murk_condition_plans *plans,
     return status;
 }
 
-/* The chosen plan in light that confirms a target; with at_least the strict
- * share. */
+/* Measures the chosen plan in light that confirms a target. If the scene has
+ * placement.at_least, the share seen by so many sensors is taken, else the
+ * coverage. */
 static murk_status confirm(murk_condition_plans *plans, murk_plan_result *plan,
                            unsigned threads, murk_error *err)
 {
@@ -412,9 +415,10 @@ static murk_status measure(murk_condition_plans *plans, murk_plan_result *plan,
     }
     if (!status) {
         status = sum_up_jitter(plans, plan, err);
-        read_in_sample(plans, plan); /* after the losses of single sensors,
-                                        which compare totals that were measured
-                                        in the same way */
+        read_in_sample(plans, plan); /* this must follow murk_robust_begin(),
+                                      * which compares the measured total with
+                                      * totals that were measured in the same
+                                      * way */
     }
     if (!status && is_more && all->scene->sensors.target > 0) {
         murk_progress_begin_group("hold out", 0, "");

@@ -60,9 +60,10 @@ murk_status murk_conditions_of_stage(murk_conditions **out,
                                      const murk_stage *stage,
                                      murk_traced *traced, murk_error *err);
 
-/* The same worlds without light. With `later` > 0 for another run of the same
- * job: with seeds that are so much greater, and without jitter. *out borrows
- * the worlds of `from`: destroy *out first. Fails with MURK_NO_MEMORY. */
+/* The same worlds without light. If `later` is above 0, the worlds are for
+ * another run of the same job: all seeds are greater by `later`, and there is
+ * no jitter. *out borrows the worlds of `from`: destroy *out first. Fails with
+ * MURK_NO_MEMORY. */
 murk_status murk_conditions_again(murk_conditions **out,
                                   const murk_conditions *from, uint32_t later,
                                   murk_error *err);

@@ -11,7 +11,8 @@
  * at least the optimality gap of that plan. Both are measured on the map of
  * each run, so that their common noise cancels (Mak, Morton, Wood, Oper. Res.
  * Lett. 24 (1999) 47, doi:10.1016/S0167-6377(98)00054-6). The map of the first
- * run chose the plan: its held-out map takes that place there. */
+ * run chose the plan, so for that run the plan is measured on the held-out map
+ * instead. */
 #ifndef MURK_CASES_REPEAT_H
 #define MURK_CASES_REPEAT_H
 
@@ -59,9 +60,9 @@ typedef struct murk_spread {
 } murk_spread;
 
 /* The optimality gap with a confidence interval of 95 %, for normal
- * differences. Differences are skewed if most samples choose the same plan: of
- * such worlds the interval of 12 runs held the mean in 91 of 100 cases, and the
- * true gap was below the upper end in all of them. */
+ * differences. Differences are skewed if most samples choose the same plan: in
+ * a test with such worlds, the interval of 12 runs held the mean in 91 of 100
+ * cases, and the true gap was below the upper end in all of them. */
 typedef struct murk_gap {
     size_t runs; /* that have bound and coverage; below 2: no limits */
     double value, lower, upper; /* mean of upper - plan, +- Student's t for

@@ -13,7 +13,7 @@
 #include <string.h>
 
 /* Approximate number of cells of the grid of the fluence rate. On an axis for
- * which the study gives a size, that size replaces the number of this grid (a
+ * which the study gives a size, that size is the number of cells instead (a
  * choice). */
 #define FLUENCE_CELLS 32768
 

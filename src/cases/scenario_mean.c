@@ -25,7 +25,7 @@ murk_estimate murk_mean_of(const murk_mean *mean, bool are_independent)
                : (murk_estimate){NAN, NAN};
 }
 
-/* The sums of a coverage result that are estimates. */
+/* The sums for those members of a coverage result that are estimates. */
 typedef struct estimates {
     murk_mean total, surface, volume, at_least, map[2];
     murk_mean *region; /* [regions] */

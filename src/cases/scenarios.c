@@ -13,8 +13,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* All weights, times the entries of a photon that count, add up to less than
- * this (placement/problem.h), and no weight exceeds 32 bits. */
+/* The sum of all weights, times the number of sensors that count for one photon
+ * (murk_problem_layers()), is less than WHOLE (placement/problem.h), and no
+ * weight exceeds 32 bits. */
 #define WHOLE      0x1p47
 #define WEIGHT_MAX 4294967295.0
 
@@ -196,9 +197,9 @@ murk_place_desc murk_scenarios_desc(const murk_scenarios *j,
 {
     murk_place_desc desc = murk_plan_desc(j->scene);
     desc.constraints = murk_poses_constraints(j->poses);
-    /* The value that covers a share: of the mean in the units of the problem,
-     * of the worst scenario in units of a block's share, lowered by the
-     * rounding of that product. */
+    /* The target is a share of the coverage, here converted to a value: for the
+     * mean in the weights of the problem, for the worst scenario in units of 1
+     * / MURK_SHARE_ONE of a block, lowered by the rounding of that product. */
     const double share = j->scene->sensors.target;
     if (share > 0) {
         desc.count = j->poses->count;

@@ -25,8 +25,9 @@ typedef struct murk_scenarios {
     const murk_scene_desc *scene; /* borrowed: method, knowledge, target */
     const murk_poses *poses;      /* borrowed: the candidates */
     murk_problem problem;         /* of all photons, for the mean */
-    murk_blocks blocks;  /* blocks.reference: of the regret, filled by the
-                            caller before a plan for the least regret */
+    murk_blocks blocks;  /* blocks.reference: for each block the value of the
+                          * best plan known for it alone, which the caller fills
+                          * before a plan for the least regret */
     murk_matrix *matrix; /* of all photons; NULL: unknown environment */
     double sense_s;      /* seconds that filling the matrix took */
     uint32_t *weight;    /* [photons] of the mean: problem.weight */

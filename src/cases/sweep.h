@@ -37,9 +37,9 @@ typedef struct murk_sweep_group {
  * for the least of them. */
 enum { MURK_SWEEP_MEAN, MURK_SWEEP_WORST, MURK_SWEEP_PLANS };
 
-/* Rows that take part in the choice of a plan for all rows. Of more rows that
- * many take part, evenly spread in their order: their light is held in memory
- * at one time. */
+/* Largest number of rows that take part in the choice of a plan for all rows.
+ * Of more rows, this number takes part, evenly spread in the order of the rows,
+ * because the light of all of them is held in memory at one time. */
 #define MURK_SWEEP_CHOOSERS_MAX 64
 
 typedef struct murk_sweep_plan {

@@ -1,4 +1,4 @@
-/* Chooses one plan for all rows of a study, in a process of its own: imports
+/* Chooses the plans for all rows of a study, in a process of its own: imports
  * and lights the worlds of the rows that take part, joins them as scenarios
  * (cases/scenarios.h), and sends each plan that is asked for. */
 #include "cases/sweep_work.h"

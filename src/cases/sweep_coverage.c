@@ -42,7 +42,8 @@ static murk_status measure_anew(murk_sweep_light *l, size_t k, uint32_t stream,
     murk_traced *traced = NULL;
     murk_sight *sight = NULL;
     bool is_own = true;
-    /* Targets need no light; photons are those of another stream of the row. */
+    /* Targets need no light; otherwise take the light of the row for this
+     * stream. */
     murk_status status =
         murk_sweep_needs_no_light(stage->scene)
             ? murk_plan_trace_stream(&traced, stage, stream, threads, err)

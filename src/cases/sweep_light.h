@@ -38,7 +38,8 @@ typedef struct murk_sweep_light {
     double **power_w;        /* [n][channels] */
     const murk_stage *first; /* the built stage whose world all rows share */
     murk_row_tallies row_tallies;
-    murk_sources *lights; /* of all rows; NULL: all rows have equal lights */
+    murk_sources *lights; /* of all rows; NULL: all rows have equal lights, or
+                           * none shines */
     murk_scene_desc lit_scene; /* the scene that is traced: that of `first` with
                                   more photons if the lights of the rows
                                   differ */

@@ -1,8 +1,9 @@
 /* Runs a study. Each group of rows is measured in a subprocess of its own, so
- * one row that fails leaves the other rows alone. Then one plan for all rows is
- * made, for the mean of their coverages or for the worst row: picks the rows
- * that take part, has the plans chosen in one subprocess
- * (sweep_choose.c), and has each group measure them in its rows. */
+ * one row that fails leaves the other rows alone. Then the plans for all rows
+ * are made, as far as the study asks for them: one for the mean of the
+ * coverages and one for the worst row. The rows that take part are picked, the
+ * plans are chosen in one subprocess (sweep_choose.c), and a subprocess for
+ * each group measures them in the rows of the group. */
 #include "cases/sweep.h"
 
 #include "base/file.h"

@@ -27,8 +27,8 @@ murk_status murk_sweep_open(const murk_sweep *sweep, murk_error *err);
  * empty then. */
 bool murk_sweep_load(const murk_sweep *sweep, const char *key,
                      murk_study_row *out);
-/* Stores a row under a key, unless the row failed: a failed row is tried again.
- * Sets sweep->cannot_keep if this fails. */
+/* Stores a row under a key, unless the row failed: the next run tries a failed
+ * row again. Sets sweep->cannot_keep if the file cannot be written. */
 murk_status murk_sweep_keep(murk_sweep *sweep, const char *key,
                             const murk_sweep_message *message, murk_error *err);
 
