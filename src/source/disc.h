@@ -1,11 +1,12 @@
 /* The disc of a distant source, such as the sun, and the irradiance of a plane
  * entry face by it. Private to this room.
  *
- * A direction is the direction of the light plus a point of a disc of radius
- * tan(angular radius) across it, uniformly. The radiance is then proportional
- * to 1 / cosine^4 of the angle from the direction of the light, which for the
- * disc of the sun is constant to 5e-5, and all results of this file are exact
- * for this radiance. */
+ * A direction of travel is the central direction of the light plus a vector
+ * from the center to a point of a disc of radius tan(angular radius) at right
+ * angles to it. Equal areas of the disc give equal irradiance. The radiance is
+ * then proportional to 1 / cosine^4 of the angle from the direction of the
+ * light, which for the disc of the sun is constant to 5e-5, and all results of
+ * this file are exact for this radiance. */
 #ifndef MURK_SOURCE_DISC_H
 #define MURK_SOURCE_DISC_H
 

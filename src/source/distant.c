@@ -1,11 +1,12 @@
 /* Distant light: parallel rays, the disc of sun or moon, and the sky.
  *
  * Distant light enters the domain through the faces of the domain, or through
- * the portals at which it is aimed (entry_faces.h). For each of the two rows:
- * the check against the domain, the start of a photon, a sampled direction from
+ * the portals at which it is aimed (entry_faces.h). There are two rows of
+ * functions, one for parallel rays and discs and one for the sky. Each has the
+ * check against the domain, the start of a photon, a sampled direction from
  * which the light reaches a point (shine), and the light along a line of sight
- * (glare). The sky is sampled by solid angle, light through portals by the area
- * of the portals. */
+ * (glare). For shine, a disc is sampled by area, the sky by solid angle, and a
+ * sky that is aimed at portals by the area of the portals. */
 #include "source/source_state.h"
 
 #include <math.h>
@@ -48,7 +49,8 @@ static murk_status check_portals(const murk_source *l,
     return MURK_OK;
 }
 
-/* True if distant light may arrive along the line. */
+/* True if distant light may arrive at `place` in the direction `travel`:
+ * through a portal, or along any line if there are no portals. */
 static bool enters(const murk_source *light, murk_vec3 place, murk_vec3 travel)
 {
     double ahead_m, cosine;
@@ -78,8 +80,9 @@ static double portals_per_sr(const murk_source *l, murk_vec3 place,
     return per_sr;
 }
 
-/* Draws a direction through a portal. Returns false if the point lies in the
- * plane of the portal. */
+/* Draws a direction through a uniform point of a portal that is drawn with
+ * equal probability. Returns false if `place` lies in the plane of that
+ * portal. */
 static bool sample_portal(const murk_source *l, murk_vec3 place,
                           const double u[MURK_SHINE_NUMBERS], murk_shine *shine)
 {

@@ -19,7 +19,7 @@
 #include "source/dome.h"
 
 /* Cells along each axis. They are at most 1.4 degrees wide, so that irradiances
- * of every CIE type are right to some 2e-4. */
+ * of every CIE type are right to 4e-4. */
 #define MURK_DOME_CELLS 128
 
 typedef struct murk_dome_table murk_dome_table;

@@ -24,9 +24,9 @@ murk_status murk_entry_faces_create(murk_entry_faces **out,
                                     const murk_domain *domain, murk_error *err);
 void murk_entry_faces_destroy(murk_entry_faces *entry_faces); /* NULL is fine */
 
-/* The power that enters for an irradiance of 1 W/m2, through all faces and
- * through face or portal `which`; 0: none. The irradiance of a dome is that on
- * a level plane. */
+/* The power that enters for an irradiance of 1 W/m2, through all faces, and
+ * through face or portal `which`. 0 if no light enters. The irradiance of a
+ * dome is that on a level plane. */
 double murk_entry_faces_area_m2(const murk_entry_faces *entry_faces);
 double murk_entry_faces_one_m2(const murk_entry_faces *entry_faces,
                                size_t which);

@@ -3,10 +3,11 @@
  *
  * For each type: the check against the domain, the start of a photon from
  * uniform numbers, a sampled direction from which the light reaches a point
- * (shine), and the light along a line of sight (glare). Spheres and rectangles
- * emit by Lambert's cosine law; a point is isotropic; a beam is a disc of
- * parallel rays, or of rays spread evenly over the solid angle of a cone. For
- * shine, flat lamps are sampled by area and spheres by the visible cone. */
+ * (shine), and, except for a point, the light along a line of sight (glare).
+ * Spheres and rectangles emit by Lambert's cosine law; a point is isotropic; a
+ * beam is a disc of parallel rays, or of rays spread evenly over the solid
+ * angle of a cone. For shine, flat lamps are sampled by area and spheres by the
+ * visible cone. */
 #include "source/source_state.h"
 
 #include <math.h>
@@ -191,8 +192,9 @@ static murk_glare rect_glare(const murk_source_state *s, int band,
     const murk_source *l = &s->light;
     const murk_portal sheet = {l->position, l->edge1, l->edge2};
     double ahead_m, cosine;
-    /* The light has passed the rect on the path to the point, on the emitting
-     * side. */
+    /* The light that reaches the point must have started on the rectangle and
+     * on the emitting side: the line of travel passes the rectangle in that
+     * direction, before the point. */
     if (!murk_source_passes(&sheet, place, murk_scale(-1, sight), &ahead_m,
                             &cosine) ||
         !(ahead_m < 0)) {

@@ -13,10 +13,10 @@
  * elevations below 1 degree are treated as 1 degree. Aerosol by Linke
  * turbidity: Ineichen, Solar Energy 82 (2008) 1095,
  * doi:10.1016/j.solener.2008.04.010. Overcast: the global irradiance of a clear
- * day, transmitted by a level cloud of optical depth 20 with droplets of 10 um
- * that absorb like liquid water (Twomey and Bohren, J. Atmos. Sci. 37 (1980)
- * 2086), by two-stream theory (Bohren, Am. J. Phys. 55 (1987) 524,
- * doi:10.1119/1.15109). Both papers are cited from secondary sources. The
+ * day, transmitted by a level cloud of optical depth 20 with droplets of a
+ * radius of 10 um that absorb like liquid water (Twomey and Bohren, J. Atmos.
+ * Sci. 37 (1980) 2086), by two-stream theory (Bohren, Am. J. Phys. 55 (1987)
+ * 524, doi:10.1119/1.15109). Both papers are cited from secondary sources. The
  * optical depth determines the loss in the infrared and little else.
  * Extraterrestrial: ASTM G173-03. */
 #ifndef MURK_SOURCE_SOLAR_SPECTRUM_H

@@ -40,9 +40,11 @@ typedef struct murk_source {
     const murk_portal *portal; /* directional, dome: [portals], at which the
                                 * light is aimed */
     size_t portals;            /* 0: the light is aimed at the domain */
-    murk_spectrum power_w; /* per band. Directional: irradiance [W/m2] at right
-                            * angles to the beam; dome: on a level plane; both
-                            * at the boundary of the domain */
+    murk_spectrum power_w;     /* per band. Lamps: power [W]; directional:
+                                * irradiance [W/m2] at right angles to the rays;
+                                * dome: irradiance [W/m2] on a level plane; both
+                                * irradiances are those at the boundary of the
+                                * domain */
     const char *where;
 } murk_source;
 
@@ -65,10 +67,11 @@ double murk_source_extent_m(const murk_source *lamp);
 murk_vec3 murk_source_face(const murk_source *light, murk_vec3 otherwise);
 
 /* Estimate of the irradiance [W/m2] that a lamp gives at a point, on a plane
- * that faces the lamp, without media and occluders. It is the power [W] at a
- * lamp without extent. to_lamp: from the point to the center of the lamp.
- * has_images: the domain is periodic, so a point behind a flat lamp may be lit
- * by an image of the lamp and has an estimate, too. */
+ * that faces the lamp, without media and occluders. For a lamp without extent
+ * and a distance of 0, the power [W] is returned instead. to_lamp: from the
+ * point to the center of the lamp. has_images: the domain is periodic, so a
+ * point behind a flat lamp may be lit by an image of the lamp and has an
+ * estimate, too. */
 double murk_source_irradiance_near(const murk_source *lamp, int band,
                                    murk_vec3 to_lamp, bool has_images);
 
@@ -89,8 +92,8 @@ typedef struct murk_shine {
                         * start */
     double irradiance_w_per_m2; /* on a plane at right angles to the
                                  * direction */
-    double per_sr; /* density of directions that are drawn like this one;
-                    * INFINITY: only one direction is possible */
+    double per_sr; /* probability density with which this direction is drawn
+                    * [1/sr]; INFINITY: only one direction is possible */
 } murk_shine;
 
 /* A light source seen along a line of sight. */

@@ -88,7 +88,8 @@ murk_status murk_source_check_inside(const murk_domain *domain, murk_vec3 p,
                                      const char *where, murk_error *err);
 
 /* Checks that the parallelogram of a lamp or a portal spans an area and lies in
- * the domain; what: "the lamp's". Fails with MURK_BAD_VALUE. */
+ * the domain. what: the beginning of a message, such as "the lamp's". Fails
+ * with MURK_BAD_VALUE. */
 murk_status murk_source_check_sheet(const murk_portal *sheet,
                                     const murk_domain *domain, const char *what,
                                     const char *where, murk_error *err);
