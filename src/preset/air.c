@@ -4,10 +4,11 @@
  *
  *   24 pi^3 (n^2 - 1)^2 / (wavelength^4 N^2 (n^2 + 2)^2) F
  *
- * for dry air at 288.15 K and 1013.25 hPa, with N molecules per cm3, the index
- * n of Peck & Reeder for 300 ppm of CO2, and the King factor F of nitrogen,
- * oxygen, argon and CO2, all as in Bodhaine et al. The number of molecules is
- * proportional to pressure / temperature; the cross section depends on neither.
+ * for dry air at 288.15 K and 1013.25 hPa, with the wavelength in cm, N
+ * molecules per cm3, the index n of Peck & Reeder for 300 ppm of CO2, and the
+ * King factor F of nitrogen, oxygen, argon and CO2, all as in Bodhaine et al.
+ * The number of molecules is proportional to pressure / temperature; the cross
+ * section depends on neither.
  *
  * Sources: Bodhaine, Wood, Dutton & Slusser, J. Atmos. Ocean. Tech. 16 (1999)
  * 1854, doi:10.1175/1520-0426(1999)016<1854:ORODC>2.0.CO;2; Peck & Reeder, J.

@@ -14,12 +14,13 @@
  *     backscattering. It is solved for the absorption, and the absorption of
  *     pure water is subtracted.
  *  4. Between the six wavelengths the spectrum has the shape of the sum
- *     above: the ratio of 3. to that sum is linear in wavelength. Beyond
- *     555 nm pure water absorbs most of the light, the observed law is
- *     uncertain, and the ratio goes linearly to 1 at 650 nm.
+ *     above: the ratio of the absorption of step 3 to that sum is linear in
+ *     wavelength. Beyond 555 nm pure water absorbs most of the light, the
+ *     observed law is uncertain, and the ratio goes linearly to 1 at 650 nm.
  *
  * In very clear water the observed Kd at 510 and 555 nm is below that of pure
- * water with the same sun; the absorption is then 0.
+ * water with the same sun; the absorption by particles and dissolved matter is
+ * then 0.
  *
  * Sources: Morel & Maritorena, J. Geophys. Res. 106 (2001) 7163,
  * doi:10.1029/2000JC000319; Morel et al., Remote Sens. Environ. 111 (2007) 69,

@@ -10,8 +10,8 @@ murk_preset_word murk_preset_word_of(const murk_preset *preset,
                                      murk_word_id word);
 
 /* Fails with MURK_BAD_VALUE at `where` if the preset does not declare the word,
- * or a number is outside the range, ends included, that the preset states.
- * `value` has as many numbers as the word. */
+ * or a number is outside the range that the preset states. The ends of the
+ * range are allowed. `value` has as many numbers as the word. */
 murk_status murk_preset_check_word(const murk_preset *preset, murk_word_id word,
                                    const double *value, const char *where,
                                    murk_error *err);

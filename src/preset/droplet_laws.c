@@ -23,8 +23,8 @@
  * computed. */
 #define NODE_RATIO_MAX 1.08
 
-/* Tolerance of cross sections and mean cosine: a fifth of the error that the
- * presets promise. */
+/* Tolerance of cross sections and mean cosine: a fifth of the 1 % within which
+ * the tests compare presets with an independent program for Mie theory. */
 #define TOLERANCE 2e-3
 
 #define DEGREE 0.017453292519943295 /* pi / 180 */
@@ -95,9 +95,9 @@ static murk_status choose_nodes(nodes *all, const murk_law_call *call,
     return MURK_OK;
 }
 
-/* Solutions for one droplet per volume, by shape and wavelength. They do not
- * depend on the number of droplets, so a fit of visibility finds the same ones
- * each time. */
+/* Optical properties of the mean droplet by shape and wavelength. They do not
+ * depend on the number of droplets, so a fit that varies only that number finds
+ * them here each time. */
 static murk_cache cache = MURK_CACHE_NONE;
 
 typedef struct solved {

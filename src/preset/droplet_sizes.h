@@ -3,8 +3,9 @@
  *   n(r) = N norm r^a exp(-b r^c), r in um, r > 0,
  *
  * with a = alpha and c = gamma of Deirmendjian; c = 1 is the gamma distribution
- * of Hansen and Travis. The structs hold the shape only; results are for N = 1,
- * and the caller multiplies them by N.
+ * of Hansen and Travis. The factor norm makes N the number of counted droplets
+ * per volume. The structs hold the shape only; results are for N = 1, and the
+ * caller multiplies them by N.
  *
  * Droplets are counted from a radius of MURK_COUNTED_FROM_UM, because counters
  * do not detect smaller ones and they hardly affect light. For fog and cloud

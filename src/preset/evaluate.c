@@ -112,8 +112,8 @@ static void multiply(murk_law_result *optics, size_t n, double factor)
     }
 }
 
-/* Checks the coefficients of a part: the laws are tested, but the words of
- * users enter them. */
+/* Checks the coefficients of a part. The laws are tested, but they are
+ * evaluated with numbers that users give. */
 static murk_status check_optics(const murk_law_result *optics, size_t n,
                                 const char *name, const char *where,
                                 murk_error *err)

@@ -2,7 +2,8 @@
  *
  * To add a law, write a function in a file of this room, with the source
  * (author, year, doi), and add a row in laws.c. The parameters of the law are
- * then keys of a part in media/FAMILY/NAME.yaml, beside `law: NAME`. */
+ * then keys of a part in media/FAMILY/NAME.yaml, beside `law:` with the name of
+ * the law. */
 #ifndef MURK_PRESET_LAW_H
 #define MURK_PRESET_LAW_H
 

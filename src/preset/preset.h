@@ -78,7 +78,8 @@ size_t murk_preset_interval(const double *at, size_t n, double wavelength_nm,
 double murk_preset_table_at(const murk_preset_table *table,
                             const double *column, double wavelength_nm);
 
-/* A part of a preset; the properties of all parts add up. */
+/* A part of a preset. The coefficients of all parts add up, and the phase
+ * functions are mixed by scattering. */
 typedef struct murk_preset_part {
     const murk_law *law;                          /* NULL: the table gives the
                                                    * coefficients */

@@ -1,5 +1,5 @@
-/* Diffuse attenuation by the formula of Kirk 1984 and the formula solved for
- * absorption; see preset/water_kd.h. */
+/* The formula of Kirk 1984 for diffuse attenuation, solved for the absorption,
+ * and the direction of the sun in water; see preset/water_kd.h. */
 #include "preset/water_kd.h"
 
 #include <math.h>
