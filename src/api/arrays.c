@@ -88,7 +88,7 @@ double murk_array_number(const murk_array *view, size_t i)
         at += (ptrdiff_t)(i % view->shape[k]) * view->stride[k];
         i /= view->shape[k];
     }
-    /* Copied, because an array of the caller may lie at any address. */
+    /* Copy the value, because arrays of the caller need not be aligned. */
     union {
         uint8_t uint8;
         uint16_t uint16;

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* How the place of a failure begins that an argument has caused. */
+/* The beginning of the place of a failure that an argument has caused. */
 #define MURK_ARGUMENT "argument "
 
 #define KEY_PART_SIZE 256 /* of one part of a path; names are shorter */
@@ -50,8 +50,8 @@ static bool is_key(const char *text)
 }
 
 /* Settings of calls that are places by their names: arguments, and members of
- * options. A value of a list of texts has the place "NAME TEXT", which begins
- * with a key: "keys KEY" or "bounds KEY=LOW:HIGH". */
+ * options. A value of a list of texts has the place "NAME TEXT", where TEXT
+ * begins with a key: "keys KEY" or "bounds KEY=LOW:HIGH". */
 static const struct {
     const char *name;
     bool is_list;
@@ -59,8 +59,9 @@ static const struct {
                 {"voxel_m", false}, {"runs", false},   {"loss", false},
                 {"predict", false}, {"command", false}};
 
-/* The rest of a place that begins with MURK_SET_MARK or is a setting: a text
- * that begins with a key, or "". NULL: another place. */
+/* Returns the part of a place behind MURK_SET_MARK or behind the name of a
+ * setting: a text that begins with a key, or "". Returns NULL if the place
+ * begins with neither. */
 static const char *rest_of_setting(const char *place)
 {
     if (strncmp(place, MURK_SET_MARK, strlen(MURK_SET_MARK)) == 0) {
@@ -103,14 +104,16 @@ static bool is_scene_key(const char *path)
     return true;
 }
 
-/* True if a place without a line is no file, but a key or a setting. A file of
- * such a name can fail in other ways: it is malformed, or cannot be written. */
+/* True if a place that reads like a key or a setting is one, which the code of
+ * the error tells: a file of the same name fails with other codes, because it
+ * is malformed or cannot be written. */
 static bool may_be_name(const murk_error *error)
 {
     return error->code == MURK_BAD_VALUE || error->code == MURK_NO_MEMORY;
 }
 
-/* "FILE:LINE:COLUMN: KEY", "set KEY=VALUE: KEY" or "FILE" as members. */
+/* Splits the place of an error, "FILE:LINE:COLUMN: KEY", "set KEY=VALUE: KEY"
+ * or "FILE", into the members file, line, column and key. */
 static void split_place(murk_error *error)
 {
     char place[sizeof error->where];

@@ -111,7 +111,8 @@ murk_status murk_coverage_fields(murk_coverage *coverage,
 
 /* ---- files ---- */
 
-/* Who sees what, for viewers and the report; the exports; then the coverage. */
+/* Adds coverage.ply (results/plan_ply.h), the exports, the files of the light
+ * and coverage.csv; coverage.json comes last. */
 static murk_status save(void *of, murk_session *session,
                         const murk_save_options *options, murk_error *late,
                         murk_error *err)
@@ -165,7 +166,8 @@ murk_status murk_coverage_save(murk_coverage *coverage, const char *folder,
 
 /* ---- the matrix ---- */
 
-/* Writes each row densely; in the dark all are zeros. */
+/* Makes the matrix with a dense row for each sensor. If there is nothing to
+ * see, all entries are 0. */
 static murk_status make_matrix(murk_coverage *coverage, murk_error *err)
 {
     const murk_traced *traced = coverage->light->session.traced;

@@ -24,9 +24,10 @@ struct murk_fit {
     murk_calibration_desc desired; /* loss, starts, limits */
     size_t wanted_places;          /* proposals; 0: none */
     char *predict;                 /* path of a finished fit; NULL: fits */
-    murk_memory_files files;       /* of the scene as it was, and its text */
-    murk_session session; /* its scene and stage are those of the fit */
-    murk_imported_stages imported; /* the stage borrows of them */
+    murk_memory_files files;       /* of the scene when the fit was made, and
+                                    * its text */
+    murk_session session;          /* owns the scene and the stage of the fit */
+    murk_imported_stages imported; /* session.stage borrows from these stages */
     murk_readings *measured;
     char **text; /* [texts] copies of keys and bounds */
     size_t texts;
@@ -60,7 +61,8 @@ static murk_status take_options(murk_fit *f, const murk_fit_options *options,
 
 /* ---- reading ---- */
 
-/* The files of all conditions first, then the scene's own world. */
+/* Reads the scene, imports the files of all conditions, and then builds the
+ * world of the scene without a condition. */
 static murk_status build(murk_fit *f, murk_error *err)
 {
     murk_session *session = &f->session;
@@ -83,7 +85,8 @@ static murk_status build(murk_fit *f, murk_error *err)
     return status;
 }
 
-/* Refuses before any trace what would otherwise fail after all of them. */
+/* Checks before light is traced that coverage, if there are readings of it, and
+ * proposals, if any are asked for, can be computed at the end. */
 static murk_status check_before_trace(const murk_fit *f, murk_error *err)
 {
     const murk_readings *m = f->measured;
@@ -148,7 +151,8 @@ static murk_status read_input(murk_fit *f, const char *data,
     return status ? status : check_before_trace(f, err);
 }
 
-/* The text of a scene that is no file becomes a file in memory. */
+/* Keeps the files in memory of the scene, and the text of the scene as one
+ * more. The fit reads that text again if the scene is not from a file. */
 static murk_status keep_files(murk_fit *f, murk_error *err)
 {
     char *text = strdup(f->scene->text);

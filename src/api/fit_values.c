@@ -43,8 +43,9 @@ static murk_status parameters_of(const murk_yaml **out, const murk_yaml *root,
     return MURK_OK;
 }
 
-/* Asks for the keys of a finished fit: "media.fog.visibility_m@dawn" was asked
- * for as "media.fog.visibility_m@each". */
+/* Lists in f->asked the keys that the finished fit was asked for: a parameter
+ * "media.fog.visibility_m@dawn" was asked for as
+ * "media.fog.visibility_m@each". */
 static murk_status ask_for(murk_fit_values *f, const murk_yaml *list,
                            murk_error *err)
 {
@@ -89,7 +90,8 @@ murk_status murk_fit_values_set(const murk_fit_values *f, murk_free_keys *keys,
             return murk_fail(err, MURK_BAD_FILE, f->path, "has no value of %s",
                              key->name);
         }
-        /* The start, within the limits of the key. */
+        /* The value becomes the start of the key, and must be within its
+         * limits. */
         (void)murk_yaml_number(found, &key->start);
         if (!(key->start >= key->lower && key->start <= key->upper)) {
             return murk_fail(err, MURK_BAD_VALUE, f->path,

@@ -13,13 +13,14 @@ typedef struct murk_fit_values {
     size_t n;
 } murk_fit_values;
 
-/* Reads a fit.json. Warns if the data refused the model of the fit. Release *f
- * also after a failure. */
+/* Reads a fit.json. Warns if `accepted` is false there, which means that the
+ * data rejected the model. Release *f also after a failure. */
 murk_status murk_fit_values_read(murk_fit_values *f, const char *path,
                                  murk_error *err);
 void murk_fit_values_release(murk_fit_values *f);
 
-/* Makes the values the starts of the keys, which were created of f->asked. */
+/* Makes the values of the finished fit the starts of `keys`, which were created
+ * from f->asked. */
 murk_status murk_fit_values_set(const murk_fit_values *f, murk_free_keys *keys,
                                 murk_error *err);
 

@@ -1,8 +1,8 @@
 /* The structs behind the handles of murk.h, and the frame of a public call.
  *
- * A handle counts the references to it: one of the caller, and one of each
- * handle that was made from it. murk_<handle>_destroy() gives back that of the
- * caller. */
+ * Context, scene, world and light, from which other handles are made, count
+ * their references: one of the caller, and one of each handle that was made
+ * from them. murk_<handle>_destroy() gives back the reference of the caller. */
 #ifndef MURK_API_HANDLES_H
 #define MURK_API_HANDLES_H
 
@@ -53,19 +53,21 @@ struct murk_world {
     murk_memory_files files;
     murk_scene_desc *desc;
     murk_stage *stage;
-    double begun_s, load_s; /* the clock at the beginning, and the duration */
+    double begun_s, load_s; /* murk_clock_s() when reading began, and the time
+                             * of reading and building */
 };
 
 struct murk_light {
     size_t references;
     murk_world *world;
     murk_session session; /* borrows scene and stage of the world */
-    char *path;           /* the file that it was read from; NULL: traced */
+    char *path;           /* the file that the light was read from; NULL: it was
+                           * traced */
     murk_made *made;
     murk_fields fields, saved;
 };
 
-/* Of the batch that is handed over. */
+/* The batch that murk_light_stream() hands to the function of the caller. */
 struct murk_batch {
     const murk_record_batch *records;
     const murk_scene_desc *scene;
@@ -114,30 +116,35 @@ typedef struct murk_call {
     murk_error *error; /* of the caller; may be NULL */
 } murk_call;
 
-/* files: the set of paths "memory:NAME" during the call; may be NULL. */
+/* files: the files in memory that paths "memory:NAME" name during the call; may
+ * be NULL. */
 murk_call murk_call_begin(murk_context *context, const murk_memory_files *files,
                           murk_error *error);
 
-/* Ends a call that cannot be cancelled. */
+/* Ends a call that does no long work. A request to cancel stays for the next
+ * call, unless `status` is MURK_INTERRUPTED. */
 murk_status murk_call_end(murk_call *call, murk_status status);
 
 /* Ends a call that murk_context_cancel() may have cancelled. A request to
- * cancel is cleared, and turns success into MURK_INTERRUPTED. */
+ * cancel is cleared, and turns any status into MURK_INTERRUPTED. */
 murk_status murk_call_end_long(murk_call *call, murk_status status);
 
-/* Splits the place of a failure and copies to the error of the caller the
- * members that the caller's struct has. `to` may be NULL. */
+/* Splits the place of a failure into file, line, column and key, and copies the
+ * failure to `to`, the error of the caller: the members that the caller's
+ * struct has. Copies nothing if `to` is NULL or has a message already. */
 void murk_call_report(murk_error *to, murk_error *failure);
 
-/* The same for a place that is neither a file nor a key and is not split. */
+/* Copies a failure as murk_call_report() does, but does not split the place,
+ * which is neither a file nor a key. */
 void murk_call_pass(murk_error *to, murk_error *failure);
 
-/* Fails without a context: a NULL handle, or another misuse. */
+/* Fails with MURK_BAD_VALUE and `text`. It needs no context, so it serves for
+ * NULL handles and other misuse. */
 murk_status murk_call_refuse(murk_error *error, const char *text);
 
-/* Copies the struct of options of a caller, which begins with its size, to
- * *known of `size` bytes: the members that both have. The others stay as they
- * are. NULL options change nothing. */
+/* Copies to *known, a struct of `size` bytes, the members that the struct of
+ * options of a caller has, too; that struct begins with its own size. The other
+ * members of *known stay as they are. NULL options change nothing. */
 void murk_options_copy(void *known, size_t size, const void *options);
 
 /* Fails because of a value in an argument. The place is "argument NAME", which
@@ -157,19 +164,21 @@ void murk_context_release(murk_context *context);
 void murk_scene_release(murk_scene *scene);
 void murk_world_release(murk_world *world);
 
-/* Builds a world of a scene with conditions, which is not built before it is
- * needed, because the files of all conditions are imported before any world is
- * built. Any other world is there. */
+/* Builds a world unless it is built already. murk_world_create() does not build
+ * the world of a scene with conditions to place over, because the files of all
+ * conditions are imported before any world is built. */
 murk_status murk_world_build(murk_world *world, murk_error *err);
 void murk_light_release(murk_light *light);
 
-/* Makes fields of a table of results; keeps those that are there. */
+/* Makes the fields of the object `of` by a table of results, unless *fields has
+ * fields already. */
 murk_status murk_fields_make(murk_fields *fields, murk_results_list list,
                              const void *of, murk_error *err);
 void murk_fields_release(murk_fields *fields);
 
-/* The array of that name, or NULL; and a new one, which the list owns and which
- * begins as zeros. */
+/* The first returns the array of that name, or NULL if the list has none. The
+ * second adds an array of zeros, which the list owns, and returns NULL when out
+ * of memory. */
 void *murk_made_find(const murk_made *list, const char *name);
 void *murk_made_add(murk_made **list, const char *name, size_t bytes,
                     murk_error *err);
@@ -186,8 +195,9 @@ size_t murk_type_bytes(murk_type type);
 double murk_array_number(const murk_array *view, size_t i);
 size_t murk_array_count(const murk_array *view);
 
-/* Fails unless the view is of the caller's header, has that many dimensions and
- * a known type. */
+/* Fails with MURK_BAD_VALUE unless the view has at least the size of
+ * murk_array, that many dimensions, a known type, and data if its shape is not
+ * empty. */
 murk_status murk_array_check(const murk_array *view, int dimensions,
                              const char *name, murk_error *err);
 

@@ -1,4 +1,5 @@
-/* Light: both photon maps, ledger and tallies, traced or read from a file. */
+/* Light: photon maps and ledger, traced together with the tallies, or read from
+ * a file, which has no tallies. */
 
 #include "api/save.h"
 #include "results/exports.h"
@@ -9,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Without light yet. NULL when out of memory. */
+/* Makes a handle that has no light yet. NULL when out of memory. */
 static murk_light *make(murk_world *world)
 {
     murk_light *light = calloc(1, sizeof *light);
@@ -35,7 +36,7 @@ static murk_status read_light(murk_light *light, const char *path,
 
 /* The function of the caller that receives batches. */
 typedef struct receiver {
-    murk_batch_function each; /* NULL: none */
+    murk_batch_function each; /* not NULL */
     void *user;
     const murk_scene_desc *scene;
 } receiver;
@@ -55,7 +56,8 @@ static murk_status receive(void *context, const murk_record_batch *records,
                      : MURK_OK;
 }
 
-/* Traces the light, or reads it from a file. */
+/* If `path` is NULL, traces the light, and hands batches to `batches` unless
+ * that is NULL. If not, reads the light from the file `path`. */
 static murk_status light_make(murk_light **out, murk_world *world,
                               const char *path, receiver *batches,
                               murk_error *error)

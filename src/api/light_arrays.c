@@ -1,6 +1,6 @@
-/* Arrays of light: the fields of records, and the values of tallies. Fields
- * that a record stores as they are asked for are views with the stride of a
- * record; packed fields are unpacked once. */
+/* Arrays of light: the fields of records, and the values of tallies. A field
+ * that records store in the requested form is a view with the stride of a
+ * record. A packed field is unpacked once. */
 #include "api/handles.h"
 
 #include <stdio.h>
@@ -23,7 +23,8 @@ static const stored_field stored_fields[] = {
     {"light", offsetof(murk_photon, light), 0, MURK_TYPE_UINT8},
     {"material", offsetof(murk_photon, material), 0, MURK_TYPE_UINT8}};
 
-/* A field that is unpacked into `to`, for one record. */
+/* A packed field: unpack() writes the value of the record p to element i of
+ * `to`. */
 typedef struct packed_field {
     const char *name;
     size_t columns;
@@ -74,8 +75,8 @@ static const murk_photon_map *map_of(const murk_light *light, murk_map map)
     return map == MURK_MAP_VOLUME ? t->volume : t->surface;
 }
 
-/* The positions of records are relative to the local origin of a scene far from
- * 0, so they are copied there, as doubles. */
+/* Records of a scene far from 0 have positions relative to a local origin. This
+ * function copies them, in the coordinates of the scene file, as doubles. */
 static murk_status far_positions(const record_set *set, murk_array *view,
                                  murk_error *err)
 {
@@ -185,7 +186,8 @@ size_t murk_batch_count(const murk_batch *batch, murk_map map)
                                     : batch->records->n_surface;
 }
 
-/* No frame of a call: the function that traces is inside of one. */
+/* Begins no murk_call, because it is called by the receiver of batches, within
+ * the murk_call of murk_light_stream(). */
 murk_status murk_batch_array(murk_batch *batch, murk_map map, const char *field,
                              murk_array *view, murk_error *error)
 {
@@ -222,7 +224,8 @@ void murk_batch_photons(const murk_batch *batch, uint64_t photons[2])
 
 /* ---- tallies ---- */
 
-/* The shape of a tally without bands, in the order of C. */
+/* Sets shape[] to the lengths of all axes of a tally but that of the bands, the
+ * fastest axis in memory last, and returns the number of these axes. */
 static int shape_of(const murk_tally_desc *desc, size_t shape[4])
 {
     switch (desc->type) {
@@ -244,8 +247,8 @@ static int shape_of(const murk_tally_desc *desc, size_t shape[4])
     return 1;
 }
 
-/* Fills a view whose cells lie with the first index fastest: the strides of all
- * axes but that of the bands are turned round. */
+/* Fills a view of a tally. In each band the cells lie in memory with the first
+ * index fastest, so the order of all axes but that of the bands is reversed. */
 static murk_status fill_tally(murk_array *view, const double *values, int bands,
                               const murk_tally_desc *desc, murk_error *err)
 {
@@ -265,7 +268,8 @@ static murk_status fill_tally(murk_array *view, const double *values, int bands,
     return status;
 }
 
-/* Values and errors of all bands and cells, one array after the other. */
+/* Returns the values of all bands and cells, followed by their standard errors.
+ * NULL when out of memory. */
 static double *read_tally(murk_light *light, size_t tally, murk_error *err)
 {
     const murk_traced *t = light->session.traced;

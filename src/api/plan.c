@@ -9,7 +9,7 @@
 
 #include <stdlib.h>
 
-/* Without a choice yet. NULL when out of memory. */
+/* Makes a plan that has no sensors yet. NULL when out of memory. */
 static murk_plan *make(murk_world *world)
 {
     murk_plan *plan = calloc(1, sizeof *plan);
@@ -21,7 +21,7 @@ static murk_plan *make(murk_world *world)
     return plan;
 }
 
-/* Takes the times of the choice into the record of the run. */
+/* Copies the times of tracing, sensing and placing to the record of the run. */
 static void take_times(murk_plan *plan)
 {
     murk_run_facts *run = &plan->session.run;
@@ -47,7 +47,9 @@ static murk_status place_conditions(murk_plan *plan, murk_error *err)
                                               threads, err);
 }
 
-/* Errors of the settings of sensors are found before light is traced. */
+/* Places sensors for the given light, or, if `light` is NULL, for light that is
+ * traced here. Errors in the settings of sensors are found before light is
+ * traced. */
 static murk_status place(murk_plan *plan, murk_light *light, murk_error *err)
 {
     murk_session *session = &plan->session;
@@ -69,7 +71,7 @@ static murk_status place(murk_plan *plan, murk_light *light, murk_error *err)
                                         session->traced, threads, err);
 }
 
-/* light NULL: traced here. */
+/* light NULL: the light is traced by this call. */
 static murk_status plan_make(murk_plan **out, murk_world *world,
                              murk_light *light, murk_error *error)
 {
@@ -175,8 +177,8 @@ murk_status murk_plan_repeat(murk_plan *plan, uint64_t runs, murk_error *error)
 
 /* ---- results ---- */
 
-/* The results of a plan for a session that borrows it; repeated: filled if
- * there were repeats. */
+/* Sets *out to the results of a plan, for a session that borrows the plan.
+ * *repeated is filled, and *out refers to it, if the plan was repeated. */
 static murk_status results_of(murk_plan_results *out,
                               murk_repeat_results *repeated,
                               const murk_plan *plan,

@@ -13,7 +13,8 @@
 /* Bytes of the name of a result file of a condition, "scene-NAME.yaml". */
 #define FILE_SIZE (MURK_SCENE_NAME_SIZE + 16)
 
-/* Names of the files of a command, with the NULL behind them. */
+/* The largest number of names in the list of files of a plan, with the NULL at
+ * the end. */
 #define NAMES_MAX 10
 
 murk_session murk_world_session(const murk_world *world)
@@ -49,7 +50,9 @@ murk_status murk_save_set(murk_session *session, const char *folder,
 
 /* ---- what would be refused ---- */
 
-/* Repeats need a seed each, and a goal that they can pursue. */
+/* Refuses too many repeats, seeds of repeats beyond 32 bits, the key at_least
+ * for repeats and for the export lp, and repeats over conditions that have a
+ * seed of their own. */
 static murk_status check_repeat(const murk_session *session, uint64_t runs,
                                 murk_error *err)
 {
@@ -89,7 +92,7 @@ static murk_status check_repeat(const murk_session *session, uint64_t runs,
     return MURK_OK;
 }
 
-/* The result files that are written for each condition. */
+/* Announces the result files that are written for each condition. */
 static murk_status expect_conditions(murk_session *session, murk_error *err)
 {
     static const char *const begin[] = {"light", "ledger", "plan", "scene"};
@@ -171,7 +174,7 @@ murk_status murk_save_check(murk_session *session, const char *command,
                                               "coverage.ply", NULL};
     const murk_scene_placement *asked = &session->scene->placement;
     const bool is_sense = strcmp(command, "sense") == 0;
-    /* Begin the folder, then ask the question of the command. */
+    /* Begin the folder, then check what the command would write. */
     const murk_status status =
         murk_results_begin(&session->results, session->settings.folder,
                            session->settings.force, err);

@@ -8,21 +8,21 @@
 /* A session (results/session.h) that borrows scene and stage of a world. */
 murk_session murk_world_session(const murk_world *world);
 
-/* The options as this library knows them: the members that the struct of the
- * caller has, and zeros; NULL: zeros. */
+/* The options in the struct of this library: the members that the struct of the
+ * caller has, and zeros for the others; all zeros if options is NULL. */
 murk_save_options murk_save_known(const murk_save_options *options);
 
 /* Takes the options of the caller into the settings of a session; NULL: none.
  * The session borrows `folder` and the texts of the options. Fails with
- * MURK_BAD_VALUE if there is no such export. */
+ * MURK_BAD_VALUE if options->exports has an unknown word. */
 murk_status murk_save_set(murk_session *session, const char *folder,
                           const murk_save_options *options, murk_error *err);
 
-/* Refuses what the results of a command ("trace", "sense", "place") on the
- * scene of the session cannot be written as, before any light is traced:
- * exports, the number of repeats, and files that may not be replaced. Begins
- * the folder of session->results, which murk_results_end() ends, also after a
- * failure. */
+/* Checks, before light is traced, that the results of a command ("trace",
+ * "sense" or "place") on the scene of the session can be written: that the
+ * scene allows the exports and the repeats (runs; 0: none), and that no file is
+ * in the folder that may not be replaced. Begins the folder of
+ * session->results, which murk_results_end() ends, also after a failure. */
 murk_status murk_save_check(murk_session *session, const char *command,
                             uint64_t runs, murk_error *err);
 
@@ -35,16 +35,16 @@ murk_status murk_save_identify(murk_session *session, const char *command,
 murk_status murk_save_refuse(const murk_fields **fields, murk_error *error,
                              const char *text);
 
-/* Adds the results of a handle to the files of a session. An export that could
- * not be made is told in *late, and the other files are written. */
+/* Adds the results of a handle to the files of a session. If an export cannot
+ * be made, *late has the error, and the other files are added all the same. */
 typedef murk_status murk_save_work(void *of, murk_session *session,
                                    const murk_save_options *options,
                                    murk_error *late, murk_error *err);
 
 /* Writes the results of a handle by save(of, ...), in a session that borrows
  * scene, stage and light of the session `from` of the handle, and ends the
- * call. Makes the text of the main JSON the fields *saved, and returns them in
- * *fields, which may be NULL, or NULL if there are none. Fails as
+ * call. Makes *saved the fields of the main JSON. Sets *fields to `saved`, or
+ * to NULL if no main JSON was made; `fields` may be NULL. Fails as
  * murk_save_set() and save() do, and with the error in *late. */
 murk_status murk_save_results(murk_call *call, const murk_session *from,
                               murk_fields *saved, const char *folder,

@@ -1,6 +1,6 @@
-/* Scenes: a text, the keys that the caller sets, and arrays in memory. The
- * whole is read anew by each call that needs it, so a scene may be changed at
- * any time. */
+/* Scenes: a text, the keys that the caller sets, and arrays in memory. Text,
+ * keys and arrays are read anew by each call that needs the scene, so a scene
+ * may be changed at any time. */
 #include "api/scene.h"
 
 #include "base/file.h"
@@ -285,7 +285,7 @@ static cJSON *json_of(const murk_yaml *node)
     return all;
 }
 
-/* The child that the first part of a path names; NULL if there is none. */
+/* The child that `part`, one part of a path, names; NULL if there is none. */
 static murk_yaml *child_of(const murk_yaml *node, const char *part)
 {
     if (node->kind == MURK_YAML_MAP) {

@@ -1,12 +1,13 @@
-/* A scene handle as the structs of the room scene. */
+/* Turns a scene handle into the struct murk_scene_desc of the room scene. */
 #ifndef MURK_API_SCENE_H
 #define MURK_API_SCENE_H
 
 #include "api/handles.h"
 #include "scene/override.h"
 
-/* Reads the text with the keys that the caller has set. The caller owns *out
- * (murk_scene_desc_destroy()). */
+/* Reads the text of a scene, with the keys that murk_scene_set() gave, into a
+ * new struct *out, which the caller of this function releases by
+ * murk_scene_desc_destroy(). */
 murk_status murk_scene_describe(murk_scene_desc **out, const murk_scene *scene,
                                 murk_error *err);
 

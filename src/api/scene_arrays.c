@@ -27,8 +27,8 @@ static murk_status add(murk_scene *scene, const char *name,
 
 /* ---- meshes ---- */
 
-/* A mesh in memory whose vertices, corners and materials may be the caller's.
- */
+/* A mesh in memory whose vertices and corners may be arrays of the caller. The
+ * materials are always a copy. */
 typedef struct lent_mesh {
     murk_mesh mesh; /* the first member: the data of the file in memory */
     bool is_lent;   /* vertices and corners are the caller's */
@@ -184,8 +184,8 @@ static murk_status fill_mesh(murk_mesh *mesh, const murk_array *vertices_m,
     return status ? status : copy_names(mesh, names, err);
 }
 
-/* Adds the mesh under its checksum, which is that of the checksums of the
- * arrays. Takes ownership of the mesh. */
+/* Adds the mesh as a file in memory, and takes ownership of the mesh. The
+ * checksum of the file is that of the checksums of all arrays. */
 static murk_status add_lent_mesh(murk_scene *scene, const char *name,
                                  lent_mesh *lent, murk_error *err)
 {
@@ -286,7 +286,7 @@ static float *copy_values(const murk_array *values)
 {
     const size_t *n = values->shape;
     float *copy = malloc((murk_array_count(values) + 1) * sizeof *copy);
-    /* The view with the order of the axes turned round is walked. */
+    /* Walk a view that has the axes in reverse order. */
     murk_array turned = *values;
     for (int axis = 0; axis < 3; ++axis) {
         turned.shape[axis] = n[2 - axis];

@@ -12,8 +12,8 @@ murk_camera murk_camera_of_scene(const murk_scene_camera *camera,
                                  const murk_scene_desc *scene,
                                  const size_t pixels[2]);
 
-/* The input of a rendering of this world; traced NULL: without maps. The caller
- * sets samples and method. Borrows all arguments. */
+/* The input of a rendering of the world of a stage; traced NULL: without maps.
+ * The caller sets samples and method. Borrows stage, trace and traced. */
 murk_render murk_render_of_stage(const murk_stage *stage,
                                  const murk_trace *trace, murk_camera camera,
                                  const murk_traced *traced, unsigned threads);

@@ -27,8 +27,8 @@ struct murk_study {
     murk_override *set; /* [n] keys of the caller */
     murk_study_file *file;
     murk_sweep *sweep;
-    murk_session session; /* its scene is the base scene, NULL if that cannot
-                             stand alone */
+    murk_session session; /* its scene is the base scene; NULL if read_base()
+                             could not read it */
     char *seen;           /* notes that were given */
     bool is_interrupted;
     murk_fields fields, saved;
@@ -85,8 +85,9 @@ static murk_status take_options(murk_study *study,
     return status;
 }
 
-/* The scene that rows differ from; none if it cannot stand without the values
- * of a row. Its warnings are given by the rows. */
+/* Reads the base scene, which the rows change. The study has none if the base
+ * scene is not valid without the values of a row. No warnings are given,
+ * because the rows give them. */
 static void read_base(murk_study *study)
 {
     murk_error why = {0};
@@ -147,7 +148,7 @@ murk_status murk_study_read(murk_study **out, murk_context *context,
     if (!out || !context || !path) {
         return murk_call_refuse(error, "out, context or path is NULL");
     }
-    /* A failure of the call takes the handle back. */
+    /* If the call fails, the new handle is destroyed. */
     murk_call call = murk_call_begin(context, NULL, error);
     murk_study *study = calloc(1, sizeof *study);
     murk_status status = MURK_NO_MEMORY;
@@ -216,7 +217,9 @@ murk_status murk_study_fields(murk_study *study, const murk_fields **fields,
 
 /* ---- files ---- */
 
-/* The keys of the rows say all that rows follow from. */
+/* Sets the identity of the results. It covers options->asked, the checksum of
+ * the study file and the hash of each row (murk_sweep_row.key), which covers
+ * all that the row follows from. */
 static murk_status identify(const murk_study *study, murk_session *session,
                             const murk_save_options *options, murk_error *err)
 {
@@ -264,7 +267,8 @@ murk_status murk_study_check_save(murk_study *study, const char *folder,
     return murk_call_end(&call, status);
 }
 
-/* Rows write their grids themselves. */
+/* Adds the grids of the rows to the list of result files. The rows have written
+ * these files already. */
 static murk_status note_fluence(const murk_study *study, murk_session *session,
                                 murk_error *err)
 {
