@@ -42,7 +42,8 @@ extern "C" {
 
 /* ---- library ---- */
 
-/* The version of this header; any libmurk.so.0 not older supports it. */
+/* The version of this header. A libmurk.so.0 of this version or a later one
+ * supports it. */
 #define MURK_VERSION_MAJOR 0
 #define MURK_VERSION_MINOR 1
 #define MURK_VERSION_PATCH 0
@@ -67,15 +68,16 @@ const char *murk_status_text(murk_status status);
 /* The reason for a failure. The caller sets `size` to sizeof(murk_error) and
  * all else to 0, as MURK_ERROR_NONE does, and does so again before the struct
  * is used for another call: a message that it contains already is kept, and a
- * call that succeeds does not clear it. A value that murk_scene_set() gave has
- * a key and no file or line. */
+ * call that succeeds does not clear it. If a value that murk_scene_set() gave
+ * is wrong, `key` is filled, and `file` and `line` are not. */
 typedef struct murk_error {
     size_t size;
     murk_status code;
     int line, column; /* in `file`, from 1; 0: the whole file */
     char file[320];   /* the file, or the name of a text; "" if there is none */
     char key[160];   /* path of the key in a scene, "media.fog.albedo"; or "" */
-    char where[320]; /* all of these as one text; or "argument NAME" */
+    char where[320]; /* file, line, column and key as one text; or "argument
+                      * NAME" */
     char text[640];  /* the value found and the allowed values, with units */
 } murk_error;
 
@@ -96,7 +98,8 @@ typedef enum murk_type {
     MURK_TYPE_FLOAT64
 } murk_type;
 
-/* Band, three axes and direction of a tally. */
+/* The largest number of dimensions. A tally on a plane has so many: band, two
+ * axes, angle bin and direction. */
 #define MURK_ARRAY_DIMENSIONS 5
 
 /* An array: element (i, j, ...) lies at data + i * stride[0] + j * stride[1] +
@@ -109,14 +112,15 @@ typedef struct murk_array {
     int dimensions;
     size_t shape[MURK_ARRAY_DIMENSIONS];
     ptrdiff_t stride[MURK_ARRAY_DIMENSIONS]; /* [bytes] */
-    bool is_copy; /* of a result: made for this call, because murk stores the
-                   * values in another form; false: the values of the handle
+    bool is_copy; /* of a result: true if the values were converted from the
+                   * form in which murk stores them; false: the stored values
                    * themselves */
 } murk_array;
 
 /* Describes a dense array of the caller, in the order of C: data, type,
- * dimensions and shape[dimensions]. The values are not copied. An array with
- * gaps, or in another order, is described by its strides. */
+ * dimensions and shape[dimensions]. The values are not copied. For an array
+ * with gaps or in another order, the caller changes the strides of the
+ * result. */
 murk_array murk_array_of(const void *data, murk_type type, int dimensions,
                          const size_t *shape);
 
@@ -126,8 +130,8 @@ typedef struct murk_context murk_context;
 
 /* A warning (something is probably wrong) or a note (correct input with an
  * effect that may surprise). `where` is "" or a place as in murk_error. Called
- * from the thread that uses the context, or from a thread of murk while that
- * thread waits for it. */
+ * from the thread that uses the context, or from a thread of murk, while the
+ * thread that uses the context waits. */
 typedef void (*murk_log_function)(void *user, bool is_warning,
                                   const char *where, const char *text);
 
@@ -139,18 +143,20 @@ typedef struct murk_progress {
     double elapsed_s;
 } murk_progress;
 
-/* Called some five times a second from a thread of murk, and at the end of a
- * step. */
+/* Called some five times a second from a thread of murk, and at the end of the
+ * outermost step from the thread that uses the context. */
 typedef void (*murk_progress_function)(void *user,
                                        const murk_progress *progress);
 
 /* Which process reads the mesh and grid files of a scene. A file may be
  * malformed or hostile. */
 typedef enum murk_imports {
-    MURK_IMPORTS_READER, /* the program murk-reader, started for each file, with
-                          * limits on memory and time, that can only read */
-    MURK_IMPORTS_FORK, /* a fork of the process, likewise: needs no program, but
-                        * is safe only while the process has one thread */
+    MURK_IMPORTS_READER, /* the program murk-reader, started for each file; it
+                          * has limits on memory and time, and can write no
+                          * file */
+    MURK_IMPORTS_FORK,   /* a fork of the process for each file, limited as
+                          * murk-reader is: needs no program, but is safe only
+                          * while the process has one thread */
     MURK_IMPORTS_IN_PROCESS /* the process itself, without limits: for files
                              * that are trusted */
 } murk_imports;
@@ -175,7 +181,8 @@ void murk_context_destroy(murk_context *context);
 
 /* Makes the call that runs in the context, or else the next one, stop at the
  * next batch and return MURK_INTERRUPTED; later calls work as usual. Calls that
- * do no long work, such as murk_scene_set(), neither stop nor count. */
+ * do no long work, such as murk_scene_set(), do not stop, and the request waits
+ * for the next long call. */
 void murk_context_cancel(murk_context *context);
 
 /* Writes the page of a folder of results (plan.json, ledger.json, study.json,
@@ -191,8 +198,8 @@ murk_status murk_context_write_report(murk_context *context, const char *folder,
 
 typedef struct murk_scene murk_scene;
 
-/* Creates a scene without keys; murk_scene_set() gives them. Fails with
- * MURK_NO_MEMORY. */
+/* Creates a scene that has only the key `murk`; murk_scene_set() gives it
+ * further keys. Fails with MURK_NO_MEMORY. */
 murk_status murk_scene_create(murk_scene **out, murk_context *context,
                               murk_error *error);
 
@@ -227,8 +234,8 @@ murk_status murk_scene_get(murk_scene *scene, const char *key,
 
 /* Sets `seed` and photons.emit or photons.store to those of a file of light,
  * light.murk, unless murk_scene_set() has set them or a map that contains them.
- * murk_light_read() refuses light of another seed or number. Fails with
- * MURK_BAD_FILE if the file cannot be read as light. */
+ * murk_light_read() refuses light of another seed or another number of photons.
+ * Fails with MURK_BAD_FILE if the file cannot be read as light. */
 murk_status murk_scene_use_light(murk_scene *scene, const char *path,
                                  murk_error *error);
 
@@ -285,10 +292,11 @@ murk_status murk_scene_add_grid(murk_scene *scene, const char *name,
 /* Adds a table that keys for CSV files take as "memory:NAME": candidate places,
  * targets, spectra, profiles, phase functions.
  *
- * values: rows x columns, floats or doubles; columns[]: the heads of the file
- * that the key describes. Copied; replaces an array of the same name. Fails
- * with MURK_BAD_VALUE if the name or the type is wrong, or if a head is NULL;
- * the values are checked by the key that takes the table. */
+ * values: rows x columns, floats or doubles; columns[]: the names of the
+ * columns, as in the first line of the CSV file. Values and names are copied;
+ * the table replaces an array of the same name. Fails with MURK_BAD_VALUE if
+ * the name or the type is wrong, or if the name of a column is NULL; the values
+ * are checked by the key that takes the table. */
 murk_status murk_scene_add_table(murk_scene *scene, const char *name,
                                  const char *const *columns,
                                  const murk_array *values, murk_error *error);
@@ -316,8 +324,8 @@ murk_field_kind murk_fields_kind(const murk_fields *fields, const char *path);
 
 /* *value: the value of a field. An absent number is NaN, an absent string NULL;
  * for int64 and bool an absent value is an error. Fails with MURK_BAD_VALUE if
- * there is no such field or if it is of another kind; *value is then as
- * before. */
+ * there is no such field, if it is of another kind, or for int64 if it is not a
+ * whole number of at most 2^53; *value is then as before. */
 murk_status murk_fields_double(const murk_fields *fields, const char *path,
                                double *value, murk_error *error);
 murk_status murk_fields_int64(const murk_fields *fields, const char *path,
@@ -346,16 +354,17 @@ const char *murk_fields_json(const murk_fields *fields);
  * murk_light_save(), murk_coverage_save(), murk_plan_save(), murk_study_save()
  * and murk_fit_save() write the files of the command murk trace, sense, place,
  * study and fit to a folder, which is made if there is none. The main JSON
- * comes last. If the call fails before, the folder is left as it was. An export
- * that cannot be made is left out: then the other files are written, *fields
- * are filled, and the call fails.
+ * comes last. If the call fails before the main JSON is complete, the folder is
+ * left as it was. An export that cannot be made is left out: then the other
+ * files are written, *fields are filled, and the call fails.
  *
- * folder NULL: nothing is written, but *fields are as if it were. options NULL:
- * zeros. fields may be NULL; else *fields are those of the main JSON as
- * written, with `identity`, `files` and `run` (run.summary: the lines of text
- * that the program prints), and beside them `saved.folder` and `saved.files`,
- * the names of all files in the order written. murk_fields_json() is the text
- * of the main JSON. *fields are valid until the next save of the handle.
+ * folder NULL: nothing is written, but *fields are as if the files were
+ * written. options NULL: zeros. fields may be NULL; else *fields are those of
+ * the main JSON as written, with `identity`, `files` and `run` (run.summary:
+ * the lines of text that the program prints), and beside them `saved.folder`
+ * and `saved.files`, the names of all files in the order written.
+ * murk_fields_json() is the text of the main JSON. *fields are valid until the
+ * next save of the handle.
  *
  * Fail with MURK_BAD_VALUE if a file may not be replaced or if the options ask
  * for what the scene does not have, with MURK_RUN_FAILED if a file cannot be
@@ -365,13 +374,14 @@ typedef struct murk_save_options {
     const char *exports; /* words with commas between: fields, photons,
                           * surfaces; of a plan also matrix, or-library, lp */
     const char *voxel_m; /* largest edge of exported voxels and of pieces of
-                          * surfaces [m], "0.5"; NULL: chosen by their number */
+                          * surfaces [m], "0.5"; NULL: some 100,000 voxels, and
+                          * pieces of some five photons */
     bool replaces;       /* also files that murk did not write, or that were
                           * edited since; files that the context has read are
                           * never replaced */
     const char *command; /* the command line of the caller: run.command */
-    const char *asked;   /* what the results follow from beside the scene; a
-                          * part of `identity` */
+    const char *asked;   /* a text that says what else the results follow from,
+                          * beside the scene; `identity` covers it */
 } murk_save_options;
 
 /* ---- world ---- */
@@ -379,15 +389,17 @@ typedef struct murk_save_options {
 typedef struct murk_world murk_world;
 
 /* Checks the whole scene, reads its files and builds surfaces, media and light
- * sources. The options of the context say which process reads mesh and grid
- * files. Fails as murk_scene_check(), with MURK_BAD_FILE if a mesh or a grid is
- * missing, malformed or larger than the limits, and with MURK_INTERRUPTED if
- * the call is cancelled. */
+ * sources. With conditions to place over (the key placement.over), the world is
+ * built by the first call that needs it instead. The options of the context say
+ * which process reads mesh and grid files. Fails as murk_scene_check(), with
+ * MURK_BAD_FILE if a mesh or a grid is missing, malformed or larger than the
+ * limits, and with MURK_INTERRUPTED if the call is cancelled. */
 murk_status murk_world_create(murk_world **out, murk_scene *scene,
                               murk_error *error);
 void murk_world_destroy(murk_world *world);
 
-/* The box of the domain: min x, y, z, max x, y, z [m]; NaN on failure. */
+/* The box of the domain: min x, y, z, max x, y, z [m]; NaN if the world cannot
+ * be built. */
 void murk_world_bounds(const murk_world *world, double bounds_m[6]);
 
 /* The number of bands, and the wavelength of band i [nm], from 0 (NaN: no such
@@ -411,12 +423,13 @@ typedef struct murk_light murk_light;
 
 typedef enum murk_map { MURK_MAP_SURFACE, MURK_MAP_VOLUME } murk_map;
 
-/* Traces the light of a world: both photon maps, the energy ledger and the
- * tallies. Fails with MURK_BAD_VALUE if there are fewer photons than light
- * sources and bands, or if the records would be more than photons.max_stored or
- * than the memory of the machine holds, with MURK_RUN_FAILED if more than 1 %
- * of the photons are lost or too few are stored, and with MURK_INTERRUPTED if
- * the call is cancelled. */
+/* Traces the light of a world: the photon maps that photons.maps asks for, the
+ * energy ledger and the tallies. Fails with MURK_BAD_VALUE if photons.emit is
+ * less than the number of pairs of a light source and a band with power, or if
+ * the records would be more than photons.max_stored or than the memory of the
+ * machine holds, with MURK_RUN_FAILED if more than 1 % of the photons are lost
+ * or photons.store records would need too many photons, and with
+ * MURK_INTERRUPTED if the call is cancelled. */
 murk_status murk_light_trace(murk_light **out, murk_world *world,
                              murk_error *error);
 
@@ -426,9 +439,9 @@ murk_status murk_light_trace(murk_light **out, murk_world *world,
 typedef struct murk_batch murk_batch;
 
 /* Receives a batch. Any number but 0 cancels the trace. Called in the order of
- * photons, in the thread that traces and never twice at the same time; may call
- * the functions murk_batch_...() and murk_context_cancel(), and no other
- * function with handles of the context. */
+ * photons, in the thread that called murk_light_stream(), for one batch at a
+ * time. The function may call the functions murk_batch_...() and
+ * murk_context_cancel(), and no other function with handles of the context. */
 typedef int (*murk_batch_function)(void *user, murk_batch *batch);
 
 /* Traces as murk_light_trace(), and calls each(user, batch) for each batch of
@@ -437,9 +450,10 @@ typedef int (*murk_batch_function)(void *user, murk_batch *batch);
  *
  * With photons.emit the field power_w is in watts. With photons.store the
  * number of photons is known at the end alone: power_w of a batch is then the
- * share of a packet, and murk_light_packet_w() is the factor. Photons behind
- * the one that completes photons.store are no part of any batch. Fails as
- * murk_light_trace(), and with MURK_INTERRUPTED if `each` cancels. */
+ * share of a photon packet, and murk_light_packet_w() gives at the end the
+ * power [W] to multiply the share by. Photons behind the one that completes
+ * photons.store are no part of any batch. Fails as murk_light_trace(), and with
+ * MURK_INTERRUPTED if `each` cancels. */
 murk_status murk_light_stream(murk_light **out, murk_world *world,
                               murk_batch_function each, void *user,
                               murk_error *error);
@@ -449,9 +463,9 @@ murk_status murk_light_stream(murk_light **out, murk_world *world,
 uint64_t murk_batch_number(const murk_batch *batch);
 void murk_batch_photons(const murk_batch *batch, uint64_t photons[2]);
 
-/* The number of records of a batch in a map, and a field of them in the order
- * of photons: the fields of murk_light_array(). Fails with MURK_BAD_VALUE for
- * another name. */
+/* The number of records of a batch in a map, and a field of these records in
+ * the order of photons. murk_light_array() lists the fields. Fails with
+ * MURK_BAD_VALUE for another name. */
 size_t murk_batch_count(const murk_batch *batch, murk_map map);
 murk_status murk_batch_array(murk_batch *batch, murk_map map, const char *field,
                              murk_array *view, murk_error *error);
@@ -461,10 +475,11 @@ murk_status murk_batch_array(murk_batch *batch, murk_map map, const char *field,
  * band. */
 double murk_light_packet_w(const murk_light *light, int source, int band);
 
-/* Reads and writes light.murk, not over a file that the context has read.
- * Reading fails with MURK_BAD_FILE if there is no light in it, MURK_BAD_VALUE
- * if the seed or a key that light depends on is not that of the world, and
- * MURK_INTERRUPTED. Writing fails with MURK_BAD_VALUE or MURK_RUN_FAILED. */
+/* Reads and writes a file of light, light.murk. Writing does not replace a file
+ * that the context has read. Reading fails with MURK_BAD_FILE if there is no
+ * light in it, MURK_BAD_VALUE if the seed or a key that light depends on is not
+ * that of the world, and MURK_INTERRUPTED. Writing fails with MURK_BAD_VALUE or
+ * MURK_RUN_FAILED. */
 murk_status murk_light_read(murk_light **out, murk_world *world,
                             const char *path, murk_error *error);
 murk_status murk_light_write(const murk_light *light, const char *path,
@@ -479,17 +494,19 @@ size_t murk_light_count(const murk_light *light, murk_map map);
  *   position_m   n x 3 float32  float64, a copy, if the scene is far from 0
  *   power_w      n     float32
  *   emitted      n     uint32   number of the photon
- *   band, light  n     uint8
+ *   band, light  n     uint8    number of the band, of the light source
  *   material     n     uint8    number of the material or of the medium
  *   direction    n x 3 float32  of travel, unit; a copy
  *   normal       n x 3 float32  faces the photon, unit; 0 in the volume map; a
  *                               copy
- *   event_class  n     uint8    0 first event, 1 specular before,
- *                               2 later; a copy
+ *   event_class  n     uint8    0: the first event of the photon; 1: mirrors
+ *                               and transmission alone came before; 2: any
+ *                               other event; a copy
  *
- * A photon has a record at each of its events, so the power of the records of a
- * map may add up to more than that of the light sources. Copies are made once
- * and belong to the light. Fails with MURK_BAD_VALUE for another name. */
+ * A photon may have many records, each of another event, so the power of the
+ * records of a map may add up to more than that of the light sources. Copies
+ * are made once and belong to the light. Fails with MURK_BAD_VALUE for another
+ * name. */
 murk_status murk_light_array(murk_light *light, murk_map map, const char *field,
                              murk_array *view, murk_error *error);
 
@@ -555,8 +572,9 @@ murk_status murk_sensors_get(const murk_sensors *sensors, size_t i,
 typedef struct murk_coverage murk_coverage;
 
 /* Measures what sensors see of a light, as murk sense. The sensors are copied.
- * Fails with MURK_BAD_VALUE if there are no sensors or if they are of another
- * world than the light, and with MURK_INTERRUPTED if the call is cancelled. */
+ * Fails with MURK_BAD_VALUE if there are no sensors although there is something
+ * to see, or if the sensors are of another world than the light, and with
+ * MURK_INTERRUPTED if the call is cancelled. */
 murk_status murk_coverage_measure(murk_coverage **out, murk_light *light,
                                   const murk_sensors *sensors,
                                   murk_error *error);
@@ -573,10 +591,13 @@ murk_status murk_coverage_save(murk_coverage *coverage, const char *folder,
                                const murk_save_options *options,
                                const murk_fields **fields, murk_error *error);
 
-/* The coverage matrix: sensors x records, uint16; 65535 is full clarity, 0 not
- * seen. Records of the surface map come first, then those of the volume map,
- * each in the order of murk_light_array(); with targets in place of photons,
- * the targets. Made once, owned by the coverage. Fails with MURK_NO_MEMORY. */
+/* The coverage matrix: sensors x records, uint16: 65535 times the clarity with
+ * which the sensor sees the record, 0 if the sensor does not see the record.
+ * The clarity is the transmittance of the sightline; with a threshold it is 1
+ * or 0, and with detection by power it is the probability of detection. Records
+ * of the surface map come first, then those of the volume map, each in the
+ * order of murk_light_array(); with targets in place of photons, the targets.
+ * Made once, owned by the coverage. Fails with MURK_NO_MEMORY. */
 murk_status murk_coverage_matrix(murk_coverage *coverage, murk_array *view,
                                  murk_error *error);
 
@@ -584,15 +605,15 @@ murk_status murk_coverage_matrix(murk_coverage *coverage, murk_array *view,
 
 typedef struct murk_plan murk_plan;
 
-/* Chooses the sensors, as murk place: light of the world is traced unless the
- * scene has conditions to place over. Fails as murk_light_trace(), and with
- * MURK_BAD_VALUE or MURK_RUN_FAILED if no plan meets the keys of `sensors` and
- * `placement`. */
+/* Chooses the sensors, as murk place. The light of the world is traced, or,
+ * with conditions to place over, the light of each condition. Fails as
+ * murk_light_trace(), and with MURK_BAD_VALUE or MURK_RUN_FAILED if no plan
+ * meets the keys of `sensors` and `placement`. */
 murk_status murk_plan_make(murk_plan **out, murk_world *world,
                            murk_error *error);
-/* The same for light that is there. Fails as murk_plan_make(), and with
- * MURK_BAD_VALUE if the scene has conditions to place over, each of which has a
- * light of its own. */
+/* Chooses the sensors for light that is traced already. Fails as
+ * murk_plan_make(), and with MURK_BAD_VALUE if the scene has conditions to
+ * place over, each of which has a light of its own. */
 murk_status murk_plan_for_light(murk_plan **out, murk_light *light,
                                 murk_error *error);
 void murk_plan_destroy(murk_plan *plan);
@@ -610,9 +631,9 @@ murk_status murk_plan_sensors(murk_sensors **out, const murk_plan *plan,
  * each with light of its own, and compares them with the plan: how much the
  * result depends on chance. The fields `repeat` of plan.json and the file
  * repeat.csv have the results. Fields of the plan that were asked for before
- * are valid no longer. If the call fails or is cancelled, the plan
- * keeps the runs that were finished. A plan in the dark does not depend on
- * chance: it notes so and makes none. Fails with MURK_BAD_VALUE as
+ * are valid no longer. If the call fails or is cancelled, the plan keeps the
+ * runs that were finished. A plan in the dark does not depend on chance: then
+ * the call logs a note and makes no further plan. Fails with MURK_BAD_VALUE as
  * murk_world_check_save() does. */
 murk_status murk_plan_repeat(murk_plan *plan, uint64_t runs, murk_error *error);
 
@@ -631,12 +652,13 @@ typedef struct murk_study murk_study;
 /* How the rows of a study are run. All members but size may be zeros. */
 typedef struct murk_study_options {
     size_t size;            /* sizeof(murk_study_options) */
-    const char *folder;     /* keeps the finished rows, which are not run again
-                             * by the next study, and the grids of rows; NULL:
-                             * nothing is kept */
+    const char *folder;     /* keeps the finished rows, which a later study with
+                             * this folder does not run again, and the grids of
+                             * rows; NULL: nothing is kept */
     bool replaces;          /* also grids that murk did not write */
     size_t n;               /* keys that are set in the scene of each row: */
-    const char *const *key; /* [n] as murk_scene_set() takes them */
+    const char *const *key; /* [n] paths of keys; paths and values are as
+                             * murk_scene_set() takes them */
     const char *const *value; /* [n] */
 } murk_study_options;
 
@@ -657,8 +679,9 @@ murk_status murk_study_check_save(murk_study *study, const char *folder,
  * failure of the study: its field `failed` has the reason. A cancelled study
  * keeps the rows that are done, and may be run again. Fields that were asked
  * for before are valid no longer. Groups of rows run in subprocesses, which are
- * forks of the host, also if it has threads. Fails with MURK_INTERRUPTED, or
- * with MURK_RUN_FAILED if a finished row cannot be kept. */
+ * forks of the process, also if it has other threads. Fails with
+ * MURK_INTERRUPTED, or with MURK_RUN_FAILED if a finished row cannot be
+ * kept. */
 murk_status murk_study_run(murk_study *study, murk_error *error);
 void murk_study_destroy(murk_study *study);
 
@@ -681,23 +704,26 @@ typedef struct murk_fit murk_fit;
 typedef struct murk_fit_options {
     size_t size;               /* sizeof(murk_fit_options) */
     size_t n_bounds;           /* limits of free keys: */
-    const char *const *bounds; /* [n_bounds] "KEY=LOW:HIGH", either may be
+    const char *const *bounds; /* [n_bounds] "KEY=LOW:HIGH"; LOW or HIGH may be
                                 * empty */
     const char *loss;    /* "none", "huber" or "cauchy", the last two also with
                           * a width in standard errors: "huber:1.345"; NULL:
                           * none */
-    uint64_t starts;     /* of the search; 0: 4 */
-    uint64_t traces;     /* largest number of lights of a start; 0: 12 */
-    uint64_t next;       /* proposes so many places for further readings */
-    const char *predict; /* fit.json of a finished fit: nothing is fitted, and
-                          * the readings are predicted at its values; NULL */
+    uint64_t starts;     /* number of searches from different values; 0: 4 */
+    uint64_t traces;     /* largest number of times that light is traced for one
+                          * start; 0: 12 */
+    uint64_t next;       /* number of places to propose for further readings */
+    const char *predict; /* path of the fit.json of a finished fit: nothing is
+                          * fitted, and the readings are predicted at the values
+                          * there; NULL: fits */
 } murk_fit_options;
 
-/* Reads the readings of a CSV file and prepares the fit of keys[n] of a scene,
- * such as "media.fog.visibility_m", "media.fog.albedo@each" (a value for each
- * condition) or "gain.NAME" (a factor of readings), to them. options NULL:
- * zeros; with options->predict n is 0. Fails with MURK_BAD_VALUE or
- * MURK_BAD_FILE if scene, readings, keys or options are wrong. */
+/* Reads the readings of the CSV file `data`, and prepares to fit keys[n] of a
+ * scene to these readings: keys such as "media.fog.visibility_m",
+ * "media.fog.albedo@each" (a value for each condition) or "gain.NAME" (a factor
+ * of readings). options NULL: zeros; with options->predict, n must be 0. Fails
+ * with MURK_BAD_VALUE or MURK_BAD_FILE if scene, readings, keys or options are
+ * wrong. */
 murk_status murk_fit_create(murk_fit **out, murk_scene *scene, const char *data,
                             const char *const *keys, size_t n,
                             const murk_fit_options *options, murk_error *error);
@@ -708,8 +734,9 @@ murk_status murk_fit_check_save(murk_fit *fit, const char *folder,
                                 const murk_save_options *options,
                                 murk_error *error);
 
-/* Finds the values of the keys, as murk fit. Fails with MURK_RUN_FAILED if the
- * search cannot begin, and with MURK_INTERRUPTED. */
+/* Finds the values of the keys, as murk fit. Fails with MURK_BAD_VALUE if the
+ * fit has run already, with MURK_RUN_FAILED if the search cannot begin, and
+ * with MURK_INTERRUPTED. */
 murk_status murk_fit_run(murk_fit *fit, murk_error *error);
 void murk_fit_destroy(murk_fit *fit);
 
@@ -717,10 +744,10 @@ void murk_fit_destroy(murk_fit *fit);
 murk_status murk_fit_fields(murk_fit *fit, const murk_fields **fields,
                             murk_error *error);
 
-/* Writes the files of murk fit to a folder: fit.json (with options->predict:
- * predict.json), fit.csv and calibrated.yaml. The arguments are described at
- * murk_save_options. Fails with MURK_BAD_VALUE or MURK_RUN_FAILED, as described
- * there. */
+/* Writes the files of murk fit to a folder: fit.json, fit.csv and
+ * calibrated.yaml, or with options->predict predict.json and fit.csv. The
+ * arguments are described at murk_save_options. Fails with MURK_BAD_VALUE or
+ * MURK_RUN_FAILED, as described there. */
 murk_status murk_fit_save(murk_fit *fit, const char *folder,
                           const murk_save_options *options,
                           const murk_fields **fields, murk_error *error);
@@ -730,9 +757,12 @@ murk_status murk_fit_save(murk_fit *fit, const char *folder,
 typedef struct murk_picture murk_picture;
 
 typedef enum murk_method {
-    MURK_METHOD_MAPS,     /* shadow rays, density estimate of later records */
-    MURK_METHOD_PATHS,    /* path tracing with shadow rays */
-    MURK_METHOD_MAPS_ONLY /* density estimate of all records */
+    MURK_METHOD_MAPS,     /* direct light by shadow rays; other light by density
+                           * estimation, from records of later events of
+                           * photons */
+    MURK_METHOD_PATHS,    /* path tracing with shadow rays, without maps */
+    MURK_METHOD_MAPS_ONLY /* all light by density estimation, from all
+                           * records */
 } murk_method;
 
 /* Renders the picture of a camera of the scene; NULL: of the first one. Fails
@@ -751,7 +781,9 @@ void murk_picture_destroy(murk_picture *picture);
 murk_status murk_picture_array(const murk_picture *picture, const char *channel,
                                murk_array *view, murk_error *error);
 
-/* Writes an OpenEXR file. Fails as murk_light_save(). */
+/* Writes an OpenEXR file. Fails with MURK_BAD_VALUE if there is a file at
+ * `path` that murk did not write, and with MURK_RUN_FAILED if the file cannot
+ * be written. */
 murk_status murk_picture_write(const murk_picture *picture, const char *path,
                                murk_error *error);
 
