@@ -27,12 +27,12 @@ using Matrix =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 // The number of invalid steps in succession after which Ceres gives up. Each is
-// shorter than the one before: the trust region has then shrunk by 2^-(1 + 2 +
-// .. + 16).
+// shorter than the one before: the radius of the trust region has then shrunk
+// by the factor 2^(1 + 2 + .. + 16).
 const int INVALID_STEPS_MAX = 16;
 
-// A step that is shorter than this, relative to x (absolute to the square of
-// this if x is 0), ends the search.
+// A step ends the search if the norm of the step is at most
+// SHORT_STEP * (norm of x + SHORT_STEP).
 const double SHORT_STEP = 1e-12;
 
 // All rows at one parameter vector: evaluated once, then read row by row.

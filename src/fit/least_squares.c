@@ -97,7 +97,8 @@ static bool knows(const place *at, const double *x, size_t n,
            memcmp(x, at->x, n * sizeof *x) == 0;
 }
 
-/* The result of the caller at x, stored or new; NULL if there is none. */
+/* Returns the residuals at x, and with_jacobian the Jacobian: stored ones, or
+ * new ones from the callback of the caller. NULL if there are none. */
 static const place *evaluate(search *s, const double *x, bool with_jacobian)
 {
     const murk_least_squares *p = s->problem;
@@ -239,7 +240,8 @@ static bool goes_on(murk_least_squares_found *found, const search *s,
     return true;
 }
 
-/* Improves the best point, which is known, pass by pass. */
+/* Improves the best point, whose residuals and Jacobian are known, pass by
+ * pass. */
 static murk_status search_on(murk_least_squares_found *found, search *s,
                              murk_error *err)
 {

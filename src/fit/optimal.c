@@ -22,14 +22,14 @@
  * with an error of a thousand scales. */
 #define KNOWN_BEFORE 1e-6
 
-/* The least gain of an exchange: smaller gains may be rounding errors and could
- * be reversed. */
+/* The least share by which an exchange must increase det A: smaller increases
+ * may be rounding errors and could be reversed. */
 #define EXCHANGE_MIN 1e-9
 
 /* The largest number of multiplications for exchanges, some five seconds. Later
- * exchanges gain little: greedy selection alone has 1 - 1/e of the best gain
- * (Nemhauser, Wolsey and Fisher, Math. Program. 14 (1978) 265,
- * doi:10.1007/BF01588971). */
+ * exchanges gain little: greedy selection alone has at least 1 - 1/e of the
+ * largest possible gain of log det A (Nemhauser, Wolsey and Fisher, Math.
+ * Program. 14 (1978) 265, doi:10.1007/BF01588971). */
 #define EXCHANGE_WORK_MAX 1e10
 
 /* The number of candidates that are processed together: their sums stay in

@@ -1,8 +1,8 @@
 /* Selects the next measurements: the K candidate rows whose readings add most
  * to log det of the information matrix (D-optimal design; Fedorov, Theory of
  * Optimal Experiments, 1972). The method is greedy selection, then exchanges of
- * one row for another until none improves or a stated amount of work is
- * done. */
+ * one row for another until none increases log det or the limit on work is
+ * reached (EXCHANGE_WORK_MAX in optimal.c). */
 #ifndef MURK_FIT_OPTIMAL_H
 #define MURK_FIT_OPTIMAL_H
 

@@ -23,9 +23,10 @@ void murk_whitening_apply(const murk_whitening *whitening, double *a,
                           size_t columns);
 
 /* Adds the covariance of a total over batches of equal size to covariance[rows
- * * rows]. batch[batches][rows] (row by row) holds sums of each batch, and the
- * value of a row is the sum over all batches. The covariance of the total is
- * B/(B - 1) sum (b - mean)(b - mean)^T. batches >= 2. */
+ * * rows]. batch[batches][rows] (row by row) has the sums b of each batch, and
+ * the value of a row is the sum over all batches. The covariance of the total
+ * is B/(B - 1) sum (b - mean)(b - mean)^T, where B is the number of batches.
+ * batches >= 2. */
 void murk_covariance_of_batches(double *covariance, const double *batch,
                                 size_t batches, size_t rows);
 
