@@ -72,11 +72,15 @@ void murk_progress_text(const char *format, ...)
  * parts. */
 void murk_progress_part(uint64_t number, uint64_t parts, uint64_t done);
 
-/* pause and resume are called around fork(), because no other thread may exist
- * then: they stop and start the thread that draws. A subprocess that reports
- * progress calls murk_progress_in_subprocess(): the subprocess draws the open
- * steps and its own steps, while the parent process stays paused. Whole lines
- * are printed, and receivers called, by the parent process only. */
+/* pause and resume are called around fork(): they stop and start the thread
+ * that draws the line of the host, because a subprocess has a copy of the
+ * forking thread alone, and a lock that another thread held at fork() stays
+ * locked there. No worker of the host may run at fork(), either.
+ * base/isolated.h and base/subprocess.h say whether threads of other hosts may.
+ * A subprocess that reports progress calls murk_progress_in_subprocess(): the
+ * subprocess draws the open steps and its own steps, while the parent process
+ * stays paused. Whole lines are printed, and receivers called, by the parent
+ * process only. */
 void murk_progress_pause(void);
 void murk_progress_resume(void);
 void murk_progress_in_subprocess(void);
