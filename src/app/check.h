@@ -1,5 +1,5 @@
-/* Parts of murk check: each prints lines of the summary, and adds a part of the
- * JSON. */
+/* Parts of murk check: for each, one function prints lines of the summary, and
+ * another adds a part of the JSON. */
 #ifndef MURK_APP_CHECK_H
 #define MURK_APP_CHECK_H
 
@@ -14,12 +14,13 @@
 void murk_print_media(const murk_stage *stage);
 void murk_json_media(cJSON *root, const murk_stage *stage);
 
-/* The power of lights; of those that go by place and time the positions of sun
- * and moon and the irradiance; lamps that are off. In watts, and also in the
- * scene's `units`. Adds "lights": {count, power_w, power_lm.., sky: [{light,
- * type, on, azimuth_deg, elevation_deg, irradiance_w_per_m2, irradiance, unit
- * (of `units`), taken_again: {share, optical_depth, transmittance}}]}, null
- * where a light has no such value. */
+/* The power of all lights together, in watts and in the scene's `units`; of
+ * each light of the sky the irradiance, and the position of sun or moon; and
+ * lamps that are off. The JSON has the lamps, too. Adds "lights": {count,
+ * power_w, power_lm.., sky: [{light, type, on, azimuth_deg, elevation_deg,
+ * irradiance_w_per_m2, irradiance, unit (of `units`), taken_again: {share,
+ * optical_depth, transmittance}}]}, with null for each value that a light does
+ * not have. */
 void murk_print_lights(const murk_stage *stage);
 void murk_json_lights(cJSON *root, const murk_stage *stage);
 
@@ -31,8 +32,8 @@ void murk_json_sensor_types(cJSON *root, const murk_scene_desc *scene,
                             const murk_poses *poses);
 
 /* Cameras: "cameras": [{name, type, pixels, samples, memory_bytes}], the memory
- * of one picture by maps with the maps and their copies; and warnings of
- * pictures that would not fit into the free memory. */
+ * of one picture by maps with the maps and the kernels made of them; and
+ * warnings of pictures that would not fit into the free memory. */
 void murk_print_cameras(const murk_scene_desc *scene,
                         const murk_forecast *forecast);
 void murk_json_cameras(cJSON *root, const murk_scene_desc *scene,

@@ -8,7 +8,8 @@
 #include "render/render.h"
 #include "results/summary.h"
 
-/* A render holds the maps that were traced, and what it makes of them. */
+/* The memory of a render by maps [bytes]: the picture, the maps that were
+ * traced, and the kernels that the render makes of them. */
 static double bytes_of(const murk_scene_desc *scene,
                        const murk_forecast *forecast, size_t camera)
 {

@@ -11,9 +11,10 @@
 #include "scene/places.h"
 #include "world/extent.h"
 
-/* A table of a phase function is printed without a remark if its integral is
- * off by less, and if less lies outside of its rows. Half a percent is below
- * the accuracy of published tables. */
+/* A table of a phase function is printed without a remark if its integral
+ * differs from 1 by less than this, and if smaller shares than this lie before
+ * its first and behind its last angle. Half a percent is below the accuracy of
+ * published tables. */
 #define TABLE_SLACK .005
 
 /* The box around a region, in local coordinates. Of an unbounded region: the
@@ -49,7 +50,8 @@ static const murk_phase *phase_of(const murk_stage *stage, size_t medium,
     return &stage->phases->medium[medium][band];
 }
 
-/* A band's phase function, and of a table what normalising it told. */
+/* The phase function of a band; if it is a table, with the facts that were
+ * found when the table was normalised. */
 static cJSON *phase_json(const murk_stage *stage, size_t medium, int band)
 {
     const murk_scene_medium *m = &stage->scene->media[medium];
@@ -191,7 +193,8 @@ static bool is_same(const murk_phase *a, const murk_phase *b)
     return a->table == b->table && murk_phase_is_same(a, b);
 }
 
-/* One phase, or one a band where they differ. */
+/* Prints one line for all bands, or one for each band if the phase functions of
+ * bands differ. */
 static void print_phases(const murk_stage *stage, size_t medium)
 {
     const murk_scene_desc *scene = stage->scene;

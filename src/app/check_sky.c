@@ -21,7 +21,8 @@ static void print_time(const murk_stage *stage)
     }
 }
 
-/* What comes of a light of the sky, in the scene's units. */
+/* The irradiance of a light of the sky, summed over the bands, in the units of
+ * the scene. */
 static double irradiance_of(const murk_stage *stage, size_t light)
 {
     const murk_scene_desc *scene = stage->scene;
@@ -34,7 +35,9 @@ static double irradiance_of(const murk_stage *stage, size_t light)
     return sum;
 }
 
-/* The irradiance above holds the weather already. */
+/* Prints the share of the irradiance on the line above that the media of the
+ * domain absorb or scatter. The weather is part of that irradiance already, so
+ * fog in the scene may dim the light a second time. */
 static void print_taken(const murk_stage *stage, size_t light)
 {
     const murk_daylight_loss taken = murk_daylight_loss_of(stage, light);
@@ -45,7 +48,7 @@ static void print_taken(const murk_stage *stage, size_t light)
     }
 }
 
-/* Of all lights, in a quantity. */
+/* The power of all lights together, in the unit of a quantity. */
 static double power_of(const murk_stage *stage, murk_quantity quantity)
 {
     const size_t bands = (size_t)stage->scene->bands;

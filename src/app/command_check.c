@@ -33,8 +33,9 @@ typedef struct findings {
     murk_section_request section; /* of the picture */
 } findings;
 
-/* Most that the known environment's matrix can take: a bit a photon and
- * candidate in clear air, two bytes where media dim. */
+/* The largest memory [bytes] of the coverage matrix for placement in a known
+ * environment: for each photon and pose of a sensor one bit, or two bytes if
+ * the scene has media. */
 static double matrix_bytes(const findings *f)
 {
     const double records = f->forecast.surface + f->forecast.volume;
@@ -155,7 +156,8 @@ static cJSON *check_json(const findings *f)
     return root;
 }
 
-/* A line a name in a mesh file: its area, and the material that it got. */
+/* Prints a line for each material name in mesh files: the area with that name,
+ * and the material of the scene that it got. */
 static void print_mesh_materials(const findings *f)
 {
     const murk_scene_desc *scene = f->session->scene;
@@ -238,7 +240,8 @@ static void print_findings(const findings *f)
 
 /* ---- the picture ---- */
 
-/* Finds before any work whether the picture may be written. */
+/* Checks the options of the picture, and whether its file may be written,
+ * before the pilot run. */
 static murk_status check_picture(const murk_options *options, murk_error *err)
 {
     /* Options that mean nothing without a picture, and wrong values. */
@@ -265,7 +268,8 @@ static murk_status check_picture(const murk_options *options, murk_error *err)
                          pixels[0], pixels[1], MURK_SECTION_WIDTH_MIN,
                          MURK_SECTION_HEIGHT_MIN);
     }
-    /* A file of the user's stays, and a file can be made there. */
+    /* Refuse a file that murk did not write, and a place where no file can be
+     * made. */
     murk_file *file = NULL;
     murk_status status = murk_file_check_owner(
         path, MURK_MARK_IMAGE, sizeof MURK_MARK_IMAGE - 1, options->force, err);
@@ -300,7 +304,7 @@ static murk_status write_picture(findings *f, const murk_options *options,
                                      options->threads, err);
         request->targets = &targets;
     }
-    /* Draw, and write with texts about the origin. */
+    /* Draw the picture, and write it with texts that say how it was made. */
     if (!status) {
         status = murk_section_picture_draw(&canvas, request, err);
     }

@@ -24,7 +24,8 @@ static murk_status check_options(const murk_options *o, murk_error *err)
     return MURK_OK;
 }
 
-/* The fit, and all that can be refused before there is light. */
+/* Prepares the fit, and checks all that can be refused before light is
+ * traced. */
 static murk_status prepare(murk_fit **fit, const murk_options *o,
                            const murk_given_save *save, murk_error *err)
 {

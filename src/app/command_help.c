@@ -11,8 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define NAMES_MAX 64   /* more than one table has, or a message lists */
-#define LIST_SIZE 1000 /* of names with commas between, longer than any */
+#define NAMES_MAX 64   /* more names than a table of keys has */
+#define LIST_SIZE 1000 /* bytes, more than a list of names of keys has */
 
 /* ---- names that are listed ---- */
 
@@ -23,7 +23,8 @@ static void add(char list[LIST_SIZE], const char *name)
              name);
 }
 
-/* The other keys of the group of a key, one of which is given at most. */
+/* Lists the other keys of the group of a key. A map may have one key of a group
+ * at most. */
 static void list_group(char list[LIST_SIZE], const murk_keys *table,
                        const murk_key *row)
 {
@@ -36,7 +37,8 @@ static void list_group(char list[LIST_SIZE], const murk_keys *table,
     }
 }
 
-/* The variants of the map that may have the key; empty: all of them. */
+/* Lists the variants of the map that may have the key. An empty list means all
+ * variants. */
 static void list_variants(char list[LIST_SIZE], const murk_keys *table,
                           const murk_key *row)
 {
@@ -50,7 +52,8 @@ static void list_variants(char list[LIST_SIZE], const murk_keys *table,
 
 /* ---- entries ---- */
 
-/* A default that depends on something is in words in the reference. */
+/* Prints the default of a key. The reference describes in words a default that
+ * depends on other keys. */
 static void print_default(const murk_keys *table, const murk_key *row)
 {
     char *stated = murk_reference_default(table, row);
@@ -175,7 +178,8 @@ static murk_status unknown_key(const char *path, const murk_reference_key *key,
     snprintf(part, sizeof part, "%.*s", (int)strcspn(key->unknown, "."),
              key->unknown);
     murk_words_show(shown, sizeof shown, path);
-    /* A key of the table in which the path ends. */
+    /* A key that is spelled alike, in the table in which the unknown part of
+     * the path was looked up. */
     const char *meant = murk_words_meant(part, names, n);
     if (meant) {
         return murk_fail(err, MURK_BAD_VALUE, shown,

@@ -11,7 +11,7 @@ static const char DEFAULT[] = "room";
 
 #define NAMES_MAX 16 /* more than there are scenes */
 
-/* Fails with the names that there are. */
+/* Fails with a message that lists the names of the scenes. */
 static murk_status no_such_scene(const char *name, murk_error *err)
 {
     char text[NAMES_MAX][MURK_SCENE_NAME_SIZE], list[200] = "", shown[64];

@@ -79,7 +79,7 @@ static murk_status unknown_option(const char *text, size_t length,
 
 /* ---- options ---- */
 
-/* Reads a whole number low..high, also as 1e6. */
+/* Reads a whole number, also as 1e6, in the range of the option. */
 static murk_status read_count(const murk_option *option, const char *text,
                               uint64_t *out, murk_error *err)
 {
@@ -183,7 +183,8 @@ static murk_status take(murk_options *out, const murk_option *option,
 
 /* Takes one option and its value, which stands behind "=", behind the letter of
  * a short option (-j2) or in the next argument; *i moves to the last argument
- * that was taken. *is_left_out: from the command line that results keep. */
+ * that was taken. *is_left_out: true if the command line that results keep
+ * leaves the option out. */
 static murk_status take_option(murk_options *out, int argc, char **argv, int *i,
                                bool *is_left_out, murk_error *err)
 {
@@ -219,8 +220,8 @@ static murk_status take_option(murk_options *out, int argc, char **argv, int *i,
 
 /* ---- checks ---- */
 
-/* Options may stand before the command is known, so they are held against it
- * at the end. */
+/* Options may stand before the command, so whether the command has them is
+ * checked at the end. */
 static murk_status check_belonging(const murk_options *out, murk_error *err)
 {
     for (size_t i = 0; out->command && i < out->n_given; ++i) {
@@ -264,7 +265,7 @@ static murk_status check_exports(const murk_options *out, murk_error *err)
     return MURK_OK;
 }
 
-/* Checks the options of murk render that need each other. */
+/* Checks that options of murk render come with the options that they need. */
 static murk_status check_picture(const murk_options *out, murk_error *err)
 {
     static const struct {

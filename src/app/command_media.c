@@ -1,5 +1,6 @@
-/* murk media: what presets there are, and what one comes to, band by band. Its
- * numbers are those of a scene with this one medium. */
+/* murk media: lists the presets of media, or prints one of them with the
+ * optical properties in each band. The numbers are computed for a scene whose
+ * only medium is the preset. */
 #include "app/identity.h"
 #include "app/media_profile.h"
 #include "base/progress.h"
@@ -17,7 +18,8 @@
 #define MEDIUM "media.medium."
 #define WIDTH  26 /* of names in the list */
 
-/* What a preset is asked for: this, and the user's --set. */
+/* The wavelengths [nm] at which a preset is shown, if they are in the range of
+ * the preset and --set gives no others. */
 static const double USUAL_NM[] = {450, 550, 650, 850, 1550};
 
 /* ---- the list ---- */
@@ -157,7 +159,8 @@ static void print_words(const resolved *r)
         if (!word.is_known) {
             continue;
         }
-        if (!any) { /* no line ends in arguments: murk_print() escapes them */
+        if (!any) { /* newlines stand in the format, because murk_print()
+                     * escapes those in arguments */
             murk_print("\nwords\n");
         }
         murk_print("  %s: ", murk_word_rows[id].name);

@@ -7,7 +7,8 @@
 
 #include <string.h>
 
-/* The world, and all that can be refused before there is light. */
+/* Makes the world, and checks all that can be refused before light is
+ * traced. */
 static murk_status prepare(murk_world **world, const murk_options *options,
                            murk_given_save *save, murk_error *err)
 {
@@ -18,7 +19,7 @@ static murk_status prepare(murk_world **world, const murk_options *options,
     if (!status) {
         status = murk_world_create(world, scene, err);
     }
-    /* The options against the scene, then the folder. */
+    /* Check the options against the scene, then the folder. */
     if (!status && options->light) {
         status = murk_scene_get(scene, "placement.over", &over, err);
     }
@@ -56,8 +57,9 @@ static murk_status make_plan(murk_plan **plan, murk_world *world,
 }
 
 /* With -o, saves the plan before other seeds are run, because these may take
- * hours and then fail or be interrupted. Such a failure is not returned: *late
- * receives it, and the command fails with it after the results are saved. */
+ * hours and then fail or be interrupted. A failure of the other seeds is not
+ * returned: *late receives it, and the command fails with it after the results
+ * are saved. */
 static murk_status repeat(murk_plan *plan, const murk_options *options,
                           const murk_given_save *save, murk_error *late,
                           murk_error *err)

@@ -1,4 +1,5 @@
-/* A picture of the scene, by one of its cameras or from a sensor's place. */
+/* murk render: renders a picture of the scene, as one of its cameras or a
+ * sensor sees it, and writes the image files. */
 #include "api/scene_picture.h"
 #include "app/images.h"
 #include "app/picture_coverage.h"
@@ -16,8 +17,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Pictures of which more errors than this share are unsure are warned of, not
- * those that are smaller than the window that errors are pooled over. */
+/* A warning is given if the errors of more than this share of the pixels are
+ * unsure (render/render.h), and at least UNSURE_MIN of them: smaller pictures
+ * are smaller than the window over which errors are pooled. */
 #define UNSURE_SHARE 0.25
 #define UNSURE_MIN   50
 
@@ -46,7 +48,8 @@ typedef struct job {
 
 /* ---- what is asked for ---- */
 
-/* What the picture takes, and once there is light also what is made of it. */
+/* Fails if more memory is needed than is free: for the picture, and once light
+ * is traced also for the kernels that are made of the maps. */
 static murk_status check_memory(const job *j, murk_error *err)
 {
     const murk_camera *c = &j->viewpoint.camera;
@@ -116,8 +119,9 @@ static murk_status take_picture(job *j, murk_error *err)
     return status;
 }
 
-/* Of the band and map with the fewest records that have kernels. A map without
- * any for a band says nothing: no medium, or nothing that sends light on. */
+/* Warns of the band and map with the fewest records that have kernels. A band
+ * without such records in a map is no reason for a warning: the scene has no
+ * medium, or nothing that scatters or reflects light of the band. */
 static void warn_of_few_records(const job *j)
 {
     const murk_image *p = j->picture;
@@ -149,8 +153,8 @@ static void warn_of_few_records(const job *j)
     }
 }
 
-/* Where most errors of pixels rest on a handful of bright paths, they are of
- * the right size over the picture, but not to be relied on one by one. */
+/* Warns if the errors of many pixels follow from a few bright paths. Such
+ * errors are right in the mean over the picture, but not for each pixel. */
 static void warn_of_unsure_errors(const job *j)
 {
     const murk_image *p = j->picture;
@@ -183,7 +187,8 @@ static bool is_all_round(const job *j)
     return j->viewpoint.camera.projection == MURK_EQUIRECTANGULAR;
 }
 
-/* "1.2 +- 0.3 W/m2/sr"; one sample a pixel tells no error. */
+/* "1.2 +- 0.3 W/m2/sr"; the error is left out if it is not finite, as with one
+ * sample a pixel. */
 static void print_mean(double value, double error, const char *unit)
 {
     murk_print("%.4g ", value);
@@ -193,7 +198,7 @@ static void print_mean(double value, double error, const char *unit)
     murk_print("%s", unit);
 }
 
-/* A row a band. */
+/* Prints a line for each band. */
 static void print_radiance(const job *j)
 {
     const murk_image *p = j->picture;
@@ -336,7 +341,8 @@ static murk_status tell(job *j, murk_error *err)
     return status;
 }
 
-/* Whatever can be wrong is found before any light is traced. */
+/* Reads the scene, builds the world, and checks all that can be refused before
+ * light is traced. */
 static murk_status prepare(job *j, murk_error *err)
 {
     const murk_options *options = j->options;

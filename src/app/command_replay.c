@@ -25,7 +25,8 @@ typedef struct replay {
     cJSON *events; /* NULL: print lines */
 } replay;
 
-/* Name of what was met, or what came of it. */
+/* The name of the material or medium of the event; of a lost photon the reason;
+ * of other events "". */
 static const char *partner(const replay *r, const murk_event *event)
 {
     const murk_scene_desc *scene = r->session->scene;

@@ -34,7 +34,8 @@ static murk_status print_json(const murk_options *options, const char *path,
     return murk_print_alone(root, options, shown, path, err);
 }
 
-/* Reports the page on standard output. */
+/* Prints the name and size of the page, and the photons in it, on standard
+ * output. */
 static murk_status print_page(const murk_options *options, const char *path,
                               const murk_report_facts *facts, murk_error *err)
 {

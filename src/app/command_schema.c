@@ -40,8 +40,8 @@ static cJSON *number(const murk_key *row, const char *type)
     return schema;
 }
 
-/* A text. YAML takes what looks like a number or truth for one, murk does not.
- */
+/* A text. A value that looks like a number or a boolean is one in YAML, and a
+ * text for murk, so the schema allows all three. */
 static cJSON *text(size_t max)
 {
     static const char *const TYPES[] = {"string", "number", "boolean"};
@@ -54,7 +54,7 @@ static cJSON *text(size_t max)
     return schema;
 }
 
-/* A list of `minimum` to `maximum` items (0: any number). */
+/* A list of `minimum` to `maximum` items (maximum 0: no limit). */
 static cJSON *list_of(cJSON *items, size_t minimum, size_t maximum)
 {
     cJSON *schema = of_type("array");
@@ -66,7 +66,8 @@ static cJSON *list_of(cJSON *items, size_t minimum, size_t maximum)
     return schema;
 }
 
-/* Either of the schemas; NULL ones are left out. */
+/* A schema that accepts what at least one of a, b and c accepts; those that are
+ * NULL are left out. */
 static cJSON *any_of(cJSON *a, cJSON *b, cJSON *c)
 {
     cJSON *const all[] = {a, b, c};
@@ -298,7 +299,7 @@ static void add_group(cJSON *all_of, const murk_key *first)
 
 static void add_groups(cJSON *all_of, const murk_keys *keys)
 {
-    int above = 0; /* groups are numbered in the order of the rows or not */
+    int above = 0; /* bit g: a row of group g was found already */
     for (const murk_key *row = keys->key; row->name; ++row) {
         if (row->group && !(above & (1 << row->group))) {
             above |= 1 << row->group;
@@ -312,7 +313,8 @@ static bool fits(const murk_key *row, int variant)
     return !row->variants || (row->variants & (1u << variant));
 }
 
-/* Adds the keys that each map has: of a variant, or (-1) of all variants. */
+/* Adds the keys that are required: in maps of a variant, or (variant -1) in all
+ * maps. */
 static void add_required(cJSON *list, const murk_keys *keys, int variant)
 {
     for (const murk_key *row = keys->key; row->name; ++row) {
@@ -340,7 +342,7 @@ static void add_needs(cJSON *list, const murk_keys *keys, int variant)
     }
 }
 
-/* What holds for maps of one variant; NULL: no map is one of it. */
+/* What holds for maps of one variant; NULL: no key belongs to the variant. */
 static cJSON *variant_schema(const murk_keys *keys, int variant)
 {
     cJSON *schema = cJSON_CreateObject();
@@ -369,8 +371,9 @@ static cJSON *variant_schema(const murk_keys *keys, int variant)
     return is_possible ? schema : NULL;
 }
 
-/* A variant by a word: if the key has that word (or is left out, where the word
- * is the default), then so. */
+/* A variant that a word selects: if the key `selector` has the word of the
+ * variant, or is left out and the word is the default, then the schema of the
+ * variant holds. */
 static cJSON *if_word(const murk_keys *keys, int variant)
 {
     const murk_key *key = murk_keys_find(keys, keys->selector);
@@ -402,7 +405,7 @@ static void add_variants(cJSON *all_of, const murk_keys *keys)
             cJSON_AddItemToArray(keys->selector ? all_of : any, one);
         }
     }
-    /* Without a word: one of the variants fits. */
+    /* Variants that no word selects: at least one of them must fit. */
     if (cJSON_GetArraySize(any) > 0) {
         cJSON *schema = cJSON_CreateObject();
         cJSON_AddItemToObject(schema, "anyOf", any);

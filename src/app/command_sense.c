@@ -3,8 +3,8 @@
 #include "app/given.h"
 #include "app/show.h"
 
-/* The world and its sensors, and all that can be refused before there is
- * light. */
+/* Makes the world and its sensors, and checks all that can be refused before
+ * light is traced. */
 static murk_status prepare(murk_world **world, murk_sensors **sensors,
                            const murk_options *options, murk_given_save *save,
                            murk_error *err)

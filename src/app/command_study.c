@@ -115,8 +115,8 @@ static murk_status judge(const murk_options *options, const murk_fields *saved,
     return MURK_OK;
 }
 
-/* The rows that are done before an interrupt are saved; the interrupt is the
- * message. */
+/* Saves the rows that were done before an interrupt. Failures are ignored,
+ * because the command fails with the interrupt. */
 static void save_interrupted(murk_study *study, const murk_options *options,
                              const murk_given_save *save)
 {

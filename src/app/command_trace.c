@@ -10,7 +10,8 @@ murk_status murk_command_trace(const murk_options *options, murk_error *err)
     murk_light *light = NULL;
     murk_given_save save = {.exports = NULL};
     const murk_fields *saved = NULL;
-    /* The world, and all that can be refused before there is light. */
+    /* Make the world, and check all that can be refused before light is
+     * traced. */
     murk_status status = murk_given_scene(&scene, options, err);
     if (!status) {
         status = murk_world_create(&world, scene, err);

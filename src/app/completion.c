@@ -62,8 +62,9 @@ static const char for_zsh[] =
 
 /* ---- words from the tables ---- */
 
-/* Prints the shell command that prints the words that may follow an option.
- * Nothing follows an option whose words a shell cannot know, as a number. */
+/* Prints the shell command that prints the words that may follow an option. For
+ * values that a shell cannot know, such as numbers, that command prints
+ * nothing. */
 static void put_values(FILE *to, const murk_option *option)
 {
     const char *argument = option->argument;

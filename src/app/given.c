@@ -26,8 +26,10 @@ static murk_status set_key(murk_scene *scene, const char *text, murk_error *err)
     return status;
 }
 
-/* Tells that the light cannot be read, unless the scene is wrong by itself or
- * is placed for over conditions: then --light is refused whatever it holds. */
+/* Fails with `unread`, the reason why the light cannot be read; but if the
+ * scene is wrong, with the error of the scene. Returns MURK_OK if the scene has
+ * conditions to place over, because --light is then refused later, whatever the
+ * file contains. */
 static murk_status refuse_light(murk_scene *scene, const murk_error *unread,
                                 murk_error *err)
 {

@@ -7,7 +7,7 @@
 
 /* Reads the scene and sets the keys that options give. With --light, the seed
  * and the number of photons are those of the file unless the command line gives
- * them, because light of another seed or number is refused. */
+ * them, because light of another seed or number of photons is refused. */
 murk_status murk_given_scene(murk_scene **out, const murk_options *options,
                              murk_error *err);
 
@@ -15,8 +15,8 @@ murk_status murk_given_scene(murk_scene **out, const murk_options *options,
 murk_status murk_given_light(murk_light **out, murk_world *world,
                              const murk_options *options, murk_error *err);
 
-/* How the results of the command are saved. murk_given_save_end() also after a
- * failure. */
+/* How the results of the command are saved. Call murk_given_save_end() also
+ * after a failure. */
 typedef struct murk_given_save {
     murk_save_options options;
     char *exports, *asked; /* of the options, owned */

@@ -91,7 +91,7 @@ murk_status murk_identity_scene(char out[65], const murk_options *options,
     return identify(out, options, scene, "", scene->seed, err);
 }
 
-/* Adds "identity", of `of` and the keys that --set gives. */
+/* Adds "identity", which follows from `of` and the keys that --set gives. */
 static murk_status add_identity(cJSON *root, const murk_options *options,
                                 const char *of, murk_error *err)
 {

@@ -1,5 +1,5 @@
 /* What results follow from, as one hash: the same for any number of threads,
- * any output folder and any way of typing it. */
+ * any output folder, and any order of different options. */
 #ifndef MURK_APP_IDENTITY_H
 #define MURK_APP_IDENTITY_H
 
@@ -9,25 +9,28 @@
 #include "results/json.h"
 #include <stddef.h>
 
-/* *out: what the command line asks beside the scene (files by their contents),
- * as lines of text; for free(), also after a failure. */
+/* *out: the options that results depend on beside the scene, with the contents
+ * of files in place of their names, as lines of text; for free(), also after a
+ * failure. */
 murk_status murk_identity_asked(char **out, const murk_options *options,
                                 murk_error *err);
 
-/* SHA-256 over version, command, what the command line asks beside the scene
- * (files by their contents), seed, and `of`, which says all of the input.
- * MURK_NO_MEMORY, or a file that cannot be read. */
+/* SHA-256 over version, command, the text of murk_identity_asked(), seed, and
+ * `of`, a text that identifies the input. Fails with MURK_NO_MEMORY, or if a
+ * file cannot be read. */
 murk_status murk_identity(char out[65], const murk_options *options,
                           const char *of, uint32_t seed, murk_error *err);
 
-/* The same of a scene: its keys, its seed, and the contents of the files that
- * it names, so that it is the same in any folder and on any machine. */
+/* The same with a scene as the input: its keys, its seed, and the contents of
+ * the files that it names, so that the hash is the same in any folder and on
+ * any machine. */
 murk_status murk_identity_scene(char out[65], const murk_options *options,
                                 const murk_scene_desc *scene, murk_error *err);
 
-/* Prints the JSON of a command that has no scene, with "identity" and "files":
- * of the keys that --set gives, and of `of`, which says all other input; file:
- * the one that the command wrote, or NULL. Deletes root. */
+/* Prints the JSON of a command that has no scene, with "identity" and "files".
+ * The identity follows from the keys that --set gives and from `of`, a text
+ * that identifies all other input. file: the file that the command wrote, or
+ * NULL. Deletes root. */
 murk_status murk_print_alone(cJSON *root, const murk_options *options,
                              const char *of, const char *file, murk_error *err);
 

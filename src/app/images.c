@@ -106,7 +106,8 @@ static murk_status check_bands(const murk_scene_desc *scene, murk_error *err)
                      b + 1, b + 2, scene->band_nm[b], scene->band_nm[b + 1]);
 }
 
-/* A picture that took long must not be lost to a folder that is not there. */
+/* Checks that each file may be written, so that no picture is rendered and then
+ * lost. */
 static murk_status check_writable(const murk_image_files *images, bool force,
                                   murk_error *err)
 {
@@ -133,7 +134,8 @@ murk_status murk_images_name(murk_image_files *out, const murk_options *options,
 {
     const murk_render_options *settings = &options->render;
     const char *given = options->out;
-    /* Bands and the channel in false colour must have names. */
+    /* The bands must give different names, and the channel in false colour must
+     * exist. */
     murk_status status = check_bands(scene, err);
     if (!status && settings->false_colour) {
         status = find_channel(out, options, scene, err);
@@ -227,7 +229,8 @@ static void say_all(texts *t, const murk_image_facts *facts)
                  at.y, digits, at.z);
         say_made(t, "murkClipNormal", "%.9g %.9g %.9g", n.x, n.y, n.z);
     }
-    const murk_vec3 o = facts->scene->origin; /* of P, which floats hold */
+    const murk_vec3 o = facts->scene->origin; /* of the channels P.X, P.Y,
+                                               * P.Z */
     if (o.x != 0 || o.y != 0 || o.z != 0) {
         say_made(t, "murkOrigin", "%.17g %.17g %.17g m", o.x, o.y, o.z);
     }

@@ -9,8 +9,8 @@ typedef struct murk_image_files {
     char *exr, *png, *false_colour;       /* paths, owned; NULL: not wanted */
     char channel[MURK_CHANNEL_NAME_SIZE]; /* in false colour */
     /* Once written: */
-    double stops;              /* of the PNG */
-    murk_false_colour colours; /* of the other */
+    double stops;              /* exposure of the PNG */
+    murk_false_colour colours; /* of the image in false colour */
 } murk_image_files;
 
 /* What a picture is of and how it was made, as far as the images say it. */
@@ -22,15 +22,18 @@ typedef struct murk_image_facts {
     uint64_t photons;
 } murk_image_facts;
 
-/* Names them: beside the scene, under its name and the mark, or by -o; and
- * finds the channel that is meant. Fails where two bands would share a
- * channel's name, and with MURK_RUN_FAILED where a file cannot be made there.
- * Release them also after a failure. */
+/* Sets the names of the files: that of -o, or else the name of the scene with
+ * the mark, beside the scene; and finds the channel to show in false colour.
+ * Fails with MURK_BAD_VALUE if two bands would have channels of one name, if
+ * there is no such channel, or if murk did not write a file that has the name;
+ * and with MURK_RUN_FAILED if a file cannot be made. Release *out also after a
+ * failure. */
 murk_status murk_images_name(murk_image_files *out, const murk_options *options,
                              const murk_scene_desc *scene, const char *mark,
                              murk_error *err);
 
-/* Each is written whole or not at all; the OpenEXR image first. */
+/* Writes the OpenEXR image, then the PNG files. Each file is written whole or
+ * not at all. */
 murk_status murk_images_write(murk_image_files *images,
                               const murk_image *picture,
                               const murk_image_facts *facts, murk_error *err);

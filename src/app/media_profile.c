@@ -33,13 +33,15 @@ static const unit COEFFICIENTS[] = {{"_per_m", 1},     {"[1/m]", 1},
 
 #define UNITS 6 /* of either */
 
-/* Names of places, and the sign of their upward direction. */
+/* Names of columns of places, and the sign that makes a height of their
+ * values. */
 static const struct {
     const char *name;
     double sign;
 } PLACES[] = {{"depth", -1}, {"z", 1}, {"height", 1}, {"altitude", 1}};
 
-/* The number of bytes before the unit, and its factor; 0: none. */
+/* Returns the number of bytes of a name before the unit at its end, and the
+ * factor of the unit; 0 if the name has no unit. */
 static size_t before_unit(const char *name, const unit *units, double *factor)
 {
     const size_t length = strlen(name);
@@ -77,8 +79,8 @@ static bool is_coefficient(const char *name, double *factor)
     return before_unit(name, COEFFICIENTS, factor) > 0;
 }
 
-/* Finds the only column whose name `matches`. Messages: of two columns, with
- * the remedy; of none. */
+/* Finds the only column whose name `matches`. `two` and `remedy` are the
+ * message if there are two such columns, `none` if there is none. */
 static murk_status find_only(const murk_table *t,
                              bool (*matches)(const char *, double *),
                              column *found, const char *two, const char *remedy,
@@ -270,8 +272,9 @@ static murk_status read_profile(profile *p, const murk_table *t,
     return status;
 }
 
-/* Sums each piece of the profile into the layers that it lies in, from the top
- * down; both go on as the other ends. */
+/* Adds the integral of the coefficient over each piece of the profile, between
+ * two knots, to the layers that the piece lies in, sum[out->n]. Pieces and
+ * layers are followed together from the top down. */
 static void fill(murk_profile_layers *out, const profile *p, double *sum)
 {
     size_t layer = 0;

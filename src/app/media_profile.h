@@ -7,11 +7,11 @@
  * given twice is a jump. Between rows the coefficient is linear, beyond them
  * there is nothing, as for `profile` in a scene.
  *
- * A voxel holds the mean over its height, and what rounding to single precision
- * leaves goes to the next: so the optical depth of each voxel, and of the whole
- * column to the last digit, is the profile's. The grid `density` is in 1/m
- * (extinction_per_m: 1 in a scene), one voxel wide, about x = y = 0, and its
- * top is the highest place. */
+ * A voxel holds the mean of the coefficient over its height. The error of
+ * rounding to single precision is carried to the next voxel. So the optical
+ * depth of each voxel, and to the last digit that of the whole column, is that
+ * of the profile. The grid `density` is in 1/m (extinction_per_m: 1 in a
+ * scene), one voxel wide, about x = y = 0, and its top is the highest place. */
 #ifndef MURK_APP_MEDIA_PROFILE_H
 #define MURK_APP_MEDIA_PROFILE_H
 
@@ -25,12 +25,12 @@ typedef struct murk_profile_settings {
     const char *csv;
     const char *column; /* of the coefficient; NULL: the only one there is */
     const char *rows;   /* "COLUMN=VALUE": of these rows only; NULL: all */
-    double voxel_m;     /* height of a voxel; 0: that of 100 in the profile */
+    double voxel_m;     /* height of a voxel; 0: a hundredth of the profile */
     double width_m;     /* of the grid in x and y; 0: 1000 */
 } murk_profile_settings;
 
-/* Layers from the top down, all of one height; but the lowest reaches below
- * the lowest place where they do not divide the profile. */
+/* Layers from the top down, all of one height. If the height of the profile is
+ * no multiple of it, the lowest layer reaches below the lowest place. */
 typedef struct murk_profile_layers {
     size_t n;
     float *per_m;           /* [n] */

@@ -1,5 +1,5 @@
-/* The table of options. The limits keep out slips of the pen, and
- * values that no machine could compute with; the help states them. */
+/* The table of options. The limits refuse typing errors, and values that no
+ * machine could compute with. The help states the limits. */
 #include "app/option_values.h"
 #include "render/render.h"
 

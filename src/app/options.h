@@ -53,8 +53,9 @@ typedef struct murk_option {
     size_t at, size;     /* member of murk_options; size 0: none */
     const char *setting; /* the name of the value in messages of the library */
     murk_option_part part;
-    bool is_left_out; /* of the command line that is kept with results: places
-                         of results, and form of the output */
+    bool is_left_out; /* left out of the command line that is kept with results,
+                         because it concerns the place of results or the form of
+                         the output */
 } murk_option;
 
 #define MURK_OPTIONS_MAX 96 /* of the table */
@@ -76,7 +77,8 @@ typedef struct murk_note_pair {
                                 purpose */
 } murk_note_pair;
 
-/* Entries of a command, with the empty one at the end. */
+/* The largest numbers of entries of a command, without the empty one at the
+ * end. */
 #define MURK_NOTES_FILES    24
 #define MURK_NOTES_EXAMPLES 6
 
@@ -158,7 +160,8 @@ typedef struct murk_given {
 
 struct murk_options {
     murk_context *context;       /* made by terminal.c */
-    const murk_command *command; /* NULL: only --help, --version or --man */
+    const murk_command *command; /* NULL: only --help, --version, --man or
+                                  * --completion */
     bool wants_help, wants_version, wants_man;
     const char *input;   /* the scene; NULL with --matrix; a preset's name */
     const char *out;     /* -o; NULL: print, write nothing */

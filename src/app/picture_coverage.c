@@ -14,13 +14,15 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 
-/* Pixels that are looked at together, and what one of them takes meanwhile:
- * record, tree, sums and what a look finds. */
+/* Pixels that are processed together, and the memory of one of them meanwhile
+ * [bytes]: its record, its part of the tree, the sums, and entries of the rows
+ * of sensors. */
 #define PIXELS_TOGETHER ((size_t)1 << 20)
 #define BYTES_EACH      128
 
-/* What the sensors see of some rows. Whole numbers, added and compared in any
- * order: the same for any threads. */
+/* What the sensors see of the pixels of some rows. Counts and clarities are
+ * whole numbers, added and compared in any order, so they are the same for any
+ * number of threads. */
 typedef struct strip {
     murk_image *picture;
     const murk_stage *stage;
@@ -85,7 +87,8 @@ static void cover_by_sensor(void *context, unsigned worker, uint64_t batch)
     murk_progress_add(1);
 }
 
-/* What has been found, of the pixels that look at a surface. */
+/* Copies counts and clarities to the picture, for the pixels that show a
+ * surface. */
 static void keep(const strip *s, const murk_photon_map *points)
 {
     murk_image *p = s->picture;
@@ -108,7 +111,7 @@ static size_t sensors_of_band(const strip *s)
     return n;
 }
 
-/* By the sensors of one band. */
+/* Adds the coverage of a strip by the sensors that look in the band s->band. */
 static murk_status cover_strip(strip *s, murk_error *err)
 {
     const murk_image *p = s->picture;
@@ -132,7 +135,7 @@ static murk_status cover_strip(strip *s, murk_error *err)
         murk_pool_run_workers(s->threads, s->viewpoint->sensors,
                               cover_by_sensor, s);
         keep(s, points);
-    } else if (!status) { /* nothing to look at: these looks are done */
+    } else if (!status) { /* no pixel shows a surface: these sensors are done */
         murk_progress_add(sensors_of_band(s));
     }
     murk_sight_destroy(s->sight);
@@ -147,7 +150,7 @@ static murk_status cover_all(strip *s, murk_error *err)
     const murk_image *p = s->picture;
     const size_t together = rows_together(p->width);
     const size_t cells = together * p->width;
-    /* Counts and clarities of the rows that are looked at together. */
+    /* Counts and clarities of the rows that are processed together. */
     s->count = calloc(2 * cells, sizeof *s->count);
     if (!s->count) {
         return murk_no_memory(err, "render", "for the coverage of %zu pixels",

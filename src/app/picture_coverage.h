@@ -1,18 +1,21 @@
-/* Who sees what a picture shows: fills its coverage's channels.
+/* Fills the channels of coverage of a picture: the number of sensors that see
+ * the surface in each pixel, and the largest clarity.
  *
- * Each pixel's first surface is a point that the sensors look at as they look
- * at photons (sensing/sight.h), in the band placement.targets.band_nm or, for
- * those that do not take it, in their own first one. */
+ * The point of the first surface in a pixel is treated as a photon of the
+ * surface map (sensing/sight.h), in the band placement.targets.band_nm; for
+ * sensors whose type does not detect that band, in the first band that the type
+ * detects. */
 #ifndef MURK_APP_PICTURE_COVERAGE_H
 #define MURK_APP_PICTURE_COVERAGE_H
 
 #include "app/viewpoint.h"
 #include "render/render.h"
 
-/* Memory beside the picture's [bytes]. */
+/* The memory of the coverage, in addition to that of the picture [bytes]. */
 double murk_picture_coverage_bytes(size_t width, size_t height);
 
-/* By the viewpoint's sensors. Fails with MURK_NO_MEMORY or MURK_INTERRUPTED. */
+/* Adds the coverage by the sensors of the viewpoint. Fails with MURK_NO_MEMORY
+ * or MURK_INTERRUPTED. */
 murk_status murk_picture_cover(murk_image *picture,
                                const murk_viewpoint *viewpoint,
                                const murk_stage *stage, unsigned threads,

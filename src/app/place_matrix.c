@@ -17,10 +17,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define MATRIX_SHARE 0.7 /* of the free memory, as for a scene's */
+#define MATRIX_SHARE 0.7 /* of the free memory, as in plan/plan.c */
 #define COST_MAX     1e6 /* as of a scene: scene/keys_sensors.c */
 
-/* ---- the wish ---- */
+/* ---- the settings ---- */
 
 /* The keys of a scene that have a meaning for a matrix. */
 static const char *const KEYS[] = {
@@ -123,7 +123,8 @@ static murk_status read_settings(murk_matrix_plan *p,
     return MURK_OK;
 }
 
-/* What the file says a column costs, or 1. */
+/* Sets the cost of each column, that of the file or else 1, and the constraint
+ * of the budget. */
 static murk_status price(murk_matrix_plan *p, murk_error *err)
 {
     const murk_sparse_matrix *m = p->matrix;
@@ -146,7 +147,8 @@ static murk_status price(murk_matrix_plan *p, murk_error *err)
     return MURK_OK;
 }
 
-/* The target as a value, and the count held against the matrix. */
+/* Turns the target into a value of the problem, or sets the costs for the
+ * budget, or checks the count against the number of columns. */
 static murk_status fit_settings(murk_matrix_plan *p,
                                 const murk_problem *problem, murk_error *err)
 {
@@ -204,7 +206,7 @@ static murk_status measure(murk_matrix_plan *p, const murk_problem *problem,
         murk_combined_rows_add(&combined, (uint32_t)k, &row);
         c->sum += c->alone[k];
     }
-    /* What only that column covers. */
+    /* The weight that of the chosen columns only this one covers. */
     for (size_t k = 0; k < n && combined.dose; ++k) {
         murk_sparse_row row;
         problem->get_row(problem->context, 0, p->place.sensor[k], &row);
@@ -213,7 +215,7 @@ static murk_status measure(murk_matrix_plan *p, const murk_problem *problem,
     if (!combined.dose) {
         murk_combined_rows_only(&combined, m->weight, c->only);
     }
-    /* Weight of the rows that at least so many columns cover. */
+    /* seen_by[k]: the weight of the rows that at least k + 1 columns cover. */
     for (size_t i = 0; i < m->rows; ++i) {
         c->whole_rows += m->weight[i];
         if (combined.sensors[i]) {
@@ -253,7 +255,8 @@ static murk_status choose(murk_matrix_plan *p, murk_error *err)
     return status ? status : measure(p, &problem, err);
 }
 
-/* All that the command line asks; the matrix counts by its contents. */
+/* Sets the identity of the results, which follows from the settings of the
+ * command line and the contents of the matrix file. */
 static murk_status identify(murk_matrix_plan *p, const murk_options *options,
                             murk_error *err)
 {

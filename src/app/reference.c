@@ -114,7 +114,7 @@ void murk_reference_visit_all(murk_reference_visit *visit, void *context)
 static const char BEGIN[] = "<!-- keys of ";
 static const char HEAD[] = "| key | value | default | meaning |";
 
-/* The table of the key table that a path in a comment names. */
+/* The part of the key table that a path in a comment of the reference names. */
 static const murk_keys *table_named(const char *path)
 {
     if (strcmp(path, "scene") == 0) {
@@ -190,8 +190,8 @@ char *murk_reference_introduction(const murk_keys *table)
 
 enum { NAME, ALLOWED, DEFAULT, MEANING, CELLS };
 
-/* Finds the cells of a row of a table. Cells are between " | "; `end` of a cell
- * is the begin of the next one without that. */
+/* Finds the cells of a row of a table. A cell ends before " | ", the last one
+ * before " |" at the end of the line. */
 static bool split(const char *line, const char *cell[CELLS],
                   size_t length[CELLS])
 {
@@ -214,8 +214,9 @@ static bool is_text(const char *text, const char *cell, size_t length)
     return strlen(text) == length && strncmp(text, cell, length) == 0;
 }
 
-/* A cell of the row of a key. Of several rows with the same name that with the
- * same values counts, and of these that with the same default. */
+/* A cell of the row of a key. Of several rows with the name of the key, the row
+ * with the same allowed values is chosen, and of such rows the row with the
+ * same default. */
 static char *cell_of(const murk_keys *table, const murk_key *row, int which)
 {
     char name[MURK_SCENE_NAME_SIZE + 2], allowed[MURK_ALLOWED_SIZE];

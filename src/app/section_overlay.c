@@ -7,7 +7,8 @@
 #include "sensing/sensor.h"
 #include "world/extent.h"
 
-/* Points that are drawn at most, evenly chosen: more run together. */
+/* The largest number of points that are drawn, evenly chosen: more would run
+ * together. */
 #define POINTS_MAX 20000
 
 /* Sizes at unit 1 [pixels]. */
@@ -205,7 +206,8 @@ static void draw_solid(murk_canvas *c, const murk_section_view *v,
     }
 }
 
-/* The box around a region, within the domain. */
+/* The bounding box of a region; of an unbounded region the part in the
+ * domain. */
 static murk_box region_box(const murk_stage *stage, size_t i)
 {
     const murk_scene_region *r = &stage->scene->regions[i];
@@ -270,7 +272,7 @@ void murk_section_draw_bounds(murk_canvas *c, const murk_section_view *v,
     for (size_t i = 0; i < scene->n_regions; ++i) {
         draw_region(c, v, stage, i, u);
     }
-    /* Zones: first those to avoid, as their meshes are stored. */
+    /* Zones: those to avoid come first, as in stage->zone_mesh. */
     for (size_t i = 0; i < sites->avoids + sites->withins; ++i) {
         const bool is_avoided = i < sites->avoids;
         const murk_scene_site_zone *zone =

@@ -206,7 +206,8 @@ static legend legend_of(const murk_section_request *r, double max_per_m,
     return l;
 }
 
-/* The scale bar, a round length of at most a third of the legend's width. */
+/* The scale bar, a round length of 70 to 140 pixels at unit 1, which is at most
+ * 0.35 of the width of the legend. */
 static void draw_scale(murk_canvas *c, const murk_section_layout *l, double x,
                        double y)
 {
@@ -426,7 +427,8 @@ murk_status murk_section_picture_draw(murk_canvas **out,
     if (status) {
         return status;
     }
-    /* The number of lines does not depend on values. */
+    /* The largest number of lines of the legend: extinctions are not known
+     * yet. */
     const size_t lines = legend_of(r, 1, false).lines;
     const murk_section_layout l = murk_section_layout_make(r, lines);
     murk_section_pixels pixels[MURK_SECTIONS] = {{0}};

@@ -14,14 +14,15 @@
 /* A material that transmits more is drawn as one that can be looked through. */
 #define CLEAR 0.3
 
-/* Greys of surfaces beyond the plane, as shares of white: a surface that faces
- * the plane at once, what a surface edge-on and a surface at the far end lose,
- * and edges. All are lighter than half, so that they stay behind the lines. */
+/* Greys of surfaces beyond the plane, as shares of white: of a surface close to
+ * the plane that faces it, how much darker a surface edge-on is, how much
+ * darker a surface at the largest depth is, and of edges. All greys are lighter
+ * than half, so that lines stand out. */
 #define GREY_NEAR    0.97
 #define GREY_EDGE_ON 0.14
 #define GREY_FAR     0.08
 #define GREY_EDGE    0.62
-#define GREY_SHEET   0.05 /* what each sheet takes away of red */
+#define GREY_SHEET   0.05 /* how much darker red and green are for each sheet */
 
 /* Normals of two pixels that differ by more lie on both sides of an edge: 29
  * degrees, more than between the faces of a round shape of 13 sides. */
@@ -172,15 +173,17 @@ void murk_section_release(murk_section_pixels *pixels)
     *pixels = (murk_section_pixels){0};
 }
 
-/* How far the depth may differ between neighbours of one surface: twice as far
- * as it slopes over a pixel. */
+/* How much a pixel allows the depth to differ from that of a neighbour on the
+ * same surface: twice the size of a pixel, and twice the change of depth over a
+ * pixel by the slope of the surface. */
 static double step_of(const murk_section_pixels *p, size_t at, double pixel_m)
 {
     const double c = fmax((double)p->facing[at], FACING_MIN);
     return 2 * pixel_m * (1 + sqrt(1 - fmin(c * c, 1)) / c);
 }
 
-/* True if the surfaces of two pixels do not go over into each other. */
+/* True if there is an edge between two neighbouring pixels: only one shows a
+ * surface, or normals or depths differ by more than on one surface. */
 static bool is_edge(const murk_section_pixels *p, size_t a, size_t b,
                     double pixel_m)
 {

@@ -8,8 +8,8 @@
 #include "render/canvas.h"
 #include "world/stage.h"
 
-/* Colours are told apart in grey and by colour-blind people by brightness,
- * width or shape, too. */
+/* Things of different colours differ in brightness, width or shape, too, for
+ * prints in grey and for colour-blind people. */
 #define MURK_SECTION_WALL     ((murk_ink){{25, 25, 25}, 1})
 #define MURK_SECTION_SHEET    ((murk_ink){{20, 110, 180}, 1})
 #define MURK_SECTION_SOLID    ((murk_ink){{0, 130, 130}, 1})
@@ -33,8 +33,10 @@ typedef struct murk_section_view {
 /* What the pixels of a view show, filled by murk_section_sample(). Arrays have
  * a value for each pixel, row by row from the top. */
 typedef struct murk_section_pixels {
-    float *depth_m;   /* from the plane to the first surface; NAN: none */
-    float *facing;    /* cosine between its normal and the sight */
+    float *depth_m;   /* from the plane to the first surface that is no
+                       * transmitting sheet; NAN: none */
+    float *facing;    /* absolute cosine between the normal of that surface and
+                       * the sight */
     float *normal[2]; /* components of the normal to the right and up */
     float *extinction_per_m; /* in the plane, in the first band */
     uint8_t *sheets;         /* transmitting sheets before the surface */

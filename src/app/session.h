@@ -1,5 +1,6 @@
-/* What every command does first: scene read, world built, light traced or
- * loaded. */
+/* What the commands that use rooms instead of murk.h (check, render, replay,
+ * place --matrix) do first: they read the scene, build the world, and trace or
+ * read light. */
 #ifndef MURK_APP_SESSION_H
 #define MURK_APP_SESSION_H
 
@@ -9,12 +10,16 @@
 /* Silences warnings and progress as the options say. */
 void murk_session_quiet(const murk_options *options);
 
-/* The same, and the session's settings, with nothing read yet. */
+/* Sets the settings of a session that has read nothing yet, and calls
+ * murk_session_quiet(). */
 void murk_session_set(murk_session *session, const murk_options *options);
 
-/* Reads and builds; makes the result folder. End it also after a failure.
- * read: the same without building, for who has other worlds to build; scene:
- * nor a folder yet, for who has more input to judge. */
+/* murk_session_scene() sets the session and reads the scene;
+ * murk_session_read() does the same and makes the folder of results;
+ * murk_session_begin() does the same and builds the world. murk_session_build()
+ * builds the world of a scene that is read, and murk_session_light() traces
+ * light or reads it from the file of --light. Call murk_session_end() also
+ * after a failure. */
 murk_status murk_session_begin(murk_session *session,
                                const murk_options *options, murk_error *err);
 murk_status murk_session_scene(murk_session *session,

@@ -78,8 +78,8 @@ void murk_terminal_fail(const murk_options *options, const murk_error *err)
 
 /* ---- messages ---- */
 
-/* The warning about values of a finished fit that the data refuse is no matter
- * of --quiet. */
+/* With --quiet, the only warnings that are shown are those about the file of
+ * --predict: that the data rejected the model of that fit. */
 static bool is_shown(const murk_options *options, const char *where)
 {
     return !options->quiet ||
@@ -128,8 +128,8 @@ static void install_handlers(void)
 
 /* ---- the context ---- */
 
-/* Files of keys were read before there was a context: they are input of the
- * run, which it never writes over. */
+/* Files of keys (--set @FILE) were read before there was a context. They are
+ * noted as inputs of the run, so that no result replaces them. */
 static void note_files_of_keys(const murk_options *options)
 {
     for (size_t i = 0; i < options->n_given; ++i) {

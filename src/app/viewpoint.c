@@ -17,7 +17,8 @@
 /* Degrees in a radian. */
 #define DEG_PER_RAD (180 / MURK_PI)
 
-/* Of a sensor's picture, where nothing says its size. */
+/* Width [pixels] and samples of a picture of a sensor, if neither options nor a
+ * camera give them. */
 #define WIDTH   640
 #define SAMPLES 16
 
@@ -95,7 +96,8 @@ static void stand_at_camera(murk_viewpoint *v, const murk_scene_desc *scene,
     v->camera = murk_camera_of_scene(c, scene, asked);
 }
 
-/* Rows that make pixels of a picture so much wider than high square. */
+/* The number of rows with which the pixels are square, for a picture that is
+ * `wider` times as wide as high. */
 static size_t rows_for(size_t width, double wider)
 {
     const double rows = round((double)width / wider);

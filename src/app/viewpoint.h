@@ -12,8 +12,8 @@
 typedef struct murk_viewpoint {
     const murk_scene_camera *named; /* the scene's; NULL: a sensor alone */
     char name[128];    /* of who looks: the camera's, "sensor 3 (node)" */
-    char mark[80];     /* for the image's name: "gate", "sensor3"; empty where
-                          nothing was asked for */
+    char mark[80];     /* for the image's name: "gate", "sensor3"; empty if
+                          neither --camera nor --from-sensor is given */
     const char *where; /* for messages */
     murk_camera camera;
     double heading_deg, tilt_deg; /* of the picture's middle; heading clockwise
@@ -23,20 +23,21 @@ typedef struct murk_viewpoint {
     size_t sensors;
 } murk_viewpoint;
 
-/* What can be told from the scene alone: there is such a camera. Release the
- * viewpoint also after a failure. */
+/* Chooses the camera of the scene by the options, before the world is built.
+ * Fails with MURK_BAD_VALUE if there is none. Release the viewpoint also after
+ * a failure. */
 murk_status murk_viewpoint_choose(murk_viewpoint *out,
                                   const murk_scene_desc *scene,
                                   const murk_options *options, murk_error *err);
 
-/* With the world built: reads the sensors and fills the camera, which stands
- * within the domain. */
+/* Reads the sensors and fills the camera, once the world is built. Fails if a
+ * camera that is not orthographic is outside of the domain. */
 murk_status murk_viewpoint_stand(murk_viewpoint *viewpoint,
                                  const murk_stage *stage,
                                  const murk_options *options, murk_error *err);
 
-/* Warns where it stands in a solid, or where no open way leads to any light:
- * inside something closed, or behind a wall. */
+/* Warns if the viewpoint is inside a solid, or if no open way leads from it to
+ * any light, because it is inside of something closed or behind a wall. */
 murk_status murk_viewpoint_judge(const murk_viewpoint *viewpoint,
                                  const murk_stage *stage, unsigned threads,
                                  murk_error *err);
