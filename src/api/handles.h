@@ -116,8 +116,8 @@ typedef struct murk_call {
     murk_error *error; /* of the caller; may be NULL */
 } murk_call;
 
-/* files: the files in memory that paths "memory:NAME" name during the call; may
- * be NULL. */
+/* files: the files in memory that paths of the form "memory:NAME" name during
+ * the call. NULL: there are none. */
 murk_call murk_call_begin(murk_context *context, const murk_memory_files *files,
                           murk_error *error);
 

@@ -1,5 +1,5 @@
 /* Arrays of the caller as files in memory (base/memory_files.h): checks shapes
- * and values, and copies them into the form of the room that reads them. */
+ * and values, and copies them into the form of the code that reads them. */
 #include "api/handles.h"
 
 #include "base/file.h"

@@ -1,4 +1,4 @@
-/* Turns a camera of a scene into a camera of the room render, and a world with
+/* Turns a camera of a scene into a camera of src/render, and a world with
  * its light into the input of a rendering. */
 #include "api/scene_picture.h"
 

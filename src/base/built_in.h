@@ -1,7 +1,7 @@
 /* Files whose bytes are built into the library or the program.
  *
  * cmake/built_in_files.cmake writes a source file that defines a list; the
- * header of the room that the list belongs to declares it. */
+ * header of the folder of src that the list belongs to declares it. */
 #ifndef MURK_BASE_BUILT_IN_H
 #define MURK_BASE_BUILT_IN_H
 

@@ -1,10 +1,10 @@
 /* The kinds of phase functions in scenes and presets, and how many numbers
  * describe each.
  *
- * All rooms (folders of src) use this one list: the scene and the presets read
- * the numbers, and the room `medium` evaluates the function (medium/phase.c,
- * one row for each kind). The ranges that scenes and presets accept are in
- * scene/keys_rows.h; the room `medium` checks what it accepts itself. */
+ * All of src uses this one list: the scene and the presets read the numbers,
+ * and src/medium evaluates the function (medium/phase.c, one row for each
+ * kind). The ranges that scenes and presets accept are in scene/keys_rows.h;
+ * src/medium checks the numbers that it accepts, too. */
 #ifndef MURK_BASE_PHASE_KIND_H
 #define MURK_BASE_PHASE_KIND_H
 

@@ -1,8 +1,8 @@
 /* The types of light sources that a scene names.
  *
- * One list for all rooms: the scene reads the keys of each type
- * (scene/keys_lights.c), and the room `source` emits the photons
- * (source/lamps.c and source/distant.c, one row a type). */
+ * All of src uses this one list: the scene reads the keys of each type
+ * (scene/keys_lights.c), and src/source emits the photons (source/lamps.c and
+ * source/distant.c, one row for each type). */
 #ifndef MURK_BASE_SOURCE_TYPE_H
 #define MURK_BASE_SOURCE_TYPE_H
 

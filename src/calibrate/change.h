@@ -1,6 +1,6 @@
 /* The differences between the optics that light was traced with and the optics
- * that are wanted, as needed to re-weight photon histories. Internal to this
- * room. */
+ * that are wanted, as needed to re-weight photon histories. For
+ * use inside src/calibrate only. */
 #ifndef MURK_CALIBRATE_CHANGE_H
 #define MURK_CALIBRATE_CHANGE_H
 

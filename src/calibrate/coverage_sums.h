@@ -1,5 +1,5 @@
 /* The sums that coverage consists of, over re-weighted records: by map and
- * batch, with derivatives. Internal to this room.
+ * batch, with derivatives. For use inside src/calibrate only.
  *
  * The combined clarity D of a record is a function of the transmittances T of
  * its sightlines, with dD = sum of (dD/dT) dT and

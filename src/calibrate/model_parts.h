@@ -1,4 +1,5 @@
-/* The internal structure of the forward model. Internal to this room. */
+/* The internal structure of the forward model. For use inside src/calibrate
+ * only. */
 #ifndef MURK_CALIBRATE_MODEL_PARTS_H
 #define MURK_CALIBRATE_MODEL_PARTS_H
 

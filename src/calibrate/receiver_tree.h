@@ -1,5 +1,5 @@
 /* Finds the spherical receivers that a path segment crosses, and the chord in
- * each. Internal to this room. */
+ * each. For use inside src/calibrate only. */
 #ifndef MURK_CALIBRATE_RECEIVER_TREE_H
 #define MURK_CALIBRATE_RECEIVER_TREE_H
 

@@ -1,5 +1,5 @@
 /* Converts the segments and events of the photon tracer into contributions.
- * Internal to this room.
+ * For use inside src/calibrate only.
  *
  * Each batch of a wave has a buffer of its own, which one thread writes.
  * Buffers are emptied in the order of batches, as in lightmap/record_buffers.h,

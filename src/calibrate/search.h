@@ -1,5 +1,5 @@
 /* The searches of a fit: the first starts at the values of the scene, further
- * ones at random values. Internal to this room.
+ * ones at random values. For use inside src/calibrate only.
  *
  * A search with shares_light and has_light first follows the light at hand
  * without tracing. If the search comes to a point that this light still

@@ -1,6 +1,6 @@
 /* The state of a search for the best parameters, in search coordinates (the
  * logarithm of a key with is_log, the value of any other), and the residuals
- * that least squares minimise. Internal to this room. */
+ * that least squares minimise. For use inside src/calibrate only. */
 #ifndef MURK_CALIBRATE_SEARCH_STATE_H
 #define MURK_CALIBRATE_SEARCH_STATE_H
 

@@ -1,6 +1,6 @@
 /* Steps of a search besides least squares: extrapolation to the point of the
- * next trace, and correction for photon noise in the slopes. Internal to this
- * room. */
+ * next trace, and correction for photon noise in the slopes. For
+ * use inside src/calibrate only. */
 #ifndef MURK_CALIBRATE_SEARCH_STEPS_H
 #define MURK_CALIBRATE_SEARCH_STEPS_H
 

@@ -1,5 +1,5 @@
 /* Stored sightlines from a sensor, or a group of sensors, to the records that
- * it sees. Internal to this room. */
+ * it sees. For use inside src/calibrate only. */
 #ifndef MURK_CALIBRATE_SIGHTLINES_H
 #define MURK_CALIBRATE_SIGHTLINES_H
 

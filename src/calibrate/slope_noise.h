@@ -1,5 +1,5 @@
 /* The effect of photon noise in slopes on a fit, and the correction for it.
- * Internal to this room.
+ * For use inside src/calibrate only.
  *
  * Values f and slopes J of re-weighted rows come from the same photons, so
  * their errors are correlated. With y the measured values, L the Cholesky

@@ -1,6 +1,6 @@
 /* The records that groups of sensors see, and the media along the sightlines:
- * found once for traced light, valid for any extinctions. Internal to this
- * room.
+ * found once for traced light, valid for any extinctions. For
+ * use inside src/calibrate only.
  *
  * Surfaces and boundaries determine which records are seen. The transmittance
  * follows from the density path of each re-weighted medium along the straight

@@ -173,8 +173,9 @@ static const murk_condition *find_alike(const murk_conditions *all, size_t c)
     return NULL;
 }
 
-/* Fails if the maps of all conditions, and the largest additional memory of one
- * trace, exceed the free memory. */
+/* Fails if the maps of the first all->n conditions, those of conditions with
+ * the same light counted once, and the largest additional memory of one trace
+ * together exceed the free memory. Dark conditions are not counted. */
 static murk_status check_memory(const murk_conditions *all, unsigned threads,
                                 murk_error *err)
 {

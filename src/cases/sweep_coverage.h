@@ -1,4 +1,4 @@
-/* Coverage of sensors in one row of a study. Inside this room only. */
+/* Coverage of sensors in one row of a study. For use inside src/cases only. */
 #ifndef MURK_CASES_SWEEP_COVERAGE_H
 #define MURK_CASES_SWEEP_COVERAGE_H
 

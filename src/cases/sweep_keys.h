@@ -1,5 +1,5 @@
 /* Keys of the rows of a study: hashes that tell which rows share a trace, and
- * whether a stored row is still valid. Inside this room only. */
+ * whether a stored row is still valid. For use inside src/cases only. */
 #ifndef MURK_CASES_SWEEP_KEYS_H
 #define MURK_CASES_SWEEP_KEYS_H
 

@@ -1,6 +1,6 @@
 /* The light of a group of rows: the scenes and worlds of the rows, and the
- * light that is traced once for all of them (lightmap/scaled_light.h). Inside
- * this room only. */
+ * light that is traced once for all of them (lightmap/scaled_light.h). For
+ * use inside src/cases only. */
 #ifndef MURK_CASES_SWEEP_LIGHT_H
 #define MURK_CASES_SWEEP_LIGHT_H
 

@@ -1,6 +1,6 @@
 /* The stored rows of a study: FOLDER/rows has one small file for each row,
- * named by the key of the row; and the subprocesses that send rows. Inside this
- * room only. */
+ * named by the key of the row; and the subprocesses that send rows. For
+ * use inside src/cases only. */
 #ifndef MURK_CASES_SWEEP_STORE_H
 #define MURK_CASES_SWEEP_STORE_H
 

@@ -1,5 +1,5 @@
 /* The subprocesses of a study: one measures the rows of a group, another
- * chooses the plans for all rows. Inside this room only. */
+ * chooses the plans for all rows. For use inside src/cases only. */
 #ifndef MURK_CASES_SWEEP_WORK_H
 #define MURK_CASES_SWEEP_WORK_H
 

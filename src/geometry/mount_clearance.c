@@ -100,9 +100,11 @@ double murk_mount_clearance_to_sphere(const murk_mount_clearance *m,
     if (distance > 0 && b->radius * height / distance >= floor_m) {
         return fabs(distance - b->radius);
     }
-    /* The nearest point of the sphere is below the limit: then the nearest
-     * counted point is on the circle at that height, or the sphere is
-     * counted as a whole. */
+    /* Only the part of the sphere above floor_m counts. The nearest point of
+     * the whole sphere is below floor_m here, so the nearest point of that part
+     * is on the circle at height floor_m. A point at the center of the sphere
+     * gets here, too: if the whole sphere is above floor_m, the distance is the
+     * radius. */
     const double aside = sqrt(fmax(0, distance * distance - height * height));
     const double circle =
         sqrt(fmax(0, b->radius * b->radius - floor_m * floor_m));

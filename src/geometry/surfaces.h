@@ -87,7 +87,8 @@ typedef struct murk_hit {
  * ray that leaves a surface must start at murk_surfaces_leave(). In a corner of
  * opaque surfaces, within 1e-6 of the largest coordinate, distance_m is
  * shortened by 8e-6 of that coordinate (at most by half), so that the next ray
- * starts inside the room. False if there is none; *hit is then unchanged. */
+ * starts on the open side of all of them. False if there is none; *hit is then
+ * unchanged. */
 bool murk_surfaces_hit(const murk_surfaces *surfaces, murk_vec3 origin,
                        murk_vec3 direction, double max_m, murk_hit *hit);
 
@@ -107,9 +108,11 @@ double murk_surfaces_leave_step_m(const murk_surfaces *surfaces);
 uint16_t murk_surfaces_solid_at(const murk_surfaces *surfaces, murk_vec3 point);
 
 /* True if a surface blocks the segment between two points. Thin transmitting
- * sheets do not block if through_sheets is set. Both points may lie on
- * surfaces: the ends themselves do not block if they are moved off as
- * murk_surfaces_leave() does. */
+ * sheets do not block if through_sheets is set. A caller whose
+ * point lies on a surface first moves it off by murk_surfaces_leave(), so that
+ * this surface does not block. The function also shortens the segment by
+ * murk_surfaces_leave_step_m() at either end, so surfaces nearer to an end
+ * along the segment do not block. */
 bool murk_surfaces_blocked(const murk_surfaces *surfaces, murk_vec3 from,
                            murk_vec3 to, bool through_sheets);
 

@@ -13,9 +13,10 @@
 
 #include <math.h>
 
-/* Photons that may be emitted for each record that `store` asks for (in all at
- * most 2^32 - 1). A scene that stores less than one record in 1000 photons is
- * refused, because it would run for hours to little effect. */
+/* The number of photons that may be emitted for each record that `store` asks
+ * for; the total is at most 2^32 - 1. If `store` is not reached by then, the
+ * run fails, because a scene that stores so few records would run for hours to
+ * little effect. */
 #define STORE_EMISSIONS UINT64_C(1000)
 
 static const murk_scene_photons *settings_of(const murk_emission *e)

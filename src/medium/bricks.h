@@ -10,7 +10,7 @@
  * few times that of the tree.
  *
  * Space and ray parameter are those of march.h. Immutable after creation.
- * Inside this room only. */
+ * For use inside src/medium only. */
 #ifndef MURK_MEDIUM_BRICKS_H
 #define MURK_MEDIUM_BRICKS_H
 

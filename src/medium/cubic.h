@@ -1,7 +1,8 @@
 /* Cubic polynomials along a segment of a ray: the trilinear interpolation of
  * a cell, restricted to a line, is a cubic. s runs from 0 to 1 over the
  * segment; the value at s is c[0] + c[1] s + c[2] s^2 + c[3] s^3. Densities
- * are 0 or more on [0, 1], except for rounding. Inside this room only. */
+ * are 0 or more on [0, 1], except for rounding. For use inside src/medium only.
+ */
 #ifndef MURK_MEDIUM_CUBIC_H
 #define MURK_MEDIUM_CUBIC_H
 

@@ -4,7 +4,7 @@
  * collision and the flight continues. The distribution is exact for any valid
  * majorant; a tight one only saves time.
  *
- * Inside this room only; other rooms call murk_media_fly_delta().
+ * For use inside src/medium only; other rooms call murk_media_fly_delta().
  *
  * Sources: Woodcock et al., ANL-7050 (1965) 557; Szirmay-Kalos, Toth and
  * Magdics, Comput. Graph. Forum 30 (2011) 85,

@@ -1,6 +1,6 @@
 /* Walk along a ray through the density of a region: a grid (nearest or
  * trilinear) or a profile. The ray is divided into segments on which the
- * density is a cubic. Inside this room only. */
+ * density is a cubic. For use inside src/medium only. */
 #ifndef MURK_MEDIUM_DENSITY_WALK_H
 #define MURK_MEDIUM_DENSITY_WALK_H
 

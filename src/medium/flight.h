@@ -1,6 +1,6 @@
 /* The state of a free flight, shared by the two methods of crossing grids:
- * marching (free_flight.c) and delta tracking (delta.c). Inside this room
- * only. */
+ * marching (free_flight.c) and delta tracking (delta.c). For
+ * use inside src/medium only. */
 #ifndef MURK_MEDIUM_FLIGHT_H
 #define MURK_MEDIUM_FLIGHT_H
 

@@ -1,7 +1,8 @@
 /* Selects a grid of a file by name and kind, as medium/grid.h describes, and
  * checks that it can be a density or an albedo.
  *
- * Inside this room only; plain C, which vdb_bridge.cpp includes, too. */
+ * For use inside src/medium only; plain C, which vdb_bridge.cpp includes, too.
+ */
 #ifndef MURK_MEDIUM_GRID_CHOICE_H
 #define MURK_MEDIUM_GRID_CHOICE_H
 

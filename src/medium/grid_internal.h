@@ -1,4 +1,4 @@
-/* Functions of density grids for use inside this room only. */
+/* Functions of density grids for use inside src/medium only. */
 #ifndef MURK_MEDIUM_GRID_INTERNAL_H
 #define MURK_MEDIUM_GRID_INTERNAL_H
 

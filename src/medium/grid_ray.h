@@ -10,7 +10,8 @@
  * a block of 8 x 8 x 8 cells; only inside of a block strides are added. Errors
  * therefore do not grow with the number of cells.
  *
- * Cell i covers [i, i + 1), upper faces excluded. Inside this room only. */
+ * Cell i covers [i, i + 1), upper faces excluded. For use inside src/medium
+ * only. */
 #ifndef MURK_MEDIUM_GRID_RAY_H
 #define MURK_MEDIUM_GRID_RAY_H
 

@@ -13,8 +13,8 @@
  * step, as for stacked slabs. A face of a box on a side of the domain, or
  * beyond it, is no boundary: the region continues there.
  *
- * This file handles half spaces, boxes and spheres. Of meshes this room knows
- * the index only: the caller maintains their bits of the set. */
+ * This file handles half spaces, boxes and spheres. Of meshes src/medium
+ * knows the index only: the caller maintains their bits of the set. */
 #ifndef MURK_MEDIUM_INTERFACES_H
 #define MURK_MEDIUM_INTERFACES_H
 

@@ -1,7 +1,7 @@
 /* Walk of a ray through a profile: extinction as a function of height,
  * linear between the given heights and therefore linear along the ray within
- * a layer. No extinction below the first and above the last height. Inside
- * this room only. */
+ * a layer. No extinction below the first and above the last height. For
+ * use inside src/medium only. */
 #ifndef MURK_MEDIUM_LAYERS_H
 #define MURK_MEDIUM_LAYERS_H
 

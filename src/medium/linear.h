@@ -9,7 +9,7 @@
  * over the segment. Cells whose corners belong to constant nodes only are
  * crossed in one segment of any size.
  *
- * Inside this room only.
+ * For use inside src/medium only.
  *
  * Source: the walk is that of march.h; the mean follows from the Taylor series
  * about the middle, of which a cubic has no terms that change the mean beyond

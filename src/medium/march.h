@@ -7,7 +7,7 @@
  * metres), since a direction may have any length. A node with one value is
  * crossed in one segment, whatever its size.
  *
- * Inside this room only.
+ * For use inside src/medium only.
  *
  * Source: Amanatides & Woo, "A fast voxel traversal algorithm", Eurographics
  * 1987; Museth, "Hierarchical digital differential analyzer", SIGGRAPH Talks

@@ -1,4 +1,4 @@
-/* The members of murk_media. Inside this room only. */
+/* The members of murk_media. For use inside src/medium only. */
 #ifndef MURK_MEDIUM_MEDIA_PARTS_H
 #define MURK_MEDIUM_MEDIA_PARTS_H
 

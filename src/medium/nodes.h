@@ -1,5 +1,5 @@
 /* Access to the nodes below the root of a NanoVDB float tree from C: short
- * names for functions of PNanoVDB.h. Inside this room only. */
+ * names for functions of PNanoVDB.h. For use inside src/medium only. */
 #ifndef MURK_MEDIUM_NODES_H
 #define MURK_MEDIUM_NODES_H
 

@@ -1,4 +1,5 @@
-/* Nodes of a phase table, and their construction. Inside this room only. */
+/* Nodes of a phase table, and their construction. For use inside src/medium
+ * only. */
 #ifndef MURK_MEDIUM_PHASE_NODES_H
 #define MURK_MEDIUM_PHASE_NODES_H
 

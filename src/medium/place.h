@@ -1,5 +1,5 @@
 /* A region placed in the world: the part of a ray inside it, the density at a
- * point, and the bounding box. Inside this room only.
+ * point, and the bounding box. For use inside src/medium only.
  *
  * A region has a shape and a filling: a constant density, a grid or a profile.
  * A region that replaces other media replaces them in all of its shape. Its

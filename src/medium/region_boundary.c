@@ -326,7 +326,7 @@ static const char *where_of(const murk_region *regions,
     return where ? where : "region";
 }
 
-/* Meshes are not known in this room. */
+/* True if the region is a mesh, whose triangles src/medium does not know. */
 static bool is_mesh(const murk_region_boundary *boundary)
 {
     return boundary->shape == MURK_REGION_MESH;

@@ -1,5 +1,5 @@
 /* The boundary of a refractive region in the form that rays are intersected
- * with. Inside this room only. */
+ * with. For use inside src/medium only. */
 #ifndef MURK_MEDIUM_REGION_BOUNDARY_H
 #define MURK_MEDIUM_REGION_BOUNDARY_H
 
@@ -32,8 +32,8 @@ bool murk_region_boundary_make(murk_region_boundary *boundary, size_t number,
                                const murk_box *domain);
 
 /* True if p is inside. A box contains its faces at the low end of each axis and
- * not those at the high end. False for meshes, which this room does not
- * know. */
+ * not those at the high end. False for meshes, whose triangles src/medium
+ * does not know. */
 bool murk_region_boundary_holds(const murk_region_boundary *boundary,
                                 murk_vec3 p);
 

@@ -2,7 +2,7 @@
  * 1 voxels. A cell that is larger than a voxel may have one constant value
  * instead of smaller cells.
  *
- * Inside this room only. Values of inactive voxels are 0 here, or
+ * For use inside src/medium only. Values of inactive voxels are 0 here, or
  * MURK_VDB_NO_ALBEDO in a grid of albedos. */
 #ifndef MURK_MEDIUM_TREE_H
 #define MURK_MEDIUM_TREE_H

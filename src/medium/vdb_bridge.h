@@ -1,7 +1,7 @@
 /* The bridge to OpenVDB: reads one grid of a file as a density or an albedo,
  * checks it and converts it to a NanoVDB float grid; and writes dense fields as
- * the bytes of a file. Inside this room only; plain C, which vdb_bridge.cpp and
- * C files include.
+ * the bytes of a file. For use inside src/medium only; plain C, which
+ * vdb_bridge.cpp and C files include.
  *
  * Runs in a subprocess (base/subprocess.h), unless the host trusts its files,
  * since a hostile file may crash OpenVDB or make it ask for any amount of

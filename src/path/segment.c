@@ -64,8 +64,10 @@ int murk_path_cut(const murk_domain *domain, murk_vec3 from, murk_vec3 to,
             cut[0] = first;
         }
     }
-    /* One segment ends at each crossed side. Each segment is moved back into
-     * the domain. */
+    /* The line is cut at each crossed side. The segments before and after a cut
+     * both extend beyond the side by beyond_m, and each segment after a cut is
+     * moved by whole periods, so that it lies in the domain except for that
+     * extension. */
     const murk_vec3 offset = murk_sub(to, from);
     const double length = murk_length(offset);
     const double beyond = length > 0 ? beyond_m / length : 0;

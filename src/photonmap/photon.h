@@ -1,9 +1,9 @@
 /* The record of a stored photon, 32 bytes, the same in the surface map and the
  * volume map.
  *
- * Other rooms make a record by murk_photon_make(), read it by the functions
- * below and change it by murk_photon_set_...(), so that only this room knows
- * how a record is stored. */
+ * Files outside src/photonmap make a record by murk_photon_make(), read it by
+ * the functions below and change it by murk_photon_set_...(), so that only
+ * src/photonmap knows how a record is stored. */
 #ifndef MURK_PHOTONMAP_PHOTON_H
 #define MURK_PHOTONMAP_PHOTON_H
 

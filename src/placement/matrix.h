@@ -1,4 +1,4 @@
-/* The coverage matrix as the files of this room see it. */
+/* The members of the coverage matrix. For use inside src/placement only. */
 #ifndef MURK_PLACEMENT_MATRIX_H
 #define MURK_PLACEMENT_MATRIX_H
 

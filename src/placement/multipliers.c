@@ -184,8 +184,11 @@ static void subgradient_of_clearest(murk_multipliers *t,
     }
 }
 
-/* A row's term (1 - t) min(d, 1 + y - Y0) has the derivative -d by t, or -(y -
- * Y0) if d exceeds 1 + y - Y0; the first sum has the derivative y - Y0. */
+/* The subgradient by the multipliers t; all derivatives are divided by the
+ * weights, and dy/dt = 1 / (1 - t), because y = -ln(1 - t). d is the dose of a
+ * row, and Y0 that of the partial plan (placement/multipliers.h). The first sum
+ * has the derivative y - Y0. The term (1 - t) min(d, 1 + y - Y0) of a row has
+ * the derivative -d, or -(y - Y0) if d exceeds 1 + y - Y0. */
 static void subgradient_of_chances(murk_multipliers *t,
                                    const murk_ranked *chosen, size_t n,
                                    float *subgradient)

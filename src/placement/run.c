@@ -1,6 +1,7 @@
-/* The frame of every placement. Each objective (placement/place.c, worst.c,
- * at_least.c) gives a function that finds the plan of one count; the counts
- * build on each other, because each search may start at the plan of one sensor
+/* The steps that the objectives share, from the checks of the settings to the
+ * result. Each objective (placement/place.c, worst.c, at_least.c) gives a
+ * function that finds the best plan for one number of sensors. The numbers are
+ * tried in rising order, because a search may start at the plan with one sensor
  * fewer. */
 #include "placement/run.h"
 

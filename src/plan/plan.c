@@ -158,10 +158,11 @@ static murk_status explore(murk_plan_result *plan, const murk_stage *stage,
 #define FORECAST_CANDIDATES 16
 #define FORECAST_SWEEPS     4
 
-/* Forecasts the work of `method: best` in an unknown environment, at the
- * smallest number of starts, from the rays and the time of a sample of
- * candidates, and prints it beside the work in a known environment. The queries
- * of the sample are not counted elsewhere. */
+/* With `method: best` in an unknown environment and a given count of at least
+ * 2: forecasts the work from the rays and the time of a sample of candidates,
+ * for as many starts as are made if none brings a gain, and prints it beside
+ * the work in a known environment. The queries and rays of the sample are not
+ * part of the work of the plan (murk_plan_add_work()). */
 static void forecast_unknown(murk_plan_result *plan, murk_sight *sight,
                              const murk_problem *problem,
                              const murk_place_desc *desc)

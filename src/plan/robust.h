@@ -1,6 +1,6 @@
-/* Robustness of a plan: the coverage lost with each sensor, the coverage with
- * position and direction errors, and the distances between sensors that must be
- * linked. */
+/* Robustness of a plan: the coverage that is left if one sensor fails, the
+ * coverage if sensors are placed and turned with random errors, and the range
+ * that links between sensors need to join all sensors (sensing/links.h). */
 #ifndef MURK_PLAN_ROBUST_H
 #define MURK_PLAN_ROBUST_H
 

@@ -1,5 +1,5 @@
-/* The functions in the table of laws (laws.c), for use inside this room. The
- * file of each function states the inputs and the source. */
+/* The functions in the table of laws (laws.c), for use inside src/preset only.
+ * The file of each function states the inputs and the source. */
 #ifndef MURK_PRESET_LAWS_H
 #define MURK_PRESET_LAWS_H
 

@@ -1,5 +1,5 @@
-/* Collects the phase function of a band as a weighted mixture; for use inside
- * this room. */
+/* Collects the phase function of a band as a weighted mixture; for
+ * use inside src/preset only. */
 #ifndef MURK_PRESET_MIXTURE_H
 #define MURK_PRESET_MIXTURE_H
 

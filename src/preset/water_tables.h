@@ -1,5 +1,5 @@
 /* Measured spectra that the laws of water use, at equal steps of wavelength,
- * interpolated linearly. For use inside this room. */
+ * interpolated linearly. For use inside src/preset only. */
 #ifndef MURK_PRESET_WATER_TABLES_H
 #define MURK_PRESET_WATER_TABLES_H
 

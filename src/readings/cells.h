@@ -1,5 +1,5 @@
-/* The columns of a file of readings, and the cells of one line. Internal to
- * this room. */
+/* The columns of a file of readings, and the cells of one line. For
+ * use inside src/readings only. */
 #ifndef MURK_READINGS_CELLS_H
 #define MURK_READINGS_CELLS_H
 

@@ -175,9 +175,10 @@ murk_status murk_view_mesh_make(murk_view_mesh *out,
         lattice l = lattice_of(&out->box, cells);
         size_t triangles = cluster(surfaces, n, &l, all, key, faces);
         out->is_coarse = triangles > maximum;
-        /* a surface crosses about as many cells as the square of the number
-         * along a side; then the number shrinks until the triangles are few
-         * enough */
+        /* A surface crosses about n^2 of the cells of a lattice with n cells
+         * along a side. The search begins at n = 2 sqrt(maximum) + 2, so with
+         * about four times as many crossed cells as triangles are allowed, and
+         * n shrinks until there are few enough triangles. */
         cells =
             out->is_coarse ? (uint32_t)(2 * sqrt((double)maximum)) + 2 : cells;
         while (triangles > maximum) {

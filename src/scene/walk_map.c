@@ -343,8 +343,10 @@ murk_status murk_walk_value(murk_key_reader *walk, const murk_key *key,
     if (key->has_flag) {
         murk_value_store(item, key->flag_at, sizeof(bool), true);
     }
-    /* One of the words. The member of a list is larger than an int, so
-     * murk_value_store() does not store the word, and the list stays empty. */
+    /* The value is one of the words of the key. A key of a list may have words,
+     * too, such as "all": its member in the struct is a list, or it has none
+     * (size 0). murk_value_store() stores only in members of the size of a char
+     * or an int, so it stores nothing then, and the list stays empty. */
     if (key->words && node->kind == MURK_YAML_SCALAR &&
         key->kind != MURK_KEY_PER_BAND) {
         int word = 0;

@@ -1,5 +1,5 @@
 /* Sightlines from a sensor to a photon on the other side of a boundary between
- * two refractive indices (through: refract). Internal to the room.
+ * two refractive indices (through: refract). For use inside src/sensing only.
  *
  * Range and field of view refer to the apparent position of the photon: the
  * direction from which the light arrives, at the apparent distance of

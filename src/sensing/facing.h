@@ -1,5 +1,5 @@
-/* The side of a surface from which a stored photon is seen. Internal to the
- * room. */
+/* The side of a surface from which a stored photon is seen. For
+ * use inside src/sensing only. */
 #ifndef MURK_SENSING_FACING_H
 #define MURK_SENSING_FACING_H
 

@@ -1,5 +1,6 @@
 /* Straight segments through free space, and distances of points to surfaces:
- * the tests that decide which sites are usable. Internal to the room.
+ * the tests that decide which sites are usable. For use inside src/sensing
+ * only.
  *
  * A ray aimed exactly at a seam of a mesh may slip through (one in 500, if a
  * vertex lies on another triangle's edge), and grids and walls at round

@@ -1,4 +1,5 @@
-/* The places from which the light of a lamp starts. Internal to the room.
+/* The places from which the light of a lamp starts. For use inside src/sensing
+ * only.
  *
  * The light of a lamp in free space starts at the lamp; that of a lamp on a
  * surface starts just off both sides. For a lamp inside a transmitting solid,

@@ -1,5 +1,5 @@
 /* Listed sites, free or mounted, and the test which of them are usable.
- * Internal to the room. */
+ * For use inside src/sensing only. */
 #ifndef MURK_SENSING_LISTED_H
 #define MURK_SENSING_LISTED_H
 

@@ -1,4 +1,4 @@
-/* Photons within range of a sensor. Internal to the room.
+/* Photons within range of a sensor. For use inside src/sensing only.
  *
  * In a periodic domain the map is queried around each image of the sensor, and
  * a photon counts if no other image of the sensor is nearer to the photon. */

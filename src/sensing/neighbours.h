@@ -1,5 +1,5 @@
 /* The nearest photons that inform about the light at the place of a stored
- * photon. Internal to the room.
+ * photon. For use inside src/sensing only.
  *
  * These photons have the same band, lie on the same side of a surface, and
  * belong to other emitted photons: the photon's own path says nothing about the

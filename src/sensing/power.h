@@ -1,5 +1,6 @@
 /* Detection by power: the light that a sensor receives from the place of a
- * stored photon, and the probability of detection. Internal to the room.
+ * stored photon, and the probability of detection. For use inside src/sensing
+ * only.
  *
  * The power of a packet falls as more packets are traced, so detection is
  * decided by the light at the place of the stored photon, not by the power of

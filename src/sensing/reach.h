@@ -1,4 +1,4 @@
-/* The points of a grid that lie in free space. Internal to the room.
+/* The points of a grid that lie in free space. For use inside src/sensing only.
  *
  * Free space is the space that light reaches: points joined to a lamp (or, for
  * distant light, to an open side of the domain) by an unblocked straight

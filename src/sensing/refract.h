@@ -1,5 +1,5 @@
 /* Paths of light from a sensor to a photon across one flat boundary between two
- * refractive indices, by Snell's law. Internal to the room.
+ * refractive indices, by Snell's law. For use inside src/sensing only.
  *
  * A path goes straight to a flat face (the plane of a half space, a face of a
  * box; of meshes the face that the straight line meets first), is refracted

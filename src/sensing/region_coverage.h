@@ -1,5 +1,5 @@
-/* Coverage of each region of interest. Internal to the room; definition:
- * murk_region_coverage in sensing/sight.h. */
+/* Coverage of each region of interest. For use inside src/sensing only;
+ * definition: murk_region_coverage in sensing/sight.h. */
 #ifndef MURK_SENSING_REGION_COVERAGE_H
 #define MURK_SENSING_REGION_COVERAGE_H
 

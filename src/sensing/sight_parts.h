@@ -1,4 +1,4 @@
-/* The members of a murk_sight. Internal to the room. */
+/* The members of a murk_sight. For use inside src/sensing only. */
 #ifndef MURK_SENSING_SIGHT_PARTS_H
 #define MURK_SENSING_SIGHT_PARTS_H
 

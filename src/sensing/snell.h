@@ -1,5 +1,5 @@
 /* The path of light between two points on either side of a plane between two
- * refractive indices. Internal to the room.
+ * refractive indices. For use inside src/sensing only.
  *
  * By Fermat's principle there is exactly one path: the optical length n1 |s -
  * x| + n2 |x - p| is strictly convex in the point x of the plane. So nothing

@@ -1,4 +1,5 @@
-/* The photons of a map within a fixed radius of a place. Internal to the room.
+/* The photons of a map within a fixed radius of a place. For use inside
+ * src/sensing only.
  *
  * At the place of a stored photon only photons of other emitted photons count:
  * a photon's own path says nothing about the density. If more than a maximum

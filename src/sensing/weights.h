@@ -1,5 +1,5 @@
-/* Whole-number weights of photons, proportional to their power. Internal to the
- * room; meaning and rounding: murk_sight_weights(). */
+/* Whole-number weights of photons, proportional to their power. For
+ * use inside src/sensing only; meaning and rounding: murk_sight_weights(). */
 #ifndef MURK_SENSING_WEIGHTS_H
 #define MURK_SENSING_WEIGHTS_H
 

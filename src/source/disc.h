@@ -1,5 +1,5 @@
 /* The disc of a distant source, such as the sun, and the irradiance of a plane
- * entry face by it. Private to this room.
+ * entry face by it. For use inside src/source only.
  *
  * A direction of travel is the central direction of the light plus a vector
  * from the center to a point of a disc of radius tan(angular radius) at right

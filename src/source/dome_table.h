@@ -1,6 +1,6 @@
 /* A table of the sky as seen by a plane entry face, from which directions are
- * drawn with a density of radiance times the cosine at the face. Private to
- * this room.
+ * drawn with a density of radiance times the cosine at the face. For
+ * use inside src/source only.
  *
  * On the unit disc of the face (Nusselt's analogue: the projection of a
  * direction onto the plane) that cosine is a constant. x is the coordinate

@@ -1,5 +1,5 @@
 /* The entry faces of distant light: the lit faces of the domain or, if the
- * light is aimed, portals. Private to this room.
+ * light is aimed, portals. For use inside src/source only.
  *
  * The power of a face is the irradiance on the plane of the face times the
  * area. A photon draws a face by power, a point of the face uniformly, and a

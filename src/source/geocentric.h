@@ -1,5 +1,5 @@
-/* Geocentric positions of sun and moon. Private to this room, and the only user
- * of libnova.
+/* Geocentric positions of sun and moon. For use inside src/source only, and the
+ * only user of libnova.
  *
  * Directions are apparent: they include light time and aberration. The frame is
  * the true equator and equinox of date: x to the equinox, z to the pole. The

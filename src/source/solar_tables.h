@@ -1,5 +1,5 @@
-/* Tables of solar spectra and of absorption by gases and water. Private to this
- * room. */
+/* Tables of solar spectra and of absorption by gases and water. For
+ * use inside src/source only. */
 #ifndef MURK_SOURCE_SOLAR_TABLES_H
 #define MURK_SOURCE_SOLAR_TABLES_H
 

@@ -63,7 +63,8 @@ murk_box murk_source_box(const murk_source *light);
  * the lamp. */
 double murk_source_extent_m(const murk_source *lamp);
 
-/* The unit normal of a flat lamp, or `otherwise`. */
+/* The unit normal of a lamp that is a rectangle; `otherwise` for light of other
+ * types. */
 murk_vec3 murk_source_face(const murk_source *light, murk_vec3 otherwise);
 
 /* Estimate of the irradiance [W/m2] that a lamp gives at a point, on a plane

@@ -1,5 +1,5 @@
 /* One light source after checking, with quantities for emission, and the row of
- * functions of each type of light source. Private to this room.
+ * functions of each type of light source. For use inside src/source only.
  *
  * The rows of lamps are in lamps.c, those of distant light in distant.c. */
 #ifndef MURK_SOURCE_SOURCE_STATE_H
@@ -63,7 +63,8 @@ typedef struct murk_source_row {
     double (*extent_m)(const murk_source *light);
     /* The center of the lamp. NULL: the position. */
     murk_vec3 (*middle)(const murk_source *light);
-    /* Unit normal of a flat lamp. NULL: the lamp is not flat. */
+    /* Unit normal of a rectangle. NULL: murk_source_face() returns the argument
+     * `otherwise`, as for spheres, points, beams and distant light. */
     murk_vec3 (*normal)(const murk_source *light);
     /* Estimate for murk_source_irradiance_near(). NULL: that of a point. */
     double (*irradiance_near)(const murk_source *light, int band,

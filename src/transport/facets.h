@@ -16,8 +16,8 @@
  * level. Foam, spray and polarisation are not modelled.
  *
  * Source: Heitz, Hanika, d'Eon and Dachsbacher, ACM Trans. Graph. 35 (2016) 58,
- * doi:10.1145/2897824.2925943; Smith's heights: medium/waves.h. Private to this
- * room. */
+ * doi:10.1145/2897824.2925943; Smith's heights: medium/waves.h. For
+ * use inside src/transport only. */
 #ifndef MURK_TRANSPORT_FACETS_H
 #define MURK_TRANSPORT_FACETS_H
 

@@ -1,7 +1,7 @@
 /* Jumps of a ray through free heights of a periodic domain: heights without
  * surfaces, bounded regions and lamps, at which nothing depends on x and y. The
  * ray passes these heights in one segment, however often it would wrap there.
- * Private to this room. */
+ * For use inside src/transport only. */
 #ifndef MURK_TRANSPORT_JUMP_H
 #define MURK_TRANSPORT_JUMP_H
 

@@ -1,7 +1,7 @@
 /* The end of a segment at a surface, at the boundary of a region, or at a side
  * of the domain. Each function moves the photon there, scores the segment,
  * reports the event and prepares the next segment. The result is
- * MURK_FATE_NONE if the photon continues. Private to this room. */
+ * MURK_FATE_NONE if the photon continues. For use inside src/transport only. */
 #ifndef MURK_TRANSPORT_MEET_H
 #define MURK_TRANSPORT_MEET_H
 

@@ -1,6 +1,6 @@
 /* Rotation of a direction by a scattering angle, for scattering and diffuse
  * reflection. The functions are inline because the photon loop spends much time
- * in them. Private to this room. */
+ * in them. For use inside src/transport only. */
 #ifndef MURK_TRANSPORT_TURN_H
 #define MURK_TRANSPORT_TURN_H
 

@@ -1,5 +1,5 @@
-/* Traces single photons, from the light source to their end. Private to this
- * room. */
+/* Traces single photons, from the light source to their end. For
+ * use inside src/transport only. */
 #ifndef MURK_TRANSPORT_WALK_H
 #define MURK_TRANSPORT_WALK_H
 

@@ -1,6 +1,6 @@
 /* The state of a photon under way, and what every event needs: random numbers,
  * the report to the sink, the score of a segment, the split of the packet.
- * Private to this room. */
+ * For use inside src/transport only. */
 #ifndef MURK_TRANSPORT_WALKER_H
 #define MURK_TRANSPORT_WALKER_H
 

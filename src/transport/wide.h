@@ -1,6 +1,7 @@
 /* Sums of 128 bits to which several threads may add, and the exact variance of
  * the terms. Sums are modulo 2^128 and independent of the order, so a term is
- * subtracted by adding its two's complement. Private to this room. */
+ * subtracted by adding its two's complement. For use inside src/transport only.
+ */
 #ifndef MURK_TRANSPORT_WIDE_H
 #define MURK_TRANSPORT_WIDE_H
 
