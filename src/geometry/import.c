@@ -314,10 +314,9 @@ static murk_status send_names(traversal *t)
 }
 
 static const struct aiScene *read_scene(const murk_import_request *request,
-                                        murk_import_source *source)
+                                        struct aiFileIO *files)
 {
     struct aiPropertyStore *settings = aiCreatePropertyStore();
-    struct aiFileIO files = murk_import_files(source);
     if (!settings) {
         return NULL;
     }
@@ -328,7 +327,7 @@ static const struct aiScene *read_scene(const murk_import_request *request,
             settings, AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, 1);
     }
     const struct aiScene *scene = aiImportFileExWithProperties(
-        request->path, aiProcess_Triangulate, &files, settings);
+        request->path, aiProcess_Triangulate, files, settings);
     aiReleasePropertyStore(settings);
     return scene;
 }
@@ -343,19 +342,17 @@ static void one_line(char *text)
     }
 }
 
-murk_status murk_import_work(murk_subprocess *subprocess, void *context,
-                             murk_error *err)
+/* scene is NULL if Assimp could not read the file. */
+static murk_status check_scene(const murk_import_request *request,
+                               const murk_import_source *source,
+                               const struct aiScene *scene, murk_error *err)
 {
-    const murk_import_request *request = context;
-    murk_import_source source;
-    murk_import_source_of(&source, request->path, request->import.allow);
-    const struct aiScene *scene = read_scene(request, &source);
-    if (source.access.refused[0]) { /* also an error if the mesh could be read
-                                       without that file */
+    if (source->access.refused[0]) { /* also an error if the mesh could be read
+                                        without that file */
         return murk_fail(err, MURK_BAD_FILE, request->where,
                          "%s names %s, which is outside its folder: "
                          "geometry.*.allow: DIR lets meshes open files in DIR",
-                         request->path, source.access.refused);
+                         request->path, source->access.refused);
     }
     if (!scene || !scene->mRootNode) {
         char why[256];
@@ -365,6 +362,14 @@ murk_status murk_import_work(murk_subprocess *subprocess, void *context,
                          "%s is no mesh that can be read: %s", request->path,
                          why);
     }
+    return MURK_OK;
+}
+
+static murk_status send_scene(murk_subprocess *subprocess,
+                              const murk_import_request *request,
+                              const murk_import_source *source,
+                              const struct aiScene *scene, murk_error *err)
+{
     traversal *t = calloc(1, sizeof *t);
     if (!t) {
         return murk_no_memory(err, request->where, "to read %s", request->path);
@@ -376,7 +381,7 @@ murk_status murk_import_work(murk_subprocess *subprocess, void *context,
      * the file's vertices. */
     const murk_affine place = to_metres(scene, &request->import);
     t->head.origin_m = murk_affine_direction(
-        &place, murk_vec(source.shift[0], source.shift[1], source.shift[2]));
+        &place, murk_vec(source->shift[0], source->shift[1], source->shift[2]));
     /* First traversal: count and check. Then send the header and, in one
      * traversal each, the arrays. */
     visit(t, scene->mRootNode, &place);
@@ -392,7 +397,28 @@ murk_status murk_import_work(murk_subprocess *subprocess, void *context,
     if (!status) {
         status = send_names(t);
     }
-    return status ? status : send_block(t);
+    if (!status) {
+        status = send_block(t);
+    }
+    free(t);
+    return status;
+}
+
+/* Releases all memory, because the work may run in the process of the host. */
+murk_status murk_import_work(murk_subprocess *subprocess, void *context,
+                             murk_error *err)
+{
+    const murk_import_request *request = context;
+    murk_import_source source;
+    murk_import_source_of(&source, request->path, request->import.allow);
+    struct aiFileIO files = murk_import_files(&source);
+    const struct aiScene *scene = read_scene(request, &files);
+    murk_status status = check_scene(request, &source, scene, err);
+    if (!status) {
+        status = send_scene(subprocess, request, &source, scene, err);
+    }
+    aiReleaseImport(scene);
+    return status;
 }
 
 /* ---- the job ---- */
