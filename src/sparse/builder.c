@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Limit on the sum of whole weights: placement allows sums below 2^47, and
+/* Limit on the sum of whole weights: src/placement allows sums below 2^47, and
  * rounding may add a little. */
 #define WHOLE_SUM_MAX 0x1p46
 
@@ -41,7 +41,7 @@ murk_status murk_sparse_builder_put(murk_sparse_builder *b, size_t row,
     return MURK_OK;
 }
 
-/* By row, then in the order of the file. */
+/* By row, then by line of the file, then by column. */
 static int by_row(const void *a, const void *b)
 {
     const murk_sparse_entry *x = a, *y = b;
@@ -61,8 +61,9 @@ static void sort_by_row(murk_sparse_builder *b)
     }
 }
 
-/* Distributes the entries to columns. The rows increase, so two entries of one
- * row and column are neighbours in the column. */
+/* Distributes the entries, which are sorted by row, to columns. Two entries of
+ * the same row and column are then neighbours in the column, and the second one
+ * makes the function fail with MURK_BAD_FILE. */
 static murk_status fill_columns(murk_sparse_matrix *m,
                                 const murk_sparse_builder *b, murk_error *err)
 {
@@ -103,8 +104,9 @@ static bool are_whole(const double *weight, size_t n, double unit)
 {
     for (size_t i = 0; i < n; ++i) {
         const double x = weight[i] * unit;
-        /* a decimal such as 0.1 is off by its last bit, and so is x; both
-         * errors together are allowed */
+        /* A decimal such as 0.1 is rounded to a double, and the product x is
+         * rounded again. Both relative errors, 2^-53 at most each, are allowed.
+         */
         if (fabs(x - rint(x)) > 2 * 0x1p-53 * x) {
             return false;
         }
@@ -112,8 +114,10 @@ static bool are_whole(const double *weight, size_t n, double unit)
     return true;
 }
 
-/* Makes whole weights: with the smallest power of ten that makes all weights
- * whole, or else as finely as 32 bits and the limit on the sum allow. */
+/* Makes whole weights. The unit is the smallest power of ten, from 1 on, that
+ * makes all given weights whole; or, if this power exceeds the largest unit
+ * that 32 bits and WHOLE_SUM_MAX allow, that largest unit. Without given
+ * weights all weights are 1. */
 static murk_status weigh(murk_sparse_matrix *m, const murk_sparse_builder *b,
                          murk_error *err)
 {

@@ -23,15 +23,16 @@ typedef struct murk_sparse_builder {
 } murk_sparse_builder;
 
 /* Adds an entry at a row and a column, both from 0. A clarity (0..1) that
- * rounds to 0 of MURK_CLEAR is no entry. Fails with MURK_NO_MEMORY. */
+ * rounds to 0 of MURK_CLEAR (placement/problem.h) is not stored. `line` is the
+ * line of the file, from 1. Fails with MURK_NO_MEMORY. */
 murk_status murk_sparse_builder_put(murk_sparse_builder *builder, size_t row,
                                     size_t column, size_t line, double clarity,
                                     murk_error *err);
 
-/* Sorts the entries and makes the matrix. Fails with MURK_BAD_FILE if an entry
- * is given twice, if there are no rows, columns or entries, or if the weights
- * add up to 0; or with MURK_NO_MEMORY. The builder is empty afterwards, except
- * for the path, also after a failure. */
+/* Sorts the entries and makes the matrix. Fails with MURK_BAD_FILE if a row and
+ * column have two entries, if there are no rows, no columns or no entries, or
+ * if the weights add up to 0; or with MURK_NO_MEMORY. After success and after a
+ * failure the builder is empty except for the path. */
 murk_status murk_sparse_builder_finish(murk_sparse_matrix **out,
                                        murk_sparse_builder *builder,
                                        murk_error *err);

@@ -1,6 +1,8 @@
 /* Reader of coverage matrices in CSV: dense, with one line a row and one cell a
  * column; or, under a header with `row` and `column`, sparse with one line an
- * entry. */
+ * entry. A dense file may have a header of names, and under the header cells of
+ * labels and weights. A line of a sparse file may also name a row or a column
+ * alone, or give the weight of a row. */
 #include "sparse/read.h"
 
 #include "base/csv.h"
@@ -36,8 +38,8 @@ static murk_text_place place_of(const reader *r, size_t k)
 
 /* ---- lines and cells ---- */
 
-/* Fills cell[cells] from the next line. *is_end is true if there is no further
- * line. */
+/* Fills cell[cells] from the next line that is neither blank nor a comment.
+ * *is_end is true, and cells is 0, if there is no such line. */
 static murk_status read_line(reader *r, bool *is_end)
 {
     r->cells = 0;
@@ -258,9 +260,11 @@ static bool is_given(const sparse *s, const reader *r, int p)
     return s->at[p] >= 0 && *r->cell[s->at[p]];
 }
 
-/* Reads the row (p 0) or column (1) that a line names, from 1; 0: none. Every
- * number must be named in the file, so a number cannot exceed the size of the
- * file in bytes. */
+/* Reads the number of the row (p = 0) or column (p = 1) that a line names, from
+ * 1; *out is 0 if the line names none. The file must name every number from 1
+ * to the largest, so a number is refused if it exceeds the number of lines so
+ * far plus the bytes from this line to the end of the file, of which each
+ * further line needs one or more. */
 static murk_status read_number(sparse *s, const reader *r, int p, size_t *out)
 {
     *out = 0;

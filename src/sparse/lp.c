@@ -1,8 +1,8 @@
 /* Writes a placement problem as an integer program for other solvers
  * (formulation: sparse/matrix.h). Rows with equal entries become one row with
- * the summed weight. Equal rows are found by a hash of 128 bits for each row,
- * built column by column. A collision of hashes is neglected: among 1e7 rows
- * the probability is below 1e-24. */
+ * the summed weight. Rows with equal entries are found by a hash of 128 bits
+ * for each row, built column by column. A collision of hashes is neglected:
+ * among 1e7 rows the probability is below 1e-24. */
 #include "sparse/matrix.h"
 
 #include "base/file.h"
@@ -15,7 +15,9 @@
  * LP file: some hundred bytes each make files of a gigabyte, beyond which
  * solvers are of no use. */
 #define ENTRIES_MAX 10000000
-/* Keeps lines below 255 bytes, the limit of some readers. */
+/* Keeps lines below 255 bytes, the limit of some readers, except for terms with
+ * long weights and long numbers of rows and columns (a term of an objective has
+ * 46 bytes at most). */
 #define TERMS_A_LINE 8
 
 /* Groups of rows with equal entries; the first row of a group stands for it. */
@@ -31,8 +33,8 @@ typedef struct row_hash {
     size_t row;
 } row_hash;
 
-/* Adds a number to a hash: xor, multiplication by a random odd number, and a
- * fold of the high bits (Steele, Lea, Flood, OOPSLA 2014,
+/* Adds a number to a hash: xor, multiplication by the odd number `factor`, and
+ * a fold of the high bits (Steele, Lea, Flood, OOPSLA 2014,
  * doi:10.1145/2660193.2660195). */
 static uint64_t mix(uint64_t hash, uint64_t number, uint64_t factor)
 {
@@ -68,8 +70,9 @@ static row_hash *hash_rows(const murk_sparse_matrix *m)
     return hash;
 }
 
-/* Groups the rows. is_first stays false in a group without entries or without
- * weight. */
+/* Groups the rows and sorts the entries of the first rows. is_first is false
+ * for all rows of a group without entries or without weight. False when out of
+ * memory. */
 static bool group(kinds *k, const murk_sparse_matrix *m)
 {
     row_hash *hash = hash_rows(m);
@@ -120,8 +123,8 @@ static void print_columns(terms *t, const murk_sparse_matrix *m,
     }
 }
 
-/* The value of the covered rows, in weights as given, divided by the
- * redundancy. */
+/* Prints the terms of the value of the covered rows, in weights as given,
+ * divided by the redundancy. */
 static void print_value(terms *t, const murk_sparse_matrix *m, const kinds *k,
                         unsigned redundancy)
 {
@@ -152,7 +155,9 @@ static void print_clear_row(FILE *to, const kinds *k, size_t i)
     fputs(" <= 0\n", to);
 }
 
-/* A row with clarities: one variable for each entry. */
+/* A row with clarities: one variable y for each entry. The sum of these
+ * variables is at most the redundancy, and each is at most the x of its column.
+ */
 static void print_dimmed_row(FILE *to, const kinds *k, size_t i,
                              unsigned redundancy)
 {
@@ -200,8 +205,9 @@ static void print_goal(FILE *to, const murk_sparse_matrix *m, const kinds *k,
         print_value(&aim, m, k, redundancy_of(goal));
         fputs("\nSubject To\n", to);
     } else {
-        /* values are whole in weight * clarity: half a unit less asks for the
-         * same, and leaves a tolerance to the solver */
+        /* Values of plans are whole multiples of weight 1 * clarity 1. A limit
+         * that is half a unit lower admits the same plans, and leaves a
+         * tolerance to the solver. */
         const double min = ((double)goal->target - 0.5) / redundancy_of(goal) /
                            MURK_CLEAR / m->unit;
         fputs("Minimize\n columns:", to);
@@ -378,7 +384,8 @@ murk_status murk_sparse_matrix_write_lp(const murk_sparse_matrix *m,
     murk_file *file = NULL;
     kinds k = {0};
     murk_status status = MURK_OK;
-    /* Refuse what an LP file cannot hold before the file is created. */
+    /* Refuse too many entries before the file is created. Too many conflicting
+     * pairs are found while the file is written. */
     if (!group(&k, m)) {
         status = murk_no_memory(err, path, "to write it");
     } else if (k.rows.begin[m->rows] > ENTRIES_MAX) {

@@ -46,8 +46,9 @@ bool murk_sparse_matrix_by_rows(murk_sparse_rows *out,
     if (arena->is_short) {
         return false;
     }
-    /* begin[i + 2] counts row i; begin[i + 1] is then the place of the row's
-     * next entry */
+    /* First begin[i + 2] counts the entries of row i. After the summation,
+     * begin[i + 1] is the place of the next entry of row i, and at the end the
+     * end of row i. */
     for (size_t e = 0; e < entries; ++e) {
         out->begin[m->row[e] + 2] += !is_wanted || is_wanted[m->row[e]];
     }

@@ -1,7 +1,7 @@
 /* Reader of OR-Library's set covering files: the numbers of rows and columns;
  * the cost of each column; for each row the number of columns that cover it,
- * then these columns, counted from 1. Any white space separates numbers. As an
- * extension the weights of all rows may follow.
+ * then these columns, counted from 1. Blanks, tabs and line ends separate
+ * numbers. As an extension the weights of all rows may follow.
  *
  * Source: Beasley, J. Oper. Res. Soc. 41 (1990) 1069,
  * doi:10.1057/jors.1990.166. */
@@ -13,8 +13,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Bytes of a token with the '\0', more than any number has; a longer token is
- * refused. */
+/* Bytes of a token with the '\0', more than a number needs; a longer token is
+ * cut and refused. */
 #define TOKEN_SIZE 64
 
 typedef struct reader {
@@ -77,9 +77,10 @@ static murk_status read_weight(reader *r, const char *what, double *out)
                               r->token);
 }
 
-/* Reads the header. The sizes are compared with the size of the file before
- * memory is allocated: each column has a cost and each row a count, of two
- * bytes at least. */
+/* Reads the numbers of rows and columns. They are compared with the size of the
+ * rest of the file before memory is allocated: each column has a cost and each
+ * row has a count, each of two bytes or more with the blank before the number.
+ */
 static murk_status read_sizes(reader *r, murk_sparse_builder *b)
 {
     murk_status status = read_whole(r, "rows", 1, UINT32_MAX - 1, &b->rows);

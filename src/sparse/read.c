@@ -1,5 +1,6 @@
 /* Reads a coverage matrix from a file: checks that the file is text, tells the
- * format by the first line, and calls the reader of that format. */
+ * format by the first line that is neither blank nor a comment, and calls the
+ * reader of that format. */
 #include "sparse/read.h"
 
 #include "base/file.h"
@@ -10,8 +11,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Largest file: line numbers and entries stay within 32 bits. Weights between
- * 1e-12 and 1e12 keep sums and ratios far from the limits of a double. */
+/* Largest file on the disk: line numbers, rows and columns stay within 32 bits.
+ * Weights between 1e-12 and 1e12 (or 0) keep sums and ratios far from the
+ * limits of a double. */
 #define FILE_BYTES_MAX 4000000000u
 #define WEIGHT_MIN     1e-12
 #define WEIGHT_MAX     1e12
@@ -40,8 +42,10 @@ bool murk_sparse_weight_parse(const char *text, double *out)
     return true;
 }
 
-/* OR-Library's text consists of numbers and white space. A CSV file has a comma
- * or a letter in the first line that is not a comment. */
+/* True if the first line that is neither blank nor a comment (#) has only
+ * characters of numbers, blanks and tabs: OR-Library's text has nothing else. A
+ * CSV file is expected to have a comma, or another letter than e and E, in that
+ * line. */
 static bool is_or_library(const char *text)
 {
     const char *p = text + strspn(text, " \t\r\n");

@@ -1,7 +1,7 @@
 /* Readers of the formats of a coverage matrix. Each reads the text of a file,
  * which ends with '\0' and may be changed in place, and fills a builder whose
  * path is set; the caller finishes the builder, or releases it after a failure.
- * They fail with MURK_BAD_FILE or MURK_NO_MEMORY. */
+ * The readers fail with MURK_BAD_FILE or MURK_NO_MEMORY. */
 #ifndef MURK_SPARSE_READ_H
 #define MURK_SPARSE_READ_H
 
