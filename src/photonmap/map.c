@@ -32,7 +32,7 @@ static murk_status check(const murk_photon *photons, size_t n, murk_error *err)
     return MURK_OK;
 }
 
-/* Extends a box of the given minimum and maximum. */
+/* Extends the box min..max so that it contains the box low..high. */
 static void extend(float min[3], float max[3], const float low[3],
                    const float high[3])
 {
@@ -42,8 +42,9 @@ static void extend(float min[3], float max[3], const float low[3],
     }
 }
 
-/* The box around the photons of a leaf (level 0), or around a group of boxes of
- * the level below. A box that is not in use is empty: nothing extends it. */
+/* Computes and stores a box: around the photons of a leaf (level 0), or around
+ * a group of boxes of the level below. A box that is not in use gets min =
+ * +infinity and max = -infinity, so no other box is extended by it. */
 static void set_box(murk_photon_map *map, unsigned level, size_t box)
 {
     float min[3] = {INFINITY, INFINITY, INFINITY};
@@ -107,7 +108,7 @@ murk_status murk_photon_map_create(murk_photon_map **out, murk_photon *photons,
         status = murk_no_memory(err, WHERE, "for its tree");
         goto done;
     }
-    /* Use the fastest implementation that this machine supports. */
+    /* Use the fastest range tests that this machine supports. */
     unsigned n_tests;
     const murk_range_test *const *tests = murk_range_tests(&n_tests);
     map->test = tests[n_tests - 1];

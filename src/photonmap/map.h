@@ -10,8 +10,8 @@
  * with center and radius rounded to float and d = position - center, a photon
  * is within the radius if (dx * dx + dy * dy) + dz * dz <= radius * radius,
  * each step rounded to float. Every machine and every implementation gives the
- * same bits. A center that is not finite, or a radius that is negative or NaN,
- * finds nothing.
+ * same bits. A query whose center is not finite after rounding to float, or
+ * whose radius is negative or NaN, finds nothing.
  *
  * Source: Bentley, Commun. ACM 18 (1975) 509, doi:10.1145/361002.361007;
  * Jensen, Realistic Image Synthesis Using Photon Mapping, 2001. */
@@ -39,8 +39,8 @@ size_t murk_photon_map_count(const murk_photon_map *map);
 const murk_photon *murk_photon_map_photons(const murk_photon_map *map);
 size_t murk_photon_map_memory_bytes(const murk_photon_map *map);
 
-/* The memory of a map of n photons with the tree; building the map takes no
- * more. If n is NaN or less than 1: the memory of an empty map. */
+/* The memory of a map of n photons with the tree, in bytes; building the map
+ * takes no more. If n is NaN or less than 1: the memory of an empty map. */
 double murk_photon_map_memory_for(double n);
 
 /* Range query: writes the indices of the photons with |position - center| <=

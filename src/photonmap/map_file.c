@@ -22,9 +22,9 @@ _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
 #define BYTE_ORDER_MARK    0x01020304u
 #define BYTE_ORDER_SWAPPED 0x04030201u
 
-/* The magic contains a byte above 127 and both kinds of line ends, so that a
- * transfer in text mode is noticed, and the end-of-file character of old
- * terminals. */
+/* The magic contains a byte above 127, a carriage return and a line feed, so
+ * that a transfer in text mode, which changes them, is noticed, and 0x1a, the
+ * end-of-file character of DOS. */
 static const unsigned char magic[8] = {0x8d, 'm',  'u',  'r',
                                        'k',  '\r', '\n', 0x1a};
 
@@ -181,8 +181,9 @@ static murk_status read_header(header *head, int fd, uint64_t size,
     return MURK_OK;
 }
 
-/* Reads the table of sections. Fails unless the sizes add up to the size of the
- * file. */
+/* Reads the table of sections. Fails if the checksum is wrong, if a name is
+ * invalid or given twice, or unless the sizes add up to the size of the file.
+ */
 static murk_status read_table(entry table[MURK_MAP_FILE_SECTIONS], int fd,
                               const header *head, const char *path,
                               murk_error *err)

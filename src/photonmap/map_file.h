@@ -26,7 +26,8 @@
 
 #define MURK_MAP_FILE_SECTIONS 64 /* at most: bounds the table of a file */
 
-/* A section: a name of 1 to 15 printable characters, and bytes. */
+/* A section: a name of 1 to 15 printable ASCII characters without spaces, and
+ * bytes. */
 typedef struct murk_section {
     char name[16];
     void *bytes; /* writing: borrowed; reading: owned by the list, 64-aligned */

@@ -1,7 +1,9 @@
-/* Orders records by recursive selection of the median (Floyd and Rivest 1975)
- * with heap sort as the fallback that bounds the worst case. The upper nodes
- * are split one after the other on all threads; the subtrees below are then
- * ordered in parallel. */
+/* Orders records by recursive selection at the place where each node is split
+ * (Floyd and Rivest 1975), with heap sort as the fallback that bounds the worst
+ * case. With several threads and enough leaves, the upper levels are split one
+ * after the other, the nodes of a level in parallel with one thread for each
+ * node; the subtrees below are then ordered in parallel. Otherwise one thread
+ * orders the whole tree. */
 #include "photonmap/order.h"
 
 #include "base/interrupt.h"
@@ -12,20 +14,22 @@
 #include <math.h>
 #include <string.h>
 
-/* Ranges below this size are sorted by insertion, which is faster there. */
+/* Ranges of up to this size are sorted by insertion, which is faster for them.
+ */
 #define SMALL 24
 
-/* The number of records, per record of the range, that selection may examine
- * before it changes to sorting; random ranges need 3 to 4 at these sizes. */
+/* Selection in a range of n records changes to sorting when another partition
+ * would bring the number of examined records above PATIENCE * n; random ranges
+ * need 3 n to 4 n. */
 #define PATIENCE 16
 
-/* The number of subtrees that the threads order in parallel: several for each
- * thread of most machines, so that all threads finish at about the same
+/* The number of subtrees that several threads order in parallel: several for
+ * each thread of most machines, so that all threads finish at about the same
  * time. */
 #define SUBTREES 64
 
-/* The number of leaves that one thread orders in less time than it takes to
- * start two threads. */
+/* Up to this number of leaves, one thread orders all records: this takes less
+ * time than to start two threads. */
 #define LEAVES_SERIAL 256
 
 typedef struct ordering {

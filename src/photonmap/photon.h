@@ -41,7 +41,7 @@ static inline int murk_photon_class(const murk_photon *p)
 {
     return p->kind & 3;
 }
-/* Map and event class in one number, 0..7. */
+/* Map and event class in one number: 0..2 surface, 4..6 volume. */
 static inline uint8_t murk_photon_tag(const murk_photon *p)
 {
     return p->kind;
@@ -74,7 +74,7 @@ static inline uint8_t murk_photon_material(const murk_photon *p)
     return p->material;
 }
 /* The normal as packed by murk_direction_pack(): equal numbers are equal
- * normals, and 0 is no normal. Likewise the direction. */
+ * normals, and 0 is no normal. The same holds for the direction. */
 static inline uint32_t murk_photon_packed_normal(const murk_photon *p)
 {
     return p->normal;
@@ -94,12 +94,14 @@ static inline uint32_t murk_photon_packed_direction(const murk_photon *p)
 uint32_t murk_direction_pack(murk_vec3 unit);
 murk_vec3 murk_direction_unpack(uint32_t packed);
 
-/* Incoming, of travel: unit. */
+/* The direction of travel of the incoming photon: unit, or zero if none was
+ * given. */
 static inline murk_vec3 murk_photon_direction(const murk_photon *p)
 {
     return murk_direction_unpack(p->direction);
 }
-/* Faces the arriving photon: unit; zero in the volume map. */
+/* The normal on the side from which the photon came: unit; zero in the volume
+ * map, or if none was given. */
 static inline murk_vec3 murk_photon_normal(const murk_photon *p)
 {
     return murk_direction_unpack(p->normal);

@@ -1,8 +1,8 @@
 /* Queries of a photon map: all photons within a ball, and the k nearest
  * photons. Both descend through groups of sixteen bounding boxes. A ball query
  * finds all photons of a box that lies completely within the ball without
- * testing each photon; the k-nearest query visits boxes in order of distance
- * and keeps the best photons in a heap. */
+ * testing each photon; the k-nearest query visits the boxes of each group in
+ * order of distance and keeps the nearest photons in a heap. */
 #include "photonmap/map.h"
 #include "photonmap/tree.h"
 

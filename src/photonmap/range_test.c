@@ -1,6 +1,8 @@
-/* Range tests of bounding boxes and photons, in plain C, AVX2 and AVX-512.
- * Records are loaded as they are stored and transposed in registers; the last
- * photons of a leaf that do not fill a register use the plain version. */
+/* Range tests of bounding boxes and photons, in plain C, AVX2 and AVX-512. The
+ * vector versions load records as they are stored and transpose them in
+ * registers. Squared distances of the last photons of a leaf that do not fill a
+ * register come from the plain version; a leaf with fewer than MURK_LEAF
+ * photons is tested against a ball by the plain version alone. */
 #include "photonmap/range_test.h"
 
 #if defined(__x86_64__)

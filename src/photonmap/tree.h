@@ -31,7 +31,8 @@ static inline size_t murk_groups_of(size_t bounds)
     return (bounds + MURK_WIDE - 1) / MURK_WIDE;
 }
 
-/* The index of the first record of a box of a level, or n. */
+/* The index of the first record of a box of a level; n if the box begins behind
+ * the last record. */
 static inline size_t murk_first_of(const struct murk_photon_map *map,
                                    unsigned level, size_t box)
 {
