@@ -2,11 +2,12 @@
  * photons seen by k or more sensors; V is the sum of weight times min(k,
  * sensors), and k S <= V. The search by V is called the search by the mean: V /
  * (k W), with the weight W of all photons, is the weighted mean of min(k,
- * sensors) / k. For each count, the plan that placement/incumbent.h finds by
- * the mean, and the best strict plan of one sensor fewer with one more, are
- * both relocated by the strict weight. If neither meets the target and the
- * bound does not exclude it, branch and bound (placement/exact.h) runs with a
- * callback.
+ * sensors) / k. For each count, the best strict plan of one sensor fewer with
+ * one more, and the plan that placement/incumbent.h finds by the mean, are
+ * tried in turn until one meets the target; MURK_PLACE_BEST also relocates both
+ * by the strict weight. If neither meets the target and the bound does not
+ * exclude the target, branch and bound (placement/exact.h) runs with a
+ * callback, for methods that have it.
  *
  * A cover with k layers of bits holds in the lowest layer the photons seen by k
  * or more sensors, in the next one those seen by k - 1 or more. The strict
@@ -21,8 +22,9 @@
 #include <assert.h>
 #include <string.h>
 
-/* Evaluations of the bound before branch and bound, which goes on from there:
- * as many as the bound of the worst scenario gets (placement/worst.c). */
+/* Evaluations of the bound before branch and bound, which starts at the
+ * multipliers that the bound leaves: as many as the last bound of the worst
+ * scenario gets (ROUNDS_LAST in placement/worst.c). */
 #define ROUNDS 100
 
 typedef struct strict_run {
@@ -33,13 +35,14 @@ typedef struct strict_run {
     murk_curve_point mean_point;
     size_t redundancy;      /* sensors that each photon is to have */
     murk_gain_scan scan;    /* the partial plan, and the cover of it */
-    murk_cover one_missing; /* one layer: full except for photons that lack one
-                               sensor */
+    murk_cover one_missing; /* one layer: full except for photons that lack
+                               exactly one sensor */
     uint32_t *open;         /* [candidates] that can be added */
     uint64_t *strict, *sum; /* [candidates] gains: strict weight S, and V */
     size_t trial_size;
     uint64_t rows, rows_max;
-    bool is_closed; /* every count so far is excluded */
+    bool is_closed; /* every count so far is excluded by the bound for that
+                       count */
 } strict_run;
 
 /* ---- the problem ---- */
@@ -89,7 +92,8 @@ static uint64_t strict_value(strict_run *r, const uint32_t *plan, size_t size)
     return strict_of(&r->scan.cover, r->run.evaluator.layout);
 }
 
-/* Stores the plan in trial if it is the best of its count. */
+/* Stores the plan in trial if it is the first or the best so far of its count.
+ */
 static void keep_trial(strict_run *r)
 {
     murk_place_run_keep(&r->run, r->run.trial, r->trial_size,
@@ -98,9 +102,9 @@ static void keep_trial(strict_run *r)
 
 /* ---- relocation ---- */
 
-/* Finds the candidate that increases the objective of the partial plan most.
- * Ties go to `present`, then to the lowest index. False if the constraints
- * allow no candidate. */
+/* Finds the candidate that adds most strict weight S to the partial plan, then
+ * most V, and stores it in *present. Ties go to the candidate that *present
+ * had, then to the lowest index. False if no candidate can be added. */
 static bool find_best(strict_run *r, uint32_t *present)
 {
     const murk_evaluator *o = &r->run.evaluator;
@@ -163,7 +167,8 @@ static void relocate(strict_run *r)
     }
 }
 
-/* Tries the plan in trial as it is, and relocated. */
+/* Tries the plan in trial; if the method is MURK_PLACE_BEST and no plan meets
+ * the target, also relocated. */
 static void try_plan(strict_run *r)
 {
     keep_trial(r);
@@ -178,7 +183,8 @@ static void try_plan(strict_run *r)
 
 /* Callback of branch and bound for every plan with enough V. The first plan
  * that meets the target ends the search: the returned cutoff is k times the
- * weight of all photons, which V cannot exceed. */
+ * weight of all photons, times MURK_CLEAR, which V cannot exceed in these
+ * units. */
 static uint64_t check_plan(void *context, const uint32_t *plan, size_t size,
                            uint64_t known)
 {
@@ -189,7 +195,8 @@ static uint64_t check_plan(void *context, const uint32_t *plan, size_t size,
 }
 
 /* With constraints: completes the incumbent if branch and bound found it with
- * fewer than n sensors. If it cannot be completed, there is no incumbent. */
+ * fewer than n sensors; if there is no incumbent, makes a greedy plan. If the
+ * plan cannot be completed, there is no incumbent afterwards. */
 static void complete_plan(strict_run *r, size_t n)
 {
     murk_place_run *run = &r->run;
@@ -206,8 +213,10 @@ static void complete_plan(strict_run *r, size_t n)
     }
 }
 
-/* Searches for a plan of n that meets the target among all plans with enough V;
- * *upper is the bound on V, and is lowered to what the search leaves open. */
+/* Tightens the bound on V, *upper. If the bound still allows a plan of n that
+ * meets the target, and the method has branch and bound, searches for such a
+ * plan among all plans with enough V; unless the search finds one, *upper
+ * becomes the bound that the search leaves. */
 static murk_status branch_and_bound(strict_run *r, size_t n, uint64_t *upper,
                                     murk_error *err)
 {
@@ -259,8 +268,8 @@ static void update_fewest(strict_run *r, size_t n, uint64_t upper)
     }
 }
 
-/* Finds the best plan of n: from the plan that is best for the mean, and from
- * the best plan of n - 1 sensors. */
+/* Finds the best plan of n: from the best plan of n - 1 sensors, from the plan
+ * that is best for the mean, and by branch and bound. */
 static murk_status find_count(void *context, size_t n, const uint32_t *from,
                               murk_curve_point *point, murk_error *err)
 {
@@ -352,8 +361,9 @@ static murk_status begin(strict_run *r, murk_error *err)
                          r->redundancy,
                          (double)result->ceiling / (double)result->whole);
     }
-    /* A plan with this V meets the target for certain. The search by the mean
-     * makes no branch and bound of its own; that runs for the strict weight. */
+    /* A plan with V = enough meets the target for certain. The search by the
+     * mean makes no branch and bound of its own (nodes 0): branch_and_bound()
+     * runs for the strict weight. */
     const uint64_t enough = target + (r->redundancy - 1) * result->whole;
     r->mean_desc = *run->desc;
     r->mean_desc.target = enough < o->ceiling ? enough : o->ceiling;

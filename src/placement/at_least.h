@@ -14,10 +14,11 @@
  * V is submodular and S is not. A bound on V bounds S: if no plan of n sensors
  * has V of k times the target, no plan of n sensors meets the target. And a
  * plan with V of the target plus (k - 1) W meets the target. In between, for
- * each count in turn, plans that are good for V are improved by relocation for
- * S (then V), and branch and bound over V hands every plan with enough V to a
- * callback that computes S. The linear relaxations of both questions are equal,
- * so the bound on V loses nothing against a bound on S. */
+ * each count in turn, MURK_PLACE_BEST improves plans that are good for V by
+ * relocation for S (then V), and methods with branch and bound run it over V
+ * and hand every plan with enough V to a callback that computes S. The linear
+ * relaxations of both questions are equal, so the bound on V loses nothing
+ * against a bound on S by linear relaxation. */
 #ifndef MURK_PLACEMENT_AT_LEAST_H
 #define MURK_PLACEMENT_AT_LEAST_H
 

@@ -7,10 +7,10 @@
  * units of 1 / MURK_SHARE_ONE, rounded down. So they are whole numbers, and the
  * rounding error is below 3e-16.
  *
- * With regret the worth of a block is 1 less the distance from a reference, the
- * best coverage known for that block alone. The plan of the smallest largest
- * regret is then the plan of the largest smallest worth. A worth exceeds 1 if a
- * plan covers more than the reference. */
+ * With regret the worth of a block is 1 minus the shortfall against a
+ * reference, the best coverage known for that block alone. The plan of the
+ * smallest largest regret is then the plan of the largest smallest worth. A
+ * worth exceeds 1 if a plan covers more than the reference. */
 #ifndef MURK_PLACEMENT_BLOCKS_H
 #define MURK_PLACEMENT_BLOCKS_H
 

@@ -1,7 +1,8 @@
 /* The volume algorithm for the Lagrangian bound of placement/bound.h.
- * Multipliers start at the entries of the best known plan and follow the
- * weighted mean of all subgradients. Every evaluation is a valid bound, so the
- * lowest one counts, and the descent may stop at any point. */
+ * Multipliers start at the entries of a given plan, or at the multipliers of
+ * the last call, and go down the weighted mean of all subgradients. Every
+ * evaluation is a valid bound, so the lowest one counts, and the descent may
+ * stop at any point. */
 #include "placement/bound.h"
 
 #include "base/interrupt.h"
@@ -100,8 +101,9 @@ static void start_at_plan(murk_bound *b, const uint32_t *plan, size_t n)
     }
 }
 
-/* Fills b->top with the n live candidates of the largest gain, falling, the
- * lowest index on ties. Returns how many there are. */
+/* Fills b->top with the n live candidates of the largest gain, by falling gain;
+ * on ties the candidate that comes first in live[]. Returns their number, which
+ * is below n if fewer are live. */
 static size_t find_top(murk_bound *b, size_t n)
 {
     size_t found = 0;
@@ -122,7 +124,8 @@ static size_t find_top(murk_bound *b, size_t n)
 /* Fixes candidates out by the last evaluation: a plan with candidate j is worth
  * at most the base, the n - 1 largest other gains (with constraints: a
  * relaxation of them), and the gain of j. If that does not exceed `lower`, j
- * belongs to no better plan. */
+ * belongs to no better plan. Does nothing if, without constraints, fewer than n
+ * candidates are live. */
 static void fix_candidates(murk_bound *b, size_t n, size_t chosen,
                            uint64_t lower)
 {
@@ -268,8 +271,8 @@ static uint64_t descend(murk_bound *b, size_t n, uint64_t lower, size_t rounds)
             break;
         }
         uint64_t now = evaluate(b, n, &chosen);
-        /* If the bound has fallen, store the multipliers. Otherwise shrink the
-         * step after some rounds. */
+        /* If the bound has fallen, store the multipliers and lengthen the step.
+         * Otherwise shorten the step after PATIENCE rounds. */
         if (now < lowest) {
             b->step *= lowest < UINT64_MAX ? GROW : 1;
             lowest = now;
@@ -279,7 +282,8 @@ static uint64_t descend(murk_bound *b, size_t n, uint64_t lower, size_t rounds)
             b->step *= SHRINK;
             b->since_gain = 0;
         }
-        /* a plan worth more than lower consists of live candidates */
+        /* Plans with candidates that were fixed out are worth at most `lower`,
+         * so the larger of `now` and `lower` bounds all plans. */
         now -= now % o->grain;
         now = now > lower ? now : lower;
         upper = now < upper ? now : upper;

@@ -48,7 +48,8 @@ typedef struct murk_bound {
                          above the multipliers */
     uint32_t *live;   /* [candidates] not fixed out */
     size_t live_count;
-    uint64_t base;        /* first sum of the last evaluation */
+    uint64_t base;        /* sum_i w_i t_i (or the first sum of
+                             placement/multipliers.h) of the last evaluation */
     murk_ranked *top;     /* [candidates] the choice that makes the bound */
     uint64_t evaluations; /* gains computed */
     uint64_t queries;
@@ -66,8 +67,11 @@ void murk_bound_release(murk_bound *bound);
 /* Bounds the value of plans of n sensors. The multipliers start at the cover of
  * plan[plan_count]; plan NULL: they go on from the last call. Makes at most
  * `rounds` evaluations (with constraints one more), each of all live
- * candidates. `lower` is the value of a known plan of n. Returns an upper
- * bound, at least `lower`, and stops early when the bound reaches `lower`. */
+ * candidates. `lower` is the value of a known plan of n, or another value below
+ * which the bound is of no use. Returns an upper bound, at least `lower`, and
+ * stops early when the bound reaches `lower`, when the steps have become too
+ * short, or if the run is interrupted. With rounds 0: the value of all
+ * candidates together. */
 uint64_t murk_bound_tighten(murk_bound *bound, size_t n, uint64_t lower,
                             const uint32_t *plan, size_t plan_count,
                             size_t rounds);

@@ -92,10 +92,10 @@ bool murk_constraint_set_conflict(const murk_constraint_set *set, uint32_t a,
            is_listed(set->constraints, a, b);
 }
 
-/* True if every candidate that conflicts with a is b or conflicts with b as
- * well. Only a simple case is recognised: with one sensor a site, the result is
- * false unless a and b have the same site, and with a spacing, unless they have
- * the same position. */
+/* True if it is certain that every candidate that conflicts with a is b or
+ * conflicts with b as well. Only a simple case is recognised: with one sensor a
+ * site the result is false unless a and b have the same site, and with a
+ * spacing it is false unless a and b have the same position. */
 static bool has_fewer_conflicts(const murk_constraint_set *set, uint32_t a,
                                 uint32_t b)
 {

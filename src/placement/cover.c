@@ -111,8 +111,9 @@ static void add_dose(const murk_cover *cover, const murk_layout *layout,
     cover->best[slot] = murk_dose_worth(layout->doses, cover->dose[slot]);
 }
 
-/* A row of bits is added word by word, and a dense row to a single layer slot
- * by slot without branches; other rows entry by entry. */
+/* A row of bits is added to a cover of bits word by word, and a dense row to a
+ * single layer without doses slot by slot without branches; in all other cases
+ * the row is added entry by entry. */
 void murk_cover_add(murk_cover *cover, const murk_layout *layout,
                     const murk_row *row)
 {

@@ -316,7 +316,7 @@ static murk_status rank(murk_evaluator *o, size_t max, bool keep_dominated,
     if (!o->matrix || keep_dominated) {
         return MURK_OK;
     }
-    /* Presolve compares candidates in this order. */
+    /* Presolve compares candidates in the order order[]. */
     murk_arena scratch = {0};
     uint32_t *order = murk_arena_array(&scratch, n, sizeof *order);
     bool *is_dropped = murk_arena_array(&scratch, n, sizeof *is_dropped);
@@ -327,7 +327,8 @@ static murk_status rank(murk_evaluator *o, size_t max, bool keep_dominated,
         goto done;
     }
     order_by_cost(o, key, order);
-    /* With redundancy or probabilities one dominator is not enough. */
+    /* With redundancy, or with probabilities in plans of several sensors, one
+     * dominator is not enough. */
     const size_t needed = dominators_needed(o, max);
     if (needed > 1) {
         status = murk_presolve_many(is_dropped, o->matrix, o->set, order,

@@ -23,8 +23,9 @@ typedef struct murk_evaluator {
     const murk_layout *layout;
     murk_layout own_layout; /* unknown environment only */
     size_t candidates;
-    bool is_binary; /* all rows are BITS or CLEAR_LIST, so covers may be bits */
-    size_t row_bytes;       /* mean size of a matrix row */
+    bool is_binary;   /* all rows are BITS or CLEAR_LIST (placement/row.h), so
+                         covers may be bits; false in an unknown environment */
+    size_t row_bytes; /* mean size of a matrix row */
     uint64_t *single_value; /* [candidates] value of each candidate alone */
     uint64_t *slack; /* [candidates] the amount by which a gain may grow later,
                         through rounding; NULL: gains never grow */

@@ -27,7 +27,7 @@ typedef struct level {
     float *multiplier;        /* [slots] of the node's lowest bound */
     murk_ranked *live; /* [candidates] that may be added, by falling gain */
     size_t live_count;
-    uint64_t base;  /* first sum of the bound */
+    uint64_t base;  /* first sum of the bound (placement/multipliers.h) */
     uint64_t value; /* of the chosen candidates */
 } level;
 
@@ -59,7 +59,8 @@ static void count_work(exact *e, uint64_t candidates)
     e->is_cut |= e->work > e->work_max || murk_interrupted();
 }
 
-/* A plan's value is a multiple of the grain. */
+/* Rounds an upper bound down to a multiple of the grain, as every value of a
+ * plan is one. */
 static uint64_t in_grains(const exact *e, uint64_t value)
 {
     return value - value % e->evaluator->grain;
@@ -176,7 +177,8 @@ static uint64_t rest_of(const exact *e, const level *l, size_t k, size_t left)
     return in_grains(e, sum);
 }
 
-/* Allocates a level. False when out of memory: then the search ends. */
+/* Allocates a level unless that is done already. False when out of memory; the
+ * search then ends. */
 static bool level_ready(exact *e, size_t depth)
 {
     const murk_evaluator *o = e->evaluator;

@@ -6,8 +6,9 @@
  * with multipliers not below the entries of the chosen candidates, lowered by a
  * few subgradient steps from the parent's multipliers; candidates that belong
  * to no better plan are fixed out on the way. The children of a node add the
- * candidates in falling order of their gain above the multipliers, and each
- * child leaves out the candidates that earlier children added.
+ * candidates in falling order of their gain above the multipliers (with a
+ * budget: of that gain per cost), and each child leaves out the candidates that
+ * earlier children added.
  *
  * Under constraints the root holds the fixed sensors, and a node passes on only
  * candidates that can be added. Without conflicts every node can be completed,
@@ -48,7 +49,8 @@ typedef struct murk_exact {
  * call of murk_bound_tighten() must have been for plans of n; `upper` is the
  * bound that it returned, and the root starts at its multipliers. Needs a
  * matrix. callback NULL: the value is the objective. Otherwise `value` is the
- * first cutoff, and plan[] stays as it is. Fails with MURK_NO_MEMORY. */
+ * first cutoff, and plan[] stays as it is. Nothing is searched if `upper` does
+ * not exceed `value`, or if `nodes` is 0. Fails with MURK_NO_MEMORY. */
 murk_status murk_exact_search(murk_exact *out, murk_bound *bound,
                               uint32_t *plan, size_t size, size_t n,
                               uint64_t value, uint64_t upper, uint64_t nodes,

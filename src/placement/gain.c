@@ -14,13 +14,13 @@ static bool has_bit(const uint64_t *bits, size_t i)
     return (bits[i / 64] >> (i % 64)) & 1;
 }
 
-/* The stored words of a row in one segment. `at` counts from word `from` of the
- * cover and the weights. */
+/* The stored words of a row in one segment. Word k belongs to word from + at[k]
+ * (at NULL: from + k) of the cover and the weights. */
 typedef struct row_segment {
     const uint64_t *bits;
     const uint32_t *at;
     size_t words;
-    size_t from; /* first word */
+    size_t from; /* first word of the segment; 0 with `at` */
 } row_segment;
 
 static row_segment segment_of(const murk_row *row, const murk_layout *layout,

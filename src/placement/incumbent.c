@@ -19,8 +19,8 @@
 
 /* Maximum number of evaluations of the bound in a known environment. Large
  * matrices get fewer: as many as 2e10 evaluated entries allow, some seconds of
- * work. In an unknown environment each evaluation asks for every row, so at
- * most one is made; rounds_of() says for which counts. */
+ * work, but ROUNDS_MIN at least. In an unknown environment each evaluation asks
+ * for every row, so at most one is made; rounds_of() says for which counts. */
 #define ROUNDS_MAX        400
 #define ROUNDS_MIN        40
 #define PAIRS_WEIGHED_MAX 20000000000.0
@@ -79,11 +79,13 @@ static uint64_t plan_greedily(murk_incumbent *p, size_t n)
     return value;
 }
 
-/* Tightens the bound by `rounds` evaluations, and takes greedy's bound if that
- * is lower. With many rounds the multipliers go on from those of the count
- * before, which differ little. A single evaluation does best at the multipliers
- * of the plan. For detection probabilities the multipliers of another count are
- * a poor start, so every count begins at the plan. */
+/* Tightens the bound by `rounds` evaluations, and without constraints takes
+ * greedy's bound if that is lower. In a known environment the multipliers go on
+ * from those of the last call, even if that was for the count before, whose
+ * multipliers differ little. In an unknown environment a single evaluation is
+ * made, which does best at the multipliers of the plan. For detection
+ * probabilities the multipliers of another count are a poor start, so every
+ * count begins at the plan. */
 static uint64_t tighten(murk_incumbent *p, size_t n, uint64_t value,
                         const uint32_t *plan, size_t rounds)
 {
@@ -173,7 +175,8 @@ static uint64_t complete_plan(murk_incumbent *p, size_t n)
 }
 
 /* Branch and bound, from the incumbent and the bound that was tightened last.
- */
+ * Does nothing in an unknown environment, for a method without branch and
+ * bound, and for a single sensor without constraints. */
 static murk_status branch_and_bound(murk_incumbent *p, size_t n,
                                     murk_curve_point *point, murk_error *err)
 {

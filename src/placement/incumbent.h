@@ -21,7 +21,7 @@ typedef struct murk_incumbent {
     uint32_t *plan;         /* [last] the incumbent: the best plan so far */
     size_t size;            /* sensors of plan */
     bool is_greedy_done;    /* under constraints: greedy completed a plan */
-    size_t rounds;          /* evaluations of the bound */
+    size_t rounds;          /* evaluations of the bound for the plan, at most */
     bool has_multipliers;   /* the bound has multipliers of an earlier call */
 } murk_incumbent;
 
@@ -39,7 +39,9 @@ void murk_incumbent_greedy(murk_incumbent *incumbent);
 
 /* Finds the plan of k sensors, incumbent->plan, and stores value and bound in
  * *last. `from` is the plan of one sensor fewer and *last its value; from NULL:
- * none. */
+ * none. Fails with MURK_RUN_FAILED if no plan keeps the constraints or none was
+ * found, or with MURK_NO_MEMORY. If the run is interrupted *last may stay
+ * unchanged. */
 murk_status murk_incumbent_count(murk_incumbent *incumbent, size_t k,
                                  const uint32_t *from, murk_curve_point *last,
                                  murk_error *err);

@@ -35,8 +35,8 @@ typedef struct murk_kernels {
  * beyond the last. */
 const murk_kernels *murk_kernels_number(size_t k);
 
-/* The versions for AVX2 (with popcnt and bmi) and AVX-512 (with vpopcntdq and
- * vbmi2). NULL if this processor cannot run them. */
+/* The versions for AVX2 (with popcnt and bmi) and AVX-512 (with bw, vpopcntdq
+ * and vbmi2). NULL if this processor cannot run them. */
 const murk_kernels *murk_kernels_avx2(void);
 const murk_kernels *murk_kernels_avx512(void);
 

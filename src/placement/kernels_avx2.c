@@ -1,6 +1,6 @@
 /* Kernels for AVX2. The loops over bits are the portable ones, compiled with
- * popcnt and bmi; the loop over clarities without weights processes 16 slots at
- * a time. All sums are exact integers, equal to those of the portable
+ * popcnt and bmi; the loop over dense clarities without weights processes 16
+ * slots at a time. All sums are exact integers, equal to those of the portable
  * kernels. */
 #include "placement/kernels.h"
 

@@ -36,8 +36,8 @@ count_new_side_by_side(const uint64_t *row, const uint64_t *full, size_t words)
     return (uint64_t)_mm512_reduce_add_epi64(sum);
 }
 
-/* A sparse row uses the portable loop: eight single loads are as fast as a
- * gather. */
+/* A sparse row (`at` not NULL) uses the portable loop, because eight single
+ * loads are as fast as a gather; so does a sum with weights. */
 MURK_TARGET static uint64_t count_new(const uint64_t *row, const uint32_t *at,
                                       const uint64_t *full,
                                       const uint32_t *weight, size_t words)

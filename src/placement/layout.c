@@ -1,7 +1,8 @@
 /* Assigns a slot to each photon: photons of one weight share 64-bit words, so
  * that most sums of weights are bit counts times a weight. A sort of the
- * photons by weight gives the slots. With many distinct weights the unused
- * slots would outweigh the gain, and photon i stays in slot i. */
+ * photons by weight gives the slots. Photon i stays in slot i if there is only
+ * one weight, or so many distinct weights that the unused slots would outweigh
+ * the gain. */
 #include "placement/layout.h"
 
 #include "base/sort.h"
@@ -29,9 +30,9 @@ uint32_t murk_common_divisor(const uint32_t *weight, size_t n)
     return weight_gcd ? weight_gcd : 1;
 }
 
-/* Assigns the slots by weight, then by photon, each weight at a new word; if
- * the unused slots would be too many, photon i keeps slot i. key[photons] is
- * scratch. False when out of memory. */
+/* Assigns the slots by weight, then by photon, each weight at a new word;
+ * photon i keeps slot i if there is only one weight, or if the unused slots
+ * would be too many. key[photons] is scratch. False when out of memory. */
 static bool assign_slots(murk_layout *out, const uint32_t *weight,
                          uint64_t *key)
 {

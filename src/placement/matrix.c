@@ -15,9 +15,9 @@
 #include <assert.h>
 #include <stdlib.h>
 
-/* With fewer photons nothing is merged: the rows are so short that calling the
- * kernels takes longer than the loops over words that merging would shorten (a
- * choice). */
+/* With fewer photons murk_matrix_create() merges nothing: the rows are so short
+ * that calling the kernels takes longer than the loops over words that merging
+ * would shorten (a choice). */
 #define PHOTONS_WORTH_MERGING 16384
 
 /* Rows of the pilot sample. A rough estimate suffices, as the limit

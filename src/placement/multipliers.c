@@ -46,7 +46,8 @@ void murk_multipliers_release(murk_multipliers *t)
     *t = (murk_multipliers){0};
 }
 
-/* The smallest clarity with y not below the dose. */
+/* The smallest clarity t whose y = -ln(1 - t), rounded down, is not below the
+ * dose. */
 static uint16_t clarity_above(const murk_doses *doses, uint32_t dose)
 {
     uint16_t t = murk_dose_worth(doses, dose);
@@ -186,9 +187,10 @@ static void subgradient_of_clearest(murk_multipliers *t,
 
 /* The subgradient by the multipliers t; all derivatives are divided by the
  * weights, and dy/dt = 1 / (1 - t), because y = -ln(1 - t). d is the dose of a
- * row, and Y0 that of the partial plan (placement/multipliers.h). The first sum
- * has the derivative y - Y0. The term (1 - t) min(d, 1 + y - Y0) of a row has
- * the derivative -d, or -(y - Y0) if d exceeds 1 + y - Y0. */
+ * row, and Y0 that of the partial plan (placement/multipliers.h). The first
+ * sum, whose terms are 1 - (1 - t) (1 + y - Y0), has the derivative y - Y0. The
+ * term (1 - t) min(d, 1 + y - Y0) of a row has the derivative -d, or -(y - Y0)
+ * if d exceeds 1 + y - Y0. */
 static void subgradient_of_chances(murk_multipliers *t,
                                    const murk_ranked *chosen, size_t n,
                                    float *subgradient)

@@ -8,9 +8,11 @@
  * is 1 / (k + 1). k is a sum: 1 for minimum and maximum counts by class (a
  * matroid, together with the count), 1 for one sensor a site, and 12 for a
  * spacing (of sensors that keep the spacing from each other, at most 12 lie
- * closer to one point than the spacing: the kissing number). The value must be
- * submodular, as it is for every way of combining entries; for detection
- * probabilities up to rounding, 2 / 65535 of what is seen.
+ * closer to one point than the spacing: the kissing number). Under a budget
+ * another theorem holds in some cases (of_budget()), and with listed conflicts
+ * no fraction is known. The value must be submodular, as it is for every way of
+ * combining entries; for detection probabilities up to rounding, 2 / 65535 of
+ * what is seen.
  *
  * Source: Nemhauser, Wolsey, Fisher, Math. Program. 14 (1978) 265,
  * doi:10.1007/BF01588971 (count); Calinescu, Chekuri, Pal, Vondrak, SIAM J.

@@ -9,14 +9,16 @@
  * stays on ties, and sweeps go on until no sensor moves. So no single
  * relocation improves the plan, and the value is at least n / (2n - 1) of the
  * optimum. In a known environment branch and bound follows, limited by `nodes`.
- * MURK_PLACE_EXACT is greedy followed by branch and bound.
+ * MURK_PLACE_GREEDY is greedy alone, MURK_PLACE_EXACT is greedy followed by
+ * branch and bound. Every method computes a bound.
  *
  * A plan that reaches the ceiling (the value of all candidates together) is
  * optimal and ends the work on that count. In a known environment search_work
  * limits the work of the searches. The SPOQ starts have a limit of their own,
  * of the same size. Once half of the limit is spent, points of a curve without
- * constraints take greedy's plan and the bound from greedy's scans. Once the
- * limit is spent, relocation stops, and is_work_cut says so.
+ * constraints take greedy's plan and the bound from greedy's scans (not with
+ * MURK_PLACE_SPOQ). Once the limit is spent, sweeps and relocation stop, and
+ * is_work_cut says so.
  *
  * With a target, counts are tried upwards from the smallest feasible one. If
  * the plan of a count misses the target and the bound does not exclude it,
@@ -43,11 +45,12 @@
 /* Known environment: uses the rows of the matrix, and weights and threads of
  * the problem. Unknown environment (matrix NULL): asks the problem for a row at
  * each evaluation, so memory is O(photons). Each decision of a search, and so
- * the plan before branch and bound, is the same in both: presolve, which needs
- * the matrix, changes no plan. Fails with MURK_BAD_VALUE (settings,
- * constraints, a target that cannot be reached), MURK_RUN_FAILED (no plan
- * found), MURK_NO_MEMORY or MURK_INTERRUPTED; *result is then unchanged. After
- * success call murk_place_release(). */
+ * the plan before branch and bound, is the same in both environments unless
+ * search_work ends a search: presolve, which needs the matrix, changes no plan.
+ * Fails with MURK_BAD_VALUE (settings, constraints, a target that cannot be
+ * reached), MURK_RUN_FAILED (no plan found), MURK_NO_MEMORY or
+ * MURK_INTERRUPTED; *result is then unchanged. After success call
+ * murk_place_release(). */
 murk_status murk_place_sensors(murk_place_result *result,
                                const murk_problem *problem,
                                const murk_matrix *matrix,

@@ -1,7 +1,8 @@
-/* Dominance between candidates: compares each pair of rows, in the order of
- * falling value, because a row of larger value cannot be dominated. With one
- * dominator needed the comparisons run in parallel; the result is the same for
- * any number of threads (placement/presolve.h). */
+/* Dominance between candidates: compares pairs of rows in the order of falling
+ * value, each row only with the rows behind it, because no row is dominated by
+ * a row of smaller value. With one dominator needed the comparisons run in
+ * parallel; the result is the same for any number of threads
+ * (placement/presolve.h). */
 #include "placement/presolve.h"
 
 #include "base/interrupt.h"

@@ -1,8 +1,8 @@
 /* Relaxations of the constraints, for candidates whose gains simply add up:
  * greedy over the matroid of class counts, greedy over sites, and the
  * fractional knapsack. The knapsack charges Lagrangian multipliers for places
- * in classes with a maximum count; they are improved from call to call by Rprop
- * steps. Every bound is valid for every multiplier. */
+ * in classes with a maximum count; the multipliers are improved from call to
+ * call by Rprop steps. Every bound is valid for every multiplier. */
 #include "placement/relaxation.h"
 
 #include <stdlib.h>
@@ -74,8 +74,9 @@ void murk_relaxation_release(murk_relaxation *relaxed)
     *relaxed = (murk_relaxation){0};
 }
 
-/* Chooses the best `left` candidates under maximum counts, and with_min under
- * minimum counts, into r->picked. Returns the sum of the gains. */
+/* Chooses the first `left` candidates of ranked[n] (or fewer) that the maximum
+ * counts allow, and with with_min also the minimum counts, into r->picked.
+ * Returns the sum of the gains. */
 static uint64_t pick_by_class(murk_relaxation *r, const murk_partial_plan *s,
                               const murk_ranked *ranked, size_t n, size_t left,
                               bool with_min, size_t *chosen)
@@ -101,7 +102,8 @@ static uint64_t pick_by_class(murk_relaxation *r, const murk_partial_plan *s,
     return sum;
 }
 
-/* Chooses the best `left` candidates with one a site, into r->picked. */
+/* Chooses the first `left` candidates of r->order[n] (or fewer) with one a
+ * site, into r->picked. Returns the sum of the gains. */
 static uint64_t pick_by_site(murk_relaxation *r, size_t n, size_t left,
                              size_t *chosen)
 {
@@ -134,9 +136,9 @@ static uint64_t product_saturated(uint64_t a, uint64_t b)
     return product > UINT64_MAX ? UINT64_MAX : (uint64_t)product;
 }
 
-/* Sorts by density and makes the prefix sums. With multipliers each gain is
- * reduced by the charge of the class, and cap_charges is the sum of the charges
- * for all free places. */
+/* Sorts r->order[n] by gain per cost into r->priced and makes the prefix sums.
+ * With multipliers (s not NULL) each gain is first reduced by the charge of the
+ * class, and cap_charges is the sum of the charges for all free places. */
 static void price(murk_relaxation *r, size_t n, const murk_partial_plan *s)
 {
     /* Charges of all free places. */
@@ -149,7 +151,7 @@ static void price(murk_relaxation *r, size_t n, const murk_partial_plan *s)
             r->cap_charges, product_saturated(multiplier[c].multiplier,
                                               set->max[c] - s->class_count[c]));
     }
-    /* Gains less charges, by density, with prefix sums. */
+    /* Gains less charges, by gain per cost, with prefix sums. */
     for (size_t k = 0; k < n; ++k) {
         const uint32_t j = r->order[k].candidate;
         const uint64_t gain = r->order[k].bound;
@@ -212,11 +214,12 @@ static void pick_by_cost(murk_relaxation *r, uint64_t budget, size_t *chosen)
     }
 }
 
-/* Updates the multipliers: up for a class with more sensors than the maximum
- * count, down for a class with free places. Step lengths grow by 1/4 while the
- * direction stays and halve when it changes (Riedmiller, Braun, Proc. IEEE ICNN
- * (1993) 586, doi:10.1109/ICNN.1993.298623). The first `picked` entries of
- * r->picked are the choice under the present multipliers. */
+/* Updates the multipliers: up for a class of which the choice has more sensors
+ * with a gain than the class has free places, down for a class of which it has
+ * fewer. Step lengths grow by 1/4 while the direction stays and halve when it
+ * changes (Riedmiller, Braun, Proc. IEEE ICNN (1993) 586,
+ * doi:10.1109/ICNN.1993.298623). The first `picked` entries of r->picked are
+ * the choice under the present multipliers. */
 static void update_multipliers(murk_relaxation *r, const murk_partial_plan *s,
                                size_t picked)
 {

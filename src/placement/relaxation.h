@@ -41,7 +41,8 @@ typedef struct murk_relaxation {
     size_t live;
     size_t *class_count; /* [classes] scratch */
     bool *is_used;       /* [sites] scratch */
-    uint64_t others;     /* bound for one candidate fewer, without the budget */
+    uint64_t others;     /* bound on the sum of the gains if one candidate fewer
+                            is chosen; leaves the budget out */
     murk_constraint_multiplier *
         multiplier; /* [classes] with a budget and maximum counts; NULL: none */
     uint64_t cap_charges; /* sum of the charges for all places that maximum

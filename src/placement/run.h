@@ -34,8 +34,10 @@ murk_status murk_place_run_begin(murk_place_run *run,
 bool murk_place_run_keep(murk_place_run *run, const uint32_t *plan, size_t size,
                          uint64_t value);
 
-/* With conflicts a search may end early: finds any feasible plan of n, for
- * run->search.fallback. */
+/* With conflicts a search may end early, so this function stores any feasible
+ * plan of n in run->search.fallback; without conflicts it does nothing. Fails
+ * with MURK_RUN_FAILED if it finds no plan, but not if the run is interrupted.
+ */
 murk_status murk_place_run_find_fallback(murk_place_run *run, size_t n,
                                          murk_error *err);
 

@@ -208,7 +208,8 @@ uint64_t murk_gain_scan_find_best(murk_gain_scan *s, const murk_ranked *ranking,
         best = evaluate_undominated(s, ranking);
     }
     s->ties = 0;
-    if (best == 0) { /* every candidate that can be added has gain 0 */
+    if (best == 0) { /* every candidate that can be added has gain 0, or the run
+                        is interrupted */
         for (uint32_t j = 0; j < o->candidates; ++j) {
             if (!s->is_partial[j] && murk_gain_scan_can_add(s, j)) {
                 s->tie[s->ties++] = j;

@@ -17,7 +17,7 @@
 #define MURK_SCAN_CHUNK 128
 
 /* The workspace of one worker. No state is kept from one plan to the next,
- * except the counters. */
+ * except the counters, is_cut and greedy_bound. */
 typedef struct murk_gain_scan {
     const murk_evaluator *evaluator;
     unsigned worker;      /* worker index if threads is 1 */
@@ -84,8 +84,8 @@ uint64_t murk_gain_scan_add(murk_gain_scan *s, uint32_t candidate);
 uint64_t murk_gain_scan_set_all_but(murk_gain_scan *s, const uint32_t *plan,
                                     size_t n, size_t but);
 
-/* True if the candidate can be added. If only the largest entry counts, a
- * member has gain 0 and needs no test. */
+/* True if the candidate can be added. Without constraints, if only the largest
+ * entry counts, the result is true for members as well: their gain is 0. */
 static inline bool murk_gain_scan_can_add(const murk_gain_scan *s,
                                           uint32_t candidate)
 {

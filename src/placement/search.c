@@ -273,8 +273,8 @@ uint64_t murk_search_spoq(murk_gain_scan *s, uint32_t *plan, size_t n,
     return value;
 }
 
-/* Relocates single sensors until no move increases the value. Returns the
- * value. */
+/* Relocates single sensors until no move increases the value, the limit on work
+ * is spent, or the run is interrupted. Returns the value. */
 static uint64_t relocate_sensors(murk_gain_scan *s, uint32_t *plan, size_t n)
 {
     const size_t fixed = murk_fixed_count(s->evaluator->set),

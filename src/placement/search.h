@@ -22,10 +22,11 @@ size_t murk_search_begin(murk_gain_scan *s, uint32_t *plan, size_t given,
                          size_t n);
 
 /* Extends a plan of `given` sensors to n sensors, or until the value reaches
- * `enough`. Each step adds the candidate with the largest gain, the lowest
- * index on ties. value_after[k] receives the value of the first k + 1 sensors,
- * for k + 1 >= given; NULL is allowed. Lowers the upper bounds s->greedy_bound
- * at each step. */
+ * `enough`, no candidate can be added, or, with a budget, the minimum counts
+ * are met and no candidate has a gain. Each step adds the candidate with the
+ * largest gain, the lowest index on ties. value_after[k] receives the value of
+ * the first k + 1 sensors, for k + 1 >= given; NULL is allowed. Lowers the
+ * upper bounds s->greedy_bound at each step. */
 uint64_t murk_search_greedy(murk_gain_scan *s, uint32_t *plan, size_t given,
                             size_t n, uint64_t enough, uint64_t *value_after);
 
@@ -42,8 +43,9 @@ uint64_t murk_search_spoq(murk_gain_scan *s, uint32_t *plan, size_t n,
                           uint32_t seed, uint64_t restart);
 
 /* Certified relocation: moves single sensors while that increases the value; a
- * sensor stays on ties. At the end no single move increases the value, unless
- * the limit s->rows_max ended the search (s->is_cut). */
+ * sensor stays on ties. With a budget, sensors that the budget pays are added
+ * in between. At the end no single move increases the value, unless the limit
+ * s->rows_max ended the search (s->is_cut). */
 uint64_t murk_search_relocate(murk_gain_scan *s, uint32_t *plan, size_t n);
 
 /* With a budget: extends plan[given] by the affordable candidate with the

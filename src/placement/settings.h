@@ -12,8 +12,8 @@
  * a hundredth of it. */
 #define MURK_SEARCH_WORK UINT64_C(500000000000)
 
-/* MURK_PLACE_BEST stops after this many starts in a row without gain. A choice,
- * not a measurement. */
+/* MURK_PLACE_BEST makes no further start after this many in a row without gain.
+ * A choice, not a measurement. */
 #define MURK_STARTS_WITHOUT_GAIN 20
 
 typedef struct murk_place_desc {
@@ -26,8 +26,8 @@ typedef struct murk_place_desc {
     uint64_t nodes; /* maximum work of branch and bound (placement/exact.h), all
                        counts together; known environment only; 0: no branch and
                        bound */
-    uint64_t
-        search_work; /* maximum work of the searches; 0: MURK_SEARCH_WORK */
+    uint64_t search_work; /* maximum work of the searches, in a known
+                             environment only; 0: MURK_SEARCH_WORK */
     uint32_t seed;
     bool with_curve; /* also find plans of fewer sensors, from 1 or from the
                         smallest feasible count; not with a budget */
@@ -56,7 +56,9 @@ typedef struct murk_curve_point {
 typedef struct murk_place_result {
     size_t count;
     size_t *sensor;        /* [count] candidates, increasing */
-    uint64_t value;        /* sum_i weight_i f_i (placement/problem.h) */
+    uint64_t value;        /* sum_i weight_i f_i (placement/problem.h), or the
+                              value that placement/at_least.h or
+                              placement/worst.h defines */
     uint64_t upper;        /* an upper bound on the value of any plan of `count`
                               sensors (with a budget: of any number up to
                               desc->count) that the constraints admit */
@@ -68,7 +70,8 @@ typedef struct murk_place_result {
                          target; 0 without a target */
     uint64_t ceiling; /* value of all candidates together */
     uint64_t whole;   /* sum_i weight_i * MURK_CLEAR, times the redundancy */
-    size_t after_presolve; /* candidates that are not dominated */
+    size_t after_presolve; /* candidates that the searches treat as undominated
+                              (placement/evaluator.h) */
     size_t restarts;       /* SPOQ starts made */
     uint64_t nodes;        /* work of branch and bound */
     bool is_cut; /* branch and bound ended without a proof, at desc->nodes or by

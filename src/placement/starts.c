@@ -11,13 +11,13 @@
 
 #include <string.h>
 
-/* One start takes at most an eighth of the work of all starts, so that at least
- * eight are made (a choice). */
+/* One start takes about an eighth of the work of all starts at most, so that
+ * the limit on work does not end the starts before the eighth (a choice). */
 #define STARTS_OF_ALL_WORK 8
 
-/* Starts handed to each thread at once: with fewer, threads wait for the start
- * of the others; with more, more starts beyond the stop are in vain (a choice).
- */
+/* Starts handed to each thread at once: with fewer, threads wait for the
+ * slowest start of a wave; with more, more starts beyond the stop are in vain
+ * (a choice). */
 #define STARTS_PER_WORKER 4
 
 /* A start that was made. */

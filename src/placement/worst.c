@@ -19,15 +19,17 @@
 #define LEVELS_MAX   16
 #define LEVEL_FINEST (MURK_SHARE_ONE >> 16)
 
-/* Steps of lambda, and evaluations of the bound at each (choices); a count
- * below the wanted one gets fewer. */
+/* Steps of lambda (placement/worst_bound.h), evaluations of the bound at each
+ * step, and evaluations of the last bound of a count (choices); a count below
+ * the wanted one gets STEPS_CURVE steps, and ROUNDS evaluations of the last
+ * bound. */
 #define STEPS       60
 #define STEPS_CURVE 15
 #define ROUNDS      8
 #define ROUNDS_LAST 100
 
 typedef struct worst {
-    murk_place_run run; /* values are the smallest shares */
+    murk_place_run run; /* values are the smallest worths of the blocks */
     size_t blocks;
     murk_block_layouts layouts;
     murk_worst_search search;
@@ -63,8 +65,9 @@ static bool is_plan(worst *w, const uint32_t *plan, size_t size, size_t n)
     return murk_partial_plan_is_complete(s);
 }
 
-/* Stores the plan in trial if it is complete and better than the incumbent; if
- * the method relocates, also the relocated plan. True if one was stored. */
+/* Stores the plan in trial if it is complete and better than the incumbent.
+ * With `relocates`, a complete plan is also relocated, and stored if it is then
+ * better than the incumbent. True if either was stored. */
 static bool keep_trial(worst *w, size_t n, uint64_t value, bool relocates)
 {
     uint32_t *trial = w->run.trial;
@@ -135,7 +138,8 @@ static void greedy_per_block(worst *w, size_t n)
     }
 }
 
-/* With a budget: greedy by gain per cost, over the mean of the blocks. */
+/* With a budget: greedy by gain per cost, over the mean of the blocks. Without
+ * a budget nothing is done. */
 static void greedy_with_budget(worst *w, size_t n)
 {
     if (murk_has_budget(w->run.set)) {

@@ -73,8 +73,9 @@ void murk_worst_bound_release(murk_worst_bound *b)
     *b = (murk_worst_bound){0};
 }
 
-/* The factor of each block, factor[c] / 2^shift: lambda over the unit, as large
- * as the limits on weights allow. Returns shift. */
+/* The factor of each block, factor[c] / 2^shift: lambda over the unit, times a
+ * common scale that is as large as the limits on weights allow. Returns shift.
+ */
 static unsigned find_factors(const murk_worst_bound *b, const double *lambda,
                              uint64_t *factor)
 {
@@ -176,7 +177,8 @@ static void find_shares(murk_worst_bound *b, size_t n, double *share)
 }
 
 /* One step of mirror descent: lambda_c times exp(-step * (share_c - mean) /
- * widest), scaled to sum 1. */
+ * widest), at least LAMBDA_MIN, scaled to sum 1. `mean` is the mean of the
+ * shares under lambda, `widest` the largest difference from it. */
 static void step_lambda(const murk_worst_bound *b, const double *share,
                         double step, double *lambda)
 {

@@ -5,11 +5,11 @@
  * are scaled block by block, so the Lagrangian bound (placement/bound.h) on
  * that value bounds the smallest share, too. Lambda moves by steps of mirror
  * descent, towards blocks of which the bound sees less. Scaled weights are
- * rounded up and the sum of them down, so the bound is valid in spite of
- * rounding. With regret (worth = value / unit + offset, placement/blocks.h) the
- * same holds for worths, plus sum_c lambda_c offset_c, rounded up. A reference
- * is a constant, so the bound is valid even if a plan better than the reference
- * exists.
+ * rounded up, and the value that stands for a smallest share of 1 (full_value)
+ * is rounded down, so the bound is valid in spite of rounding. With regret
+ * (worth = value / unit + offset, placement/blocks.h) the same holds for
+ * worths, plus sum_c lambda_c offset_c, rounded up. A reference is a constant,
+ * so the bound is valid even if a plan better than the reference exists.
  *
  * Source: Krause et al., J. Mach. Learn. Res. 9 (2008) 2761 (the problem); Beck
  * and Teboulle, Oper. Res. Lett. 31 (2003) 167,
@@ -55,7 +55,8 @@ murk_status murk_worst_bound_set_lambda(murk_worst_bound *bound,
  * of 1 / MURK_SHARE_ONE. `lower` is in the same units; the bound is not lowered
  * further than to `lower`. The multipliers start at plan[plan_count], or, with
  * plan NULL, go on from the last call. Makes at most `steps` steps of lambda
- * from the present one, with `rounds` evaluations each. Leaves lambda at the
+ * from the present one, with `rounds` evaluations each; before the first step
+ * with `rounds` evaluations, with a plan twice as many. Leaves lambda at the
  * lowest bound. */
 murk_status murk_worst_bound_tighten(murk_worst_bound *bound, size_t n,
                                      uint64_t lower, const uint32_t *plan,
@@ -64,7 +65,7 @@ murk_status murk_worst_bound_tighten(murk_worst_bound *bound, size_t n,
                                      murk_error *err);
 
 /* The value under the present weights that a plan must exceed if its smallest
- * share is to exceed `share`. */
+ * share is to exceed `share`; 0 if the offsets alone suffice. */
 uint64_t murk_worst_bound_value(const murk_worst_bound *bound, uint64_t share);
 
 /* Upper bound on the smallest share of a plan with this value under the present

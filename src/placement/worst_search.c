@@ -105,7 +105,8 @@ static int by_bound(const void *a, const void *b)
 
 /* Finds the candidate that makes the objective value largest, if that exceeds
  * *value_bound, which is raised; the lowest index on ties. False if no
- * candidate does. A dominated candidate is never better than the dominator. */
+ * candidate does. Only undominated candidates are tried, as a dominated one is
+ * never better than the dominator. */
 static bool find_best(murk_worst_search *s,
                       const murk_block_objective *objective,
                       murk_objective_value *value_bound, uint32_t *best)

@@ -17,8 +17,9 @@
 #define MURK_NO_LEVEL UINT64_MAX
 
 /* The objective of a search: sum_c factor[c] min(share_c, level); or, with
- * is_min, the smallest share, then the sum of the shares. The sum of the
- * factors is at most 2^10, so the objective fits 64 bits. */
+ * is_min, the smallest share, then the sum of the shares. A share here is the
+ * worth of a block (placement/blocks.h). The sum of the factors is at most
+ * 2^10, so the objective fits 64 bits. */
 typedef struct murk_block_objective {
     bool is_min;
     uint64_t level; /* MURK_NO_LEVEL: none */
