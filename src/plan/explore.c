@@ -40,8 +40,10 @@ typedef struct exploring {
 
 /* ---- candidates for the next station ---- */
 
-/* Fills e->open with the poses that may be added and returns how many. *seen is
- * the number of poses at places that were seen, including poses of the plan. */
+/* Fills e->open with the poses that may be added and returns their number.
+ * Before the first station these are poses at the start, later poses at places
+ * that were seen and are connected to the start. *seen is the number of poses
+ * at these places, including poses of the plan. */
 static size_t gather(exploring *e, size_t *seen)
 {
     size_t n = 0;
@@ -173,7 +175,9 @@ static murk_status take(exploring *e, uint32_t j, bool is_gone_to,
     return MURK_OK;
 }
 
-/* Finds the next station; if there is none, sets out->end and returns false. */
+/* Finds the next station; if there is none, sets out->end and returns false.
+ * The first pose at the start is the next station even if nothing is gained
+ * there. */
 static bool choose(exploring *e, uint32_t *next)
 {
     uint64_t gain = 0;

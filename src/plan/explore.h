@@ -13,8 +13,8 @@
  * that either, exploration ends. Ties go to the lowest candidate number.
  *
  * The first station is at the start. The path between two stations is the
- * shortest path over places seen so far, in straight unobstructed steps
- * (plan/route.c).
+ * shortest path over places seen so far (over a part of them if they are many,
+ * plan/explored.h), in straight unobstructed steps (plan/route.c).
  *
  * Source: C. I. Connolly, Proc. IEEE ICRA (1985) 432,
  * doi:10.1109/ROBOT.1985.1087372 (next best view). */
@@ -31,7 +31,8 @@
 #define MURK_EXPLORE_MAX 1000
 
 typedef enum murk_explore_end {
-    MURK_EXPLORE_COUNT,       /* the requested number of stations is reached */
+    MURK_EXPLORE_COUNT,       /* the requested number of sensors, fixed sensors
+                                 included, is reached */
     MURK_EXPLORE_TARGET,      /* the target coverage is reached */
     MURK_EXPLORE_CONSTRAINTS, /* the constraints (budget, counts, spacing,
                                * sites) admit no further pose in the space that
@@ -70,7 +71,8 @@ typedef struct murk_explore {
  * place of the first fixed sensor. *start is the number of a place, as in
  * poses->site. Fails with MURK_BAD_VALUE at the placement of the scene if there
  * is neither start_m nor a fixed sensor, if start_m lies outside the domain, or
- * if no usable candidate is visible from start_m. */
+ * if no usable candidate is visible from start_m; or with MURK_NO_MEMORY or
+ * MURK_INTERRUPTED. */
 murk_status murk_explore_start(uint32_t *start, const murk_stage *stage,
                                const murk_candidates *sites,
                                const murk_poses *poses, murk_error *err);
@@ -90,9 +92,10 @@ murk_status murk_explore_run(murk_explore *out, murk_place_result *place,
                              const murk_place_desc *desc, murk_error *err);
 
 /* Adds upper bounds over all candidates, seen or not, to the plan: upper,
- * ceiling, the curve of the stations with upper bounds, and a lower bound on
- * the number of sensors that reach the target. Computes the coverage row of
- * every candidate, and stores all rows in a matrix if max_bytes allow. */
+ * ceiling, the curve of the stations with upper bounds (none with a budget),
+ * and a lower bound on the number of sensors that reach the target (0 without a
+ * target). Computes the coverage row of every candidate, and stores all rows in
+ * a matrix if max_bytes allow. */
 murk_status murk_explore_bound(murk_place_result *place,
                                const murk_explore *explore,
                                const murk_problem *problem,

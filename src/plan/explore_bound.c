@@ -17,10 +17,11 @@ static bool has_min(const murk_constraints *constraints)
 }
 
 /* Bounds the plans of desc->count sensors and of every smaller number: greedy
- * placement returns a bound for each number. The plan at an intermediate
- * station need not meet minimum counts yet, so intermediate numbers are bounded
- * without minimum counts and the last number with them. *fewest is a lower
- * bound on the number of sensors of a plan, if there is a curve. */
+ * placement returns a bound for each number, unless there is a budget. The plan
+ * at an intermediate station need not meet minimum counts yet, so intermediate
+ * numbers are bounded without minimum counts and the last number with them.
+ * *fewest is the smallest number of the first curve, a lower bound on the
+ * number of sensors of a plan; 0 without a curve. */
 static murk_status bound_all(murk_place_result *out, size_t *fewest,
                              const murk_problem *problem,
                              const murk_matrix *matrix,
@@ -94,7 +95,8 @@ murk_status murk_explore_bound(murk_place_result *place,
                                murk_error *err)
 {
     assert(desc->constraints);
-    /* Greedy placement over all candidates, for the same number of sensors. */
+    /* Greedy placement over all candidates, for the number of sensors of the
+     * plan, or with a budget for the same maximum. */
     murk_place_desc greedy = *desc;
     murk_place_result all = {0};
     const bool has_budget = desc->constraints->budget > 0;

@@ -1,6 +1,6 @@
 /* The place where exploration begins: usable sites are tested in the order of
- * their distance from start_m until one is visible from there in a straight
- * line. */
+ * their distance from start_m until one is visible from start_m in a straight
+ * line; without start_m exploration begins at the first fixed sensor. */
 #include "base/interrupt.h"
 #include "base/position.h"
 #include "base/sort.h"

@@ -19,8 +19,9 @@
 
 static const char *const PLACE[] = {"on surfaces", "in media"};
 
-/* True for a map of `photons` records with a share `weight` of the total
- * weight. */
+/* True if a map of `photons` records with the share `weight` of the total
+ * weight is thin beside a map of `others` records with the share
+ * `others_weight`. */
 static bool is_thin(double photons, double weight, double others,
                     double others_weight)
 {

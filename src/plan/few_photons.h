@@ -23,7 +23,7 @@ int murk_thin_map(const murk_scene_desc *scene,
                   const murk_coverage_result *coverage);
 
 /* The share of the variance of the total coverage that comes from the records
- * of this map. */
+ * of map 0 (surface) or 1 (volume); NaN if neither map has a standard error. */
 double murk_map_variance_share(const murk_coverage_result *coverage, int map);
 
 /* Writes a sentence on the share of the coverage, and of its variance, that
@@ -40,7 +40,8 @@ void murk_warn_of_thin_map(const murk_scene_desc *scene,
                            const murk_coverage_result *coverage,
                            const char *condition);
 
-/* The same warning from the forecast, before light is traced. */
+/* The same warning from the forecast, before light is traced; only for sensors
+ * that cover photons with `weights: balanced`. */
 void murk_warn_of_thin_forecast(const murk_scene_desc *scene,
                                 const murk_forecast *forecast);
 

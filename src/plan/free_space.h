@@ -39,7 +39,8 @@ typedef struct murk_part {
 /* The share (0..1) of the part that lies in free space, by stratified sampling:
  * one random point in each of equal cells. The stated error is that of
  * independent points, an upper bound. space NULL means that nothing obstructs
- * the part: the share is 1. */
+ * the part: the share is 1. If no random point lies in a ball, the share is 0.
+ */
 murk_estimate murk_free_share(const murk_part *part,
                               const murk_open_space *space, uint32_t seed,
                               unsigned threads);

@@ -12,9 +12,9 @@ typedef struct murk_measured {
 } murk_measured;
 
 /* Measures n sensors. *sight is the sight that measured them, to be destroyed
- * by the caller also after a failure; NULL if there is nothing to see
- * (murk_stage_has_nothing_to_see()), where all coverage is NaN. Release *out
- * also after a failure. */
+ * by the caller also after a failure; NULL after a failure to create it, and if
+ * there is nothing to see (murk_stage_has_nothing_to_see()): all coverage is
+ * then NaN. Release *out also after a failure. */
 murk_status murk_measured_make(murk_measured *out, murk_sight **sight,
                                const murk_stage *stage,
                                const murk_traced *traced,

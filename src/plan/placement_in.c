@@ -149,7 +149,8 @@ static murk_status read_csv(reading *r, murk_error *err)
 
 /* ---- JSON ---- */
 
-/* The number of a key; NAN if the key is missing or null. */
+/* The number of a key; NAN if the key is missing or its value is null or no
+ * number. */
 static double angle_of(const murk_yaml *item, const char *name)
 {
     const murk_yaml *node = murk_yaml_get(item, name);

@@ -153,8 +153,9 @@ static murk_status explore(murk_plan_result *plan, const murk_stage *stage,
     return status;
 }
 
-/* Candidates that the forecast evaluates, and the sweeps of one start: SPOQ
- * sweeps until one has no gain, and relocation. */
+/* Candidates that the forecast evaluates, and sweeps of one start (rough
+ * figures): SPOQ sweeps until a sweep brings no gain, and relocation follows.
+ */
 #define FORECAST_CANDIDATES 16
 #define FORECAST_SWEEPS     4
 
@@ -171,7 +172,7 @@ static void forecast_unknown(murk_plan_result *plan, murk_sight *sight,
     const size_t sample = n < FORECAST_CANDIDATES ? n : FORECAST_CANDIDATES;
     const uint64_t rays = murk_sight_work_of(sight).shadow_rays;
     const double begun_s = murk_clock_s();
-    /* Other methods need no warning. */
+    /* Other methods, single sensors and targets get no forecast. */
     if (desc->method != MURK_PLACE_BEST || desc->count < 2 || desc->target) {
         return;
     }

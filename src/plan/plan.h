@@ -1,6 +1,6 @@
 /* From traced light to a plan: candidate sites, coverage and the chosen
- * sensors. The room cases measures the coverage of a plan, also on photons that
- * had no part in the choice, because the coverage of the photons that chose the
+ * sensors. src/cases measures the coverage of a plan, also on photons that had
+ * no part in the choice, because the coverage of the photons that chose the
  * plan is biased upwards. */
 #ifndef MURK_PLAN_PLAN_H
 #define MURK_PLAN_PLAN_H
@@ -60,8 +60,9 @@ uint64_t murk_plan_value_of(double share, const murk_problem *problem);
 size_t murk_plan_at_least(const murk_scene_desc *scene);
 
 /* Checks the settings of the sensors that do not depend on candidates: sensors
- * and photon maps are given, a count, a target or a budget, acceptance angles,
- * the radius of `detection: power`, and the targets. */
+ * are given, photon maps (if sensors cover or need photons), a count, a target
+ * or a budget, acceptance angles, the radius of `detection: power`, and the
+ * targets. */
 murk_status murk_plan_check(const murk_stage *stage, unsigned threads,
                             murk_error *err);
 
@@ -106,8 +107,9 @@ typedef struct murk_plan_result {
     /* [regions of interest]; coverage on the second map; NULL if there
      * is none */
     murk_region_coverage *held_out_region;
-    murk_estimate confirmed; /* with a target: coverage on a third map; with
-                                at_least, the strict share; else NaN */
+    murk_estimate confirmed; /* with a target: coverage on a third map, or with
+                                at_least the strict share there; without a
+                                target NaN */
     murk_robust robust;
     double power_radius_m;         /* of detection: power; else 0 */
     size_t power_neighbours;       /* of detection: power; 0 for a fixed radius

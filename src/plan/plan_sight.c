@@ -8,7 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The records that sensors cover: traced light or targets. */
+/* The records that sensors cover (traced light, targets or given points), and
+ * the number of emitted photons or of independent points. */
 typedef struct seen_maps {
     const murk_photon_map *surface, *volume;
     uint64_t emitted;
@@ -19,8 +20,8 @@ typedef struct seen_maps {
  * the neighbours, and this limit keeps estimates local. */
 #define POWER_RADIUS 0.1
 
-/* Warn if more than this share of the photons have an estimate from very few
- * neighbours. */
+/* Warn if more than this share of the photons have an estimate from fewer than
+ * MURK_POWER_FEW neighbours. */
 #define FEW_SHARE 0.05
 
 double murk_plan_power_radius_m(const murk_stage *stage)

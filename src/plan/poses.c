@@ -17,7 +17,7 @@
 
 #define RAD_PER_DEG (MURK_PI / 180) /* radians in a degree */
 
-/* max_count of a type without a limit, as scene/ sets it. */
+/* max_count of a type without a limit, as src/scene sets it. */
 #define ANY_COUNT 1000000
 
 /* ---- types ---- */
@@ -116,8 +116,9 @@ static int by_place(const void *a, const void *b)
     return order ? order : MURK_ORDER(x->pose, y->pose);
 }
 
-/* A fixed sensor (pose `first` or later) at the position of a site gets the
- * number of that site, so that one_per_site applies to it. */
+/* A fixed sensor (pose `first` or later) at the position of a site, or of an
+ * earlier fixed sensor, gets the number of that one, so that one_per_site
+ * applies to both. */
 static murk_status join_sites(murk_poses *p, size_t first, murk_error *err)
 {
     place *order = malloc((p->count + 1) * sizeof *order);

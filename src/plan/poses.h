@@ -19,8 +19,8 @@ typedef struct murk_poses {
     bool has_constraints;
     /* Arrays that the constraints point to. site is the number of the site of
      * each pose; fixed sensors follow the usable sites, except that with
-     * one_per_site a fixed sensor at the position of a site has the number of
-     * that site. */
+     * one_per_site a fixed sensor at the position of a site, or of an earlier
+     * fixed sensor, has the number of that one. */
     uint32_t *class_of, *site;
     size_t *min, *max, *fixed_number;
     int64_t *cost;

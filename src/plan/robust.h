@@ -50,8 +50,9 @@ murk_status murk_robust_hold_out(murk_robust *robust,
                                  const murk_coverage_result *coverage,
                                  murk_error *err);
 
-/* Fills `jittered` if the scene asks for it. coverage is that of the plan on
- * this sight. Fails as murk_coverage_result_measure(). */
+/* Fills `jittered` if the scene asks for it and the plan has sensors. coverage
+ * is that of the plan on this sight. Fails as murk_coverage_result_measure().
+ */
 murk_status murk_robust_jitter(murk_robust *robust, const murk_stage *stage,
                                murk_sight *sight, const murk_pose *pose,
                                const murk_coverage_result *coverage,
@@ -78,7 +79,8 @@ murk_status murk_robust_summarise(murk_robust *robust,
 void murk_robust_release(murk_robust *robust);
 
 /* The sensor (counted from 0) whose loss lowers coverage most, with that loss,
- * and the mean loss over all sensors; on the second map if there is one. */
+ * and the mean loss over all sensors; on the second map if there is one. Both
+ * losses are NaN without sensors. */
 typedef struct murk_drop_one {
     size_t worst;
     double worst_loss, mean_loss;

@@ -1,7 +1,7 @@
 /* A* search with lazy evaluation of steps: steps enter a priority queue (binary
- * heap) by the length of the path they would give, and the line of a step is
- * tested when the step leaves the queue. Straight-line distance to the goal is
- * the admissible heuristic. */
+ * heap) by a lower bound on the length of the path that uses the step, and the
+ * line of a step is tested when the step leaves the queue. The bound adds the
+ * straight-line distance to the goal, an admissible heuristic. */
 #include "plan/explored.h"
 
 #include <math.h>

@@ -3,8 +3,8 @@
  *
  * A row is cached if it takes no more than an equal share of
  * MURK_ROW_CACHE_BYTES for each candidate; other rows are computed again each
- * time. Which rows are cached therefore depends neither on threads nor on the
- * machine. */
+ * time. Unless memory runs short, the choice of the cached rows therefore
+ * depends neither on threads nor on the machine. */
 #ifndef MURK_PLAN_ROW_CACHE_H
 #define MURK_PLAN_ROW_CACHE_H
 

@@ -18,18 +18,21 @@ murk_status murk_sites_find(murk_candidates **out, const murk_stage *stage,
 /* The candidates that are usable in all n stages; candidates with the same
  * coordinates are the same candidate. Rejected candidates are counted as in the
  * first stage, and those that only a later stage rejects are added to the count
- * of unreached candidates. If stage i leaves none, the error names where[i] as
- * the place. */
+ * of unreached candidates. If stage i >= 1 leaves none, the error names
+ * where[i] as the place; an error of the first stage is that of
+ * murk_sites_find(). */
 murk_status murk_sites_find_common(murk_candidates **out,
                                    const murk_stage *const *stage,
                                    const char *const *where, size_t n,
                                    unsigned threads, murk_error *err);
 
-/* Reads CSV files with the columns x_m, y_m, z_m (other columns are ignored) in
- * their order, then the points listed in the scene. The caller owns (*out)[*n]:
- * free(). Fails with MURK_BAD_VALUE or MURK_BAD_FILE at file, line and column,
- * or at the item of the list, if a value is not a number, if a point lies
- * outside the domain, or if there are more than `max` points. */
+/* Reads the CSV files that the scene names, in their order, with the columns
+ * x_m, y_m, z_m (other columns are ignored), then the points listed in the
+ * scene. The caller owns (*out)[*n]: free(). Fails with MURK_BAD_VALUE or
+ * MURK_BAD_FILE, at the place in the file or at the list of the scene, if a
+ * file cannot be read, lacks a column or has no points, if a value is not a
+ * number, if a point lies outside the domain, or if there are more than `max`
+ * points; or with MURK_NO_MEMORY. */
 murk_status murk_site_points_read(murk_vec3 **out, size_t *n,
                                   const murk_scene_desc *scene,
                                   const murk_domain *domain, size_t max,

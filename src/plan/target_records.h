@@ -38,7 +38,8 @@ murk_photon murk_target_of(murk_vec3 place, murk_vec3 normal, int band,
 /* The material or medium of a record that lies on or in none. */
 #define MURK_TARGET_IN_NONE UINT8_MAX
 
-/* The medium with the largest extinction at a place. */
+/* The medium with the largest extinction at a place in a band;
+ * MURK_TARGET_IN_NONE if no medium has any there. */
 uint8_t murk_target_medium(const murk_stage *stage, int band, murk_vec3 place);
 
 /* Draw points. The power of a record is the area [m2] or the volume [m3] that

@@ -32,8 +32,9 @@ murk_status murk_targets_create(murk_targets *out, const murk_stage *stage,
                                 murk_error *err);
 void murk_targets_release(murk_targets *targets);
 
-/* Fails as murk_targets_create() would, except for lack of memory; draws only a
- * few points. */
+/* Fails as murk_targets_create() would, except for lack of memory: reads the
+ * whole list, or draws until one point on surfaces and one in the volume is
+ * kept. */
 murk_status murk_targets_check(const murk_stage *stage, unsigned threads,
                                murk_error *err);
 

@@ -220,7 +220,8 @@ static murk_estimate set_powers(const drawing *d, uint64_t points,
  * old and new array exist while it moves. */
 #define GROWTH_FACTOR 2.5
 
-/* Fails if the points do not fit in memory. */
+/* Fails if the points, counted as one record each, do not fit in the free
+ * memory. */
 static murk_status check_memory(const drawing *d, murk_error *err)
 {
     const double points =
@@ -327,7 +328,8 @@ murk_status murk_targets_draw_surfaces(murk_target_records *records,
     return status;
 }
 
-/* A box that contains all regions of a medium. */
+/* A box that contains all regions of a medium; the domain counts for an
+ * unbounded region. */
 static murk_box box_of_medium(const murk_stage *stage, int medium)
 {
     murk_box box = murk_box_empty();

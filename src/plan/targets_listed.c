@@ -86,7 +86,8 @@ static murk_status check_row(const list *l, size_t row, murk_vec3 place,
     return MURK_OK;
 }
 
-/* The material of the surface that a point with a normal lies on. */
+/* The material of the surface that a point with a normal lies on;
+ * MURK_TARGET_IN_NONE if no surface is there. */
 static uint8_t material_at(const list *l, murk_vec3 place, murk_vec3 normal)
 {
     murk_hit hit;
