@@ -31,7 +31,8 @@ typedef struct strict_run {
     murk_place_run run;        /* values are strict weights S */
     murk_place_desc mean_desc; /* of the search by the mean */
     murk_incumbent mean;       /* plans by the mean */
-    uint32_t *last_mean_plan;  /* [last] the mean's plan of one sensor fewer */
+    uint32_t *last_mean_plan;  /* [last] the plan by the mean with one sensor
+                                  fewer */
     murk_curve_point mean_point;
     size_t redundancy;      /* sensors that each photon is to have */
     murk_gain_scan scan;    /* the partial plan, and the cover of it */
@@ -289,7 +290,7 @@ static murk_status find_count(void *context, size_t n, const uint32_t *from,
         return status;
     }
     memcpy(r->last_mean_plan, p->plan, p->size * sizeof *p->plan);
-    /* One sensor more than in the plan of n - 1, relocated. */
+    /* Try the plan of n - 1 with one sensor more. */
     const bool has_from = from && run->size == n - 1;
     run->size = 0;
     run->value = 0;
@@ -302,7 +303,7 @@ static murk_status find_count(void *context, size_t n, const uint32_t *from,
             try_plan(r);
         }
     }
-    /* The plan for the mean, relocated. */
+    /* Try the plan for the mean. */
     if (run->value < target && p->size == n) {
         memcpy(run->trial, p->plan, n * sizeof *p->plan);
         r->trial_size = n;

@@ -18,8 +18,8 @@
 
 /* A chosen limit of scenarios. */
 #define MURK_BLOCKS_MAX 64
-/* 52 bits, the precision of a double: shares survive conversion to double and
- * sums of 64 blocks fit 64 bits. */
+/* 2^52: shares up to 2 are exact as doubles, which have 53 bits, and sums over
+ * 64 blocks fit 64 bits. */
 #define MURK_SHARE_ONE (UINT64_C(1) << 52)
 
 typedef enum murk_block_measure {

@@ -122,7 +122,7 @@ static size_t find_top(murk_bound *b, size_t n)
 }
 
 /* Fixes candidates out by the last evaluation: a plan with candidate j is worth
- * at most the base, the n - 1 largest other gains (with constraints: a
+ * at most b->base, the n - 1 largest other gains (with constraints: a
  * relaxation of them), and the gain of j. If that does not exceed `lower`, j
  * belongs to no better plan. Does nothing if, without constraints, fewer than n
  * candidates are live. */
@@ -193,7 +193,8 @@ static inline float projected_direction(const murk_bound *b, size_t slot)
     return is_out ? 0 : subgradient;
 }
 
-/* sum w direction^2, in whole numbers: the same for any order of the slots, and
+/* The sum over the slots of weight times the square of projected_direction(),
+ * added in whole numbers: it is the same for any order of the slots, and
  * whether or not photons with equal columns are merged. */
 static double squared_norm(const murk_bound *b)
 {
@@ -216,9 +217,9 @@ static double squared_norm(const murk_bound *b)
            (double)SUBGRADIENT_UNIT;
 }
 
-/* One projected step from the multipliers of the lowest bound. The metric is
- * that of the weights, so that merging photons with equal columns changes
- * nothing. */
+/* One projected step from the multipliers of the lowest bound. The step divides
+ * by squared_norm(), in which each multiplier counts by the weight of the
+ * photon, so merging photons with equal columns changes nothing. */
 static void take_step(murk_bound *b, double excess)
 {
     const double square = squared_norm(b);
@@ -230,7 +231,7 @@ static void take_step(murk_bound *b, double excess)
     }
 }
 
-/* The largest sum of gains that n live candidates can have, plus base; with
+/* The largest sum of gains that n live candidates can have, plus b->base; with
  * constraints an upper bound on that sum. b->top[chosen] make the result. */
 static uint64_t sum_top(murk_bound *b, size_t n, size_t *chosen)
 {

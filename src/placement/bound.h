@@ -17,9 +17,9 @@
  * provably belong to no better plan than the best known one are fixed out on
  * the way.
  *
- * Under constraints the top n become the best feasible choice or a relaxation
- * of it (placement/relaxation.h). Fixed sensors belong to every plan; the
- * multipliers do not go below their entries.
+ * Under constraints the sum over the top n becomes an upper bound on that sum
+ * over any feasible choice (placement/relaxation.h). Fixed sensors belong to
+ * every plan; the multipliers do not go below their entries.
  *
  * Source: Cornuejols, Fisher, Nemhauser, Manage. Sci. 23 (1977) 789,
  * doi:10.1287/mnsc.23.8.789; Barahona and Anbil, Math. Program. 87 (2000) 385,

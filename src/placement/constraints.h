@@ -23,7 +23,8 @@ typedef struct murk_constraints {
     size_t classes;           /* 0: no classes */
     const uint32_t *class_of; /* [candidates], each below `classes` */
     const size_t *min,
-        *max;            /* [classes] counts of sensors; NULL: 0, no maximum */
+        *max;            /* [classes] smallest and largest number of sensors of
+                            the class; min NULL: 0; max NULL: no maximum */
     const int64_t *cost; /* [candidates], 0 .. MURK_COST_MAX; NULL: none */
     int64_t budget;      /* maximum cost of a plan, in the same unit; 0: none */
     const size_t *fixed; /* [fixed_count] distinct candidates */

@@ -19,13 +19,15 @@
 #define ROUNDS_AT_ROOT 60
 #define ROUNDS_BELOW   30
 
-/* A level of the search: the node with so many candidates chosen. */
+/* A level of the search: level k is the present node with k candidates chosen
+ * besides the fixed sensors. */
 typedef struct level {
     murk_cover cover; /* of the chosen candidates; bits if the matrix is 0/1 */
     murk_cover clarity_cover; /* if the matrix is 0/1: the same as clarities,
                                  for the bound */
     float *multiplier;        /* [slots] of the node's lowest bound */
-    murk_ranked *live; /* [candidates] that may be added, by falling gain */
+    murk_ranked *live; /* [candidates] that may be added, by falling gain (with
+                          a budget: gain per cost) */
     size_t live_count;
     uint64_t base;  /* first sum of the bound (placement/multipliers.h) */
     uint64_t value; /* of the chosen candidates */
@@ -66,8 +68,9 @@ static uint64_t in_grains(const exact *e, uint64_t value)
     return value - value % e->evaluator->grain;
 }
 
-/* Stores a plan that is better than the incumbent, or passes it to the
- * callback. */
+/* Stores the chosen candidates as the incumbent if they are worth more than it;
+ * with a callback, passes them to the callback if they are worth more than the
+ * cutoff. */
 static void update_incumbent(exact *e, size_t size, uint64_t value)
 {
     if (value > e->value && e->callback) {

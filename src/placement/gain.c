@@ -151,11 +151,13 @@ uint64_t murk_row_gain(const murk_layout *layout, const murk_row *row,
 }
 
 /* Let the cover have the dose Y with worth `best`, and let h = 65535 (1 -
- * exp(-Y)), which exceeds best by less than 1.01. An entry of clarity p adds at
- * most (65535 - h) (p + .08) / 65535 to h, so the worth grows by at most p
- * (65535 - best) / 65535 + 1.1. The kernels compute p (65535 - best) / 65536,
- * rounded down, which is less than 2 below p (65535 - best) / 65535. So the
- * worth grows by less than 3.1 more than the kernels compute.
+ * exp(-Y)), which exceeds best by less than 1.01. An entry of clarity p has a
+ * dose whose worth without rounding is less than p + .08 (one unit of dose is
+ * worth 1/16 at most, and linear interpolation is off by .008). So the entry
+ * adds at most (65535 - h) (p + .08) / 65535 to h, and the worth grows by at
+ * most p (65535 - best) / 65535 + 1.1. The kernels compute p (65535 - best) /
+ * 65536, rounded down, which is less than 2 below p (65535 - best) / 65535. So
+ * the worth grows by less than 3.1 more than the kernels compute.
  * MURK_GAIN_BOUND_SLACK is the next multiple of MURK_WORTH_SLACK. */
 uint64_t murk_row_gain_bound(const murk_layout *layout, const murk_row *row,
                              const murk_cover *cover)

@@ -22,7 +22,8 @@ uint64_t murk_row_gain_bound(const murk_layout *layout, const murk_row *row,
 /* The sum of the weights of the photons in the row. */
 uint64_t murk_row_weight(const murk_layout *layout, const murk_row *row);
 
-/* Adds 1 to count[slot] for each slot whose clarity in the row exceeds best. */
+/* Adds 1 to count[slot] for each slot whose clarity in the row exceeds
+ * best[slot]. */
 void murk_row_count_above(const murk_layout *layout, const murk_row *row,
                           const uint16_t *best, uint16_t *count);
 

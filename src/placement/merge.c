@@ -19,8 +19,8 @@
 
 /* The cost of evaluating a row, in words: a call of a kernel for each segment
  * costs as much as 8 words, a word of mixed weights as much as 16 words.
- * Merging must lower the cost to .7, or rewriting the rows does not pay. Rough
- * figures; they decide about time only. */
+ * Merging must lower the cost below .7 times the cost before, or rewriting the
+ * rows does not pay. Rough figures; they decide about time only. */
 #define WORDS_PER_SEGMENT 8
 #define WORDS_PER_MIXED   16
 #define COST_RATIO_MAX    0.7

@@ -70,7 +70,10 @@ void murk_multipliers_set_partial_plan(murk_multipliers *t,
     }
 }
 
-/* sum w (max(L_1, t) + ..). The lowest layer is at most t. */
+/* The first sum for redundancy: the sum over photons and layers of weight times
+ * the larger of the layer's clarity in the partial plan and the multiplier. The
+ * lowest layer is at most the multiplier, so the multiplier itself counts
+ * there. */
 static uint64_t weigh_clearest(const murk_multipliers *t)
 {
     const murk_layout *layout = t->evaluator->layout;
@@ -90,7 +93,9 @@ static uint64_t weigh_clearest(const murk_multipliers *t)
     return sum;
 }
 
-/* sum w (1 - (1 - t) (1 + y - Y0)), and the factors that rows need. */
+/* The first sum for detection probabilities, sum w (1 - (1 - t) (1 + y - Y0))
+ * (symbols: placement/multipliers.h), rounded up. Also sets factor[] and max[],
+ * which weigh_row() needs. */
 static uint64_t weigh_chances(murk_multipliers *t)
 {
     const murk_layout *layout = t->evaluator->layout;
@@ -125,7 +130,8 @@ typedef struct evaluation {
     uint64_t *gain;
 } evaluation;
 
-/* The term of one row: sum w (1 - t) min(d, 1 + y - Y0). */
+/* The term of one row in the second sum for detection probabilities: sum w (1 -
+ * t) min(d, 1 + y - Y0) (symbols: placement/multipliers.h), rounded up. */
 static void weigh_row(void *context, unsigned worker, uint64_t batch)
 {
     const evaluation *w = context;
@@ -157,8 +163,8 @@ void murk_multipliers_gains(const murk_multipliers *t,
 }
 
 /* The number of the partial plan's k entries for this slot that the multiplier
- * replaces in max(L, t): those not above t, of which the lowest is always one.
- */
+ * replaces in the first sum: those that do not exceed the multiplier. The
+ * lowest entry never exceeds it. */
 static size_t layers_below(const murk_multipliers *t, size_t slot)
 {
     const murk_layout *layout = t->evaluator->layout;

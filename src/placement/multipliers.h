@@ -36,7 +36,8 @@ typedef struct murk_multipliers {
     const murk_cover *partial; /* cover of the partial plan, clarities or doses;
                                   NULL: empty */
     uint16_t *floor;           /* [slots] smallest multipliers */
-    uint16_t *count; /* [slots] scratch: number of rows above the multiplier */
+    uint16_t *count; /* [slots] scratch: number of chosen rows whose clarity
+                        exceeds the multiplier */
     /* Detection probabilities only. */
     uint64_t *factor; /* [slots] weight * (1 - t) */
     uint32_t *max;    /* [slots] 1 + y - Y0, rounded up */

@@ -78,7 +78,7 @@ static bool is_member(const murk_partial_plan *s, uint32_t candidate)
 }
 
 /* The smallest cost of the candidates that the minimum counts still need after
- * the candidate is added. */
+ * the candidate is added. Conflicts are ignored. */
 static uint64_t min_remaining_cost(const murk_partial_plan *s,
                                    uint32_t candidate)
 {

@@ -33,7 +33,8 @@ void murk_partial_plan_drop_last(murk_partial_plan *partial);
 bool murk_partial_plan_can_add(const murk_partial_plan *partial,
                                uint32_t candidate, bool is_last);
 
-/* True if the partial plan meets the count and the minimum counts. */
+/* True if the partial plan meets the minimum counts and has the wanted number
+ * of sensors (with a budget any number). */
 bool murk_partial_plan_is_complete(const murk_partial_plan *partial);
 
 /* Completes the partial plan with any candidates, by depth-first search. False

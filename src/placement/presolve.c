@@ -88,7 +88,7 @@ murk_status murk_presolve(uint32_t *dominator, const murk_matrix *matrix,
     for (uint32_t k = 0; k < n; ++k) {
         atomic_init(&p.first[k], k);
     }
-    /* Compare all pairs; then translate ranks to candidates. */
+    /* Compare the pairs of rows; then translate ranks to candidates. */
     murk_pool_run_workers(threads, n, mark, &p);
     for (size_t k = 0; k < n; ++k) {
         dominator[order[k]] = order[atomic_load(&p.first[k])];
@@ -102,8 +102,9 @@ done:
     return status;
 }
 
-/* Sequential, because a candidate counts as a dominator of others only if it is
- * kept itself. */
+/* Marks the candidates that at least `needed` kept candidates dominate. The
+ * loop is sequential, because a candidate counts as a dominator of others only
+ * if it is kept itself. */
 static void drop_many(bool *is_dropped, size_t *dominators, murk_cover *cover,
                       const murk_matrix *matrix, const murk_constraint_set *set,
                       const uint32_t *order, size_t needed)

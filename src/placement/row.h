@@ -19,7 +19,8 @@ typedef struct murk_row {
     size_t words;         /* of bits; BITS and PACKED only */
     const uint64_t *bits; /* [words] */
     const uint32_t *at; /* [words], increasing: word k of bits is word at[k] of
-                           the layout; NULL: word k is word k */
+                           the layout; NULL: word k of bits is word k of the
+                           layout */
     const uint32_t
         *segment_start; /* [segments + 1], with `at` only: index in bits[] of
                            the first stored word of each segment of the layout;

@@ -40,7 +40,8 @@ murk_status murk_place_run_begin(murk_place_run *run,
     if (status) {
         return status;
     }
-    /* A curve starts at the smallest feasible count. */
+    /* A curve starts at the smallest count that the checks of the constraints
+     * allow. */
     const bool is_curve =
         (desc->with_curve || desc->target) && !murk_has_budget(run->set);
     run->last = n;

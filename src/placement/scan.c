@@ -153,7 +153,7 @@ static uint64_t evaluate_promising(murk_gain_scan *s, size_t n, uint64_t best)
 }
 
 /* Evaluates the undominated candidates by falling upper bound, until no bound
- * reaches the best gain. */
+ * reaches the best gain. Returns the best gain; 0 if the run is interrupted. */
 static uint64_t evaluate_undominated(murk_gain_scan *s,
                                      const murk_ranked *ranking)
 {

@@ -1,5 +1,6 @@
 /* The scan: finds all candidates with the largest gain over a partial plan.
- * Every search consists of scans.
+ * Greedy, SPOQ and relocation by the value (placement/search.h) consist of
+ * scans.
  *
  * The answer is exact and complete, though most candidates need no evaluation:
  * a gain is at most the value of the candidate alone (plus the rounding slack

@@ -26,7 +26,7 @@ size_t murk_search_begin(murk_gain_scan *s, uint32_t *plan, size_t given,
  * are met and no candidate has a gain. Each step adds the candidate with the
  * largest gain, the lowest index on ties. value_after[k] receives the value of
  * the first k + 1 sensors, for k + 1 >= given; NULL is allowed. Lowers the
- * upper bounds s->greedy_bound at each step. */
+ * upper bounds s->greedy_bound, if they are recorded, at each step. */
 uint64_t murk_search_greedy(murk_gain_scan *s, uint32_t *plan, size_t given,
                             size_t n, uint64_t enough, uint64_t *value_after);
 

@@ -8,7 +8,7 @@
 typedef struct murk_starts {
     murk_gain_scan *search; /* [workers] */
     unsigned workers;
-    size_t wave_max; /* starts made between two tests of the stop rule */
+    size_t wave_max; /* starts made before the first of them is accepted */
     size_t count;    /* maximum number of sensors of a plan */
     uint32_t *plan;  /* [wave_max][count] */
     struct murk_start *start; /* [wave_max] */

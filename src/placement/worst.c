@@ -243,8 +243,9 @@ static void make_first_plans(worst *w, size_t n, const uint32_t *from)
     }
 }
 
-/* With a target: decides whether n sensors may reach it, by a bound that is
- * lowered no further than that takes. */
+/* With a target that no plan reaches yet: decides whether n sensors may reach
+ * the target, by a bound that is lowered no further than just below the target.
+ * Otherwise *may_reach is true. */
 static murk_status test_target(worst *w, size_t n, bool *may_reach,
                                murk_error *err)
 {

@@ -1,15 +1,16 @@
 /* Upper bounds on the smallest worth of the blocks for any plan.
  *
- * For any lambda on the simplex the smallest share of the blocks is at most
- * sum_c lambda_c share_c. This sum is the value of the plan under weights that
- * are scaled block by block, so the Lagrangian bound (placement/bound.h) on
- * that value bounds the smallest share, too. Lambda moves by steps of mirror
- * descent, towards blocks of which the bound sees less. Scaled weights are
- * rounded up, and the value that stands for a smallest share of 1 (full_value)
- * is rounded down, so the bound is valid in spite of rounding. With regret
- * (worth = value / unit + offset, placement/blocks.h) the same holds for
- * worths, plus sum_c lambda_c offset_c, rounded up. A reference is a constant,
- * so the bound is valid even if a plan better than the reference exists.
+ * For any lambda on the simplex (lambda_c >= 0, with sum 1) the smallest share
+ * of the blocks is at most sum_c lambda_c share_c. This sum is the value of the
+ * plan under weights that are scaled block by block, so the Lagrangian bound
+ * (placement/bound.h) on that value bounds the smallest share, too. Lambda
+ * moves by steps of mirror descent, towards blocks of which the bound sees
+ * less. Scaled weights are rounded up, and the value that stands for a smallest
+ * share of 1 (full_value) is rounded down, so the bound is valid in spite of
+ * rounding. With regret (worth = value / unit + offset, placement/blocks.h) the
+ * same holds for worths, plus sum_c lambda_c offset_c, rounded up. A reference
+ * is a constant, so the bound is valid even if a plan better than the reference
+ * exists.
  *
  * Source: Krause et al., J. Mach. Learn. Res. 9 (2008) 2761 (the problem); Beck
  * and Teboulle, Oper. Res. Lett. 31 (2003) 167,
