@@ -26,9 +26,11 @@ namespace
 using Matrix =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-// The number of invalid steps in succession after which Ceres gives up. Each is
-// shorter than the one before: the radius of the trust region has then shrunk
-// by the factor 2^(1 + 2 + .. + 16).
+// The number of invalid steps in succession at which Ceres gives up. Ceres
+// calls a step invalid if the linear solver fails or if the step would not
+// lower the linearised cost. After invalid step number k the radius of the
+// trust region is divided by 2^k or more, so that 16 attempts cover every
+// useful length.
 const int INVALID_STEPS_MAX = 16;
 
 // A step ends the search if the norm of the step is at most
@@ -149,8 +151,9 @@ class Watch final : public ceres::IterationCallback
     const murk_least_squares &problem_;
 };
 
-// Silences Ceres and glog, which would write to stderr. Once in a process: the
-// level is a global variable that must not change while other threads solve.
+// Turns off all messages of Ceres and glog except fatal ones; they would go to
+// stderr. Once in a process: the level is a global variable that must not
+// change while other threads solve.
 void silence()
 {
     static const bool is_silent = [] {
@@ -221,7 +224,8 @@ void minimise(murk_ceres_found *found, double *x, const bool *is_held,
     const std::unique_ptr<ceres::LossFunction> loss = make_loss(p);
     std::deque<Row> rows; /* a deque, because Ceres keeps the addresses */
 
-    // One block for each row; this function owns everything.
+    // One residual block for each row; this function owns the rows, the loss
+    // and the callback, not the problem of Ceres.
     ceres::Problem::Options ownership;
     ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
     ownership.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;

@@ -29,25 +29,26 @@ typedef struct murk_ceres_found {
 
 /* Runs Ceres once from x[n] for a problem that least_squares.c has checked,
  * without bounds. Parameters with is_held keep their values; at least one is
- * free. The callback `watch` receives the best x so far, which is in x[n] at
- * the end; after a failed step it receives the cost of that step. Residuals and
- * Jacobian must be finite if the callback `residuals` returns true. Fails with
- * MURK_NO_MEMORY or MURK_RUN_FAILED (an exception of Ceres). */
+ * free. The callback `watch` receives the best x so far, and the cost of the
+ * last step, also if that step failed. At the end x[n] is the best x; it is
+ * unchanged if Ceres reports a failure. Residuals and Jacobian must be finite
+ * if the callback `residuals` returns true. Fails with MURK_NO_MEMORY or
+ * MURK_RUN_FAILED (an exception of Ceres). */
 murk_status murk_ceres_minimise(murk_ceres_found *found, double *x,
                                 const bool *is_held,
                                 const murk_least_squares *problem,
                                 murk_error *err);
 
-/* Cholesky factor L of a = L L^T, in the lower triangle of a[n * n] (row by
- * row); the upper triangle is neither read nor written. *is_positive is false
- * if a is not positive definite. */
+/* Replaces the lower triangle of a[n * n] (row by row) by the Cholesky factor L
+ * of a = L L^T; the upper triangle is neither read nor written. *is_positive is
+ * false if a is not positive definite; the lower triangle is then of no use. */
 murk_status murk_eigen_cholesky(double *a, size_t n, bool *is_positive,
                                 murk_error *err);
 
 /* Singular values and right singular vectors of a[rows][n] = U diag(singular)
  * V^T: singular[n], largest first, 0 beyond `rows`. The rows of direction[n][n]
- * are the columns of V, each with a sign that makes the largest component
- * positive. */
+ * are the columns of V, each with the sign that makes its component of largest
+ * absolute value positive. */
 murk_status murk_eigen_singular(double *singular, double *direction,
                                 const double *a, size_t rows, size_t n,
                                 murk_error *err);

@@ -10,19 +10,21 @@
 #include <math.h>
 
 /* If the data do not depend on a direction, rounding may give a parameter that
- * is not part of the direction a component of this size. Components up to this
- * size are ignored. A true component is then overlooked only if it moves the
- * parameter by less than this share of its scale. */
+ * is not part of the direction a component of this size. In such a direction
+ * components up to this size are ignored. A true component is overlooked only
+ * if one scale along the direction moves the parameter by less than this share
+ * of its scale. */
 #define SHARE_MIN 1.5e-8 /* sqrt(DBL_EPSILON), rounded up */
 
-/* The largest error of a direction, in scales: no parameter moves further,
- * because logarithms end at factors of 1e9 (some 21 scales). An undetermined
- * direction enters the variance of a parameter with a small component by this
- * error, not by an infinite one. */
+/* The largest error of a direction that enters a variance, in scales: no
+ * parameter of murk moves further, because a fit moves a logarithm by factors
+ * up to 1e9 (MURK_FREE_REACH in calibrate/search_state.c; some 21 scales). An
+ * undetermined direction enters the variance of a parameter with a small
+ * component by this error, not by an infinite one. */
 #define SCALES_MAX 1e3
 
-/* The columns of the Jacobian of the free parameters, in units of the
- * scales. */
+/* The columns of the Jacobian of the free parameters, in units of the scales,
+ * and their singular values and directions (fit/ceres_bridge.h). */
 typedef struct scaled {
     size_t n, rows;
     size_t *parameter; /* [n] */
@@ -40,7 +42,7 @@ static murk_status check(const double *jacobian, size_t rows, size_t n,
         return murk_fail(err, MURK_BAD_VALUE, "fit",
                          "undetermined is %g, must be above 0", undetermined);
     }
-    /* Scales first, then the slopes of each parameter. */
+    /* For each parameter: the scale, then the slopes of all rows. */
     for (size_t j = 0; j < n; ++j) {
         if (!(scale[j] > 0 && isfinite(scale[j]))) {
             return murk_fail(err, MURK_BAD_VALUE, "fit",
@@ -92,7 +94,7 @@ static murk_status scaled_create(scaled *s, const double *jacobian, size_t rows,
                 : MURK_OK;
 }
 
-/* Singular values below this are rounding errors. */
+/* Singular values up to this one count as rounding errors. */
 static double rounding(const scaled *s)
 {
     const size_t size = s->rows > s->n ? s->rows : s->n;
@@ -116,7 +118,8 @@ static void read_directions(murk_certainty *out, const scaled *s,
 }
 
 /* The covariance of scaled parameters, with the error of each direction cut at
- * SCALES_MAX. */
+ * SCALES_MAX. A direction on which the data do not depend counts only if a
+ * component exceeds SHARE_MIN. */
 static double covariance_of(const murk_certainty *c, size_t i, size_t j)
 {
     double sum = 0;
@@ -142,7 +145,8 @@ static void read_errors(murk_certainty *out, const bool *is_fixed,
         out->standard_error[j] =
             is_free && error <= undetermined ? error * scale[j] : NAN;
     }
-    /* Covariance and correlation of the parameters that have an error. */
+    /* Covariance and correlation of the parameters that have an error; NaN for
+     * the others. */
     for (size_t i = 0; i < n; ++i) {
         for (size_t j = 0; j <= i; ++j) {
             const double a = out->standard_error[i], b = out->standard_error[j];

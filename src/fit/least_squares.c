@@ -8,11 +8,13 @@
  * residuals at the nearest point within the bounds, which do not depend on a
  * parameter that is beyond a bound, so that this parameter drops out of all
  * steps. When a run of Ceres converges, a new pass begins at the point reached:
- * parameters whose gradient presses them against a bound are held, all others
- * are free again, until a pass changes neither the set of held parameters nor
- * the cost (Bertsekas, SIAM J. Control Optim. 20 (1982) 221,
- * doi:10.1137/0320018). Each pass begins with a new trust region, so that steps
- * that had become short are not mistaken for convergence. */
+ * parameters with equal bounds and parameters whose gradient presses them
+ * against a bound are held, and all others are free again. The passes end when
+ * one changes neither the set of held parameters nor, beyond the tolerance, the
+ * cost, when no parameter is free, or at a limit of iterations or passes
+ * (Bertsekas, SIAM J. Control Optim. 20 (1982) 221, doi:10.1137/0320018). Each
+ * pass begins with a new trust region, so that steps that had become short are
+ * not mistaken for convergence. */
 #include "fit/least_squares.h"
 
 #include "base/arena.h"
@@ -42,11 +44,13 @@ typedef struct search {
     const murk_least_squares *problem;
     bool *is_held;     /* [n] parameters that are held in this pass */
     double *within;    /* [n] point of Ceres, moved within the bounds */
-    place best, other; /* two points are stored, so that each needs one call */
+    place best, other; /* two points are stored, so that results that are known
+                        * are not requested again */
     double *start;     /* [n] start of a pass */
     double *gradient;  /* [n] gradient at the best point */
     double cost;       /* cost of the best point */
-    bool is_refused;   /* the last step had no residuals */
+    bool is_refused;   /* the last call of the callback in this pass gave no
+                        * finite residuals */
     int evaluations;
     int iterations, iterations_before; /* in total; before this pass */
     murk_arena arena;                  /* of all arrays */
@@ -97,14 +101,15 @@ static bool knows(const place *at, const double *x, size_t n,
            memcmp(x, at->x, n * sizeof *x) == 0;
 }
 
-/* Returns the residuals at x, and with_jacobian the Jacobian: stored ones, or
- * new ones from the callback of the caller. NULL if there are none. */
+/* Returns the residuals at x, and the Jacobian if with_jacobian: stored ones,
+ * or new ones from the callback of the caller. Returns NULL if the callback
+ * returns false or its numbers are not finite. */
 static const place *evaluate(search *s, const double *x, bool with_jacobian)
 {
     const murk_least_squares *p = s->problem;
     if (knows(&s->best, x, p->n, with_jacobian)) {
-        return &s->best; /* also if a step has become too short to leave the
-                          * best point */
+        return &s->best; /* this is also the case of a step that is too short to
+                          * change x */
     }
     place *at = &s->other;
     if (knows(at, x, p->n, with_jacobian)) {
@@ -163,8 +168,9 @@ static bool report(const search *s, bool is_successful)
     return !p->watch || p->watch(p->context, &step);
 }
 
-/* Reports a step. After a successful step, the new point becomes the best one
- * first: Ceres has requested its residuals and Jacobian by then. */
+/* Reports an iteration of Ceres. Before the report, the point of a successful
+ * step becomes the best point: Ceres has requested its residuals and Jacobian
+ * by then, so they are stored in `other`. */
 static bool answer_watch(void *context, const murk_least_squares_step *step)
 {
     search *s = context;
@@ -179,9 +185,10 @@ static bool answer_watch(void *context, const murk_least_squares_step *step)
     return report(s, step->is_successful);
 }
 
-/* Selects the parameters that are held in the next pass: fixed ones, and those
- * that the gradient presses against a bound. Returns the number of free
- * parameters; *has_changed: the set differs from the previous one. */
+/* Selects the parameters that are held in the next pass: those with equal
+ * bounds, and those that the gradient presses against a bound. Returns the
+ * number of free parameters; *has_changed: the set differs from the previous
+ * one. */
 static size_t hold(search *s, bool *has_changed)
 {
     const murk_least_squares *p = s->problem;
@@ -199,7 +206,8 @@ static size_t hold(search *s, bool *has_changed)
     return left;
 }
 
-/* Sets the reason in one line: our own words and the message of Ceres. */
+/* Sets the kind of end, and the reason in one line: our own words and, unless
+ * it is empty, the start of the message of Ceres. */
 static void say(murk_least_squares_found *found, murk_least_squares_end end,
                 const char *ours, const char *ceres)
 {
@@ -222,8 +230,8 @@ static bool goes_on(murk_least_squares_found *found, const search *s,
         say(found, MURK_LEAST_SQUARES_ITERATIONS, "out of iterations", ceres);
         return false;
     }
-    if (s->is_refused) { /* points without residuals may be why steps became
-                          * short */
+    if (s->is_refused) { /* the steps may have become short because points had
+                          * no finite residuals */
         say(found, MURK_LEAST_SQUARES_FAILED,
             "where the search goes there are no finite residuals", ceres);
         return false;
@@ -255,7 +263,7 @@ static murk_status search_on(murk_least_squares_found *found, search *s,
     double *x = s->start;
     double before = INFINITY;
     for (int pass = 0; pass < PASSES_MAX; ++pass) {
-        /* Stop if nothing is left to improve. */
+        /* Stop if nothing is left to improve or no iteration is left. */
         bool has_changed;
         const size_t left = hold(s, &has_changed);
         if (left == 0) {
@@ -336,8 +344,7 @@ static murk_status check(const double *x, const murk_least_squares *p,
     return MURK_OK;
 }
 
-/* Allocates two points, the gradient and the start of a pass; false without
- * memory. */
+/* Allocates all arrays of a search; false if there is not enough memory. */
 static bool allocate(search *s)
 {
     const size_t n = s->problem->n, rows = s->problem->rows;

@@ -26,7 +26,8 @@
  * may be rounding errors and could be reversed. */
 #define EXCHANGE_MIN 1e-9
 
-/* The largest number of multiplications for exchanges, some five seconds. Later
+/* After this number of multiplications no further exchange is tried (some five
+ * seconds). Scalar products with the rows of all candidates count. Later
  * exchanges gain little: greedy selection alone has at least 1 - 1/e of the
  * largest possible gain of log det A (Nemhauser, Wolsey and Fisher, Math.
  * Program. 14 (1978) 265, doi:10.1007/BF01588971). */
@@ -39,10 +40,11 @@
 typedef struct choice {
     size_t n, candidates, k;
     const double *row;         /* [candidates][n] */
-    const double *information; /* [n * n] without selected candidates */
-    double *lower;             /* [n * n] Cholesky factor of the current
-                                * information */
-    double *variance;          /* [candidates] with the current information */
+    const double *information; /* [n * n] of the existing readings alone */
+    double *lower;             /* [n * n] Cholesky factor of the information A
+                                * when factorise() was called last */
+    double *variance;          /* [candidates] v with all candidates that are
+                                * selected so far */
     double *update;            /* [k][n] vectors u (formula above) of the
                                 * candidates selected since `lower` was
                                 * computed; a workspace during exchanges */
@@ -75,7 +77,7 @@ static const double *row_of(const choice *c, size_t candidate)
 }
 
 /* Computes the Cholesky factor of the information with the first `picks`
- * selected candidates. */
+ * selected candidates and KNOWN_BEFORE on the diagonal. */
 static murk_status factorise(choice *c, size_t picks, murk_error *err)
 {
     const size_t n = c->n;
@@ -119,7 +121,7 @@ static void solve(const choice *c, double *x, const double *r)
     }
 }
 
-/* Computes |L^-1 r|^2 of up to TOGETHER candidates. */
+/* Computes the variances |L^-1 r|^2 of `count` candidates, at most TOGETHER. */
 static void read_variances_at(choice *c, size_t first, size_t count)
 {
     double sum[TOGETHER] = {0};
@@ -200,8 +202,9 @@ static void choose_greedily(choice *c)
 }
 
 /* Finds the best candidate to replace selected candidate p, and the factor by
- * which det A grows; returns `candidates` if none is better. `lower` contains
- * all selected candidates. x becomes A^-1 r of candidate p. */
+ * which det A grows; returns `candidates` if no factor exceeds 1 +
+ * EXCHANGE_MIN. `lower` contains all selected candidates. x becomes A^-1 r of
+ * candidate p. */
 static size_t better_than(const choice *c, size_t p, double *x, double *factor)
 {
     const double *r = row_of(c, c->pick[p]);
@@ -223,9 +226,10 @@ static size_t better_than(const choice *c, size_t p, double *x, double *factor)
     return best;
 }
 
-/* Replaces selected candidate p by `in`. The new one is added before the old
- * one is removed, so that the information never becomes singular in between.
- * The divisor of the removal follows from the factor without cancellation. */
+/* Replaces selected candidate p by `in`; x is A^-1 r of candidate p and is
+ * overwritten. The new candidate is added before the old one is removed, so
+ * that the information never becomes singular in between. The divisor of the
+ * removal follows from the factor without cancellation. */
 static murk_status exchange(choice *c, size_t p, size_t in, double factor,
                             double *x, murk_error *err)
 {
@@ -265,7 +269,7 @@ static murk_status choose_better(choice *c, murk_error *err)
     const double a_pass = (double)c->candidates * (double)c->n;
     double work = 0;
     /* Try to replace one selected candidate after the other, until none was
-     * replaced in a whole round. */
+     * replaced in a whole round or the limit on work is reached. */
     for (size_t since = 0, p = 0; since < c->k && work < EXCHANGE_WORK_MAX;
          p = (p + 1) % c->k) {
         double factor;
@@ -284,7 +288,8 @@ static murk_status choose_better(choice *c, murk_error *err)
     return MURK_OK;
 }
 
-/* Sorts the selected candidates by gain, largest first. */
+/* Orders the selected candidates: each has the largest gain of those that are
+ * left when it is added to those before it. */
 static murk_status order(choice *c, murk_optimal_pick *pick, murk_error *err)
 {
     murk_status status = factorise(c, 0, err);

@@ -1,7 +1,8 @@
 /* The description of a least-squares problem: callback, bounds and loss.
  *
- * The sum to minimise is 1/2 sum rho(r_i(x)^2) over lower <= x <= upper
- * (fit/least_squares.h). */
+ * The sum to minimise is 1/2 sum rho(r_i(x)^2) over lower <= x <= upper, where
+ * r_i is residual i of the callback `residuals` and rho the loss.
+ * murk_least_squares_solve() (fit/least_squares.h) minimises it. */
 #ifndef MURK_FIT_PROBLEM_H
 #define MURK_FIT_PROBLEM_H
 
@@ -17,7 +18,8 @@ typedef enum murk_loss_function {
 
 /* Computes residual[rows] and, unless NULL, jacobian[rows][n] (row by row) at
  * x[n]. Returns false if that is impossible: the search then tries a shorter
- * step. Values or sums of squares that are not finite have the same effect. */
+ * step, or ends if x is its start. Values that are not finite, or whose sum of
+ * squares is not finite, have the same effect. */
 typedef bool (*murk_residuals)(void *context, const double *x, double *residual,
                                double *jacobian);
 
@@ -29,7 +31,8 @@ typedef struct murk_least_squares_step {
     const double *x; /* [n] best so far */
 } murk_least_squares_step;
 
-/* Called for the start and after each iteration; false ends the search. */
+/* Called for the start (if its residuals are finite) and after each iteration;
+ * false ends the search. */
 typedef bool (*murk_least_squares_watch)(void *context,
                                          const murk_least_squares_step *step);
 
@@ -43,7 +46,7 @@ typedef struct murk_least_squares {
     murk_least_squares_watch watch; /* may be NULL */
     void *context;
     murk_loss_function loss;
-    double loss_width;  /* > 0, unless there is no loss; Huber: residuals beyond
+    double loss_width;  /* > 0, not used without a loss; Huber: residuals beyond
                          * this width have less weight; Cauchy: the weight of
                          * every residual falls with its size, to a half at this
                          * width */

@@ -14,7 +14,8 @@ struct murk_whitening {
     double lower[]; /* [rows * rows], L in the lower triangle */
 };
 
-/* Checks row by row, so that the message can name the row. */
+/* Checks row by row, so that the message can name the row or the pair of
+ * rows. */
 static murk_status check(const double *covariance, size_t rows, murk_error *err)
 {
     for (size_t i = 0; i < rows; ++i) {
@@ -99,8 +100,9 @@ void murk_whitening_apply(const murk_whitening *whitening, double *a,
 }
 
 /* With b_i the sum of batch b for row i, the sum over the batches of b_i -
- * mean_i is 0, so any constant may replace the mean of b_j. The value of the
- * first batch avoids a loss of digits and needs no memory. */
+ * mean_i is 0. In sum (b_i - mean_i)(b_j - mean_j) any constant may therefore
+ * replace mean_j. The value of the first batch avoids a loss of digits and
+ * needs no memory. */
 void murk_covariance_of_batches(double *covariance, const double *batch,
                                 size_t batches, size_t rows)
 {
