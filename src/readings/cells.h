@@ -74,21 +74,26 @@ const char *murk_reading_cell(const murk_reading_line *at,
 bool murk_reading_is_empty(const murk_reading_line *at,
                            murk_reading_column column);
 
-/* Reads a number from a cell, which must not be empty. */
+/* Reads a finite number from a cell; fails with MURK_BAD_VALUE for an empty
+ * cell or other text. */
 murk_status murk_reading_number(const murk_reading_line *at,
                                 murk_reading_column column, double *out);
 
-/* Reads a vector from three adjacent columns. */
+/* Reads a vector from column `first` and the two columns that follow it in
+ * murk_reading_column. */
 murk_status murk_reading_vector(const murk_reading_line *at,
                                 murk_reading_column first, murk_vec3 *out);
 
-/* Reads a word; *out is the index in known[n]. */
+/* Reads a word; *out is the index of the word in known[n]. Fails with
+ * MURK_BAD_VALUE if known[] does not contain it. */
 murk_status murk_reading_word(const murk_reading_line *at,
                               murk_reading_column column,
                               const char *const *known, size_t n, size_t *out);
 
-/* Reads a name of at most MURK_READING_NAME_SIZE - 1 bytes, which may be empty.
- */
+/* Reads a name of at most MURK_READING_NAME_SIZE - 1 bytes without control
+ * characters, which may be empty; otherwise fails with MURK_BAD_VALUE. *out
+ * points into the table.
+ * */
 murk_status murk_reading_name(const murk_reading_line *at,
                               murk_reading_column column, const char **out);
 

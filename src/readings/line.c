@@ -13,7 +13,8 @@
 #define SENSOR_TYPES_MAX 64 /* sensor types that a scene may have */
 #define RAD_PER_DEG      (MURK_PI / 180) /* radians in a degree */
 
-/* Largest value and error: squares and inverse squares remain representable. */
+/* Largest value and largest error, in any unit; the inverse is the smallest
+ * error. Squares and inverse squares remain representable. */
 #define LARGEST 1e30
 
 static const char *const USES[] = {"fit", "hold_out"};
@@ -31,7 +32,8 @@ static murk_status outside(const murk_reading_line *at,
         murk_position_show(box->max).text);
 }
 
-/* Reads a position, which must lie in the domain. */
+/* Reads a position, which must lie in the domain; *out is local to the origin
+ * of the scene. */
 static murk_status inside(const murk_reading_line *at,
                           murk_reading_column column, murk_vec3 *out)
 {
@@ -93,7 +95,8 @@ static murk_status read_angle(const murk_reading_line *at,
     return status;
 }
 
-/* Reads type, heading and tilt of a sensor. */
+/* Reads the type of a sensor, and heading and tilt unless the type sees in all
+ * directions. */
 static murk_status read_sensor(murk_reading *out, const murk_reading_line *at)
 {
     const murk_scene_sensors *sensors = &at->source->scene->sensors;
@@ -119,7 +122,7 @@ static murk_status read_sensor(murk_reading *out, const murk_reading_line *at)
     if (sensors->type[k].view == MURK_VIEW_SPHERE) {
         return MURK_OK;
     }
-    /* A type with a view needs heading and tilt. */
+    /* A type that does not see in all directions needs heading and tilt. */
     const murk_status status =
         read_angle(at, MURK_COLUMN_HEADING, 360, &out->pose.heading_rad);
     return status ? status
@@ -273,8 +276,8 @@ static murk_status read_error(murk_reading *out, const murk_reading_line *at)
     return status;
 }
 
-/* Reads the unit; units of relative light need a factor, and units per length
- * permit none. */
+/* Reads the unit; light in percent or relative units needs a factor, and units
+ * with a law (murk_reading_unit_law()) permit none. */
 static murk_status read_unit(murk_reading *out, const murk_reading_line *at)
 {
     /* Find the unit. */
@@ -303,8 +306,8 @@ static murk_status read_unit(murk_reading *out, const murk_reading_line *at)
     return MURK_OK;
 }
 
-/* Fails for a unit in which the bands count nothing, such as lux of infrared
- * light. */
+/* Fails for a unit in which the band of the reading, or every band if it has
+ * none, counts nothing, such as lux of infrared light. */
 static murk_status check_counts(const murk_reading *out,
                                 const murk_reading_line *at)
 {

@@ -1,6 +1,7 @@
 /* Reads a CSV file of readings, checks them against each other, and groups them
- * into rows: sensors of one group and condition form one reading of coverage.
- */
+ * into rows: the sensors of one group and condition form one reading of
+ * coverage, and each other reading is a row of its own.
+ * */
 #include "readings/readings.h"
 
 #include "base/file.h"
@@ -18,7 +19,7 @@
 typedef struct named {
     murk_reading reading;
     const char *group, *gain;
-    size_t leader; /* first reading of the row */
+    size_t leader; /* index in listing.item of the first reading of the row */
 } named;
 
 typedef struct listing {
@@ -105,7 +106,7 @@ static murk_status check_same(const listing *all, const named *first,
     return MURK_OK;
 }
 
-/* Finds the first reading of the row of each reading. */
+/* Finds the first reading of the row of each reading, and checks the groups. */
 static murk_status find_rows(listing *all)
 {
     named **sorted = calloc(all->n + 1, sizeof *sorted);
@@ -122,7 +123,8 @@ static murk_status find_rows(listing *all)
     if (n > 0) {
         qsort(sorted, n, sizeof *sorted, compare_groups);
     }
-    /* Compare neighbours; `first` begins the group name, `leader` the row. */
+    /* Compare each reading with the first one of its group (`first`) and with
+     * the first one of its group and condition (`leader`). */
     for (size_t i = 1, first = 0, leader = 0; i < n && !status; ++i) {
         const bool is_named = strcmp(sorted[i]->group, sorted[i - 1]->group);
         first = is_named ? i : first;

@@ -15,8 +15,9 @@
 /* 10 / ln 10: -10 log10 T = DECIBEL * -ln T */
 #define DECIBEL (10 / 2.302585092994046)
 
-/* Transmittance is limited to this range: beyond it the logarithm and the slope
- * are not representable, and no measured value lies there. */
+/* Transmittance is limited to this range, and no measured value lies beyond it.
+ * The inverse of T_MIN, which the slope contains, is representable. T_MAX is
+ * the largest number below 1, at which the visibility would be infinite. */
 #define T_MIN 1e-300
 #define T_MAX (1 - 0x1p-53)
 
@@ -26,8 +27,9 @@
 #define LIGHT    (BIT(MURK_READ_FLUENCE) | BIT(MURK_READ_IRRADIANCE))
 #define BEAM     BIT(MURK_READ_TRANSMITTANCE)
 
-/* Ranges of values: any number; percent per metre, 0..100 and half as much
- * again on both sides, because noise may carry readings there; lengths. */
+/* Ranges of values, as min, max and text: any number; percent per metre from 0
+ * to 100, wider by 50 on both sides, because noise may carry readings there;
+ * lengths above 0. */
 #define ANY             -INFINITY, INFINITY, ""
 #define PERCENT_PER_M   -50, 150, "0..100, and noise up to half beyond"
 #define POSITIVE_LENGTH 0, INFINITY, "more than 0 m"
@@ -35,8 +37,9 @@
 typedef struct unit_row {
     const char *name;
     unsigned kinds;
-    double min, max; /* outside of this range, a reading must be of another unit
-                      */
+    double min, max; /* outside of this range, a reading must be of another
+                      * unit; min = 0 is outside, too
+                      * */
     const char *range;
     const char *law;
 } unit_row;
@@ -126,7 +129,8 @@ static void list_of(char *out, size_t size, murk_reading_kind kind)
     }
 }
 
-/* Fails because a word is not a unit of the kind, with a suggestion. */
+/* Fails because a word is not a unit of the kind; the message has a suggestion,
+ * or all units of the kind. */
 static murk_status wrong_unit(const char *word, murk_reading_kind kind,
                               const char *where, murk_error *err)
 {
@@ -217,7 +221,7 @@ double murk_reading_in_unit(murk_reading_unit unit, double model,
         *slope = 1;
         return model;
     }
-    /* Units derived from the extinction along the segment. */
+    /* Units derived from the mean extinction along the segment. */
     const double t = model < T_MIN ? T_MIN : model > T_MAX ? T_MAX : model;
     const double per_m = -log(t) / length_m;
     const double d_per_m = -1 / (t * length_m);

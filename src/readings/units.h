@@ -22,8 +22,8 @@ typedef enum murk_reading_kind {
 extern const char *const murk_reading_kinds[MURK_READING_KINDS];
 
 /* The unit of a reading, as a function of the quantity of the model: watts per
- * square metre and band for light, the transmittance of the segment for
- * transmittance, the fraction for coverage. */
+ * square metre and band for light, the transmittance T of the segment of length
+ * L in metres for transmittance, the fraction for coverage. */
 typedef enum murk_reading_unit {
     MURK_UNIT_FRACTION, /* coverage, transmittance */
     MURK_UNIT_PERCENT,  /* coverage, transmittance; light, with a free factor */
@@ -44,19 +44,21 @@ typedef enum murk_reading_unit {
 const char *murk_reading_unit_name(murk_reading_unit unit);
 
 /* The law that relates the unit to a transmittance T over L metres; NULL for
- * units that are used as they are. Only a reading without a law may have a free
- * factor: a value per length is not proportional to anything that an instrument
+ * units that are proportional to the quantity of the model. Only a reading
+ * without a law may have a free factor: a value that follows from a root or a
+ * logarithm of T is not proportional to anything that an instrument
  * measured. */
 const char *murk_reading_unit_law(murk_reading_unit unit);
 
-/* True if readings of this unit state no absolute value and need a free
- * factor. */
+/* True if readings of this kind state no absolute value in this unit and need a
+ * free factor: light in percent or in relative units. */
 bool murk_reading_unit_needs_gain(murk_reading_unit unit,
                                   murk_reading_kind kind);
 
 /* Finds the unit of a word in the file for a kind of reading; an empty word
  * means fraction, if the kind has that unit. Fails with MURK_BAD_VALUE at
- * `where`. */
+ * `where` if the word is unknown or ambiguous or names a unit of other
+ * kinds. */
 murk_status murk_reading_unit_find(murk_reading_unit *out, const char *word,
                                    murk_reading_kind kind, const char *where,
                                    murk_error *err);
@@ -66,19 +68,22 @@ murk_status murk_reading_unit_find(murk_reading_unit *out, const char *word,
 murk_status murk_reading_unit_check(murk_reading_unit unit, double value,
                                     const char *where, murk_error *err);
 
-/* Converts the quantity of the model to the unit of a row, with the derivative;
- * factors of readings are not applied. model: coverage or transmittance; for
- * light, the value already summed over bands in W/m2, lux, photons or PAR as
- * the unit requires. length_m: length of the segment; 1 for other kinds. Finite
- * for transmittance 0 and 1, too. */
+/* Converts the quantity of the model to the unit of a row; *slope is the
+ * derivative with respect to that quantity; factors of readings are not
+ * applied. model: coverage or transmittance; for light, the value already
+ * summed over bands in lux, photons or PAR if these are the unit, else in W/m2.
+ * length_m: length of the segment; 1 for other kinds. Result and *slope are
+ * finite for transmittance 0 and 1, too. */
 double murk_reading_in_unit(murk_reading_unit unit, double model,
                             double length_m, double *slope);
 
-/* The quantity of a unit of light; radiometric for others. */
+/* The quantity (base/photometry.h) that the unit measures: lux, photons or PAR;
+ * radiometric for all other units. */
 murk_quantity murk_reading_quantity(murk_reading_unit unit);
 
 /* Factors from W/m2 in a band to a unit of light, for the bands of the scene,
- * with light even in wavelength within each band; 1 for other units. */
+ * with constant power per nm within each band; bands without edges have the
+ * single wavelength of the band. 1 for other units. */
 murk_spectrum murk_reading_per_watt(murk_reading_unit unit,
                                     const murk_scene_desc *scene);
 
