@@ -27,9 +27,11 @@ typedef struct murk_emission {
 
     /* Optional sinks that receive events and segments instead of the record
      * buffers; they must pass the events on to the record buffers, which count
-     * them. gather is then called after each wave, with gather_context and the
-     * last photon of the wave, and drops the records of later photons. If sink
-     * and gather are NULL, the record buffers alone are used. */
+     * them. gather is called after each wave in place of
+     * murk_record_buffers_gather(), with gather_context and the number of the
+     * last photon that is kept; it must call that function itself and drop what
+     * it stores of later photons. If sink and gather are NULL, the record
+     * buffers alone are used. */
     murk_event_sink sink;
     murk_segment_sink segment_sink;
     void *context; /* passed to both sinks */
@@ -44,8 +46,9 @@ typedef struct murk_emission {
 murk_status murk_emission_check(const murk_emission *emission, murk_error *err);
 
 /* Traces all photons; none if no light source emits. Fails with MURK_RUN_FAILED
- * if `store` records would need too many photons, with MURK_INTERRUPTED, or as
- * gather or murk_record_buffers_gather() does. */
+ * if fewer than `store` records are stored after as many photons as are tried
+ * (STORE_EMISSIONS in emission.c), with MURK_INTERRUPTED, or as gather or
+ * murk_record_buffers_gather() does. */
 murk_status murk_emission_run(murk_emission *emission, murk_error *err);
 
 /* Fails with MURK_RUN_FAILED if more than MURK_LOST_SHARE_MAX of the photons

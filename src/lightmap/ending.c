@@ -66,7 +66,8 @@ murk_status murk_ending_check(const murk_stage *stage, uint32_t stream,
     trace.stream = stream;
     trace.last = PHOTONS_A_BAND * (uint64_t)scene->bands;
     murk_trace_run(&trace, ledger);
-    /* Refuse the first band whose photons were all lost. */
+    /* Refuse the first band that lost LOST_MIN photons or more and no others
+     * ended. */
     for (int band = 0; band < scene->bands && !status; ++band) {
         const double lost = lost_alone(stage, ledger, band);
         if (lost >= LOST_MIN) {

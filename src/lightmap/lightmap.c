@@ -63,7 +63,8 @@ murk_status murk_lightmap_forecast(murk_forecast *out, const murk_stage *stage,
 {
     const murk_scene_photons *settings = &stage->scene->photons;
     const bool is_dark = murk_sources_lit(stage->lights) == 0;
-    /* The pilot has one batch, or fewer photons if the run has fewer. */
+    /* The pilot has one batch, fewer photons if the run has fewer, or none if
+     * no light source emits. */
     const uint64_t n = is_dark ? 0
                        : settings->emit && settings->emit < PILOT_PHOTONS
                            ? settings->emit
@@ -113,7 +114,9 @@ murk_status murk_lightmap_forecast(murk_forecast *out, const murk_stage *stage,
                                          : 0;
     /* A growing array holds up to 1.5 times the memory of its content, and both
      * the old and the new array exist while it moves: 2.5 times. The kd-trees
-     * are built afterwards from the content alone. */
+     * need more memory beside the content; murk_photon_map_memory_for()
+     * includes the content, which is subtracted because it is counted
+     * already. */
     const double records = all * grow;
     *out = (murk_forecast){.pilot_photons = n,
                            .escaped_share = escaped_share(stage, ledger),
@@ -194,8 +197,8 @@ static murk_status stream_batch(void *context, const murk_record_batch *batch,
     return s->each(s->context, batch, err);
 }
 
-/* Checks the losses, turns shares of a packet into watts unless streaming has
- * done that, and builds the maps. */
+/* Checks the losses, sets the power of the packets, turns shares of a packet
+ * into watts unless stream_batch() has done that, and builds the maps. */
 static murk_status finish(murk_traced *traced, const murk_emission *emission,
                           const streaming *s, murk_error *err)
 {

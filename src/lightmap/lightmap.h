@@ -56,11 +56,12 @@ void murk_warn_of_escape(const murk_stage *stage, double escaped_share);
 
 /* Traces scene->photons.emit photons, or until scene->photons.store records are
  * stored. A stream is an independent set of photons. Fails before tracing as
- * murk_emission_check() and murk_ending_check(), and, if records are stored,
- * with MURK_BAD_VALUE if the forecast exceeds max_stored records or the free
- * memory of the machine; later as murk_emission_run(),
- * murk_emission_check_losses(), murk_tallies_of_stage() and
- * murk_photon_map_create(). The caller owns *out (murk_traced_destroy()). */
+ * murk_emission_check() and murk_ending_check(), with MURK_BAD_VALUE if the
+ * scene stores records and the forecast exceeds max_stored records or the free
+ * memory of the machine, and, in stream 0, as murk_tallies_of_stage(). Fails
+ * later as murk_emission_run(), murk_emission_check_losses() and
+ * murk_photon_map_create(). MURK_NO_MEMORY and MURK_INTERRUPTED are possible
+ * throughout. The caller owns *out (murk_traced_destroy()). */
 murk_status murk_lightmap_trace(murk_traced **out, const murk_stage *stage,
                                 uint32_t stream, unsigned threads,
                                 murk_error *err);
@@ -84,10 +85,11 @@ murk_traced *murk_traced_create(const murk_stage *stage, uint32_t stream,
 
 /* Writes light to, and reads it from, a file light.murk, without the tallies.
  * Writing fails as murk_map_file_write() or with MURK_NO_MEMORY. Reading fails
- * with MURK_BAD_VALUE if the seed, the local origin, or one of the scene keys
- * and files that light depends on differs from that of the stage; the message
- * names the first difference. It also fails as murk_map_file_read(), and with
- * MURK_BAD_FILE for contents that no run can have written. */
+ * with MURK_BAD_VALUE if the light is of a stream other than 0, or if the seed,
+ * the local origin, or one of the scene keys and files that light depends on
+ * differs from that of the stage; the message names the first difference. It
+ * also fails as murk_map_file_read(), and with MURK_BAD_FILE for sections that
+ * are missing or that no run can have written, or with MURK_NO_MEMORY. */
 murk_status murk_lightmap_save(const murk_traced *traced,
                                const murk_stage *stage, const char *path,
                                murk_error *err);
@@ -98,7 +100,8 @@ murk_status murk_lightmap_load(murk_traced **out, const murk_stage *stage,
 /* The settings of the run that wrote a light.murk: the seed, and the number of
  * emitted photons or of stored records, whichever was asked for; the other is
  * 0. emit and store are both 0 if the light key of the file contains neither
- * number. Fails as murk_map_file_read_one(). */
+ * number. Fails as murk_map_file_read_one(), and with MURK_BAD_FILE for a
+ * section "facts" of another size. */
 typedef struct murk_lightmap_counts {
     uint32_t seed;
     uint64_t emit, store;

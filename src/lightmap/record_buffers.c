@@ -110,7 +110,8 @@ uint64_t murk_record_buffers_photon_of(const murk_record_buffers *h,
 }
 
 /* Appends the records of a batch, up to those of photon `last`, to the lists of
- * their maps. False when out of memory. */
+ * their maps, and empties the buffer. False when out of memory, now or while
+ * the batch was traced. */
 static bool append(murk_record_buffers *h, murk_record_list *buffer,
                    uint64_t last)
 {

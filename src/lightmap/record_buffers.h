@@ -10,8 +10,8 @@
 #include "scene/scene.h"
 #include "transport/trace.h"
 
-/* Batches that are traced before the records are counted: enough work for
- * the threads of a large machine */
+/* Largest number of batches that are traced before the records are counted:
+ * enough work for the threads of a large machine */
 #define MURK_WAVE_BATCHES 64
 
 typedef struct murk_record_list {
@@ -28,7 +28,7 @@ bool murk_record_list_put(murk_record_list *list, const murk_photon *photon);
  * photons. */
 typedef struct murk_record_batch {
     uint64_t number;      /* of the batch, from 0 */
-    uint64_t first, last; /* the photons that were emitted */
+    uint64_t first, last; /* numbers of the first and the last emitted photon */
     murk_photon *surface, *volume;
     size_t n_surface, n_volume;
 } murk_record_batch;
@@ -66,7 +66,8 @@ double murk_record_buffers_share(const murk_record_buffers *buffers,
                                  const murk_event *event);
 
 /* The event sink of the photon tracer; context is the murk_record_buffers,
- * batch is counted from the beginning of the wave. The power of a record is a
+ * batch is counted from the beginning of the wave. An event with a share of 0
+ * (murk_record_buffers_share()) gives no record. The power of a record is a
  * share of the packet until murk_record_buffers_to_watts() is called.
  * murk_record_buffers_gather() reports a lack of memory. */
 void murk_record_buffers_event(void *context, uint64_t batch,

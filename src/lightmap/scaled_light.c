@@ -1,7 +1,8 @@
 /* Scales traced light to light sources of other powers, and chooses the powers
- * to trace with so that one traced light serves several scenes. Sampling each
- * channel by the largest share it has in any scene bounds the noise of every
- * scene by that of a run of its own. */
+ * to trace with so that one traced light serves several scenes. Each channel is
+ * sampled by the largest share that it has in any scene. If the number of
+ * photons is multiplied by the sum of these shares, the noise of every scene is
+ * at most that of a run of its own. */
 #include "lightmap/scaled_light.h"
 
 #include "world/sky.h"
@@ -35,7 +36,8 @@ murk_status murk_scaled_light_powers(double **out, const murk_scene_desc *scene,
     murk_status status = power_w ? murk_sky_lights(&light, NULL, scene, err)
                                  : no_memory(scene, err);
     const bool shines = !status && any_shines(light, scene);
-    /* The power of a channel follows from the sources in the domain. */
+    /* The power of a channel follows from the sources in the domain; all powers
+     * stay 0 if no source emits. */
     if (!status && shines) {
         status = murk_sources_create(&lights, light, scene->n_lights,
                                      scene->bands, domain, err);
@@ -203,7 +205,8 @@ murk_status murk_scaled_light_make(murk_traced **out, const murk_traced *traced,
         status = murk_no_memory(err, "", "for light");
         goto done;
     }
-    /* Ratio of the wanted to the traced power of each channel. */
+    /* Ratio of the wanted to the traced power of each channel; 0 for a channel
+     * that was traced without power. */
     for (size_t c = 0; c < channels; ++c) {
         const double traced_w = murk_sources_channel_power_w(lights, c);
         factor[c] = traced_w > 0 ? power_w[c] / traced_w : 0;

@@ -63,8 +63,8 @@ static facts facts_of(const murk_traced *traced)
     return f;
 }
 
-/* Describes a section. The cast removes const from borrowed bytes; the writer
- * only reads them. */
+/* Describes a section. The member `bytes` is not const, so the pointer is
+ * copied by memcpy(); the writer only reads the bytes. */
 static murk_section section_of(const char *name, const void *bytes, size_t size)
 {
     murk_section section = {.size = size};
@@ -159,7 +159,7 @@ static murk_status check_key(const murk_section *key, const char *light_key,
 /* Positions of records are relative to the local origin of the scene that they
  * were traced for. In a scene without a domain the origin depends on the
  * sensors as well, which the light key does not contain, so the origin is
- * compared here. */
+ * compared here. A file without the section has the origin 0. */
 static murk_status check_origin(const murk_section *origin,
                                 const murk_scene_desc *scene, const char *path,
                                 murk_error *err)
@@ -267,7 +267,7 @@ static murk_status load(murk_traced *traced, const murk_section *sections,
     if (status) {
         return status;
     }
-    /* The size of each section must fit the scene. */
+    /* Seed, stream and the size of each section must fit the scene. */
     if (!fact || fact->size != sizeof(facts)) {
         return bad_section(path, "facts", err);
     }

@@ -86,8 +86,9 @@ murk_status murk_lightmap_check_numbers(const murk_lightmap_numbers *f,
 {
     const size_t channels = murk_sources_channels(stage->lights);
     uint64_t lost = 0;
-    /* Every emitted photon is counted in the ledger, and no more photons are
-     * lost than were emitted. */
+    /* Every emitted photon is counted in the ledger, no more photons are lost
+     * than were emitted, and the counts fit the types that a run has for
+     * them. */
     bool is_possible = f->emitted <= UINT32_MAX && f->counted == f->emitted &&
                        f->collisions <= INT64_MAX;
     for (int i = 0; i < MURK_LOSSES && is_possible; ++i) {

@@ -31,7 +31,8 @@ murk_status murk_lightmap_check_numbers(const murk_lightmap_numbers *numbers,
 
 /* Fails with MURK_BAD_FILE at `path` if one of n records cannot belong to the
  * surface map (with is_volume: the volume map) of a run of this scene that
- * emitted that many photons. */
+ * emitted that many photons. packet_w[channels] is the power of a photon packet
+ * of each channel. */
 murk_status murk_lightmap_check_records(const murk_photon *photon, size_t n,
                                         bool is_volume, uint64_t emitted,
                                         const double *packet_w,
