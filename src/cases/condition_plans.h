@@ -30,9 +30,10 @@ typedef struct murk_condition_plan {
 
 typedef struct murk_condition_plans {
     murk_conditions *conditions;
-    /* The plan of each condition in their order; then the plans for the mean,
-     * for the worst condition (in a known environment) and for the regret (if
-     * it is asked for). The scene as it stands has one plan. */
+    /* The plan of each condition that is not dark, in the order of
+     * `conditions`; then the plans for the mean, for the worst condition (in a
+     * known environment) and for the regret (if it is asked for). The scene as
+     * it stands has one plan. */
     murk_condition_plan plan[MURK_CONDITION_PLANS_MAX];
     size_t plans;      /* 0: every condition is dark */
     size_t chosen;     /* number of the plan that is asked for */
@@ -65,8 +66,9 @@ double murk_condition_plans_regret(const murk_condition_plans *plans,
 /* Releases all plans and the conditions, also after a failure. */
 void murk_condition_plans_release(murk_condition_plans *plans);
 
-/* Checks the scene before light is traced, and fills the conditions of out, and
- * the candidates and poses of the plan. */
+/* Checks the scene before light is traced, and fills the conditions of *out,
+ * and the candidates and poses of the plan. Fails with MURK_BAD_VALUE for keys
+ * that have no meaning together with placement.over. */
 murk_status murk_condition_plans_prepare(murk_condition_plans *out,
                                          murk_plan_result *plan,
                                          const murk_scene_desc *scene,
@@ -78,16 +80,18 @@ murk_status murk_condition_plans_prepare(murk_condition_plans *out,
  * objective looks at. With several conditions and an objective other than the
  * regret, the total of in_sample is the value of the problem of all scenarios
  * (cases/scenarios.h), because the bound is one of that value; the error of the
- * total is measured. Release plans and plan also after a failure. */
+ * total is measured. If all conditions are dark, the result is that of
+ * murk_plan_result_make_dark(). Release plans and plan also after a failure. */
 murk_status murk_condition_plans_make(murk_condition_plans *plans,
                                       murk_plan_result *plan, unsigned threads,
                                       murk_error *err);
 
-/* The plan of the scene as it stands from traced light, after
- * murk_plan_prepare(): chooses sensors, and measures their coverage on the
- * light that chose them, on held-out light, and with a target on light that
- * confirms it. If no light source emits, the result is that of
- * murk_plan_result_make_dark(). Release the plan also after a failure. */
+/* The plan of the scene as it stands from traced light (NULL: the light is
+ * traced first), after murk_plan_prepare(): chooses sensors, and measures their
+ * coverage on the light that chose them, on held-out light if the scene asks
+ * for that, and with a target on light that confirms it. If there is nothing to
+ * see, the result is that of murk_plan_result_make_dark(). Release the plan
+ * also after a failure. */
 murk_status murk_plan_for_scene(murk_plan_result *plan, const murk_stage *stage,
                                 murk_traced *traced, unsigned threads,
                                 murk_error *err);

@@ -117,8 +117,8 @@ static murk_status measure_all(murk_condition_plans *plans, size_t c,
 
 /* ---- jitter ---- */
 
-/* The number of draws of jitter for the chosen plan; 0 for a plan without
- * sensors. */
+/* The number of draws of jitter for the chosen plan; 0 if the scene has no
+ * jitter or the plan has no sensors. */
 static size_t draws_of(const murk_condition_plans *plans)
 {
     return plans->plan[plans->chosen].count > 0
@@ -227,7 +227,8 @@ static murk_status measure_in(murk_condition_plans *plans,
 
 /* Turns the coverages of the chosen plan in all conditions into one coverage:
  * the mean, or for another objective the coverage in the condition that the
- * objective looks at. */
+ * objective looks at. With the objective regret, stores that condition in
+ * regret_at. */
 static murk_status sum_up(murk_coverage_result *out,
                           const murk_condition_plans *plans,
                           const murk_coverage_result *of, bool are_independent,
@@ -322,15 +323,16 @@ static murk_status confirm(murk_condition_plans *plans, murk_plan_result *plan,
 /* Reads the regrets from the result of the placement, whose value is 1 - the
  * largest regret. Then replaces value and bound of the result: by the coverage
  * in the condition of the largest regret, and by the coverage that the plan
- * would have there if the regret were as small as the bound allows. */
+ * would have there if the regret were as small as the bound allows. The ceiling
+ * becomes that of the same condition. */
 static void read_regret(murk_condition_plans *plans, murk_plan_result *plan)
 {
     const murk_conditions *all = plans->conditions;
     const murk_condition_plan *chosen = &plans->plan[plans->chosen];
     murk_place_result *place = &plan->place;
     const double one = (double)place->whole;
-    /* The largest regret of the plan and the least regret of any plan, to the
-     * best plans that are known. */
+    /* The largest regret of the plan, and a lower bound of the largest regret
+     * of any plan, both to the best plans that are known. */
     plans->regret = 1 - (double)place->value / one;
     plans->regret_lower = 1 - (double)place->upper / one;
     plans->regret_upper = plans->regret;
@@ -359,10 +361,11 @@ static void read_regret(murk_condition_plans *plans, murk_plan_result *plan)
     place->ceiling = plans->ceiling_of[at];
 }
 
-/* Takes the total in sample from the problem of all scenarios, on which the
- * bound and the curve rest as well. The mean of the coverages of the conditions
- * differs from that total by the rounding of weights, and the difference may
- * exceed the gap to the bound. */
+/* With the objective regret, calls read_regret(). With another objective over
+ * conditions, takes the total in sample from the problem of all scenarios, on
+ * which the bound and the curve rest as well. The mean of the coverages of the
+ * conditions differs from that total by the rounding of weights, and the
+ * difference may exceed the gap to the bound. */
 static void read_in_sample(murk_condition_plans *plans, murk_plan_result *plan)
 {
     if (plans->conditions->scene->placement.over ==

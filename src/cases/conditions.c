@@ -161,7 +161,7 @@ murk_status murk_conditions_of_stage(murk_conditions **out,
 
 /* ---- light ---- */
 
-/* An earlier condition with the same light, or NULL. */
+/* The first earlier condition with an equal light key, or NULL. */
 static const murk_condition *find_alike(const murk_conditions *all, size_t c)
 {
     for (size_t k = 0; k < c; ++k) {

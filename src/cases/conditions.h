@@ -1,12 +1,13 @@
-/* The conditions of a scene as worlds: each has a stage, light and sight of its
- * own, and all share the candidates that are usable in every condition. A scene
- * as it stands is a set of one condition.
+/* The conditions of a scene as worlds: each has a stage, light and a sight. The
+ * candidates of a plan are those that are usable in every condition. A scene as
+ * it stands is a set of one condition.
  *
  * Light is traced once for each condition; conditions whose light depends on
  * equal keys share it. A condition of weight 0 is lit and measured, and has a
  * plan of its own for comparison, but no part in the plan over the conditions.
- * In a dark condition there is nothing to see: plans are chosen for the others,
- * and its coverage is null (plan/dark.h). */
+ * In a dark condition there is nothing to see: plans are chosen for the other
+ * conditions, and the coverage of the dark one is null (plan/dark.h). If every
+ * condition that has a weight is dark, all conditions count as dark. */
 #ifndef MURK_CASES_CONDITIONS_H
 #define MURK_CASES_CONDITIONS_H
 
@@ -23,11 +24,13 @@ typedef struct murk_condition {
     murk_traced *traced;       /* the light that chooses */
     bool borrows_light;        /* traced belongs to an earlier condition or to
                                   the caller */
-    murk_sight *sight;         /* onto that light; NULL before lighting */
+    murk_sight *sight;         /* onto that light; NULL before lighting and in a
+                                * dark condition */
     murk_target_facts targets; /* points 0: photons are seen, no targets */
-    /* With the objective regret, once plans are chosen: the coverage of the
-     * best plan known for this condition alone, and the upper bound of the
-     * coverage of any plan there. */
+    /* With the objective regret, once plans are chosen, for a condition of
+     * weight above 0: the coverage of the best plan known for this condition
+     * alone, and the upper bound of the coverage of any plan in this condition,
+     * both as shares. */
     double best_known, best_upper;
 } murk_condition;
 
@@ -38,7 +41,8 @@ typedef struct murk_conditions {
     size_t n;               /* conditions in which there is something to see */
     size_t dark; /* dark conditions, which follow these and have no sight; all
                     conditions, if none that has weight is lit */
-    /* [n + dark], otherwise in the order of the scene. */
+    /* [n + dark]; first the n conditions in which there is something to see,
+     * then the dark ones, each in the order of the scene. */
     murk_condition condition[MURK_SCENE_CONDITIONS_MAX];
     /* With the objective regret, once the plan is measured in sample: the
      * number of the condition in which its regret is largest. */
@@ -69,15 +73,16 @@ murk_status murk_conditions_again(murk_conditions **out,
                                   murk_error *err);
 
 /* Traces the light of every condition that has none, and builds the sight of
- * the first n: fills traced, sight and targets. Fails with MURK_BAD_VALUE
- * before any trace if by forecast the maps of several conditions do not fit in
- * memory together. */
+ * the first n: fills traced, sight and targets. Unless the scene stands as it
+ * is, fails with MURK_BAD_VALUE before any light is traced in full if by
+ * forecast the maps of the first n conditions and the memory of one trace do
+ * not fit in memory together. Fails at the end as murk_goals_check_seen(). */
 murk_status murk_conditions_light(murk_conditions *conditions, unsigned threads,
                                   murk_error *err);
 
 /* Regret of a coverage in one condition: the difference to the best coverage
  * that is known there, or with placement.regret: relative this difference as a
- * share of the best coverage. */
+ * share of the best coverage (0 if that is 0). */
 double murk_condition_regret(const murk_scene_desc *scene,
                              const murk_condition *condition, double coverage);
 
@@ -85,9 +90,10 @@ double murk_condition_regret(const murk_scene_desc *scene,
  * weight; the smallest coverage of the conditions that have weight; or the
  * coverage of the condition in which the regret of the plan is largest. *worst
  * is the number of that condition (for the mean: of the condition with the
- * smallest coverage). The error of a single condition is its own; the error of
- * the mean holds for independent maps, or, if they are not independent, is the
- * mean of the errors, which is an upper bound. */
+ * smallest coverage). Once conditions->has_regret_at is true, the condition of
+ * the largest regret is regret_at. The error of a single condition is its own;
+ * the error of the mean holds for independent maps, or, if they are not
+ * independent, is the mean of the errors, which is an upper bound. */
 murk_estimate murk_conditions_estimate(const murk_conditions *conditions,
                                        const murk_estimate *of,
                                        murk_scene_objective objective,

@@ -105,8 +105,8 @@ static murk_status check_needs(const murk_outputs *out,
                          "use placement.redundancy",
                          scene->path);
     }
-    /* One plan for all rows needs an environment that all candidates can be
-     * compared in. */
+    /* One plan for all rows cannot be explored, and the plan for the worst row
+     * needs a known environment. */
     const murk_scene_knowledge knows = scene->placement.knowledge;
     if (murk_outputs_plan_for_all(out) && knows == MURK_SCENE_EXPLORE) {
         return murk_fail(err, MURK_BAD_VALUE, where,

@@ -23,7 +23,8 @@ typedef struct murk_outputs {
     bool wants[MURK_OUTPUTS];
 } murk_outputs;
 
-/* The output that a word names; MURK_OUTPUT_TALLY if it is none of them. */
+/* The output that a word names; MURK_OUTPUT_TALLY if the word names none of the
+ * other outputs. */
 murk_output murk_output_of(const char *word);
 
 /* Reads the outputs of a study. `scene` is the scene of one row, which names

@@ -10,7 +10,8 @@
 
 #include <stdlib.h>
 
-#define MISS 0.025 /* beyond either end of the gap's interval */
+/* Probability beyond either end of the interval of the gap, of 95 %. */
+#define MISS 0.025
 
 static murk_status no_memory(size_t runs, murk_error *err)
 {
@@ -34,8 +35,8 @@ static murk_repeat_run run_of(const murk_plan_result *plan, uint32_t seed)
         .plan = NO_ESTIMATE};
 }
 
-/* Where sensors may stand does not depend on seeds, so candidates and poses are
- * the first plan's. */
+/* Where sensors may stand does not depend on seeds, so candidates, poses and
+ * start are those of the first plan. */
 static murk_plan_result plan_again(const murk_plan_result *first)
 {
     return (murk_plan_result){.candidates = first->candidates,
@@ -71,7 +72,7 @@ static murk_status measure(murk_estimate *out, const murk_plan_result *plan,
     return status;
 }
 
-/* The same job with seeds that are `later` greater. */
+/* Runs the same job with seeds that are greater by `later`. */
 static murk_status run_again(murk_repeat_run *out,
                              const murk_plan_result *first,
                              const murk_conditions *conditions, uint32_t later,
@@ -92,7 +93,8 @@ static murk_status run_again(murk_repeat_run *out,
     if (!status) {
         *out = run_of(&plan, over->conditions->scene->seed);
     }
-    /* Measure the plan of the first run on the maps of this run. */
+    /* Measure the plan of the first run on the maps of this run, if these
+     * differ from run to run. */
     if (!status && murk_plan_has_streams(over->conditions->scene)) {
         status = measure(&out->plan, first, over->conditions, err);
     }

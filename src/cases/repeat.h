@@ -35,9 +35,9 @@ typedef struct murk_repeat {
     murk_repeat_run *run; /* [asked], the first `runs` of them finished */
     size_t runs, asked;
     double target; /* asked of every run; 0: none */
-    /* The bounds of the runs estimate a gap. They do not with a target, because
-     * runs then take different numbers of sensors, nor for the worst condition,
-     * because the best plan of a sample may underestimate there. */
+    /* True if the bounds of the runs estimate a gap. They do not with a target,
+     * because runs then take different numbers of sensors, nor for the worst
+     * condition, because the best plan of a sample may underestimate there. */
     bool has_gap;
 } murk_repeat;
 
@@ -64,7 +64,8 @@ typedef struct murk_spread {
  * a test with such worlds, the interval of 12 runs held the mean in 91 of 100
  * cases, and the true gap was below the upper end in all of them. */
 typedef struct murk_gap {
-    size_t runs; /* that have bound and coverage; below 2: no limits */
+    size_t runs; /* that measured the first plan; 0 without murk_repeat.has_gap;
+                  * below 2: no limits */
     double value, lower, upper; /* mean of upper - plan, +- Student's t for
                                    runs - 1 degrees of freedom */
 } murk_gap;
@@ -73,8 +74,10 @@ typedef struct murk_repeat_summary {
     murk_spread sensors, in_sample, held_out, upper;
     murk_estimate upper_mean, plan; /* means over the runs that have them */
     murk_gap gap;
-    size_t met;  /* runs whose held-out coverage meets the target */
-    size_t best; /* run of the greatest held-out coverage; runs: none */
+    size_t met;  /* runs whose held-out coverage meets the target; 0 without a
+                  * target */
+    size_t best; /* number of the run with the greatest held-out coverage; the
+                  * number of runs, if no run has one */
 } murk_repeat_summary;
 
 /* Sums up the finished runs, at least one. Fails with MURK_NO_MEMORY. */

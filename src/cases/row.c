@@ -136,7 +136,8 @@ void murk_study_row_release(murk_study_row *row)
 
 /* ---- text ---- */
 
-/* Prints an item of a list: texts, then numbers, null for NaN. */
+/* Prints an item of a list: texts, then numbers, null for a number that is not
+ * finite. */
 static void print_item(FILE *out, const char *const *text, size_t texts,
                        const double *number, size_t numbers)
 {

@@ -10,7 +10,7 @@
 #include "sensing/sensor.h"
 
 /* Bytes of a name (a tally, a suffix and a wavelength), of a note, and of a
- * checksum of 128 bits as hexadecimal text; each with its end. */
+ * checksum of 128 bits as hexadecimal text; each with the terminating 0. */
 #define MURK_ROW_NAME_SIZE 160
 #define MURK_ROW_TEXT_SIZE 4096
 #define MURK_ROW_SUM_SIZE  33
@@ -68,9 +68,11 @@ const murk_study_value *murk_study_row_get(const murk_study_row *row,
                                            const char *name);
 void murk_study_row_release(murk_study_row *row);
 
-/* Prints a line with the number and then the row as text for free(), NULL when
- * out of memory, and reads the text behind that line back with equal numbers.
- * Release *out, also after a failure. */
+/* murk_study_row_print() prints a line with the number and then the row as
+ * text, which the caller frees; NULL when out of memory. murk_study_row_read()
+ * reads the text that follows that line, and all numbers are equal to those
+ * printed. It fails with MURK_BAD_FILE, or as murk_yaml_parse(); `source` names
+ * the text in messages. Release *out also after a failure. */
 char *murk_study_row_print(const murk_study_row *row, size_t number);
 murk_status murk_study_row_read(murk_study_row *out, const char *text,
                                 size_t size, const char *source,

@@ -24,7 +24,7 @@ static void note(murk_row_tallies *g, const char *text, const char *name)
              text);
 }
 
-/* Adds a tally; part NULL: it is no density. */
+/* Adds a tally; if `part` is NULL, the tally is no density. */
 static void add(murk_row_tallies *g, const murk_tally_desc *desc,
                 const char *name, const murk_part *part)
 {
@@ -211,8 +211,8 @@ static murk_estimate divide(murk_estimate e, const murk_estimate *share)
                : (murk_estimate){NAN, NAN};
 }
 
-/* Adds the value of one cell: the sum over all bands, and if there are several
- * bands the value in each. */
+/* Adds the value of one cell, divided by the share: the sum over all bands, and
+ * if there are several bands the value in each. */
 static void add_values(murk_study_row *row, const murk_row_tallies *row_tallies,
                        size_t number, size_t cell, const char *suffix,
                        const murk_estimate *share, const murk_stage *stage,
@@ -225,7 +225,7 @@ static void add_values(murk_study_row *row, const murk_row_tallies *row_tallies,
     double packet[MURK_SOURCES_MAX * MURK_BANDS_MAX];
     murk_estimate band[MURK_BANDS_MAX];
     char name[MURK_ROW_NAME_SIZE];
-    /* Convert the power of a photon packet to the quantity of the row. */
+    /* Convert the power of each photon packet to the quantity of the tally. */
     if (light->tallies) {
         murk_units_packets(packet, quantity, stage, light->packet_w);
     }
@@ -263,7 +263,8 @@ murk_status murk_row_tallies_read(murk_study_row *row,
     const murk_surfaces_facts facts = murk_surfaces_describe(stage->surfaces);
     murk_open_space *space = NULL;
     murk_status status = MURK_OK;
-    /* Free space is needed only if there are surfaces. */
+    /* Without surfaces all space is free, and without light all values are 0;
+     * the free space is then not needed. */
     if (light->tallies && facts.triangles + facts.spheres > 0) {
         status = murk_stage_free_space(&space, stage, threads, err);
     }

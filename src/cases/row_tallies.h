@@ -18,15 +18,19 @@ typedef struct murk_row_tally {
                                       "density_pool" */
     murk_part part;                /* of a density: the box or sphere */
     bool is_density;
-    double per_unit; /* factor on the value of the tally: 1 / area of a plane */
+    double per_unit; /* factor on the value of the tally: for a plane 1 / area
+                      * of the plane in the domain (NaN if there is none), else
+                      * 1 */
 } murk_row_tally;
 
 typedef struct murk_row_tallies {
     const murk_study_file *study; /* borrowed */
     size_t n;
-    murk_tally_desc *desc;     /* [n] tallies with as few cells as possible */
+    murk_tally_desc *desc;     /* [n] tallies with one cell for each direction;
+                                * the grid of the fluence rate has more */
     murk_row_tally *row_tally; /* [n] */
-    size_t fluence;            /* number of the grid; SIZE_MAX: none */
+    size_t fluence;            /* number of the grid of the fluence rate in
+                                * desc[]; SIZE_MAX: no grid */
     char note[MURK_ROW_TEXT_SIZE]; /* what cannot be measured; may be empty */
 } murk_row_tallies;
 
@@ -45,7 +49,8 @@ typedef struct murk_row_light {
     const double *packet_w; /* [light * bands + band] watts of a packet */
 } murk_row_light;
 
-/* Adds the values of the tallies to the row. */
+/* Adds the values of all tallies but the grid of the fluence rate to the
+ * row. */
 murk_status murk_row_tallies_read(murk_study_row *row,
                                   const murk_row_tallies *row_tallies,
                                   const murk_stage *stage,
@@ -59,8 +64,9 @@ murk_status murk_row_tallies_write_fluence(const char *path,
                                            const murk_row_light *light,
                                            murk_error *err);
 
-/* Prints the settings that the tallies of a row depend on, for a hash: equal
- * texts mean equal tallies in worlds that are otherwise equal. */
+/* Prints the settings that the tallies of a row depend on, for a hash: within
+ * one study, equal texts mean equal tallies in worlds that are otherwise
+ * equal. */
 void murk_row_tallies_sign(FILE *out, const murk_scene_desc *scene,
                            const murk_outputs *outputs);
 

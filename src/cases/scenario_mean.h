@@ -12,14 +12,15 @@ typedef struct murk_mean {
 /* Adds an estimate, unless its weight is 0 or its value NaN. */
 void murk_mean_add(murk_mean *mean, murk_estimate of, double weight);
 
-/* The mean; NaN if there is none. The standard error is that of independent
- * estimates, or else the mean of the errors, which is an upper bound for
- * dependent estimates. */
+/* The mean; NaN if no estimate was added. The standard error is that of
+ * independent estimates, or else the mean of the errors, which is an upper
+ * bound for dependent estimates. */
 murk_estimate murk_mean_of(const murk_mean *mean, bool are_independent);
 
 /* The mean of whole coverage results of[n], each with as many sensors and
- * regions of interest. Release *out with murk_coverage_result_release(). Fails
- * with MURK_NO_MEMORY. */
+ * regions of interest. weight[n] is 0 or more, and a result of weight 0 is left
+ * out. Counts of photons are summed. Release *out with
+ * murk_coverage_result_release(). Fails with MURK_NO_MEMORY. */
 murk_status murk_scenario_mean_coverage(murk_coverage_result *out,
                                         const murk_coverage_result *of,
                                         const double *weight, size_t n,

@@ -7,12 +7,12 @@
  * the photons that it sees in that scenario's air and light.
  *
  * The weights of the photons are scaled block by block, so that the sum over a
- * block is the weight of its scenario in the mean, and then rounded. Rounding
- * moves the weight of a photon by at most half a unit: less than 2^-20 of the
- * mean photon of its scenario up to 2^25 photons in all, unless the weights of
- * the scenarios or the photons of one scenario differ so much that the lightest
- * photons lose digits to the 32 bits of the heaviest. A single scenario keeps
- * its weights. */
+ * block is proportional to the weight of its scenario in the mean, and then
+ * rounded. Rounding moves the weight of a photon by at most half a unit: less
+ * than 2^-20 of the mean photon of its scenario up to 2^25 photons in all,
+ * unless the weights of the scenarios or the photons of one scenario differ so
+ * much that the lightest photons lose digits to the 32 bits of the heaviest. A
+ * single scenario keeps its weights. */
 #ifndef MURK_CASES_SCENARIOS_H
 #define MURK_CASES_SCENARIOS_H
 
@@ -47,12 +47,13 @@ murk_status murk_scenarios_create(murk_scenarios **out,
                                   const murk_poses *poses, murk_error *err);
 void murk_scenarios_destroy(murk_scenarios *scenarios); /* NULL is fine */
 
-/* Method, constraints and number or target of the sensors as the scene asks for
- * them, for a plan by the objective. */
+/* Method, constraints, and number, target or budget of the sensors as the scene
+ * asks for them, for a plan by the objective. */
 murk_place_desc murk_scenarios_desc(const murk_scenarios *scenarios,
                                     murk_scene_objective objective);
 
-/* The plan for all scenarios by an objective: mean, worst or regret. */
+/* The plan for all scenarios by an objective: mean, worst or regret; the last
+ * two need a known environment. */
 murk_status murk_scenarios_place(murk_place_result *out,
                                  const murk_scenarios *scenarios,
                                  murk_scene_objective objective,

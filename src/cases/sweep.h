@@ -3,13 +3,14 @@
  * Rows whose light differs only by the power of their lights are a group, whose
  * light is traced once (lightmap/scaled_light.h). Each group runs in a
  * subprocess (base/isolated.h), so that files are imported before any ray
- * device exists, and so that its memory ends with it. A row that fails leaves
- * the other rows alone.
+ * device exists, and so that the memory of the group is released when the
+ * subprocess ends. A row that fails leaves the other rows alone.
  *
  * A finished row is stored in FOLDER/rows, in a file named by a hash of
  * everything that the row follows from: the resolved scene, the files that it
- * names, the outputs, the version of murk, and the other lights of its group.
- * The same study continues from the stored rows. */
+ * names, the outputs with their units and sizes, the file of a given placement,
+ * the version of murk, and the lights of all rows of the group. The same study
+ * continues from the stored rows. */
 #ifndef MURK_CASES_SWEEP_H
 #define MURK_CASES_SWEEP_H
 
@@ -29,12 +30,13 @@ typedef struct murk_sweep_row {
 typedef struct murk_sweep_group {
     size_t *row; /* [n] */
     size_t n;
-    size_t lights; /* different sets of powers */
+    size_t lights; /* number of different light keys (cases/sweep_keys.h) among
+                    * the rows */
     bool was_traced;
 } murk_sweep_group;
 
-/* Plans for all rows that have not failed: for the mean of their coverages, and
- * for the least of them. */
+/* The plans for all rows that have not failed: one for the mean of the
+ * coverages of the rows, one for the least of them. */
 enum { MURK_SWEEP_MEAN, MURK_SWEEP_WORST, MURK_SWEEP_PLANS };
 
 /* Largest number of rows that take part in the choice of a plan for all rows.
@@ -104,16 +106,18 @@ bool murk_sweep_lacks_values(const murk_sweep_row *row);
 
 /* Reads the scenes of all rows, and the stored rows of earlier runs; traces
  * nothing. A row whose scene cannot be read has failed; the study fails if all
- * rows have. *out is the caller's: murk_sweep_destroy(). The desc is copied;
- * the objects that it points to must outlive *out. */
+ * rows have. The study also fails if keys, outputs or the folder do not fit
+ * together, or with MURK_INTERRUPTED or MURK_NO_MEMORY. *out is the caller's:
+ * murk_sweep_destroy(). The desc is copied; the objects that it points to must
+ * outlive *out. */
 murk_status murk_sweep_create(murk_sweep **out, const murk_sweep_desc *desc,
                               murk_error *err);
 void murk_sweep_destroy(murk_sweep *sweep); /* NULL is fine */
 
 /* Runs the rows that are not done, then makes the plans for all rows. Fails
- * with MURK_INTERRUPTED or MURK_NO_MEMORY, or if a finished row cannot be
- * stored; a row that fails is no failure of the study. Call it while this
- * process has no threads (fork). */
+ * with MURK_INTERRUPTED or MURK_NO_MEMORY, or if the folder cannot be made or a
+ * finished row cannot be stored; a row that fails is no failure of the study.
+ * Call it while this process has no threads (fork). */
 murk_status murk_sweep_run(murk_sweep *sweep, murk_error *err);
 
 #endif

@@ -202,7 +202,8 @@ static murk_status tell(const choosing *ch, const murk_place_result *found,
     return status ? status : murk_study_row_check(out, err);
 }
 
-/* Chooses one plan. If no plan is found, *out has the reason. */
+/* Chooses one plan. If no plan is found, *out has the reason; only
+ * MURK_INTERRUPTED is a failure of the function. */
 static murk_status choose(choosing *ch, murk_study_row *out, int plan,
                           murk_error *err)
 {

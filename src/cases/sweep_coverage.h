@@ -4,7 +4,8 @@
 
 #include "cases/sweep_light.h"
 
-/* True if targets take the place of light. */
+/* True if targets take the place of light: the scene has targets, and detection
+ * is not by power. */
 bool murk_sweep_needs_no_light(const murk_scene_desc *scene);
 
 /* True if there is something to see in row k: light, or targets in place of
@@ -15,8 +16,8 @@ bool murk_sweep_can_see(const murk_sweep_light *light, size_t k);
 bool murk_sweep_has_seen(const murk_stage *stage, const murk_traced *traced);
 
 /* Adds coverage_fixed and coverage_best, as far as they are asked for, and the
- * sensors of the best plan. `traced` is the light that chooses; with NULL there
- * is nothing to see and the values are NaN. */
+ * sensors of the best plan. `traced` is the light that chooses; if it is NULL
+ * or nothing is stored, there is nothing to see and the values are NaN. */
 murk_status murk_sweep_measure_coverage(murk_sweep_light *light, size_t k,
                                         murk_study_row *row,
                                         const murk_traced *traced,

@@ -18,7 +18,7 @@ typedef struct murk_sweep_job {
     enum {
         MURK_SWEEP_RUN,     /* runs the rows that are not done */
         MURK_SWEEP_MEASURE, /* measures the plans for all rows, in the rows that
-                             * are done */
+                             * are done and lack these values */
         MURK_SWEEP_CHOOSE /* chooses these plans, by the rows that take part */
     } work;
 } murk_sweep_job;
@@ -36,7 +36,8 @@ typedef struct murk_sweep_light {
     murk_stage **stage;      /* [n] NULL: not wanted, or failed: why[] */
     murk_error *why;         /* [n] */
     double **power_w;        /* [n][channels] */
-    const murk_stage *first; /* the built stage whose world all rows share */
+    const murk_stage *first; /* the first stage that was imported, in whose
+                              * world light is traced; NULL: not built yet */
     murk_row_tallies row_tallies;
     murk_sources *lights; /* of all rows; NULL: all rows have equal lights, or
                            * none shines */
@@ -50,14 +51,15 @@ typedef struct murk_sweep_light {
 } murk_sweep_light;
 
 /* Reads the scenes of all rows, and imports the files of the rows that the job
- * wants, before any ray device is made. Release *out also after a failure. */
+ * wants, before any ray device is made. If a row cannot be imported, why[] has
+ * the reason, and that is no failure. Release *out also after a failure. */
 murk_status murk_sweep_light_import(murk_sweep_light *out,
                                     const murk_sweep_job *job, murk_error *err);
 void murk_sweep_light_release(murk_sweep_light *light);
 
 /* Builds the first imported world and prepares the trace in it, with the
- * tallies of the rows if they are wanted. If this fails, no row of the group
- * has light. */
+ * tallies of the rows if they are wanted. Does nothing if no row is imported.
+ * If this fails, no row of the group has light. */
 murk_status murk_sweep_light_prepare(murk_sweep_light *light,
                                      bool with_row_tallies, murk_error *err);
 
@@ -70,9 +72,10 @@ void murk_sweep_light_drop(murk_sweep_light *light, size_t k);
 /* True if any light of row k has power. */
 bool murk_sweep_light_shines(const murk_sweep_light *light, size_t k);
 
-/* The light of row k for a stream of random numbers, below MURK_SWEEP_STREAMS.
- * If *is_own is set, the caller owns *out (murk_traced_destroy()); else *out
- * belongs to `light`. */
+/* The light of row k for a stream of random numbers, below MURK_SWEEP_STREAMS;
+ * the first call for a stream traces the light of the group. If *is_own is set,
+ * the caller owns *out (murk_traced_destroy()); else *out belongs to
+ * `light`. */
 murk_status murk_sweep_light_of(murk_sweep_light *light, size_t k,
                                 uint32_t stream, murk_traced **out,
                                 bool *is_own, murk_error *err);

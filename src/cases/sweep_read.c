@@ -1,5 +1,6 @@
 /* Reads a study: the scenes of all rows, the outputs, and the stored rows of an
- * earlier run; puts rows of one light together in groups. */
+ * earlier run; puts rows whose light differs only in the power of the light
+ * sources together in groups. */
 #include "cases/sweep.h"
 
 #include "base/interrupt.h"
@@ -21,7 +22,7 @@ typedef struct reading {
     murk_file_sums sums;
     murk_sweep_keys *keys; /* [rows] */
     bool has_outputs;
-    murk_error first; /* the first row's failure */
+    murk_error first; /* the failure of the first row that failed */
 } reading;
 
 /* Fails if the file of the given placement cannot be read as a placement,

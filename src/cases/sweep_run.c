@@ -92,7 +92,8 @@ static murk_status put_values(murk_sweep *sweep, murk_sweep_message *message,
 }
 
 /* Runs the subprocess of a group, unless nothing is left for it to do. Rows
- * that it does not reach have failed. */
+ * that the subprocess does not reach have failed; with measures_plans, they
+ * have no coverage of the plans and a note. */
 static murk_status run_group(murk_sweep *sweep, murk_sweep_group *group,
                              bool measures_plans, murk_error *err)
 {
@@ -147,7 +148,8 @@ static void find_choosers(murk_sweep *sweep)
     sweep->choosers = 0;
     for (size_t i = 0; i < rows && sweep->choosers < n; ++i) {
         if (has_say(sweep, &sweep->row[i])) {
-            /* the middle of each of n equal parts */
+            /* of n equal parts of the rows, the middle one of each takes
+             * part */
             const size_t next = (2 * sweep->choosers + 1) * all / (2 * n);
             if (seen++ == next) {
                 sweep->row[i].is_chooser = true;
@@ -210,7 +212,7 @@ static murk_status make_plans(murk_sweep *sweep, murk_error *err)
 }
 
 /* Takes over the coverages of the plans that an earlier run stored; if no plan
- * was made, rows have none. */
+ * was made, the coverages are NaN. */
 static murk_status load_values(murk_sweep *sweep, murk_error *err)
 {
     const bool is_any_made = murk_sweep_plan_stands(&sweep->plan[0]) ||

@@ -1,6 +1,7 @@
 /* The stored rows of a study: FOLDER/rows has one small file for each row,
- * named by the key of the row; and the subprocesses that send rows. For
- * use inside src/cases only. */
+ * named by the key of the row, one for each plan for all rows, and one for the
+ * coverages of these plans in each row. Also runs the subprocesses that send
+ * rows. For use inside src/cases only. */
 #ifndef MURK_CASES_SWEEP_STORE_H
 #define MURK_CASES_SWEEP_STORE_H
 
@@ -28,13 +29,14 @@ murk_status murk_sweep_open(const murk_sweep *sweep, murk_error *err);
 bool murk_sweep_load(const murk_sweep *sweep, const char *key,
                      murk_study_row *out);
 /* Stores a row under a key, unless the row failed: the next run tries a failed
- * row again. Sets sweep->cannot_keep if the file cannot be written. */
+ * row again. Without a folder nothing is stored. Sets sweep->cannot_keep if the
+ * file cannot be written. */
 murk_status murk_sweep_keep(murk_sweep *sweep, const char *key,
                             const murk_sweep_message *message, murk_error *err);
 
 /* The file that a row writes the grid of its fluence rate to, by name within
- * the folder and by path; and whether that file is the one that this row wrote.
- */
+ * the folder and by path; and whether that file is the one that this row wrote
+ * (true, too, if the study does not ask for the grid). */
 #define MURK_SWEEP_NAME_SIZE 32
 void murk_sweep_fluence_name(char out[MURK_SWEEP_NAME_SIZE], size_t row);
 murk_status murk_sweep_fluence_path(char out[MURK_SWEEP_PATH_SIZE],

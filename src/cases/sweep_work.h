@@ -6,8 +6,10 @@
 #include "base/isolated.h"
 #include "cases/sweep_light.h"
 
-/* A murk_isolated_work: context is the murk_sweep_job. Sends each
- * row (murk_sweep_send()). */
+/* A murk_isolated_work: context is the murk_sweep_job. Sends each row of the
+ * group that the job wants (murk_sweep_send()), with the results of the row,
+ * with the coverages of the plans for all rows (MURK_SWEEP_MEASURE) or as
+ * failed. */
 murk_status murk_sweep_work(murk_isolated *isolated, void *context,
                             murk_error *err);
 

@@ -92,8 +92,7 @@ murk_status murk_reading_word(const murk_reading_line *at,
 
 /* Reads a name of at most MURK_READING_NAME_SIZE - 1 bytes without control
  * characters, which may be empty; otherwise fails with MURK_BAD_VALUE. *out
- * points into the table.
- * */
+ * points into the table. */
 murk_status murk_reading_name(const murk_reading_line *at,
                               murk_reading_column column, const char **out);
 

@@ -1,7 +1,6 @@
 /* Reads a CSV file of readings, checks them against each other, and groups them
  * into rows: the sensors of one group and condition form one reading of
- * coverage, and each other reading is a row of its own.
- * */
+ * coverage, and each other reading is a row of its own. */
 #include "readings/readings.h"
 
 #include "base/file.h"

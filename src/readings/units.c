@@ -38,8 +38,7 @@ typedef struct unit_row {
     const char *name;
     unsigned kinds;
     double min, max; /* outside of this range, a reading must be of another
-                      * unit; min = 0 is outside, too
-                      * */
+                      * unit; min = 0 is outside, too */
     const char *range;
     const char *law;
 } unit_row;
