@@ -1,6 +1,6 @@
 /* Computes transmittance by Beer-Lambert along straight segments, with the same
  * passage through media as sightlines (path/viewpoint.h), and refuses segments
- * that are not clear and straight. */
+ * that a surface blocks or on which light does not travel straight. */
 #include "calibrate/beams.h"
 
 #include "base/position.h"

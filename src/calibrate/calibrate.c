@@ -290,10 +290,10 @@ static size_t starts_asked(const murk_calibration_desc *desc)
     return desc->starts ? desc->starts : MURK_FIT_STARTS;
 }
 
-/* True if the best start so far may be a false minimum: such a cost has a
- * probability below MURK_FIT_REFUSED for a correct model, or a value ended at a
- * bound. The cost includes the robust loss, because outliers that the user
- * asked to tolerate are no reason to search again. */
+/* True if the best start so far may be a false minimum: for a correct model a
+ * cost of at least this size has a probability below MURK_FIT_REFUSED, or a
+ * value ended at a bound. The cost includes the robust loss, because outliers
+ * that the user asked to tolerate are no reason to search again. */
 static bool is_doubtful(const murk_calibration *out, const murk_fit_search *s)
 {
     const murk_calibration_start *best = &out->start[out->best];
@@ -330,8 +330,9 @@ static murk_status run(murk_calibration *out, murk_fit_search *s,
         return status; /* out->start[out->best] has the values; no other result
                         * is known */
     }
-    /* Evaluate the end of the best start again. The light at hand serves if no
-     * light was traced since that start ended. */
+    /* Evaluate the end of the best start again, unless that start was the last.
+     * The light at hand serves if no light was traced since that start
+     * ended. */
     const murk_calibration_start *best = &out->start[out->best];
     if (!status && out->best + 1 != done) {
         const bool is_valid =

@@ -5,8 +5,9 @@
  * them. Light is traced again when the effective sample size falls below
  * MURK_MIN_SHARE of the sample, or when a parameter that re-weighting cannot
  * vary has moved. A search ends when least squares end at a point where the
- * light is still valid, or at the limit on traces. Rows are whitened by the
- * measurement errors together with the covariance from photons. */
+ * light is still valid, or at the limit on traces; a search may also be
+ * abandoned (calibrate/search.h). Rows are whitened by the measurement errors
+ * together with the covariance from photons. */
 #ifndef MURK_CALIBRATE_CALIBRATE_H
 #define MURK_CALIBRATE_CALIBRATE_H
 

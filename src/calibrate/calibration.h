@@ -34,9 +34,9 @@ typedef struct murk_calibration_desc {
     unsigned threads;
     uint32_t seed;      /* for the values of further starts */
     bool only_predicts; /* predict the rows at the start values; no search */
-    /* Called after each successful step of least squares with the cost (chi2,
-     * or less with a robust loss) and the values, in the thread of the caller;
-     * may be NULL. */
+    /* Called for the start of least squares and after each successful step with
+     * the cost (chi2, or less with a robust loss) and the values, in the thread
+     * of the caller; may be NULL. */
     void (*watch)(void *context, size_t start, size_t traces, int iteration,
                   double chi2, const double *value);
     /* As in murk_model_desc. */
@@ -69,7 +69,7 @@ typedef struct murk_calibration {
     double *value;            /* [n] */
     double *lower, *upper;    /* [n]; 95 % confidence interval, cut at the
                                  limits of the key; NaN where standard_error
-                                 is */
+                                 is NaN */
     double *standard_error;   /* [n]; NaN if undetermined or at a bound */
     bool *at_bound;           /* [n] */
     murk_certainty certainty; /* in search coordinates: the logarithm of a key

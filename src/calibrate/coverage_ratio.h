@@ -1,7 +1,8 @@
 /* Coverage as a ratio of sums, C = X / Y: X is the sum of weight times clarity
- * over the records in view, and Y the sum of the weights of all records. Both
- * maps form one ratio; with balanced weights, C is the mean of the ratios of
- * the two maps. For use inside src/calibrate only.
+ * (visibility times transmittance) over the records in view, and Y the sum of
+ * the weights of all records. Both maps form one ratio; with balanced weights,
+ * C is the mean of the ratios of the two maps, or the ratio of the only map
+ * that has weight. For use inside src/calibrate only.
  *
  * The contribution of a batch to C = X / Y is C / batches + (X_b - C Y_b) / Y.
  * The second term is the linearised residual of the ratio estimator and sums to

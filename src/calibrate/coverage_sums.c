@@ -29,7 +29,8 @@ static void add_slopes(double *slope, const murk_coverage_sums *r,
     }
 }
 
-/* Sums the weights of the records of a run. */
+/* Sums the weights of the records of a run, and the derivatives of the
+ * weights. */
 static void sum_all(void *context, uint64_t run)
 {
     murk_coverage_sums *r = context;
@@ -69,7 +70,8 @@ static double combine(const murk_coverage_sums *r, const double *through,
         }
         return 1 - before;
     }
-    /* Otherwise: the mean of the clearest `redundancy` sightlines. */
+    /* Otherwise: the mean of the clearest `redundancy` sightlines; sightlines
+     * that a record lacks count as 0. */
     memset(by, 0, n * sizeof *by);
     const double each = 1 / (double)r->redundancy;
     double sum = 0;

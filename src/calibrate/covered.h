@@ -2,17 +2,19 @@
  *
  * C = sum(w D) / sum(w), map by map with the weights of the scene; w is the
  * power of a record times the factors of regions of interest times
- * murk_reweighed.ratio, and
+ * murk_reweighed.ratio, D is the combined clarity (visibility times
+ * transmittance) of a record, and with ' for derivatives
  *
  * dC = [sum(w' D + w D') - C sum(w')] / sum(w).
  *
- * D combines the clearest sightlines, as many as the redundancy of the scene
- * (detection: weighted), or independent probabilities. The transmittance of a
- * sightline at other parameters follows from the density path along it, stored
- * by medium, and from the extinctions for the acceptance angle of the sensor
- * (medium/rescaled.h). At the traced parameters, the result differs from
- * murk_coverage_result_measure() of the same records by about 1/65535, because
- * that function rounds clarities to this unit. */
+ * D is the mean of the clearest sightlines, as many as the redundancy of the
+ * scene (detection: weighted), or the probability of at least one of
+ * independent detections. The transmittance of a sightline at other parameters
+ * follows from the density path along it, stored by medium, and from the
+ * extinctions for the acceptance angle of the sensor (medium/rescaled.h). At
+ * the traced parameters, the result differs from murk_coverage_result_measure()
+ * of the same records by about 1/65535, because that function rounds clarities
+ * to this unit. */
 #ifndef MURK_CALIBRATE_COVERED_H
 #define MURK_CALIBRATE_COVERED_H
 

@@ -139,8 +139,9 @@ murk_status murk_free_optics(murk_optics **out, const murk_free_keys *keys,
                                        err);
 }
 
-/* Symmetric values if there is room within the range, otherwise to the side
- * with more room. */
+/* Symmetric values if the range leaves more than a quarter of the full distance
+ * on both sides, otherwise `value` and one value on the side with more
+ * space. */
 void murk_free_key_beside(const murk_free_key *key, double step, double value,
                           double *low, double *high)
 {

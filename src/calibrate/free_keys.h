@@ -16,8 +16,8 @@
  * field determine. */
 #define MURK_FREE_MAX 512
 
-/* How places in messages begin that concern free keys, "keys KEY": the argument
- * of murk_fit_create(). */
+/* The start of the place in messages about free keys, such as "keys KEY";
+ * `keys` is the argument of murk_fit_create() (murk.h) that lists them. */
 #define MURK_FREE_PLACE "keys"
 
 typedef enum murk_free_kind {
@@ -53,8 +53,8 @@ typedef struct murk_free_key {
                        * contains it, because a list may exist by default alone
                        */
     size_t index;     /* index in the list */
-    murk_yaml **list; /* [conditions]; the list; all NULL if the key is not in a
-                       * list */
+    murk_yaml **list; /* [conditions]; the list; NULL in conditions without the
+                       * key, and everywhere if the key is not in a list */
     double step;      /* step of differences relative to the size of the value
                        */
 } murk_free_key;
@@ -100,7 +100,9 @@ typedef struct murk_free_keys {
  * Fails for unknown keys (with a suggestion), keys that are not a single
  * number, keys of anything but media, regions, lights and site, factors that no
  * reading names, relative light without a free factor, a key that is given
- * twice or has no effect, more parameters than rows, starts outside the bounds,
+ * twice or has no effect, no parameter, more parameters than fitted rows or
+ * than MURK_FREE_MAX, a factor whose readings are all held out, bounds that are
+ * malformed, outside the range or of no free key, starts outside the bounds,
  * and a start with albedo, extinction or power 0, which cannot be re-weighted:
  * all MURK_BAD_VALUE, at the option or the line of the data. Also fails as
  * reading the scene does, and with MURK_NO_MEMORY. The caller owns *out
@@ -110,9 +112,9 @@ murk_status murk_free_keys_create(murk_free_keys **out,
 void murk_free_keys_destroy(murk_free_keys *keys); /* NULL is fine */
 
 /* The scene of condition c (an index into keys->condition) at value[keys->n],
- * or unchanged if value is NULL; and its optics. Both fail at "keys KEY" if
- * the scene does not accept a value, and print no warnings. The caller owns
- * *out. */
+ * or unchanged if value is NULL; and its optics. Both fail at "keys KEY" if the
+ * scene does not accept a value, and with MURK_BAD_FILE if the scene file was
+ * changed; they print no warnings. The caller owns *out. */
 murk_status murk_free_scene(murk_scene_desc **out, const murk_free_keys *keys,
                             size_t c, const double *value, murk_error *err);
 murk_status murk_free_optics(murk_optics **out, const murk_free_keys *keys,
@@ -125,8 +127,8 @@ murk_status murk_free_optics(murk_optics **out, const murk_free_keys *keys,
  * phase functions, whose nodes are accurate to 1e-5. The size is the value
  * itself for keys that are searched in logarithms, else the absolute value, but
  * at least 1 or the width of the range, whichever is smaller. Near a limit of
- * the range the distance is smaller; if less than a quarter of the full
- * distance is left, one of the two values is `value` itself. */
+ * the range the distance is smaller; if a quarter of the full distance or less
+ * is left, one of the two values is `value` itself. */
 void murk_free_key_around(const murk_free_keys *keys, size_t k, double value,
                           double *low, double *high);
 

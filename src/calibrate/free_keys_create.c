@@ -195,8 +195,9 @@ static murk_status set_kind(murk_free_keys *keys, size_t k,
     return MURK_OK;
 }
 
-/* Stores the channel powers if no free key affects them: computing them
- * (ephemeris, sky) takes longer than all other optics. */
+/* Stores the channel powers if no key of `lights` or `site` is free, so that
+ * they stay the same: computing them (ephemeris, sky) takes longer than all
+ * other optics. */
 static murk_status keep_power(murk_free_keys *keys, size_t c,
                               const murk_optics *base, murk_error *err)
 {

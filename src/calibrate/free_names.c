@@ -119,7 +119,8 @@ static murk_status add(murk_free_keys *keys, const char *name, const char *path,
     return MURK_OK;
 }
 
-/* Adds a factor of readings; suggests a name if no reading has this factor. */
+/* Adds a factor of readings; fails, with a suggestion, if no reading has this
+ * factor. */
 static murk_status add_gain(murk_free_keys *keys, const char *asked,
                             murk_error *err)
 {

@@ -5,7 +5,8 @@
 
 #include "calibrate/free_keys.h"
 
-/* Fills condition[], their names and the checksum of the file. */
+/* Fills condition[], their names, the number of bands and the checksum of the
+ * file. */
 murk_status murk_free_find_conditions(murk_free_keys *keys, murk_error *err);
 
 /* Fills key[] with names and paths. */
@@ -15,7 +16,8 @@ murk_status murk_free_add_all(murk_free_keys *keys, murk_error *err);
 murk_status murk_free_place_gain(murk_free_keys *keys, size_t k,
                                  murk_error *err);
 
-/* Fails if readings of relative light have a factor that is not free. */
+/* Fails if readings need a free factor (murk_reading_unit_needs_gain()) and the
+ * factor that they name is not free. */
 murk_status murk_free_check_gains(const murk_free_keys *keys, murk_error *err);
 
 /* Narrows the ranges of the keys by keys->desc.bounds, and checks that each

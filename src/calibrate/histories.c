@@ -5,7 +5,8 @@
 
 #include <stdlib.h>
 
-#define FIRST_CAPACITY 256 /* contributions: some 10 kB */
+/* First capacity, in contributions: some 10 kB with one re-weighted medium. */
+#define FIRST_CAPACITY 256
 
 static bool resize(void **array, size_t n, size_t size)
 {

@@ -64,8 +64,9 @@ typedef struct murk_contribution {
     uint32_t photon;   /* number of the emitted photon */
     uint32_t receiver; /* receiver, or kind of record */
     uint32_t first;    /* index of the first stored cosine of its photon */
-    uint32_t turns;    /* scatterings before it in all re-weighted media: the
-                        * cosines are turn[first .. first + turns) */
+    uint32_t turns;    /* scatterings before the contribution in all re-weighted
+                        * media: their cosines are turn[first .. first +
+                        * turns) */
     uint16_t light;
     uint8_t band;
     uint8_t medium; /* record of the volume map: number of the medium in the
@@ -91,13 +92,13 @@ typedef struct murk_histories {
     double *packet_w;     /* [channels] */
     size_t n;
     murk_contribution *contribution; /* [n]; by photon, then along the path */
-    float *path_m;   /* [n][media]; density path before it; for a chord, to the
-                      * point of entry */
+    float *path_m;   /* [n][media]; density path before the contribution; for a
+                      * chord, to the point of entry */
     float *chord_m;  /* [n][media]; density path across the chord; 0 for records
                       */
-    uint32_t *count; /* [n][media]; scatterings before it; a record in a medium
-                      * includes its own scattering */
-    size_t turns;    /* 0: cosines are not stored */
+    uint32_t *count; /* [n][media]; scatterings before the contribution; a
+                      * record in a medium includes its own scattering */
+    size_t turns;    /* number of stored cosines; 0 if cosines are not stored */
     float *turn;     /* [turns]; 1 - cosine, which keeps the precision of small
                       * angles */
     uint8_t *turn_medium;              /* [turns]; index into medium[] */

@@ -31,8 +31,9 @@ murk_status murk_instruments_create(murk_instruments *out,
                                     size_t condition, murk_error *err);
 void murk_instruments_release(murk_instruments *instruments);
 
-/* Warns of receivers whose sphere is cut by a surface: the part behind the
- * surface is dark, so the receiver reads low. */
+/* Warns of receivers whose sphere is cut by a surface to more than a hundredth
+ * of the radius, the first few by name: the part behind the surface is dark, so
+ * the receiver reads low. */
 void murk_instruments_warn_of_cut(const murk_instruments *instruments,
                                   const murk_readings *measured,
                                   const murk_surfaces *surfaces);

@@ -185,7 +185,8 @@ static murk_status check_end(murk_key_place *out, const walk *f,
                                "be any");
 }
 
-/* Records the list that the path goes through. */
+/* Records the list that contains the value, if the last step went from a list
+ * to a single value. */
 static void note_list(murk_key_place *out, const murk_key_position *before,
                       const murk_key_position *at, const walk *f)
 {
@@ -301,7 +302,8 @@ static murk_status from_preset(murk_key_range *out, const murk_key_place *place,
     return MURK_OK;
 }
 
-/* The last part of the path is the name of the key. */
+/* The last part of the path, without the index in a list, is the name of the
+ * key. */
 murk_status murk_key_range_of(murk_key_range *out, const murk_key_place *place,
                               const char *path, const char *where,
                               murk_error *err)

@@ -12,12 +12,12 @@ typedef struct murk_key_place {
                             * list */
     const murk_key *item;  /* row of the item if each item of the list has a row
                             * of its own */
-    const murk_yaml *list; /* the list that contains it; NULL: none */
+    const murk_yaml *list; /* the list that contains `node`; NULL: none */
     size_t index;          /* index in the list */
     size_t put;            /* length of the path up to the key of the list;
                             * without a list, of the whole path */
-    const murk_yaml
-        *medium; /* map of the medium that it is a key of; or NULL */
+    const murk_yaml *medium; /* map of the medium that the key belongs to; NULL:
+                              * it is not a key of a medium */
 } murk_key_place;
 
 /* Finds a path in a resolved scene (scene->resolved, parsed), which contains
@@ -36,11 +36,12 @@ typedef struct murk_key_range {
     bool is_log; /* a positive scale: the search uses the logarithm */
 } murk_key_range;
 
-/* The range of the key table, or of the preset for a word of presets. A limit
- * that the key may not reach (the cosines -1 and 1) is replaced by a value one
- * thousandth inside, except a lower limit 0 of a key that is searched in
- * logarithms. Limits of 1e9 and more only catch typing errors and count as
- * infinite. The path is used for the last part, the name of the key. */
+/* The range of the key table, for a word of presets narrowed to that of the
+ * preset. A limit that the key may not reach (the cosines -1 and 1) is replaced
+ * by a value that lies 1e-3 inside, except a lower limit 0 of a key that is
+ * searched in logarithms. Limits of 1e9 and more only catch typing errors and
+ * count as infinite. The last part of the path (without the index in a list) is
+ * the name of the key. Fails as reading the preset does. */
 murk_status murk_key_range_of(murk_key_range *out, const murk_key_place *place,
                               const char *path, const char *where,
                               murk_error *err);

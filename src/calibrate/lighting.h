@@ -63,7 +63,9 @@ murk_status murk_lighting_rows_create(murk_lighting_rows *out,
                                       size_t keys, murk_error *err);
 void murk_lighting_rows_release(murk_lighting_rows *rows);
 
-/* Evaluates the light rows at the optics `at`. */
+/* Evaluates the light rows of a traced condition at the optics `at`;
+ * sides[keys] as in murk_reweigh(). Fails as murk_reweigh() and
+ * murk_covered_read(). */
 murk_status murk_lighting_read(murk_lighting_rows *out,
                                const murk_lighting *lighting,
                                const murk_readings *measured,

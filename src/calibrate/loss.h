@@ -6,8 +6,8 @@
 #include "fit/least_squares.h"
 
 /* Reads the name of a loss function and the width in standard errors, which is
- * that of 95 % efficiency on normal residuals if the text has none. Fails with
- * MURK_BAD_VALUE at "loss". */
+ * that of 95 % efficiency on normal residuals if the text has no width (1, and
+ * not used, for "none"). Fails with MURK_BAD_VALUE at "loss". */
 murk_status murk_loss_read(murk_loss_function *loss, double *width,
                            const char *text, murk_error *err);
 

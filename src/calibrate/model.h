@@ -34,7 +34,8 @@ typedef struct murk_model_facts {
     size_t *light; /* [lights]; rows that need photons, rising */
     size_t lights;
     size_t batches, runs; /* of photons */
-    size_t traces;        /* so far, those for slopes included */
+    size_t traces;        /* so far, one for each condition with light rows,
+                           * those for slopes of world keys included */
     uint64_t photons;     /* of one trace, of the condition that was traced
                              last */
     double memory_bytes;  /* of the fit, as forecast by the first trace; 0:
@@ -55,8 +56,8 @@ const murk_model_facts *murk_model_facts_of(const murk_model *model);
 const murk_stage *murk_model_stage(const murk_model *model, size_t c);
 
 /* Builds the worlds at value[keys->n] and traces the light that rows need.
- * Fails if an instrument cannot be modelled there and, the first time, before
- * light is traced, if the forecast exceeds the free memory. */
+ * Fails if an instrument cannot be modelled at these values and, the first
+ * time, before light is traced, if the forecast exceeds the free memory. */
 murk_status murk_model_trace(murk_model *model, const double *value,
                              murk_error *err);
 

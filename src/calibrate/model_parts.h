@@ -10,7 +10,8 @@
 typedef struct murk_model_world {
     murk_scene_desc *scene; /* at the start values */
     murk_instruments instruments;
-    size_t *medium; /* [scene->n_media]; media that keys re-weight */
+    size_t *medium; /* [scene->n_media], of which the first desc.media are
+                     * filled: numbers of the media that keys re-weight */
     murk_lighting_desc desc;
     murk_lighting lighting;
     murk_lighting_rows rows; /* at the last prediction */

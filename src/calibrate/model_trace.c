@@ -1,5 +1,5 @@
 /* Creates the forward model and traces the light of all conditions: chooses the
- * media whose densities must be recorded, divides photons into batches and
+ * media whose density paths must be recorded, divides photons into batches and
  * runs, forecasts memory, and computes slopes of world keys. */
 #include "calibrate/model_parts.h"
 
@@ -148,7 +148,8 @@ static murk_status lay_batches(murk_model *m, murk_error *err)
     const uint64_t fits = BATCH_SUMS_MAX / (m->facts.lights + 1);
     m->facts.batches = fits < BATCHES_MAX ? (size_t)fits : BATCHES_MAX;
     murk_status status = MURK_OK;
-    /* No more batches than photons in any condition. */
+    /* No more batches than photons (or records, if the scene states their
+     * number) in any condition. */
     for (size_t c = 0; c < m->worlds && !status; ++c) {
         murk_model_world *w = &m->world[c];
         const murk_scene_photons *photons = &w->scene->photons;

@@ -24,7 +24,8 @@ typedef struct murk_optics {
 } murk_optics;
 
 /* Optics at two values of a parameter, slightly below and above the present
- * one. */
+ * one; near a limit of the range, one of them is the present value
+ * (murk_free_key_around()). */
 typedef struct murk_optics_sides {
     murk_optics *low, *high; /* NULL: the parameter has no effect here */
     double span;             /* difference of the two values */

@@ -1,6 +1,6 @@
 /* Predicts a reading and slopes at every candidate with a forward model of its
- * own, and selects candidates greedily by the determinant of the information
- * (fit/optimal.h). */
+ * own, and selects candidates by the determinant of the information, greedily
+ * and then by exchanges (fit/optimal.h). */
 #include "calibrate/proposals.h"
 
 #include "base/quantile.h"

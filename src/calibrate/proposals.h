@@ -1,5 +1,6 @@
-/* Proposes the next measurements: those candidates of the scene whose readings
- * would reduce the uncertainty of the parameters most (D-optimal design,
+/* Proposes the next measurements: candidates of the scene whose readings
+ * together would reduce the uncertainty of the parameters most, as far as
+ * greedy selection and exchanges find them (D-optimal design,
  * fit/optimal.h). */
 #ifndef MURK_CALIBRATE_PROPOSALS_H
 #define MURK_CALIBRATE_PROPOSALS_H
@@ -21,8 +22,8 @@ typedef struct murk_proposed_place {
 } murk_proposed_place;
 
 typedef struct murk_proposals {
-    murk_reading_kind kind; /* the most frequent kind of the fitted readings of
-                             * light and coverage */
+    murk_reading_kind kind; /* the most frequent kind of the fitted rows of
+                             * coverage, fluence and irradiance */
     murk_reading_unit unit;
     size_t condition;      /* number in the scene; SIZE_MAX: the scene without a
                             * condition */
@@ -39,10 +40,9 @@ typedef struct murk_proposals {
                                NaN: undetermined */
 } murk_proposals;
 
-/* Fails with MURK_BAD_VALUE if no fitted reading is of light or coverage, so
- * that no place could be chosen, or if the scene has no sensors. To be called
- * before anything is fitted.
- */
+/* Fails with MURK_BAD_VALUE if no fitted reading is of coverage, fluence or
+ * irradiance, so that no place could be chosen, or if the scene has no sensors.
+ * To be called before anything is fitted. */
 murk_status murk_proposals_check(const murk_readings *measured,
                                  const murk_scene_desc *scene, murk_error *err);
 

@@ -137,7 +137,7 @@ static void record(const murk_recorder *r, murk_photon_history *f,
     }
 }
 
-/* Adds a scattering to the history. */
+/* Adds a scattering to the history, if the medium is recorded. */
 static void add_turn(const murk_recorder *r, murk_photon_history *f,
                      const murk_event *event)
 {
@@ -185,7 +185,8 @@ void murk_recorder_event(void *context, uint64_t batch, const murk_event *event)
 /* ---- waves of photons ---- */
 
 /* Moves the contributions of a buffer, up to and including photon `last`, to
- * the end of `all`. */
+ * the end of `all`; contributions of later photons are dropped. False when out
+ * of memory or of 32-bit indices. */
 static bool move(murk_recorder *r, murk_photon_history *f, uint64_t last)
 {
     murk_histories *buffer = &f->buffer, *all = r->all;

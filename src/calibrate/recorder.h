@@ -11,7 +11,8 @@
 #include "calibrate/receiver_tree.h"
 #include "lightmap/record_buffers.h"
 
-/* The history of the photon that a batch traces at present. */
+/* The contributions of a batch (buffer), and the history of the photon that the
+ * batch traces at present. */
 typedef struct murk_photon_history {
     murk_histories buffer;
     bool is_short_of_memory;

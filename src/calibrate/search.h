@@ -13,9 +13,10 @@
 #include "calibrate/search_state.h"
 
 /* Runs search i: fills out->start[i], and out->best if it is the best so far.
- * Afterwards the last prediction of the search is that at search->x, the end. A
- * failure of a further start (i > 0) is recorded in out->start[i].why and is no
- * failure of the fit, except an interrupt and lack of memory. */
+ * After a search that neither failed nor was abandoned, the last prediction is
+ * that at search->x, the end. A failure of a further start (i > 0) is recorded
+ * in out->start[i].why and is no failure of the fit, except an interrupt and
+ * lack of memory. */
 murk_status murk_fit_start(murk_calibration *out, murk_fit_search *search,
                            size_t i, murk_error *err);
 

@@ -201,8 +201,8 @@ static bool evaluate(void *context, const double *x, double *residual,
     return true;
 }
 
-/* Called after each step of the solver: reports progress, and ends the solver
- * if the light is no longer valid. */
+/* Called for the start and after each step of the solver: reports progress, and
+ * ends the solver if the light is no longer valid or after an interrupt. */
 static bool watch(void *context, const murk_least_squares_step *step)
 {
     murk_fit_search *s = context;

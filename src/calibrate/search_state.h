@@ -36,11 +36,12 @@ typedef struct murk_fit_search {
     size_t start;         /* number of the start */
     bool is_undersampled; /* least squares, or the correction after them, ended
                            * last because the effective share was too low */
-    bool has_light; /* the last search succeeded, so the light can be used again
-                     */
-    bool shares_light;   /* the next search begins with that light */
-    bool is_scouting;    /* least squares continue for any effective share */
-    double cost_to_beat; /* cost of the best start so far */
+    bool has_light;    /* the last search did not fail, so its light can be used
+                        * again */
+    bool shares_light; /* the next search begins with that light */
+    bool is_scouting;  /* least squares continue for any effective share */
+    double cost_to_beat; /* cost of the best start so far; infinite in the first
+                          * search */
     bool is_dropped;     /* the last search was abandoned: see search.h */
     murk_error err;      /* why the last prediction failed */
     murk_arena arena;    /* of all arrays */
@@ -52,7 +53,8 @@ murk_status murk_fit_search_create(murk_fit_search *out,
                                    murk_model *model, murk_error *err);
 void murk_fit_search_release(murk_fit_search *search);
 
-/* Bounds of a key in search coordinates. */
+/* Bounds of a key in search coordinates; those of a logarithm lie at most a
+ * factor 1e9 (MURK_FREE_REACH) from the start. */
 double murk_free_lowest(const murk_free_key *key);
 double murk_free_highest(const murk_free_key *key);
 

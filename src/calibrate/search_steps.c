@@ -51,7 +51,7 @@ murk_status murk_fit_leap(murk_fit_search *s, double *x, murk_error *err)
         arena.is_short ? murk_no_memory(err, "", "for the search") : MURK_OK;
     /* The trust region about x. */
     for (size_t k = 0; k < s->n && !status; ++k) {
-        const double reach = /* infinite if a bound is */
+        const double reach = /* infinite if a bound is infinite */
             s->desc->keys->key[k].is_log
                 ? log(LEAP_FACTOR)
                 : LEAP_SHARE * (s->upper[k] - s->lower[k]);

@@ -7,12 +7,15 @@
 #include "calibrate/search_state.h"
 
 /* Minimises the model linearised about x, with search->residual and jacobian,
- * and moves x to the point of the next trace. */
+ * within a trust region about x and the bounds, and moves x to the point found,
+ * at which light is traced next. */
 murk_status murk_fit_leap(murk_fit_search *search, double *x, murk_error *err);
 
 /* From the end of least squares, moves x to the solution without the bias from
- * photon noise in the slopes. Stops and sets search->is_undersampled if the
- * effective share of the light falls below MURK_MIN_SHARE on the way. */
+ * photon noise in the slopes. Stops after a limited number of steps (SETTLE_MAX
+ * in search_steps.c). Also stops, and sets search->is_undersampled, at the
+ * first point at which the effective share of the light is below
+ * MURK_MIN_SHARE. */
 murk_status murk_fit_settle(murk_fit_search *search, double *x,
                             murk_error *err);
 

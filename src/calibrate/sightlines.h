@@ -44,7 +44,8 @@ bool murk_sightlines_find(murk_sightlines *out,
                           murk_sightlines_memory *memory);
 
 /* Merges part[parts], in order, sorted by contribution (below `contributions`),
- * and releases the parts. False when out of memory. */
+ * and releases the parts. False when out of memory or for 2^32 sightlines or
+ * more; the parts then stay. */
 bool murk_sightlines_join(murk_sightlines *out, murk_sightlines *part,
                           size_t parts, const murk_sightlines_through *through,
                           size_t contributions);

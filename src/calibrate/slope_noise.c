@@ -264,7 +264,7 @@ murk_status murk_slope_noise_step(double *step, double *length,
         murk_arena_release(&a.arena);
         return status ? status : no_memory(err);
     }
-    /* The score: gradient plus bias. */
+    /* The score: b - J^T residual. */
     for (size_t k = 0; k < n; ++k) {
         score[k] = noise->bias[k];
         for (size_t i = 0; i < rows; ++i) {

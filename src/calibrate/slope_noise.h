@@ -10,9 +10,9 @@
  * small (errors in variables: Fuller, Measurement Error Models, 1987,
  * doi:10.1002/9780470316665). The weights come from the same photons, too: rows
  * with few photons have too small an error and weigh too much, which has the
- * opposite effect J^T W <p (p^T W p)>, with p the noise of f. If photons are
- * most of the noise, both nearly cancel. All of these terms are estimated from
- * runs of photons.
+ * opposite effect J^T W <p (p^T W p)>, with p the noise of f and < > the mean.
+ * If photons are most of the noise, both nearly cancel. All of these terms are
+ * estimated from runs of photons.
  *
  * The correction: rows are offset by d with J^T W d = b, the difference of both
  * effects. The information is A = J^T W J - N, and the covariance is A^-1 (A +

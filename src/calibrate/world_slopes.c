@@ -8,9 +8,9 @@
 #include <string.h>
 
 /* The wide step is STEP_SHARE of the value of a key that is searched in
- * logarithms, of the width of the bounds of another key, or of the value of a
- * key without bounds. In the last case the step is at least STEP_MIN, in the
- * unit of the key. */
+ * logarithms, of the width of the bounds of another key, or of the absolute
+ * value of a key without bounds. In the last case the step is at least
+ * STEP_MIN, in the unit of the key. */
 #define STEP_SHARE .1
 #define STEP_MIN   .1
 

@@ -23,7 +23,7 @@ murk_status murk_world_slopes(double *slope, double *slope_error,
                               const double *value, murk_error *err);
 
 /* The two values around `value` of a difference: share 1 is the wide step, 1/2
- * the narrow one. */
+ * the narrow one. Both values are cut at the limits of the key. */
 void murk_world_span(const murk_free_key *key, double value, double share,
                      double *low, double *high);
 
