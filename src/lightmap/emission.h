@@ -21,7 +21,9 @@ typedef struct murk_emission {
                           * stage->scene->photons.store records are stored */
     bool is_first_small; /* the first wave is one batch, so that its records can
                           * be used for a forecast */
-    murk_record_buffers *buffers; /* stores and counts the records */
+    murk_record_buffers *buffers; /* stores and counts the records; NULL
+                                   * (only with emit, sink and gather): no
+                                   * records */
     murk_ledger *ledger;
     murk_tallies *tallies; /* NULL if the scene has none */
 
@@ -29,9 +31,9 @@ typedef struct murk_emission {
      * buffers; they must pass the events on to the record buffers, which count
      * them. gather is called after each wave in place of
      * murk_record_buffers_gather(), with gather_context and the number of the
-     * last photon that is kept; it must call that function itself and drop what
-     * it stores of later photons. If sink and gather are NULL, the record
-     * buffers alone are used. */
+     * last photon that is kept; if there are record buffers, it must call that
+     * function, and it must drop what it stores of later photons. If sink and
+     * gather are NULL, the record buffers alone are used. */
     murk_event_sink sink;
     murk_segment_sink segment_sink;
     void *context; /* passed to both sinks */
