@@ -20,7 +20,8 @@ static double nearest(const murk_tree *tree, murk_vec3 p)
                : -1;
 }
 
-/* Trilinear mean of the corners that have an albedo; negative if none has. */
+/* Trilinear mean over those corners of the cell around p that have an albedo
+ * and a weight above 0; negative if there are none. */
 static double linear(const murk_tree *tree, murk_vec3 p)
 {
     int32_t cell[3];

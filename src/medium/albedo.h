@@ -10,12 +10,12 @@
 #include "medium/media.h"
 #include "medium/place.h"
 
-/* Albedo of the medium's grid at the world point p. */
+/* Albedo at the world point p of a medium that has an albedo grid. */
 double murk_albedo_by_grid(const murk_medium *medium, const murk_place *place,
                            murk_vec3 p);
 
-/* Albedo of a placed medium at the world point p: from the grid, otherwise
- * the constant of the band. */
+/* Albedo of a placed medium at the world point p: from the albedo grid if the
+ * medium has one, otherwise the constant of the band. */
 static inline double murk_albedo_at(const murk_medium *medium,
                                     const murk_place *place, int band,
                                     murk_vec3 p)

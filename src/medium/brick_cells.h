@@ -10,13 +10,13 @@
 #include "medium/bricks.h"
 
 /* log2 of the edges of cells, smallest first: blocks (128 voxels), the root
- * cells of the tree (4096), and further levels by a factor of 32 until a few
- * cells cover all indices. */
+ * cells of the tree (4096), and further levels by a factor of 32 until 16 cells
+ * along each axis cover all indices (MURK_INDEX_MAX of medium/tree.h). */
 #define MURK_BRICK_LEVELS 5
 static const int murk_level_shift[MURK_BRICK_LEVELS] = {7, 12, 17, 22, 27};
 
-/* Edge of a block in voxels: the cells of a lower node of the tree. And the
- * mark of a block that has no table of bricks. */
+/* Edge of a block in voxels, which is that of a lower node of the tree
+ * (medium/nodes.h), and the mark of a block that has no table of bricks. */
 #define MURK_BLOCK    128
 #define MURK_NO_TABLE UINT32_MAX
 
@@ -68,7 +68,8 @@ static inline size_t murk_first_slot(const murk_bricks *b, int level,
     return (size_t)(h >> 32) & (b->n_slots - 1);
 }
 
-/* The slot of the cell, or the free slot for it. */
+/* The slot of the cell that contains the voxel at this level, or the free slot
+ * in which that cell would be stored. */
 static inline murk_brick_cell *murk_slot_of(const murk_bricks *b, int level,
                                             const int32_t voxel[3])
 {

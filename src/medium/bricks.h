@@ -4,12 +4,15 @@
  * edge. Bricks exist only in those blocks of 128 voxels along an edge in which
  * the interpolation reads a value above 0 of a leaf, or of a tile of the size
  * of a leaf. Empty space has the bound 0, in cells that grow with the size of
- * the empty space, so that a ray crosses empty space in a few steps. A tile
- * (one value for a large cell of the tree) has one bound, and so have the
- * neighbouring cells from which the interpolation reads it. Memory is at most a
- * few times that of the tree.
+ * the empty space, so that a ray crosses empty space in a few steps. A larger
+ * tile (one value for a cell of the tree of 128 or 4096 voxels along an edge)
+ * raises the bound of its whole cell, and of the whole neighbouring cells in
+ * which the interpolation reads the tile. Memory is at most a few times that of
+ * the tree.
  *
- * Space and ray parameter are those of march.h. Immutable after creation.
+ * Space and ray parameter are those of medium/march.h for nearest-neighbour
+ * interpolation, those of medium/linear.h for linear interpolation. Immutable
+ * after creation.
  * For use inside src/medium only. */
 #ifndef MURK_MEDIUM_BRICKS_H
 #define MURK_MEDIUM_BRICKS_H
@@ -18,7 +21,8 @@
 
 #include <stddef.h>
 
-/* Edges from that of a leaf to that of a block, in voxels. */
+/* The smallest and the largest edge of a brick in voxels: the edge of a leaf
+ * and the edge of a block. */
 #define MURK_BRICK_EDGE_MIN 8
 #define MURK_BRICK_EDGE_MAX 128
 

@@ -38,8 +38,9 @@ static bool grow(murk_bricks *b)
     return true;
 }
 
-/* The cell at a level; creates it and all parents if needed. NULL without
- * memory. The pointer is valid until the next call. */
+/* The cell at a level that contains a voxel; creates the cell and all parents
+ * of it if needed. NULL without memory. The pointer is valid until the next
+ * call. */
 static murk_brick_cell *cell_at(murk_bricks *b, int level,
                                 const int32_t voxel[3])
 {
@@ -170,8 +171,9 @@ static bool add_small_tile(murk_bricks *b, const int32_t at[3], float value)
     return add_leaf(b, at, leaf);
 }
 
-/* Adds a tile: raises the bound of the cell, and of those neighbouring cells
- * of the same size from which the interpolation reads it. */
+/* Adds a tile of the size of a block or a root cell: raises the bound of its
+ * cell, and of those neighbouring cells of the same size in which the
+ * interpolation reads the tile. A tile of value 0 changes nothing. */
 static bool add_large_tile(murk_bricks *b, int level, const int32_t at[3],
                            float value)
 {

@@ -30,8 +30,8 @@ murk_cubic murk_cubic_in_cell(const double corner[8], const double a[3],
                          c2[0] + d2 * a[2] + d1 * dz, d2 * dz}};
 }
 
-/* The s at which the integral of c0 + c1 s from 0 reaches `target`: the form of
- * the root without a difference of nearly equal numbers. */
+/* The s, at most 1, at which the integral of c0 + c1 s from 0 reaches `target`.
+ * The form of the root contains no difference of nearly equal numbers. */
 static double reach_of_line(double c0, double c1, double target)
 {
     const double end = sqrt(fmax(0, c0 * c0 + 2 * c1 * target));

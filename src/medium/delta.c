@@ -1,6 +1,6 @@
 /* Delta tracking through overlapping grids (medium/delta.h). The majorant of an
  * interval is the sum of the majorants of all grids and the constant
- * extinction; each grid has a walk through bricks of its own
+ * extinction. The ray walks through the bricks of each grid separately
  * (medium/bricks.h). */
 #include "medium/delta.h"
 
@@ -10,9 +10,9 @@
 #include <assert.h>
 #include <math.h>
 
-/* Edge of a brick in voxels: the smallest. Tighter majorants make fewer null
- * collisions, which cost more than steps between bricks (figures in
- * medium/README.md). */
+/* Edge of a brick in voxels: the smallest. Smaller bricks have tighter
+ * majorants, and the null collisions that are saved cost more time than the
+ * additional steps between bricks (figures in medium/README.md). */
 #define EDGE MURK_BRICK_EDGE_MIN
 
 /* A grid that the ray crosses. */
@@ -23,9 +23,10 @@ typedef struct grid_track {
     murk_tree_cursor cursor;
 } grid_track;
 
-/* Takes the next pair of random numbers of the flight: the optical depth of
- * the next collision, and the number that decides between real and null. One
- * Philox call gives two pairs. */
+/* Sets f->limit, the optical depth of the next collision, and f->u, the number
+ * that decides whether this collision is real or null, from the next pair of
+ * random numbers of the flight. One call of murk_random_at() gives two pairs.
+ */
 static void next_randoms(murk_flight *f)
 {
     murk_flight_randoms *stream = f->stream;
@@ -69,7 +70,8 @@ static inline double density_at(grid_track *k, double t)
                               : node.value);
 }
 
-/* Decides whether the collision at t is real. */
+/* True if the collision at t is real. Sets density[n] to the densities at t; at
+ * a real collision also f->collision_m, and f->u to a fresh uniform number. */
 static inline bool is_real(murk_flight *f, double t, double bound,
                            grid_track *tracks, size_t n, double even_per_m,
                            double *density)
@@ -107,7 +109,8 @@ bool murk_delta_cross(murk_flight *flight, double *from, double to,
     /* Interval by interval of constant majorant. */
     double t = *from;
     while (t < to) {
-        /* The sum of the majorants, and the nearest end of a brick. */
+        /* The sum of the majorants, and the nearest end of a segment of
+         * constant bound. */
         double bound = even_per_m, end = to;
         for (size_t i = 0; i < n; ++i) {
             murk_brick_walk *w = &tracks[i].walk;

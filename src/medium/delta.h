@@ -4,7 +4,7 @@
  * collision and the flight continues. The distribution is exact for any valid
  * majorant; a tight one only saves time.
  *
- * For use inside src/medium only; other rooms call murk_media_fly_delta().
+ * For use inside src/medium only; other folders call murk_media_fly_delta().
  *
  * Sources: Woodcock et al., ANL-7050 (1965) 557; Szirmay-Kalos, Toth and
  * Magdics, Comput. Graph. Forum 30 (2011) 85,
@@ -20,8 +20,8 @@
 #define MURK_NULLS_MAX 1000
 
 /* murk_media_prepare_delta() with a given edge of bricks and all majorants
- * times a factor, for tests. A factor above 1 costs time; below 1 the result
- * is wrong. */
+ * times a factor, for tests. A factor above 1 costs time; with a factor below 1
+ * a majorant may be less than the extinction, and results are then wrong. */
 murk_status murk_delta_prepare(murk_media *media, int32_t edge, double factor,
                                murk_error *err);
 

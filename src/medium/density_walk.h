@@ -1,6 +1,7 @@
-/* Walk along a ray through the density of a region: a grid (nearest or
- * trilinear) or a profile. The ray is divided into segments on which the
- * density is a cubic. For use inside src/medium only. */
+/* Walk along a ray through the density of a region: the value of a grid
+ * (nearest or trilinear) or the extinction of a profile. The ray is divided
+ * into segments on which the density is a cubic. For use inside src/medium
+ * only. */
 #ifndef MURK_MEDIUM_DENSITY_WALK_H
 #define MURK_MEDIUM_DENSITY_WALK_H
 

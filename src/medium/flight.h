@@ -30,7 +30,9 @@ typedef struct murk_flight {
     double depth,
         limit; /* optical depth so far, and that of the next collision; in
                   delta tracking both count from the last null collision */
-    double u;  /* selects the medium of the collision */
+    double u;  /* uniform number that selects the medium of the collision; in
+                  delta tracking it first decides whether the collision is
+                  real */
     murk_flight_randoms *stream; /* NULL: the flight marches */
     double collision_m;
     size_t n_contributors;

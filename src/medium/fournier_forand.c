@@ -7,16 +7,17 @@
 /* The ratio of circumference and diameter of a circle. */
 #define PI 3.14159265358979324
 
-/* Both brackets of the formula vanish as (1 - d)^2 at d = 1. Closer to 1
- * than NEAR their binomial series is used: the first omitted term is below
- * 1e-14 there, while the closed form has a relative error of eps / NEAR^2 =
- * 2e-11. */
+/* The numerators of brackets() vanish as (1 - d)^2 at d = 1. If d is closer to
+ * 1 than NEAR, the binomial series with TERMS terms is used: the first omitted
+ * term is below 1e-14 there, while the closed form has a relative error of eps
+ * / NEAR^2 = 2e-11 at |1 - d| = NEAR (eps: rounding of double precision). */
 #define NEAR  3e-3
 #define TERMS 6
 
-/* The brackets (v (1 - d) - (1 - d^v)) / (1 - d)^2 and (d (1 - d^v) - v (1 -
- * d)) / (1 - d)^2. With x = 1 - d, 1 - d^v = v x - c2 x^2 + c3 x^3 - ...,
- * with the binomial coefficients c of v. */
+/* The two brackets of the formula, with d and v as in murk_fournier_forand():
+ * (v (1 - d) - (1 - d^v)) / (1 - d)^2 and (d (1 - d^v) - v (1 - d)) / (1 -
+ * d)^2. With x = 1 - d, 1 - d^v = v x - c2 x^2 + c3 x^3 - ..., where c2, c3,
+ * ... are the binomial coefficients of v. */
 static void brackets(double v, double d, double *first, double *second)
 {
     const double x = 1 - d, rest = 1 - pow(d, v);
@@ -45,7 +46,8 @@ double murk_fournier_forand(double n, double slope, double s)
     double first, second, back_first, back_second;
     brackets(v, d, &first, &second);
     brackets(v, d_back, &back_first, &back_second);
-    /* (1 - d^v) / (d - 1) from the first bracket, finite at d = 1 */
+    /* (1 - d^v) / (d - 1) for d = d_back, computed from the first bracket,
+     * which is finite at d = 1 */
     const double back = back_first * (1 - d_back) - v;
     return (first + second * 2 / s) / (4 * PI * pow(d, v)) +
            back * (3 * mu * mu - 1) / (16 * PI * pow(d_back, v));

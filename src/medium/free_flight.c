@@ -1,12 +1,13 @@
 /* Free flight and optical depth through all media.
  *
- * Every region contributes the segment of the ray inside it. The ends of all
- * segments divide the ray into intervals with the same regions present. An
- * interval is crossed in closed form: through constant extinction, through
- * one grid or profile, or through several side by side; or, if the flight
- * has a stream of random numbers, by delta tracking (medium/delta.h).
- * Optical depth and free flight are the same crossing, without and with a
- * limit. */
+ * Every region contributes the segment of the ray inside the region. The ends
+ * of all segments divide the ray into intervals with the same regions present.
+ * An interval with constant extinction is crossed in one step. An interval with
+ * grids or profiles is crossed by walks (medium/density_walk.h) that integrate
+ * the density exactly, several walks side by side; or, if the flight has a
+ * stream of random numbers and only grids are present, by delta tracking
+ * (medium/delta.h). Optical depth and free flight are the same crossing,
+ * without and with a limit. */
 #include "medium/media.h"
 
 #include "medium/albedo.h"
@@ -59,7 +60,7 @@ static inline bool cross_even(ray *r, double from, double to,
 }
 
 /* Crosses an interval with one grid or profile and a further constant
- * extinction even_per_m. */
+ * extinction even_per_m; true if the collision is in the interval. */
 static bool cross_walk(ray *r, double from, double to, const murk_place *place,
                        double even_per_m, double *density)
 {
@@ -108,7 +109,8 @@ static bool cross_walks(ray *r, double from, double to,
                                 r->direction, from, to);
     }
     while (from < to) {
-        /* Advance the walks that have ended, and find the nearest end. */
+        /* Advance the walks whose segment has ended, and find the nearest end
+         * of a segment. */
         double min = to;
         for (size_t i = 0; i < n; ++i) {
             while (murk_density_walk_to(&walk[i]) <= from &&
@@ -150,9 +152,10 @@ static bool are_grids(const murk_place *const *places, size_t n)
     return true;
 }
 
-/* Crosses an interval with grids or profiles; density[n] is set at a
- * collision. Delta tracking is used for grids only: a profile is crossed
- * faster than its majorant could be found. */
+/* Crosses an interval with grids or profiles; true, with density[n] set, if the
+ * collision is in the interval. Delta tracking needs a stream of random numbers
+ * and is used only if no profile is among them, because a profile is crossed
+ * faster than a majorant of the profile could be found. */
 static bool cross_with_walks(ray *r, double from, double to,
                              const murk_place *const *places, size_t n,
                              double even_per_m, double *density)
@@ -203,8 +206,8 @@ static bool cross_piece(ray *r, double from, double to,
     return collides;
 }
 
-/* The regions that count in an interval: all that are present, from the last
- * one that replaces others. */
+/* Lists the regions that fill the whole interval from `from` to `to`, without
+ * those before the last one that hides others there. Returns their number. */
 static size_t list_present(const span *spans, size_t n, double from, double to,
                            const murk_place **present)
 {
@@ -270,9 +273,10 @@ static bool cross_alone(ray *r, const span *only)
     return collides;
 }
 
-/* Adds the segments of a region between `from` and `to`: one, or two if the
- * region fills only a part of the space it hides. Returns the number of
- * segments. */
+/* Adds the segments of a region whose shape the ray is inside of from `from` to
+ * `to`: none if the region neither hides others nor fills any of this part, two
+ * if it hides others and fills only a part of it, otherwise one. Returns the
+ * number of all segments in the list, of which n were there before. */
 static size_t add_spans(const ray *r, const murk_place *place, double from,
                         double to, span *spans, size_t n)
 {
@@ -291,8 +295,8 @@ static size_t add_spans(const ray *r, const murk_place *place, double from,
 }
 
 /* Follows the ray until the optical depth reaches the limit (true) or the
- * length is used up. A region that neither has extinction nor hides others
- * is left out. */
+ * length is used up (false). A region that neither has extinction nor hides
+ * others is left out, and so is a mesh that the ray is outside of. */
 static bool cross_media(ray *r, double length_m)
 {
     span spans[SPANS_MAX];

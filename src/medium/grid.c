@@ -22,20 +22,21 @@
 #include <string.h>
 #include <sys/stat.h>
 
-/* Memory limit of the subprocess. A sparse tree is larger in memory than in the
+/* Memory limit of the subprocess, if less than that of
+ * murk_subprocess_limits_for(). A sparse tree is larger in memory than in the
  * file: a node of 4096 voxels along an edge takes some 8 kB in a file and 262
- * kB in memory, twice while it is converted. 200 bytes for each byte of the
- * file is three times that, and a small hostile file still cannot cost seconds.
- * MIN_BYTES, which is added, is for the libraries themselves. */
+ * kB in memory, twice while the node is converted. 200 bytes for each byte of
+ * the file is three times that, and a small hostile file still cannot fill much
+ * memory. MIN_BYTES, which is added, is for the libraries themselves. */
 #define MIN_BYTES           UINT64_C(400000000)
 #define BYTES_PER_FILE_BYTE 200
 
 #define ALIGNMENT \
-    64 /* alignment that NanoVDB requires of buffers: at least 32 */
+    64 /* of buffers, in bytes; NanoVDB requires a multiple of 32 */
 
 struct murk_grid {
     murk_grid_facts facts;
-    unsigned char *buffer; /* the NanoVDB grid; NULL if it is empty */
+    unsigned char *buffer; /* the NanoVDB grid; NULL if no voxel is active */
     murk_tree tree;
 };
 
@@ -150,7 +151,8 @@ static murk_grid_facts facts_from_vdb(const murk_vdb_facts *vdb)
                              .sum = vdb->sum,
                              .background = vdb->background};
     memcpy(facts.name, vdb->name, sizeof facts.name);
-    /* Transformation; the length of a column is the edge of a voxel. */
+    /* Transformation; the length of a column of the matrix is the edge of a
+     * voxel along that axis. */
     double edge_squared[3] = {0};
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column) {
@@ -290,7 +292,8 @@ static murk_status check_file(const char *path, uint64_t *size,
     return MURK_OK;
 }
 
-/* Makes a grid of the samples of the caller of the library. */
+/* Makes a grid of the samples in memory that a path "memory:NAME" names
+ * (base/memory_files.h). Albedos are refused. */
 static murk_status read_memory(murk_grid **out, const char *path,
                                bool is_albedo, const char *where,
                                murk_error *err)
@@ -310,7 +313,8 @@ static murk_status read_memory(murk_grid **out, const char *path,
                                   &given->index_to_world, where, err);
 }
 
-/* Reads a grid of densities or albedos, and warns if it has no effect. */
+/* Reads a grid of densities or albedos; warns if no voxel is active or if all
+ * densities are 0. */
 static murk_status read_grid(murk_grid **out, const char *path,
                              const char *name, bool is_albedo,
                              const char *where, murk_error *err)

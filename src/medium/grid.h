@@ -1,8 +1,8 @@
 /* Density grids from OpenVDB files, stored as NanoVDB buffers.
  *
  * The file is parsed in a subprocess with limits (base/subprocess.h), checked
- * (float, half or double; not a level set; finite; not negative; sane size) and
- * handed over as one NanoVDB float grid. Large sparse grids are never made
+ * (float, half or double; not a level set; finite; not negative; indices within
+ * 2^30) and handed over as one NanoVDB float grid. Sparse grids are never made
  * dense. The functions that read or make a grid may fork, as the host chooses
  * (base/subprocess.h); then no other thread and no Embree device may exist.
  *
@@ -46,9 +46,10 @@ typedef struct murk_grid_samples {
 
 /* Reads a grid. `name` selects the grid of a file: NULL for the only density
  * (or for `density` if there are several), "density[1]" for the second of that
- * name. A path "memory:NAME" names samples in memory (base/memory_files.h). The
- * caller owns *out and releases it with murk_grid_destroy(). Warns of empty
- * grids, of grids that are 0 everywhere and of inactive voxels with a value.
+ * name. A path "memory:NAME" names samples in memory (base/memory_files.h), for
+ * which `name` is ignored. The caller owns *out and releases it with
+ * murk_grid_destroy(). Warns of empty grids, of grids that are 0 everywhere and
+ * of inactive voxels with a value.
  * Fails with MURK_BAD_FILE or MURK_BAD_VALUE at `where` (the message lists the
  * grids if the choice is not clear, and counts bad values and gives the first),
  * with MURK_NO_MEMORY, or as murk_subprocess_run() does. */
@@ -63,9 +64,11 @@ murk_status murk_grid_read_albedo(murk_grid **out, const char *path,
                                   murk_error *err);
 
 /* Makes a grid of dense samples, x fastest: size[0] * size[1] * size[2] values,
- * starting with voxel (0,0,0). Voxels of value 0 are not stored. Fails with
- * MURK_BAD_VALUE at `where` if there are no samples or more than 2^31, with
- * MURK_NO_MEMORY, or as murk_subprocess_run() does. */
+ * starting with voxel (0,0,0). Voxels of value 0 are not stored. Fails at
+ * `where` with MURK_BAD_VALUE if there are no samples, more than 2^31, or
+ * samples that are negative or not finite, with MURK_BAD_FILE if index_to_world
+ * is singular or not finite, with MURK_NO_MEMORY, or as murk_subprocess_run()
+ * does. */
 murk_status murk_grid_from_samples(murk_grid **out, const size_t size[3],
                                    const float *density,
                                    const murk_affine *index_to_world,

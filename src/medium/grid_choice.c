@@ -6,8 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
-/* A list in a message ends after this many bytes: enough to recognise the
- * wanted grid. */
+/* A list in a message gets no further entry beyond this many bytes, which are
+ * enough to recognise the wanted grid. */
 #define ENOUGH_LISTED 400
 #define MAX_LISTED    (ENOUGH_LISTED + 200) /* with space for one more entry */
 
@@ -22,7 +22,8 @@ static bool is_density(const murk_grid_entry *entry)
     return is_float(entry) && !entry->is_level_set;
 }
 
-/* "density (float), temperature (float)" */
+/* Lists the grids for a message, such as "density (float), temperature (float),
+ * ...". */
 static void list(char text[MAX_LISTED], const murk_grid_entry *entry, size_t n)
 {
     size_t used = 0;

@@ -5,6 +5,7 @@
 #include "base/subprocess.h"
 
 extern const murk_subprocess_job murk_grid_read_job, /* medium/grid.c */
-    murk_grid_make_job, murk_grid_write_job;         /* medium/grid_write.c */
+    murk_grid_make_job,                              /* medium/grid.c */
+    murk_grid_write_job;                             /* medium/grid_write.c */
 
 #endif

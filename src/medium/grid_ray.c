@@ -6,7 +6,9 @@
 #include <stddef.h>
 
 /* With up to 64 root cells (nearly every grid) the next one is found by testing
- * all of them; with more, only if a walk cell by cell would take more steps. */
+ * all of them. With more root cells, all of them are tested only if a walk cell
+ * by cell through the box of active voxels would take more steps than there are
+ * root cells. */
 #define FEW_ROOT_CELLS 64
 
 bool murk_grid_clip(const murk_tree *tree, int32_t below, murk_vec3 origin,

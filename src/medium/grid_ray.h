@@ -53,7 +53,8 @@ static inline double murk_larger(double a, double b)
     return a > b ? a : b;
 }
 
-/* 1 / d, or 0 for a ray parallel to the faces of this axis. */
+/* 1 / d; 0 if 1 / d is not finite, for a ray that counts as parallel to the
+ * faces across this axis. */
 static inline double murk_invert(double d)
 {
     const double inverse = 1 / d;
@@ -87,16 +88,18 @@ static inline int32_t murk_voxel_at(double place, int32_t first, int32_t last)
 
 /* Clips [*t0, *t1] to the box of active voxels, enlarged by `below` voxels at
  * the low end of each axis. False if nothing is left, if the tree is empty, or
- * if a number is NaN. */
+ * if a coordinate of the origin is NaN. */
 bool murk_grid_clip(const murk_tree *tree, int32_t below, murk_vec3 origin,
                     murk_vec3 direction, double *t0, double *t1);
 
-/* Starts a ray from t0 to t1, at a cell between first[] and last[]. */
+/* Starts a ray from t0 to t1. The first cell is that at t0, clamped to the
+ * cells from first[] to last[]. */
 void murk_grid_ray_begin(murk_grid_ray *ray, murk_vec3 origin,
                          murk_vec3 direction, double t0, double t1,
                          const int32_t first[3], const int32_t last[3]);
 
-/* The ray parameter at which the ray reaches a face. */
+/* The ray parameter at which the ray reaches a face; INFINITY if the ray is
+ * parallel to the face. */
 static inline double murk_grid_ray_reach(const murk_grid_ray *r, int axis,
                                          double face)
 {
@@ -115,7 +118,8 @@ static inline void murk_grid_ray_place(murk_grid_ray *r, const int32_t first[3],
     }
 }
 
-/* Crosses the cells first to last in one segment. */
+/* Crosses the cells first to last in one segment: sets `to` to the end of the
+ * segment and at[] to the cell beyond. */
 static inline void murk_grid_ray_cross(murk_grid_ray *r, const int32_t first[3],
                                        const int32_t last[3])
 {

@@ -87,7 +87,7 @@ static murk_status check(const char *path, const murk_grid_field *fields,
     return status;
 }
 
-/* Number of nodes with that edge that cover the box. */
+/* Number of nodes with the given edge that cover a box of size[] voxels. */
 static uint64_t nodes(const size_t size[3], size_t edge)
 {
     uint64_t n = 1;
@@ -201,10 +201,11 @@ static bool is_id(const unsigned char *text)
     return true;
 }
 
-/* OpenVDB draws the identifier at random. It is replaced by a UUID of
- * version 8 (RFC 9562) whose other digits are those of the SHA-256 of all
- * other bytes, so that the same fields give the same file. False if there is
- * no identifier. */
+/* OpenVDB draws the identifier at random. The function replaces the identifier
+ * by a UUID of version 8 (RFC 9562), whose digits are, but for version and
+ * variant, those of the SHA-256 of the file with zeros for the identifier, so
+ * that the same fields give the same file. False if there is no identifier at
+ * ID_AT. */
 static bool derive_id(unsigned char *bytes, size_t n)
 {
     if (n < ID_AT + ID_BYTES || !is_id(bytes + ID_AT)) {

@@ -22,14 +22,15 @@ typedef struct murk_grid_field {
     const char *name;   /* 1 to 127 bytes, unique in the file */
     const float *value; /* size[0] * size[1] * size[2], x fastest; finite */
     const char *const *notes; /* metadata: key, text, key, text, ..., NULL, for
-                                 example "unit", "W/m2"; may be NULL */
+                                 example "unit", "W/m2"; NULL: no metadata */
 } murk_grid_field;
 
-/* Writes n fields of size[] voxels. index_to_world maps whole numbers to voxel
- * centres: a box from p with edges e has scale e / size and shift p + e / size
- * / 2. The file appears whole or not at all (base/file.h). Fails at `path` with
- * MURK_BAD_VALUE if an argument is out of the stated range or the file is an
- * input of the run, or with MURK_NO_MEMORY, MURK_INTERRUPTED or
+/* Writes n fields, 1..MURK_GRID_FIELDS_MAX, of size[] voxels, at most 2^31 in
+ * all. index_to_world maps whole numbers to voxel centres: a box from p with
+ * edges e has scale e / size and shift p + e / size / 2. The file appears whole
+ * or not at all (base/file.h). Fails at `path` with MURK_BAD_VALUE if an
+ * argument is out of the stated range, index_to_world cannot be inverted, or
+ * the run has read the file, or with MURK_NO_MEMORY, MURK_INTERRUPTED or
  * MURK_RUN_FAILED. If the host imports by forks (base/subprocess.h), no other
  * thread of the process may run. */
 murk_status murk_grid_write(const char *path, const murk_grid_field *fields,

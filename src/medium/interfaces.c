@@ -24,7 +24,8 @@ static murk_vec3 face_normal(const murk_region_boundary *region_boundary,
 
 /* The exit of a ray inside a box: the nearest of the faces that the ray
  * approaches, whatever the position; a face already passed is hit at once.
- * Faces parallel to the ray give infinity or NaN, which is never less. */
+ * Faces that are parallel to the ray, or at infinity, are not hit. False if the
+ * ray hits no face. */
 static bool leave_box(const murk_region_boundary *region_boundary, murk_vec3 o,
                       murk_vec3 d, boundary_hit *hit)
 {

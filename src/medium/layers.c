@@ -34,7 +34,9 @@ static double extinction_in(const murk_profile *profile, int band, size_t layer,
     return a + share * (b - a);
 }
 
-/* Sets `to` to the end of the layer. */
+/* Sets `to` to the end of the layer, at most to the end of the walk. The first
+ * and the last layer, and each layer for a level ray, reach to the end of the
+ * walk. */
 static void cross_layer(murk_layers *m)
 {
     double to = m->end;

@@ -6,8 +6,9 @@
  * caller's ray parameter. Along a ray, the field in a cell is a cubic in t, so
  * the integral is exact: the length times the sum of the value in the middle
  * and 1/24 of the second derivative there, by a parameter that runs from 0 to 1
- * over the segment. Cells whose corners belong to constant nodes only are
- * crossed in one segment of any size.
+ * over the segment. A box of cells of any size, all corners of which belong to
+ * the same constant nodes (tiles or empty cells of the tree), is crossed in one
+ * segment.
  *
  * For use inside src/medium only.
  *

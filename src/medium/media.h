@@ -6,10 +6,10 @@
  * extinctions are summed, and a collision belongs to a medium in proportion to
  * extinction. A region that replaces others removes the regions listed before
  * it, inside its own shape; so does a region with an index of refraction
- * (medium/interfaces.h). The region of a grid is the box of active voxels,
- * moved with the grid. A box contains its faces at the low end of each axis and
- * not those at the high end, so boxes that share a face never count a point
- * twice.
+ * (medium/interfaces.h). The region of a grid is the box of active voxels (with
+ * linear interpolation half a voxel more on each side), moved with the grid. A
+ * box contains its faces at the low end of each axis and not those at the high
+ * end, so boxes that share a face never count a point twice.
  *
  * Free flight and optical depth are computed exactly, region by region: in
  * grids cell by cell through the tree, in profiles layer by layer. Hence
@@ -85,9 +85,10 @@ typedef struct murk_region {
     double radius_m;
     double
         below_z_m; /* half space; in world coordinates, not moved by to_world */
-    murk_affine to_world; /* moves shape and grid as a whole; not used for
-                             everywhere and below. For a mesh it moves the grid
-                             or profile only: the mesh itself has been moved */
+    murk_affine to_world; /* moves the shape with its grids or profile. For
+                             everywhere and below it moves grids only, for a
+                             mesh grids or profile only: the mesh itself has
+                             been moved */
     bool replaces;
     double ior; /* index of refraction, 1..MURK_IOR_MAX; 0: none. Refractive
                    regions are nested or separate (for meshes the caller checks
@@ -107,8 +108,9 @@ typedef struct murk_media murk_media;
 
 /* Places media in regions. n_regions may be 0: clear air. A region that is
  * everywhere has no bounds: the caller ends its rays at the domain. Warns of
- * regions outside of the domain. Fails with MURK_BAD_VALUE at the `where` of a
- * medium or region, or with MURK_NO_MEMORY. The array `media` is copied; grids,
+ * regions outside of the domain, and of refractive regions inside of one that
+ * is listed later. Fails with MURK_BAD_VALUE at the `where` of a medium or
+ * region, or with MURK_NO_MEMORY. The array `media` is copied; grids,
  * profiles, phase tables and `where` are borrowed. The caller owns *out and
  * releases it with murk_media_destroy(). */
 murk_status murk_media_create(murk_media **out, const murk_medium *media,

@@ -21,8 +21,8 @@ struct murk_media {
         borrows_places; /* places and boundaries belong to another murk_media */
     bool is_even;       /* one homogeneous region everywhere */
     double near_m;      /* boundaries closer than this are one */
-    bool in_band[MURK_BANDS_MAX]; /* the medium of some region has an
-                                     extinction above 0 in the band */
+    bool in_band[MURK_BANDS_MAX]; /* false: in this band the extinction is 0 in
+                                     all regions */
     double bound_factor; /* factor on the majorants of delta tracking; 0: no
                             majorants yet */
 };

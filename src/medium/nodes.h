@@ -22,8 +22,8 @@ static inline pnanovdb_buf_t murk_node_buffer(const unsigned char *node)
     return pnanovdb_make_buf((uint32_t *)(uintptr_t)node, 0);
 }
 
-/* The cell at an entry of the table of a node, which holds the offset of the
- * child or the value. */
+/* The cell at an entry of the table of a node. The entry holds the offset of
+ * the child from the node, or the value. */
 static inline murk_cell murk_table_cell(const unsigned char *node,
                                         pnanovdb_address_t entry, bool is_child)
 {

@@ -31,8 +31,8 @@ double murk_hg_sample(double g, double u)
     return mu > 1 ? 1 : mu < -1 ? -1 : mu; /* rounding near the ends of u */
 }
 
-/* u chooses the term; how far u lies in the share of the term is uniform again.
- */
+/* u chooses one of the two terms. The position of u within the share of that
+ * term is uniform again and gives the cosine. */
 static double two_hg_sample(const murk_phase *p, double u)
 {
     const double weight = p->value[2];

@@ -48,8 +48,9 @@ murk_status murk_phase_tabulate(murk_phase_table **out, murk_phase_kind kind,
                                 const double value[MURK_PHASE_NUMBERS_MAX],
                                 const char *where, murk_error *err);
 
-/* Fails with MURK_BAD_VALUE at `where` if a member is out of range; the
- * message names the band. */
+/* Fails with MURK_BAD_VALUE at `where` if a number is out of range, if a kind
+ * MURK_PHASE_TABLE has no table, or if another kind has one; the message names
+ * the band. */
 murk_status murk_phase_check(const murk_phase *phase, int band,
                              const char *where, murk_error *err);
 
@@ -65,7 +66,8 @@ double murk_phase_share_within(const murk_phase *phase, double angle_rad);
 
 double murk_phase_mean_cosine(const murk_phase *phase);
 
-/* True if both are the same function to the last bit. */
+/* True if both are of the same kind with equal numbers, or both are tables for
+ * which murk_phase_table_is_same() is true. */
 bool murk_phase_is_same(const murk_phase *a, const murk_phase *b);
 
 /* Density [1/sr] at mu = cos(angle), for mean cosine g.

@@ -59,8 +59,8 @@ void murk_phase_nodes_line(murk_phase_nodes *nodes, double s, double density)
     }
 }
 
-/* True if a straight line between two nodes is close enough to the law at
- * three points. */
+/* True if a straight line between two nodes is within MURK_PHASE_TOLERANCE of
+ * the law at three points. */
 static bool is_near(murk_phase_node from, murk_phase_node to,
                     double (*law)(const void *context, double s),
                     const void *context)
@@ -77,9 +77,10 @@ static bool is_near(murk_phase_node from, murk_phase_node to,
     return true;
 }
 
-/* Halves the interval until a straight line is close enough on each part.
- * Parts still to come are on a stack, the nearest on top. Long parts are
- * halved in log s. */
+/* Halves the interval until a straight line is close enough on each part. The
+ * ends of the parts still to come are on a stack, the nearest on top. A part
+ * that ends at more than four times the s at which it begins is always halved,
+ * in log s (in s if it begins at 0). */
 void murk_phase_nodes_law(murk_phase_nodes *nodes, double s,
                           double (*law)(const void *context, double s),
                           const void *context)
@@ -122,7 +123,8 @@ static double mean_s(const murk_phase_table *table)
     return TWO_PI * sum;
 }
 
-/* The last node at or before s, or the first node. */
+/* The last node at or before s, without the very last of the table; node 0 if
+ * there is none. */
 static size_t node_before(const murk_phase_table *table, double s)
 {
     return murk_interval_of(&table->node[0].s,
@@ -139,7 +141,8 @@ static double share_below(const murk_phase_table *table, double s)
     return node->below + TWO_PI * .5 * (node->density + here) * (s - node->s);
 }
 
-/* For each of 2^k equal intervals of u, the node at which the search begins. */
+/* Sets for each of `guides` equal intervals of u the node at which a search for
+ * u begins. */
 static void fill_guide(murk_phase_table *table)
 {
     size_t i = 0;
@@ -229,9 +232,11 @@ double murk_phase_table_density(const murk_phase_table *table, double mu)
     return node->density + t * (node[1].density - node->density);
 }
 
-/* Behind the first node solves a = p t + (slope / 2) t^2 for the step t beyond
- * the node before u, where 2 pi a is the share of the light between that node
- * and the sample, with the form of the root that does not cancel. */
+/* Before the first node the power law is inverted. Beyond it the sample lies a
+ * step t beyond the node before u, where t solves a = p t + (slope / 2) t^2:
+ * 2 pi a is the share of the light between that node and the sample, p the
+ * density of the node and `slope` that of the density. The form of the root
+ * avoids cancellation. */
 double murk_phase_table_sample(const murk_phase_table *table, double u)
 {
     assert(u > 0 && u < 1);

@@ -37,9 +37,12 @@ typedef struct murk_phase_rows {
 } murk_phase_rows;
 
 /* Makes a table. The caller owns *out and releases it with
- * murk_phase_table_destroy(). Fails with MURK_BAD_VALUE at the file and line
- * (or row) of the error; also if the first two rows fall as angle^-2 or
- * steeper, since the integral then diverges; or with MURK_NO_MEMORY. */
+ * murk_phase_table_destroy(). Fails with MURK_BAD_VALUE if a number is out of
+ * range, if no value is above 0, if the first two rows fall as angle^-2 or
+ * steeper, since the integral then diverges, or if steep rows need too many
+ * nodes or no memory is left for them. The message names the file and, unless
+ * all rows are wrong together, the line or row. Fails with MURK_NO_MEMORY if
+ * there is no memory for the table. */
 murk_status murk_phase_table_create(murk_phase_table **out,
                                     const murk_phase_rows *rows,
                                     murk_error *err);
@@ -63,7 +66,8 @@ double murk_phase_table_sample(const murk_phase_table *table, double u);
  * cos(angle), 0 <= s <= 2. */
 double murk_phase_table_share(const murk_phase_table *table, double s);
 
-/* True if both have the same nodes, bit by bit. */
+/* True if both have the same nodes, bit by bit, and the same power law before
+ * the first node. */
 bool murk_phase_table_is_same(const murk_phase_table *a,
                               const murk_phase_table *b);
 
@@ -72,7 +76,8 @@ typedef struct murk_phase_facts {
     double mean_cosine; /* to rounding */
     double backward;    /* share beyond 90 degrees */
     double before_first,
-        behind_last; /* shares before the first and beyond the last row */
+        behind_last; /* shares of the light before the first and beyond the
+                        last row; 0 for Fournier-Forand */
     size_t nodes;
 } murk_phase_facts;
 

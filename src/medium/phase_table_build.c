@@ -110,7 +110,8 @@ static double angle_of(double s)
     return 2 * asin(sqrt(.5 * s));
 }
 
-/* The law between two rows: first * (angle / from)^power. */
+/* The law between two rows, first * (angle / from)^power, where `first` is the
+ * value of the first row and `from` its angle in radians. */
 typedef struct stretch {
     double from, first, power;
 } stretch;
@@ -145,7 +146,8 @@ static murk_status lay_head(murk_phase_nodes *nodes,
     if (!is_straight(rows, 0)) {
         law = stretch_of(rows, 0);
     }
-    /* A rising or constant law: constant to angle 0. */
+    /* Without a power law, or with one that does not rise towards angle 0, the
+     * value is constant to angle 0. */
     if (!(law.power < 0)) {
         murk_phase_nodes_begin(nodes, 0, rows->phase_per_sr[0], 0);
         murk_phase_nodes_line(nodes, s, rows->phase_per_sr[0]);
@@ -286,9 +288,9 @@ static double forand_density(const void *context, double s)
     return murk_fournier_forand(f->n, f->slope, s);
 }
 
-/* An s before which the phase function is a power law to the tolerance: the
- * first such number of HEAD_S, HEAD_S / 4, HEAD_S / 16 and so on, down to some
- * 1e-18. */
+/* An s before which the phase function is a power law to the tolerance, tested
+ * at 2^-20 s: the first such number of HEAD_S, HEAD_S / 4, HEAD_S / 16 and so
+ * on, or, if there is none, the first of them that is not above 1e-18. */
 static double forand_head(const forand *f)
 {
     const double power = .5 * (f->slope - 5), far = 0x1p-20;

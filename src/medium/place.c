@@ -11,8 +11,8 @@
 #include <string.h>
 
 /* Bounding box of the image of a sphere. An affine map takes a sphere to an
- * ellipsoid. Half of the extent of the ellipsoid along an axis is the radius
- * times the length of that row of the matrix. */
+ * ellipsoid. Half of the extent of the ellipsoid along the axis i is the radius
+ * times the length of row i of the matrix. */
 static murk_box sphere_bounds(const murk_affine *map, murk_vec3 center,
                               double radius)
 {
@@ -233,7 +233,8 @@ bool murk_place_clip_filling(const murk_place *place, const murk_vec3 *origin,
                           o, d, t0, t1);
 }
 
-/* True if p is inside the filling; *density is then the density there. */
+/* True if the world point p, which is `at` in the frame of the region, is
+ * inside the filling; *density is then the density there. */
 static bool filling_at(const murk_place *place, int band, murk_vec3 at,
                        murk_vec3 p, double *density)
 {

@@ -31,7 +31,8 @@ typedef struct murk_place {
     murk_filling filling;
     bool replaces;
     bool is_moved; /* to_local is not the identity */
-    murk_box box;  /* the shape in the frame of the region */
+    murk_box box;  /* of a box; box, center and radius are in the frame of the
+                      region */
     murk_vec3 center;
     double radius;
     double level;         /* height of a half space */
@@ -49,7 +50,8 @@ typedef struct murk_place {
     const murk_profile *profile;
     murk_box bounds; /* bounding box of the shape in the world; infinite in
                         all directions for everywhere, sideways and downwards
-                        for below; empty for a grid without active voxels */
+                        for below; empty if the shape is a grid without active
+                        voxels */
 } murk_place;
 
 /* Places a region that has been checked. False if the placement cannot be

@@ -1,10 +1,11 @@
 /* Boundaries of refractive regions: construction, and the test whether two of
  * them intersect.
  *
- * Boundaries are convex: boxes (a half space is a box with all faces but one
- * at infinity) and spheres. Therefore corners, distances and separating axes
- * decide whether two of them intersect (Gottschalk, Lin and Manocha,
- * SIGGRAPH 1996, doi:10.1145/237170.237244). */
+ * All boundaries but those of meshes, which are not tested here, are convex:
+ * boxes (a half space is a box with all faces but one at infinity) and spheres.
+ * Therefore corners, distances and separating axes decide whether two of them
+ * intersect (Gottschalk, Lin and Manocha, SIGGRAPH 1996,
+ * doi:10.1145/237170.237244). */
 #include "medium/region_boundary.h"
 
 #include "base/log.h"
@@ -31,7 +32,8 @@ static int world_axis_of(const murk_region_boundary *boundary, int local)
     return -1;
 }
 
-/* Moves a face to infinity if it is on a side of the domain or beyond. */
+/* Moves a face to infinity, and returns true, if it lies on that side of the
+ * domain which faces the same way, or beyond this side. */
 static bool open_face(murk_region_boundary *boundary, int local, int axis,
                       bool upper, const murk_box *domain)
 {
@@ -128,7 +130,8 @@ bool murk_region_boundary_holds(const murk_region_boundary *boundary,
 
 /* ---- intersection of two boundaries ---- */
 
-/* A sphere, or a box; half[i] is the vector from the middle to a face. */
+/* A sphere, all of space (is_all), or a box; half[i] is the vector from the
+ * middle of the box to a face. */
 typedef struct body {
     bool is_sphere, is_all;
     murk_vec3 center, half[3];
@@ -143,8 +146,9 @@ static murk_affine world_of(const murk_region_boundary *boundary)
     return to_world;
 }
 
-/* Converts a boundary. Faces at infinity are put at the distance `far`, the
- * same for all bodies and beyond everything else. */
+/* Converts a boundary to world coordinates. Faces at infinity are put at the
+ * distance `far`, computed by far_of(), from the origin of the region's frame,
+ * so that they lie beyond all finite faces. */
 static body body_of(const murk_region_boundary *boundary, double far)
 {
     const murk_affine to_world = world_of(boundary);

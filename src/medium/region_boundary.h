@@ -22,7 +22,7 @@ typedef struct murk_region_boundary {
 } murk_region_boundary;
 
 /* Tolerance for faces in the domain [m]: MURK_INTERFACE_NEAR times the
- * largest coordinate. */
+ * largest coordinate of the domain. */
 double murk_region_boundary_near(const murk_box *domain);
 
 /* Computes the boundary of a region with an index. False if the placement

@@ -27,7 +27,7 @@ static murk_status copy_media(murk_media **out, const murk_media *media,
     return MURK_OK;
 }
 
-/* Notes the bands in which some medium has an extinction now. */
+/* Notes the bands in which the medium of some region now has an extinction. */
 static void note_bands(murk_media *media)
 {
     for (int band = 0; band < MURK_BANDS_MAX; ++band) {

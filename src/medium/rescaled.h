@@ -40,9 +40,9 @@ murk_status murk_media_single(murk_media **out, const murk_media *media,
 murk_status murk_media_accepting(murk_media **out, const murk_media *media,
                                  double acceptance_rad, murk_error *err);
 
-/* Checks that the share F is defined for all media in use. Fails with
- * MURK_BAD_VALUE at a medium whose albedo is a grid, because the scattering
- * share is then not one number. */
+/* Checks that murk_media_accepting() is defined for all media of regions. Fails
+ * with MURK_BAD_VALUE at a medium whose albedo is a grid, because sigma_s is
+ * then not one number times sigma_t. */
 murk_status murk_media_check_acceptance(const murk_media *media,
                                         murk_error *err);
 

@@ -54,7 +54,8 @@ murk_status murk_tree_open(murk_tree *tree, const unsigned char *buffer,
 {
     murk_tree opened = {0};
     if (buffer) {
-        /* The table of root cells; empty cells are left out. */
+        /* The table of root cells; cells with the constant value 0 are left
+         * out. */
         const pnanovdb_buf_t words = murk_node_buffer(buffer);
         const pnanovdb_grid_handle_t grid = {{0}};
         const pnanovdb_root_handle_t root =

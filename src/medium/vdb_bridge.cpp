@@ -82,7 +82,7 @@ murk_status choose(const std::vector<Entry> &entries, const char *name,
 }
 
 /* Copies the transform, transposed: OpenVDB multiplies row vectors from the
- * left. */
+ * left. Refuses a transform that is singular or not finite. */
 murk_status read_transform(const openvdb::FloatGrid &grid,
                            murk_vdb_facts &facts, const Place &at)
 {
@@ -132,8 +132,8 @@ bool fits(double value, bool is_albedo)
     return value >= 0 && (is_albedo ? value <= 1 : std::isfinite(value));
 }
 
-/* Counts and sums the values, and refuses values that are no density or no
- * albedo. */
+/* Counts and sums the active values. Refuses a grid with an active value, or a
+ * background, that is no density (a background must be 0) or no albedo. */
 murk_status check_values(const openvdb::FloatGrid &grid, bool is_albedo,
                          murk_vdb_facts &facts, const Place &at)
 {

@@ -46,7 +46,8 @@ murk_status murk_vdb_read(const char *path, const char *name, int is_albedo,
                           murk_error *err);
 
 /* Makes the grid of dense samples, x fastest, starting with voxel (0,0,0),
- * and calls `take`. Blocks of one value become tiles if as_tiles is not 0. */
+ * and calls `take`. Blocks of one value become tiles if as_tiles is not 0.
+ * Fails as murk_vdb_read() does. */
 murk_status murk_vdb_from_samples(const size_t size[3], const float *density,
                                   const double index_to_world[12], int as_tiles,
                                   murk_vdb_sink take, void *context,

@@ -18,10 +18,10 @@
  * facets. */
 #define SLOPES_MAX 8
 
-/* After a step of Halley's method this small the error is of the order of
- * its cube, 1e-12. */
+/* After a step of Halley's method this small the error is of the order of the
+ * cube of the step, 1e-12. */
 #define LAST_STEP 1e-4
-#define STEPS_MAX 100
+#define STEPS_MAX 100 /* that many bisections use up the digits of a double */
 
 double murk_wind_mean_square_slope(double wind_m_per_s)
 {
@@ -48,9 +48,10 @@ double murk_facets_projected_area(double width, double cosine)
     return fmax(0, projected_up_to(cosine, t, last));
 }
 
-/* First estimate of the slope. For a ray far from grazing the distribution
- * is almost the normal one, which the logistic distribution approximates;
- * for a grazing ray it is nearly exp(-x^2) below 0 and small above. */
+/* First estimate of the slope x. For a ray far from grazing (c > t) x is almost
+ * normally distributed, which a logistic distribution approximates. For a
+ * grazing ray the share of the projected area below x is nearly exp(-x^2) for
+ * x < 0, and slopes above 0 are rare. */
 static double first_guess(double c, double t, double u)
 {
     return c > t ? 0.42 * log(u / (1 - u)) : fmin(c / t, 0) - sqrt(-log(u));

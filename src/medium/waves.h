@@ -47,9 +47,9 @@ typedef struct murk_slope {
     double across;
 } murk_slope;
 
-/* The slope of the facet that a ray hits, for three numbers u in (0, 1).
- * `along` falls as u[0] rises: it is the inverse of the cumulative
- * distribution, accurate to 1e-7 in probability. */
+/* The slope of the facet that a ray hits, for three random numbers u in (0, 1).
+ * -along is the inverse at u[0] of the cumulative distribution of -along,
+ * accurate to 1e-7 in probability, so `along` falls as u[0] rises. */
 murk_slope murk_facet_sample(double width, double cosine, const double u[3]);
 
 #endif
