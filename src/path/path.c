@@ -4,28 +4,33 @@
  * spheres, exact in double precision, and the one of closed meshes, exact to a
  * tolerance. Within that tolerance both are crossed in one step, at the place
  * of the exact one; otherwise rounding would put a gap between regions that
- * touch, and gaps reflect totally. An optical depth needs the faces of meshes
- * only: for regions of other shapes murk_media_optical_depth() finds the part
- * of the ray inside (medium/media.h). */
+ * touch, and light could be totally reflected at the gap. An optical depth
+ * needs the faces of meshes only: for regions of other shapes
+ * murk_media_optical_depth() finds the part of the ray inside
+ * (medium/media.h). */
 #include "path/path.h"
 
-/* Share of the domain's largest coordinate by which the box for surfaces is
- * grown: several times the error of rays in single precision and the step of
- * murk_surfaces_leave(). */
+/* The box murk_path_space.grown extends beyond the domain on each side by this
+ * share of the domain's largest coordinate: many times the rounding of rays in
+ * single precision (6e-8), and four times the step of murk_surfaces_leave() if
+ * no surface extends beyond the domain. */
 #define GROWN_BY 4e-6
 
-/* Farther from a mesh than this many tolerances, a point is surely on one side
- * of the mesh. */
+/* The regions around a point that may lie on a boundary are looked up at a
+ * point that is moved by this many tolerances, so that rounding cannot put it
+ * on the wrong side. For meshes the tolerance is mesh_tolerance_m; for other
+ * shapes it is MURK_INTERFACE_NEAR times the domain's largest coordinate. */
 #define OFF_TOLERANCES 2
-#define OFF_NEARS      2 /* likewise for other shapes */
+#define OFF_NEARS      2
 
-/* No scene has more boundaries than this on one ray. A ray that takes more
- * steps is caught between two boundaries by rounding. */
+/* The largest number of boundaries that are followed along one ray, far more
+ * than a scene is expected to have there. A ray with more is taken to be caught
+ * between two boundaries by rounding: its rest counts as free of boundaries. */
 #define STEPS_MAX 100000
 
-/* Cosine of the angle between the normals of a surface and of a near boundary.
- * Above this value the boundary lies in the surface; below it boundary and
- * surface merely cross there. */
+/* Limit of the absolute cosine of the angle between the normals of a surface
+ * and of a boundary within near_m of the surface. Above the limit the boundary
+ * lies in the surface; otherwise boundary and surface merely cross there. */
 #define ALIKE 0.9
 
 /* ---- the space ---- */
@@ -92,8 +97,8 @@ murk_inside murk_path_inside_wrapped(const murk_path_space *space,
 {
     inside = murk_media_wrapped(space->media, inside, point, axis);
     if (space->boundary_meshes) {
-        /* Meshes are asked for just inside the domain: a face in the side does
-         * not count. */
+        /* Meshes are looked up at a point just inside the domain, because a
+         * face of a mesh in the side does not count. */
         const murk_box *box = &space->domain->box;
         const double off = OFF_TOLERANCES * space->mesh_tolerance_m;
         const murk_vec3 middle = murk_scale(0.5, murk_add(box->min, box->max));
@@ -125,7 +130,9 @@ murk_path murk_path_between(const murk_path_space *space, murk_vec3 from,
     return path;
 }
 
-/* The next face of a mesh, up to max_m. */
+/* The next crossing of faces of meshes beyond path->skip_m and up to max_m;
+ * false if there is none. Corrects path->inside if the faces ahead prove it
+ * wrong (geometry/boundary_meshes.h). */
 static bool next_face(murk_path *path, double max_m, murk_crossing *crossing)
 {
     return murk_boundary_meshes_next(
@@ -140,7 +147,7 @@ static bool is_well_inside(const murk_box *box, murk_vec3 p, double margin)
            p.z > box->min.z + margin && p.z < box->max.z - margin;
 }
 
-/* The region listed last among those of a set. */
+/* The largest number of a region in a set; 0 for the empty set. */
 static size_t last_of(murk_inside set)
 {
     size_t region = 0;
@@ -167,8 +174,9 @@ bool murk_path_next_boundary(murk_path *path, double mesh_max_m,
     if (!space->boundary_meshes) {
         return any;
     }
-    /* A mesh counts up to its tolerance beyond the other boundary, but not in
-     * a side of the domain. */
+    /* A face of a mesh counts if it lies no farther than the tolerance beyond
+     * the other boundary, and not within the tolerance of a side of the
+     * domain. */
     const double tolerance = space->mesh_tolerance_m;
     murk_crossing c;
     if (!next_face(path,
@@ -270,7 +278,9 @@ double murk_path_depth(const murk_path *path, int band)
 
 /* ---- the first event ---- */
 
-/* The nearest surface; *distance_m is from the ray's position. */
+/* True if a surface lies ahead of `probe` inside the box space->grown;
+ * *distance_m then is the distance of the nearest one from the ray's position,
+ * not below 0. */
 static bool meets_surface(const murk_path *path, murk_vec3 probe, murk_hit *hit,
                           double *distance_m)
 {
@@ -287,11 +297,13 @@ static bool meets_surface(const murk_path *path, murk_vec3 probe, murk_hit *hit,
     return true;
 }
 
-/* True if the boundary comes before the surface at distance surface_m. Surfaces
- * are known in single precision only, so a parallel boundary within near_m of a
- * surface lies in the surface: the floor of a tank is wet, and light passes
- * from water directly into the glass that holds the water. In this case
- * *crossed becomes the set of regions that the boundary bounds. */
+/* True if the boundary lies before the surface at distance surface_m by more
+ * than near_m, measured along the boundary's normal. Surfaces are known in
+ * single precision only, so an almost parallel boundary (ALIKE) within near_m
+ * of the surface, on either side, lies in the surface: the floor of a tank is
+ * wet, and light passes from water directly into the glass that holds the
+ * water. For a boundary that lies in the surface *crossed becomes the set of
+ * regions that are entered or left there; otherwise *crossed is unchanged. */
 static bool comes_first(const murk_path *path, const murk_boundary *boundary,
                         const murk_hit *hit, double surface_m,
                         murk_inside *crossed)

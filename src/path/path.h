@@ -48,9 +48,9 @@ murk_path_space murk_path_space_of(const murk_surfaces *surfaces,
  * to rounding, either answer is possible. */
 murk_inside murk_path_inside(const murk_path_space *space, murk_vec3 point);
 
-/* The regions with a boundary that contain the beginning of a ray that starts
- * at a point along `direction`: if the point is on a boundary, those that lie
- * ahead. */
+/* The regions with a boundary that contain a ray just beyond its start at a
+ * point: regions are looked up a little ahead along `direction`, so that of a
+ * boundary through the point the far side counts. */
 murk_inside murk_path_inside_ahead(const murk_path_space *space,
                                    murk_vec3 point, murk_vec3 direction);
 
@@ -87,14 +87,16 @@ typedef struct murk_path_boundary {
                         * faces of meshes */
 } murk_path_boundary;
 
-/* The next boundary on the ray, up to length_m. The function corrects
- * path->inside by the meshes ahead, which are looked for up to mesh_max_m from
- * the ray's position. False if there is no boundary; *boundary then has no
- * meaning. */
+/* The next boundary on the ray beyond gone_m. Faces of meshes are looked for up
+ * to mesh_max_m from the ray's position, boundaries of other shapes up to
+ * length_m. The function corrects path->inside if the faces of meshes ahead
+ * prove it wrong (geometry/boundary_meshes.h). False if there is no boundary;
+ * *boundary then has no meaning. */
 bool murk_path_next_boundary(murk_path *path, double mesh_max_m,
                              murk_path_boundary *boundary);
 
-/* Moves the state of the ray beyond the boundary: gone_m, inside and skip_m. */
+/* Moves the state of the ray beyond the boundary: gone_m, inside and, if a
+ * face of a mesh is crossed, skip_m. */
 void murk_path_pass(murk_path *path, const murk_path_boundary *boundary);
 
 /* A place on the ray at which the index of refraction changes. */
@@ -106,10 +108,11 @@ typedef struct murk_path_change {
     murk_inside inside; /* beyond */
 } murk_path_change;
 
-/* Follows the ray to the first change of the index of refraction. False if
- * there is none. Faces of meshes within mesh_tolerance_m of the end of the ray
- * do not count, because a ray often ends on a surface, such as the floor of a
- * tank, that lies in the face of a mesh of water. */
+/* Follows the ray to the first change of the index of refraction beyond gone_m
+ * and passes the boundary there. False if there is none, or none among the next
+ * 100,000 boundaries. Faces of meshes within mesh_tolerance_m of the end of the
+ * ray do not count, because a ray often ends on a surface, such as the floor of
+ * a tank, that lies in the face of a mesh of water. */
 bool murk_path_next_change(murk_path *path, murk_path_change *change);
 
 /* Optical depth in a band over the whole length of a ray that has not been
@@ -133,8 +136,8 @@ typedef struct murk_path_event {
 /* The first event on the ray: the nearest surface ahead of `probe`, a point on
  * the line of the ray; or `boundary`, the next boundary (NULL: none); or the
  * side of the domain. A surface comes before a boundary that lies in the
- * surface. False if the position is outside of the domain by more than
- * margin_m, or a number is not finite. */
+ * surface. False if the position is not finite or is outside of the domain by
+ * more than margin_m, or if each component of the direction is 0 or NaN. */
 bool murk_path_first_event(const murk_path *path, murk_vec3 probe,
                            const murk_path_boundary *boundary,
                            murk_path_event *event);

@@ -1,8 +1,9 @@
 /* Long straight rays through a domain that may repeat: see path/pieces.h. */
 #include "path/pieces.h"
 
-/* A jump must rise by this share of the domain's largest coordinate at least:
- * the optical depth of the rise then keeps 6 digits. */
+/* A jump must rise or fall by more than this share of the domain's largest
+ * coordinate: the difference of the two heights, and with it the optical depth
+ * of the jump, then keeps 6 digits in double precision. */
 #define RISE_MIN 1e-9
 
 murk_path_pieces murk_path_pieces_of(const murk_path_tiling *tiling,
@@ -16,8 +17,10 @@ murk_path_pieces murk_path_pieces_of(const murk_path_tiling *tiling,
         .left_m = length_m};
 }
 
-/* Length of a jump through heights in which nothing depends on x and y; 0 if
- * the domain does not repeat, or the ray is too short or too level there. */
+/* Length along the ray of a jump through heights in which nothing depends on x
+ * and y (free heights). 0 if the domain does not repeat, if the ray is not at a
+ * free height, if the jump would extend by no more than sideways_max_m in x and
+ * in y, or if it would hardly rise or fall (RISE_MIN). */
 static double jump_ahead(const murk_path_pieces *p)
 {
     const murk_path_tiling *t = p->tiling;
@@ -86,7 +89,8 @@ bool murk_path_next_piece(murk_path_pieces *p)
     if (step < side_m) {
         return true;
     }
-    /* Out of the domain, or on at the opposite side. */
+    /* The ray has reached a side: it leaves the domain, or continues at the
+     * opposite side. */
     piece->leaves = !t->repeats || axis == 2;
     if (!piece->leaves) {
         murk_path_sides_put(sides, axis, (axis == 0 ? d.x : d.y) <= 0, &p->at);

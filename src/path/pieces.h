@@ -16,8 +16,9 @@ typedef struct murk_path_tiling {
     bool repeats;          /* in x and y */
     double sideways_max_m; /* largest extent of a piece in x and in y; may be
                             * INFINITY */
-    /* Below and above these heights nothing depends on x and y, and rays jump;
-     * -INFINITY and INFINITY: nowhere. */
+    /* Nothing depends on x and y at heights up to free_below_m and from
+     * free_above_m on, so rays may jump there; -INFINITY and INFINITY: no such
+     * heights. */
     double free_below_m, free_above_m;
 } murk_path_tiling;
 
@@ -40,8 +41,8 @@ murk_path_pieces murk_path_pieces_of(const murk_path_tiling *tiling,
                                      murk_vec3 from, murk_vec3 direction,
                                      double length_m);
 
-/* Sets pieces->piece to the next piece. False at the end of the ray or if the
- * last piece left the domain. */
+/* Sets pieces->piece to the next piece. False, with pieces->piece unchanged, at
+ * the end of the ray or if the present piece leaves the domain. */
 bool murk_path_next_piece(murk_path_pieces *pieces);
 
 /* The free part of a piece, before the first surface or change of index. */

@@ -27,11 +27,12 @@ murk_vec3 murk_path_nearest_image(const murk_domain *domain, murk_vec3 point,
 
 typedef struct crossing {
     double t;        /* share of the line */
-    murk_vec3 shift; /* brings the line beyond back into the domain */
+    murk_vec3 shift; /* moves the part of the line beyond the crossed side back
+                      * into the domain */
 } crossing;
 
-/* The share of the line at which a coordinate leaves [min, max]; 1 if it does
- * not. */
+/* The share of the line, 0..1, at which a coordinate leaves [min, max]; 1 if
+ * the coordinate `to` lies within. */
 static double leaves_at(double from, double to, double min, double max)
 {
     const double side = to > max ? max : to < min ? min : to;
@@ -65,9 +66,9 @@ int murk_path_cut(const murk_domain *domain, murk_vec3 from, murk_vec3 to,
         }
     }
     /* The line is cut at each crossed side. The segments before and after a cut
-     * both extend beyond the side by beyond_m, and each segment after a cut is
-     * moved by whole periods, so that it lies in the domain except for that
-     * extension. */
+     * both extend over the side by beyond_m along the line, at most to an end
+     * of the line. Each segment after a cut is moved by whole periods, so that
+     * the segment lies in the domain except for these extensions. */
     const murk_vec3 offset = murk_sub(to, from);
     const double length = murk_length(offset);
     const double beyond = length > 0 ? beyond_m / length : 0;
@@ -104,9 +105,9 @@ bool murk_path_blocked(const murk_surfaces *surfaces, const murk_domain *domain,
     return false;
 }
 
-/* A segment extends beyond a periodic side by the surface tolerance, so that a
- * sheet in the plane of the side is not missed. The sheet counts once, because
- * the next segment begins at the opposite side. */
+/* At a periodic side a segment extends over the side by the surface tolerance,
+ * so that a sheet in the plane of the side is not missed. The sheet counts
+ * once, because the next segment begins near the opposite side. */
 double murk_path_sheets(const murk_surfaces *surfaces,
                         const murk_domain *domain, murk_vec3 from, murk_vec3 to,
                         int band)

@@ -1,19 +1,19 @@
 /* Straight segments between two points of the domain.
  *
- * In a periodic domain the straight line goes to the nearest image of a point
- * and may cross the sides. The line is then cut there into segments, each of
- * which lies in the domain. */
+ * In a periodic domain the straight line from one point to the nearest image of
+ * the other may cross the sides. murk_path_cut() cuts the line there into
+ * segments, each of which is moved into the domain. */
 #ifndef MURK_PATH_SEGMENT_H
 #define MURK_PATH_SEGMENT_H
 
 #include "base/vector.h"
 #include "geometry/surfaces.h"
 
-/* A point nearer to a surface than this [m] lies on the surface: the rounding
- * of single-precision coordinates, with room. The larger of 2^-18 of the
- * domain's largest coordinate, which is 32 to 64 steps of a float (38
- * micrometres at 10 m), and twice the step of murk_surfaces_leave(), which
- * counts if surfaces are larger than the domain. */
+/* A point nearer to a surface than this [m] counts as lying on the surface: the
+ * rounding of single-precision coordinates, with a margin. The larger of 2^-18
+ * of the domain's largest coordinate, which is 32 to 64 steps of a float (38
+ * micrometres at 10 m), and twice the step of murk_surfaces_leave(), which is
+ * the larger one if surfaces reach beyond twice that coordinate. */
 double murk_path_surface_tolerance_m(const murk_surfaces *surfaces,
                                      const murk_domain *domain);
 
@@ -21,27 +21,31 @@ typedef struct murk_path_segment {
     murk_vec3 from, to;
 } murk_path_segment;
 
-/* Two sides in x and y cut a line into three segments at most. */
+/* A line crosses at most one side in x and one in y, which cut it into three
+ * segments. */
 #define MURK_PATH_SEGMENTS_MAX 3
 
-/* The image of `point` nearest to `to`: the point itself in an open domain.
- * Both lie within the domain. Of two equally near images always the same. */
+/* In a periodic domain the image of `point`, moved by whole periods in x and y,
+ * that is nearest to `to` (of two equally near images the one with the smaller
+ * coordinate); otherwise `point` itself. */
 murk_vec3 murk_path_nearest_image(const murk_domain *domain, murk_vec3 point,
                                   murk_vec3 to);
 
-/* Cuts the line at the periodic sides; `from` lies within the domain, `to`
- * within one period of the domain. Returns the number of segments, in their
- * order along the line. Segments overlap the sides by `beyond_m`, so that a
- * surface in the plane of a side is met. */
+/* Cuts the line at the periodic sides; `from` lies within the domain, `to` at
+ * most one period outside. Writes the segments in their order along the line
+ * and returns their number, 1..MURK_PATH_SEGMENTS_MAX. The two segments at a
+ * cut both extend over the side by `beyond_m` along the line, so that a surface
+ * in the plane of the side is met. */
 int murk_path_cut(const murk_domain *domain, murk_vec3 from, murk_vec3 to,
                   double beyond_m, murk_path_segment *segment);
 
-/* True if murk_surfaces_blocked() is true for any segment of the line. */
+/* True if murk_surfaces_blocked() is true for any segment of the line. The
+ * segments extend over periodic sides by murk_path_surface_tolerance_m(). */
 bool murk_path_blocked(const murk_surfaces *surfaces, const murk_domain *domain,
                        murk_vec3 from, murk_vec3 to, bool through_sheets);
 
-/* Product of the transmittances of the thin sheets over all segments, which
- * overlap the sides as for murk_path_blocked(). */
+/* Product of the transmittances of the thin sheets that all segments cross. The
+ * segments are those of murk_path_blocked(). */
 double murk_path_sheets(const murk_surfaces *surfaces,
                         const murk_domain *domain, murk_vec3 from, murk_vec3 to,
                         int band);

@@ -1,6 +1,6 @@
 /* The six sides of a box around rays: the distance to the side ahead, and
- * whether a point lies between the sides. Everything stands in this header
- * because each part of a photon's path asks for the side. */
+ * whether a point lies between the sides. All functions are inline, because the
+ * distance to the side is computed for each part of a photon's path. */
 #ifndef MURK_PATH_SIDES_H
 #define MURK_PATH_SIDES_H
 
@@ -11,7 +11,7 @@ typedef struct murk_path_sides {
     double x[2], y[2], z[2];
 } murk_path_sides;
 
-/* The sides of a box that is larger by `grow_m` on every side. */
+/* The sides of `box`, each moved outwards by `grow_m`. */
 static inline murk_path_sides murk_path_sides_of(const murk_box *box,
                                                  double grow_m)
 {
@@ -20,9 +20,11 @@ static inline murk_path_sides murk_path_sides_of(const murk_box *box,
                              {box->min.z - grow_m, box->max.z + grow_m}};
 }
 
-/* Distance to the side ahead along one axis; INFINITY or NaN if nothing moves
- * along that axis (+ 0.0 makes -0 a 0). There is no branch, because the sign of
- * a photon's direction cannot be predicted. */
+/* Distance along a ray to the side ahead across one axis, for the coordinate p
+ * of the ray's start and the component d of its unit direction. If d is 0 or
+ * -0 (which + 0.0 makes a 0), the result is INFINITY below the upper side, NaN
+ * on it and -INFINITY above it. There is no branch, because the sign of a
+ * photon's direction cannot be predicted. */
 static inline double murk_path_side_ahead(double p, double d,
                                           const double side[2])
 {
@@ -35,8 +37,8 @@ static inline double murk_path_side_nearer(double a, double b)
     return a < b ? a : b;
 }
 
-/* Distance [m] to the side ahead, not below 0; INFINITY if the direction has no
- * length. */
+/* Distance [m] from p along d to the side ahead, not below 0. If d has no
+ * length, INFINITY for a point between the sides. */
 static inline double murk_path_sides_ahead(const murk_path_sides *sides,
                                            murk_vec3 p, murk_vec3 d)
 {
@@ -48,7 +50,8 @@ static inline double murk_path_sides_ahead(const murk_path_sides *sides,
     return distance > 0 ? distance : 0;
 }
 
-/* The axis (0 x, 1 y, 2 z) across which the side ahead lies. */
+/* The axis (0 x, 1 y, 2 z) across which the side ahead lies. Of sides at the
+ * same distance z counts before y, and y before x. */
 static inline int murk_path_sides_axis(const murk_path_sides *sides,
                                        murk_vec3 p, murk_vec3 d)
 {
@@ -73,7 +76,7 @@ static inline double murk_path_side_wrap(double x, const double side[2])
                                side);
 }
 
-/* p, or the nearest point between the sides. */
+/* p if it lies between the sides, otherwise the nearest point of the box. */
 static inline murk_vec3 murk_path_sides_hold(const murk_path_sides *sides,
                                              murk_vec3 p)
 {

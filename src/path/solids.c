@@ -4,8 +4,9 @@
 #include "path/solids.h"
 
 /* The largest number of boundaries of solids, and of surfaces of all kinds,
- * that are considered along the ray. Further ones are ignored, which matters
- * only if the point is inside a solid whose boundary is among them. */
+ * that are considered along the ray: far more than scenes are expected to have.
+ * Further ones are ignored; only solids with a boundary among them may then be
+ * listed or left out wrongly. */
 #define BOUNDARIES_MAX 64
 #define STEPS_MAX      1024
 
@@ -44,11 +45,13 @@ bool murk_path_solids_cross(murk_path_solids *solids, uint16_t solid,
     return true;
 }
 
-/* Follows the ray outwards and notes each boundary of a solid. From the far end
- * back, each boundary adds its solid to the list or removes it again. Solids
- * with an odd number of boundaries remain, in the order of their nearest
- * boundaries, so that the solid that the ray leaves first is the last of the
- * list. */
+/* Without a solid around the point (murk_surfaces_solid_at()) the list is
+ * empty. Otherwise the function follows the ray outwards and notes each
+ * boundary of a solid. From the far end back, each boundary adds its solid to
+ * the list or removes it again. Solids with an odd number of boundaries remain,
+ * in the order of their nearest boundaries, so that the solid that the ray
+ * leaves first is the last of the list. A solid that finds the list full is not
+ * added. */
 murk_path_solids murk_path_solids_around(const murk_surfaces *surfaces,
                                          murk_vec3 point, murk_vec3 direction)
 {

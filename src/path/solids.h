@@ -21,13 +21,14 @@ typedef struct murk_path_solids {
 double murk_path_solids_index(const murk_path_solids *solids);
 
 /* Goes through the boundary of a solid: removes the solid if it is in the list,
- * else appends it with its index. False, with nothing changed, if the list is
- * full. */
+ * else appends it with its index of refraction. False, with nothing changed, if
+ * the solid would have to be appended to a full list. */
 bool murk_path_solids_cross(murk_path_solids *solids, uint16_t solid,
                             double ior);
 
 /* The solids that contain a point, found along a ray from the point in the unit
- * direction. If solids overlap, the one left first counts as the innermost. */
+ * direction. If solids overlap, the one that this ray leaves first counts as
+ * the innermost. */
 murk_path_solids murk_path_solids_around(const murk_surfaces *surfaces,
                                          murk_vec3 point, murk_vec3 direction);
 

@@ -23,9 +23,10 @@ double murk_path_index_at(const murk_path_space *space, murk_vec3 point)
     return murk_media_index(space->media, murk_path_inside(space, point));
 }
 
-/* The path along a segment, number `i` of the line. All segments but the first
- * begin in a side of the domain, in which a face of a mesh is no boundary: the
- * meshes that contain such a segment are looked up a little beyond the side. */
+/* The path along a segment, number `i` (from 0) of the line from the viewpoint.
+ * All segments but the first begin in a side of the domain, in which a face of
+ * a mesh is no boundary: the meshes that contain such a segment are looked up a
+ * little farther along the segment. */
 static murk_path path_of(const murk_path_viewpoint *v, int i,
                          const murk_path_segment *segment)
 {
@@ -65,14 +66,17 @@ int murk_path_to(const murk_path_viewpoint *v, murk_vec3 point,
 
 /* ---- media ---- */
 
-/* Optical depths of the segments of the line to a point; returns their
- * number. */
+/* Optical depths of the segments of the line between the viewpoint and the
+ * nearest image of a point; returns the number of segments. The segments are
+ * listed from the viewpoint on if a region is a mesh, otherwise from the point
+ * on. */
 static int depths_to(const murk_path_viewpoint *v, int band, murk_vec3 point,
                      double depth[MURK_PATH_SEGMENTS_MAX])
 {
     const murk_path_space *space = v->space;
     if (!space->boundary_meshes) {
-        /* From the point to the viewpoint: no set of regions is needed. */
+        /* Without meshes the line is followed from the point to the viewpoint,
+         * and no set of regions is needed. */
         murk_path_segment segment[MURK_PATH_SEGMENTS_MAX];
         const murk_vec3 to =
             murk_path_nearest_image(space->domain, v->position, point);
@@ -119,9 +123,10 @@ double murk_path_transmittance_to(const murk_path_viewpoint *v, int band,
 
 /* ---- the index of refraction ---- */
 
-/* True if the index changes between two points, which lie in one segment. Only
- * for worlds in which no region is a mesh. Different indices at the points
- * decide at once; equal ones may still enclose a change. */
+/* True if the index of refraction changes between two points, which lie in one
+ * segment; false if the points are equal. Only for worlds in which no region is
+ * a mesh. Different indices at the points decide at once; between equal ones
+ * there may still be a change. */
 static bool bends_between(const murk_path_space *space, murk_vec3 from,
                           murk_vec3 to)
 {
