@@ -7,7 +7,7 @@
 #define MURK_BANDS_MAX 16
 
 /* One value for each band. The entries past the number of bands of the scene
- * are 0. */
+ * belong to no band; their values have no effect. */
 typedef struct murk_spectrum {
     double band[MURK_BANDS_MAX];
 } murk_spectrum;

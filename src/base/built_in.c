@@ -1,4 +1,5 @@
-/* Finds a built-in file by name: compares all names, a few dozen a list. */
+/* Finds a built-in file by comparing the name with each name of the list in
+ * turn, because a list has a few dozen names only. */
 #include "base/built_in.h"
 
 #include <string.h>

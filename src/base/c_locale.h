@@ -31,7 +31,7 @@ int murk_c_vsnprintf(char *out, size_t size, const char *format, va_list args)
 void *murk_c_locale_enter(void);
 void murk_c_locale_leave(void *before);
 
-#ifndef MURK_C_LOCALE_ITSELF /* base/c_locale.c needs the namesakes */
+#ifndef MURK_C_LOCALE_ITSELF /* base/c_locale.c calls the C library itself */
 #define strtod(...)    murk_c_strtod(__VA_ARGS__)
 #define printf(...)    murk_c_printf(__VA_ARGS__)
 #define fprintf(...)   murk_c_fprintf(__VA_ARGS__)

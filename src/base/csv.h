@@ -9,8 +9,8 @@
 #include <stddef.h>
 
 typedef struct murk_csv {
-    char *next, *end; /* the rest of the text; a '\0' is at `end` and nowhere
-                       * before */
+    char *next, *end; /* the rest of the text; a '\0' is at `end`, and none from
+                       * `next` up to there */
     size_t line;      /* of `next`, from 1 */
     bool is_one_line; /* a quoted cell must end in the line in which it begins
                        */

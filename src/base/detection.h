@@ -1,7 +1,7 @@
 /* The modes of detection: how clearly a sensor detects a photon, as a number
  * 0..1 called the clarity, and how the clarities of several sensors combine.
  *
- * One list for all rooms. How the transmittance of a sightline becomes a
+ * All of src uses this one list. How the transmittance of a sightline becomes a
  * clarity is one row in sensing/sight_create.c; detection by power is
  * sensing/power.h. */
 #ifndef MURK_BASE_DETECTION_H

@@ -61,9 +61,10 @@ murk_status murk_file_check_input(const char *path, murk_error *err);
 /* Checks, before a long computation, that a single result file may be written
  * to `path`. An existing regular file must contain `mark` (size bytes), the
  * mark of files that murk wrote, in the first 65,536 bytes, unless `force` is
- * set. The file must not be an input of the run. Fails with MURK_BAD_VALUE. A
- * path that leads to something other than a regular file passes, and is refused
- * by murk_file_create(). */
+ * set. The file must not be an input of the run. Fails with MURK_BAD_VALUE,
+ * also for a symbolic link that leads nowhere unless `force` is set. A path
+ * that leads to something other than a regular file passes, and is refused by
+ * murk_file_create(). */
 murk_status murk_file_check_owner(const char *path, const char *mark,
                                   size_t size, bool force, murk_error *err);
 

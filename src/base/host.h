@@ -36,8 +36,9 @@ typedef struct murk_host {
     atomic_int stop;
     unsigned threads_allowed; /* 0: no limit but that of base/pool.h */
     murk_vec3 origin;         /* of positions in messages: base/position.h */
-    _Atomic uint64_t *inputs; /* the set of files that are read; NULL: none was
-                               * begun: base/inputs.h */
+    _Atomic uint64_t *inputs; /* the set of files that are read; NULL: no set
+                               * was begun, or there was no memory for one:
+                               * base/inputs.h */
     atomic_bool inputs_are_full;
     struct murk_progress_bar *bar; /* base/progress.h */
     murk_importing importing;

@@ -29,8 +29,8 @@ void murk_inputs_add(const struct stat *file);
 
 /* The hashes of the files in the set, and the addition of such hashes to the
  * set of another process: murk-reader shares no memory with the process that
- * started it. The caller frees *hash; a hash that has no memory is left out.
- * The hashes to be added may lie at any address. */
+ * started it. The caller frees *hash; a hash for which there is no memory is
+ * left out. The hashes to be added need no alignment. */
 void murk_inputs_list(uint64_t **hash, size_t *n);
 void murk_inputs_add_listed(const void *hash, size_t n);
 
@@ -38,8 +38,8 @@ void murk_inputs_add_listed(const void *hash, size_t n);
  * closes the stream. On failure returns NULL, and errno has the reason. */
 FILE *murk_inputs_open(const char *path);
 
-/* True if the file at `path` was added, or if the set is full or had no memory;
- * false if there is no such file. */
+/* True if the file at `path` was added, or if there is a file at `path` and the
+ * set is full or had no memory. False if there is no file at `path`. */
 bool murk_inputs_has(const char *path);
 
 #endif

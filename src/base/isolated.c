@@ -62,7 +62,8 @@ static _Noreturn void run_and_exit(int fd, pid_t parent,
 }
 
 /* How reading ended: the verdict on the last read, and the error of the
- * computation, which counts if the verdict is MURK_PIPE_RECEIVED. */
+ * computation, which counts if the verdict is MURK_PIPE_RECEIVED and `received`
+ * is MURK_OK. */
 typedef struct ending {
     murk_pipe_verdict verdict;
     murk_status received; /* status of the last receive() */

@@ -32,14 +32,15 @@ murk_status murk_isolated_send(murk_isolated *process, const void *bytes,
 typedef murk_status (*murk_isolated_receive)(void *context, const char *bytes,
                                              size_t size, murk_error *err);
 
-/* The largest message [bytes], far above the longest row of a study. A damaged
- * length exceeds the limit and is noticed before memory is taken for it. */
+/* The largest message [bytes], far above the longest row of a study. A length
+ * above the limit is taken to be damaged, and the computation fails before
+ * memory is allocated for the message. */
 #define MURK_ISOLATED_MESSAGE_MAX 67108864u
 
 /* Runs work() in a subprocess and receive() for each message in this process.
- * Fails with the failure of either, with MURK_INTERRUPTED, or with
- * MURK_RUN_FAILED if no pipe or process could be made or the subprocess died
- * (for example, out of memory). */
+ * Fails with the failure of either, with MURK_INTERRUPTED, with MURK_NO_MEMORY
+ * if there is no memory for a message, or with MURK_RUN_FAILED if no pipe or
+ * process could be made or the subprocess died (for example, out of memory). */
 murk_status murk_isolated_run(murk_isolated_work work, void *work_context,
                               murk_isolated_receive receive,
                               void *receive_context, murk_error *err);

@@ -1,6 +1,6 @@
-/* Kinds that a scene names and that other rooms implement: methods of placement
- * (placement/place.h), views of sensors (sensing/sensor.h), types of tallies
- * (transport/tallies.h). One list each for all rooms. */
+/* Kinds that a scene names: methods of placement (placement/place.h), views of
+ * sensors (sensing/sensor.h), types of tallies (transport/tallies.h). For each
+ * of the three all of src uses one list. */
 #ifndef MURK_BASE_KINDS_H
 #define MURK_BASE_KINDS_H
 

@@ -1,8 +1,8 @@
 /* Prints warnings and notes on standard error or passes them to another sink.
- * On standard error a message with the same words for the same place is printed
- * once in a run of the program, because scenes are read, and worlds built, for
- * each condition, start and seed. Printed messages are recognised by a 128-bit
- * checksum. */
+ * On standard error a message with the same words for the same place is not
+ * repeated, because scenes are read, and worlds built, for each condition,
+ * start and seed. The last SAID_MAX printed messages are recognised by a
+ * 128-bit checksum. */
 #include "base/log.h"
 
 #include "base/file.h"
@@ -20,7 +20,7 @@
 #define WHOLE_SIZE (3 * TEXT_SIZE) /* kind, place and text */
 
 #define TEXT_SIZE 640 /* as in murk_error (base/status.h) */
-/* An escaped character takes at most four bytes (base/utf8.h). */
+/* An escaped byte takes at most four bytes (base/utf8.h). */
 #define SHOWN_SIZE (4 * TEXT_SIZE + 1)
 /* The number of printed messages that are remembered; the oldest is forgotten
  * first. */
@@ -74,7 +74,8 @@ static murk_warn_sink sink_of(const murk_host *host)
     return host->has_warn ? host->warn : murk_warn_to_stderr;
 }
 
-/* Passes a message to the sink; on standard error it is printed once. */
+/* Passes a message to the sink, unless there is no sink or the thread is quiet.
+ * On standard error a repeated message is left out. */
 static void report(bool is_warning, const char *where, const char *format,
                    va_list args)
 {

@@ -32,7 +32,7 @@ static bool is_name(const char *name)
                         "0123456789._-") == length;
 }
 
-/* Makes room for one more file. */
+/* Makes space for one more file; false when out of memory. */
 static bool grow(murk_memory_files *set)
 {
     void *name = realloc(set->name, (set->n + 1) * sizeof *set->name);

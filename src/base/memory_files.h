@@ -3,8 +3,9 @@
  * takes a file.
  *
  * The host of the calling thread (base/host.h) has the set that such paths are
- * looked up in; rooms that read files ask here first. A file is shared by the
- * sets that contain it and is destroyed with the last of them. */
+ * looked up in; code that reads the files of a scene asks here first. A file is
+ * shared by the sets that contain the file, and is destroyed with the last of
+ * these sets. */
 #ifndef MURK_BASE_MEMORY_FILES_H
 #define MURK_BASE_MEMORY_FILES_H
 

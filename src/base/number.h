@@ -15,9 +15,9 @@
  * number. */
 bool murk_number_parse(const char *text, double *out);
 
-/* Parses a whole number: 0..2^64-1 in digits only, or 0..2^53 with a point or
- * an exponent (1e6, 5.0). Returns false and leaves *out unchanged if the text
- * is not exactly one such number. */
+/* Parses a whole number: 0..2^64-1 in digits, with or without a plus sign, or
+ * 0..2^53 with a point or an exponent (1e6, 5.0). Returns false and leaves *out
+ * unchanged if the text is not exactly one such number. */
 bool murk_count_parse(const char *text, uint64_t *out);
 
 /* Prints a value with at most 15, 16 or 17 significant digits, the first of

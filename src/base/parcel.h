@@ -13,14 +13,17 @@ typedef struct murk_parcel {
     bool is_short; /* a block had no memory, or is not there */
 } murk_parcel;
 
-/* Appends a block; a text with the '\0', and NULL as a block without bytes.
- * When out of memory, is_short is set. */
+/* murk_parcel_put() appends a block of `size` bytes. murk_parcel_put_text()
+ * appends a text with the '\0', or, for NULL, a block without bytes. When out
+ * of memory, both set is_short and append nothing. */
 void murk_parcel_put(murk_parcel *to, const void *block, size_t size);
 void murk_parcel_put_text(murk_parcel *to, const char *text);
 
-/* Takes the next block, which lies at a multiple of 16 bytes from the first
- * one. A block of another size sets is_short and gives NULL, as does the end;
- * size 0: any size. A text that was put as NULL is taken as NULL. */
+/* Take the next block, which lies at a multiple of 16 bytes from the first one.
+ * If there is no further block, or the block has not `size` bytes (0: any
+ * number), murk_parcel_take() sets is_short and returns NULL; so do all later
+ * calls. murk_parcel_take_text() also returns NULL for a text that was put as
+ * NULL. */
 const void *murk_parcel_take(murk_parcel *from, size_t size);
 const char *murk_parcel_take_text(murk_parcel *from);
 

@@ -1,6 +1,6 @@
-/* Photometric and quantum conversions of radiant power, by the tables and
- * constants of base/photometry.h. Within a band, the spectral integrals are
- * sums over midpoints of equal steps. */
+/* Photometric and quantum conversions of radiant power; base/photometry.h has
+ * the sources. Within a band, the spectral integrals are sums over midpoints of
+ * equal steps. */
 #include "base/photometry.h"
 
 #include <assert.h>

@@ -48,7 +48,7 @@ static void *work(void *argument)
 {
     const worker *me = argument;
     pool *c = me->pool;
-    (void)murk_host_enter(c->host); /* a new thread belongs to no host yet */
+    (void)murk_host_enter(c->host); /* a new thread is bound to no host yet */
     while (!murk_interrupted()) {
         const uint64_t first = atomic_fetch_add(&c->next, c->each);
         if (first >= c->items) {

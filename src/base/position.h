@@ -1,7 +1,7 @@
 /* Prints positions in messages. A scene far from 0 is computed about a local
- * origin (scene/origin.h), so that most rooms know positions relative to that
+ * origin (scene/origin.h), so that most of src knows positions relative to that
  * origin only. A message prints such a position through this header, so that
- * users read it in the coordinates of their scene. */
+ * users read the position in the coordinates of their scene. */
 #ifndef MURK_BASE_POSITION_H
 #define MURK_BASE_POSITION_H
 

@@ -49,9 +49,10 @@ typedef struct step {
     char text[MURK_PROGRESS_TEXT_SIZE];
 } step;
 
-/* The state of the display. The thread that draws reads it under `lock`.
- * Workers increase `done` without the lock. The other members are changed by
- * the thread that begins and ends the steps, while no worker runs. */
+/* The state of the display. The thread that draws holds `lock` while it reads
+ * the state and changes is_drawn, next_s and has_printed. Workers increase
+ * `done` without the lock. The other members are changed by the thread that
+ * begins and ends the steps. */
 struct murk_progress_bar {
     style style;
     murk_progress_sink sink; /* of style TO_RECEIVER */

@@ -87,7 +87,8 @@ static void make_pieces(pieces *p, const murk_progress_facts *f)
     murk_utf8_escape(p->text, sizeof p->text, f->text);
 }
 
-/* Joins the non-empty pieces in order. Returns the length. */
+/* Joins the non-empty pieces in order. Returns the length, which is size or
+ * more if the text was cut. */
 static size_t join(char *out, size_t size, const char *const *piece, size_t n,
                    const char *between)
 {

@@ -19,9 +19,10 @@ typedef struct murk_progress_facts {
     double parts_left_s; /* NAN: unknown */
 } murk_progress_facts;
 
-/* Writes at most `columns` bytes and a '\0' to out[size]. Less important pieces
- * are left out until the line fits: first the bar, then the time of all parts,
- * then the text. A line that is still too long is cut. */
+/* Writes at most `columns` bytes, and at most size - 1, and a '\0' to
+ * out[size]. Less important pieces are left out until the line fits: first the
+ * bar, then the time of all parts, then the text. A line that is still too long
+ * is cut. */
 void murk_progress_line(char *out, size_t size, const murk_progress_facts *f,
                         size_t columns);
 

@@ -27,8 +27,9 @@ extern char **environ;
  * overwrites neither. */
 #define MIN_FD (MURK_READER_ANSWER + 1)
 
-/* The places of the program, seen from the folder of the library: beside it,
- * and from the folder of programs of an installation. */
+/* The possible paths of murk-reader, relative to the folder of the file that
+ * contains this code: of the library, or of a program that lies beside the
+ * library; and of a program in the folder of programs of an installation. */
 static const char *const places[] = {MURK_READER_FOLDER "/murk-reader",
                                      MURK_FROM_PROGRAMS "/" MURK_READER_FOLDER
                                                         "/murk-reader"};

@@ -9,8 +9,8 @@
 
 #include <sys/types.h>
 
-/* The files of murk-reader: the request on standard input, and the pipe of the
- * answer. Everything else is closed. */
+/* The descriptor of the pipe of the answer in murk-reader. The request is on
+ * standard input; standard output and standard error are discarded. */
 #define MURK_READER_ANSWER 3
 
 /* Starts murk-reader by posix_spawn(). *fd: the reading end of the answer, and

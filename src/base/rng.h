@@ -14,9 +14,9 @@
 /* One purpose for each independent use. Append only, never renumber. The
  * comments state the things whose numbers a use passes to murk_random() as
  * photon, event and slot. The first four purposes belong to the photon tracer.
- * They, TARGET, LENS and SHINE are shifted by MURK_STREAM * stream, so that,
- * for example, a held-out photon map (stream 1) is independent of the map with
- * which a plan was chosen (stream 0). */
+ * MURK_STREAM * stream is added to these four purposes, and to TARGET, LENS and
+ * SHINE, so that, for example, a held-out photon map (stream 1) is independent
+ * of the map with which a plan was chosen (stream 0). */
 typedef enum murk_purpose {
     MURK_EMIT = 1,
     MURK_FLIGHT,

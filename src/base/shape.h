@@ -1,5 +1,5 @@
-/* The shapes of regions (of media, of interest, of targets, of sensor sites)
- * and of surfaces. One list for all rooms. */
+/* The shapes of regions (of media, of interest, of targets, of sensor sites),
+ * and the shapes of surfaces. All of src uses these two lists. */
 #ifndef MURK_BASE_SHAPE_H
 #define MURK_BASE_SHAPE_H
 

@@ -5,8 +5,8 @@
  * after locking that the name still leads to the locked file, and tries again
  * otherwise.
  *
- * On a file system without locks (some network file systems) nothing is locked
- * and nothing is removed. */
+ * On a file system without locks (some network file systems) nothing is locked,
+ * and of the files of other runs nothing is removed. */
 #include "base/staging.h"
 
 #include "base/path.h"
@@ -32,7 +32,8 @@
 /* ---- locks ---- */
 
 /* Locks an open file. Returns false if another process holds the lock, or if
- * `name` no longer leads to this file. */
+ * `name` no longer leads to this file. On a file system without locks only the
+ * name is checked. */
 static bool hold(int fd, const char *name)
 {
     struct stat locked, named;

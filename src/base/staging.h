@@ -5,8 +5,8 @@
  * final path, and is locked (flock) as long as its process lives. A single file
  * is locked directly; a folder of several files is locked by the file .lock in
  * it. A staged file or folder without a lock is left over from a killed run and
- * may be removed. On file systems without locks nothing is locked and nothing
- * removed. */
+ * may be removed. On file systems without locks nothing is locked, and files of
+ * other runs are not removed. */
 #ifndef MURK_BASE_STAGING_H
 #define MURK_BASE_STAGING_H
 

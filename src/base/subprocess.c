@@ -152,8 +152,8 @@ static uint64_t address_space_now(void)
 }
 #endif
 
-/* Sends the set of inputs of murk-reader. A fork shares the set with the
- * parent process. */
+/* Sends the set of inputs of murk-reader. A fork sends nothing, because it
+ * shares the set with the parent process. */
 static bool send_inputs(int fd)
 {
     uint64_t *hash = NULL;
