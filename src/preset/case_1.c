@@ -113,8 +113,8 @@ static double absorption_of(double kd, double backscattering)
     return (low + high) / 2;
 }
 
-/* The sum of particle absorption (Bricaud et al.) and dissolved matter for the
- * same chlorophyll. */
+/* The sum of the absorption by particles (Bricaud et al.) and by the dissolved
+ * matter that accompanies the same chlorophyll. */
 static double of_parts(double nm, double chlorophyll)
 {
     return murk_chlorophyll_absorption(nm, chlorophyll) +

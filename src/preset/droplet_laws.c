@@ -95,9 +95,9 @@ static murk_status choose_nodes(nodes *all, const murk_law_call *call,
     return MURK_OK;
 }
 
-/* Optical properties of the mean droplet by shape and wavelength. They do not
- * depend on the number of droplets, so a fit that varies only that number finds
- * them here each time. */
+/* The cached optical properties of the mean droplet by shape and wavelength.
+ * The properties do not depend on the number of droplets, so a fit that varies
+ * only that number finds them in the cache each time. */
 static murk_cache cache = MURK_CACHE_NONE;
 
 typedef struct solved {
@@ -191,8 +191,8 @@ static murk_status run(murk_law_result *out, const murk_law_call *call,
                                            false, err);
     }
     if (!status) {
-        /* Convert to a number of droplets, and interpolate to each wavelength
-         * of the call. */
+        /* Convert the words to a number of droplets per cubic centimetre, and
+         * interpolate to each wavelength of the call. */
         const murk_words *words = call->words;
         const double per_cm3 =
             words->given[MURK_WORD_LIQUID_WATER]

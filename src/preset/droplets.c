@@ -17,11 +17,11 @@
 
 #define PI 3.141592653589793 /* to the digits of double */
 
-/* The smallest imaginary index for which spheres are computed. For fainter
- * absorption, spheres are computed with this index, and the absorption is
- * scaled in proportion to k. The absorption of light caught in narrower
- * resonances, which the sampled sizes would hit or miss by chance, is left out:
- * 3 % of the absorption of Cloud C.1 at 550 nm, which is 3e-7 of the
+/* The smallest imaginary index k for which spheres are computed. For a smaller
+ * k, spheres are computed with this one, and the absorption is scaled in
+ * proportion to k. The absorption of light caught in narrower resonances, which
+ * the sampled sizes would hit or miss by chance, is then left out: at 550 nm
+ * this is 3 % of the absorption of Cloud C.1, and the absorption is 3e-7 of the
  * extinction. */
 #define FAINT_K 1e-6
 
@@ -58,8 +58,9 @@ static size_grid size_grid_of(double min, double max)
     return out;
 }
 
-/* Solves ln x + x / wide = s by Newton's method in ln x. The function is
- * convex, so an iteration that starts on the right cannot overshoot. */
+/* Solves ln x + x / wide = s by Newton's method in ln x. The left side is a
+ * convex function of ln x, so an iteration that starts above the solution
+ * cannot overshoot. */
 static double size_at(const size_grid *nodes, double s)
 {
     double u = s < 1 ? s : log(nodes->wide * s);
@@ -82,7 +83,7 @@ static double size_at(const size_grid *nodes, double s)
 typedef struct sums {
     double scattering, absorption;
     double sent, turned; /* `sent`: scattering of the computed spheres;
-                          * `turned`: the same times g */
+                          * `turned`: the same times the mean cosine */
     size_t radii;
 } sums;
 
@@ -170,9 +171,9 @@ static int settle(sums *now, const task *job, const size_grid *first,
     return HALVINGS + 1;
 }
 
-/* Computes the phase function with one level less than `level`: the step before
- * the last was within the tolerance already. All levels are used if the others
- * have fewer than RADII_MIN spheres. */
+/* Computes the phase function from the levels before `level`, because the
+ * results of the level before it were within the tolerance already. The spheres
+ * of `level` are added if the others are fewer than RADII_MIN. */
 static void add_angles(task *job, const size_grid *first, int level,
                        size_t angles, const double *mu, double *phase_per_sr)
 {

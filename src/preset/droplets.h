@@ -22,12 +22,13 @@ typedef struct murk_droplet_optics {
 
 /* Computes the optical properties for a shape that passes
  * murk_droplets_check(), at a wavelength [nm] of 200..20000 with the refractive
- * index `index`. The step in radius is halved until scattering (relative) and
- * mean cosine change by at most `tolerance`, 1e-4..0.1, and absorption by at
- * most ten times that, or by less than 1e-3 `tolerance` of the scattering.
+ * index `index`. The step in radius is halved until there are at least 500
+ * spheres, and until scattering (relative) and mean cosine change by at most
+ * `tolerance`, 1e-4..0.1, and absorption by at most ten times that, or by less
+ * than 1e-3 `tolerance` of the scattering.
  * phase_per_sr[i] becomes the phase function at the cosine mu[i]; with 0 angles
  * both may be NULL. Fails with MURK_NO_MEMORY, or with MURK_RUN_FAILED if the
- * tolerance is not met. */
+ * tolerance is not met after seven halvings. */
 murk_status murk_droplets_solve(murk_droplet_optics *out,
                                 const murk_droplets *shape,
                                 double wavelength_nm, murk_mie_index index,

@@ -1,7 +1,7 @@
 /* Evaluates a preset: computes all parts at every wavelength that the bands
- * require (one for a line, MURK_PRESET_SAMPLES midpoints for a band with
- * edges), scales parts to the visibility, and averages the coefficients and
- * phase functions of each band. */
+ * require (one for a band of a single wavelength, MURK_PRESET_SAMPLES midpoints
+ * for a band with edges), scales parts to the visibility, and averages the
+ * coefficients and phase functions of each band. */
 #include "preset/check_words.h"
 #include "preset/law.h"
 #include "preset/mixture.h"
@@ -172,8 +172,10 @@ static double extinction_at_550(const evaluation *e, bool scaled)
     return sum;
 }
 
-/* Scales the scaled parts to the extinction that is left for them: the
- * extinction of the visibility less that of the other parts. */
+/* Scales the scaled parts to the extinction at 550 nm that is left for them:
+ * the extinction of the visibility less that of the other parts. Fails with
+ * MURK_BAD_VALUE if the other parts have a larger extinction than the
+ * visibility, or the scaled parts have none. */
 static murk_status scale(evaluation *e, const char *where, murk_error *err)
 {
     const double visibility_m = e->words.value[MURK_WORD_VISIBILITY][0];

@@ -12,7 +12,9 @@
 /* The input of a law. */
 typedef struct murk_law_call {
     size_t n;
-    const double *wavelength_nm;    /* [n], within the range of the preset */
+    const double *wavelength_nm;    /* [n], within the range of the preset, but
+                                     * for 550 nm as the last one if parts are
+                                     * scaled to a visibility */
     const murk_words *words;        /* with defaults, see preset/words.h */
     const double *parameter;        /* in the order of murk_law.parameter */
     const murk_preset_table *table; /* the table of the part, if

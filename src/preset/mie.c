@@ -2,7 +2,7 @@
  *
  * With the Riccati-Bessel functions psi_n(x), chi_n(x) (signs of Bohren and
  * Huffman: xi = psi - i chi), and the logarithmic derivative D_n of psi_n at m
- * x, a coefficient is
+ * x, m being the relative refractive index, a coefficient is
  *
  *     a_n = N / (N - i C),  N = A psi_n - psi_{n-1},  C = A chi_n - chi_{n-1},
  *
@@ -208,8 +208,8 @@ murk_mie_sphere murk_mie_solve(murk_mie *mie, double x, murk_mie_index index)
 }
 
 /* Adds the intensity at count <= LANES angles. With p = pi_n + tau_n and q =
- * pi_n - tau_n, S1 + S2 is the sum of (a + b) p, and S1 - S2 the sum of (a - b)
- * q. */
+ * pi_n - tau_n, S1 + S2 is the sum of (a_n + b_n) p, and S1 - S2 the sum of
+ * (a_n - b_n) q, each term multiplied by (2 n + 1) / (n (n + 1)). */
 static void add_lanes(const murk_mie *mie, double weight, size_t count,
                       const double *angles, double *intensity)
 {

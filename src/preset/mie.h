@@ -18,8 +18,8 @@
 
 #include <stddef.h>
 
-/* Tested ranges: size parameters (Wiscombe's number of terms holds to 2e4), and
- * |n + i k|, which must be at least 1e-3. */
+/* The accepted size parameters (Wiscombe's number of terms holds to 2e4), and
+ * the largest accepted |n + i k|. */
 #define MURK_MIE_SIZE_MIN  1e-6
 #define MURK_MIE_SIZE_MAX  2e4
 #define MURK_MIE_INDEX_MAX 1e3

@@ -55,7 +55,8 @@ void murk_mixing_add_angles(murk_mixing *mixing,
     murk_mixing_add(mixing, &phase, weight * share);
 }
 
-/* Copies the rows of one column to the part. */
+/* Copies the angles and one column of values to the part; false when out of
+ * memory. */
 static bool copy_angles(murk_mixture_part *part, const murk_preset_phase *phase)
 {
     const murk_preset_angles *angles = phase->angles;
@@ -80,8 +81,8 @@ murk_status murk_mixing_finish(murk_mixture **out, const murk_mixing *mixing,
         sum += mixing->weight[i];
     }
     /* One part for each phase function, with weights divided by their sum.
-     * Without any, the one part stays zero: MURK_PHASE_HG with mean cosine 0,
-     * which is isotropic. */
+     * Without any phase function, kind and value of the one part stay zero:
+     * MURK_PHASE_HG with mean cosine 0, which is isotropic. */
     murk_mixture *mixture = calloc(1, sizeof *mixture);
     if (mixture) {
         mixture->part = calloc(n, sizeof *mixture->part);

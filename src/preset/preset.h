@@ -1,5 +1,6 @@
-/* Presets describe fog, rain, smoke, air and water in the words of users; this
- * room turns them into extinction, albedo and phase function for each band.
+/* Presets describe fog, rain, smoke, air and water in the words of users;
+ * src/preset turns presets into extinction, albedo and phase function for each
+ * band.
  *
  * A preset is a small file, media/FAMILY/NAME.yaml, which is built into the
  * library (files.h) and which scene/presets.h reads into the plain structs
@@ -35,7 +36,8 @@ typedef struct murk_law murk_law; /* law.h */
 typedef struct murk_preset_angles {
     size_t angles, columns;
     double *wavelength_nm; /* [columns] rising; NULL: one column for all
-                            * wavelengths */
+                            * wavelengths, or columns that a law selects by
+                            * murk_preset_phase.column */
     double *angle_deg;     /* [angles] as murk_phase_rows of
                             * medium/phase_table.h requires */
     double *phase_per_sr;  /* [columns * angles], column by column */
@@ -99,8 +101,8 @@ typedef struct murk_preset_part {
 /* A literature reference of a preset. */
 typedef struct murk_preset_source {
     char *what, *from; /* subject; citation */
-    char *quoted_by;   /* a secondary source that quotes it; NULL: read in the
-                        * source itself */
+    char *quoted_by;   /* a secondary source from which the numbers of `from`
+                        * were taken; NULL: taken from the source itself */
 } murk_preset_source;
 
 /* A list of texts. */
@@ -165,9 +167,11 @@ typedef struct murk_preset_result {
  * edges the mean over MURK_PRESET_SAMPLES wavelengths. `albedo` is the ratio of
  * the mean scattering to the mean extinction. Fails with MURK_BAD_VALUE at
  * `where` if a word is unknown to the preset or outside the range of the
- * preset, or a band is outside the wavelengths of the preset; also as laws do,
- * and with MURK_NO_MEMORY. The caller releases *out with
- * murk_preset_result_release(); on failure *out is unchanged. */
+ * preset, if several words state an amount, if a band is outside the
+ * wavelengths of the preset, if parts cannot be scaled to the visibility, or if
+ * a coefficient exceeds 1e9 1/m; also as laws do, and with MURK_NO_MEMORY. The
+ * caller releases *out with murk_preset_result_release(); on failure *out is
+ * unchanged. */
 murk_status murk_preset_evaluate(murk_preset_result *out,
                                  const murk_preset *preset,
                                  const murk_words *words,

@@ -1,6 +1,6 @@
-/* Absorption and scattering by the constituents of natural water, as power laws
- * and exponentials of the literature; preset/water_contents.h states each
- * formula with the source. */
+/* Absorption, scattering and phase function of the constituents of natural
+ * water, by power laws and exponentials of the literature;
+ * preset/water_contents.h states the formulas with the sources. */
 #include "preset/water_contents.h"
 
 #include "preset/water_pure.h"

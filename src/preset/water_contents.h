@@ -14,13 +14,14 @@
 #define MURK_CHLOROPHYLL_MIN_NM 400.0
 #define MURK_CHLOROPHYLL_MAX_NM 700.0
 
-/* Absorption by all particles that vary with chlorophyll [mg/m3], 0 or more,
- * between the two wavelengths above: A C^E. */
+/* Absorption by all particles that vary with the chlorophyll C [mg/m3], 0 or
+ * more, between the two wavelengths above: factor C^exponent, with the spectra
+ * of Bricaud et al. (water_tables.h). */
 double murk_chlorophyll_absorption(double wavelength_nm,
                                    double chlorophyll_mg_per_m3);
 
 /* Scattering by these particles: .416 C^.766 (wavelength / 550 nm)^v, with v =
- * .5 (log10 C - .3) below 2 mg/m3 and v = 0 from there on. */
+ * .5 (log10 C - .3) below 2 mg/m3 and v = 0 from there on; 0 for C = 0. */
 double murk_chlorophyll_scattering(double wavelength_nm,
                                    double chlorophyll_mg_per_m3);
 

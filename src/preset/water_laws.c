@@ -166,8 +166,9 @@ typedef struct green {
     double absorption_per_nm, scattering_power;
 } green;
 
-/* The factor of the constituents with which water and constituents have the
- * beam attenuation of the user; 1 if the user gives none. */
+/* Sets *scale to the factor of the constituents with which water and
+ * constituents together have the beam attenuation of the user at g->at_nm; 1 if
+ * the user gives none. Fails with MURK_BAD_VALUE if water alone has more. */
 static murk_status scale_of(double *scale, const green *g,
                             const murk_law_call *call, murk_error *err)
 {
@@ -238,8 +239,9 @@ static double beside_water(const daylight *d, size_t row)
            murk_water_absorption(nm);
 }
 
-/* Interpolates the absorption of the constituents between rows, because it is
- * smooth, while the spectrum of pure water is steep. */
+/* Interpolates the absorption of the constituents, and not that of pure water
+ * with them, between rows, because the spectrum of the constituents is smooth,
+ * while that of pure water is steep. Values below 0 become 0. */
 murk_status murk_law_diffuse_attenuation(murk_law_result *out,
                                          const murk_law_call *call,
                                          murk_error *err)
