@@ -13,8 +13,8 @@
  * doi:10.1016/j.solener.2018.04.001. */
 #define MURK_SOLAR_CONSTANT_W_PER_M2 1361.1
 
-/* The irradiance outside of the atmosphere, at right angles, at a distance from
- * the sun. */
+/* The irradiance outside of the atmosphere, on a plane at right angles to the
+ * rays, at a distance from the sun. */
 double murk_extraterrestrial_w_per_m2(double distance_m);
 
 /* The relative air mass: the length of the path through the atmosphere divided
@@ -33,9 +33,10 @@ typedef struct murk_clear_sky {
     double diffuse_w_per_m2; /* of the sky, on a horizontal plane */
 } murk_clear_sky;
 
-/* The irradiance under a clear sky; 0 for a sun at or below the horizon. linke
- * >= 1; the altitude is above sea level, and the model was made for altitudes
- * up to about 3000 m. */
+/* The irradiance under a clear sky; 0 for a sun at or below the horizon, or if
+ * the air mass is not finite. linke: the Linke turbidity, at least 1; the
+ * altitude is above sea level, and the model was made for altitudes up to about
+ * 3000 m. */
 murk_clear_sky murk_clear_sky_at(double apparent_zenith_deg,
                                  double absolute_airmass, double linke,
                                  double altitude_m,

@@ -11,7 +11,7 @@
 #define SEA_LEVEL_HPA 1013.0          /* of the report */
 /* The air mass for light that the ground reflects upwards. */
 #define AIRMASS_OF_SKY 1.8
-#define OZONE_HEIGHT   (22.0 / 6370) /* over the earth's radius, km */
+#define OZONE_HEIGHT   (22.0 / 6370) /* height over earth's radius, km */
 
 /* Rural aerosol: exponent of 2-7, albedo at 400 nm and the decrease of 3-16,
  * mean cosine. */

@@ -1,6 +1,6 @@
 /* Spectral irradiance at the ground under a clear sky, at the wavelengths of
- * murk_bird, by the model of Bird and Riordan. For use inside src/source only.
- */
+ * the table murk_bird (source/solar_tables.h), by the model of Bird and
+ * Riordan. For use inside src/source only. */
 #ifndef MURK_SOURCE_CLEAR_SPECTRUM_H
 #define MURK_SOURCE_CLEAR_SPECTRUM_H
 

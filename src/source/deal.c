@@ -43,7 +43,8 @@ size_t murk_deal_one(const uint64_t *limit, size_t n, uint64_t photon)
 
 /* The sum over k < n of floor((a k + b) / m), modulo 2^128, by Euclid's
  * algorithm on a and m (Graham, Knuth and Patashnik, Concrete Mathematics,
- * 3.5). Range: a n + b stays below 2^127 for a, b < m <= 2^64 and n < 2^62. */
+ * 3.5). Range: a n + b stays below 2^127 for a < m, b <= m, m <= 2^64 and n <
+ * 2^62. */
 static wide floor_sum(wide n, wide m, wide a, wide b)
 {
     wide sum = 0;

@@ -3,11 +3,11 @@
  *
  * The first n photons go one to each of the n channels. Photon k after them
  * goes to the channel in which the fractional part of k times the golden ratio
- * falls among the cumulative weights. All numbers are integers, so the result
- * is the same on every machine. The count of a channel differs from the exact
- * share by a few photons at most (the discrepancy of the sequence grows as log
- * n: Kuipers and Niederreiter, Uniform Distribution of Sequences, 1974, ch.
- * 2.3). */
+ * falls among the cumulative weights. The limits and the sequence are integers
+ * of 64 bits, so no rounding depends on the photon index. The count of a
+ * channel differs from the exact share by a few photons at most (the
+ * discrepancy of the sequence grows as log n: Kuipers and Niederreiter, Uniform
+ * Distribution of Sequences, 1974, ch. 2.3). */
 #ifndef MURK_SOURCE_DEAL_H
 #define MURK_SOURCE_DEAL_H
 

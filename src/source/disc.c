@@ -1,9 +1,10 @@
-/* Integrates and samples the cosine at a plane over a disc. If the whole disc
- * is above the plane, the result is linear and closed; if the plane cuts the
- * disc, the distribution function along the tilt is inverted by bisection. */
+/* Integrates and samples the cosine at a plane over a disc. If the cosine is
+ * positive on the whole disc, the integral is the cosine at the center, and
+ * points are drawn in closed form. If the plane cuts the disc, points are drawn
+ * by bisection of the distribution function along the tilt of the plane. */
 #include "source/disc.h"
 
-/* Halvings of an interval, for all digits of a double. */
+/* Halvings of an interval in the bisection: one for each digit of a double. */
 #define HALVINGS 53
 
 /* Lengths are in units of the radius of the disc, and x points along the
@@ -33,7 +34,8 @@ double murk_disc_cosine(murk_vec3 direction, double radius, murk_vec3 inward)
            (cut_integral(edge, 1) - cut_integral(edge, -edge));
 }
 
-/* Draws x on a disc that is cut by the plane. */
+/* Draws the coordinate x of cut_integral() between -edge and 1, with a density
+ * proportional to (edge + x) sqrt(1 - x^2). */
 static double cut_draw(double edge, double u)
 {
     const double min = cut_integral(edge, -edge);
@@ -72,8 +74,8 @@ murk_vec3 murk_disc_draw(murk_vec3 direction, double radius, murk_vec3 inward,
         const double rho = sqrt(u[0]), phi = 2 * MURK_PI * u[1];
         x = rho * cos(phi);
         y = rho * sin(phi);
-        /* The cosine is larger on one side: mirror points to this side with the
-         * probability that corrects the density. */
+        /* Mirror the point, from x to -x, with the probability that makes the
+         * density proportional to the cosine middle + x tilt. */
         if (u[2] > (1 + x * tilt / middle) / 2) {
             x = -x;
         }

@@ -20,8 +20,8 @@
 double murk_disc_cosine(murk_vec3 direction, double radius, murk_vec3 inward);
 
 /* Draws a point of the disc with a density proportional to max(0, p . inward)
- * from three uniform numbers, and returns p as a unit direction of travel.
- * murk_disc_cosine() must be above 0. */
+ * from three uniform numbers, and returns p as a unit direction of travel. A
+ * radius of 0 gives `direction`. murk_disc_cosine() must be above 0. */
 murk_vec3 murk_disc_draw(murk_vec3 direction, double radius, murk_vec3 inward,
                          const double u[3]);
 

@@ -5,8 +5,8 @@
  * functions, one for parallel rays and discs and one for the sky. Each has the
  * check against the domain, the start of a photon, a sampled direction from
  * which the light reaches a point (shine), and the light along a line of sight
- * (glare). For shine, a disc is sampled by area, the sky by solid angle, and a
- * sky that is aimed at portals by the area of the portals. */
+ * (glare). For shine, a disc is sampled by area and the sky by solid angle; for
+ * a sky that is aimed at portals, a point of a portal is sampled by area. */
 #include "source/source_state.h"
 
 #include <math.h>
@@ -49,8 +49,9 @@ static murk_status check_portals(const murk_source *l,
     return MURK_OK;
 }
 
-/* True if distant light may arrive at `place` in the direction `travel`:
- * through a portal, or along any line if there are no portals. */
+/* True if distant light may arrive at `place` in the direction `travel`: if the
+ * line through `place` passes a portal inward, on either side of `place`, or if
+ * there are no portals. */
 static bool enters(const murk_source *light, murk_vec3 place, murk_vec3 travel)
 {
     double ahead_m, cosine;
@@ -63,8 +64,8 @@ static bool enters(const murk_source *light, murk_vec3 place, murk_vec3 travel)
     return light->portals == 0;
 }
 
-/* The density of directions towards uniform points of the portals, with equal
- * probability for each portal. */
+/* The probability density [1/sr] with which sample_portal() draws the direction
+ * `travel`. */
 static double portals_per_sr(const murk_source *l, murk_vec3 place,
                              murk_vec3 travel)
 {
@@ -81,8 +82,8 @@ static double portals_per_sr(const murk_source *l, murk_vec3 place,
 }
 
 /* Draws a direction through a uniform point of a portal that is drawn with
- * equal probability. Returns false if `place` lies in the plane of that
- * portal. */
+ * equal probability. Returns false if `place` lies in the plane of that portal,
+ * or if the density of the direction is 0 by rounding. */
 static bool sample_portal(const murk_source *l, murk_vec3 place,
                           const double u[MURK_SHINE_NUMBERS], murk_shine *shine)
 {
@@ -103,8 +104,9 @@ static bool sample_portal(const murk_source *l, murk_vec3 place,
 
 /* ---- parallel light and discs ---- */
 
-/* Computes the shares of the faces across x, y and z in the light that enters.
- * Returns the power for 1 W/m2. */
+/* Computes s->face_end: the cumulative shares of the faces across x, y and z in
+ * the parallel light that enters. A periodic domain is entered through the top
+ * only. Returns the power [W] for an irradiance of 1 W/m2. */
 static double share_faces(murk_source_state *s, const murk_domain *domain)
 {
     const murk_vec3 d = s->light.direction;
@@ -133,7 +135,8 @@ static murk_status create_entry_faces(murk_source_state *s, murk_error *err)
 
 static murk_status prepare_directional(murk_source_state *s, murk_error *err)
 {
-    /* Check portals, direction and angular radius. */
+    /* Check portals, direction and angular radius; in a periodic domain, light
+     * with power must go down. */
     const double radius = s->light.angular_radius_rad;
     murk_status status = check_portals(&s->light, s->domain, err);
     if (!status) {
@@ -151,7 +154,7 @@ static murk_status prepare_directional(murk_source_state *s, murk_error *err)
                            "enters a periodic domain through its top only",
                            d.x, d.y, d.z);
     }
-    /* Parallel light needs no entry faces. */
+    /* Parallel light that is not aimed at portals needs no entry faces. */
     if (!status && (radius > 0 || s->light.portals > 0)) {
         status = create_entry_faces(s, err);
     } else if (!status) {

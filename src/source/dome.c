@@ -42,7 +42,7 @@ double murk_dome_radiance(const murk_dome *dome, murk_vec3 direction)
     }
     double radiance = 1;
     if (dome->a != 0) {
-        /* The limit at the horizon is exp(b / cos Z) = 0. */
+        /* For b < 0, the limit of exp(b / cos Z) at the horizon is 0. */
         radiance += direction.z > 0 ? dome->a * exp(dome->b / direction.z) : 0;
     }
     if (dome->c != 0 || dome->e != 0) {

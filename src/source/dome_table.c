@@ -13,8 +13,9 @@
 
 /* An entry of the alias table: with a probability of `keeps` / 2^18 the drawn
  * cell stays, otherwise it is replaced by `other`. Both are packed into one
- * word, because the table is fast only if it fits into the cache of a core.
- * Uniform numbers have no finer resolution per cell. */
+ * word, because the table is fast only if it fits into the cache of a core. The
+ * 14 bits that choose a cell and the 18 bits of `keeps` are 32 bits together,
+ * the resolution of one uniform number (base/rng.h). */
 #define OTHER_BITS 14
 #define KEEPS_BITS (32 - OTHER_BITS)
 _Static_assert(CELLS *CELLS <= 1 << OTHER_BITS, "cells are numbered in a word");
@@ -82,7 +83,7 @@ static murk_status fill(murk_dome_table *t, const murk_dome *dome,
 }
 
 /* Fills share[ALL] with the irradiance of each cell divided by the mean of all
- * cells. Returns the sum over all cells. */
+ * cells; all are 0 if the sum is 0. Returns the sum of the irradiances. */
 static double weigh(const murk_dome_table *t, double *share)
 {
     double sum = 0;
@@ -111,9 +112,9 @@ static uint32_t packed(double keeps, uint32_t other)
 }
 
 /* Builds the alias table by Vose's method: each cell below the mean is filled
- * up from a cell above the mean; cells that are left at the end have 1 but for
- * rounding. stack[ALL] holds the small cells at the front and the large ones at
- * the end. */
+ * up from a cell above the mean; cells that are left at the end have a share of
+ * 1 but for rounding and are always kept. stack[ALL] holds the small cells at
+ * the front and the large ones at the end. */
 static void build_alias_table(murk_dome_table *t, double *share,
                               uint32_t *stack)
 {
@@ -176,7 +177,8 @@ double murk_dome_table_irradiance(const murk_dome_table *table)
     return table->irradiance;
 }
 
-/* Draws a number in (0, 1) with a density that is linear between two values. */
+/* Draws a number in (0, 1), from the uniform number u, with a density that is
+ * linear and proportional to `from` at 0 and to `to` at 1. */
 static double slanted(double from, double to, double u)
 {
     return u * (from + to) /

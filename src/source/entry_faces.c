@@ -17,8 +17,8 @@
  * rounding. */
 #define AT_ONCE 1e-9
 
-/* Orientations with a smaller squared sine between them are equal and share a
- * table. */
+/* Orientations on the same side with a smaller squared sine between them are
+ * equal and share a table. */
 #define SAME_FACING 1e-24
 
 typedef struct entry_face {
@@ -29,7 +29,8 @@ typedef struct entry_face {
                                  * edges */
     double one_m2;              /* power for an irradiance of 1 */
     double end;                 /* cumulative share of the power */
-    const murk_dome_table *sky; /* NULL: directional, or no power */
+    const murk_dome_table *sky; /* NULL: directional light, or a face that looks
+                                 * straight down */
 } entry_face;
 
 struct murk_entry_faces {
@@ -264,7 +265,8 @@ static bool is_on(const entry_face *k, murk_vec3 p)
 }
 
 /* True if the ray through point p of the portal `own` passes another portal
- * inward before it. */
+ * inward before p, or at p (AT_ONCE) if the other portal comes first in the
+ * list. */
 static bool passes_before(const murk_entry_faces *o, size_t own, murk_vec3 p,
                           murk_vec3 direction)
 {

@@ -8,7 +8,8 @@
  * Telescope 72 (1986) 70, with pressure and temperature as in the SPA of NREL
  * (Reda and Andreas, Solar Energy 76 (2004) 577,
  * doi:10.1016/j.solener.2003.12.003). As in the SPA, there is no refraction for
- * a body that is completely below the horizon.
+ * a body whose upper edge is more than .5667 degrees, the refraction at the
+ * horizon, below the horizon.
  *
  * Results are within .0005 degrees of the SPA. Safe on any thread. */
 #ifndef MURK_SOURCE_EPHEMERIS_H
@@ -56,7 +57,8 @@ murk_status murk_moon_at(murk_body *out, const murk_observer *observer,
  * [hPa]. */
 double murk_standard_pressure_hpa(double altitude_m);
 
-/* The refraction for a geometric elevation above the horizon [degrees]. */
+/* The refraction [degrees] for a geometric elevation from about -1 degree to 90
+ * degrees. */
 double murk_refraction_deg(double geometric_elevation_deg, double pressure_hpa,
                            double temperature_c);
 

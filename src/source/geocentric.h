@@ -34,7 +34,7 @@ double murk_true_obliquity_rad(double julian_date_tt);
 /* Terrestrial time minus universal time [s], for the years 1900 to 2150:
  * Espenak and Meeus, Five Millennium Canon of Solar Eclipses,
  * NASA/TP-2006-214141, table of polynomials. Values from 2005 on are a forecast
- * of 2006, which was some 6 s too large by 2025; this is .0001 degrees for the
+ * of 2006, which was some 5 s too large by 2025; this is .0001 degrees for the
  * sun and .001 degrees for the moon. */
 double murk_delta_t_s(double julian_date_ut);
 

@@ -6,8 +6,9 @@
  * (shine), and, except for a point, the light along a line of sight (glare).
  * Spheres and rectangles emit by Lambert's cosine law; a point is isotropic; a
  * beam is a disc of parallel rays, or of rays spread evenly over the solid
- * angle of a cone. For shine, flat lamps are sampled by area and spheres by the
- * visible cone. */
+ * angle of a cone. For shine, rectangles and the discs of divergent beams are
+ * sampled by area, and spheres by the solid angle of the visible cone; points
+ * and parallel beams have one direction only. */
 #include "source/source_state.h"
 
 #include <math.h>
@@ -30,7 +31,8 @@ static bool come_from(murk_vec3 from, murk_vec3 place, murk_shine *shine)
     return shine->distance_m > 0;
 }
 
-/* The density of directions from uniform points of a flat lamp. */
+/* The probability density [1/sr] of the direction from a uniform point of a
+ * flat lamp. cosine: of the angle between the direction and the normal. */
 static double sheet_per_sr(double area_m2, double distance_m, double cosine)
 {
     return distance_m * distance_m / (area_m2 * cosine);
@@ -232,8 +234,9 @@ static double rect_near(const murk_source *l, int band, murk_vec3 to_lamp,
     const double square = fmax(murk_dot(to_lamp, to_lamp), extent * extent);
     const murk_vec3 face = rect_normal(l);
     const double before = -murk_dot(face, to_lamp);
-    /* The point is behind the plane of the lamp. In a periodic domain an image
-     * may still light it, unless all images lie in the same plane. */
+    /* A point in or behind the plane of the lamp gets no light. In a periodic
+     * domain an image of the lamp may light the point, unless the lamp is
+     * level, so that all images lie in the same plane. */
     if (!(before > 0) && (!has_images || fabs(face.z) == 1)) {
         return 0;
     }
@@ -276,7 +279,8 @@ static murk_status prepare_beam(murk_source_state *s, murk_error *err)
     if (status) {
         return status;
     }
-    /* The disc must lie in the domain: half of the size along each axis. */
+    /* The disc must lie in the domain; `reach` is half of the size of the disc
+     * along each axis. */
     s->cone = cone_of(l);
     const murk_vec3 d = l->direction;
     const murk_vec3 reach = {r * sqrt(d.y * d.y + d.z * d.z),
@@ -297,7 +301,8 @@ static murk_ray emit_beam(const murk_source_state *s,
         ray.origin = disc_point(l, t, b, u);
     }
     if (s->cone > 0) {
-        /* By 1 - cos(angle), which keeps full precision in narrow beams. */
+        /* Draw w = 1 - cos(angle to the axis), which keeps full precision in
+         * narrow beams. */
         const double w = s->cone * u[2], phi = TWO_PI * u[3];
         const double side = sqrt(fmax(0, w * (2 - w)));
         murk_vec3 d = murk_scale(1 - w, l->direction);
@@ -339,8 +344,10 @@ static bool shine_beam(const murk_source_state *s, int band, murk_vec3 place,
     return 1 - murk_dot(shine->direction, l->direction) < cone;
 }
 
-/* The radiance of a beam: power is uniform over the solid angle of the cone, so
- * the radiance grows with 1 / cosine. */
+/* The light of a divergent beam along a line of sight. Power is uniform over
+ * the solid angle of the cone, so the radiance grows with 1 / cosine. Radiance
+ * 0: the beam is parallel or has no width, or the line of sight does not meet
+ * the disc within the cone. */
 static murk_glare beam_glare(const murk_source_state *s, int band,
                              murk_vec3 place, murk_vec3 sight)
 {

@@ -13,10 +13,12 @@
 #define LUX_A_FOOT      10.763910417           /* lux per foot-candle */
 #define MEAN_DISTANCE_M 384400e3               /* of the moon */
 
-/* The radius of the disc of the moon: scattered light closer to the center is
- * not counted [degrees]. */
+/* The radius [degrees] of the disc of the moon. The diffuse illuminance leaves
+ * out the sky within this angle of the center, and scattering by aerosol does
+ * not grow within it. */
 #define DISC_DEG 0.26
-/* Within this angle of the moon the aureole follows another power law. */
+/* Within this angle of the moon [degrees], in the aureole, scattering by
+ * aerosol follows a power law of the angle; beyond it, an exponential law. */
 #define AUREOLE_DEG 10.0
 
 /* The sum over the sky: rings around the moon, with equal steps of the

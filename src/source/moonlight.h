@@ -45,7 +45,9 @@ double murk_moonlit_sky(const murk_moon *moon, double zenith_deg,
                         double separation_deg, double extinction_mag);
 
 /* Both illuminances at the ground. The air mass of the direct light is that of
- * source/clear_sky.h. */
+ * source/clear_sky.h. The direct light is 0 if the moon is at or below the
+ * horizon, the light of the sky if the moon is 18 degrees or more below the
+ * horizon. */
 murk_moonlight murk_moonlight_at(const murk_moon *moon, double extinction_mag);
 
 #endif

@@ -23,7 +23,8 @@ bool murk_sources_shine(const murk_sources *lights, size_t light, int band,
                         murk_shine *shine);
 
 /* The light that reaches the point against the unit direction `sight`. Parallel
- * light and point sources are invisible. */
+ * light, points, and beams that are parallel or have no width are invisible:
+ * radiance 0. */
 murk_glare murk_sources_glare(const murk_sources *lights, size_t light,
                               int band, murk_vec3 place, murk_vec3 sight);
 

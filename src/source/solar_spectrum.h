@@ -34,10 +34,11 @@ typedef enum murk_spectrum_source {
 } murk_spectrum_source;
 
 /* The state of the atmosphere. Start from murk_spectrum_air_defaults(), the air
- * of ASTM G173 with the sun at air mass 1.5, and change members. */
+ * of ASTM G173 with the sun at air mass 1.5, and change members. The numbers
+ * beside the members are the defaults. */
 typedef struct murk_spectrum_air {
-    double apparent_zenith_deg; /* of the sun; 0 or more */
-    double linke_turbidity;     /* default 3; determines the aerosol */
+    double apparent_zenith_deg; /* of the sun: 48.19; 0 or more */
+    double linke_turbidity;     /* 3; determines the aerosol */
     double pressure_hpa;        /* 1013.25 */
     double water_cm;            /* water vapour of a vertical path: 1.42, > 0 */
     double ozone_cm;            /* .344 atm cm */

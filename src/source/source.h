@@ -28,7 +28,7 @@ typedef struct murk_portal {
 typedef struct murk_source {
     murk_source_type type;
     murk_vec3 position;     /* center of a sphere, corner of a rect, the point,
-                             * origin of a beam */
+                             * center of the disc of a beam */
     murk_vec3 edge1, edge2; /* rect */
     murk_vec3 direction;    /* beam, directional: direction of travel, any
                              * length */
@@ -70,9 +70,10 @@ murk_vec3 murk_source_face(const murk_source *light, murk_vec3 otherwise);
 /* Estimate of the irradiance [W/m2] that a lamp gives at a point, on a plane
  * that faces the lamp, without media and occluders. For a lamp without extent
  * and a distance of 0, the power [W] is returned instead. to_lamp: from the
- * point to the center of the lamp. has_images: the domain is periodic, so a
- * point behind a flat lamp may be lit by an image of the lamp and has an
- * estimate, too. */
+ * point to the center of the lamp. A point behind a rectangle or outside a beam
+ * gets 0. has_images: the domain is periodic, so a point behind a rectangle may
+ * be lit by an image of the rectangle and may have an estimate, too, unless the
+ * rectangle is level. */
 double murk_source_irradiance_near(const murk_source *lamp, int band,
                                    murk_vec3 to_lamp, bool has_images);
 

@@ -163,7 +163,7 @@ murk_ray murk_source_state_emit(const murk_source_state *s,
     return ray;
 }
 
-/* ---- lamps, for other rooms ---- */
+/* ---- lamps, for other folders of src ---- */
 
 murk_box murk_source_box(const murk_source *light)
 {

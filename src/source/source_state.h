@@ -12,19 +12,20 @@ typedef struct murk_source_state {
                         * copies */
     const murk_domain *domain;
     bool is_dark;       /* without power */
-    double power_scale; /* watts for each unit of power_w: the lit area in m2 if
+    double power_scale; /* watts for each unit of power_w: an area in m2 if
                          * power_w is an irradiance, else 1 */
     murk_vec3 normal;   /* rect: unit normal of the emitting side */
     double cone;        /* beam: 1 - cos(half angle) */
     double face_end[3]; /* parallel light onto the domain: cumulative shares of
                          * the lit faces across x, y and z */
-    murk_entry_faces *entry_faces; /* owned: for other distant light; else
-                                    * NULL */
+    murk_entry_faces *entry_faces; /* owned; NULL for lamps and for parallel
+                                    * light onto the domain */
 } murk_source_state;
 
 /* Checks s->light against s->domain, both set by the caller, normalises the
- * direction and fills the rest of *s, which must be zero. The caller releases
- * *s with murk_source_state_release(), also after a failure. */
+ * direction of a beam or of directional light, and fills the rest of *s, which
+ * must be zero. The caller releases *s with murk_source_state_release(), also
+ * after a failure. */
 murk_status murk_source_state_prepare(murk_source_state *s, size_t bands,
                                       murk_error *err);
 
@@ -48,8 +49,8 @@ typedef struct murk_source_row {
     /* The start of a photon. */
     murk_ray (*emit)(const murk_source_state *s,
                      const double u[MURK_ENTRY_FACES_NUMBERS]);
-    /* As murk_sources_shine(). *shine is {0} except for distance_m and per_sr,
-     * which are infinite. */
+    /* As murk_sources_shine(). The caller sets *shine to {0} except for
+     * distance_m and per_sr, which are infinite. */
     bool (*shine)(const murk_source_state *s, int band, murk_vec3 place,
                   const double u[MURK_SHINE_NUMBERS], murk_shine *shine);
     /* As murk_sources_glare(). NULL: the light is invisible. */
@@ -58,7 +59,7 @@ typedef struct murk_source_row {
     /* False for a light that cannot be sampled. NULL: true. */
     bool (*can_shine)(const murk_source *light);
     /* Lamps: a box that contains the lamp, and an upper limit of the distance
-     * of the points of the lamp from the center. */
+     * of the points of the lamp from the center. NULL for distant light. */
     murk_box (*box)(const murk_source *light);
     double (*extent_m)(const murk_source *light);
     /* The center of the lamp. NULL: the position. */

@@ -26,9 +26,9 @@
  * of the top.
  *
  * Light that is aimed at portals has the power that would fall on the portals
- * from outside without occluders, and no other light enters. Photons start on
- * the boundary of the domain, on the line to a point of a portal, so that
- * occluders in front of the portal cast shadows. A ray that passes several
+ * from outside without occluders, and the light enters nowhere else. Photons
+ * start on the boundary of the domain, on the line to a point of a portal, so
+ * that occluders in front of the portal cast shadows. A ray that passes several
  * portals inward belongs to the first one. If it is drawn from another portal,
  * it ends where it starts; if portals lie one behind the other, the power of
  * the light thus includes power that escapes at once. Portals must lie in the
@@ -36,10 +36,12 @@
  *
  * Lights without power are dark; if all lights are dark, nothing is emitted.
  * Fails with MURK_BAD_VALUE if there is no light or more than MURK_SOURCES_MAX,
- * if a member of a light is out of range, if a light lies outside the domain,
- * or if a directional light with power lights a periodic domain from below or
- * from the side; or with MURK_NO_MEMORY. The caller destroys *out, which refers
- * to none of the arguments. */
+ * if the domain is no finite box, if a member of a light is out of range, if a
+ * lamp or a portal lies outside the domain, if a light is aimed at portals in a
+ * periodic domain, if the total power is not finite, or if a directional light
+ * with power lights a periodic domain from below or from the side; or with
+ * MURK_NO_MEMORY. The caller destroys *out, which refers to none of the
+ * arguments. */
 murk_status murk_sources_create(murk_sources **out, const murk_source *lights,
                                 size_t n_lights, int bands,
                                 const murk_domain *domain, murk_error *err);

@@ -12,8 +12,8 @@
  * Seidelmann (ed.), Explanatory Supplement to the Astronomical Almanac (1992).
  * The coefficients are from secondary sources, three programs that agree (among
  * them E. O. Ofek's sunlight.m and D. A. Vallado's sunill). Adjacent
- * polynomials differ by up to 1.2 % at the common end; each is shifted by half
- * of the difference, so that there is no step. */
+ * polynomials differ by up to 1 % at the common end; each is shifted by half of
+ * the difference, so that there is no step. */
 #ifndef MURK_SOURCE_TWILIGHT_H
 #define MURK_SOURCE_TWILIGHT_H
 
