@@ -1,6 +1,7 @@
 /* Traces photons in batches on all threads. Each batch has sums of its own,
- * which are added to the ledger as integers, so that the result does not
- * depend on the threads. */
+ * which are added to the ledger at the end of the batch; absorption by material
+ * and medium is added to the ledger at once. All sums are integers, so that the
+ * result does not depend on the threads. */
 #include "transport/trace.h"
 
 #include <assert.h>

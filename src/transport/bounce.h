@@ -1,6 +1,6 @@
-/* Reflection and transmission at a surface: the roulette of trace.h, and at the
- * boundary of a solid Snell's law with Fresnel reflectance. For
- * use inside src/transport only. */
+/* Reflection and transmission at a surface: the roulette of transport/trace.h,
+ * and at the boundary of a solid Snell's law with Fresnel reflectance. For use
+ * inside src/transport only. */
 #ifndef MURK_TRANSPORT_BOUNCE_H
 #define MURK_TRANSPORT_BOUNCE_H
 

@@ -30,7 +30,7 @@ static murk_vec3 facet_normal(murk_vec3 direction, murk_vec3 up, double width,
     const double length = murk_length(over);
     murk_vec3 along, across;
     murk_frame(up, &along, &across);
-    if (length > 0) { /* vertically downwards, any horizontal direction will
+    if (length > 0) { /* if the ray is vertical, any horizontal direction will
                        * do */
         along = murk_scale(1 / length, over);
         across = murk_cross(up, along);

@@ -70,7 +70,7 @@ void murk_follow(murk_follower *follower, uint64_t number, int band,
     murk_walk_from(&follower->setup, &follower->sums, number, band, ray);
 }
 
-/* Any event is then one too many. */
+/* With events_max at 0, the next event is one too many. */
 void murk_follower_stop(murk_follower *follower)
 {
     follower->trace.events_max = 0;

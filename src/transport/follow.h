@@ -1,5 +1,5 @@
-/* Follows a ray through the world like a photon, from a position outside of
- * surfaces: the view of a camera, because light paths are reversible.
+/* Follows a ray through the world like a photon, from a position that is on no
+ * surface: the view of a camera, because light paths are reversible.
  *
  * At each event the ray continues as light would, by the same roulette, so that
  * radiance divided by the square of the index is carried unchanged: by Fresnel
@@ -17,9 +17,9 @@ typedef struct murk_follower murk_follower;
 
 /* Creates a follower. `trace` is copied: its members world, seed, stream,
  * events_max, wraps_max, least_weight, by_delta, sink, segment_sink and context
- * apply to each ray; the others (photons, threads, tallies, takes_back) do not.
- * The world must outlive the follower. The caller destroys *out. Fails with
- * MURK_NO_MEMORY. */
+ * apply to each ray; the others (first, last, threads, tallies, takes_back) do
+ * not. The world must outlive the follower. The caller destroys *out. Fails
+ * with MURK_NO_MEMORY. */
 murk_status murk_follower_create(murk_follower **out, const murk_trace *trace,
                                  murk_error *err);
 void murk_follower_destroy(murk_follower *follower); /* NULL is fine */

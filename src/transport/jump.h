@@ -15,8 +15,9 @@ murk_status murk_jump_heights(double (**out)[2], size_t *n,
                               murk_error *err);
 
 /* The length [m] of a jump from the present position to the next height that is
- * not free, or to the top or bottom of the domain. 0 means no jump: the ray has
- * wrapped less than WRAPS_BEFORE times (transport/jump.c) since the last event,
+ * not free, or to the top or bottom of the domain. 0 means no jump: jumps are
+ * switched off (murk_walk_setup in transport/walker.h), or the ray has wrapped
+ * less than WRAPS_BEFORE times (transport/jump.c) since the last other event,
  * is exactly level, is at a height that is not free, or would pass at most
  * MIN_PERIODS periods in x and in y. */
 double murk_jump_ahead(const murk_walker *w);

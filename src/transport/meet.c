@@ -9,8 +9,8 @@
 #include "transport/turn.h"
 
 /* After reflection at a mesh, the photon lies on the mesh to double precision.
- * This share of the distance at which meshes are told apart is skipped, so that
- * the photon does not meet the same face again. */
+ * This share of near_m (path/path.h) is skipped, so that the photon does not
+ * meet the same face again. */
 #define REFLECTED_SKIP 0x1p-20
 
 /* Updates the event class and the number of wraps after a specular event. */
@@ -179,7 +179,8 @@ murk_fate murk_meet_mesh_beyond(murk_walker *w, const murk_hit *hit,
 }
 
 /* Starts the search for surfaces before the position, because a surface may lie
- * in the side of the domain through which the photon enters. */
+ * in the side of the domain through which the photon enters. Finds the solids
+ * that contain the start of the search. */
 static void enter(murk_walker *w)
 {
     w->probe = murk_along(w->path.position, -w->setup->space.margin_m,

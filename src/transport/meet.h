@@ -1,15 +1,16 @@
 /* The end of a segment at a surface, at the boundary of a region, or at a side
  * of the domain. Each function moves the photon there, scores the segment,
- * reports the event and prepares the next segment. The result is
- * MURK_FATE_NONE if the photon continues. For use inside src/transport only. */
+ * reports the event and prepares the next segment. The result is MURK_FATE_NONE
+ * if the photon continues. A photon that cannot be followed further is reported
+ * as lost instead. For use inside src/transport only. */
 #ifndef MURK_TRANSPORT_MEET_H
 #define MURK_TRANSPORT_MEET_H
 
 #include "transport/walker.h"
 
 /* Reflects the photon at the boundary or refracts it. A boundary at which the
- * index does not change is no event. A photon that is given up among waves
- * (transport/facets.h) is lost. */
+ * index does not change is passed without an event. A photon that is given up
+ * among waves (transport/facets.h) is lost. */
 murk_fate murk_meet_boundary(murk_walker *w, const murk_path_boundary *ahead);
 
 /* Absorbs, reflects or transmits the photon at the surface that it hits.

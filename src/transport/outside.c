@@ -8,7 +8,8 @@
  * through an upright side is the vertical flux times the tangent of the zenith
  * angle, so bending also changes it by the ratio of the tangents. All factors
  * are at most 1, except for this ratio if the last layer has a lower index of
- * refraction than the first. */
+ * refraction than the first. The share of the light is the product of all
+ * factors, and 1 if the product is larger. */
 #include "transport/outside.h"
 
 #include "medium/fresnel.h"
@@ -32,7 +33,7 @@ typedef struct beam {
     bool is_bent;
 } beam;
 
-/* Goes through the level boundary to another index. */
+/* Takes the beam through a level boundary to another index of refraction. */
 static void refract(beam *b, double index)
 {
     double cosine;
@@ -42,7 +43,8 @@ static void refract(beam *b, double index)
     b->is_bent = true;
 }
 
-/* Follows the column from `at` along z over length_m. */
+/* Attenuates and refracts the beam in the layers of the column that begins at
+ * `at` and extends over length_m in the direction `along`, up or down. */
 static void descend(beam *b, const murk_transport_world *world, int band,
                     murk_vec3 at, murk_vec3 along, double length_m)
 {

@@ -15,8 +15,8 @@
  * enters at the height of the domain's top, or of its bottom if it travels
  * upwards. Where the index of refraction changes on the way, *direction becomes
  * the refracted direction. *is_bent (may be NULL) is set to whether the index
- * changes. The share is 1 unless the domain's media continue and the place is
- * on a side. */
+ * changes. The share is 1 if there are no media, if the media do not continue,
+ * or if the place is at the height at which the light enters. */
 double murk_outside_share(const murk_transport_world *world, int band,
                           murk_vec3 place, murk_vec3 *direction, bool *is_bent);
 

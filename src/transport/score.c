@@ -1,6 +1,6 @@
 /* Scores one photon: crossings of planes, chords of spheres and track lengths
- * in grids. The values of the photon are rounded to whole numbers once, at its
- * end, and added to the sums and the sums of squares. */
+ * in grids. The values of the photon are rounded to whole numbers once, at the
+ * end of the photon, and added to the sums and the sums of squares. */
 #include "transport/score.h"
 
 #include <math.h>
@@ -18,7 +18,8 @@ static uint32_t bin_at(double x, uint32_t bins)
     return x >= (double)bins ? bins - 1 : x > 0 ? (uint32_t)x : 0;
 }
 
-/* Scores a crossing of a plane at the share t between two positions. */
+/* Scores a crossing of a plane at the share t of the way from the last position
+ * of the chain to `to`. */
 static void cross(murk_scorer *scorer, const murk_tally_plane *plane, double t,
                   murk_vec3 to, murk_vec3 direction, bool backward,
                   double quanta)
@@ -43,9 +44,9 @@ static void cross(murk_scorer *scorer, const murk_tally_plane *plane, double t,
                    quanta);
 }
 
-/* Scores the chord of a segment through a sphere. It is computed from the point
- * of the line nearest to the center, which keeps full precision for a small,
- * distant sphere. */
+/* Scores the chord of a segment through a sphere. The chord is computed from
+ * the point of the line nearest to the center, which keeps full precision for a
+ * small, distant sphere. */
 static inline void score_probe(murk_scorer *scorer, const murk_probe *probe,
                                murk_vec3 from, murk_vec3 direction,
                                double length_m, double quanta)

@@ -112,8 +112,8 @@ static inline void murk_score_add(murk_scorer *scorer, uint32_t cell,
     if (!(value > 0)) {
         return;
     }
-    if (*sum == 0) { /* the sums will be needed at the end of the photon: load
-                      * them in advance */
+    if (*sum == 0) { /* the sums of the cell will be needed at the end of the
+                      * photon: load these sums in advance */
         __builtin_prefetch(&scorer->cell[cell], 1);
         scorer->touched[scorer->n_touched++] = cell;
     }

@@ -35,8 +35,8 @@
  * many segments each. */
 #define MURK_TALLY_SEGMENTS_MAX (1 << 17)
 
-/* Tallies of a scene, and bytes of the name of one, which becomes the name of a
- * file. */
+/* The largest number of tallies of a scene, and the size in bytes of the name
+ * of a tally, by which files are named. */
 #define MURK_TALLIES_MAX     64
 #define MURK_TALLY_NAME_SIZE 64
 #define MURK_TALLY_CELLS_MAX (UINT64_C(1) << 31) /* of all tallies together */
@@ -110,10 +110,11 @@ const murk_tally_desc *murk_tallies_desc(const murk_tallies *tallies,
 
 /* The value of a cell in a band, summed over all lights: W for a plane, W/m2
  * for grids and spheres. emitted[channels] in quanta is from the ledger,
- * packet_w[channels] is the power of a packet. The standard error is that of a
- * sum over channels of n independent photons each, packet_w^2 n/(n - 1) (sum
- * x^2 - (sum x)^2 / n); for a channel with a single photon the square of its
- * contribution is used. */
+ * packet_w[channels] is the power of a packet. The square of the standard error
+ * is a sum over the channels of the band. A channel with n independent photons
+ * and contributions x of these photons adds packet_w^2 n/(n - 1) (sum x^2 -
+ * (sum x)^2 / n); a channel with a single photon adds packet_w^2 x^2, a channel
+ * without photons nothing. */
 murk_estimate murk_tallies_read(const murk_tallies *tallies, size_t tally,
                                 int band, size_t cell,
                                 const murk_tally *emitted,

@@ -87,7 +87,8 @@ static double rounding_of(const murk_box *box)
     return ROUNDING * murk_box_largest_coordinate(box);
 }
 
-/* True if the box is inside the domain; false for values that are no number. */
+/* True if the box from min to max lies in the domain `box`, to rounding; false
+ * if a coordinate is NaN. */
 static bool is_inside(const murk_box *box, murk_vec3 min, murk_vec3 max)
 {
     const double r = rounding_of(box);

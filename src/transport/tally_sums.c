@@ -9,9 +9,9 @@
 
 #include "transport/score.h"
 
-/* The largest memory of the copies of the sums. Beyond that, memory costs more
- * than the waiting of threads for each other, because with so many sums threads
- * seldom meet. */
+/* The largest memory of several copies of the sums; a single copy may be
+ * larger. Beyond that, memory costs more than the waiting of threads for each
+ * other, because with so many sums threads seldom meet. */
 #define COPIES_BYTES 64e6
 
 /* Bytes of a voxel of one band during writing: the float, the place in a tree
@@ -243,7 +243,8 @@ static double worth(const murk_tally_desc *d)
     return murk_length(edge) / (edge.x * edge.y * edge.z);
 }
 
-/* The variance of the sum over n photons. */
+/* The variance of the sum over n photons; for a single photon, the square of
+ * the contribution. */
 static double variance(murk_wide sum, murk_wide squares, int64_t n)
 {
     return n > 1 ? (double)n / (double)(n - 1) *

@@ -14,9 +14,10 @@
  * are counted as lost, by cause.
  *
  * If least_weight is below 1, a photon that has more than that share of its
- * packet left is not subject to roulette: the absorbed part of the quanta is
+ * packet left is not absorbed by roulette: the absorbed part of the quanta is
  * left behind, and the photon continues with the rest. At that share or below,
- * roulette applies. No quantum is ever created, and no mean changes. */
+ * roulette decides about absorption. The kind of reflection and refraction is
+ * always drawn. No quantum is ever created, and no mean changes. */
 #ifndef MURK_TRANSPORT_TRACE_H
 #define MURK_TRANSPORT_TRACE_H
 
@@ -28,8 +29,8 @@
 #include "source/sources.h"
 #include "transport/tallies.h"
 
-/* The world in which photons travel. All members must outlive it and are
- * immutable. */
+/* The world in which photons travel. All objects behind the pointers must
+ * outlive the world and are immutable. */
 typedef struct murk_transport_world {
     const murk_surfaces *surfaces;
     const murk_media *media;
@@ -103,7 +104,8 @@ typedef struct murk_event {
     double weight;           /* share of the packet that arrives */
     double leaving;          /* share of the packet that leaves; 0 when absorbed
                               * or lost */
-    double path_m;           /* length since the previous event */
+    double path_m;           /* length since the previous event; lost photons:
+                              * without the last segment */
     double scattering_per_m; /* media: scattering coefficient of all media at
                               * the position */
     murk_loss loss;
@@ -133,8 +135,8 @@ typedef struct murk_trace_segment {
 typedef void (*murk_segment_sink)(void *context, uint64_t batch,
                                   const murk_trace_segment *segment);
 
-#define MURK_BATCH_PHOTONS                            \
-    1024 /* fixed, so that no result knows of threads \
+#define MURK_BATCH_PHOTONS                              \
+    1024 /* fixed, so that no result depends on threads \
           */
 
 typedef struct murk_trace {
@@ -196,8 +198,8 @@ int64_t murk_ledger_by_medium(const murk_ledger *ledger, size_t channel,
 int64_t murk_ledger_imbalance(const murk_ledger *ledger);
 
 /* Traces the photons and adds to the ledger and the tallies; does nothing if
- * all lights are dark. Ends early after an interrupt: the caller checks
- * murk_interrupted(). */
+ * all lights are dark or there is no photon to trace. Ends early after an
+ * interrupt: the caller checks murk_interrupted(). */
 void murk_trace_run(const murk_trace *trace, murk_ledger *ledger);
 
 #endif

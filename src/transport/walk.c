@@ -1,5 +1,5 @@
 /* The photon loop: find the next event on the ray, let a medium end the flight
- * before it, move, score and interact (walk.h).
+ * before that event, move, score and interact (transport/walk.h).
  *
  * Rounding may put a surface that lies in a side of the domain slightly outside
  * of the domain. Surfaces are therefore searched in a slightly larger box. The
@@ -8,8 +8,8 @@
  * side, and light of a lamp must not meet the ceiling that the lamp touches.
  *
  * The set `inside`, not the position, determines on which side of the
- * boundaries of refractive regions and of meshes the photon is (path/path.h).
- */
+ * boundaries of refractive regions and of meshes the photon is
+ * (path/path.h). */
 #include "transport/walk.h"
 
 #include "medium/phase.h"
@@ -213,7 +213,8 @@ static void set_out(murk_walker *w, murk_ray ray, murk_vec3 probe)
 }
 
 /* The start of the search for surfaces: for distant light before the side of
- * the domain, for lamps clear of the surface that the lamp touches. */
+ * the domain, for lamps clear of the surface that the lamp touches; without
+ * surfaces, the start of the ray. */
 static murk_vec3 first_probe(const murk_walker *w, murk_ray ray)
 {
     const murk_walk_setup *r = w->setup;
@@ -227,8 +228,9 @@ static murk_vec3 first_probe(const murk_walker *w, murk_ray ray)
                                      murk_source_face(light, ray.direction));
 }
 
-/* Ends a photon at its start: another portal samples its ray, or roulette
- * removes it (come_from_outside()). */
+/* Ends a photon at the start of the ray: the ray belongs to another portal
+ * (source/entry_faces.h), or roulette has removed the photon
+ * (come_from_outside()). */
 static murk_fate spend(murk_walker *w)
 {
     ++w->number;

@@ -7,13 +7,13 @@
 
 murk_walk_setup murk_walk_setup_of(const murk_trace *trace);
 
-/* Traces one photon: reports its events to the sink of the trace and adds to
- * the sums. */
+/* Traces one photon of the trace: reports the events of the photon to the sink
+ * of the trace and adds to the sums. */
 void murk_walk_photon(const murk_walk_setup *setup, murk_sums *sums,
                       uint64_t batch, uint64_t photon);
 
-/* Traces a photon of the first light that starts at a point outside of
- * surfaces. The start is not reported. */
+/* Traces a photon of the first light along a ray that starts at a point on no
+ * surface. The start is not reported. */
 void murk_walk_from(const murk_walk_setup *setup, murk_sums *sums,
                     uint64_t photon, int band, murk_ray ray);
 

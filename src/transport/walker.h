@@ -69,8 +69,8 @@ typedef struct murk_walker {
     murk_path path;  /* begins at the position of the photon */
     murk_vec3 probe; /* start of the search for surfaces */
     murk_path_solids solids;
-    double silent_m; /* flown since the last event to boundaries that were no
-                      * event */
+    double silent_m; /* length flown since the last event, up to the last
+                      * boundary that was no event */
     bool is_beyond;  /* the surface met last transmitted the photon */
 } murk_walker;
 
@@ -160,7 +160,7 @@ static inline double murk_walker_index(const murk_walker *w,
 
 /* Scores a segment of the path and reports the segment to the sink of segments.
  * Plane tallies take `end` as the end of the segment: at a side of the domain
- * it lies slightly outside, so that a plane in the side counts the photon.
+ * `end` lies slightly outside, so that a plane in the side counts the photon.
  * reach_m as in murk_station (transport/score.h). */
 static inline void murk_walker_score(const murk_walker *w, murk_vec3 from,
                                      double length_m, int64_t quanta,

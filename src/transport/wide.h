@@ -48,9 +48,9 @@ static inline double murk_wide_value(murk_wide x)
     return (double)(uint64_t)(x >> 64) * 0x1p64 + (double)(uint64_t)x;
 }
 
-/* Returns sum x^2 - (sum x)^2 / n for n numbers, n < 2^32, with a sum below
- * 2^95. n sum x^2 - (sum x)^2 is computed in integers, so the result is exactly
- * 0 if all numbers are equal. */
+/* Returns sum x^2 - (sum x)^2 / n for n numbers, 1 <= n < 2^32, with a sum
+ * below 2^95. n sum x^2 - (sum x)^2 is computed in integers, so the result is
+ * exactly 0 if all numbers are equal. */
 double murk_wide_spread(murk_wide sum, murk_wide squares, uint64_t n);
 
 #endif
