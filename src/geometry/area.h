@@ -30,9 +30,9 @@ typedef struct murk_area_point {
     uint8_t material;
 } murk_area_point;
 
-/* The point for three independent numbers u[3], uniform in (0, 1). Points
- * are uniform over the selected area. A triangle with less than 2^-32 of the
- * area may never be selected, because u[0] has 32 random bits. */
+/* The point for three independent numbers u[3], uniform in (0, 1). Points are
+ * uniform over the selected area. A triangle or sphere with less than 2^-32 of
+ * the area may never be selected, because u[0] has 32 random bits. */
 murk_area_point murk_area_at(const murk_area *area, const double u[3]);
 
 #endif

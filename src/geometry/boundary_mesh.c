@@ -6,7 +6,8 @@
  * a neighbouring triangle in addition or miss one. Therefore all hits within a
  * tolerance are treated as one cluster. If the hits of a cluster disagree, are
  * near an edge, or contradict the state the caller believed in, the state is
- * decided by testing points before and beyond the cluster. Such a test casts
+ * decided by testing points before and beyond the cluster. A point outside of
+ * the bounding box of the mesh is outside. For any other point the test casts
  * rays in up to five directions. The first ray that hits nothing (outside) or
  * whose nearest cluster is certain decides; without such a ray, or for a mesh
  * without known sides, the majority of the five decides by the number of
@@ -24,7 +25,8 @@
 #define DIRECTIONS 5
 
 typedef struct gathering {
-    murk_ray_context context; /* first: Embree hands its address back */
+    murk_ray_context context; /* the first member: Embree passes the address of
+                               * the context to the filter */
     const murk_boundary_mesh *boundary_mesh;
     murk_walk walk;
     double from_m;
@@ -32,8 +34,8 @@ typedef struct gathering {
     void *receiver;
 } gathering;
 
-/* Embree's filter: reports the triangle and rejects the hit, so that Embree
- * continues along the ray. */
+/* Embree's filter: reports the triangle, unless the triangle is a copy, and
+ * rejects the hit, so that Embree continues along the ray. */
 static void tell(const struct RTCFilterFunctionNArguments *args)
 {
     gathering *g = (gathering *)(void *)args->context;
@@ -92,7 +94,8 @@ bool murk_boundary_mesh_is_odd(const murk_boundary_mesh *b, murk_vec3 point,
 
 /* ---- inside by the sides of the triangles ---- */
 
-/* All hits of a ray within the tolerance of the first hit. */
+/* All hits of a ray beyond after_m and up to to_m, which is the distance of the
+ * first hit plus the tolerance. */
 typedef struct cluster {
     const murk_boundary_mesh *boundary_mesh;
     murk_vec3 origin, direction;
@@ -211,8 +214,8 @@ bool murk_boundary_mesh_holds(const murk_boundary_mesh *b, murk_vec3 point)
                            murk_sub(point, b->shape->soup.anchor))) {
         return false;
     }
-    /* The sides of the first certain cluster decide; otherwise each
-     * direction votes by the number of crossings. */
+    /* A ray without a hit decides, and so do the sides of a certain cluster;
+     * otherwise the direction votes by the number of crossings. */
     int votes = 0;
     for (int i = 0; i < DIRECTIONS; ++i) {
         const murk_vec3 d = murk_unit(direction[i]);
@@ -232,8 +235,8 @@ bool murk_boundary_mesh_holds(const murk_boundary_mesh *b, murk_vec3 point)
 }
 
 /* True if the middle of the segment between the two distances is inside the
- * mesh. The middle is farthest from both ends, so rounding matters least
- * there. */
+ * mesh. The middle is farthest from both ends, so rounding matters least there.
+ * False if to_m is INFINITY: beyond the last hit the ray is outside. */
 static bool holds_between(const cluster *c, double from_m, double to_m)
 {
     return to_m < INFINITY &&
@@ -242,9 +245,10 @@ static bool holds_between(const cluster *c, double from_m, double to_m)
                murk_along(c->origin, 0.5 * (from_m + to_m), c->direction));
 }
 
-/* Decides whether the ray is inside the mesh before and after a cluster:
- * from the sides of the triangles if the cluster is certain and agrees with
- * *before, otherwise by testing points on both sides of the cluster. */
+/* Decides whether the ray is inside the mesh before and after a cluster: from
+ * the sides of the triangles if the cluster is certain and agrees with *before,
+ * otherwise by testing points on both sides of the cluster. *before is not
+ * tested again if the cluster begins within the tolerance of from_m. */
 static void judge(const murk_boundary_mesh *b, const cluster *c, double from_m,
                   double tolerance_m, bool *before, bool *after)
 {

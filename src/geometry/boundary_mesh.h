@@ -52,8 +52,8 @@ bool murk_boundary_mesh_holds(const murk_boundary_mesh *boundary_mesh,
 /* murk_boundary_meshes_next() for one mesh: finds the next place along the ray,
  * beyond from_m and up to max_m, at which the ray enters or leaves the mesh.
  * *inside, whether the ray is inside before that place, is corrected if
- * necessary. *distance_m and *normal, on the side of the origin, are set if the
- * result is true. */
+ * necessary. If the result is true, *distance_m and *normal are set; *normal is
+ * a unit vector on the side of the origin. */
 bool murk_boundary_mesh_next(const murk_boundary_mesh *boundary_mesh,
                              murk_vec3 origin, murk_vec3 direction,
                              double from_m, double max_m, double tolerance_m,

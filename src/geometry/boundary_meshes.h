@@ -1,15 +1,14 @@
 /* Closed meshes that bound regions of media: where a ray enters and leaves
  * them.
  *
- * Boundary meshes are not surfaces: nothing is reflected at them, and
- * murk_surfaces does not contain them. Regions have numbers 0..63; a set of
- * regions is a 64-bit mask. Each mesh must be closed: every edge belongs to an
- * even number of triangles, after vertices at equal places are merged.
- * Triangles listed twice count once, and the winding of triangles is ignored. A
- * point is inside if a ray from the point to infinity crosses the mesh an odd
- * number of times, so an inner closed surface encloses a cavity. Parts of one
- * mesh that overlap therefore leave a hole in their intersection; a warning
- * reports this.
+ * Boundary meshes are not surfaces: they have no material, and murk_surfaces
+ * does not contain them. Regions have numbers 0..63; a set of regions is a
+ * 64-bit mask. Each mesh must be closed: every edge belongs to an even number
+ * of triangles, after vertices at equal places are merged. Triangles listed
+ * twice count once, and the winding of triangles is ignored. A point is inside
+ * if a ray from the point to infinity crosses the mesh an odd number of times,
+ * so an inner closed surface encloses a cavity. Parts of one mesh that overlap
+ * therefore leave a hole in their intersection; a warning reports this.
  *
  * Boundaries closer together along a ray than tolerance_m are one crossing:
  * regions that share a face change together, and the two sides of a sliver
@@ -75,7 +74,7 @@ typedef struct murk_crossing {
  * of just beyond from_m, as the caller believes; the function corrects the set
  * if the boundaries ahead prove it wrong. To continue beyond a crossing, call
  * again with from_m = distance_m + tolerance_m. Returns false if the ray
- * crosses no boundary. */
+ * crosses no boundary in that range. */
 bool murk_boundary_meshes_next(const murk_boundary_meshes *boundary_meshes,
                                murk_vec3 origin, murk_vec3 direction,
                                double from_m, double max_m, uint64_t *inside,
@@ -88,12 +87,12 @@ murk_boundary_meshes_regions(const murk_boundary_meshes *boundary_meshes);
 double
 murk_boundary_meshes_tolerance_m(const murk_boundary_meshes *boundary_meshes);
 
-/* True if the boundaries of two regions intersect, so that each boundary has
- * parts inside and outside of the other region; *place is then a point of one
- * of the two boundaries that is inside or outside of the other region, for
- * messages; it need not be near the intersection. Nested and separate regions
- * do not intersect. Touching is not intersecting: a part that protrudes by less
- * than tolerance_m is ignored. */
+/* True if the boundaries of two regions intersect, so that one of the
+ * boundaries has parts inside and parts outside of the other region. *place is
+ * then, for messages, a point of that boundary on either side; the point need
+ * not be near the intersection. Nested and separate regions do not intersect.
+ * Touching is not intersecting: a part that protrudes by less than tolerance_m
+ * is ignored. */
 bool murk_boundary_meshes_meet(const murk_boundary_meshes *boundary_meshes,
                                int region, int other, murk_vec3 *place);
 

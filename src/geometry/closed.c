@@ -1,10 +1,11 @@
 /* Closed parts and orientable patches of a triangle mesh.
  *
- * Vertices at equal coordinates are merged by sorting. All edges are sorted,
- * so that the triangles around one edge are neighbours in the list, and a
+ * Vertices at equal coordinates are merged by sorting. All edges are sorted, so
+ * that the triangles around one edge are neighbours in the list, and a
  * union-find structure joins them (Tarjan, J. ACM 22 (1975) 215,
  * doi:10.1145/321879.321884). For patches the union-find also stores whether
- * the winding of a triangle agrees with the winding of the root. */
+ * the winding of a triangle is opposite to that of the parent of the
+ * triangle. */
 #include "geometry/closed.h"
 
 #include "base/sort.h"

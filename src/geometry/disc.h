@@ -15,8 +15,8 @@ bool murk_surfaces_fill_disc(const murk_surfaces *surfaces, murk_vec3 center,
                              murk_vec3 normal, double radius_m);
 
 /* Area, 0 or more, of the intersection of a triangle and a circle about the
- * origin; the corners are given in the plane of the circle, in the unit of the
- * radius. */
+ * origin; the corners are given in the plane of the circle, in the same unit as
+ * the radius. */
 double murk_disc_area_in_triangle(double corner[3][2], double radius);
 
 #endif

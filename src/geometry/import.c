@@ -2,15 +2,14 @@
  *
  * Assimp's scene is a tree of nodes that place meshes. The tree is traversed
  * three times (count, vertices, triangles) and the arrays are sent in blocks,
- * so that nothing is in memory twice.
+ * so that no array is in memory as a whole beside Assimp's scene.
  *
- * Axes and units, as Assimp 5.2 delivers them: Collada, IFC, 3DS, ASE and
- * DXF scenes are rotated to y up by Assimp; glTF and X3D are y up by format;
- * FBX files state their up axis; the other formats know no up axis and are
- * taken as z up. Assimp scales Collada and IFC to metres (Collada by the
- * root node, so that the file's unit can be read there). FBX states a unit
- * and is not scaled by Assimp; glTF is in metres; the other formats state no
- * unit. */
+ * Axes and units, as Assimp 5.2 delivers them: Collada, IFC, 3DS, ASE and DXF
+ * scenes are rotated to y up by Assimp; glTF and X3D are y up by format; FBX
+ * files state their up axis; the other formats know no up axis and are taken as
+ * z up. Assimp scales Collada and IFC to metres (Collada by the root node, so
+ * that the file's unit can be read there). FBX states a unit and is not scaled
+ * by Assimp; glTF is in metres; the other formats state no unit. */
 #include "geometry/import.h"
 
 #include "geometry/import_files.h"
@@ -75,8 +74,8 @@ static const struct aiMetadataEntry *metadata_entry(const struct aiScene *scene,
     return NULL;
 }
 
-/* A number from the metadata. Assimp 5.2 stores FBX's unit in single
- * precision. */
+/* A number from the metadata, or `otherwise` if there is none. Assimp 5.2
+ * stores FBX's unit in single precision. */
 static double metadata_number(const struct aiScene *scene, const char *key,
                               double otherwise)
 {

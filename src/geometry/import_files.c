@@ -147,8 +147,8 @@ static void access_of(murk_import_access *out, const char *mesh,
     }
 }
 
-/* Opens a file that a mesh names; NULL if it does not exist or is not
- * allowed. */
+/* Opens the mesh or a file that the mesh names; NULL if the file does not
+ * exist, is not allowed or is no regular file. */
 static FILE *open_named(murk_import_access *access, const char *path,
                         size_t *size)
 {

@@ -237,8 +237,8 @@ static bool add_property(layout *p, size_t *columns, const char *type,
     return true;
 }
 
-/* Reads the header. The vertices must be the first element, else the file is
- * not rewritten. */
+/* Reads the header. False if the vertices are not the first element, or have no
+ * x, y and z, a list or too many properties: then the file is not rewritten. */
 static bool read_ply_header(layout *p, const char *bytes, size_t size)
 {
     const char *end = bytes + size;
@@ -288,8 +288,8 @@ static bool shift_binary(const layout *p, const char *bytes, size_t size,
 {
     extent e = {.n = 0};
     const char *first = bytes + p->header;
-    /* Only doubles can hold coordinates that lose digits in single
-     * precision. */
+    /* Only doubles can hold coordinates that lose digits in single precision; a
+     * file with other coordinates is not rewritten. */
     const bool fits = p->vertices <= (size - p->header) / p->bytes;
     if (!fits || !p->is_double[0] || !p->is_double[1] || !p->is_double[2]) {
         return false;

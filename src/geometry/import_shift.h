@@ -16,11 +16,13 @@
 /* True if files with the ending of `path` can be shifted: OBJ and PLY. */
 bool murk_import_may_shift(const char *path);
 
-/* Shifts a file, given as bytes; the ending of `path` tells the format. True
- * if the vertices are far from 0: then shift[] is in the file's units and
- * axes, and *out is the rewritten file, which the caller frees with free().
- * False: the file is to be read as it is. Malformed files also give false,
- * because Assimp's message is better. */
+/* Shifts a file, given as bytes; the ending of `path` tells the format. True if
+ * the vertices are far from 0: then shift[] is in the file's units and axes,
+ * and *out is the rewritten file, which the caller frees with free(). False:
+ * the file is to be read as it is. The result is also false without memory, for
+ * PLY files whose vertices are not the first element or are binary but not
+ * doubles, for OBJ files whose vertices have weights or continue on the next
+ * line, and for malformed files, because Assimp's message is better. */
 bool murk_import_shift(const char *path, const char *bytes, size_t size,
                        char **out, size_t *out_size, double shift[3]);
 

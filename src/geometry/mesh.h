@@ -49,9 +49,10 @@ typedef struct murk_mesh_import {
  *
  * `import` NULL means zeros. The caller owns *out and releases it with
  * murk_mesh_destroy(). Fails at `where` with MURK_BAD_FILE if the file is
- * missing, malformed, without triangles, not finite, or has an index out of
- * range, and with MURK_BAD_VALUE if a member of *import is out of range; also
- * with MURK_NO_MEMORY and as murk_subprocess_do() does. */
+ * missing, malformed or without a triangle that has an area, or if a coordinate
+ * is not finite or an index is out of range, and with MURK_BAD_VALUE if a
+ * member of *import is out of range; also with MURK_NO_MEMORY and as
+ * murk_subprocess_do() does. */
 murk_status murk_mesh_read(murk_mesh **out, const char *path,
                            const murk_mesh_import *import, const char *where,
                            murk_error *err);

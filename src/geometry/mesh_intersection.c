@@ -1,11 +1,12 @@
 /* Test whether two closed meshes intersect.
  *
- * They do if one of them has points of its surface inside and outside of the
- * other. Such points are looked for among the corners and centroids of the
- * triangles, and between the places where an edge passes through the other
- * mesh. Points closer to the other surface than the tolerance are touching
- * and do not count. If two surfaces intersect, an edge of one of them passes
- * through a triangle of the other, so each mesh is tested against the other. */
+ * Two meshes intersect if the surface of one of them has points inside and
+ * points outside of the other. Such points are looked for among the first
+ * corners and the centroids of the triangles, and between the places where an
+ * edge passes through the other mesh. Points closer to the other surface than
+ * the tolerance are touching and do not count. If two surfaces intersect, an
+ * edge of one of them passes through a triangle of the other, so each mesh is
+ * tested against the other. */
 #include "base/sort.h"
 #include "geometry/boundary_mesh.h"
 #include "geometry/boundary_meshes.h"

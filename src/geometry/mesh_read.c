@@ -17,8 +17,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* Checks that the path is a readable regular file and gets the size of the
- * file. */
+/* Checks that the path is a readable regular file that is not empty, and gets
+ * the size of the file. */
 static murk_status check_file(const char *path, uint64_t *bytes,
                               const char *where, murk_error *err)
 {

@@ -4,10 +4,11 @@
 
 #include <stdlib.h>
 
-/* Two sites are on the same surface if the cosine between the normals is at
- * least SAME_COSINE (60 degrees) and neither rises above the other's plane
- * by more than SAME_RISE times the distance: the tilt of the chord between
- * points of a surface that bends by 60 degrees. */
+/* Two sites are on the same surface if the cosine between the normals, without
+ * its sign, is at least SAME_COSINE (60 degrees) and neither site is off the
+ * other's plane by more than SAME_RISE times the distance (or by more than
+ * rounding, slack_m): the tilt of the chord between points of a surface that
+ * bends by 60 degrees. */
 #define SAME_COSINE 0.5 /* smallest cosine between normals */
 #define SAME_RISE   0.5 /* largest rise as a fraction of the distance */
 #define SHEETS_MAX                                                           \
@@ -20,8 +21,9 @@ typedef struct comparison {
     size_t looked_at;
 } comparison;
 
-/* True if the site `number` is too near on the same surface, or if SHEETS_MAX
- * sites were compared already. A callback of murk_cells_search(). */
+/* True if the site `number` is on the same surface and nearer than
+ * MURK_MOUNT_NEAREST spacings, or if SHEETS_MAX sites were compared already. A
+ * callback of murk_cells_search(). */
 static bool is_taken(void *context, size_t number)
 {
     comparison *c = context;

@@ -1,11 +1,12 @@
 /* Distance between a mounted sensor and surfaces, without the surface that
  * carries the sensor.
  *
- * That surface is recognised by place and not by connectivity, because
- * meshes have seams and T-junctions: everything behind or less than above_m
- * over the plane of the site belongs to it, and so does a face that rises no
- * steeper than it is tilted (up to 45 degrees), as a smoothly curved wall
- * does. */
+ * That surface is recognised by place and not by connectivity, because meshes
+ * have seams and T-junctions: everything behind the plane of the site or less
+ * than above_m over that plane belongs to the surface, and so does a face that
+ * is tilted by less than 45 degrees and rises no steeper than it is tilted, as
+ * a smoothly curved wall does. The sphere on which the site lies belongs to the
+ * surface as a whole. */
 #include "geometry/mount_clearance.h"
 
 #include "geometry/polygon.h"
@@ -51,9 +52,10 @@ static murk_vec3 nearest_on(const murk_polygon *polygon, murk_vec3 normal,
     return murk_along(p, -height, normal);
 }
 
-/* True if the face may continue a smooth surface: along the way from the
- * site to `place` the slope of such a surface changes from 0 to that of the
- * face, so the rise is at most slope times length. */
+/* True if the face may continue a smooth surface: along the way from the site
+ * to `place` the slope of such a surface changes from 0 to that of the face, so
+ * the rise is at most slope times length. False for a face tilted by 45 degrees
+ * or more. */
 static bool goes_on_to(const murk_mount_clearance *m, murk_vec3 normal,
                        murk_vec3 place)
 {

@@ -4,15 +4,17 @@
  * First come sites on the lines of a square lattice along the axis closest to
  * the normal of a face. The lattice is centred in the bounding box of all
  * searched surfaces, so a wall along the axes gets rows and columns spacing_m
- * apart. Then slanting faces and small parts are filled: any place farther than
- * 3/4 spacing_m from every site gets a site of its own. No two sites of one
- * surface are closer than 3/4 spacing_m, and no place of a surface is farther
- * from every site than 1.1 spacing_m, measured along the surface.
+ * apart. Then slanting faces and small parts are filled: the middle of a small
+ * piece of a surface gets a site of its own if the middle is farther than 3/4
+ * spacing_m from every site of the surface. No two sites of one surface are
+ * closer than 3/4 spacing_m, and no place of a surface is farther from every
+ * site than 1.1 spacing_m, in a straight line (except in stacks of thousands of
+ * sheets, geometry/mount_builder.c).
  *
- * Two sites are on the same surface if neither rises above the other's plane
- * by more than half of their distance and the planes differ by at most 60
- * degrees. The two faces of a wall, a floor and a wall in a corner, and
- * shelves above each other all get sites of their own. */
+ * Two sites are on the same surface if neither rises above the other's plane by
+ * more than half of their distance and the planes differ by at most 60 degrees.
+ * The two faces of a wall, a floor and a wall in a corner, and shelves above
+ * each other all get sites of their own. */
 #ifndef MURK_GEOMETRY_MOUNT_SITES_H
 #define MURK_GEOMETRY_MOUNT_SITES_H
 

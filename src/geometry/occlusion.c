@@ -44,8 +44,8 @@
 #define INTO_COPIES inline __attribute__((always_inline))
 
 /* The segment between two points, shortened by leave_m at either end and
- * clipped to the scene, relative to the anchor; false if nothing is left of
- * it. */
+ * clipped to the scene, relative to the anchor; false if nothing is left of the
+ * segment, or if Embree cannot trace it. */
 static INTO_COPIES bool segment_between(const murk_surfaces *s, murk_vec3 from,
                                         murk_vec3 to, murk_vec3 *origin,
                                         murk_vec3 *along)
@@ -165,7 +165,7 @@ static bool make_shadow(shadow *s, const murk_triangle *triangle, murk_vec3 eye,
  * so that a point is tested against all shadows in a few wide operations. */
 typedef struct occlusion_cache {
     double x[4][SHADOWS], y[4][SHADOWS], z[4][SHADOWS], offset[4][SHADOWS];
-    murk_vec3 eye; /* relative to the anchor, like everything here */
+    murk_vec3 eye; /* relative to the anchor, like all positions in the cache */
     double farthest_m;
     size_t oldest;        /* the shadow that is replaced next */
     size_t last_occluder; /* the last occluder that Embree reported. A shadow is

@@ -7,8 +7,8 @@
 #include "base/status.h"
 #include "geometry/surfaces.h"
 
-/* How a ray interacts with a face. Triangles and spheres are stored in this
- * order. */
+/* How a ray interacts with a face. A murk_soup stores triangles and spheres in
+ * this order. */
 typedef enum murk_face {
     MURK_FACE_OPAQUE, /* no light passes */
     MURK_FACE_SOLID,  /* boundary of a solid: refracts */
@@ -51,10 +51,12 @@ static inline const char *murk_place_of(const murk_surface_desc *d)
 size_t murk_material_named(const char *name, const murk_material *materials,
                            size_t n, bool *is_named);
 
-/* Places all shapes. Fails with MURK_BAD_VALUE at the `where` of a shape
- * without extent, out of range or, for a sphere, not placed by a similarity, or
- * with MURK_NO_MEMORY. The caller calls murk_placed_shapes_release() in either
- * case. The members solid and face are set to 0. */
+/* Places all shapes. Fails with MURK_BAD_VALUE at the `where` of a shape that
+ * has no extent or no mesh, is out of range or, for a sphere, is not placed by
+ * a similarity; with MURK_BAD_VALUE if there are more vertices or triangles
+ * than an index of 32 bits can name; or with MURK_NO_MEMORY. The caller calls
+ * murk_placed_shapes_release() in either case. The members solid and face are
+ * set to 0. */
 murk_status murk_placed_shapes_build(murk_placed_shapes *out,
                                      const murk_surface_desc *surfaces,
                                      size_t n_surfaces,

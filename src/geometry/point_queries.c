@@ -2,8 +2,9 @@
  * surface is near.
  *
  * The enclosing solid is found by casting rays and counting crossings (odd:
- * inside). Two directions that agree decide; otherwise a third does. Nearness
- * is Embree's point query, with exact distances in double precision. */
+ * inside). Two directions that agree decide. If they do not agree, the second
+ * counts if a third direction agrees with it, else the first. Nearness is
+ * Embree's point query, with exact distances in double precision. */
 #include "geometry/mount_clearance.h"
 #include "geometry/triangle.h"
 #include "geometry/walk.h"

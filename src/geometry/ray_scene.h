@@ -112,8 +112,9 @@ static inline void murk_ray_set(struct RTCRay *ray, murk_vec3 origin,
 
 /* Creates Embree's device and scene from the soup, which must not be empty. The
  * caller calls murk_ray_scene_release() also after a failure. Fails with
- * MURK_NO_MEMORY, with MURK_UNSUPPORTED if Embree has no ray masks, or with
- * MURK_RUN_FAILED for other errors of Embree. */
+ * MURK_NO_MEMORY (also if Embree does not start), with MURK_UNSUPPORTED if
+ * Embree has no ray masks, or with MURK_RUN_FAILED for other errors of
+ * Embree. */
 murk_status murk_ray_scene_commit(murk_surfaces *surfaces, murk_error *err);
 void murk_ray_scene_release(murk_surfaces *surfaces);
 

@@ -24,9 +24,9 @@ typedef struct murk_soup {
     size_t solids, degenerate;
 } murk_soup;
 
-/* Builds the soup. Fails with MURK_BAD_VALUE, mostly at the `where` of a
- * surface, or with MURK_NO_MEMORY. The caller calls murk_soup_release() in
- * either case. */
+/* Builds the soup. Fails as murk_placed_shapes_build() does, with
+ * MURK_BAD_VALUE if there are too many solids, or with MURK_NO_MEMORY. The
+ * caller calls murk_soup_release() in either case. */
 murk_status murk_soup_build(murk_soup *soup, const murk_surface_desc *surfaces,
                             size_t n_surfaces, const murk_material *materials,
                             size_t n_materials, murk_error *err);

@@ -4,18 +4,19 @@
  * Immutable after creation, so any number of threads may use it. Every answer
  * depends on the ray alone: not on other rays traced with it, nor on threads.
  *
- * A material divides incident light per band: diffuse + specular + transmit
- * <= 1, the rest is absorbed. Open geometry that transmits is a thin sheet
- * and does not refract. A closed mesh (or box, or sphere) whose material has
- * an index of refraction is a solid: Snell's law and Fresnel's equations
- * apply at its boundary (specular + transmit is then the share that is not
- * absorbed, divided by Fresnel), and no medium is inside. Closed means that
- * every edge of a connected part, made of the triangles of one description
- * and one material, belongs to an even number of them after vertices at
- * equal places are merged. All closed parts together are one solid, so a
- * hollow shape of two closed surfaces is one solid. Open surfaces of such a
- * material do not refract, and a warning says so. The winding of triangles
- * is ignored: a normal faces the side from which the ray came. */
+ * A material divides incident light per band: diffuse + specular + transmit <=
+ * 1, the rest is absorbed. Open geometry that transmits is a thin sheet and
+ * does not refract. A closed mesh (or box, or sphere) whose material has an
+ * index of refraction is a solid: Snell's law and Fresnel's equations apply at
+ * its boundary (specular + transmit is then the share of the light that
+ * Fresnel's equations divide into reflected and refracted light), and no medium
+ * is inside. Closed means that every edge of a connected part, made of the
+ * triangles of one description and one material, belongs to an even number of
+ * them after vertices at equal places are merged. All closed parts together are
+ * one solid, so a hollow shape of two closed surfaces is one solid. Open
+ * surfaces of such a material do not refract, and a warning says so. The
+ * winding of triangles is ignored: a normal faces the side from which the ray
+ * came. */
 #ifndef MURK_GEOMETRY_SURFACES_H
 #define MURK_GEOMETRY_SURFACES_H
 
@@ -103,8 +104,8 @@ murk_vec3 murk_surfaces_leave(const murk_surfaces *surfaces, murk_vec3 point,
 /* The length [m] of the step of murk_surfaces_leave(). */
 double murk_surfaces_leave_step_m(const murk_surfaces *surfaces);
 
-/* The number (from 1) of the innermost solid that encloses a point, or 0. It
- * tells in which solid a light source is. */
+/* The number (from 1) of the innermost solid that encloses a point, or 0. The
+ * number tells in which solid a light source is. */
 uint16_t murk_surfaces_solid_at(const murk_surfaces *surfaces, murk_vec3 point);
 
 /* True if a surface blocks the segment between two points. Thin transmitting
@@ -124,9 +125,9 @@ void murk_surfaces_blocked_many(const murk_surfaces *surfaces,
                                 bool through_sheets, bool *blocked);
 
 /* Product of the transmittances of the thin sheets between two points; 1 if
- * there are none. The material's transmit applies at any angle. Sheets
- * closer to each other than the distance of murk_surfaces_leave() count
- * once. */
+ * there are none. The material's transmit applies at any angle. Sheets closer
+ * to each other than murk_surfaces_leave_step_m() count once; sheets closer
+ * than that to one of the two points do not count. */
 double murk_surfaces_sheet_transmittance(const murk_surfaces *surfaces,
                                          murk_vec3 from, murk_vec3 to,
                                          int band);
@@ -146,7 +147,8 @@ murk_surfaces_facts murk_surfaces_describe(const murk_surfaces *surfaces);
 
 /* The corners [m] in world coordinates of triangle i, less than
  * murk_surfaces_describe().triangles; and centre and radius of sphere i, less
- * than .spheres. The order is that of the program, not of the descriptions. */
+ * than .spheres. The order is that of geometry/soup.h, by kind of face, not
+ * that of the descriptions. */
 void murk_surfaces_triangle(const murk_surfaces *surfaces, size_t i,
                             murk_vec3 corner[3]);
 void murk_surfaces_sphere(const murk_surfaces *surfaces, size_t i,

@@ -30,7 +30,8 @@ typedef struct murk_zones murk_zones;
 /* Creates the zones; n may be 0. The caller owns *out and releases it with
  * murk_zones_destroy(). Fails at the zone's `where` with MURK_BAD_VALUE (an
  * open mesh, with the number of open edges; more than MURK_ZONE_MESHES_MAX
- * meshes; a placement that cannot be inverted), or with MURK_NO_MEMORY. */
+ * meshes; a box or sphere with a placement that cannot be inverted), or for a
+ * mesh as murk_boundary_meshes_create() does, or with MURK_NO_MEMORY. */
 murk_status murk_zones_create(murk_zones **out, const murk_zone *zones,
                               size_t n, murk_error *err);
 void murk_zones_destroy(murk_zones *zones); /* NULL is fine */
