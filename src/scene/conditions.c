@@ -14,7 +14,8 @@
 #include <string.h>
 
 /* Removes all keys about conditions from the tree, and returns a copy of the
- * condition's map (NULL: none, or out of memory). */
+ * map of the condition `name`, which must exist. Returns NULL if `name` is NULL
+ * or when out of memory. */
 static murk_yaml *take_out(murk_yaml *root, const char *name)
 {
     const murk_yaml *all = murk_yaml_get(root, "conditions");

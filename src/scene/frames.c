@@ -85,7 +85,8 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* All frames of the folder in rising order; the caller frees the array. */
+/* The frames of the folder in rising order, FRAMES_MAX of them at most and
+ * fewer when out of memory; the caller frees the array. */
 static uint64_t *list_frames(DIR *folder, const place *p, size_t *n)
 {
     uint64_t *frames = NULL;

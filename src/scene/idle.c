@@ -159,7 +159,7 @@ static bool add(murk_scene_desc *scene, const murk_yaml *node, const char *key,
 
 /* Follows the rest of a table key from a position; the first `used` bytes of
  * key[] are the path of the position. Adds every matching key that the user has
- * set. */
+ * set. False when out of memory. */
 static bool follow(murk_scene_desc *scene, const murk_idle_key *inert,
                    const char *rest, const murk_key_position *at,
                    char key[MURK_WALK_KEY_SIZE], size_t used)

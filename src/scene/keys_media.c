@@ -271,7 +271,8 @@ static murk_status choose_region(murk_key_reader *walk, const murk_yaml *map,
     .variants = BIT(MURK_REGION_BOX) | BIT(MURK_REGION_SPHERE) | \
                 BIT(MURK_REGION_GRID) | BIT(MURK_REGION_MESH)
 
-/* Checks a region. Shapes that cannot be moved have the scale 1. */
+/* Shapes that cannot be moved get the scale 1. Fails if a region has wind but
+ * no index of refraction. */
 static murk_status check_region(murk_key_reader *walk, const murk_yaml *map,
                                 void *item)
 {

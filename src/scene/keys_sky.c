@@ -246,16 +246,17 @@ static murk_status check_place_and_time(murk_key_reader *walk,
                : MURK_OK;
 }
 
-/* Notes whether the irradiance is a total, and then stores the total in band
- * 0. Fails if the spectrum of the light would have to be spread over lines:
- * they have no width. Spreading is not needed if the irradiance is a list with
- * one value a band, or is given for a single band. */
+/* Notes whether the irradiance is a total, and then stores the total in band 0.
+ * Fails if the spectrum of the light would have to be spread over lines, which
+ * have no width. Spreading is not needed if the irradiance is a list with one
+ * value a band, or is given for a single band. */
 static murk_status check_irradiance(murk_key_reader *walk, const murk_yaml *map,
                                     murk_scene_light *light)
 {
     const murk_yaml *node = murk_yaml_get(map, "irradiance_w_per_m2");
     light->irradiance_total = node && node->kind == MURK_YAML_SCALAR;
-    if (light->irradiance_total) { /* it has been spread evenly by the reader */
+    if (light->irradiance_total) { /* the reader of the key has spread the total
+                                    * evenly over the bands */
         double total = 0;
         for (int b = 0; b < walk->scene->bands; ++b) {
             total += light->power_w.band[b];

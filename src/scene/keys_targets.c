@@ -4,7 +4,7 @@
 
 #define TARGETS(member) AT(murk_scene_targets, member)
 
-/* Number of points; the default if neither number nor spacing is given. */
+/* A number of points; 10000 if neither a number nor a spacing is given. */
 #define POINTS \
     .min = 1, .max = 1e8, .unit = "points", .group = 1, .preset = "10000"
 

@@ -1,6 +1,7 @@
-/* Chooses a scene's local origin and moves every position of the scene's
- * structs there. See scene/origin.h for the rule. Rows of the key table say
- * which members are positions; solids are moved with their placement. */
+/* Chooses a scene's local origin by the rule in scene/origin.h, and makes every
+ * position of the scene's structs relative to that origin. Rows of the key
+ * table say which members are positions; solids are moved with their
+ * placement. */
 #include "scene/origin.h"
 
 #include <math.h>

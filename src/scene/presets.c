@@ -44,7 +44,8 @@ murk_status murk_preset_parse(murk_preset **out, const char *name,
 /* ---- built-in presets ---- */
 
 /* Copies the name of a preset file without the ending: "fog/kruse" for
- * "fog/kruse.yaml". Returns false for tables. */
+ * "fog/kruse.yaml". Returns false for files with another ending, such as
+ * tables, and for names that are too long. */
 static bool name_of(const murk_built_in_file *file,
                     char out[MURK_PRESET_NAME_SIZE])
 {

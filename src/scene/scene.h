@@ -110,11 +110,12 @@ typedef struct murk_scene_medium {
     murk_spectrum extinction_per_m, albedo;
     murk_scene_phase phase[MURK_BANDS_MAX];
     size_t n_phases;   /* 1: the same in all bands; otherwise one per band */
-    char *vdb;         /* path from the working folder; NULL: homogeneous */
+    char *vdb;         /* path from the working folder; NULL: no grid of
+                        * densities */
     char *grid;        /* name; NULL: the only grid of the file, or `density` */
     bool is_linear;    /* interpolation: linear; false: nearest */
     char *albedo_grid; /* name; NULL: the constant `albedo` */
-    char *albedo_vdb;  /* file of the albedo grid */
+    char *albedo_vdb;  /* file of the albedo grid; NULL: no albedo grid */
     bool has_frame;    /* the files belong to a sequence in time */
     uint64_t frame;    /* number of the frame in vdb and albedo_vdb */
     char *vdb_frames;  /* pattern of the files' names; NULL: no frames */
@@ -262,7 +263,8 @@ typedef struct murk_scene_camera {
     double width_m;   /* orthographic; of the picture */
     size_t pixels[2]; /* width, height */
     size_t samples;   /* per pixel */
-    bool has_clip;    /* a plane hides what lies between it and the camera */
+    bool has_clip;    /* a plane hides everything on the side of the plane on
+                       * which the camera is */
     murk_vec3 clip_point, clip_normal; /* of the plane; the normal is not zero
                                         */
 } murk_scene_camera;
@@ -415,8 +417,9 @@ typedef struct murk_scene_placement {
     uint64_t power_neighbours; /* number of neighbours if no radius is given */
     uint64_t redundancy;       /* the largest number of sensors that count for a
                                 * photon */
-    uint64_t at_least; /* with a target: number of sensors that must see each
-                          photon of the target; 0: not used */
+    uint64_t at_least; /* with a target: a photon counts towards the target only
+                        * if at least this number of sensors detect the photon;
+                        * 0: not used */
     bool by_normal;    /* visibility: normal; false: ray */
     murk_scene_through through;
     murk_scene_knowledge knowledge;
@@ -509,9 +512,9 @@ struct murk_scene_desc {
                       * the properties computed from presets. Two scenes give
                       * the same light if their keys and the checksums of those
                       * files are equal */
-    char *world_key; /* light_key without the keys `lights` and `site`: if it
-                      * is equal for two scenes, their light differs only by
-                      * the light sources */
+    char *world_key; /* light_key without the keys `lights` and `site`: if two
+                      * scenes have the same world_key, their light differs only
+                      * by the light sources */
     char *whole_key; /* the resolved scene and conditions, with names of files
                       * without folders, and the properties computed from
                       * presets. Two scenes give the same results if their keys

@@ -1,5 +1,6 @@
 /* Frees a scene. The key table says which members of the structs are allocated;
- * the few members that no key fills are freed one by one. */
+ * members that no key or a reader of its own (MURK_KEY_OWN) fills are freed one
+ * by one. */
 #include "scene/scene.h"
 
 #include <stdlib.h>
@@ -53,7 +54,7 @@ void murk_scene_desc_destroy(murk_scene_desc *scene)
     if (!scene) {
         return;
     }
-    /* Members of items that no key fills. */
+    /* Members that no key or a reader of its own fills. */
     for (size_t i = 0; i < scene->n_media; ++i) {
         free(scene->media[i].vdb_frames);
         for (size_t k = 0; k < scene->media[i].n_phases; ++k) {

@@ -94,8 +94,9 @@ static void tidy(char *path)
     *to = '\0';
 }
 
-/* The absolute path; the path as given if the path is that of a file in memory,
- * or the working folder is unknown. */
+/* The absolute path without "//" and "/./". A relative path stays relative if
+ * it is that of a file in memory, or if the working folder is unknown. The
+ * caller frees the path; NULL when out of memory. */
 static char *absolute(const char *path)
 {
     char folder[PATH_MAX];

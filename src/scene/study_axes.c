@@ -197,7 +197,8 @@ static murk_status read_axis(murk_key_reader *walk, murk_study_axis *axis,
     return status;
 }
 
-/* A path that the axis sets and that overlaps `path`; NULL if there is none. */
+/* A path that the axis sets and that overlaps `path`; NULL if there is none,
+ * and for an axis of conditions. */
 static const char *sets(const murk_study_axis *axis, const char *path)
 {
     if (axis->kind == MURK_STUDY_AXIS_CONDITION) {
@@ -266,7 +267,8 @@ static murk_status check_disjoint(const murk_study_file *study, size_t a,
 }
 
 /* Counts the rows, in double precision: a product of 16 lengths cannot
- * overflow. */
+ * overflow. Fails if paired axes have different lengths, or if there are too
+ * many rows. */
 static murk_status count_rows(murk_key_reader *walk, const murk_yaml *map,
                               murk_study_file *study)
 {

@@ -49,7 +49,8 @@ static murk_status read_outputs(murk_key_reader *walk, const murk_key *key,
     return MURK_OK;
 }
 
-/* Largest number of cells of the grid of fluence_vdb. */
+/* Largest number of cells of the grid of fluence_vdb: as many as all tallies
+ * together may have (transport/tallies.h). */
 #define CELLS_MAX (UINT64_C(1) << 31)
 
 static murk_status check_cells(murk_key_reader *walk, const murk_yaml *map,

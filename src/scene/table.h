@@ -20,8 +20,8 @@ typedef struct murk_table {
 
 /* Reads a table of at most 256 MB, 1000 columns, 1e7 rows and 2e7 cells. Every
  * row must have as many cells as the header, and the names of columns must
- * differ. Cells may be in double quotes. Fails with MURK_BAD_FILE or
- * MURK_NO_MEMORY. The caller owns *out and releases it with
+ * differ and not be empty. Cells may be in double quotes. Fails with
+ * MURK_BAD_FILE or MURK_NO_MEMORY. The caller owns *out and releases it with
  * murk_table_destroy(). */
 murk_status murk_table_read(murk_table **out, const char *path,
                             murk_error *err);

@@ -28,7 +28,8 @@ murk_status murk_value_word(murk_key_reader *walk, const murk_key *key,
  * NULL when out of memory; the caller frees the path with free(). */
 char *murk_value_opened(const murk_yaml *node);
 
-/* Stores an enum, bool or char in a member. */
+/* Stores a value in a member that is an enum, a bool or a char; stores nothing
+ * in a member of another size. */
 void murk_value_store(void *item, size_t at, size_t size, int value);
 
 /* Describes a node for a message: the text (shortened to fit), or "a list", "an

@@ -13,7 +13,8 @@ murk_status murk_yaml_check_text(const char *text, size_t size,
                                  const char *source, murk_error *err);
 
 /* Checks that no key of the map is given twice; otherwise fails with
- * MURK_BAD_FILE at the first key that repeats another. */
+ * MURK_BAD_FILE at the first key that repeats another, or with
+ * MURK_NO_MEMORY. */
 murk_status murk_yaml_check_keys(const murk_yaml *map, murk_error *err);
 
 #endif
