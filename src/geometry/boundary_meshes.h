@@ -46,9 +46,10 @@ typedef struct murk_boundary_meshes murk_boundary_meshes;
 
 /* The caller owns *out and releases it with murk_boundary_meshes_destroy();
  * without meshes *out stays as it is. Fails with MURK_BAD_VALUE at the `where`
- * of a mesh that is open (the message counts the open edges), out of range or
- * without area, with MURK_NO_MEMORY, or as murk_surfaces_create() does if
- * Embree fails. n is at most MURK_BOUNDARY_MESHES_MAX. */
+ * of a mesh that is open (the message counts the open edges), has coordinates
+ * out of range or has no area, with MURK_NO_MEMORY, or as
+ * murk_surfaces_create() does if Embree fails. n is at most
+ * MURK_BOUNDARY_MESHES_MAX. */
 murk_status murk_boundary_meshes_create(murk_boundary_meshes **out,
                                         const murk_boundary_mesh_desc *descs,
                                         size_t n, murk_error *err);
@@ -92,7 +93,8 @@ murk_boundary_meshes_tolerance_m(const murk_boundary_meshes *boundary_meshes);
  * then, for messages, a point of that boundary on either side; the point need
  * not be near the intersection. Nested and separate regions do not intersect.
  * Touching is not intersecting: a part that protrudes by less than tolerance_m
- * is ignored. */
+ * is ignored. The function tests samples of the two boundaries
+ * (geometry/mesh_intersection.c). */
 bool murk_boundary_meshes_meet(const murk_boundary_meshes *boundary_meshes,
                                int region, int other, murk_vec3 *place);
 

@@ -23,8 +23,9 @@
 #define DRAW_BACK_UNITS 64
 #define EDGE_SINE       0.25
 
-/* True if Embree's hit point is within EDGE_UNITS of an edge. The distance
- * to an edge is a barycentric coordinate times the height over that side. */
+/* True if Embree's hit point is within EDGE_UNITS float steps of an edge. The
+ * distance to an edge is a barycentric coordinate times the height over that
+ * side. */
 static bool is_near_edge(const murk_walk *w, const murk_triangle *t,
                          murk_vec3 normal)
 {
@@ -81,8 +82,8 @@ static bool is_in_corner(const murk_walk *w, murk_vec3 point, murk_vec3 normal)
     return search.is_corner;
 }
 
-/* The distance of the hit, moved back if an opaque triangle was hit in a
- * corner. */
+/* The distance of the hit; if an opaque triangle was hit in a corner, less by
+ * DRAW_BACK_UNITS float steps, but at least half of the distance. */
 static double drawn_back(const murk_walk *w, murk_primitive p, murk_vec3 normal,
                          double distance)
 {
@@ -107,7 +108,7 @@ bool murk_surfaces_hit(const murk_surfaces *s, murk_vec3 origin,
         return false;
     }
     /* Skip candidates that lie behind the true origin: Embree's ray starts
-     * slightly before it. */
+     * slightly before the true origin. */
     murk_vec3 normal;
     murk_primitive p;
     double distance;

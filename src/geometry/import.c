@@ -341,13 +341,14 @@ static void one_line(char *text)
     }
 }
 
-/* scene is NULL if Assimp could not read the file. */
+/* Fails if Assimp asked for a file outside the folder of the mesh, or could not
+ * read the mesh (scene is NULL). */
 static murk_status check_scene(const murk_import_request *request,
                                const murk_import_source *source,
                                const struct aiScene *scene, murk_error *err)
 {
-    if (source->access.refused[0]) { /* also an error if the mesh could be read
-                                        without that file */
+    if (source->access.refused[0]) { /* an error, even if Assimp has read the
+                                      * mesh without the refused file */
         return murk_fail(err, MURK_BAD_FILE, request->where,
                          "%s names %s, which is outside its folder: "
                          "geometry.*.allow: DIR lets meshes open files in DIR",

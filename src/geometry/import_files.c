@@ -25,10 +25,9 @@ typedef struct source {
 } source;
 
 /* Assimp's PLY reader loops for ever if a header is truncated. A parser that
- * continues to read at the end of the file is stuck: the subprocess aborts,
- * and the parent reports a malformed file. Sound files need a handful of
- * such reads; the limit is far above that and is reached within
- * milliseconds. */
+ * continues to read at the end of the file is stuck: the subprocess aborts, and
+ * the parent reports a malformed file. Intact files need a handful of such
+ * reads; the limit is far above that and is reached within milliseconds. */
 #define EMPTY_READS_MAX 1000
 
 static FILE *stream_of(struct aiFile *file)

@@ -70,8 +70,9 @@ static const char *line_end(const char *at, const char *end)
     return stop ? stop + 1 : end;
 }
 
-/* Finds column `want` of a line: sets *first to the first byte of the word
- * and returns the byte behind the word; NULL if there are fewer columns. */
+/* Finds word number `want`, counted from 0, of a line: sets *first to the first
+ * byte of the word and returns the byte behind the word; NULL if there are
+ * fewer words. */
 static const char *column(const char *at, const char *end, size_t want,
                           const char **first)
 {
@@ -90,7 +91,8 @@ static const char *column(const char *at, const char *end, size_t want,
     return NULL;
 }
 
-/* Reads the three numbers in the given columns of a line. */
+/* Reads the numbers that are the words columns[0..2] of a line. False if one of
+ * the words is missing, is longer than 63 bytes or is no finite number. */
 static bool numbers(const char *at, const char *end, const size_t columns[3],
                     double x[3])
 {

@@ -6,9 +6,9 @@
  *
  * Lengths that rounding makes necessary are multiples of `unit_m`, the largest
  * stored coordinate times 2^-23, which is at least the spacing of floats there.
- * Comments call it a float step. Rounding a ray's origin moves the ray by at
- * most 0.9 units, rounding its direction by some 2 units at the far side, and
- * Embree's distance to a plane is off by a few units. */
+ * Comments call unit_m a float step. Rounding a ray's origin moves the ray by
+ * at most 0.9 units, rounding its direction by some 2 units at the far side,
+ * and Embree's distance to a plane is off by a few units. */
 #ifndef MURK_GEOMETRY_RAY_SCENE_H
 #define MURK_GEOMETRY_RAY_SCENE_H
 
@@ -47,8 +47,8 @@ struct murk_surfaces {
 /* The ray in double precision beside Embree's, so that spheres are
  * intersected exactly. */
 typedef struct murk_ray_context {
-    murk_embree_context
-        embree; /* must be first: Embree passes its address to callbacks */
+    murk_embree_context embree; /* must be first: Embree passes the address of
+                                 * this member to callbacks */
     murk_vec3 origin, direction;
 } murk_ray_context;
 

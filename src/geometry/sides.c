@@ -14,8 +14,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Hits closer to a ray's start than this, in float steps, are the triangle
- * on which the ray starts; above the error of Embree's distance. */
+/* Hits closer to a ray's start than this, in float steps
+ * (geometry/ray_scene.h), are the triangle on which the ray starts; above the
+ * error of Embree's distance. */
 #define OWN_UNITS 4
 
 /* ---- self-intersection ---- */

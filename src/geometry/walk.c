@@ -7,10 +7,10 @@
 
 #include <float.h>
 
-/* A ray starts this many float steps early, so that an origin which rounding
- * pushed through a nearby surface still hits it. Hits behind the true origin
- * are skipped by the caller. 2 exceeds the 0.9 steps by which rounding moves
- * an origin. */
+/* A ray starts this many float steps (geometry/ray_scene.h) early, so that an
+ * origin which rounding pushed through a nearby surface still hits it. Hits
+ * behind the true origin are skipped by the caller. 2 exceeds the 0.9 steps by
+ * which rounding moves an origin. */
 #define BACK_UNITS 2
 
 /* The distance of a plane in double precision is accepted if it agrees with

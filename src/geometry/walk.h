@@ -15,15 +15,16 @@ typedef struct murk_walk {
     float passed; /* the next float beyond Embree's distance of the last hit */
 } murk_walk;
 
-/* Starts a ray; `origin` is in world coordinates and `direction` a unit vector.
- * Only faces whose bit is in `mask` (MURK_MASK_...) are visited. False if the
- * ray cannot hit anything. */
+/* Starts a ray of the length max_m, which may be INFINITY; `origin` is in world
+ * coordinates and `direction` a unit vector. Only faces whose bit is in `mask`
+ * (MURK_MASK_...) are visited. False if the ray cannot hit anything. */
 bool murk_walk_begin(murk_walk *walk, const murk_surfaces *s, murk_vec3 origin,
                      murk_vec3 direction, double max_m, unsigned mask);
 
 /* Finds Embree's next candidate, in walk->ray. The candidate may lie up to a
- * few float steps behind the origin: murk_walk_locate() gives the true
- * distance. Of candidates at the same float distance only one is found. */
+ * few float steps (geometry/ray_scene.h) behind the origin: murk_walk_locate()
+ * gives the true distance. Of candidates at the same float distance only one is
+ * found. False if there is no further candidate. */
 bool murk_walk_next(murk_walk *walk);
 
 /* Distance from the true origin to the candidate, and the normal there

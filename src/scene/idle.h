@@ -1,6 +1,6 @@
 /* Finds keys that the user has set and that have no effect, because they are
- * used only together with a certain value of another key. Such keys are
- * reported, because they are often mistakes.
+ * used only together with a certain value of another key, or belong to a medium
+ * that no region uses. Such keys are reported, because they are often mistakes.
  *
  * For use inside src/scene only; doc/reference/scene-file.md shows the same
  * table. */

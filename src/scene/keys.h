@@ -56,7 +56,8 @@ typedef struct murk_key {
                          * largest number of bytes, where 0 means 63 for a
                          * murk_scene_name, else 255 */
     const char *unit;   /* NULL: none */
-    const char *preset; /* default, in YAML; NULL: none, may be absent */
+    const char *preset; /* default, in YAML; NULL: none, and the key may be
+                         * absent unless `required` */
     unsigned variants;  /* bit set of the map's variants; 0: all */
     int group;          /* not 0: at most one key of a group may be given */
     double factor;      /* to SI; 0: 1 */

@@ -10,7 +10,7 @@
 #include "scene/keys_rows.h"
 #include "scene/value.h"
 
-/* Longer than any text of a preset, in bytes. */
+/* The largest number of bytes of a text: no text of a preset is that long. */
 #define LONG_TEXT .max = 4096
 
 /* ---- sources and words ---- */

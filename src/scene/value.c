@@ -314,7 +314,8 @@ static murk_status read_list(murk_key_reader *walk, const murk_key *key,
         return murk_walk_fail(walk, node, "a list of %zu, must be at most %d",
                               node->n, MURK_SCENE_LIST_MAX);
     }
-    /* The scene owns the array, even if reading fails. */
+    /* The struct that contains the member owns the array, even if reading
+     * fails. */
     void *items = calloc(node->n, size);
     if (!items) {
         return murk_walk_no_memory(walk);

@@ -12,10 +12,10 @@
 #define ALL   ((size_t)CELLS * CELLS)
 
 /* An entry of the alias table: with a probability of `keeps` / 2^18 the drawn
- * cell stays, otherwise it is replaced by `other`. Both are packed into one
- * word, because the table is fast only if it fits into the cache of a core. The
- * 14 bits that choose a cell and the 18 bits of `keeps` are 32 bits together,
- * the resolution of one uniform number (base/rng.h). */
+ * cell stays, otherwise the cell is replaced by `other`. Both numbers are
+ * packed into one word, because the table is fast only if it fits into the
+ * cache of a core. The 14 bits that choose a cell and the 18 bits of `keeps`
+ * are 32 bits together, the resolution of one uniform number (base/rng.h). */
 #define OTHER_BITS 14
 #define KEEPS_BITS (32 - OTHER_BITS)
 _Static_assert(CELLS *CELLS <= 1 << OTHER_BITS, "cells are numbered in a word");

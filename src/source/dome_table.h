@@ -4,15 +4,15 @@
  *
  * On the unit disc of the face (Nusselt's analogue: the projection of a
  * direction onto the plane) equal areas have equal integrals of the cosine over
- * solid angle, so only the radiance remains. x is the coordinate along the
- * horizontal of the plane, and a = y / sqrt(1 - x^2) the coordinate across it,
- * from the horizon to the plane. The visible sky is therefore a rectangle in x
- * and a at any tilt of the face, without an edge inside. The table holds
- * radiance times sqrt(1 - x^2) at nodes with equal steps of angle, and is
- * bilinear in between. Directions are drawn exactly from this bilinear
- * function, not from the sky that it approximates. Cells are chosen by Walker's
- * alias method (Vose, IEEE Trans. Softw. Eng. 17 (1991) 972,
- * doi:10.1109/32.92917). */
+ * solid angle, so only the radiance needs a table. On the disc, x is the
+ * coordinate along the horizontal of the plane, and y the coordinate across the
+ * horizontal; a = y / sqrt(1 - x^2) runs from the horizon to the upper edge of
+ * the disc. The visible sky is therefore a rectangle in x and a at any tilt of
+ * the face, without an edge inside. The table holds radiance times sqrt(1 -
+ * x^2) at nodes with equal steps of angle, and is bilinear in between.
+ * Directions are drawn exactly from this bilinear function, not from the sky
+ * that it approximates. Cells are chosen by Walker's alias method (Vose, IEEE
+ * Trans. Softw. Eng. 17 (1991) 972, doi:10.1109/32.92917). */
 #ifndef MURK_SOURCE_DOME_TABLE_H
 #define MURK_SOURCE_DOME_TABLE_H
 

@@ -19,8 +19,8 @@
 #define SUN_RADIUS_M  695.99e6 /* 959.63 arc seconds at 1 au */
 #define MOON_RADIUS_M 1737.4e3 /* IAU mean radius */
 
-/* The refraction at the horizon in the SPA: a disc with the upper edge below
- * this depression is invisible and not raised. */
+/* The refraction at the horizon in the SPA of NREL (source/ephemeris.h): a disc
+ * with the upper edge below this depression is invisible and not raised. */
 #define HORIZON_REFRACTION_DEG 0.5667
 
 typedef struct range {

@@ -25,7 +25,7 @@ typedef struct murk_moonlight {
     double diffuse_lux; /* on a horizontal plane, from the moonlit sky */
 } murk_moonlight;
 
-/* The illuminance [lux] at right angles to the light, outside of the
+/* The illuminance [lux] of a plane at right angles to the light, outside of the
  * atmosphere. */
 double murk_moon_lux(double phase_angle_deg, double distance_m);
 

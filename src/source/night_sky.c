@@ -12,8 +12,8 @@
 #define SCALE_LOG      20.7233
 #define SCALE_SLOPE    0.92104
 
-/* Midpoints in zenith distance: the pattern is smooth, and the error is
- * 1e-4. */
+/* The number of midpoints of the sum over the zenith distance: the pattern is
+ * smooth, and the error of the sum is 1e-4. */
 #define STEPS 90
 
 double murk_sky_luminance(double mag_per_arcsec2)

@@ -21,18 +21,18 @@
 
 /* Creates the light sources. Distant light enters an open domain through every
  * lit face, with power irradiance * projected area of the box (for a dome:
- * radiance times projected area, integrated over all directions). It enters a
- * periodic domain through the top only, with power irradiance on the top * area
- * of the top.
+ * radiance times projected area, integrated over all directions). Distant light
+ * enters a periodic domain through the top only, with power irradiance on the
+ * top * area of the top.
  *
  * Light that is aimed at portals has the power that would fall on the portals
  * from outside without occluders, and the light enters nowhere else. Photons
  * start on the boundary of the domain, on the line to a point of a portal, so
  * that occluders in front of the portal cast shadows. A ray that passes several
- * portals inward belongs to the first one. If it is drawn from another portal,
- * it ends where it starts; if portals lie one behind the other, the power of
- * the light thus includes power that escapes at once. Portals must lie in the
- * domain, which must be open.
+ * portals inward belongs to the first one. A ray that is drawn from another
+ * portal ends where it starts; if portals lie one behind the other, the power
+ * of the light thus includes power that escapes at once. Portals must lie in
+ * the domain, which must be open.
  *
  * Lights without power are dark; if all lights are dark, nothing is emitted.
  * Fails with MURK_BAD_VALUE if there is no light or more than MURK_SOURCES_MAX,

@@ -17,8 +17,8 @@ typedef struct run {
     murk_ledger *ledger;
 } run;
 
-/* Adds the sums of a batch to the ledger; with sign -1 subtracts them
- * instead. */
+/* Adds the sums of a batch to the ledger; with sign -1 subtracts them instead.
+ * Adds the photons of the batch to the progress. */
 static void add_up(murk_ledger *ledger, const murk_sums *s, int sign)
 {
     murk_tally *const account[MURK_FATES] = {ledger->absorbed_surfaces,

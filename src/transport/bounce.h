@@ -17,7 +17,7 @@ typedef struct murk_bounce {
 
 /* At an interface between two indices: MURK_MIRRORED with the probability of
  * the Fresnel reflectance, else MURK_TRANSMITTED; u in (0, 1). Directions and
- * normal as below. */
+ * normal as for murk_surface_bounce(). */
 murk_bounce murk_refract(double n_from, double n_to, murk_vec3 direction,
                          murk_vec3 normal, double u);
 

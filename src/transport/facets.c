@@ -2,12 +2,12 @@
  *
  * A height is measured by the share h of the surface that lies lower, 1 above
  * all of it; ln h keeps full precision near the top, to which grazing light
- * stays close. Let `cosine` be that of the angle between the direction against
- * the ray and the vertical, which is above 0 on the way down, and `seen` the
- * projected area of the facets that face the ray, per area of the mean surface
- * (medium/waves.h). While h changes by dh, the probability of not having hit a
- * facet is multiplied by 1 - (seen / |cosine|) |dh| / h. A uniform number u
- * therefore changes h to h u^(cosine / seen) on the way down and to h
+ * stays close. Let `cosine` be the cosine of the angle between the direction
+ * against the ray and the vertical; it is above 0 on the way down. Let `seen`
+ * be the projected area of the facets that face the ray, per area of the mean
+ * surface (medium/waves.h). While h changes by dh, the probability of not
+ * having hit a facet is multiplied by 1 - (seen / |cosine|) |dh| / h. A uniform
+ * number u therefore changes h to h u^(cosine / seen) on the way down and to h
  * u^(-|cosine| / seen) on the way up. From below, the share that lies lower is
  * 1 - h. */
 #include "transport/facets.h"

@@ -9,8 +9,8 @@
 
 #include <stdlib.h>
 
-/* A ray jumps only after this many wraps since the last event. Fewer wraps cost
- * less than the search for free heights. */
+/* A ray jumps only after this many wraps since the last other event. Fewer
+ * wraps cost less than the search for free heights. */
 #define WRAPS_BEFORE 8
 
 /* The smallest sideways length of a jump [periods]. */

@@ -5,8 +5,8 @@
 
 #include <math.h>
 
-/* The signed distance of a position beyond a plane; 0 if it lies in the
- * plane. */
+/* The signed distance of a position beyond a plane; 0 if the position lies in
+ * the plane. */
 static inline double beyond(const murk_tally_plane *plane, murk_station at)
 {
     const double s = murk_dot(plane->normal, murk_sub(at.place, plane->point));

@@ -111,10 +111,11 @@ const murk_tally_desc *murk_tallies_desc(const murk_tallies *tallies,
 /* The value of a cell in a band, summed over all lights: W for a plane, W/m2
  * for grids and spheres. emitted[channels] in quanta is from the ledger,
  * packet_w[channels] is the power of a packet. The square of the standard error
- * is a sum over the channels of the band. A channel with n independent photons
- * and contributions x of these photons adds packet_w^2 n/(n - 1) (sum x^2 -
+ * is a sum over the channels of the band. A channel with n independent photons,
+ * whose contributions are x packets each, adds packet_w^2 n/(n - 1) (sum x^2 -
  * (sum x)^2 / n); a channel with a single photon adds packet_w^2 x^2, a channel
- * without photons nothing. */
+ * without photons adds nothing. For grids and spheres the standard error is
+ * converted to W/m2 like the value. */
 murk_estimate murk_tallies_read(const murk_tallies *tallies, size_t tally,
                                 int band, size_t cell,
                                 const murk_tally *emitted,

@@ -35,7 +35,7 @@ typedef struct hit_medium {
     double u[2];
 } hit_medium;
 
-/* Draws a free flight. True if it ends in a medium within length_m. */
+/* Draws a free flight. True if the flight ends in a medium within length_m. */
 static inline bool collides(const murk_walker *w, double length_m,
                             hit_medium *hit)
 {
@@ -104,9 +104,9 @@ static murk_fate scatter(murk_walker *w, const hit_medium *hit)
 
 /* ---- the photon loop ---- */
 
-/* The next boundary on the ray. Meshes are searched only up to the collision
- * that a medium would give, which in dense media saves more time than the
- * second flight takes. */
+/* Finds the next boundary on the ray; false if there is none. Meshes are
+ * searched only up to the collision that a medium would give, which in dense
+ * media saves more time than the second flight takes. */
 static inline bool boundary_ahead(murk_walker *w, murk_path_boundary *ahead)
 {
     const murk_path_space *space = &w->setup->space;
@@ -120,7 +120,8 @@ static inline bool boundary_ahead(murk_walker *w, murk_path_boundary *ahead)
         &w->path, is_cut ? hit.at.distance_m : INFINITY, ahead);
 }
 
-/* Jumps `run` metres, or up to the collision on the way. */
+/* Jumps `run` metres, or up to a collision on the way, at which the photon is
+ * scattered or absorbed. */
 static murk_fate jump(murk_walker *w, double run)
 {
     hit_medium hit;
@@ -130,8 +131,9 @@ static murk_fate jump(murk_walker *w, double run)
     return collided ? scatter(w, &hit) : MURK_FATE_NONE;
 }
 
-/* Follows the photon to its next event. Inlined, because a call for each event
- * would cost 2 % of the time. */
+/* Follows the photon to the next event, or to the next boundary at which
+ * nothing happens. Inlined, because a call for each event would cost 2 % of the
+ * time. */
 static inline __attribute__((always_inline)) murk_fate
 next_event(murk_walker *w)
 {

@@ -158,10 +158,11 @@ static inline double murk_walker_index(const murk_walker *w,
                          : murk_media_index(w->setup->world->media, inside);
 }
 
-/* Scores a segment of the path and reports the segment to the sink of segments.
- * Plane tallies take `end` as the end of the segment: at a side of the domain
- * `end` lies slightly outside, so that a plane in the side counts the photon.
- * reach_m as in murk_station (transport/score.h). */
+/* Scores a segment of the path and reports the segment to the sink of segments,
+ * if there are tallies and a sink. Plane tallies take `end` as the end of the
+ * segment: at a side of the domain `end` lies slightly outside, so that a plane
+ * in the side counts the photon. reach_m as in murk_station
+ * (transport/score.h). */
 static inline void murk_walker_score(const murk_walker *w, murk_vec3 from,
                                      double length_m, int64_t quanta,
                                      murk_vec3 end, double reach_m)

@@ -1,6 +1,6 @@
 /* The variance of whole numbers from their sum and the sum of their squares, in
  * integers of 192 bits, so that only the conversion to a double and the
- * division by their number round. */
+ * division by the number of terms round. */
 #include "transport/wide.h"
 
 /* A number of 192 bits: high 2^64 + low, where `low` may exceed 2^64. */
