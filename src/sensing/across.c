@@ -1,8 +1,9 @@
 /* Sightlines across one interface: takes the refracted paths
- * (sensing/refract.h), tests range, field of view, normal and surfaces for
- * each, and multiplies the transmittances of boundary, sheets and media.
- * A photon without a refracted path is counted by cause if range, field of view
- * and normal admit the straight line to the photon. */
+ * (sensing/refract.h), tests range, field of view, normal, direction of travel
+ * and surfaces for each, and multiplies the transmittances of boundary, sheets
+ * and media. A photon without a refracted path is counted, as totally reflected
+ * or as blocked by interfaces, if range, field of view and normal admit the
+ * straight line to the photon. */
 #include "sensing/across.h"
 
 /* Counts a photon that no refracted path reaches, if range, field of view and
@@ -24,8 +25,9 @@ static void count_lost(const murk_across *a, const murk_side *facing,
     }
 }
 
-/* True if a refracted path passes the filters of the sensor and meets no
- * surface. */
+/* True if range, field of view, normal and direction of travel admit a
+ * refracted path, and no surface blocks the path (with through_sheets, thin
+ * sheets do not block). */
 static bool is_open(const murk_across *a, const murk_photon *photon,
                     const murk_side *facing, const murk_refracted_path *path,
                     murk_vec3 apparent)

@@ -20,9 +20,11 @@ typedef struct murk_across {
     double range_m;
 } murk_across;
 
-/* Writes the open sightlines and returns their number. `from` is the photon's
- * position, moved off the surface, in a medium of index `index`; facing is NULL
- * for volume photons. */
+/* Writes the open sightlines from the sensor to the photon to line[] and
+ * returns their number. `from` is the end of the sightlines: the place of the
+ * photon, for a surface photon moved off the surface (murk_side_start() in
+ * sensing/facing.h). `index` is the refractive index at `from`. `facing` is the
+ * side of the surface, NULL for volume photons. */
 size_t murk_across_sightlines(const murk_across *across,
                               const murk_photon *photon,
                               const murk_side *facing, murk_vec3 from,

@@ -1,6 +1,6 @@
 /* The points of a grid of candidates, the checks of a request for candidates
  * (clearance, sizes, places within the domain, offsets of mounts), and the test
- * of the forbidden zones. */
+ * whether the zones of the request exclude a point. */
 #include "sensing/candidate_request.h"
 
 #include "base/position.h"

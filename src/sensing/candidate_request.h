@@ -23,9 +23,12 @@ typedef struct murk_candidate_grid {
     double clearance_m;
 } murk_candidate_grid;
 
-/* A grid of about `points` points in the middles of equal cells of the box, as
- * close to cubes as the box allows, at least one along each axis. The clearance
- * is 0. The box has a volume above 0, and points >= 1. */
+/* A grid with its points in the middles of equal cells of the box. The edges of
+ * a cell are near the edge of a cube of the volume of the box over `points`,
+ * but along each axis there are at least 1 and at most `points` cells. So there
+ * are about `points` cells, and more if an edge of the box is shorter than the
+ * edge of the cube. The clearance is 0. The box has a volume above 0, and
+ * points >= 1. */
 murk_candidate_grid murk_candidate_grid_fill(const murk_box *box,
                                              size_t points);
 
@@ -37,8 +40,8 @@ murk_vec3 murk_candidate_grid_point(const murk_candidate_grid *grid,
 /* The places from which free space is reached. */
 typedef struct murk_reach {
     const murk_vec3 *lamps; /* [n_lamps] points from which light starts. A point
-                               on a surface counts for both sides; if the lit
-                               side is known, move the point off to that side */
+                               on a surface counts for both sides, unless the
+                               caller moves it off to the lit side */
     size_t n_lamps;
     bool from_sides; /* distant light: also from the domain's open sides */
     murk_domain domain;

@@ -1,7 +1,7 @@
 /* Candidate sites: finds the free space of the grid (sensing/reach.h),
  * classifies the points of the grid and the listed sites (sensing/listed.h),
- * and collects the usable ones. Each site gets one verdict, so the counts of
- * the causes add up to the number of requested sites. */
+ * and collects the usable ones. Each site gets one verdict, so the usable sites
+ * and the counts of the causes add up to the number of requested sites. */
 #include "sensing/candidates.h"
 
 #include "base/pool.h"
@@ -11,8 +11,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Sensors are not mounted nearer to a surface than a millimetre, so a coarser
- * precision of the surfaces is reported as the cause of lost candidates. */
+/* If no site is usable and some are too close, a precision of the surfaces that
+ * is coarser than this and than the clearance is reported as the cause: sensors
+ * are not mounted nearer to a surface than a millimetre. */
 #define MIN_STEP_M 1e-3
 
 /* Grid points that a thread takes at a time: some 100 us of work (a choice). */

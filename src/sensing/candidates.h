@@ -1,6 +1,6 @@
 /* Candidate sites of sensors: points of a grid, listed points, and sites
- * mounted on surfaces, without those outside of free space or in forbidden
- * zones.
+ * mounted on surfaces, without those outside of free space, too close to a
+ * surface, in forbidden zones, or listed twice.
  *
  * A point of the grid is usable if it is reached, at least clearance_m from any
  * surface, and outside of forbidden zones. A point is reached if an unblocked
@@ -10,8 +10,8 @@
  * from a reached point; the steps may pass points that are too close to a
  * surface. In a periodic domain segments go to the nearest image, and the first
  * and last points along x and y are neighbours through the side. Transmitting
- * sheets do not block. So the inside of a crate is dropped, also in open and
- * badly wound meshes.
+ * sheets do not block. So points inside a closed crate are dropped, whatever
+ * the winding of the triangles.
  *
  * Listed points and mounts are reached if one unblocked straight segment joins
  * each of them to a reached point of the grid (up to 1000 reached points among
@@ -39,12 +39,13 @@ typedef enum murk_candidate_kind {
     MURK_CANDIDATE_MOUNT
 } murk_candidate_kind;
 
-/* Order: the grid (x fastest, then y, z), points, mounts; of a mounting point
- * first the side of the normal. Each requested site is counted once in `asked`,
- * and once in `usable` or under one cause. The first of these causes that
- * applies counts: a duplicate, outside of the domain (unreached), forbidden, on
- * a surface (too_close), unreached, nearer than the clearance (too_close).
- * Points of the grid are never duplicates. */
+/* Order of the arrays: the points of the grid (x fastest, then y, z), the
+ * listed points, the mounts; of a mounting point first the side of the normal.
+ * Each requested site is counted once in `asked`, and once in `usable` or under
+ * one cause. The first of these causes that applies counts: a duplicate,
+ * outside of the domain (unreached), forbidden, on a surface (too_close),
+ * unreached, nearer than the clearance (too_close). Points of the grid are
+ * never duplicates. */
 typedef struct murk_candidates {
     size_t asked;
     size_t usable;
@@ -66,10 +67,11 @@ typedef struct murk_candidates {
 /* The caller destroys *out with murk_candidates_destroy(). Fails with
  * MURK_BAD_VALUE at `where`: no sites or more than MURK_CANDIDATES_MAX, a grid
  * that murk_candidate_desc_check() refuses, a grid point or listed point
- * outside the domain, a clearance that is negative or infinite, an offset lost
- * in rounding, or no usable site (the message counts the causes). Fails also
- * with MURK_NO_MEMORY or MURK_INTERRUPTED. After a failure *out is
- * unchanged. */
+ * outside the domain, a clearance that is negative or not finite, an offset
+ * lost in rounding, or no usable site (the message counts the causes, or names
+ * the precision of the surfaces if that is coarser than a millimetre and than
+ * the clearance). Fails also with MURK_NO_MEMORY or MURK_INTERRUPTED. After a
+ * failure *out is unchanged. */
 murk_status murk_candidates_create(murk_candidates **out,
                                    const murk_candidate_desc *desc,
                                    const murk_surfaces *surfaces,

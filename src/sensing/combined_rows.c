@@ -1,6 +1,6 @@
-/* Keeps the k + 1 largest entries of each photon, so that the value without any
- * one sensor is known; or the sum of the doses for detection probabilities
- * (placement/dose.h). */
+/* Keeps the `layers` + 1 largest entries of each photon, so that the value
+ * without any one sensor is known; or, for detection probabilities, the sum of
+ * the doses of each photon (placement/dose.h). */
 #include "sensing/combined_rows.h"
 
 #include <stdlib.h>
@@ -35,7 +35,9 @@ void murk_combined_rows_release(murk_combined_rows *combined)
     *combined = (murk_combined_rows){0};
 }
 
-/* Inserts an entry among the largest ones of a photon. */
+/* Inserts an entry among the `layers` + 1 largest ones of a photon, and drops
+ * the smallest of them; nothing changes if the entry is not larger than the
+ * smallest. */
 static void keep_clearest(murk_combined_rows *v, size_t i, uint32_t sensor,
                           uint16_t clarity)
 {

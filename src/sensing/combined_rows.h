@@ -26,8 +26,8 @@ bool murk_combined_rows_init(murk_combined_rows *out, size_t photons,
                              murk_combining combining, size_t layers);
 void murk_combined_rows_release(murk_combined_rows *combined);
 
-/* Adds the row of one sensor. A sensor is added once. Of equal entries the one
- * that was added first stands before the others. */
+/* Adds the row of one sensor. The caller adds each sensor once. Of equal
+ * entries the one that was added first stands before the others. */
 void murk_combined_rows_add(murk_combined_rows *combined, uint32_t sensor,
                             const murk_sparse_row *row);
 
@@ -36,14 +36,15 @@ void murk_combined_rows_add(murk_combined_rows *combined, uint32_t sensor,
  * the photon. */
 uint32_t murk_combined_rows_worth(const murk_combined_rows *combined, size_t i);
 
-/* After all rows: adds to only[sensor] the value of all sensors less the value
- * without this sensor, summed over the photons times weight[photons]. Not for
- * detection probabilities. */
+/* To be called after all rows were added. For each sensor, adds to only[sensor]
+ * the sum over the photons of weight[i] times the difference of two values of
+ * photon i: that of all sensors, and that without this sensor. weight[photons].
+ * Not for detection probabilities. */
 void murk_combined_rows_only(const murk_combined_rows *combined,
                              const uint32_t *weight, uint64_t *only);
 
-/* Returns the same sum for the sensor of this row, which must have been added.
- * For detection probabilities only. */
+/* Returns the sum of murk_combined_rows_only() for one sensor, whose row must
+ * have been added. For detection probabilities only. */
 uint64_t murk_combined_rows_only_of(const murk_combined_rows *combined,
                                     const uint32_t *weight,
                                     const murk_sparse_row *row);

@@ -40,19 +40,20 @@ typedef struct measure {
                                       sensor */
     bool is_second_pass; /* second pass over the rows, for the value that is
                             lost without each sensor; detection probabilities
-                            only
-                          */
-    uint64_t *seen_by;   /* [sensors + 1]: weight of the photons that exactly so
-                            many sensors see */
+                            only */
+    uint64_t *seen_by; /* [sensors + 1]: element k is the weight of the photons
+                          that exactly k sensors see */
     size_t at_least; /* 0, or a number of sensors: a photon that so many sensors
                         or more see counts fully, any other photon not at all */
 } measure;
 
-/* Sums over the photons of one map: `whole` of weight times the clarity of full
- * coverage, `seen` of weight times the clarity that the sensors reach; seen_w
- * and whole_w are the same sums with the power [W] in place of the whole-number
- * weight. Weights may give a map no weight, or round it away, so the map's own
- * fraction uses power. */
+/* Sums over the photons of one map: `whole` of weight times full_of(), the
+ * value of a fully covered photon; `seen` of weight times worth_of(), the value
+ * of the photon for these sensors. whole_w and seen_w are the same sums with
+ * the power [W], times the factor of the regions of interest, in place of the
+ * whole-number weight. The coverage of a map alone uses power, because the
+ * weight of a map in the total may be 0, or so small that all weights of the
+ * map round to 0. */
 typedef struct share {
     uint64_t seen, whole;
     double seen_w, whole_w;
@@ -145,7 +146,7 @@ static uint32_t full_of(const measure *m)
     return (uint32_t)m->combined.layers * MURK_CLEAR;
 }
 
-/* The value of photon i for these sensors. */
+/* The value of photon i for these sensors; with at_least, full_of() or 0. */
 static uint32_t worth_of(const measure *m, size_t i)
 {
     return m->at_least == 0 ? murk_combined_rows_worth(&m->combined, i)

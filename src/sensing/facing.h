@@ -30,8 +30,9 @@ static inline murk_side murk_side_of(const murk_surfaces *surfaces,
 /* A cache of unpacked normals, because buildings have few distinct normals. The
  * entry is chosen by the upper bits of the hash (Fibonacci hashing, Knuth, The
  * Art of Computer Programming, vol. 3, 6.4). A cache starts with all bytes
- * zero: 0 is the packed form of no normal, and faces nothing. 64 entries fit
- * the first-level cache of a processor. */
+ * zero: 0 is the packed form of no normal, and the normal of such an entry is
+ * zero, so that the entry faces no sensor. 64 entries fit the first-level cache
+ * of a processor. */
 #define MURK_SIDES_LOG2 6
 #define MURK_SIDES      (1 << MURK_SIDES_LOG2)
 

@@ -1,6 +1,6 @@
-/* Tests of segments and points against surfaces for the search of candidate
- * sites. Each segment is tested by three rays, because a ray along the seam of
- * a mesh may slip through. */
+/* Tests of straight segments and of points against surfaces. Each segment is
+ * tested by three rays, because a ray along the seam of a mesh may slip
+ * through. */
 #include "sensing/free_segments.h"
 
 #include "path/segment.h"
@@ -17,8 +17,8 @@ murk_free_segments murk_free_segments_of(const murk_surfaces *surfaces,
         .surfaces = surfaces,
         .domain = domain,
         .tolerance_m = murk_path_surface_tolerance_m(surfaces, domain)};
-    /* at right angles to each other, so that no seam is parallel to both;
-     * tilted, so that no axis is parallel to either */
+    /* The offsets are at right angles to each other, so that no seam is
+     * parallel to both, and tilted, so that no axis is parallel to either. */
     murk_vec3 aside[3] = {{0.537, 0.781, 0.319}};
     aside[0] = murk_unit(aside[0]);
     murk_frame(aside[0], &aside[1], &aside[2]);
@@ -61,7 +61,8 @@ bool murk_free_segment_leads_out(const murk_free_segments *w, murk_vec3 point)
     return false;
 }
 
-/* True if a surface other than that of the mount lies within the radius. */
+/* True if a surface lies within the radius; the surface that carries the mount
+ * `foot` does not count. foot NULL: every surface counts. */
 static bool is_near(const murk_free_segments *w, murk_vec3 point,
                     double radius_m, const murk_mount_site *foot)
 {
@@ -82,7 +83,8 @@ murk_closeness murk_free_segments_closeness(const murk_free_segments *w,
     if (murk_surfaces_near(w->surfaces, point, tolerance)) {
         return MURK_ON_SURFACE;
     }
-    /* a point exactly at the clearance is not dropped by rounding */
+    /* The radius is one tolerance less than the clearance, so that rounding
+     * does not drop a point exactly at the clearance. */
     if (clearance_m > 2 * tolerance &&
         is_near(w, point, clearance_m - tolerance, foot)) {
         return MURK_TOO_CLOSE;

@@ -1,12 +1,13 @@
 /* Straight segments through free space, and distances of points to surfaces:
- * the tests that decide which sites are usable. For use inside src/sensing
- * only.
+ * the tests that decide which sites are usable, which sensors can be linked,
+ * and which ways a deviation of a sensor or a look in exploration may take. For
+ * use inside src/sensing only.
  *
  * A ray aimed exactly at a seam of a mesh may slip through (one in 500, if a
  * vertex lies on another triangle's edge), and grids and walls at round
  * coordinates produce such rays. So a segment is open only if two more
- * segments, with the far end moved aside by half a tolerance, are open as well.
- */
+ * segments, with the end `to` moved aside by half of tolerance_m, are open as
+ * well. */
 #ifndef MURK_SENSING_FREE_SEGMENTS_H
 #define MURK_SENSING_FREE_SEGMENTS_H
 
@@ -14,11 +15,11 @@
 
 typedef enum murk_closeness {
     MURK_CLEAR_OF_SURFACES,
-    MURK_BARELY_CLEAR, /* no surface within the tolerance, one within twice the
-                          tolerance */
+    MURK_BARELY_CLEAR, /* no surface within tolerance_m or the requested
+                          clearance, one within twice tolerance_m */
     MURK_TOO_CLOSE,    /* a surface is nearer than the requested clearance */
-    MURK_ON_SURFACE /* within the tolerance: sees nothing, and no segment leads
-                       there */
+    MURK_ON_SURFACE /* a surface lies within tolerance_m: the searches let such
+                       a point see nothing, and lead no segment to it */
 } murk_closeness;
 
 /* The setting of the tests. */

@@ -40,8 +40,9 @@ typedef struct murk_interest {
     const murk_interest_region *region; /* [n] */
     size_t n;                           /* 0..MURK_INTERESTS_MAX */
     const murk_boundary_meshes
-        *boundary_meshes; /* of the regions that are meshes: bit i of a mask
-                             stands for region i; or NULL */
+        *boundary_meshes; /* the meshes of the regions that are meshes: bit i of
+                             the mask that murk_boundary_meshes_at() returns
+                             stands for region i. NULL: no region is a mesh */
     double elsewhere;     /* >= 0, finite */
 } murk_interest;
 
@@ -51,12 +52,14 @@ typedef struct murk_interest {
 uint64_t murk_interest_at(const murk_interest *interest,
                           const murk_photon *photon, double slack_m);
 
-/* The same for all photons of a map: member[murk_photon_map_count(map)]. */
+/* Sets member[k] to murk_interest_at() of photon k, for all photons of a map:
+ * member[murk_photon_map_count(map)]. */
 void murk_interest_members(uint64_t *member, const murk_interest *interest,
                            const murk_photon_map *map, double slack_m,
                            unsigned threads);
 
-/* The factor on a photon's power, from the regions that contain it. */
+/* The factor on the power of a photon that these regions contain: the product
+ * of their weights, or `elsewhere` if there is none. */
 double murk_interest_factor(const murk_interest *interest, uint64_t regions);
 
 #endif

@@ -21,10 +21,11 @@ typedef struct murk_jitter {
     murk_vec3 north;
 } murk_jitter;
 
-/* out[n]: the sensors of draw number `draw`, a pure function of seed, draw and
- * index in the list. Types that see all round are not turned; poses refer to
- * type[]. Returns the number of sensors that found no free position in a
- * hundred tries and stay at the planned one. */
+/* out[n]: the deviating poses of draw number `draw`. The random numbers of a
+ * pose depend on seed, draw and index in the list alone. Types that see all
+ * round are not turned; poses refer to type[]. Returns the number of sensors
+ * for which a hundred tries found no free position; these stay at the planned
+ * position, and are turned all the same. */
 size_t murk_jitter_draw(murk_pose *out, const murk_pose *pose, size_t n,
                         const murk_sensor_type *type, const murk_jitter *jitter,
                         uint64_t draw);

@@ -1,6 +1,6 @@
 /* The places from which the light of a lamp starts: the lamp, or both sides of
  * the surface that it lies on; and for a lamp inside of solids, places just
- * outside, found by following six directions through all surfaces. */
+ * outside, found by following six directions out of these solids. */
 #include "sensing/lamp.h"
 
 #include "path/segment.h"
@@ -86,7 +86,7 @@ static bool lets_light_through(const murk_surfaces *surfaces,
     const murk_material *m = murk_surfaces_material(surfaces, hit->material);
     for (int i = 0; i < MURK_BANDS_MAX; ++i) {
         /* Of a solid, specular + transmit is the share of light that is not
-         * absorbed, which Fresnel's equations then split. */
+         * absorbed; Fresnel's equations split this share. */
         const double specular = hit->solid ? m->specular.band[i] : 0;
         if (m->transmit.band[i] + specular > 0) {
             return true;
@@ -95,7 +95,8 @@ static bool lets_light_through(const murk_surfaces *surfaces,
     return false;
 }
 
-/* Finds the next surface in a direction; *at moves to just behind it. */
+/* Finds the next surface in a direction and moves *at to just behind this
+ * surface. False if there is none. */
 static bool step(const lamp_search *w, murk_vec3 *at, murk_vec3 direction,
                  murk_hit *hit)
 {

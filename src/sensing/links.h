@@ -32,12 +32,13 @@ typedef struct murk_links {
     size_t groups;  /* groups of sensors that open segments join; 1: all joined;
                        0: not computed (no sensors, or more than
                        MURK_LINKED_SENSORS_MAX) */
-    double range_m; /* longest link; NaN with more than one group, or if not
-                       computed */
-    double plain_range_m; /* the same if all segments were open */
+    double range_m; /* length of the longest link, 0 for a single sensor; NaN
+                       with more than one group, or if not computed */
+    double plain_range_m; /* range_m as it would be if all segments were open;
+                             NaN if not computed */
 } murk_links;
 
-/* A single sensor needs a range of 0 m. After success call
+/* Finds the links that join the n sensors. After success call
  * murk_links_release(). Fails with MURK_NO_MEMORY or MURK_INTERRUPTED. */
 murk_status murk_links_find(murk_links *out, const murk_pose *pose, size_t n,
                             const murk_surfaces *surfaces,

@@ -66,8 +66,8 @@ murk_status murk_listed_all(murk_listed **out, size_t *n,
                             const murk_domain *domain, const char *where,
                             murk_error *err)
 {
-    /* Each mounting point has two sides, of which the limits may exclude one.
-     */
+    /* Each mounting point has two sides, of which the limits on the normal may
+     * exclude one or both. */
     size_t all = desc->points;
     for (size_t i = 0; i < desc->mounts; ++i) {
         all += 2 * desc->mount[i].sites;
@@ -177,7 +177,7 @@ static void examine(const classification *j, neighbours *near, size_t index)
 
 /* Examines the grid points at distance r from point `at`: the largest of the
  * three distances along the axes, in steps of the grid. Indices below 0 wrap to
- * large numbers. */
+ * large numbers, which are skipped like all indices beyond the grid. */
 static void examine_ring(const classification *j, neighbours *near,
                          const size_t at[3], size_t r)
 {
@@ -261,7 +261,9 @@ static bool is_joined(const classification *j, murk_vec3 point)
 
 /* ---- classification ---- */
 
-/* True if another surface lies between a mount and its mounting point. */
+/* True if a surface lies between a mount and the mounting point, from which the
+ * segment starts just off the carrying surface. Transmitting sheets do not
+ * count. */
 static bool is_cut_off(const classification *j, const murk_listed *site,
                        const murk_mount_site *foot)
 {

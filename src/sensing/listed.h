@@ -13,8 +13,8 @@ typedef enum murk_verdict {
     MURK_SITE_FORBIDDEN,
     MURK_SITE_TOO_CLOSE,
     MURK_SITE_UNREACHED,
-    MURK_SITE_BARELY_UNREACHED, /* grid points only: a diagonal step would reach
-                                   it */
+    MURK_SITE_BARELY_UNREACHED, /* grid points only: unreached, although a
+                                   diagonal step from a reached point is open */
     MURK_SITE_VERDICTS
 } murk_verdict;
 

@@ -1,6 +1,7 @@
 /* Finds the k nearest photons of the same band and side by queries of the
- * kd-tree for 2 k, 4 k, .. nearest photons, until k of them are of that kind.
- * In a periodic domain the nine nearest images are queried and merged. */
+ * kd-tree for 2 k, 4 k, .. nearest photons, until k of them are of that kind,
+ * or until the maximum radius or 32 k photons are reached. In a periodic domain
+ * the nine nearest images are queried and merged. */
 #include "sensing/neighbours.h"
 
 #include "base/sort.h"

@@ -1,5 +1,5 @@
-/* The nearest photons that inform about the light at the place of a stored
- * photon. For use inside src/sensing only.
+/* The nearest photons from which the light at the place of a stored photon is
+ * estimated. For use inside src/sensing only.
  *
  * These photons have the same band, lie on the same side of a surface, and
  * belong to other emitted photons: the photon's own path says nothing about the
@@ -9,6 +9,7 @@
  * bias, and its relative error, 1 / sqrt(k - 2), does not depend on the number
  * of photons. If the k-th photon lies beyond a maximum radius, all photons
  * within the maximum radius count, which is without bias, too.
+ * murk_neighbours_find() names one more limit.
  *
  * Source: Moore and Yackel, IEEE Trans. Comput. 26 (1977) 143,
  * doi:10.1109/TC.1977.5009294 (k - 1 in place of k). */

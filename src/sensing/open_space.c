@@ -61,8 +61,10 @@ typedef struct start {
     murk_vec3 point, normal;
 } start;
 
-/* A segment that starts back through the surface must be excluded, because
- * surfaces at the ends of a segment do not block it. */
+/* True if an open segment leads from the start to the point `to`. A segment
+ * that begins on the wrong side of the surface of the start must be excluded by
+ * the normal, because surfaces at the ends of a segment do not block the
+ * segment. */
 static bool leads_to(const murk_open_space *space, const start *from,
                      murk_vec3 to)
 {

@@ -23,7 +23,8 @@ static bool comes_first(murk_vec3 a, murk_vec3 b)
     return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
 }
 
-/* Always tested from the same end, so both directions give the same answer. */
+/* The segment is always tested from the same end, so both directions give the
+ * same answer. */
 bool murk_outlook_is_open(murk_outlook *o, murk_vec3 from, murk_vec3 to)
 {
     const bool is_turned = comes_first(to, from);

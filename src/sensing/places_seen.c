@@ -1,7 +1,8 @@
 /* Coverage of given places: divides the places into pieces, puts each piece
  * into photon maps of its own, and computes the rows of all sensors for them,
- * one piece a thread. So memory does not grow with the number of places, and no
- * sum is shared between threads. */
+ * one piece a thread (with detection by power, one piece at a time on all
+ * threads). So apart from the results memory does not grow with the number of
+ * places, and no sum is shared between threads. */
 #include "sensing/places_seen.h"
 
 #include "base/interrupt.h"
@@ -174,7 +175,8 @@ static void see_piece(void *context, uint64_t number)
 
 /* ---- the sight ---- */
 
-/* Copies of the types that detect light from any direction. */
+/* Copies of the sensor types, changed so that they detect light whatever its
+ * direction of travel. */
 static murk_sensor_type *any_arrival(const murk_sight_desc *like)
 {
     murk_sensor_type *type = malloc(like->types * sizeof *type + 1);
@@ -205,9 +207,10 @@ static void describe(work *w, const murk_sight *like,
     w->sight.threads = by_power ? w->sight.threads : 1;
 }
 
-/* The same sight without attenuation by the media, to find the straight
- * unblocked sightlines. Acceptance angles and detection by power are left out
- * as well, because both depend on attenuated light. */
+/* The sight of `w->sight` without attenuation by the media, to find the
+ * straight unblocked sightlines. The clarity is then the transmittance of the
+ * sheets. Acceptance angles and detection by power are left out as well,
+ * because both depend on attenuated light. */
 static void describe_open(work *w, murk_sensor_type *type,
                           const murk_media *clear)
 {

@@ -36,9 +36,9 @@ typedef struct murk_places {
 
 /* Fills out[places->n] for the sensors pose[n] of the types of `like`; the same
  * for any number of threads. The places are evaluated in pieces: each thread
- * holds a piece of some ten thousand places at a time, or with detection by
- * power all threads together hold one piece of a million. The memory is some
- * 200 bytes for each place of these pieces. Fails with MURK_NO_MEMORY or
+ * holds a piece of 8192 places at a time, or with detection by power all
+ * threads together hold one piece of a million. The memory is some 200 bytes
+ * for each place of these pieces. Fails with MURK_NO_MEMORY or
  * MURK_INTERRUPTED, or as murk_sight_create() does. */
 murk_status murk_places_see(murk_place_seen *out, const murk_places *places,
                             const murk_sight *like, const murk_pose *pose,

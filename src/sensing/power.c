@@ -57,7 +57,8 @@ static double within_m(const murk_power_settings *settings)
 }
 
 /* The emitted photon to be left out at this place: that of the place, if the
- * place is a record of the light itself. */
+ * place is a record of the light itself; else MURK_VICINITY_ALL, and none is
+ * left out. */
 static uint64_t path_of(const murk_power *power, const murk_photon *of)
 {
     const murk_sight_desc *desc = &power->desc;

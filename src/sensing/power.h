@@ -23,12 +23,13 @@
  *     s = T L a0 cos(theta) A cos(alpha) / (d^2 + A / pi)          [W], or
  *     s = T j v0 A cos(alpha) / (d^2 + A / pi)
  *
- * through an aperture A. alpha is the angle to the sensor's axis (0 for a type
- * that sees all round), theta the angle to the normal; A / pi limits near
- * targets to the half space that an aperture can receive. Across a boundary d
- * is the apparent distance in the sensor's index, and radiance there is (n
- * sensor / n target)^2 of the radiance before: together a bundle of rays
- * carries the same power seen from either end.
+ * through an aperture A. T is the transmittance of the sightline and d the
+ * length, alpha is the angle to the sensor's axis (0 for a type that sees all
+ * round), theta the angle to the normal; A / pi limits near targets to the half
+ * space that an aperture can receive. Across a boundary d is the apparent
+ * distance in the sensor's index, and radiance there is (n sensor / n target)^2
+ * of the radiance before: together a bundle of rays carries the same power seen
+ * from either end.
  *
  * The probability is that of at least one count of a Poisson process: p = 1 -
  * exp(-eta s), eta = exposure * quantum efficiency * wavelength / (h c). Dark

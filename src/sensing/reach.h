@@ -26,9 +26,9 @@ typedef struct murk_free_space {
                              reached point is open */
 } murk_free_space;
 
-/* Finds the free space of a grid that has been checked. Fails with
- * MURK_NO_MEMORY or MURK_INTERRUPTED. Call murk_free_space_release() also after
- * a failure. */
+/* Finds the free space of a grid that murk_candidate_desc_check() accepts.
+ * Fails with MURK_NO_MEMORY or MURK_INTERRUPTED. Call murk_free_space_release()
+ * also after a failure. */
 murk_status murk_free_space_find(murk_free_space *out,
                                  const murk_candidate_grid *grid,
                                  const murk_surfaces *surfaces,

@@ -46,8 +46,8 @@ static murk_vec3 inside_domain(const murk_path_viewpoint *v, murk_vec3 point)
         v->space->domain, point, murk_scale(0.5, murk_add(box->min, box->max)));
 }
 
-/* True if the point lies in the domain. A tilted face may extend beyond the
- * domain, where no light is traced. */
+/* True if the point lies in the domain or within near_m of the domain. A tilted
+ * face may extend beyond the domain, where no light is traced. */
 static bool is_in_domain(const murk_interfaces *at,
                          const murk_path_viewpoint *v, murk_vec3 point)
 {
@@ -81,8 +81,9 @@ static bool reaches_crossing(const murk_interfaces *at,
     const int segments = murk_path_to(v, path->crossing, segment);
     murk_path *last = &segment[segments - 1];
     const double end = last->length_m;
-    /* No change of index before the last segment, which ends at the crossing;
-     * extended a little, it must meet the expected change there. */
+    /* The index must not change before the last segment. The last segment ends
+     * at the crossing; extended a little, the segment must meet the expected
+     * change there. */
     if (changing_segment(segment, segments - 1, &change) < segments - 1 ||
         !(end > 0)) {
         return false;

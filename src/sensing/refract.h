@@ -35,7 +35,8 @@ typedef struct murk_refracted_path {
                          sensor */
 } murk_refracted_path;
 
-/* At most three faces of a box face a point; one more is for a mesh. */
+/* At most three faces of a box face a point; one more is for a mesh. Further
+ * paths are left out. */
 #define MURK_REFRACTED_PATHS_MAX 4
 
 /* Writes the paths to a photon in a medium of index photon_index, which differs

@@ -65,7 +65,8 @@ bool murk_field_contains(const murk_field *field, murk_vec3 offset);
 
 /* True if the sensor detects light that arrives from a point at `offset` from
  * the sensor and that travelled along `travel` there: always, unless `toward`
- * is set. The field of view is not tested. */
+ * is set. Then the angle between `travel` and the axis of the sensor (for a
+ * sphere `offset`) must exceed 90 degrees. The field of view is not tested. */
 bool murk_field_takes(const murk_field *field, murk_vec3 offset,
                       murk_vec3 travel);
 

@@ -7,8 +7,8 @@
  * segment, in the photon's band, rounded to 1/65535; a photon whose clarity
  * rounds to 0 is not seen. With a threshold the clarity is full from the
  * threshold on, and 0 below. Photons are numbered surface map first, then
- * volume map, each in the order of the map. A sight is immutable except for its
- * counters.
+ * volume map, each in the order of the map. A sight is immutable except for the
+ * counters and the scratch buffers of the workers.
  *
  * A segment is open if it meets no surface (with `through_sheets`: none but
  * thin sheets), and the refractive index does not change along the segment,
@@ -65,7 +65,8 @@ typedef struct murk_power_light {
 
 /* Settings of detection by power (sensing/power.h). */
 typedef struct murk_power_settings {
-    double radius_m;   /* 0: not by power; else murk_power_check_radius() */
+    double radius_m;   /* 0: detection is not by power; else a radius that
+                          murk_power_check_radius() accepts */
     size_t neighbours; /* 0: the estimate uses all photons within radius_m.
                           Otherwise >= 2: its radius is the distance of the
                           photon of this number, counted from the nearest, but
@@ -124,13 +125,13 @@ typedef struct murk_sight murk_sight;
  * not finite, band or emitted index out of range), MURK_RUN_FAILED (no photon
  * has weight, at desc->where; more than 2^32 - 1 photons), with detection by
  * power as murk_power_create() in sensing/power.h, or with MURK_NO_MEMORY: the
- * scratch buffers take 4 to 10 bytes a photon and thread.
- */
+ * scratch buffers take 4 to 10 bytes a photon and thread. */
 murk_status murk_sight_create(murk_sight **out, const murk_sight_desc *desc,
                               murk_error *err);
 void murk_sight_destroy(murk_sight *sight); /* accepts NULL */
 
-/* Hands the maps to the sight, which destroys them in murk_sight_destroy(). */
+/* Hands the maps to the sight, which destroys them in murk_sight_destroy().
+ * They are the maps of the description. */
 void murk_sight_own_maps(murk_sight *sight, murk_photon_map *surface,
                          murk_photon_map *volume);
 
@@ -175,7 +176,9 @@ size_t murk_sight_photons(const murk_sight *sight);
 const murk_photon *murk_sight_photon(const murk_sight *sight, size_t i);
 
 /* The regions of interest that contain photon i, bit r for region r (0 without
- * regions of interest), and the photon's power [W] times their factor. */
+ * regions of interest), and the photon's power [W] times the factor that
+ * follows from these regions (murk_interest_factor(); 1 without regions of
+ * interest). */
 uint64_t murk_sight_regions(const murk_sight *sight, size_t i);
 double murk_sight_power_w(const murk_sight *sight, size_t i);
 
@@ -198,7 +201,7 @@ murk_sight_work murk_sight_work_of(const murk_sight *sight);
 
 /* Coverage of a region of interest: the total that would result if all other
  * photons were absent and every region had weight 1. NaN if the region contains
- * no photon with power. */
+ * no photon with power in a map that has weight. */
 typedef struct murk_region_coverage {
     size_t photons; /* records in the region, in both maps */
     murk_estimate coverage;

@@ -57,7 +57,8 @@ static murk_status check_map(const murk_photon_map *map, const char *name,
     return MURK_OK;
 }
 
-/* The largest number of entries of a photon that any result needs. */
+/* The largest of redundancy, at_least and 1: the sum of the weights times this
+ * number has an upper limit (murk_photon_weights()). */
 static unsigned max_layers(const murk_sight_desc *desc)
 {
     const unsigned maximum =

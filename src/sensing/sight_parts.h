@@ -23,8 +23,9 @@ struct murk_sight {
     bool has_media;
     bool has_sheets;             /* sheets that transmit light */
     bool has_interfaces;         /* the refractive index changes somewhere */
-    murk_interfaces *interfaces; /* boundaries to look through; NULL: not
-                                    requested, or none */
+    murk_interfaces *interfaces; /* boundaries that refract sightlines; NULL:
+                                    refraction is not requested, no index
+                                    changes, or shadow rays are not used */
     murk_power *power; /* NULL: the clarity follows from the transmittance */
     /* The clarity, 0..1, for a transmittance; NULL: the transmittance itself.
      */
@@ -38,7 +39,9 @@ struct murk_sight {
     murk_tally queries, shadow_rays, blocked_by_interfaces, totally_reflected;
 };
 
-/* The clarity of a sightline with this transmittance, rounded. */
+/* The clarity of a sightline with this transmittance (with detection by power:
+ * with this detection probability), rounded to a whole number, MURK_CLEAR
+ * for 1. */
 static inline uint16_t murk_sight_clarity(const murk_sight *sight,
                                           double through)
 {

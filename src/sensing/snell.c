@@ -76,8 +76,9 @@ bool murk_snell_path(murk_vec3 sensor, murk_vec3 photon,
     return true;
 }
 
-/* The points are at most d1 + d2 apart. With a = d1 and b = d2 n1/n2 the square
- * of the apparent distance is (a + b)(a / k + b k), k = cos1/cos2.
+/* Symbols as in sensing/snell.h. The points are at most d1 + d2 apart. With a =
+ * d1 and b = d2 n1/n2 the square of the apparent distance is (a + b)(a / k + b
+ * k), k = cos1/cos2.
  *
  * Into the denser side k <= 1. If a >= b, the second factor is at least a + b,
  * so a + b <= range and d1 + d2 <= range n2/n1. If a < b, the second factor is

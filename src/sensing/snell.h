@@ -2,9 +2,12 @@
  * refractive indices. For use inside src/sensing only.
  *
  * By Fermat's principle there is exactly one path: the optical length n1 |s -
- * x| + n2 |x - p| is strictly convex in the point x of the plane. So nothing
- * between two points is totally reflected at an infinite plane; no light
- * arrives if the crossing lies beyond the edge of a face.
+ * x| + n2 |x - p| is strictly convex in the point x of the plane. s is the
+ * sensor in the index n1, p the photon in the index n2; d1 and d2 are the
+ * lengths of both parts of the path, cos1 and cos2 the cosines of their angles
+ * to the normal. So nothing between two points is totally reflected at an
+ * infinite plane; no light arrives if the crossing lies beyond the edge of a
+ * face.
  *
  * The apparent distance is the distance at which, without the plane and in the
  * sensor's index, the surroundings of the photon would fill the same solid

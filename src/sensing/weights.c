@@ -42,7 +42,8 @@ static powers add_up(const murk_photon_map *map, const murk_interest *interest,
 }
 
 /* The largest sum of unrounded weights: rounding adds at most half a unit a
- * record, so a sum of `max - n` stays below max. */
+ * record, so a sum of `max` - n, with n records, stays below max; and no weight
+ * exceeds WEIGHT_MAX. */
 static double largest_sum(const powers *p, double max)
 {
     const double by_weight = p->max > 0 ? WEIGHT_MAX * (p->sum / p->max) : 0;

@@ -8,8 +8,9 @@
 /* Fills weight[surface + volume]. The power of each photon counts times the
  * factor of its regions[surface + volume] of interest; regions NULL: all
  * factors are 1. The sum is below 2^47 divided by `combined`, the number of
- * entries of a photon that count. Fails with MURK_BAD_VALUE (maps), or with
- * MURK_RUN_FAILED at `where` if no photon has weight. */
+ * entries of a photon that count (or of sensors that must see a photon, if
+ * larger). Fails with MURK_BAD_VALUE (maps), or with MURK_RUN_FAILED at `where`
+ * if no photon has weight. */
 murk_status
 murk_photon_weights(uint32_t *weight, const murk_photon_map *surface,
                     const murk_photon_map *volume, const murk_map_weights *maps,
