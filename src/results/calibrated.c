@@ -56,8 +56,9 @@ static bool is_shared(const murk_free_key *key)
 }
 
 /* Reads the scene again, with the found values in place of those keys that hold
- * for the scene and not for one condition alone. NULL if the scene cannot be
- * read with these values. */
+ * for the scene and not for one condition alone, and that the scene without a
+ * condition has. NULL if the scene cannot be read with these values, or when
+ * out of memory. */
 static murk_scene_desc *scene_with(const murk_fit_facts *f, const places *p)
 {
     const murk_free_keys *keys = f->keys;
@@ -110,7 +111,7 @@ static bool find_places(places *out, const murk_fit_facts *f)
             find(&value, base, keys->key[k].path, keys->bands);
     }
     murk_yaml_destroy(base);
-    /* Conditions that do not follow the values of the scene. */
+    /* Conditions that a value of the scene would not reach. */
     murk_scene_desc *scene = scene_with(f, out);
     for (size_t c = 0; c < conditions; ++c) {
         if (keys->condition[c] == SIZE_MAX) {

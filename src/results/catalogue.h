@@ -6,7 +6,8 @@
 #include <stdio.h>
 
 /* Prints a section of Markdown for each file: "## FILE" and a table of the
- * fields of the file, in their order. */
+ * fields of the file, in their order. The fields that every JSON begins with
+ * have a section of their own, which comes first. */
 void murk_results_catalogue(FILE *to);
 
 #endif

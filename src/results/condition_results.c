@@ -39,7 +39,7 @@ static murk_estimate best_known_of(const murk_condition_plans *r,
         r->has_held_out, &worst);
 }
 
-/* True if the plan minimises the largest regret. */
+/* True if the scene asks for the plan with the smallest largest regret. */
 static bool is_for_regret(const murk_condition_plans *r)
 {
     return r->conditions->scene->placement.over == MURK_SCENE_OBJECTIVE_REGRET;
@@ -288,8 +288,9 @@ static void list_largest(murk_results_fields *f, const murk_condition_plans *r)
               all_of(r, NULL, BEST_UPPER));
 }
 
-/* Coverage and regret of each plan, as a list over the lit conditions in their
- * order. */
+/* Whether coverages are held out, the largest regret if the plan is made for
+ * it, and each plan with lists of coverage and regret over the lit conditions,
+ * in the order of the conditions. */
 static void list_regret(murk_results_fields *f, const void *of)
 {
     const murk_condition_plans *r = of;
@@ -338,8 +339,8 @@ static void print_objective(const murk_condition_plans *r)
     }
 }
 
-/* Width of the column of names: that of the longest, within NAME_MIN and
- * NAME_MAX. */
+/* Width of the column of names: that of the longest name with the mark of the
+ * chosen plan, but NAME_MIN at least and NAME_MAX at most. */
 static int name_width(const murk_condition_plans *r)
 {
     size_t width = NAME_MIN;
@@ -351,7 +352,8 @@ static int name_width(const murk_condition_plans *r)
     return width < NAME_MAX ? (int)width : NAME_MAX;
 }
 
-/* Two tables, since one with all columns is wider than a terminal. */
+/* Prints the conditions as two tables, because one table with all columns would
+ * be wider than a terminal. */
 static void print_conditions(const murk_condition_plans *r)
 {
     const murk_condition_plan *chosen = &r->plan[r->chosen];
@@ -388,8 +390,9 @@ static void print_conditions(const murk_condition_plans *r)
     }
 }
 
-/* Columns first .. end - 1 of the table: one for each lit condition, then one
- * for the mean and the worst together. */
+/* Prints the columns first .. end - 1 of the table, beside the names of the
+ * plans. The table has one column for each lit condition, then one for the mean
+ * and the worst together. */
 static void print_regret_columns(const murk_condition_plans *r, int width,
                                  size_t first, size_t end)
 {

@@ -1,4 +1,5 @@
-/* Plans over conditions, as files, JSON and lines. */
+/* Plans over the conditions of a scene (variants of the scene that one plan is
+ * to serve), as files, JSON and lines. */
 #ifndef MURK_RESULTS_CONDITION_RESULTS_H
 #define MURK_RESULTS_CONDITION_RESULTS_H
 
@@ -26,8 +27,9 @@ void murk_results_list_condition_photons(murk_results_fields *f,
                                          const void *of);
 void murk_results_list_conditions(murk_results_fields *f, const void *of);
 
-/* Prints the tables of conditions and of regret, and a line that tells which
- * condition, or their mean, the lines after it are about. */
+/* Prints the tables of conditions. Unless all conditions are dark, also prints
+ * the table of regret, and a line that tells whether the lines after it are
+ * about one condition, and which, or about the mean of the conditions. */
 void murk_print_conditions(const murk_condition_plans *plans);
 
 /* Prints the line "bound" of a plan with placement.over: regret. `sample` is

@@ -207,9 +207,10 @@ static columns columns_of(const murk_scene_desc *scene, const murk_pose *sensor,
     return c;
 }
 
-/* Columns are at least 8 wide if the heading then fits 80 columns. Otherwise
- * they are as wide as their content, and coordinates lose decimals until the
- * heading fits: sensors.csv has all decimals. */
+/* The columns of types and coordinates are at least 8 wide if the heading then
+ * fits 80 columns. Otherwise they are as wide as their content, and coordinates
+ * lose decimals, of which sensors.csv has all, until the heading fits or no
+ * decimal is left. */
 static columns choose_columns(const murk_scene_desc *scene,
                               const murk_pose *sensor, size_t n)
 {

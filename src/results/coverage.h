@@ -10,14 +10,17 @@ typedef struct murk_sensor_results {
     const murk_scene_desc *scene;
     const murk_pose *pose; /* [n] */
     size_t n;
-    const murk_coverage_result *coverage;        /* in sample, of these sensors
-                                                    together */
+    const murk_coverage_result
+        *coverage; /* of these sensors together, measured on the light that
+                      chose them (of the command sense, on the light that was
+                      traced or read) */
     const murk_region_coverage *held_out_region; /* [regions of interest]; NULL:
                                                     not measured */
 } murk_sensor_results;
 
 /* Converts to degrees, rounded to nine decimals: an angle that was given in
- * degrees comes back without the rounding of its conversion to radians. */
+ * degrees with up to nine decimals comes back as it was, without the rounding
+ * of the conversion to radians. */
 double murk_degrees(double rad);
 
 /* Lists the fields of the object "photons". `of` points to a murk_traced. */
@@ -56,7 +59,8 @@ void murk_print_sensors(const murk_sensor_results *sensors, const char *folder);
 void murk_print_maps(const murk_coverage_result *coverage);
 
 /* Prints the line with the weights of the surface map and of the volume map in
- * the coverage. Prints nothing if one of the maps has no weight. */
+ * the coverage. Adds a line if a map is thin (plan/few_photons.h). Prints
+ * nothing if one of the maps has no weight. */
 void murk_print_weights(const murk_scene_desc *scene,
                         const murk_coverage_result *coverage);
 

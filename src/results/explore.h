@@ -1,5 +1,6 @@
-/* How an exploration went: as JSON, CSV and lines, and its path for viewers. A
- * plan that was not found with `knowledge: explore` has none of these. */
+/* The steps of an exploration (plan/explore.h) as JSON, CSV and lines, and the
+ * path of an exploration for viewers. A plan that was not found with
+ * `knowledge: explore` has none of these. */
 #ifndef MURK_RESULTS_EXPLORE_H
 #define MURK_RESULTS_EXPLORE_H
 

@@ -91,8 +91,9 @@ void murk_results_list_candidate(murk_results_fields *f, const void *of,
                  p.scene->sensors.type[p.pose->type].cost, COST_DIGITS);
 }
 
-/* If the matrix is too large, the error goes to *late, as for a file that
- * cannot be made. */
+/* Adds the files of the problem. If the matrix has more than ENTRIES_MAX
+ * entries, the error goes to *late, as for a file that cannot be made, and the
+ * result is MURK_OK; other failures of the matrix go to err. */
 static murk_status add_matrix(murk_session *session,
                               const murk_plan_result *plan, murk_sight *sight,
                               murk_error *late, murk_error *err)
@@ -145,8 +146,7 @@ static murk_status check_names(const murk_session *session, murk_error *err)
         const murk_scene_tally *tally = &scene->tallies[i];
         bool is_taken = false;
         /* NAME.vti and NAME.vdb of this tally might be files of the domain or
-         * of surfaces, or NAME.vdb the photon density of another tally.
-         */
+         * of surfaces, or NAME.vdb the photon density of another tally. */
         for (size_t k = 0; k < sizeof taken / sizeof *taken; ++k) {
             is_taken |= strcmp(tally->name, taken[k]) == 0;
         }

@@ -49,7 +49,8 @@ void murk_exports_add_scene(murk_session *session, murk_sight *sight,
 /* Adds plan.ply and what --export asks for, of a plan for a scene. Computes the
  * sightlines of the sensors again, and for the files of the problem those of
  * all candidates. In the dark, adds only what needs no sensors. *late as in the
- * functions above. Does nothing without a folder for results. */
+ * functions above. Fails if the sightlines cannot be computed or plan.ply
+ * cannot be added. Does nothing without a folder for results. */
 murk_status murk_exports_add_plan(murk_session *session,
                                   const murk_plan_result *plan,
                                   murk_error *late, murk_error *err);

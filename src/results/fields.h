@@ -78,7 +78,8 @@ typedef void (*murk_results_item)(murk_results_fields *f, const void *of,
     murk_results_object(f, name, help, list,      \
                         murk_results_describes(f) ? NULL : (of_them))
 
-/* A list of n objects. An object without rows is left out. Left out in CSV. */
+/* A list of n objects. In JSON an object without rows is left out of the list;
+ * in CSV the whole list is left out. */
 #define MURK_LIST(f, name, help, item, of_them, n)                   \
     murk_results_items(f, name, help, item,                          \
                        murk_results_describes(f) ? NULL : (of_them), \

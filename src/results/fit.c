@@ -64,7 +64,8 @@ static cJSON *matrix_json(const double *a, size_t n)
     return rows;
 }
 
-/* An object with a number for each key. */
+/* An object with the number value[k] for each key k; null for all keys if value
+ * is NULL. */
 static cJSON *by_key(const murk_fit_facts *f, const double *value)
 {
     cJSON *object = cJSON_CreateObject();

@@ -31,9 +31,10 @@ char *murk_json_end(cJSON *root, const murk_run_facts *run);
 
 /* Adds "identity". Unless results is NULL or "files" is there, adds "files":
  * the files added so far with their SHA-256, except JSON files, whose `run`
- * differs from run to run. With a name, that of the main JSON, also adds under
- * run.earlier those files of earlier runs that are in the folder and that no
- * JSON there would list any more when `name` is replaced. */
+ * differs from run to run. If `name` is given, the name of the main JSON
+ * (results/ownership.h), also adds under run.earlier those files of earlier
+ * runs that are in the folder and that no JSON there would list any more when
+ * `name` is replaced. */
 void murk_json_identify(cJSON *root, const char *identity,
                         murk_results *results, const char *name);
 

@@ -17,7 +17,7 @@ typedef struct murk_lit_piece {
     float error;      /* standard error of irradiance, by emitted photon; 0
                          without photons */
     float coverage; /* 0..1: coverage of the photons or targets on the piece, by
-                       weight; NaN: none lies on the piece */
+                       weight; NaN: none with weight lies on the piece */
     float clarity;  /* 0..1: share that a plan would count of a photon stored at
                        the middle of the piece; maximum over sides and bands. 0
                        for a piece outside of the domain */

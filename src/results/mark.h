@@ -23,8 +23,8 @@ typedef struct murk_mark {
                                              normals point out */
 } murk_mark;
 
-/* Makes the mark of a sensor. size_m is half the width of an octahedron.
- * Sensors with more than 340 degrees are shown with 340. */
+/* Makes the mark of a sensor. size_m is half the width of an octahedron. A cone
+ * of more than 340 degrees is shown with 340. */
 void murk_mark_make(murk_mark *out, const murk_sensor_type *type,
                     const murk_pose *pose, murk_vec3 north, double size_m);
 

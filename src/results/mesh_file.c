@@ -129,7 +129,8 @@ typedef struct array {
     size_t begin; /* of a column in the record */
 } array;
 
-/* Number of cells: the triangles; points without triangles are one cell. */
+/* Number of cells: the triangles; points without triangles are one cell, or no
+ * cell if there are no points. */
 static size_t cells_of(const murk_mesh_export *v)
 {
     return v->has_triangles ? v->points / 3 : v->points > 0;

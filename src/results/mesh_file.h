@@ -94,8 +94,9 @@ typedef struct murk_mesh_export {
 } murk_mesh_export;
 
 /* Writes the .vtp file; `mesh` points to a murk_mesh_export. Values are
- * computed as they are written, so memory does not grow. A murk_results_stream.
- * Fails with MURK_INTERRUPTED. */
+ * computed as they are written, so memory does not grow with their number. The
+ * function can serve as a murk_results_stream (results/results.h). Fails with
+ * MURK_INTERRUPTED. */
 murk_status murk_vtp_write(FILE *to, const void *mesh, murk_error *err);
 
 /* Adds NAME.ply and NAME.vtp, the latter also if the former fails. *late has

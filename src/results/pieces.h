@@ -2,10 +2,11 @@
  *
  * A triangle is cut into k * k triangles of its shape, with the least k for
  * which no edge is longer than asked for. A sphere is cut into eight octants,
- * and each of these in the same way, with corners moved outwards to the sphere.
- * Pieces are numbered triangle by triangle, then sphere by sphere. Source of
- * the areas on a sphere: Van Oosterom, Strackee, IEEE Trans. Biomed. Eng. 30
- * (1983) 125, doi:10.1109/TBME.1983.325207. */
+ * and each of these in the same way, with corners moved outwards to the sphere;
+ * of an octant k follows from an upper bound of the longest edge. Pieces are
+ * numbered triangle by triangle, then sphere by sphere. Source of the areas on
+ * a sphere: Van Oosterom, Strackee, IEEE Trans. Biomed. Eng. 30 (1983) 125,
+ * doi:10.1109/TBME.1983.325207. */
 #ifndef MURK_RESULTS_PIECES_H
 #define MURK_RESULTS_PIECES_H
 

@@ -34,7 +34,8 @@ typedef struct murk_plan_results {
 } murk_plan_results;
 
 /* The sensors of the plan with their coverage in sample, and with the coverage
- * of the regions of interest on the held-out map. Borrows from scene and plan.
+ * of the regions of interest on the held-out map, a second map that did not
+ * choose the plan (NULL if it was not measured). Borrows from scene and plan.
  */
 murk_sensor_results murk_plan_sensor_results(const murk_scene_desc *scene,
                                              const murk_plan_result *plan);

@@ -130,7 +130,7 @@ static murk_status check_name(murk_results *results, const char *path,
     return MURK_OK;
 }
 
-/* Makes room for one more file. */
+/* Makes space in the list of files for one more. */
 static bool grow(murk_results *results)
 {
     murk_result *grown =

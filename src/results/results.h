@@ -45,12 +45,13 @@ typedef struct murk_results {
 murk_status murk_results_begin(murk_results *results, const char *folder,
                                bool force, murk_error *err);
 
-/* Announces a file that will be added later, and fails, before any long work,
- * if it could not replace the file that is there: with MURK_BAD_VALUE if that
- * is an input or not murk's, with MURK_RUN_FAILED if it is not a regular file.
- * text: the content that it will have, so that an input with this content is
- * accepted; NULL: not known yet. An input light.murk is always accepted here.
- * Call it after all input is read. */
+/* Checks, before any long work, whether a file that will be added later may
+ * replace the file of this name in the folder. Fails with MURK_BAD_VALUE if the
+ * file there is an input of the run or, without --force, is not murk's, and
+ * with MURK_RUN_FAILED if it is not a regular file. text: the content that the
+ * new file will have; an input with the same content is accepted. text NULL:
+ * the content is not known yet. An input light.murk is always accepted here. To
+ * be called after all input is read. */
 murk_status murk_results_expect(murk_results *results, const char *name,
                                 const char *text, murk_error *err);
 

@@ -59,7 +59,8 @@ murk_status murk_session_read_light(murk_session *session, murk_error *err);
 
 /* Fail at once if files could not replace those that are there
  * (murk_results_expect()): the first for the named files (a list that ends with
- * NULL), the resolved scene and the files of --export; the second for the light
+ * NULL), the resolved scene and the files of --export (of these only if the
+ * file there may not be replaced, MURK_BAD_VALUE); the second for the light
  * with its ledger and tallies. Call them after all input is read. */
 murk_status murk_session_expect(murk_session *session, const char *const *names,
                                 murk_error *err);

@@ -10,8 +10,8 @@
 
 /* The provenance of a result, as key, text, key, text, ..., NULL. The keys are
  * scene, scene_sha256, seed, murk_version and murk_commit. The texts of the
- * scene are borrowed, and `seed` of this struct is pointed to, so it must not
- * be copied. */
+ * scene are borrowed, and one pointer in fact[] leads to `seed` in the struct,
+ * so the struct must not be copied. */
 #define MURK_FACTS 11
 typedef struct murk_facts {
     const char *fact[MURK_FACTS];
