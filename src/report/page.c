@@ -24,9 +24,9 @@
 #define NAME_SIZE 256 /* of a title; longer names are cut at 200 bytes */
 #define FILE_SIZE 176 /* of "ledger-NAME.json", NAME that of a condition */
 
-/* Largest number of bytes of a JSON file in the page. In a longer one, lists
- * and maps are cut to the first of these lengths with which it fits, or to the
- * last of them. */
+/* Largest number of bytes of a JSON file in the page. In each file, lists and
+ * maps are cut to the first of these numbers of items with which the file fits,
+ * or to the last of these numbers. */
 #define JSON_BYTES_MAX 300000
 static const size_t list_max[] = {2000, 200, 60, 10, 1};
 
@@ -47,8 +47,8 @@ static const char *folder_name(const murk_results_in *results)
     return slash && slash[1] ? slash + 1 : results->whole;
 }
 
-/* The name of the study, else of the scene, else of the folder, without the
- * folders above it and the ending. */
+/* The name of the study file, else of the scene file, else of the folder,
+ * without the folders before the name and without the ending. */
 static void name_of(char out[NAME_SIZE], const murk_results_in *results)
 {
     const char *path =

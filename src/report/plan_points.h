@@ -19,10 +19,10 @@ typedef struct murk_plan_point {
 } murk_plan_point;
 
 typedef struct murk_plan_points {
-    uint64_t photons;       /* in the file; of plan.ply, those with a place that
-                               can be drawn */
-    size_t n;               /* kept here: evenly chosen, in the order of the
-                               file, in which neighbours are near in space */
+    uint64_t photons; /* in the file; of plan.ply, those with a place that
+                         can be drawn */
+    size_t n; /* photons in point[]: evenly chosen among those of the file, in
+                 the order of the file, in which neighbours are near in space */
     murk_plan_point *point; /* [n] */
 } murk_plan_points;
 
@@ -34,9 +34,10 @@ murk_status murk_plan_points_read(murk_plan_points *out, const char *path,
                                   const murk_scene_desc *scene, size_t max,
                                   murk_error *err);
 
-/* The same for a light.murk, where seen_by and sensors are 0: photons of the
- * surface map, then of the volume map. Also fails with MURK_BAD_FILE if the
- * file is above 2 GB. */
+/* Reads at most `max` photons of a light.murk: photons of the surface map, then
+ * of the volume map. seen_by and sensors are 0, and a coordinate beyond 1e12 m
+ * becomes 0. Fails with MURK_BAD_FILE if the file cannot be read, has not both
+ * maps, or is above 2 GB, or with MURK_NO_MEMORY. Release *out in any case. */
 murk_status murk_plan_points_of_light(murk_plan_points *out, const char *path,
                                       size_t max, murk_error *err);
 
@@ -44,8 +45,9 @@ void murk_plan_points_release(murk_plan_points *points);
 
 /* Reads the header of a PLY file, finds the number of vertices, and moves to
  * the byte after the header. False if the header does not begin with `begin`,
- * or if the vertices do not have a position as files of this scene have it,
- * followed by `properties`. More properties may follow. */
+ * is longer than 2048 bytes, or if the vertices do not have a position as files
+ * of this scene have it, followed by `properties`. More properties may follow.
+ */
 bool murk_ply_begin(FILE *file, uint64_t *vertices, const char *begin,
                     const char *properties, const murk_scene_desc *scene);
 

@@ -64,9 +64,9 @@ static void name_row(char *out, size_t size, const murk_yaml *row)
     }
 }
 
-/* True in *differ if the sensors of any row differ from those of `first`. Rows
- * without sensors are ignored. Compares all rows, also those beyond the limit
- * on states. */
+/* Sets *differ to whether the sensors of any row differ from those of `first`.
+ * Rows without sensors are ignored. Compares all rows, also those beyond the
+ * limit on states. */
 static murk_status compare_rows(bool *differ, const murk_report_scene *of,
                                 const murk_shown_state *first,
                                 const murk_yaml *rows, size_t n,

@@ -129,7 +129,8 @@ static void read_points(murk_report_scene *out, size_t state,
     free(path);
 }
 
-/* Makes a state for each condition of a plan over conditions. */
+/* Makes a state for each condition of a plan over conditions, as long as there
+ * are states. */
 static void name_conditions(murk_report_scene *out, const murk_yaml *plan)
 {
     const murk_yaml *list = murk_result_at(plan, "conditions");

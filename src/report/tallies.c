@@ -64,7 +64,7 @@ static size_t direction_of(const part *p, const char *text)
 
 /* ---- reading ---- */
 
-/* The rows from `begin` on that have the same name of a tally. */
+/* The consecutive rows from `begin` on that have the same name of a tally. */
 static part part_at(const murk_table *t, size_t begin,
                     const murk_scene_desc *scene)
 {
@@ -87,7 +87,9 @@ static part part_at(const murk_table *t, size_t begin,
     return p;
 }
 
-/* Finds bins, bands and directions. False if the rows are not a full grid. */
+/* Finds bins, bands and directions. False if the number of rows is not that of
+ * a full grid of these, if a cell is not what a tally has, or if there are more
+ * bands or directions than the limits above. */
 static bool measure(part *p)
 {
     static const char *const bins[] = {"bin_i", "bin_j", "bin_k"};
@@ -193,8 +195,7 @@ static bool add_axis(murk_data *data, const part *p, int which, size_t by)
 /* ---- values ---- */
 
 /* Adds the maps of all directions, summed over angles and bands, with by[0] *
- * by[1] bins added up to one. False when out of memory.
- */
+ * by[1] bins added up to one. False when out of memory. */
 static bool add_maps(murk_data *data, const part *p, const double *values,
                      const size_t by[2])
 {
