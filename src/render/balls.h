@@ -36,7 +36,8 @@ double murk_balls_memory_for(double n);
  * squared radius, below 1. */
 typedef void (*murk_balls_visit)(void *context, size_t ball, double square);
 
-/* Calls `visit` for each ball that holds the point, in increasing order. */
+/* Calls `visit` for each ball that holds the point, by increasing number. A
+ * point beyond the reach of a ball may be missed. */
 void murk_balls_at(const murk_balls *balls, murk_vec3 point,
                    murk_balls_visit visit, void *context);
 

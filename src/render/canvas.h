@@ -19,7 +19,9 @@ typedef struct murk_ink {
 typedef struct murk_pen {
     murk_ink ink;
     double width;   /* pixels */
-    double dash[2]; /* lengths of dashes and gaps in pixels; 0: a whole line */
+    double dash[2]; /* lengths of dashes and gaps in pixels; 0: a whole line.
+                       The dashes of a circle are every other side of a polygon
+                       instead */
 } murk_pen;
 
 /* The place of a text relative to the given point: the point is at the left

@@ -22,8 +22,10 @@ bool murk_false_colour_is_log(const murk_channel *channel);
 
 /* The default range. On a linear scale, counts have the range 0 to the maximum
  * (at least 1), and clarities 0 to 1. Every other range contains the middle 99
- * % of the values that can be shown; a logarithmic range spans at most a factor
- * of 1e6. Fails with MURK_NO_MEMORY. */
+ * % of the values that can be shown (in a large picture, of a sample:
+ * render/spread.h); a logarithmic range spans at most a factor of 1e6. Without
+ * such values the range is 0..1, or 0.1..1 if logarithmic. Fails with
+ * MURK_NO_MEMORY. */
 murk_status murk_false_colour_range(murk_false_colour *out,
                                     const murk_channel *channel, size_t n,
                                     bool is_log, murk_error *err);

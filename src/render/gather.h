@@ -10,9 +10,11 @@
  * The power of a record is the power that leaves the event, so reflectance or
  * albedo is not applied again.
  *
- * The caller decides whether first events count. If shadow rays find direct
- * light, first events must not count, except for lights that shadow rays cannot
- * find (source/shine.h) and inside solids, where no shadow ray is sent.
+ * The caller decides by takes_first whether all first events count. Without it,
+ * for callers whose shadow rays find direct light, the first events do not
+ * count, except those of lights that shadow rays cannot find (source/shine.h),
+ * and those on surfaces that face the inside of a solid, where no shadow ray is
+ * sent.
  *
  * Photons are independent, but records of one photon are not. Contributions are
  * therefore collected in groups of photons that were emitted one after the
@@ -44,7 +46,7 @@ typedef struct murk_gather murk_gather;
 typedef struct murk_gathering_desc {
     const murk_scenery *scenery; /* must exist as long as the gather object */
     const murk_photon_map *surface, *volume; /* copied as far as necessary */
-    bool takes_first; /* first events of all lights count */
+    bool takes_first; /* first events of all lights count; false: see above */
     uint32_t seed;
     unsigned threads;
 } murk_gathering_desc;

@@ -56,8 +56,9 @@ murk_kernel murk_kernel_of(const murk_probing *probing,
                            const murk_photon *photon, double radius_m,
                            uint64_t number);
 
-/* True if a point within the ball belongs to the kernel. normal: of a surface,
- * towards the viewer. */
+/* True if a point within the ball belongs to the kernel. normal: of the surface
+ * at the point, towards the viewer; not used in a medium. index: refractive
+ * index at the point. */
 bool murk_kernel_holds(const murk_scenery *scenery, const murk_photon *photon,
                        const murk_kernel *kernel, murk_vec3 place,
                        murk_vec3 normal, double index);

@@ -16,9 +16,9 @@
 
 #define TILE 16 /* pixels on each side */
 
-/* If this share of the rays of a pixel hits a light directly, the samples of
- * the pixel know their variance, because the edge of a lamp is no rare path;
- * the pixel is then not pooled. */
+/* If at least this share of the rays of a pixel hits a light directly, the
+ * samples of the pixel give the variance well enough, because the edge of a
+ * lamp is no rare path; the pixel is then not pooled. */
 #define LIT_SHARE 0.25
 
 /* Different from the streams in which photons are traced. */
