@@ -43,7 +43,9 @@ typedef struct murk_reach {
                                on a surface counts for both sides, unless the
                                caller moves it off to the lit side */
     size_t n_lamps;
-    bool from_sides; /* distant light: also from the domain's open sides */
+    bool from_sides; /* distant light: also from the domain's open sides
+                        (murk_free_segment_leads_out() in
+                        sensing/free_segments.h) */
     murk_domain domain;
 } murk_reach;
 

@@ -41,19 +41,20 @@ typedef enum murk_candidate_kind {
 
 /* Order of the arrays: the points of the grid (x fastest, then y, z), the
  * listed points, the mounts; of a mounting point first the side of the normal.
- * Each requested site is counted once in `asked`, and once in `usable` or under
- * one cause. The first of these causes that applies counts: a duplicate,
- * outside of the domain (unreached), forbidden, on a surface (too_close),
- * unreached, nearer than the clearance (too_close). Points of the grid are
- * never duplicates. */
+ * Sides of mounting points that the limits on the normal exclude are not
+ * requested. Each requested site is counted once in `asked`, and once in
+ * `usable` or under one cause. The first of these causes that applies counts: a
+ * duplicate, outside of the domain (unreached), forbidden, on a surface
+ * (too_close), unreached, nearer than the clearance (too_close). Points of the
+ * grid are never duplicates. */
 typedef struct murk_candidates {
     size_t asked;
     size_t usable;
     size_t doubtful;   /* grid points dropped although a diagonal step would
                           reach them, and usable sites within twice the rounding
                           distance of a surface */
-    size_t duplicates; /* within rounding of a grid point or of an earlier
-                          listed site */
+    size_t duplicates; /* within the rounding distance (2^-18, see above) of a
+                          candidate of the grid or of an earlier listed site */
     size_t forbidden;  /* in forbidden zones */
     size_t too_close;  /* on a surface, or reached but closer to a surface than
                           the clearance */

@@ -4,9 +4,10 @@
  * emitted photon e. N is the number of emitted photons. With whole-number
  * weights, X_e the covered and Y_e the whole weight of the records of e, C =
  * sum X / sum Y has the linearised residual r_e = (X_e - C Y_e) / sum Y. The
- * `balanced` coverage is a fixed mix of two such ratios, so the residual is the
- * same mix of both residuals; photons without records have residual 0. Then
- * se^2 = N / (N - 1) sum r_e^2 (Cochran, Sampling Techniques, 1977, ch. 6). */
+ * `balanced` coverage is the mean of the ratios C of both maps, so the residual
+ * is the mean of both residuals (if one map has no weight, those of the other
+ * map alone); photons without records have residual 0. Then se^2 = N / (N - 1)
+ * sum r_e^2 (Cochran, Sampling Techniques, 1977, ch. 6). */
 #include "base/interrupt.h"
 #include "base/pool.h"
 #include "base/position.h"

@@ -12,7 +12,8 @@ typedef struct murk_side {
     murk_vec3 normal;
     murk_vec3 off; /* step off the surface, the same at every position */
     double tilt2;  /* square of the largest error of a stored normal [rad2], an
-                      upper bound of the squared sine */
+                      upper bound of the squared sine of the error; 0 along an
+                      axis */
 } murk_side;
 
 /* Unpacks a normal. Normals along an axis are stored exactly; all others have

@@ -12,8 +12,8 @@
 /* Both directions along three axes. */
 #define DIRECTIONS 6
 
-/* Surfaces followed in one direction, and solids remembered: far more than
- * nested solids have. */
+/* The largest number of surfaces that are followed in one direction, and of
+ * solids that are remembered: far more than nested solids have. */
 #define CROSSINGS_MAX 64
 
 typedef struct lamp_search {
@@ -119,7 +119,8 @@ static bool contains(const uint16_t *solids, size_t n, uint16_t solid)
     return false;
 }
 
-/* The solids crossed in a direction, through all surfaces. */
+/* Lists the solids crossed in a direction through all surfaces, each solid
+ * once, and returns their number. */
 static size_t crossed(const lamp_search *w, murk_vec3 from, murk_vec3 direction,
                       uint16_t solid[CROSSINGS_MAX])
 {

@@ -14,8 +14,8 @@
 
 #include <stddef.h>
 
-/* Two sides of a surface, and up to five crossings in each of six directions
- * for each side. Further places are left out. */
+/* Enough for the two sides of a surface, and for five crossings in each of six
+ * directions from each side. Further places are left out. */
 #define MURK_LAMP_PLACES_MAX 64
 
 /* Writes the places and returns their number, >= 1. The solids that contain a

@@ -26,8 +26,9 @@ typedef struct murk_link {
 } murk_link;
 
 typedef struct murk_links {
-    murk_link *link; /* [n], n = sensors - groups: the spanning tree, or one for
-                        each group; each link adds a sensor */
+    murk_link
+        *link; /* [n], n = sensors - groups: the spanning tree, or one for each
+                  group; each link adds a sensor. NULL if not computed */
     size_t n;
     size_t groups;  /* groups of sensors that open segments join; 1: all joined;
                        0: not computed (no sensors, or more than

@@ -1,6 +1,6 @@
-/* Listed sites: removes duplicates with a hash grid of cells, then tests each
- * site for zones, clearance and reach. An open segment to a reached grid point
- * is sought in rings of growing distance: the first few points ring by ring,
+/* Listed sites: marks duplicates by a hash grid of cells, then tests each site
+ * for zones, clearance and reach. An open segment to a reached grid point is
+ * sought in rings of growing distance: the first few points ring by ring,
  * because one of these segments is open as a rule, then all others at once. */
 #include "sensing/listed.h"
 
@@ -20,9 +20,9 @@
 #define NEAREST_MAX  1000
 #define EXAMINED_MAX 32768
 
-/* Points tried ring by ring: the nearest grid point and its neighbours, 3^3.
- * The segment to one of them is open as a rule; testing all other segments at
- * once is faster. */
+/* The number of reached points that are tried ring by ring: as many as the
+ * nearest grid point with the neighbours, 3^3. The segment to one of these
+ * points is open as a rule; testing all other segments at once is faster. */
 #define FIRST_TRIES 27
 
 /* ---- listing ---- */
@@ -241,8 +241,9 @@ static bool joins_grid(const classification *j, murk_vec3 point)
     return near.n > 0 && is_any_open(j, &near, point);
 }
 
-/* True if an open segment joins the point to the reached grid, to a lamp, or to
- * an open side. */
+/* True if an open segment joins the point to a reached grid point (of those
+ * that joins_grid() tries), to a lamp, or, for distant light, to an open side.
+ */
 static bool is_joined(const classification *j, murk_vec3 point)
 {
     if (joins_grid(j, point)) {

@@ -13,7 +13,8 @@
 
 #include "sensing/candidate_request.h"
 
-/* One grid over the domain, and the grid of candidates of the scene. */
+/* The largest number of grids. Callers use one over the domain, and the grid of
+ * candidates of the scene. */
 #define MURK_OPEN_SPACE_GRIDS 2
 
 typedef struct murk_open_space murk_open_space;
@@ -29,8 +30,8 @@ murk_status murk_open_space_create(murk_open_space **out,
                                    const char *where, murk_error *err);
 void murk_open_space_destroy(murk_open_space *space); /* accepts NULL */
 
-/* True if `point` is in free space. The point lies in the domain and off any
- * surface. For a point just off a surface (murk_surfaces_leave()) `normal`
+/* True if `point` is in free space. The point must lie in the domain and off
+ * any surface. For a point just off a surface (murk_surfaces_leave()) `normal`
  * points to that side, and segments must start towards it; otherwise normal is
  * zero. */
 bool murk_open_space_holds(const murk_open_space *space, murk_vec3 point,

@@ -27,9 +27,10 @@ typedef struct murk_outlook {
     murk_tally tried; /* segments tested so far */
 } murk_outlook;
 
-/* `bands` is the number of bands of the scene. Borrows the description. Of its
- * members surfaces, media, boundary meshes, domain, types and north are used;
- * murk_outlook_is_open() uses surfaces and domain only. */
+/* `bands` is the number of bands of the scene. Borrows the description `sight`.
+ * Of the members of the description, surfaces, media, boundary meshes, domain,
+ * types and north are used; murk_outlook_is_open() uses surfaces and domain
+ * only. */
 void murk_outlook_init(murk_outlook *out, const murk_sight_desc *sight,
                        int bands);
 

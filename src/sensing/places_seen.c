@@ -24,7 +24,8 @@
 typedef struct work {
     const murk_places *places;
     murk_sight_desc sight,
-        open; /* the sight of plans; the same without the media, for depths */
+        open; /* the description for all places, from that of the sight of
+                 plans; the same without the media, for depths */
     const murk_media *media; /* media along unblocked sightlines */
     const murk_pose *pose;
     size_t sensors;
@@ -125,7 +126,8 @@ static murk_status see(const work *w, const piece *p, murk_error *err)
     return status;
 }
 
-/* The optical depths of the unblocked sightlines of all sensors. */
+/* Sets the depth of each place: the smallest optical depth of the unblocked
+ * sightlines of all sensors. */
 static murk_status measure_depths(const work *w, const piece *p,
                                   murk_error *err)
 {

@@ -89,7 +89,8 @@ double murk_power_radiance(const murk_power *power, size_t i);
  * unit vector `toward` [W/m3/sr]. */
 double murk_power_source(const murk_power *power, size_t i, murk_vec3 toward);
 
-/* The signal s of place i of its map along one sightline [W]. */
+/* The signal s of a photon along one sightline [W]; i is the index of the
+ * photon in the surface map or the volume map, in which the photon is. */
 double murk_power_signal_w(const murk_power *power,
                            const murk_sensor_type *type,
                            const murk_field *field, const murk_photon *photon,

@@ -1,9 +1,10 @@
 /* The row of one sensor in the coverage matrix: queries both photon maps for
  * photons within range, tests field of view, band and normal, tests the
  * sightlines against surfaces in blocks, and computes the clarity. Photons
- * beyond an interface are found by sensing/across.h. Writes to the worker's
- * scratch buffers only. Optical depths along the sightlines of a row are
- * computed with the same routines, without rounding. */
+ * beyond an interface are found by sensing/across.h. Writes to the scratch
+ * buffers of the worker and to the counters of the sight only. Optical depths
+ * along the sightlines of a row are computed with the same routines, without
+ * rounding. */
 #include "sensing/across.h"
 #include "sensing/nearby.h"
 #include "sensing/sight_parts.h"
@@ -131,9 +132,10 @@ static void add_seen(row_search *l, uint32_t photon, uint16_t clarity)
     l->photon[l->seen++] = photon;
 }
 
-/* Adds n photons (indices in their map, sightlines from `from`) if they are
- * visible. Works in place: the write position never passes the read position.
- */
+/* Adds those of n photons that are visible. number[n] are their indices in the
+ * map, from[n] the photons' ends of the sightlines, and `first` is the number
+ * of the map's first photon. The row is written over the indices that the query
+ * has found; the write position never passes the read position. */
 static void add_visible(row_search *l, const murk_photon *photon,
                         uint32_t first, const uint32_t *number,
                         const murk_vec3 *from, size_t n)
