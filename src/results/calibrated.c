@@ -1,6 +1,6 @@
 /* Writes calibrated.yaml: the values that a fit found, as keys for --set @FILE.
- * A key that a condition overrides in the scene is written once more under that
- * condition, because the value of the scene would not reach the condition. */
+ * If the value of the scene would not reach a condition, because the condition
+ * overrides the key, the key is also written under this condition. */
 #include "results/fit.h"
 
 #include "base/log.h"
@@ -104,14 +104,15 @@ static bool find_places(places *out, const murk_fit_facts *f)
     if (!out->is_in_scene || !out->is_own) {
         return false;
     }
-    /* Keys that the scene without a condition has. */
+    /* Find out which keys the scene without a condition has. */
     murk_yaml *base = tree_of(f->scene);
     for (size_t k = 0; k < n; ++k) {
         out->is_in_scene[k] =
             find(&value, base, keys->key[k].path, keys->bands);
     }
     murk_yaml_destroy(base);
-    /* Conditions that a value of the scene would not reach. */
+    /* Find out for which conditions a key has to be written once more, because
+     * the value of the scene does not reach the condition. */
     murk_scene_desc *scene = scene_with(f, out);
     for (size_t c = 0; c < conditions; ++c) {
         if (keys->condition[c] == SIZE_MAX) {

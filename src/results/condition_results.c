@@ -92,7 +92,8 @@ static murk_status add_condition(murk_session *session,
 {
     murk_results *results = &session->results;
     char name[FILE_NAME_MAX];
-    /* Light, ledger, scene and plan-NAME.ply of the condition. */
+    /* Light, ledger and scene of the condition; unless it is dark,
+     * plan-NAME.ply. */
     const murk_ledger_results ledger = {condition->traced, condition->stage};
     murk_status status = murk_results_add_light(
         results, name_file(name, "light", condition, ".murk"),
@@ -424,7 +425,8 @@ static void print_regret_columns(const murk_condition_plans *r, int width,
     }
 }
 
-/* The columns that do not fit a line follow in further tables below. */
+/* Prints the table of regret. Columns that do not fit a line follow in further
+ * tables below the first. */
 static void print_regret(const murk_condition_plans *r)
 {
     murk_print("regret      coverage%s of a plan made for one condition (down) "

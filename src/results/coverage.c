@@ -176,7 +176,8 @@ typedef struct columns {
     int type, place[3], decimals;
 } columns;
 
-/* Writes the table's heading. Returns how wide it is. */
+/* Writes the heading of the table of sensors to heading[] and returns the width
+ * of the heading. */
 static int print_heading(char heading[HEADING_SIZE], const columns *c)
 {
     return snprintf(heading, HEADING_SIZE,

@@ -1,4 +1,4 @@
-/* How an exploration went: fields of JSON, columns of CSV, lines of the
+/* The steps of an exploration: fields of JSON, columns of CSV, lines of the
  * summary, and path.ply: the stops of the path, and a thin three-sided tube
  * about each segment, because some viewers leave the edges of a PLY file out.
  */

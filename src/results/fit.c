@@ -76,8 +76,9 @@ static cJSON *by_key(const murk_fit_facts *f, const double *value)
     return object;
 }
 
-/* A direction in search coordinates: the logarithm of a key that is searched in
- * logarithms, the value of others. */
+/* Lists a direction in the space of the parameters, with the standard error
+ * along the direction. The component of a key is one of the logarithm of the
+ * key, if the key is searched in logarithms, else one of the value. */
 static void list_direction(murk_results_fields *fields, const void *of,
                            size_t i)
 {

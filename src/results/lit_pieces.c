@@ -103,8 +103,9 @@ typedef struct lighting {
     arrival *scratch;      /* as many as the piece with most records has */
 } lighting;
 
-/* Sums over emitted photons, each of which counts with all its records on this
- * piece. */
+/* Computes the irradiance of piece i and the error, from sums over emitted
+ * photons. An emitted photon counts once, with the sum of all records that it
+ * left on this piece. */
 static void light_piece(const lighting *l, size_t i)
 {
     const murk_pieces *pieces = l->out->pieces;

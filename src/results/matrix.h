@@ -9,9 +9,10 @@
 
 /* What the chosen columns cover. */
 typedef struct murk_covering {
-    uint64_t *alone, *only;   /* [count] */
-    uint64_t *seen_by;        /* [count]; weight of the rows that at least 1, 2,
-                                 .. of the columns cover, however little */
+    uint64_t *alone, *only; /* [count] */
+    uint64_t
+        *seen_by; /* [count]; element k is the weight of the rows that at least
+                     k + 1 of the chosen columns cover, however little */
     uint64_t sum, whole_rows; /* sum of alone[]; weight of all rows */
 } murk_covering;
 

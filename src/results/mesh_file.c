@@ -136,7 +136,8 @@ static size_t cells_of(const murk_mesh_export *v)
     return v->has_triangles ? v->points / 3 : v->points > 0;
 }
 
-/* Number of records: of triangles, or of points if there are none. */
+/* Number of records: one for each triangle, or for each point if the mesh has
+ * no triangles. */
 static size_t items_of(const murk_mesh_export *v)
 {
     return v->has_triangles ? v->points / 3 : v->points;

@@ -40,7 +40,8 @@ static size_t find(const murk_results *results, const char *path)
     return i;
 }
 
-/* True if this run has moved a file to this path. */
+/* True if this run has moved a file to this path, or listed a file that was
+ * there (murk_results_note()). */
 static bool is_shown(const murk_results *results, const char *path)
 {
     const size_t i = find(results, path);

@@ -68,8 +68,9 @@ typedef murk_status (*murk_results_writer)(const char *path,
 murk_status murk_results_add(murk_results *results, const char *name,
                              murk_results_writer write, const void *context,
                              murk_error *err);
-/* The same for content that write() writes to a stream. Failures of the stream
- * itself are noticed when the file is committed. */
+/* murk_results_add() for content that write() writes to a stream. write() need
+ * not check the stream: failures of the stream are noticed when the file is
+ * committed. */
 typedef murk_status (*murk_results_stream)(FILE *to, const void *context,
                                            murk_error *err);
 murk_status murk_results_add_stream(murk_results *results, const char *name,
