@@ -78,8 +78,8 @@ static size_t write_table(FILE *to, const char *name, const murk_table *table,
     return bytes;
 }
 
-/* Reads and writes one file. One that the script does not need is left out if
- * it cannot be read, or if *left, the number of bytes left for tables, is 0.
+/* Reads and writes one file. A file that the script does not need is left out
+ * if it cannot be read, or if *left, the number of bytes left for tables, is 0.
  * Fails if a needed file cannot be read, or with MURK_NO_MEMORY. */
 static murk_status add_file(FILE *to, const murk_results_in *results,
                             const char *name, size_t *left, murk_error *err)

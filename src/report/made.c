@@ -51,8 +51,8 @@ static bool write_typed(FILE *to, const murk_results_in *results)
         if (!is_described(results, i) || !command) {
             continue;
         }
-        /* a block that a shell can run, which changes to the folder of each
-         * command */
+        /* a block that a shell can run; it changes to the folder of each
+         * command, if the JSON states the folder */
         if (!has_any) {
             fputs("<p>As it was typed. Files are named as seen from the folder "
                   "it was typed in.</p>\n<pre tabindex=\"0\">",

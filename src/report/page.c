@@ -113,7 +113,8 @@ static void write_json(murk_data *data, const char *key, const murk_yaml *root,
     murk_data_end(data, '}');
 }
 
-/* True if the JSON is short enough with lists cut to this length. */
+/* True if the JSON is at most JSON_BYTES_MAX long with lists and maps cut to
+ * this number of items. */
 static bool fits(const murk_yaml *root, size_t items_max)
 {
     char *text = NULL;
@@ -256,7 +257,8 @@ murk_status murk_report_read(murk_report **out, const char *folder,
     murk_status status = murk_results_read(&c->results, folder, err);
     if (!status) {
         c->results.strangers = murk_results_strangers(&c->results);
-        /* Subprocesses read the grids, so before there is a ray device. */
+        /* The grids are read before there is a ray device, because subprocesses
+         * read them. */
         status = murk_report_fields_read(&c->fields, &c->results, err);
     }
     if (!status) {

@@ -9,7 +9,7 @@
 
 #define SPHERES_MAX 1000 /* some 60 kB of the page */
 #define LAMPS_MAX   1000 /* some 150 kB of the page */
-#define DOT_SHARE   400  /* dots of photons: part of the view's size */
+#define DOT_SHARE   400  /* size of the view over size of a photon's dot */
 
 /* Number of photons on surfaces, which come first, as in plan.ply. */
 static size_t count_on_surfaces(const murk_plan_points *points)

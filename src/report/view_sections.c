@@ -1,5 +1,6 @@
 /* Cuts the surfaces of a report's world by two planes (geometry/plane_cut.h)
- * and writes the longest of the lines into the page. */
+ * and writes the lines into the page; if there are more than LINES_MAX, only
+ * the longest ones, and circles last. */
 #include "report/view_sections.h"
 
 #include "world/section_cut.h"
