@@ -69,7 +69,7 @@ static void fill(murk_balls *b, const murk_ball_extent *ball)
                   nextafterf(c - r, -INFINITY), nextafterf(c + r, INFINITY));
         }
     }
-    /* Each higher level holds the boxes of the level below. */
+    /* Each box of a higher level encloses sixteen boxes of the level below. */
     size_t n = groups_of(b->n);
     for (unsigned level = 1; level < b->levels; ++level) {
         for (size_t i = 0; i < n; ++i) {

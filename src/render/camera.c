@@ -46,7 +46,8 @@ murk_camera murk_camera_around(murk_vec3 from, murk_vec3 toward, size_t width,
 murk_camera murk_camera_parallel(murk_vec3 from, murk_vec3 to, murk_vec3 up,
                                  double width_m, size_t width, size_t height)
 {
-    /* The angle of view does not matter here. */
+    /* The angle of view does not matter, because the size of a pixel is set
+     * below. */
     murk_camera camera =
         murk_camera_aimed(from, to, up, MURK_PI / 2, width, height);
     camera.projection = MURK_ORTHOGRAPHIC;

@@ -85,7 +85,8 @@ typedef struct murk_camera_ray {
  * shows something: behind the clip plane, and in the domain. Surfaces nearer
  * than margin_m behind the plane count as lying in the plane and are hidden.
  * False if the ray shows nothing: it does not cross the plane, or passes by the
- * domain. */
+ * domain. Without a clip plane, the ray of a camera that is not orthographic
+ * begins at the camera, which stands in the domain. */
 bool murk_camera_begin(murk_camera_ray *out, const murk_camera *camera,
                        double x, double y, murk_vec3 direction,
                        const murk_box *domain, double margin_m);

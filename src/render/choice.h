@@ -47,9 +47,10 @@ typedef struct murk_source_images {
 murk_source_images murk_images_of(const murk_scenery *scenery, size_t light,
                                   murk_vec3 place);
 
-/* Draws an image, at a distance of `periods` from the lamp itself, by four
- * numbers in (0, 1). Returns the probability of this image,
- * murk_images_chance(); 0 if the image is too far away to be sampled. */
+/* Draws an image by four numbers in (0, 1), and sets periods[] to the
+ * displacement of the image from the lamp itself, in periods along x and y.
+ * Returns the probability of this image, murk_images_chance(); 0 if the image
+ * is too far away to be sampled. */
 double murk_images_draw(const murk_source_images *images, const double u[4],
                         double periods[2]);
 double murk_images_chance(const murk_source_images *images,

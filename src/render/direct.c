@@ -9,8 +9,8 @@
 /* Slots of the random numbers for images, different from those for lights. */
 #define IMAGE_SLOT 32
 
-/* The radiance for light that arrives with 1 W/m2 at right angles to the
- * direction. */
+/* The radiance towards the viewer [W/m2/sr] for light that arrives along
+ * `arriving` with 1 W/m2 on a plane at right angles to it. */
 static double answer(const murk_shading_point *place, murk_vec3 arriving)
 {
     if (place->phase) {

@@ -17,7 +17,8 @@
 /* The largest span of a logarithmic range. */
 #define SPAN_MAX 1e6
 
-/* Every eighth of the 256 colours of viridis: render/false_colour.h. */
+/* Every eighth of the 256 colours of viridis, and the last one:
+ * render/false_colour.h. */
 static const uint8_t VIRIDIS[CELLS + 1][3] = {
     {68, 1, 84},    {71, 13, 96},   {72, 24, 106},  {72, 35, 116},
     {71, 45, 123},  {69, 54, 129},  {66, 64, 134},  {63, 73, 137},

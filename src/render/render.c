@@ -36,7 +36,8 @@ typedef struct group_sums {
 } group_sums;
 
 /* Sums over the pixels of a tile in one band: radiances, variances of the
- * samples, and contributions of the maps. */
+ * samples, contributions of the maps by group, and in `noise` the part of the
+ * variance between groups that comes from the samples (take_means()). */
 typedef struct tile_sums {
     double radiance, variance, group[MURK_GATHER_GROUPS], noise;
 } tile_sums;

@@ -144,7 +144,9 @@ static void receive_segment(void *context, uint64_t batch,
 
 /* ---- events ---- */
 
-/* Adds all light that leaves the point against the direction of the ray. */
+/* Adds the light that leaves the point against the direction of the ray: direct
+ * light by shadow rays, except in solids and by maps alone; and by maps the
+ * light that the maps give. */
 static void add_light(murk_sampler *s, const murk_event *event,
                       const murk_shading_point *place)
 {
