@@ -5,9 +5,9 @@
 
 #include "path/segment.h"
 
-/* Share of the offset of a mount: surfaces that rise less than this over the
- * wall are part of the wall, such as skirtings and steps between panels (a
- * choice). */
+/* Share of the offset of a mount: surfaces that rise less than this share of
+ * the offset over the wall are part of the wall, such as skirtings and steps
+ * between panels (a choice). */
 #define WALL_SHARE 0.5
 
 murk_free_segments murk_free_segments_of(const murk_surfaces *surfaces,

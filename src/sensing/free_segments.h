@@ -1,7 +1,6 @@
 /* Straight segments through free space, and distances of points to surfaces:
- * the tests that decide which sites are usable, which sensors can be linked,
- * and which ways a deviation of a sensor or a look in exploration may take. For
- * use inside src/sensing only.
+ * the tests of sites for sensors, of links between sensors, of deviations of
+ * sensors, and of sightlines in exploration. For use inside src/sensing only.
  *
  * A ray aimed exactly at a seam of a mesh may slip through (one in 500, if a
  * vertex lies on another triangle's edge), and grids and walls at round
@@ -17,7 +16,8 @@ typedef enum murk_closeness {
     MURK_CLEAR_OF_SURFACES,
     MURK_BARELY_CLEAR, /* no surface within tolerance_m or the requested
                           clearance, one within twice tolerance_m */
-    MURK_TOO_CLOSE,    /* a surface is nearer than the requested clearance */
+    MURK_TOO_CLOSE,    /* no surface within tolerance_m, but one nearer than the
+                          requested clearance */
     MURK_ON_SURFACE /* a surface lies within tolerance_m: the searches let such
                        a point see nothing, and lead no segment to it */
 } murk_closeness;

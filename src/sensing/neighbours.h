@@ -6,10 +6,10 @@
  * density of stored photons. The distance of the k-th such photon is the radius
  * of the estimate, and the k-th photon itself does not count. So the power of
  * the others over the area or volume within the radius is an estimate without
- * bias, and its relative error, 1 / sqrt(k - 2), does not depend on the number
- * of photons. If the k-th photon lies beyond a maximum radius, all photons
- * within the maximum radius count, which is without bias, too.
- * murk_neighbours_find() names one more limit.
+ * bias, and the relative error of the estimate, 1 / sqrt(k - 2), does not
+ * depend on the number of photons. If the k-th photon lies beyond a maximum
+ * radius, all photons within the maximum radius count, which is without bias,
+ * too. murk_neighbours_find() names one more limit.
  *
  * Source: Moore and Yackel, IEEE Trans. Comput. 26 (1977) 143,
  * doi:10.1109/TC.1977.5009294 (k - 1 in place of k). */

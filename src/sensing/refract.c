@@ -115,8 +115,8 @@ static bool goes_on(const murk_path_viewpoint *v, const murk_snell *path,
     return changing_segment(segment, segments, &change) == segments;
 }
 
-/* Adds the path through a plane, if there is a valid one that has not been
- * found already. */
+/* Adds the path through a plane to the `had` found ones, if there is a valid
+ * path that has not been found already. Returns the number of found paths. */
 static size_t add_path(const murk_interfaces *at, const murk_path_viewpoint *v,
                        const murk_interface_plane *plane, murk_vec3 photon,
                        const double n[2], murk_refracted_path *found,

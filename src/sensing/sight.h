@@ -2,13 +2,14 @@
  * clarity.
  *
  * Visibility V = [within range, in the field of view, in a band of the type,
- * arriving as required][surface photon: normal . (sensor - photon) > 0][segment
- * open]. The clarity is V times the transmittance of sheets and media along the
- * segment, in the photon's band, rounded to 1/65535; a photon whose clarity
- * rounds to 0 is not seen. With a threshold the clarity is full from the
- * threshold on, and 0 below. Photons are numbered surface map first, then
- * volume map, each in the order of the map. A sight is immutable except for the
- * counters and the scratch buffers of the workers.
+ * travelling toward the sensor if the type asks for it][surface photon: normal
+ * . (sensor - photon) > 0][segment open]. The clarity is V times the
+ * transmittance of sheets and media along the segment, in the photon's band,
+ * rounded to 1/65535; a photon whose clarity rounds to 0 is not seen. With a
+ * threshold the clarity is full if the transmittance is the threshold or more,
+ * and else 0. Photons are numbered surface map first, then volume map, each in
+ * the order of the map. A sight is immutable except for the counters and the
+ * scratch buffers of the workers.
  *
  * A segment is open if it meets no surface (with `through_sheets`: none but
  * thin sheets), and the refractive index does not change along the segment,
@@ -39,8 +40,8 @@
 
 typedef enum murk_visibility {
     MURK_VISIBILITY_RAY,   /* shadow rays: the default */
-    MURK_VISIBILITY_NORMAL /* the published test: the normal of the photon in
-                              place of shadow rays. Surfaces, and sheets, hide
+    MURK_VISIBILITY_NORMAL /* no shadow rays: of surfaces only the normal of a
+                              surface photon is tested. Surfaces and sheets hide
                               nothing; media attenuate */
 } murk_visibility;
 
