@@ -4,7 +4,7 @@
  * in the order of the maps.
  *
  *     x y z           float, m
- * nx ny nz float: normal on the side it came from; 0 in volume
+ *     nx ny nz        float: normal on the side it came from; 0 in volume
  *     dx dy dz        float: direction of travel before the event
  *     power_w         float, W: what leaves the event
  *     emitted         uint: number of the emitted photon
