@@ -179,7 +179,7 @@ murk_status murk_report_read_path(murk_report_scene *out, const char *folder,
                        "property uchar blue\nproperty uchar kind\n"
                        "property ushort step\n",
                        out->scene);
-    /* stops come first, then corners, where reading ends */
+    /* The stops come first. Reading ends at the first corner. */
     unsigned char bytes[RECORD_MAX];
     for (uint64_t i = 0; is_path && i < n && out->stops < STOPS_MAX; ++i) {
         const size_t place = murk_place_bytes(out->scene);

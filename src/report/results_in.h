@@ -24,17 +24,17 @@ typedef enum murk_result_file {
 } murk_result_file;
 
 typedef struct murk_result_kind {
-    const char *file, *key, *title; /* file name "plan.json", its key in the
-                                       data of the page, and the heading of its
-                                       summary */
+    const char *file, *key,
+        *title; /* file name, such as "plan.json", key of the file in the data
+                   of the page, and heading of the summary of the file */
 } murk_result_kind;
 
 extern const murk_result_kind murk_result_kinds[MURK_RESULT_FILES];
 
 typedef struct murk_results_in {
     const char *folder; /* borrowed */
-    char *whole;        /* its absolute path; as named if that cannot be
-                           found */
+    char *whole; /* the absolute path of the folder; the path as named if the
+                    absolute one cannot be found */
     char *path[MURK_RESULT_FILES];      /* of each main file, also if it is not
                                            there */
     murk_yaml *json[MURK_RESULT_FILES]; /* NULL: not there */
@@ -84,8 +84,7 @@ bool murk_name_ends(const char *name, const char *extension);
 const char *murk_results_scene(const char *folder);
 
 /* The path of a regular file of the folder, which the caller frees; NULL if
- * there is none, or out of memory.
- */
+ * there is none, or out of memory. */
 char *murk_results_path(const char *folder, const char *name);
 
 /* Reads a CSV file of the folder. The caller owns *out (murk_table_destroy()).
