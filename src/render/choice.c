@@ -9,11 +9,12 @@
  *
  * Images: half of the draws go to the nearest image and the eight images around
  * it, by the inverse square of the distance. The other half draw an isotropic
- * direction from the point to a plane at the height of the lamp, and take the
- * image whose cell of the plane it hits: the probability is the solid angle of
- * the cell divided by 2 pi. Images at any distance are therefore drawn in
- * proportion to their visible size, and a lamp that fills the period is sampled
- * as the infinite lamp that it forms with its images. */
+ * direction from the point to a plane at the height of the lamp (at least half
+ * the shorter period away from the point), and take the image whose cell of the
+ * plane the direction hits: the probability is the solid angle of the cell
+ * divided by 2 pi. Images at any distance are therefore drawn in proportion to
+ * their visible size, and a lamp that fills the period is sampled as the
+ * infinite lamp that it forms with its images. */
 #include "render/choice.h"
 
 /* The share of the rays that is distributed half by power and half evenly. */

@@ -13,7 +13,7 @@
  * observed ones.
  *
  * The certainty of the pooled variance follows from the parts v_i with weights
- * k_i: it is that of (sum k v)^2 / sum (k v)^2 equal parts. */
+ * k_i: it is that of n equal parts, n = (sum k_i v_i)^2 / sum (k_i v_i)^2. */
 #include "render/pooled_errors.h"
 
 #include <math.h>

@@ -10,8 +10,8 @@
  * the point of scattering is drawn along the ray by optical depth. The forward
  * peak of a phase function is left to the ray: if the ray is scattered by less
  * than the angle of a cone, in which hardly any record arrives, it continues,
- * and records of later events within the cone do not count. This avoids bias
- * and outliers.
+ * and records of later events within the cone do not count; otherwise the ray
+ * ends. This avoids bias and outliers.
  *
  * By maps alone (MURK_BY_MAPS_ONLY) no shadow ray is sent, and the maps give
  * direct light, too, also within the cone, because the continued ray does not
