@@ -323,9 +323,10 @@ typedef enum murk_field_kind {
 murk_field_kind murk_fields_kind(const murk_fields *fields, const char *path);
 
 /* *value: the value of a field. An absent number is NaN, an absent string NULL;
- * for int64 and bool an absent value is an error. Fails with MURK_BAD_VALUE if
- * there is no such field, if it is of another kind, or for int64 if it is not a
- * whole number of at most 2^53; *value is then as before. */
+ * for int64 and bool an absent value is an error. int64 is for whole numbers
+ * up to 2^53 - 1, which JSON holds exactly. Fails with MURK_BAD_VALUE if there
+ * is no such field, if it is of another kind, or if int64 is asked of a number
+ * with a fraction or beyond that limit; *value is then as before. */
 murk_status murk_fields_double(const murk_fields *fields, const char *path,
                                double *value, murk_error *error);
 murk_status murk_fields_int64(const murk_fields *fields, const char *path,

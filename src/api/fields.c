@@ -33,6 +33,11 @@ void murk_fields_release(murk_fields *fields)
     *fields = (murk_fields){0};
 }
 
+/* The largest whole number such that a double holds it and all smaller ones
+ * exactly, and no other number of a JSON text is rounded to it: 2^53 - 1 (IEEE
+ * 754 binary64; RFC 8259, section 6). */
+#define EXACT_MAX INT64_C(9007199254740991)
+
 /* The item at a path; NULL if there is none. */
 static const cJSON *find(const murk_fields *fields, const char *path)
 {
@@ -70,10 +75,15 @@ murk_field_kind murk_fields_kind(const murk_fields *fields, const char *path)
                                   : MURK_FIELD_OBJECT;
 }
 
-/* Fails, because the field at a path is not of the wanted kind. */
+/* Fails, because the field at a path is not of the wanted kind, or because the
+ * address of the value is NULL. */
 static murk_status refuse(const murk_fields *fields, const char *path,
-                          const char *wanted, murk_error *error)
+                          const void *value, const char *wanted,
+                          murk_error *error)
 {
+    if (!value) {
+        return murk_call_refuse(error, "value is NULL");
+    }
     static const char *const kinds[] = {"no field",      "absent",   "a number",
                                         "true or false", "a string", "a list",
                                         "an object"};
@@ -90,7 +100,7 @@ murk_status murk_fields_double(const murk_fields *fields, const char *path,
 {
     const murk_field_kind kind = murk_fields_kind(fields, path);
     if (!value || (kind != MURK_FIELD_NUMBER && kind != MURK_FIELD_ABSENT)) {
-        return refuse(fields, path, "a number", error);
+        return refuse(fields, path, value, "a number", error);
     }
     *value = kind == MURK_FIELD_ABSENT ? NAN : find(fields, path)->valuedouble;
     return MURK_OK;
@@ -100,12 +110,20 @@ murk_status murk_fields_int64(const murk_fields *fields, const char *path,
                               int64_t *value, murk_error *error)
 {
     const cJSON *item = find(fields, path);
-    if (!value || !cJSON_IsNumber(item) ||
-        item->valuedouble != nearbyint(item->valuedouble) ||
-        fabs(item->valuedouble) > 0x1p53) {
-        return refuse(fields, path, "a whole number", error);
+    if (!value || !cJSON_IsNumber(item)) {
+        return refuse(fields, path, value, "a whole number", error);
     }
-    *value = (int64_t)item->valuedouble;
+    const double number = item->valuedouble;
+    if (number != nearbyint(number) || !(fabs(number) <= (double)EXACT_MAX)) {
+        murk_error failure = {0};
+        (void)murk_fail(&failure, MURK_BAD_VALUE, path ? path : "",
+                        "is %.17g, must be a whole number of %lld..%lld, "
+                        "which a double holds exactly",
+                        number, (long long)-EXACT_MAX, (long long)EXACT_MAX);
+        murk_call_pass(error, &failure);
+        return MURK_BAD_VALUE;
+    }
+    *value = (int64_t)number;
     return MURK_OK;
 }
 
@@ -114,7 +132,7 @@ murk_status murk_fields_bool(const murk_fields *fields, const char *path,
 {
     const cJSON *item = find(fields, path);
     if (!value || !cJSON_IsBool(item)) {
-        return refuse(fields, path, "true or false", error);
+        return refuse(fields, path, value, "true or false", error);
     }
     *value = cJSON_IsTrue(item);
     return MURK_OK;
@@ -125,7 +143,7 @@ murk_status murk_fields_string(const murk_fields *fields, const char *path,
 {
     const murk_field_kind kind = murk_fields_kind(fields, path);
     if (!value || (kind != MURK_FIELD_STRING && kind != MURK_FIELD_ABSENT)) {
-        return refuse(fields, path, "a string", error);
+        return refuse(fields, path, value, "a string", error);
     }
     *value = find(fields, path)->valuestring; /* NULL of null */
     return MURK_OK;
