@@ -26,6 +26,15 @@
  * with two contexts do not disturb each other. murk_context_cancel() may be
  * called from any thread and from a signal handler.
  *
+ * Structs that begin with `size` may get further members in later versions. The
+ * caller sets `size` to sizeof, and all members without a purpose to 0. Any
+ * function refuses a size of 0, and any other that cannot be sizeof, with
+ * MURK_BAD_VALUE. A shorter struct, of an older header, is taken as if the
+ * missing members were 0; a longer one, of a newer header, is taken if the
+ * members that the library does not know are 0, and refused with
+ * MURK_UNSUPPORTED otherwise. Of a struct that the library fills, it fills the
+ * members that it knows. murk_error alone may have the size 0.
+ *
  * Strings are UTF-8. Strings, fields and views that a call returns belong to
  * the handle that was asked, and are valid until this handle is destroyed,
  * unless the comment says less. */
@@ -68,8 +77,9 @@ const char *murk_status_text(murk_status status);
 /* The reason for a failure. The caller sets `size` to sizeof(murk_error) and
  * all else to 0, as MURK_ERROR_NONE does, and does so again before the struct
  * is used for another call: a message that it contains already is kept, and a
- * call that succeeds does not clear it. If a value that murk_scene_set() gave
- * is wrong, `key` is filled, and `file` and `line` are not. */
+ * call that succeeds does not clear it. So that no message is lost, size 0
+ * counts as that of the first version. A value that murk_scene_set() gave has a
+ * key and no file or line. */
 typedef struct murk_error {
     size_t size;
     murk_status code;

@@ -42,9 +42,13 @@ murk_status murk_array_fill(murk_array *view, const void *data, murk_type type,
                             int dimensions, const size_t *shape, bool is_copy,
                             murk_error *err)
 {
-    if (!view || view->size < sizeof *view) {
-        return murk_call_bad_argument(
-            err, "view", "is NULL, or view->size is not sizeof(murk_array)");
+    if (!view) {
+        return murk_call_bad_argument(err, "view", "is NULL");
+    }
+    const murk_status status = murk_struct_check(view, sizeof *view, SIZE_MAX,
+                                                 "view", "murk_array", err);
+    if (status) {
+        return status;
     }
     *view = (murk_array){
         .size = view->size, .data = data, .type = type, .is_copy = is_copy};
@@ -55,9 +59,13 @@ murk_status murk_array_fill(murk_array *view, const void *data, murk_type type,
 murk_status murk_array_check(const murk_array *view, int dimensions,
                              const char *name, murk_error *err)
 {
-    if (!view || view->size < sizeof *view) {
-        return murk_call_bad_argument(
-            err, name, "is NULL, or size is not sizeof(murk_array)");
+    if (!view) {
+        return murk_call_bad_argument(err, name, "is NULL");
+    }
+    const murk_status status = murk_struct_check(
+        view, sizeof *view, sizeof *view, name, "murk_array", err);
+    if (status) {
+        return status;
     }
     if (view->dimensions != dimensions || murk_type_bytes(view->type) == 0) {
         return murk_call_bad_argument(

@@ -16,6 +16,10 @@
 
 #define KEY_PART_SIZE 256 /* of one part of a path; names are shorter */
 
+/* No struct of murk.h will have more bytes: a larger size is a mistake, such as
+ * memory that was not set. */
+#define STRUCT_MAX 4096
+
 const char *murk_version(void)
 {
     return MURK_VERSION;
@@ -228,11 +232,44 @@ murk_status murk_call_check_texts(murk_error *err, const char *name,
     return MURK_OK;
 }
 
-void murk_options_copy(void *known, size_t size, const void *options)
+murk_status murk_struct_check(const void *given, size_t min_size, size_t known,
+                              const char *argument, const char *type,
+                              murk_error *err)
 {
-    if (options) {
-        size_t given;
-        memcpy(&given, options, sizeof given);
-        memcpy(known, options, given < size ? given : size);
+    size_t size;
+    memcpy(&size, given, sizeof size);
+    /* All structs of murk.h have the alignment of their size. */
+    if (size == 0 || size < min_size || size > STRUCT_MAX ||
+        size % _Alignof(size_t) != 0) {
+        return murk_call_bad_argument(
+            err, argument, "size is %zu, must be sizeof(%s)", size, type);
     }
+    const unsigned char *byte = given;
+    for (size_t i = known; i < size; ++i) {
+        if (byte[i]) {
+            char where[sizeof err->where];
+            snprintf(where, sizeof where, MURK_ARGUMENT "%s", argument);
+            return murk_fail(err, MURK_UNSUPPORTED, where,
+                             "%s has a member of a newer murk.h that is not 0, "
+                             "which murk " MURK_VERSION " does not know",
+                             type);
+        }
+    }
+    return MURK_OK;
+}
+
+murk_status murk_options_copy(void *known, size_t size, const void *given,
+                              const char *argument, const char *type,
+                              murk_error *err)
+{
+    const murk_status status =
+        given ? murk_struct_check(given, sizeof(size_t), size, argument, type,
+                                  err)
+              : MURK_OK;
+    if (given && !status) {
+        size_t bytes;
+        memcpy(&bytes, given, sizeof bytes);
+        memcpy(known, given, bytes < size ? bytes : size);
+    }
+    return status;
 }

@@ -41,7 +41,14 @@ static murk_status take_options(murk_context *context,
                                 const murk_context_options *options,
                                 murk_error *error)
 {
-    murk_options_copy(&context->options, sizeof context->options, options);
+    murk_error failure = {0};
+    const murk_status status =
+        murk_options_copy(&context->options, sizeof context->options, options,
+                          "options", "murk_context_options", &failure);
+    if (status) {
+        murk_call_report(error, &failure);
+        return status;
+    }
     if ((unsigned)context->options.imports > MURK_IMPORTS_IN_PROCESS) {
         return murk_call_refuse(error, "options->imports is no value of "
                                        "murk_imports");

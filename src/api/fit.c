@@ -172,13 +172,17 @@ static murk_status make(murk_fit *f, murk_scene *scene, const char *data,
     f->scene = scene;
     ++scene->references;
     murk_fit_options options = {0};
-    murk_options_copy(&options, sizeof options, given);
     const unsigned threads = f->scene->context->threads;
     f->session = (murk_session){.settings.threads = threads,
                                 .settings.is_quiet = true,
                                 .run.threads = threads};
     /* The options must be right by themselves. */
-    murk_status status = murk_call_check_texts(&call->failure, "keys", keys, n);
+    murk_status status =
+        murk_options_copy(&options, sizeof options, given, "options",
+                          "murk_fit_options", &call->failure);
+    if (!status) {
+        status = murk_call_check_texts(&call->failure, "keys", keys, n);
+    }
     if (!status) {
         status = murk_call_check_texts(&call->failure, "options->bounds",
                                        options.bounds, options.n_bounds);
@@ -215,8 +219,8 @@ murk_status murk_fit_create(murk_fit **out, murk_scene *scene, const char *data,
     if (out) {
         *out = NULL;
     }
-    if (!out || !scene || !data || (n > 0 && !keys)) {
-        return murk_call_refuse(error, "out, scene, data or keys is NULL");
+    if (!out || !scene || !data) {
+        return murk_call_refuse(error, "out, scene or data is NULL");
     }
     murk_fit *f = calloc(1, sizeof *f);
     murk_call call = murk_call_begin(scene->context, &scene->files, error);

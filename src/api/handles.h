@@ -142,10 +142,22 @@ void murk_call_pass(murk_error *to, murk_error *failure);
  * NULL handles and other misuse. */
 murk_status murk_call_refuse(murk_error *error, const char *text);
 
-/* Copies to *known, a struct of `size` bytes, the members that the struct of
- * options of a caller has, too; that struct begins with its own size. The other
- * members of *known stay as they are. NULL options change nothing. */
-void murk_options_copy(void *known, size_t size, const void *options);
+/* Checks a struct of a caller, which begins with its size. `type` is the name
+ * of the struct and `argument` that of the argument, for the message. The size
+ * must be one that the struct may have in some version of the header, and not
+ * below min_size. Members behind the first `known` bytes are those of a newer
+ * header and must be zeros; known SIZE_MAX: the struct is an output, and these
+ * members are not read. */
+murk_status murk_struct_check(const void *given, size_t min_size, size_t known,
+                              const char *argument, const char *type,
+                              murk_error *err);
+
+/* Copies the struct of a caller to *known of `size` bytes, after
+ * murk_struct_check(): the members that both have. The others stay as they are.
+ * given NULL: changes nothing. */
+murk_status murk_options_copy(void *known, size_t size, const void *given,
+                              const char *argument, const char *type,
+                              murk_error *err);
 
 /* Fails because of a value in an argument. The place is "argument NAME", which
  * is neither a file nor a key. */

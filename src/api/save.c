@@ -28,17 +28,30 @@ murk_session murk_world_session(const murk_world *world)
                           .begun_s = world->begun_s};
 }
 
+static murk_status copy_options(murk_save_options *all,
+                                const murk_save_options *options,
+                                murk_error *err)
+{
+    *all = (murk_save_options){0};
+    return murk_options_copy(all, sizeof *all, options, "options",
+                             "murk_save_options", err);
+}
+
 murk_save_options murk_save_known(const murk_save_options *options)
 {
-    murk_save_options all = {0};
-    murk_options_copy(&all, sizeof all, options);
+    murk_save_options all;
+    (void)copy_options(&all, options, NULL);
     return all;
 }
 
 murk_status murk_save_set(murk_session *session, const char *folder,
                           const murk_save_options *options, murk_error *err)
 {
-    const murk_save_options all = murk_save_known(options);
+    murk_save_options all;
+    const murk_status status = copy_options(&all, options, err);
+    if (status) {
+        return status;
+    }
     session->settings.folder = folder;
     session->settings.force = all.replaces;
     session->settings.voxel = all.voxel_m;

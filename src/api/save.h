@@ -8,13 +8,14 @@
 /* A session (results/session.h) that borrows scene and stage of a world. */
 murk_session murk_world_session(const murk_world *world);
 
-/* The options in the struct of this library: the members that the struct of the
- * caller has, and zeros for the others; all zeros if options is NULL. */
+/* The options as this library knows them: the members that the struct of the
+ * caller has, and zeros; NULL, and options that murk_save_set() refuses:
+ * zeros. */
 murk_save_options murk_save_known(const murk_save_options *options);
 
 /* Takes the options of the caller into the settings of a session; NULL: none.
  * The session borrows `folder` and the texts of the options. Fails with
- * MURK_BAD_VALUE if options->exports has an unknown word. */
+ * MURK_BAD_VALUE if there is no such export, and as murk_options_copy(). */
 murk_status murk_save_set(murk_session *session, const char *folder,
                           const murk_save_options *options, murk_error *err);
 

@@ -151,13 +151,18 @@ static murk_status pose_of(murk_pose *out, const murk_world *world,
                      p[1], p[2]);
 }
 
-static murk_status add(murk_sensors *sensors, const murk_sensor *sensor,
+static murk_status add(murk_sensors *sensors, const murk_sensor *given,
                        murk_error *err)
 {
     murk_pose pose;
-    murk_status status = murk_world_build(sensors->world, err);
+    murk_sensor sensor = {0};
+    murk_status status = murk_options_copy(&sensor, sizeof sensor, given,
+                                           "sensor", "murk_sensor", err);
     if (!status) {
-        status = pose_of(&pose, sensors->world, sensor, err);
+        status = murk_world_build(sensors->world, err);
+    }
+    if (!status) {
+        status = pose_of(&pose, sensors->world, &sensor, err);
     }
     if (status) {
         return status;
@@ -174,10 +179,8 @@ static murk_status add(murk_sensors *sensors, const murk_sensor *sensor,
 murk_status murk_sensors_add(murk_sensors *sensors, const murk_sensor *sensor,
                              murk_error *error)
 {
-    if (!sensors || !sensor || sensor->size < sizeof *sensor) {
-        return murk_call_refuse(error, "sensors or sensor is NULL, or "
-                                       "sensor->size is not "
-                                       "sizeof(murk_sensor)");
+    if (!sensors || !sensor) {
+        return murk_call_refuse(error, "sensors or sensor is NULL");
     }
     murk_call call = murk_call_begin(sensors->world->context, NULL, error);
     return murk_call_end(&call, add(sensors, sensor, &call.failure));
@@ -191,12 +194,17 @@ size_t murk_sensors_count(const murk_sensors *sensors)
 murk_status murk_sensors_get(const murk_sensors *sensors, size_t i,
                              murk_sensor *sensor, murk_error *error)
 {
-    if (!sensors || !sensor || sensor->size < sizeof *sensor ||
-        i >= sensors->n) {
-        return murk_call_refuse(error, "sensors or sensor is NULL, "
-                                       "sensor->size is not "
-                                       "sizeof(murk_sensor), or there is no "
-                                       "sensor of that number");
+    if (!sensors || !sensor || i >= sensors->n) {
+        return murk_call_refuse(error, "sensors or sensor is NULL, or there is "
+                                       "no sensor of that number");
+    }
+    /* The struct of the caller, then its members. */
+    murk_error failure = {0};
+    const murk_status status = murk_struct_check(
+        sensor, sizeof *sensor, SIZE_MAX, "sensor", "murk_sensor", &failure);
+    if (status) {
+        murk_call_report(error, &failure);
+        return status;
     }
     const murk_scene_desc *scene = sensors->world->desc;
     const murk_pose *pose = &sensors->pose[i];

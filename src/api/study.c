@@ -101,7 +101,11 @@ static murk_status read_study(murk_study *study, const char *path,
                               const murk_study_options *given, murk_error *err)
 {
     murk_study_options options = {0};
-    murk_options_copy(&options, sizeof options, given);
+    murk_status status = murk_options_copy(
+        &options, sizeof options, given, "options", "murk_study_options", err);
+    if (status) {
+        return status;
+    }
     snprintf(study->version, sizeof study->version, "%s %s", MURK_VERSION,
              murk_version_commit());
     const unsigned threads = study->context->threads;
@@ -109,7 +113,7 @@ static murk_status read_study(murk_study *study, const char *path,
                                     .settings.is_quiet = true,
                                     .run.threads = threads,
                                     .begun_s = murk_clock_s()};
-    murk_status status = take_options(study, &options, err);
+    status = take_options(study, &options, err);
     if (!status) {
         status = murk_study_file_read(&study->file, path, err);
     }

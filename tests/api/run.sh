@@ -17,6 +17,7 @@ test -s "$work/results/plan.json" || { echo "no plan.json was saved"; exit 1; }
 "$here/same_files.sh" "$build/murk" "$work/build/saves" "$work"
 "$work/build/cpp"
 "$work/build/refused"
+"$work/build/sizes"
 "$work/build/places"
 
 # with pkg-config, as C11 and as C17
@@ -37,6 +38,10 @@ tr -s '\n ' ' ' <"$work/murk/include/murk.h" | grep -o 'murk_[a-z0-9_]*(murk_[a-
     sort >"$work/constructors"
 sed -n 's/^ *X([a-z]*, \(murk_[a-z_]*\),.*/\1/p' "$here/refused.c" | sort >"$work/refused"
 diff "$work/constructors" "$work/refused" || { echo "refused.c has other constructors than murk.h"; exit 1; }
+# the table of structs: those of the header that begin with their size
+sed -n 's/^place \(murk_[a-z_]*\)\.size 0$/\1/p' "$here/abi.txt" | sort >"$work/structs"
+grep -o '"murk_[a-z_]*"' "$here/sizes.c" | tr -d '"' | sort -u >"$work/sizes"
+diff "$work/structs" "$work/sizes" || { echo "sizes.c has other structs than murk.h"; exit 1; }
 # shellcheck disable=SC2046
 awk -f "$here/layout.awk" "$work/murk/include/murk.h" >"$work/layout.c" &&
     cc "$work/layout.c" -o "$work/layout" $(PKG_CONFIG_PATH="$library/pkgconfig" pkg-config --cflags murk)
