@@ -35,6 +35,10 @@
  * MURK_UNSUPPORTED otherwise. Of a struct that the library fills, it fills the
  * members that it knows. murk_error alone may have the size 0.
  *
+ * Lists are a pointer and a number of elements. NULL with a number above 0, and
+ * NULL as an element of a list of strings, are refused with MURK_BAD_VALUE; a
+ * list of 0 elements is empty whatever the pointer is.
+ *
  * Strings are UTF-8. Strings, fields and views that a call returns belong to
  * the handle that was asked, and are valid until this handle is destroyed,
  * unless the comment says less. */
@@ -128,9 +132,9 @@ typedef struct murk_array {
 } murk_array;
 
 /* Describes a dense array of the caller, in the order of C: data, type,
- * dimensions and shape[dimensions]. The values are not copied. For an array
- * with gaps or in another order, the caller changes the strides of the
- * result. */
+ * dimensions and shape[dimensions]; shape NULL: of no dimensions, which every
+ * call refuses. The values are not copied. An array with gaps, or in another
+ * order, is described by its strides. */
 murk_array murk_array_of(const void *data, murk_type type, int dimensions,
                          const size_t *shape);
 
@@ -264,8 +268,8 @@ murk_status murk_scene_resolved(murk_scene *scene, const char **text,
  *
  * vertices_m: n x 3, floats or doubles; triangles: m x 3 indices, uint32 or
  * uint64; material: m indices into material_names[n_materials], uint32, or NULL
- * if all triangles have the first material. material_names NULL: the name of
- * the only material is "". Replaces an array of the same name.
+ * if all triangles have the first material. n_materials 0: the name of the only
+ * material is "". Replaces an array of the same name.
  *
  * release NULL: the arrays are copied; else vertices_m must be dense float32
  * and triangles dense uint32, both are used in place, and release(user) is

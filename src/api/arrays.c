@@ -32,7 +32,7 @@ murk_array murk_array_of(const void *data, murk_type type, int dimensions,
                          const size_t *shape)
 {
     murk_array out = {.size = sizeof out, .data = data, .type = type};
-    if (dimensions > 0 && dimensions <= MURK_ARRAY_DIMENSIONS) {
+    if (shape && dimensions > 0 && dimensions <= MURK_ARRAY_DIMENSIONS) {
         lay_out(&out, dimensions, shape);
     }
     return out;

@@ -105,11 +105,10 @@ static murk_status copy_names(murk_mesh *mesh, const char *const *names,
 {
     for (size_t i = 0; i < mesh->materials; ++i) {
         const char *name = names ? names[i] : "";
-        if (!name || strlen(name) >= MURK_NAME_SIZE) {
-            return murk_call_bad_argument(
-                err, "material_names",
-                "name %zu is NULL or longer than %d bytes", i,
-                MURK_NAME_SIZE - 1);
+        if (strlen(name) >= MURK_NAME_SIZE) {
+            return murk_call_bad_argument(err, "material_names",
+                                          "name %zu is longer than %d bytes", i,
+                                          MURK_NAME_SIZE - 1);
         }
         snprintf(mesh->material_name[i], MURK_NAME_SIZE, "%s", name);
     }
@@ -208,6 +207,9 @@ add_mesh(murk_scene *scene, const char *name, const murk_array *vertices_m,
          void *user, murk_error *err)
 {
     murk_status status = check_mesh(vertices_m, triangles, material, err);
+    if (!status) {
+        status = murk_call_check_texts(err, "material_names", names, n_names);
+    }
     if (!status && release &&
         (!is_dense(vertices_m, MURK_TYPE_FLOAT32) ||
          !is_dense(triangles, MURK_TYPE_UINT32))) {
@@ -224,7 +226,7 @@ add_mesh(murk_scene *scene, const char *name, const murk_array *vertices_m,
     murk_mesh *mesh = &lent->mesh;
     mesh->vertices = vertices_m->shape[0];
     mesh->triangles = triangles->shape[0];
-    mesh->materials = names && n_names > 0 ? n_names : 1;
+    mesh->materials = n_names > 0 ? n_names : 1;
     /* A mesh that is refused stays the caller's, so nothing is released. */
     lent->is_lent = release != NULL;
     status = fill_mesh(mesh, vertices_m, triangles, material,

@@ -120,6 +120,7 @@ static void pass_null_texts(const given *g)
         WITH_NULL(study, murk_study_read,
                   (&out, g->context, "no-such-study.yaml", &studies[i], &error))
     }
+    /* Bounds and keys of a fit. */
     static const murk_fit_options fits[] = {
         {.size = sizeof *fits, .n_bounds = 1},
         {.size = sizeof *fits, .n_bounds = 1, .bounds = none + 1}};
@@ -130,6 +131,94 @@ static void pass_null_texts(const given *g)
     }
     WITH_NULL(fit, murk_fit_create,
               (&out, g->scene, "no-such-data.csv", none, 2, NULL, &error))
+    WITH_NULL(fit, murk_fit_create,
+              (&out, g->scene, "no-such-data.csv", NULL, 2, NULL, &error))
+}
+
+/* A list of 0 elements is empty, also if it has a pointer, here to a list with
+ * NULL in it. The files of studies and fits are missing, which is found after
+ * the lists are read. */
+static void pass_empty_lists(const given *g)
+{
+    static const char *const none[] = {NULL};
+    static const murk_study_options study = {
+        .size = sizeof study, .key = none, .value = none};
+    static const murk_fit_options fit = {.size = sizeof fit, .bounds = none};
+    CALL(study, murk_study_read,
+         (&out, g->context, "no-such-study.yaml", &study, &error),
+         "cannot read")
+    CALL(fit, murk_fit_create,
+         (&out, g->scene, "no-such-data.csv", keys, 1, &fit, &error),
+         "cannot read")
+    CALL(fit, murk_fit_create,
+         (&out, g->scene, "no-such-data.csv", none, 0, NULL, &error),
+         "none, must be the keys")
+    CALL(fit, murk_fit_create,
+         (&out, g->scene, "no-such-data.csv", NULL, 0, NULL, &error),
+         "none, must be the keys")
+}
+
+/* One call with a list: `part` of the message, or NULL if it is not refused. */
+static void check_list(const char *function, murk_status status,
+                       const murk_error *error, const char *part)
+{
+    if (!part) {
+        check(status == MURK_OK, function, error->text);
+        return;
+    }
+    check(status == MURK_BAD_VALUE, function, "a list is not refused");
+    check(strstr(error->text, part) != NULL, function, error->text);
+}
+
+/* The lists of the arrays of a scene: names of materials, and columns. */
+static void add_lists(const given *g)
+{
+    static const float corners[9] = {1, 0, 0, 1, 1, 0, 1, 0, 1};
+    static const uint32_t indices[3] = {0, 1, 2};
+    static const char *const none[] = {NULL}, *const wall[] = {"wall", NULL};
+    static const struct {
+        const char *const *names;
+        size_t n;
+        const char *part; /* of the message; NULL: is not refused */
+    } meshes[] = {{NULL, 0, NULL},
+                  {none, 0, NULL},
+                  {wall, 1, NULL},
+                  {NULL, 1, "is NULL, must be 1 texts"},
+                  {wall, 2, "element 1 of 2 is NULL"}},
+      tables[] = {{wall, 1, NULL},
+                  {NULL, 1, "is NULL, must be 1 texts"},
+                  {wall, 2, "element 1 of 2 is NULL"}};
+    const murk_array vertices = murk_array_of(corners, MURK_TYPE_FLOAT32, 2,
+                                              (const size_t[]){3, 3}),
+                     triangles = murk_array_of(indices, MURK_TYPE_UINT32, 2,
+                                               (const size_t[]){1, 3});
+    for (size_t i = 0; i < sizeof meshes / sizeof *meshes; ++i) {
+        murk_error error = MURK_ERROR_NONE;
+        const murk_status status = murk_scene_add_mesh(
+            g->scene, "wall", &vertices, &triangles, NULL, meshes[i].names,
+            meshes[i].n, NULL, NULL, &error);
+        check_list("murk_scene_add_mesh", status, &error, meshes[i].part);
+    }
+    for (size_t i = 0; i < sizeof tables / sizeof *tables; ++i) {
+        murk_error error = MURK_ERROR_NONE;
+        const murk_array values = murk_array_of(
+            corners, MURK_TYPE_FLOAT32, 2, (const size_t[]){2, tables[i].n});
+        const murk_status status = murk_scene_add_table(
+            g->scene, "list", tables[i].names, &values, &error);
+        check_list("murk_scene_add_table", status, &error, tables[i].part);
+    }
+    /* Arrays are lists of values: data NULL, and no shape. */
+    murk_error error = MURK_ERROR_NONE;
+    murk_array values =
+        murk_array_of(NULL, MURK_TYPE_FLOAT32, 2, (const size_t[]){2, 1});
+    check_list("murk_scene_add_table",
+               murk_scene_add_table(g->scene, "list", wall, &values, &error),
+               &error, "data is NULL");
+    error = (murk_error)MURK_ERROR_NONE;
+    values = murk_array_of(corners, MURK_TYPE_FLOAT32, 2, NULL);
+    check_list("murk_scene_add_table",
+               murk_scene_add_table(g->scene, "list", wall, &values, &error),
+               &error, "has 0 dimensions");
 }
 
 /* Saving that is refused leaves NULL in *fields. */
@@ -179,6 +268,8 @@ int main(void)
     }
     call_all(&g);
     pass_null_texts(&g);
+    pass_empty_lists(&g);
+    add_lists(&g);
     save_all();
     murk_sensors_destroy(g.none);
     murk_light_destroy(g.light);
