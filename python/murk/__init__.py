@@ -13,7 +13,7 @@ JSON files of the program murk, which murk-results(5) lists. Keys of scenes are 
 """
 from ._context import Context
 from ._library import Error, Interrupted
-from ._light import Light, Tally, World
+from ._light import Batch, Light, Tally, World
 from ._library import lib as _lib
 from ._library import string as _string
 from ._picture import Picture
@@ -21,7 +21,7 @@ from ._plan import Coverage, Plan
 from ._results import Result, Study, report, study
 from ._scene import Fit, Scene
 
-__all__ = ["Scene", "World", "Light", "Tally", "Coverage", "Plan", "Picture", "Study", "Fit", "Result", "Context",
+__all__ = ["Scene", "World", "Light", "Batch", "Tally", "Coverage", "Plan", "Picture", "Study", "Fit", "Result", "Context",
            "Error", "Interrupted", "study", "report", "version"]
 
 

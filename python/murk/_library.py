@@ -149,6 +149,8 @@ def call_long(context: Context, function: Any, *arguments: Any) -> None:
             context.cancel()
             failure = work.exception()
             if failure is None or isinstance(failure, Interrupted):
+                context._exception = None  # that of a callback, if there is one, is not that of the next call
+                context._raise_of_callback()
                 raise
         failure = work.exception()
     context._raise_of_callback()

@@ -1,7 +1,7 @@
 """Worlds and their light: photon maps, energy ledger, tallies."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple, Sequence
+from typing import TYPE_CHECKING, Any, Callable, NamedTuple, Sequence
 
 import numpy
 from numpy.typing import NDArray
@@ -52,12 +52,17 @@ class World:
         """
         return numpy.array([lib.murk_world_band_nm(self.c, i) for i in range(lib.murk_world_bands(self.c))])
 
-    def trace(self) -> Light:
+    def trace(self, each_batch: Callable[[Batch], object] | None = None) -> Light:
         """Traces the light: Light. Raises Error, and Interrupted if it is cancelled.
 
-        Example: `light = world.trace()`.
+        each_batch: a function that is called with each Batch of photons while light is traced, in the order of
+        photons, never twice at the same time, in another thread than the main one. If it returns False, the trace is
+        cancelled and Interrupted is raised; an exception in it cancels the trace and is raised by it. It may call
+        `Context.cancel()`, and uses no other object of the context.
+
+        Example: `light = world.trace(each_batch=lambda batch: print(batch.number, len(batch.volume)))`.
         """
-        return Light(self)
+        return Light(self, each_batch=each_batch)
 
     def read_light(self, path: Path) -> Light:
         """Reads a light.murk: Light, without tallies. Raises Error if the file is not of this world.
@@ -88,8 +93,108 @@ class Tally(NamedTuple):
     errors: NDArray[numpy.float64]
 
 
-_MAPS = {"surface": lib.MURK_MAP_SURFACE, "volume": lib.MURK_MAP_VOLUME}
+_MAPS: dict[str, int] = {"surface": lib.MURK_MAP_SURFACE, "volume": lib.MURK_MAP_VOLUME}
 _UNPACKED = ("direction", "normal", "event_class")
+# Fields of records that are stored as they are asked for.
+_STORED = ("position_m", "power_w", "emitted", "band", "light", "material")
+
+
+def _map_of(map: str) -> int:
+    if map not in _MAPS:
+        raise Error(f"{map!r}, must be one of {', '.join(_MAPS)}", where="argument map")
+    return _MAPS[map]
+
+
+class Batch:
+    """The records of a batch of photons, which `trace(each_batch=...)` hands over while light is traced.
+
+    `number` is that of the batch, from 0, and `photons` are the numbers of its first and last photon. A batch is valid
+    until the function that received it returns; its arrays are copies and stay valid. All batches together have the
+    records of the light, which sorts them into another order. With the key photons.store the field `power_w` is a
+    share of a packet until the number of photons is known: `Light.packet_w()` is the factor.
+
+    Example: `light = scene.trace(each_batch=lambda batch: numpy.save(f"{batch.number}.npy", batch.volume))`.
+    """
+
+    def __init__(self, c: Any) -> None:
+        self._c = c
+        self._records: dict[str, NDArray[Any]] = {}
+        photons = ffi.new("uint64_t[2]")
+        lib.murk_batch_photons(c, photons)
+        self.number = int(lib.murk_batch_number(c))
+        self.photons: tuple[int, int] = (photons[0], photons[1])
+
+    def array(self, map: str, field: str) -> NDArray[Any]:
+        """A field of the records of the "surface" or "volume" map, in the order of photons: a copy.
+
+        Fields, units and types: `Light.array()`. Raises Error for another name, and after the function that received
+        the batch has returned.
+
+        Example: `upward = batch.array("volume", "direction")[:, 2] > 0`.
+        """
+        which = _map_of(map)
+        if self._c is None:
+            raise Error("the batch is valid until the function that received it returns")
+        view = new_view()
+        call(lib.murk_batch_array, self._c, which, c_text(field), view)
+        return numpy.array(as_numpy(None, view))
+
+    def _all(self, map: str) -> NDArray[Any]:
+        if map not in self._records:
+            arrays = {field: self.array(map, field) for field in _STORED}
+            records = numpy.empty(lib.murk_batch_count(self._c, _MAPS[map]),
+                                  [(field, array.dtype, array.shape[1:]) for field, array in arrays.items()])
+            for field, array in arrays.items():
+                records[field] = array
+            self._records[map] = records
+        return self._records[map]
+
+    @property
+    def surface(self) -> NDArray[Any]:
+        """The records of the surface map as a structured array, in the order of photons.
+
+        The fields are those of `Light.surface`; position_m is float64 in scenes far from the origin. Raises Error as
+        `array()`.
+
+        Example: `batch.surface["power_w"].sum()`.
+        """
+        return self._all("surface")
+
+    @property
+    def volume(self) -> NDArray[Any]:
+        """The records of the volume map, as `surface`. Raises Error as `array()`.
+
+        Example: `batch.volume["position_m"][:, 2].max()`.
+        """
+        return self._all("volume")
+
+
+class _Receiver:
+    """The function of a caller that receives batches; its exceptions are kept by the context."""
+
+    def __init__(self, context: Context, each: Callable[[Batch], object]) -> None:
+        self.context, self.each = context, each
+        self.is_enough = False
+
+    def _pass(self, c: Any) -> None:
+        self.is_enough = True  # if anything below raises
+        batch = Batch(c)
+        try:
+            answer = self.each(batch)
+            self.is_enough = isinstance(answer, (bool, numpy.bool_)) and not answer
+        finally:
+            batch._c = None
+
+    def take(self, c: Any) -> int:
+        """1 to cancel the trace, else 0."""
+        self.context._guard(self._pass, c)
+        return int(self.is_enough)
+
+
+@ffi.callback("murk_batch_function", error=1)  # type: ignore[misc]
+def _receive(user: Any, batch: Any) -> int:
+    receiver: _Receiver = ffi.from_handle(user)
+    return receiver.take(batch)
 
 
 class Light:
@@ -109,11 +214,15 @@ class Light:
     context: Any = None  # of a pickled light
     c: Any = None
 
-    def __init__(self, world: World, path: Path | None = None) -> None:
+    def __init__(self, world: World, path: Path | None = None,
+                 each_batch: Callable[[Batch], object] | None = None) -> None:
         self.world = world
         self.context = world.context
         out = ffi.new("murk_light **")
-        if path is None:
+        if each_batch is not None:
+            receiver = ffi.new_handle(_Receiver(self.context, each_batch))  # lives as long as the call
+            call_long(self.context, lib.murk_light_stream, out, world.c, _receive, receiver)
+        elif path is None:
             call_long(self.context, lib.murk_light_trace, out, world.c)
         else:
             call_long(self.context, lib.murk_light_read, out, world.c, c_text(path))
@@ -136,10 +245,9 @@ class Light:
 
     def _records(self, which: int) -> NDArray[Any]:
         """All fields that are stored as they are asked for, as one array of records."""
-        views = {f: self._view(which, f) for f in ("power_w", "emitted", "band", "light", "material")}
-        place = self._view(which, "position_m")
-        if not place.is_copy:
-            views = {"position_m": place, **views}
+        views = {f: self._view(which, f) for f in _STORED}
+        if views["position_m"].is_copy:
+            views.pop("position_m")
         n = lib.murk_light_count(self.c, which)
         first = min(view_address(v) for v in views.values()) if n else 0
         kinds = {lib.MURK_TYPE_UINT8: "u1", lib.MURK_TYPE_UINT32: "<u4", lib.MURK_TYPE_FLOAT32: "<f4"}
@@ -158,15 +266,23 @@ class Light:
 
         Example: `upward = light.array("volume", "direction")[:, 2] > 0`.
         """
-        if map not in _MAPS:
-            raise Error(f"{map!r}, must be one of {', '.join(_MAPS)}", where="argument map")
+        which = _map_of(map)
         if f"{map}.{field}" in self._values:
             values: NDArray[Any] = self._values[f"{map}.{field}"]
             return values
         records: NDArray[Any] = getattr(self, map)
         if self.c is None and field in (records.dtype.names or ()):
             return records[field]
-        return as_numpy(self.c, self._view(_MAPS[map], field))
+        return as_numpy(self.c, self._view(which, field))
+
+    def packet_w(self, light: int, band: int) -> float:
+        """The power of a photon packet of a light source of the scene and a band, both from 0 [W].
+
+        0 if no photon was emitted there, NaN if there is no such source or band. Raises Error for a pickled light.
+
+        Example: `watts = batch.volume["power_w"] * light.packet_w(0, 0)`, of a scene with photons.store.
+        """
+        return float(lib.murk_light_packet_w(handle_of(self), light, band))
 
     @property
     def ledger(self) -> Result:

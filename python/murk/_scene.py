@@ -4,14 +4,14 @@ from __future__ import annotations
 import json
 import os
 import tempfile
-from typing import TYPE_CHECKING, Any, Iterable, Mapping, Sequence, Tuple, Union
+from typing import TYPE_CHECKING, Any, Callable, Iterable, Mapping, Sequence, Tuple, Union
 
 import numpy
 from numpy.typing import ArrayLike, NDArray
 
 from ._context import Context, default_context
 from ._library import DICT, Error, Path, c_text, call_in, call_long, ffi, from_numpy, lib, string
-from ._light import Light, World
+from ._light import Batch, Light, World
 from ._plan import Coverage, Plan
 from ._results import Fielded, Study, report_of, result_of, save
 
@@ -268,12 +268,12 @@ class Scene:
         """
         return World(self)
 
-    def trace(self) -> Light:
-        """Traces the light: Light. Raises Error.
+    def trace(self, each_batch: Callable[[Batch], object] | None = None) -> Light:
+        """Traces the light: Light. Raises Error. each_batch: a function of each batch, as in `World.trace()`.
 
         Example: `light = scene.trace()`.
         """
-        return self.world().trace()
+        return self.world().trace(each_batch)
 
     def place(self) -> Plan:
         """Chooses the sensors: Plan. Raises Error.

@@ -307,6 +307,122 @@ def interrupt():
     check(len(murk.Scene(ROOM).trace().volume) > 0, "the next trace works")
 
 
+# ---- batches ----
+
+FIELDS = ("position_m", "power_w", "emitted", "band", "light", "material", "direction", "normal", "event_class")
+
+
+def sorted_rows(columns):
+    """Records by their bytes, in an order that does not depend on that of the records."""
+    n = len(columns[0])
+    return numpy.sort(numpy.hstack([numpy.ascontiguousarray(c).view(numpy.uint8).reshape(n, -1) for c in columns])
+                      .view(f"S{sum(c.itemsize * c[0].size for c in columns)}").ravel())
+
+
+def streamed(keys, what):
+    """The records of all batches together are those of the light, to the bit."""
+    scene = murk.Scene({**ROOM, **keys})
+    received, numbers = {"surface": [], "volume": []}, []
+
+    def receive(batch):
+        numbers.append((batch.number, *batch.photons))
+        for name, kept in received.items():
+            records = getattr(batch, name)
+            check(records is getattr(batch, name), "records are copied once")
+            check((numpy.diff(records["emitted"].astype(int)) >= 0).all(), f"the order of photons, {what}")
+            check(all((batch.array(name, f) == records[f]).all() for f in records.dtype.names), "array() and records")
+            kept.append([records[f] if f in records.dtype.names else batch.array(name, f) for f in FIELDS])
+
+    light = scene.trace(each_batch=receive)
+    check([n for n, _, _ in numbers] == list(range(len(numbers))) and len(numbers) > 10, f"the order of batches, {what}")
+    check(numbers[0][1] == 0 and all(b[1] == a[2] + 1 for a, b in zip(numbers, numbers[1:])), f"no gaps, {what}")
+    check(numbers[-1][2] + 1 == light.ledger.photons_emitted, f"all photons, {what}")
+    plain = scene.trace()
+    for name, kept in received.items():
+        columns = [numpy.concatenate([one[k] for one in kept]) for k in range(len(FIELDS))]
+        if "store" in keys.get("photons", {}):
+            packet_w = numpy.array([[light.packet_w(i, 0)] for i in range(len(scene["lights"]))])
+            columns[1] = (columns[1] * packet_w[columns[4], columns[3]]).astype(numpy.float32)
+        for other in (light, plain):
+            stored = [other.array(name, f) for f in FIELDS]
+            check(all(a.dtype == b.dtype and a.shape == b.shape for a, b in zip(columns, stored)), f"types, {what}")
+            check(len(columns[0]) > 100 and (sorted_rows(columns) == sorted_rows(stored)).all(),
+                  f"the {name} map of batches, {what}")
+
+
+def raised(kind, world, receive):
+    try:
+        world.trace(receive)
+    except kind as error:
+        return error
+    check(False, f"{kind.__name__} is raised")
+
+
+def batches():
+    streamed({}, "photons.emit")
+    streamed({"photons": {"store": 30000}, "lights": ROOM["lights"] + [{**ROOM["lights"][0], "power_w": 3}]},
+             "photons.store")
+    far = [400000.0, 5600000.0, 0.0]
+    moved = murk.Scene({**{key: ROOM[key] for key in ("bands_nm", "media", "regions", "photons")},
+                        "domain": {"min_m": far, "max_m": [far[0] + 10, far[1] + 10, 5]},
+                        "geometry": [{"rect": {"corner_m": far, "edge1_m": [10, 0, 0], "edge2_m": [0, 10, 0]}}],
+                        "lights": [{**ROOM["lights"][0], "center_m": [far[0] + 5, far[1] + 5, 4]}]})
+    places = []
+    light = moved.trace(each_batch=lambda batch: places.append(batch.volume["position_m"]))
+    places = numpy.concatenate(places)
+    check(places.dtype == numpy.float64 and (numpy.sort(places, 0) ==
+                                             numpy.sort(light.array("volume", "position_m"), 0)).all(), "far from 0")
+    # False cancels, of Python or NumPy; no other value does
+    world = murk.Scene(ROOM).world()
+    seen = []
+    for answer in (False, numpy.bool_(False)):
+        seen.clear()
+        error = raised(murk.Interrupted, world, lambda batch: (seen.append(batch), batch.number < 3 or answer)[1])
+        check(len(seen) == 4 and "batch 3" in str(error), f"{len(seen)} batches: {error}")
+    for answer in (None, 0, "", True):
+        check(len(world.trace(lambda batch: answer).volume) > 0, f"{answer!r} does not cancel")
+    # the arrays of a batch stay valid, the batch does not
+    kept = []
+    raised(murk.Interrupted, world,
+           lambda batch: kept.append((batch, batch.volume, batch.array("volume", "direction"))) or False)
+    batch, records, directions = kept[0]
+    check(batch.volume is records and records["power_w"].min() > 0, "arrays are the caller's")
+    check(numpy.allclose(numpy.linalg.norm(directions, axis=1), 1, atol=1e-4), "unit vectors")
+    for late in (lambda: batch.surface, lambda: batch.array("volume", "band"), lambda: batch.array("air", "band")):
+        try:
+            late()
+        except murk.Error as error:
+            check("until" in str(error) or error.where == "argument map", str(error))
+        else:
+            check(False, "a batch that is over raises Error")
+    check("no_such" in str(raised(murk.Error, world, lambda batch: batch.array("volume", "no_such"))), "a wrong field")
+    # an exception arrives as it is, from the main thread and from another one, and the next trace works
+    thrown = LookupError("enough")
+
+    def throw(batch):
+        if batch.number == 2:
+            raise thrown
+
+    check(raised(LookupError, world, throw) is thrown, "the exception of the function")
+    check(raised(SystemExit, world, lambda batch: sys.exit(3)).code == 3, "SystemExit")
+    found = []
+    thread = threading.Thread(target=lambda: found.append(raised(LookupError, world, throw)))
+    thread.start()
+    thread.join()
+    check(found == [thrown], "in another thread")
+    check(len(world.trace(lambda batch: None).volume) == len(world.trace().volume), "the next trace")
+    # Ctrl-C, cancel() in the function, and other threads of Python meanwhile
+    long = murk.Scene({**ROOM, "photons": {"emit": 4000000000, "maps": "none"}}).world()
+    threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT)).start()
+    begun = time.monotonic()
+    raised(KeyboardInterrupt, long, lambda batch: None)
+    check(time.monotonic() - begun < 60, "the trace stops soon")
+    raised(murk.Interrupted, long, lambda batch: long.context.cancel())
+    share, seconds = holds_the_lock(lambda: raised(murk.Interrupted, long,
+                                                   lambda batch, end=time.monotonic() + 1: time.monotonic() < end))
+    check(share < 0.5, f"the lock is released: a pause of {share:.2f} of {seconds:.2f} s")
+
+
 def progress_and_log():
     seen, heard = [], []
     context = murk.Context(threads=1, progress=lambda *state: seen.append(state), log=lambda *m: heard.append(m))
@@ -444,7 +560,7 @@ def leaks():
             pass
 
     def all_of_it():
-        light = murk.Scene({**ROOM, "photons": {"emit": 200, "max_stored": 1000}}).trace()
+        light = murk.Scene({**ROOM, "photons": {"emit": 200, "max_stored": 1000}}).trace(lambda batch: batch.volume)
         light.array("volume", "direction")
         light.tally("box")
         light.place()
@@ -473,6 +589,7 @@ def main():
     keys()
     interpreter_is_free()
     interrupt()
+    batches()
     progress_and_log()
     pickles()
     leaks()

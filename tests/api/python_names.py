@@ -25,12 +25,6 @@ UNUSED = {
     "murk_fields_string": "as murk_fields_kind",
     "murk_fields_length": "as murk_fields_kind",
     "murk_fields_name": "as murk_fields_kind",
-    "murk_light_stream": "arrays of all records are there when light is traced",
-    "murk_batch_number": "as murk_light_stream",
-    "murk_batch_photons": "as murk_light_stream",
-    "murk_batch_count": "as murk_light_stream",
-    "murk_batch_array": "as murk_light_stream",
-    "murk_light_packet_w": "the field `power_w` is in watts when light is traced",
     "murk_sensors_count": "lists of sensors are lists of Python",
     "murk_sensors_get": "as murk_sensors_count",
     "murk_plan_sensors": "the field `sensors` of a plan has them",
@@ -109,12 +103,14 @@ def types():
         print("skipped: no mypy, the types are not checked")
         return
     # A user of the module: mistakes of type are found.
-    user = "import murk\nplan = murk.Scene(file='a.yaml').place()\nplan.save(3)\nmurk.Light().surface\nx: str = plan.report('a')[0]\n"
+    user = "import murk\nplan = murk.Scene(file='a.yaml').place()\nplan.save(3)\nmurk.Light().surface\nx: str = plan.report('a')[0]\n" \
+           "murk.Scene().trace(each_batch=lambda batch: batch.colour)\nmurk.Scene().trace(each_batch=3)\n" \
+           "murk.Scene().trace(lambda batch: batch.number < 9)\n"
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "user.py")
         with open(path, "w", encoding="utf-8") as file:
             file.write(user)
-        for what, lines in ((["--strict", "-p", "murk"], []), ([path], [3, 4, 5])):
+        for what, lines in ((["--strict", "-p", "murk"], []), ([path], [3, 4, 5, 6, 7])):
             run = subprocess.run(["/usr/bin/mypy", "--ignore-missing-imports", "--no-error-summary", "--cache-dir", folder,
                                   *what], cwd=os.path.join(top, "python"), capture_output=True, text=True)
             found = [int(line.split(":")[1]) for line in run.stdout.splitlines()]
