@@ -432,6 +432,19 @@ murk_status murk_world_check_save(murk_world *world, const char *command,
                                   const murk_save_options *options,
                                   murk_error *error);
 
+/* Traces one photon of the world again, as murk replay: photon is its number,
+ * as the field `emitted` of murk_light_array() has it. *fields: `photon` and
+ * `events`, a list with `number`, `kind`, `partner`, `outcome`, `position_m`,
+ * `direction_in`, `direction_out` [unit vectors] and `path_m` (since the event
+ * before) of each event, in the order along the path; valid until the next
+ * call of this function with the world. options: `command` and `asked` alone
+ * are used, for `run` and `identity`; NULL: zeros. Fails with MURK_BAD_VALUE if
+ * the scene emits no photon of this number, and with MURK_INTERRUPTED if the
+ * call is cancelled. */
+murk_status murk_world_replay(murk_world *world, uint64_t photon,
+                              const murk_save_options *options,
+                              const murk_fields **fields, murk_error *error);
+
 /* ---- light ---- */
 
 typedef struct murk_light murk_light;

@@ -10,7 +10,7 @@ from ._context import Context
 from ._library import (Error, Path, as_numpy, c_text, call, call_long, ffi, lib, new_view, structured, view_address)
 from ._picture import Picture
 from ._plan import Coverage, Plan
-from ._results import Result, handle_of, report_of, restored, result_of, save
+from ._results import Result, handle_of, report_of, restored, result_in, result_of, save
 
 if TYPE_CHECKING:
     from ._scene import Scene, Sensors
@@ -63,6 +63,20 @@ class World:
         Example: `light = world.trace(each_batch=lambda batch: print(batch.number, len(batch.volume)))`.
         """
         return Light(self, each_batch=each_batch)
+
+    def replay(self, photon: int) -> Result:
+        """The events of one photon, which is traced again: `events`, a list with `kind`, `partner`, `position_m`, ...
+
+        photon: its number, as `emitted` of the records has it. Raises Error if the scene emits no such photon.
+        Source: `murk replay`.
+
+        Example: `[event.kind for event in world.replay(17).events]`.
+        """
+        if not 0 <= photon < 2**64:
+            raise Error(f"{photon}, must be 0 or more", where="argument photon")
+        fields = ffi.new("const murk_fields **")
+        call_long(self.context, lib.murk_world_replay, self.c, photon, ffi.NULL, fields)
+        return result_in(fields)
 
     def read_light(self, path: Path) -> Light:
         """Reads a light.murk: Light, without tallies. Raises Error if the file is not of this world.

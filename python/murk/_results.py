@@ -41,6 +41,11 @@ def result_of(function: Any, handle: Any) -> Result:
     """The fields of a handle by its murk_..._fields()."""
     fields = ffi.new("const murk_fields **")
     call(function, handle, fields)
+    return result_in(fields)
+
+
+def result_in(fields: Any) -> Result:
+    """The fields that a call has given back, as Python objects."""
     result: Result = json.loads(string(lib.murk_fields_json(fields[0])), object_hook=Result)
     return result
 

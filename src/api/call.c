@@ -59,9 +59,9 @@ static bool is_key(const char *text)
 static const struct {
     const char *name;
     bool is_list;
-} settings[] = {{"keys", true},     {"bounds", true},  {"exports", false},
-                {"voxel_m", false}, {"runs", false},   {"loss", false},
-                {"predict", false}, {"command", false}};
+} settings[] = {{"keys", true},     {"bounds", true},   {"exports", false},
+                {"voxel_m", false}, {"runs", false},    {"loss", false},
+                {"predict", false}, {"command", false}, {"photon", false}};
 
 /* Returns the part of a place behind MURK_SET_MARK or behind the name of a
  * setting: a text that begins with a key, or "". Returns NULL if the place

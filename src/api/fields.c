@@ -38,6 +38,35 @@ void murk_fields_release(murk_fields *fields)
  * 754 binary64; RFC 8259, section 6). */
 #define EXACT_MAX INT64_C(9007199254740991)
 
+/* Items of lists that are not longer are found without the help of the last
+ * one. */
+#define SHORT_LIST 8
+
+/* Item i of a list; NULL if there is none. Walks on from the item that was read
+ * last, so that the time to read a list in order is in proportion to its
+ * length. An item of a short list is not remembered, because it may be a part
+ * of an item of the long list that is read. */
+static const cJSON *item_of(const murk_fields *fields, const cJSON *list, int i)
+{
+    murk_fields *memory = (murk_fields *)fields;
+    const cJSON *item = list->child;
+    int at = 0;
+    if (memory->last.list == list && memory->last.index <= i) {
+        item = memory->last.item;
+        at = memory->last.index;
+    }
+    while (item && at < i) {
+        item = item->next;
+        ++at;
+    }
+    if (item && i >= SHORT_LIST) {
+        memory->last.list = list;
+        memory->last.item = item;
+        memory->last.index = i;
+    }
+    return item;
+}
+
 /* The item at a path; NULL if there is none. */
 static const cJSON *find(const murk_fields *fields, const char *path)
 {
@@ -53,7 +82,7 @@ static const cJSON *find(const murk_fields *fields, const char *path)
         if (cJSON_IsArray(at)) {
             const size_t digits = strspn(name, "0123456789");
             at = digits > 0 && digits < 10 && name[digits] == '\0'
-                     ? cJSON_GetArrayItem(at, atoi(name))
+                     ? item_of(fields, at, atoi(name))
                      : NULL;
         } else {
             at = cJSON_GetObjectItemCaseSensitive(at, name);

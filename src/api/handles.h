@@ -37,6 +37,10 @@ struct murk_scene {
 struct murk_fields {
     cJSON *root;
     char *json;
+    struct { /* the item of a long list that was read last; list NULL: none */
+        const cJSON *list, *item;
+        int index;
+    } last;
 };
 
 /* An array that was made on request. */
@@ -53,8 +57,8 @@ struct murk_world {
     murk_memory_files files;
     murk_scene_desc *desc;
     murk_stage *stage;
-    double begun_s, load_s; /* murk_clock_s() when reading began, and the time
-                             * of reading and building */
+    double begun_s, load_s; /* the clock at the beginning, and the duration */
+    murk_fields replayed;   /* of the last murk_world_replay() */
 };
 
 struct murk_light {

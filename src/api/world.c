@@ -76,6 +76,7 @@ void murk_world_release(murk_world *world)
     if (!world || --world->references > 0) {
         return;
     }
+    murk_fields_release(&world->replayed);
     murk_stage_destroy(world->stage);
     murk_scene_desc_destroy(world->desc);
     murk_memory_release(&world->files);

@@ -1,155 +1,99 @@
-/* murk replay: traces one photon of a scene again, by its index, and shows
+/* murk replay: traces one photon of a scene again, by its number, and shows
  * each event. */
-#include "app/session.h"
+#include "app/given.h"
+#include "app/show.h"
 #include "results/summary.h"
 
-#include <stdlib.h>
+#include <stdio.h>
 
-static const char *const kind_name[] = {
-    [MURK_EVENT_EMITTED] = "emitted",    [MURK_EVENT_SURFACE] = "surface",
-    [MURK_EVENT_MEDIUM] = "medium",      [MURK_EVENT_WRAPPED] = "wrapped",
-    [MURK_EVENT_ESCAPED] = "escaped",    [MURK_EVENT_LOST] = "lost",
-    [MURK_EVENT_INTERFACE] = "interface"};
-static const char *const outcome_name[] = {[MURK_ABSORBED] = "absorbed",
-                                           [MURK_DIFFUSE] = "reflected",
-                                           [MURK_MIRRORED] = "mirrored",
-                                           [MURK_TRANSMITTED] = "transmitted",
-                                           [MURK_SCATTERED] = "scattered"};
-static const char *const loss_name[] = {[MURK_LOSS_EVENTS] = "too many events",
-                                        [MURK_LOSS_WRAPS] = "too many wraps",
-                                        [MURK_LOSS_NUMERICAL] = "numerical"};
+#define PATH_SIZE 64 /* of "events.12.direction_out.0" and its like */
 
-typedef struct replay {
-    const murk_session *session;
-    uint64_t photon;
-    cJSON *events; /* NULL: print lines */
-} replay;
+/* The path of a field of event i. */
+typedef struct event_path {
+    char text[PATH_SIZE];
+} event_path;
 
-/* The name of the material or medium of the event; of a lost photon the reason;
- * of other events "". */
-static const char *partner(const replay *r, const murk_event *event)
+static event_path path_of(size_t i, const char *name)
 {
-    const murk_scene_desc *scene = r->session->scene;
-    switch (event->kind) {
-    case MURK_EVENT_SURFACE:
-        return scene->materials[event->material_or_medium].name;
-    case MURK_EVENT_MEDIUM:
-        return scene->media[event->material_or_medium].name;
-    case MURK_EVENT_INTERFACE:
-        return scene->media[scene->regions[event->material_or_medium].medium]
-            .name;
-    case MURK_EVENT_LOST:
-        return loss_name[event->loss];
-    case MURK_EVENT_EMITTED:
-    case MURK_EVENT_WRAPPED:
-    case MURK_EVENT_ESCAPED:
-        break;
-    }
-    return "";
+    event_path path;
+    snprintf(path.text, sizeof path.text, "events.%zu.%s", i, name);
+    return path;
 }
 
-static bool has_outcome(const murk_event *event)
+static double number_of(const murk_fields *replay, size_t i, const char *name)
 {
-    return event->kind == MURK_EVENT_SURFACE ||
-           event->kind == MURK_EVENT_MEDIUM ||
-           event->kind == MURK_EVENT_INTERFACE;
+    double value = 0;
+    (void)murk_fields_double(replay, path_of(i, name).text, &value, NULL);
+    return value;
 }
 
-static void print_event(const replay *r, const murk_event *event)
+/* The text of a field of event i; "" if the event has no such field. */
+static const char *text_of(const murk_fields *replay, size_t i,
+                           const char *name)
 {
-    const murk_vec3 p = murk_scene_user(r->session->scene, event->position);
-    const murk_vec3 d = event->direction_out;
-    const char *name = partner(r, event);
-    murk_print("%5u %-9s %9.3f %9.3f %9.3f %7.4f %7.4f %7.4f %9.3f\n",
-               event->number, kind_name[event->kind], p.x, p.y, p.z, d.x, d.y,
-               d.z, event->path_m);
-    if (*name) { /* names may be as wide as a line, so they have their own */
-        murk_print("%6s%s%s%s\n", "", name, has_outcome(event) ? ": " : "",
-                   has_outcome(event) ? outcome_name[event->outcome] : "");
-    }
+    const char *text = "";
+    (void)murk_fields_string(replay, path_of(i, name).text, &text, NULL);
+    return text;
 }
 
-static void add_event(const replay *r, const murk_event *event)
+/* Prints a row for each event. Names may be as wide as a line, so they have
+ * lines of their own. */
+static void print_events(const murk_fields *replay)
 {
-    cJSON *item = murk_json_item(r->events);
-    murk_json_number(item, "number", event->number);
-    cJSON_AddStringToObject(item, "kind", kind_name[event->kind]);
-    cJSON_AddStringToObject(item, "partner", partner(r, event));
-    if (has_outcome(event)) {
-        cJSON_AddStringToObject(item, "outcome", outcome_name[event->outcome]);
-    }
-    murk_json_vector(item, "position_m",
-                     murk_scene_user(r->session->scene, event->position));
-    murk_json_vector(item, "direction_in", event->direction_in);
-    murk_json_vector(item, "direction_out", event->direction_out);
-    murk_json_number(item, "path_m", event->path_m);
-}
-
-static void on_event(void *context, uint64_t batch, const murk_event *event)
-{
-    (void)batch;
-    const replay *r = context;
-    if (event->photon != r->photon) {
-        return;
-    }
-    if (r->events) {
-        add_event(r, event);
-    } else if (murk_session_speaks(r->session)) {
-        print_event(r, event);
+    static const char *const column[] = {
+        "position_m.0",    "position_m.1",    "position_m.2", "direction_out.0",
+        "direction_out.1", "direction_out.2", "path_m"};
+    static const int digits[] = {3, 3, 3, 4, 4, 4, 3},
+                     width[] = {9, 9, 9, 7, 7, 7, 9};
+    murk_print("event kind            x m       y m       z m  direction "
+               "out            path m\n");
+    const size_t n = murk_fields_length(replay, "events");
+    for (size_t i = 0; i < n; ++i) {
+        murk_print("%5.0f %-9s", number_of(replay, i, "number"),
+                   text_of(replay, i, "kind"));
+        for (size_t k = 0; k < sizeof column / sizeof *column; ++k) {
+            murk_print(" %*.*f", width[k], digits[k],
+                       number_of(replay, i, column[k]));
+        }
+        murk_print("\n");
+        const char *name = text_of(replay, i, "partner"),
+                   *outcome = text_of(replay, i, "outcome");
+        if (*name) {
+            murk_print("%6s%s%s%s\n", "", name, *outcome ? ": " : "", outcome);
+        }
     }
 }
 
 murk_status murk_command_replay(const murk_options *options, murk_error *err)
 {
-    murk_session session;
-    murk_ledger *ledger = NULL;
-    cJSON *root = NULL;
-    const uint64_t photon = murk_option_number(options, "--photon", 0);
+    murk_scene *scene = NULL;
+    murk_world *world = NULL;
+    murk_given_save save = {.exports = NULL};
+    const murk_fields *replay = NULL;
     if (!murk_option_text(options, "--photon")) {
         return murk_fail(err, MURK_BAD_VALUE, "", "replay needs --photon N");
     }
-    murk_status status = murk_session_begin(&session, options, err);
-    if (status) {
-        goto done;
+    /* The scene, its world, and the options of the results. */
+    murk_status status = murk_given_scene(&scene, options, err);
+    if (!status) {
+        status = murk_world_create(&world, scene, err);
     }
-    /* The photon must be one that the scene emits. */
-    const uint64_t emit = session.scene->photons.emit;
-    if (emit && photon >= emit) {
+    if (!status) {
+        status = murk_given_save_begin(&save, options, err);
+    }
+    if (!status) {
         status =
-            murk_fail(err, MURK_BAD_VALUE, "--photon",
-                      "%llu, must be 0..%llu: the scene emits %llu",
-                      (unsigned long long)photon,
-                      (unsigned long long)(emit - 1), (unsigned long long)emit);
-        goto done;
+            murk_world_replay(world, murk_option_number(options, "--photon", 0),
+                              &save.options, &replay, err);
     }
-    status = murk_ledger_create(&ledger, &session.stage->world, err);
-    if (status) {
-        goto done;
+    /* The events as JSON or as rows. */
+    if (!status && options->json) {
+        murk_print_json(murk_fields_json(replay));
+    } else if (!status && murk_shows_summary(options)) {
+        print_events(replay);
     }
-    /* Events go to a table or to a JSON list. */
-    replay r = {.session = &session, .photon = photon};
-    if (options->json) {
-        root = murk_json_begin(session.scene);
-        murk_json_number(root, "photon", (double)photon);
-        r.events = cJSON_AddArrayToObject(root, "events");
-    } else if (murk_session_speaks(&session)) {
-        murk_print("event kind            x m       y m       z m  direction "
-                   "out            path m\n");
-    }
-    /* Trace the batch up to the photon; the sink drops all other photons. */
-    murk_trace trace = murk_stage_trace(session.stage);
-    trace.first = photon / MURK_BATCH_PHOTONS * MURK_BATCH_PHOTONS;
-    trace.last = photon + 1;
-    trace.sink = on_event;
-    trace.context = &r;
-    murk_trace_run(&trace, ledger);
-    if (root) {
-        status = murk_session_finish(&session, NULL, root, NULL, NULL, err);
-        root = NULL;
-    }
-done:
-    cJSON_Delete(root);
-    murk_ledger_destroy(ledger);
-    murk_session_end(&session);
+    murk_world_destroy(world);
+    murk_scene_destroy(scene);
+    murk_given_save_end(&save);
     return status;
 }

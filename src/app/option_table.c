@@ -76,7 +76,8 @@ const murk_option murk_option_table[] = {
      "repeat.csv has a row a seed",
      COUNT(1, 10000), .setting = "runs", .part = MURK_OPTION_AS_TEXT},
     {"--photon", NULL, "N", "replay", "index of the emitted photon, from 0",
-     COUNT(0, UINT32_MAX - UINT64_C(1)), .part = MURK_OPTION_AS_TEXT},
+     COUNT(0, UINT32_MAX - UINT64_C(1)), .setting = "photon",
+     .part = MURK_OPTION_AS_TEXT},
     {"--data", NULL, "FILE", "fit",
      "what was measured: CSV with kind, place, value and standard_error of "
      "each reading",

@@ -66,6 +66,11 @@ static void check_settings(const given *g)
                                     NULL, &options, &error);
         check_place(saves[i].where, "", &error);
     }
+    murk_error unsent = MURK_ERROR_NONE;
+    const murk_fields *replay = NULL;
+    (void)murk_world_replay(g->world, 1000, NULL, &replay, &unsent);
+    check_place("photon", "", &unsent);
+    check(!replay, "photon", "a replay that failed has fields");
     static const struct {
         const char *where;
         size_t n;

@@ -53,6 +53,10 @@ def program_agrees(folder):
     mine = {k: v for k, v in plan.result.items() if k not in ("murk", "scene", "scene_sha256")}
     check(mine == without_run(os.path.join(by_program, "plan.json")), "the fields of the plan are those of plan.json")
     check(plan.sensors == first["sensors"] and plan.coverage == first["coverage"], "sensors and coverage")
+    # the events of a photon
+    replay = subprocess.run([program, "replay", scene_file, "--photon", "7", "--format", "json"], check=True,
+                            capture_output=True, text=True).stdout
+    check(scene.world().replay(7).events == json.loads(replay)["events"], "the events of a photon")
     # light that the program wrote, and sensors that it chose
     light = scene.world().read_light(os.path.join(by_program, "light.murk"))
     check(light.sense(os.path.join(by_program, "plan.json")).coverage["in_sample"] ==

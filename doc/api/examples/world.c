@@ -1,4 +1,4 @@
-/* A world: the box of the domain and the bands. */
+/* A world: the box of the domain, the bands, and the events of one photon. */
 #include "example.h"
 
 int main(void)
@@ -17,6 +17,19 @@ int main(void)
     for (int i = 0; i < murk_world_bands(world); ++i) {
         printf("band %d: %g nm\n", i, murk_world_band_nm(world, i));
     }
+    /* The path of photon 1. */
+    const murk_fields *replay = NULL;
+    must(murk_world_replay(world, 1, NULL, &replay, &error), &error);
+    for (size_t i = 0; i < murk_fields_length(replay, "events"); ++i) {
+        char path[64];
+        const char *kind = NULL;
+        double path_m = 0;
+        snprintf(path, sizeof path, "events.%zu.kind", i);
+        must(murk_fields_string(replay, path, &kind, &error), &error);
+        snprintf(path, sizeof path, "events.%zu.path_m", i);
+        must(murk_fields_double(replay, path, &path_m, &error), &error);
+        printf("%s after %.2f m\n", kind, path_m);
+    }
     murk_world_destroy(world);
     murk_scene_destroy(scene);
     murk_context_destroy(context);
@@ -27,4 +40,9 @@ int main(void)
  *
  * 8 x 6 x 3 m
  * band 0: 532 nm
+ * emitted after 0.00 m
+ * surface after 0.20 m
+ * surface after 4.49 m
+ * medium after 2.97 m
+ * surface after 1.57 m
  */
