@@ -199,15 +199,6 @@ void murk_context_destroy(murk_context *context);
  * for the next long call. */
 void murk_context_cancel(murk_context *context);
 
-/* Writes the page of a folder of results (plan.json, ledger.json, study.json,
- * ...) to `page`, one HTML file; NULL: to report.html in the folder. A file
- * that murk did not write is not replaced. Fails with MURK_BAD_FILE if the
- * folder holds no results or a malformed file, with MURK_BAD_VALUE or
- * MURK_RUN_FAILED if the page cannot be written, and with MURK_INTERRUPTED if
- * the call is cancelled. */
-murk_status murk_context_write_report(murk_context *context, const char *folder,
-                                      const char *page, murk_error *error);
-
 /* ---- scene ---- */
 
 typedef struct murk_scene murk_scene;
@@ -398,6 +389,23 @@ typedef struct murk_save_options {
     const char *asked;   /* a text that says what else the results follow from,
                           * beside the scene; `identity` covers it */
 } murk_save_options;
+
+/* Writes the page of a folder of results (plan.json, ledger.json, study.json,
+ * ...) to `page`, one HTML file; NULL: to report.html in the folder. Warns of
+ * files that do not belong to the results. options: `replaces`, without which a
+ * file that murk did not write is not replaced, and `asked` are used, the
+ * latter for `identity`; NULL: zeros. fields may be NULL; else *fields are
+ * `report` (the path of the page), `bytes`, `photons`, `photons_shown`,
+ * `sensors_shown`, `identity` and `files`, valid until the next call of this
+ * function with the context. Fails with MURK_BAD_FILE if the folder holds no
+ * results or a malformed file, with MURK_BAD_VALUE or MURK_RUN_FAILED if the
+ * page cannot be written, and with MURK_INTERRUPTED if the call is
+ * cancelled. */
+murk_status murk_context_write_report(murk_context *context, const char *folder,
+                                      const char *page,
+                                      const murk_save_options *options,
+                                      const murk_fields **fields,
+                                      murk_error *error);
 
 /* ---- world ---- */
 

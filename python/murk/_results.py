@@ -101,7 +101,7 @@ def report(folder: Path, page: Path | None = None, context: Context | None = Non
     Example: `murk.report("out", "page.html")`.
     """
     context = context or default_context()
-    call_long(context, lib.murk_context_write_report, context.c, c_text(folder), c_text(page))
+    call_long(context, lib.murk_context_write_report, context.c, c_text(folder), c_text(page), ffi.NULL, ffi.NULL)
     return os.path.join(os.fspath(folder), "report.html") if page is None else page
 
 

@@ -104,6 +104,7 @@ murk_status murk_context_create(murk_context **out,
 void murk_context_release(murk_context *context)
 {
     if (context && --context->references == 0) {
+        murk_fields_release(&context->reported);
         murk_host_destroy(context->host);
         free(context->reader);
         free(context);

@@ -13,12 +13,22 @@
 #include "results/fields.h"
 #include "results/session.h"
 
+struct murk_fields {
+    cJSON *root;
+    char *json;
+    struct { /* the item of a long list that was read last; list NULL: none */
+        const cJSON *list, *item;
+        int index;
+    } last;
+};
+
 struct murk_context {
     size_t references;
     murk_host *host;
     unsigned threads;
     murk_context_options options;
-    char *reader; /* a copy of options.reader */
+    char *reader;         /* a copy of options.reader */
+    murk_fields reported; /* of the last murk_context_write_report() */
 };
 
 struct murk_scene {
@@ -32,15 +42,6 @@ struct murk_scene {
     murk_memory_files files;
     char *resolved; /* text of the last murk_scene_resolved() */
     char *value;    /* JSON of the last murk_scene_get() */
-};
-
-struct murk_fields {
-    cJSON *root;
-    char *json;
-    struct { /* the item of a long list that was read last; list NULL: none */
-        const cJSON *list, *item;
-        int index;
-    } last;
 };
 
 /* An array that was made on request. */

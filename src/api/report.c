@@ -1,42 +1,129 @@
-/* Reads a folder of results and writes one page of it, as murk report does. */
-#include "api/handles.h"
+/* Reads a folder of results and writes one page of it, as murk report does. The
+ * identity of a page follows from the identities of the results in it. */
+#include "api/save.h"
 
 #include "base/file.h"
+#include "base/log.h"
 #include "base/progress.h"
 #include "report/report.h"
+#include "results/identity.h"
 #include "results/ownership.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
-static murk_status write_page(const char *folder, const char *path,
-                              murk_error *err)
+#define IDENTITY 64 /* letters of an identity */
+
+/* The identities of all main JSONs of the folder, and a line feed. */
+typedef struct identities {
+    char text[MURK_RESULT_FILES * IDENTITY + 2];
+} identities;
+
+static identities identities_of(const murk_results_in *results)
 {
+    identities all = {""};
+    size_t n = 0;
+    for (int i = 0; i < MURK_RESULT_FILES; ++i) {
+        const char *one = murk_result_text(results->json[i], "identity");
+        if (one && strlen(one) == IDENTITY) {
+            memcpy(all.text + n, one, IDENTITY);
+            n += IDENTITY;
+        }
+    }
+    all.text[n] = '\n';
+    return all;
+}
+
+/* Makes the fields of a page that is written. */
+static murk_status describe(murk_fields *fields, const char *path,
+                            const murk_report_facts *facts, const char *asked,
+                            murk_error *err)
+{
+    char identity[IDENTITY + 1];
+    struct stat page = {0};
+    (void)stat(path, &page);
+    /* The identity of a page follows from those of the results in it. */
+    const identities of = identities_of(facts->results);
+    const murk_status status =
+        murk_identity_of(identity, "report", asked, NULL, of.text, 0, err);
+    if (status) {
+        return status;
+    }
+    murk_fields_release(fields);
+    cJSON *root = cJSON_CreateObject();
+    cJSON_AddStringToObject(root, "report", path);
+    murk_json_number(root, "bytes", (double)page.st_size);
+    murk_json_number(root, "photons", (double)facts->photons);
+    murk_json_number(root, "photons_shown", (double)facts->photons_shown);
+    murk_json_number(root, "sensors_shown", (double)facts->sensors);
+    cJSON_AddStringToObject(root, "identity", identity);
+    murk_json_file(root, path);
+    fields->root = root;
+    fields->json = root ? cJSON_Print(root) : NULL;
+    return fields->json ? MURK_OK : murk_no_memory(err, "", "for the JSON");
+}
+
+/* Names the files of other runs, which are not in the page. */
+static void warn_of_strangers(const char *folder,
+                              const murk_results_in *results)
+{
+    if (results->strangers && *results->strangers) {
+        murk_warn(folder,
+                  "edited since, of an earlier run, or of a run that was "
+                  "killed while it wrote them: %s",
+                  results->strangers);
+    }
+}
+
+static murk_status write_page(murk_fields *fields, const char *folder,
+                              const char *path,
+                              const murk_save_options *options, murk_error *err)
+{
+    const murk_save_options all = murk_save_known(options);
     murk_report *report = NULL;
+    murk_report_facts facts = {0};
     murk_progress_begin_group("report", 0, "");
     murk_status status = murk_report_read(&report, folder, err);
+    /* No page may be replaced that murk did not write. */
     if (!status) {
-        status = murk_file_check_owner(path, MURK_MARK_PAGE,
-                                       sizeof MURK_MARK_PAGE - 1, false, err);
+        facts = murk_report_describe(report);
+        warn_of_strangers(folder, facts.results);
+        status = murk_file_check_owner(
+            path, MURK_MARK_PAGE, sizeof MURK_MARK_PAGE - 1, all.replaces, err);
     }
     if (!status) {
         status = murk_report_write(report, path, err);
     }
     murk_progress_end();
+    if (!status) {
+        status =
+            describe(fields, path, &facts, all.asked ? all.asked : "", err);
+    }
     murk_report_destroy(report);
     return status;
 }
 
 murk_status murk_context_write_report(murk_context *context, const char *folder,
-                                      const char *page, murk_error *error)
+                                      const char *page,
+                                      const murk_save_options *options,
+                                      const murk_fields **fields,
+                                      murk_error *error)
 {
     if (!context || !folder) {
-        return murk_call_refuse(error, "context or folder is NULL");
+        return murk_save_refuse(fields, error, "context or folder is NULL");
     }
     murk_call call = murk_call_begin(context, NULL, error);
     char *path = page ? strdup(page) : murk_path_join(folder, "report.html");
-    const murk_status status =
-        path ? write_page(folder, path, &call.failure) : MURK_NO_MEMORY;
+    murk_status status =
+        path ? write_page(&context->reported, folder, path, options,
+                          &call.failure)
+             : murk_no_memory(&call.failure, "", "for the page");
     free(path);
-    return murk_call_end_long(&call, status);
+    status = murk_call_end_long(&call, status);
+    if (fields) {
+        *fields = status ? NULL : &context->reported;
+    }
+    return status;
 }

@@ -46,7 +46,9 @@ int main(void)
     printf("%s\n", murk_status_text(status));
     must(murk_light_trace(&light, world, &error), &error);
     must(murk_light_save(light, "results", NULL, NULL, &error), &error);
-    must(murk_context_write_report(context, "results", NULL, &error), &error);
+    must(
+        murk_context_write_report(context, "results", NULL, NULL, NULL, &error),
+        &error);
     printf("warnings: %d\n", seen.warnings);
     murk_light_destroy(light);
     murk_world_destroy(world);
