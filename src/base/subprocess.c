@@ -10,8 +10,8 @@
 #include "base/inputs.h"
 #include "base/log.h"
 #include "base/pipe.h"
+#include "base/program.h"
 #include "base/progress.h"
-#include "base/reader.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -362,7 +362,8 @@ static murk_status start(unsigned char **out, size_t *size,
     job->pack(&request, context);
     const murk_status status =
         request.is_short ? murk_no_memory(err, where, "for its reader")
-                         : murk_reader_start(&pid, &fd, &request, where, err);
+                         : murk_program_start(&pid, &fd, MURK_PROGRAM_READER,
+                                              &request, where, err);
     murk_parcel_release(&request);
     return status ? status
                   : take_result(fd, pid, out, size, limits, where, err);

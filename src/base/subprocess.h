@@ -7,7 +7,7 @@
  * The host of the calling thread chooses the process (base/host.h): a fork, for
  * which the calling process must have no other threads (the thread of the
  * progress line is stopped) and no ray device; the program murk-reader
- * (base/reader.h), which hosts with threads may start; or the calling process,
+ * (base/program.h), which hosts with threads may start; or the calling process,
  * if the host trusts the files. */
 #ifndef MURK_BASE_SUBPROCESS_H
 #define MURK_BASE_SUBPROCESS_H
