@@ -19,30 +19,32 @@ typedef struct group_work {
     const murk_sweep_job *job;
     murk_isolated *isolated;
     murk_sweep_light light;
-    /* Warnings of the imports, and of building the first world. */
+    /* Warnings of the imports, and of building the first world; and those that
+     * were not taken yet. */
     char of_world[MURK_ROW_TEXT_SIZE], of_first[MURK_ROW_TEXT_SIZE];
-    size_t done; /* rows */
+    char warnings[MURK_ROW_TEXT_SIZE];
+    size_t done; /* rows of the study */
 } group_work;
 
 /* ---- warnings ---- */
 
-/* The warnings of the row that is being measured. A static array, because the
- * sink of base/log.h has no context. */
-static char warnings[MURK_ROW_TEXT_SIZE];
-
-static void add_warning(const char *where, const char *text)
+/* A murk_log_sink. Warnings and notes count alike. */
+static void add_warning(void *work, bool is_warning, const char *where,
+                        const char *text)
 {
+    group_work *w = work;
     char line[MURK_ROW_TEXT_SIZE];
+    (void)is_warning;
     snprintf(line, sizeof line, "%s: %s", where, text);
-    if (!strstr(warnings, line)) {
-        murk_study_add_note(warnings, line);
+    if (!strstr(w->warnings, line)) {
+        murk_study_add_note(w->warnings, line);
     }
 }
 
-static void take_warnings(char out[MURK_ROW_TEXT_SIZE])
+static void take_warnings(group_work *w, char out[MURK_ROW_TEXT_SIZE])
 {
-    memcpy(out, warnings, sizeof warnings);
-    warnings[0] = '\0';
+    memcpy(out, w->warnings, sizeof w->warnings);
+    w->warnings[0] = '\0';
 }
 
 /* ---- what a row measures ---- */
@@ -179,9 +181,8 @@ static murk_status do_row(group_work *w, size_t k, murk_error *err)
     murk_study_row row = {0};
     murk_error why = {0};
     char own[MURK_ROW_TEXT_SIZE];
-    const size_t done_before = murk_sweep_done(l->sweep);
     murk_progress_part(l->group->row[k] + 1, l->sweep->desc.study->rows,
-                       done_before + w->done++);
+                       w->done++);
     /* Build and measure; a failure is a row that has failed. */
     murk_status status = murk_sweep_light_build(l, k, &why);
     if (!status) {
@@ -195,7 +196,7 @@ static murk_status do_row(group_work *w, size_t k, murk_error *err)
     /* Warnings of the import, of the first world and of the row. */
     murk_study_add_note(row.note, w->of_world);
     murk_study_add_note(row.note, l->stage[k] == l->first ? w->of_first : "");
-    take_warnings(own);
+    take_warnings(w, own);
     murk_study_add_note(row.note, own);
     status = send_row(w, k, &row, err);
     murk_progress_add_to_group(1);
@@ -239,15 +240,17 @@ static murk_status light_up(group_work *w, murk_error *err)
 murk_status murk_sweep_work(murk_isolated *isolated, void *context,
                             murk_error *err)
 {
-    group_work w = {.job = context, .isolated = isolated};
+    const murk_sweep_job *job = context;
+    group_work w = {
+        .job = job, .isolated = isolated, .done = murk_sweep_done(job->sweep)};
     murk_sweep_light *l = &w.light;
-    murk_warn_to(add_warning);
+    murk_log_to(add_warning, &w);
     murk_status status = import_wanted(&w, err);
-    take_warnings(w.of_world);
+    take_warnings(&w, w.of_world);
     if (!status) {
         status = light_up(&w, err);
     }
-    take_warnings(w.of_first);
+    take_warnings(&w, w.of_first);
     for (size_t k = 0; l->first && k < l->n && !status; ++k) {
         if (l->stage[k]) {
             status = do_row(&w, k, err);
