@@ -162,17 +162,18 @@ typedef struct murk_progress {
 typedef void (*murk_progress_function)(void *user,
                                        const murk_progress *progress);
 
-/* Which process reads the mesh and grid files of a scene. A file may be
- * malformed or hostile. */
+/* Which process reads the mesh and grid files of a scene, which may be
+ * malformed or hostile, and which process runs the rows of a study. Results do
+ * not depend on it. */
 typedef enum murk_imports {
-    MURK_IMPORTS_READER, /* the program murk-reader, started for each file; it
-                          * has limits on memory and time, and can write no
-                          * file */
-    MURK_IMPORTS_FORK,   /* a fork of the process for each file, limited as
-                          * murk-reader is: needs no program, but is safe only
-                          * while the process has one thread */
+    MURK_IMPORTS_READER, /* the program murk-reader, started for each file, with
+                          * limits on memory and time, that can only read; the
+                          * program murk-rows, started for each group of rows */
+    MURK_IMPORTS_FORK, /* forks of the process, likewise: needs no program, but
+                        * is safe only while the process has one thread */
     MURK_IMPORTS_IN_PROCESS /* the process itself, without limits: for files
-                             * that are trusted */
+                             * that are trusted; a row that crashes or takes too
+                             * much memory ends the process */
 } murk_imports;
 
 typedef struct murk_context_options {
@@ -183,7 +184,8 @@ typedef struct murk_context_options {
     void *user;                      /* passed to both */
     murk_imports imports;
     const char *reader; /* path of murk-reader; NULL: libmurk0/murk-reader in
-                         * the folder of the library; copied */
+                         * the folder of the library; copied; murk-rows lies in
+                         * the same folder */
 } murk_context_options;
 
 /* Creates a context, which all other handles are made in; options NULL: zeros.
@@ -714,10 +716,11 @@ murk_status murk_study_check_save(murk_study *study, const char *folder,
 /* Runs the rows that are not done, as murk study. A row that fails is no
  * failure of the study: its field `failed` has the reason. A cancelled study
  * keeps the rows that are done, and may be run again. Fields that were asked
- * for before are valid no longer. Groups of rows run in subprocesses, which are
- * forks of the process, also if it has other threads. Fails with
- * MURK_INTERRUPTED, or with MURK_RUN_FAILED if a finished row cannot be
- * kept. */
+ * for before are valid no longer. `imports` in the options of the context
+ * chooses the process that runs a group of rows. The study file and the scene
+ * must stay as they were read; rows of a scene that has changed fail. Fails
+ * with MURK_INTERRUPTED, or with MURK_RUN_FAILED if a finished row cannot be
+ * kept or if there is no program murk-rows where it is asked for. */
 murk_status murk_study_run(murk_study *study, murk_error *error);
 void murk_study_destroy(murk_study *study);
 

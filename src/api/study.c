@@ -1,5 +1,5 @@
-/* Studies: reads a study file, runs its rows, each group of rows in a
- * subprocess, and holds the values of all rows. */
+/* Studies: reads a study file, runs its rows, each group of rows in the process
+ * that the context chooses, and holds the values of all rows. */
 #include "api/log_once.h"
 #include "api/save.h"
 
@@ -17,11 +17,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define VERSION_SIZE 128 /* bytes of a version and a commit */
-
 struct murk_study {
     murk_context *context;
-    char version[VERSION_SIZE];
     char *folder; /* of the rows; NULL: none */
     size_t n;
     murk_override *set; /* [n] keys of the caller */
@@ -106,8 +103,6 @@ static murk_status read_study(murk_study *study, const char *path,
     if (status) {
         return status;
     }
-    snprintf(study->version, sizeof study->version, "%s %s", MURK_VERSION,
-             murk_version_commit());
     const unsigned threads = study->context->threads;
     study->session = (murk_session){.settings.threads = threads,
                                     .settings.is_quiet = true,
@@ -122,7 +117,7 @@ static murk_status read_study(murk_study *study, const char *path,
                                   .n_overrides = study->n,
                                   .folder = study->folder,
                                   .force = options.replaces,
-                                  .version = study->version,
+                                  .version = murk_version_with_commit(),
                                   .threads = threads,
                                   .row_done = report_row,
                                   .context = study};

@@ -16,10 +16,11 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* The process that parses files of meshes and grids: base/subprocess.h. */
+/* The process that parses files of meshes and grids (base/subprocess.h), and
+ * that runs rows of studies (base/isolated.h). */
 typedef enum murk_importing {
     MURK_IMPORT_FORKS,      /* a fork of this process, which has no threads */
-    MURK_IMPORT_STARTS,     /* the program murk-reader */
+    MURK_IMPORT_STARTS,     /* the programs murk-reader and murk-rows */
     MURK_IMPORT_IN_PROCESS, /* this process: for files that are trusted */
 } murk_importing;
 
@@ -42,8 +43,8 @@ typedef struct murk_host {
     atomic_bool inputs_are_full;
     struct murk_progress_bar *bar; /* base/progress.h */
     murk_importing importing;
-    const char *reader; /* path of the program murk-reader; NULL: that beside
-                         * the library */
+    const char *reader; /* path of the program murk-reader, beside which
+                         * murk-rows lies; NULL: those beside the library */
     const struct murk_memory_files *files; /* of paths "memory:NAME", or NULL:
                                             * base/memory_files.h */
 } murk_host;

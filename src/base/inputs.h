@@ -28,9 +28,9 @@ void murk_inputs_end(void);
 void murk_inputs_add(const struct stat *file);
 
 /* The hashes of the files in the set, and the addition of such hashes to the
- * set of another process: murk-reader shares no memory with the process that
- * started it. The caller frees *hash; a hash for which there is no memory is
- * left out. The hashes to be added need no alignment. */
+ * set of another process: murk-reader and murk-rows share no memory with the
+ * process that started them. The caller frees *hash; a hash that has no memory
+ * is left out. The hashes to be added may lie at any address. */
 void murk_inputs_list(uint64_t **hash, size_t *n);
 void murk_inputs_add_listed(const void *hash, size_t n);
 

@@ -131,6 +131,22 @@ void murk_log_to(murk_log_sink log, void *user)
     host->warn = log ? to_log : NULL;
 }
 
+murk_log_receiver murk_log_receiver_now(void)
+{
+    const murk_host *host = murk_host_now();
+    return (murk_log_receiver){host->has_warn, host->warn, host->log,
+                               host->user};
+}
+
+void murk_log_restore(const murk_log_receiver *receiver)
+{
+    murk_host *host = murk_host_now();
+    host->has_warn = receiver->has_warn;
+    host->warn = receiver->warn;
+    host->log = receiver->log;
+    host->user = receiver->user;
+}
+
 bool murk_warn_quiet(bool is_silent)
 {
     const bool before = is_quiet;

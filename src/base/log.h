@@ -32,6 +32,17 @@ typedef void (*murk_log_sink)(void *user, bool is_warning, const char *where,
                               const char *text);
 void murk_log_to(murk_log_sink log, void *user);
 
+/* The receiver of the warnings and notes of the host of the calling thread, as
+ * the functions above have set it, and the way back to that receiver. */
+typedef struct murk_log_receiver {
+    bool has_warn;
+    murk_warn_sink warn;
+    murk_log_sink log;
+    void *user;
+} murk_log_receiver;
+murk_log_receiver murk_log_receiver_now(void);
+void murk_log_restore(const murk_log_receiver *receiver);
+
 /* Prints "murk: ", kind, where, ": " and text as one line on standard error,
  * without ": " if `where` is empty. Warnings, notes and the error of the
  * program are printed by this function. `where` and `text` may come from a file

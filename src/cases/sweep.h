@@ -3,8 +3,8 @@
  * Rows whose light differs only by the power of their lights are a group, whose
  * light is traced once (lightmap/scaled_light.h). Each group runs in a
  * subprocess (base/isolated.h), so that files are imported before any ray
- * device exists, and so that the memory of the group is released when the
- * subprocess ends. A row that fails leaves the other rows alone.
+ * device exists, and so that its memory ends with it, or in the calling process
+ * if the host says so. A row that fails leaves the other rows alone.
  *
  * A finished row is stored in FOLDER/rows, in a file named by a hash of
  * everything that the row follows from: the resolved scene, the files that it
@@ -115,9 +115,9 @@ murk_status murk_sweep_create(murk_sweep **out, const murk_sweep_desc *desc,
 void murk_sweep_destroy(murk_sweep *sweep); /* NULL is fine */
 
 /* Runs the rows that are not done, then makes the plans for all rows. Fails
- * with MURK_INTERRUPTED or MURK_NO_MEMORY, or if the folder cannot be made or a
- * finished row cannot be stored; a row that fails is no failure of the study.
- * Call it while this process has no threads (fork). */
+ * with MURK_INTERRUPTED or MURK_NO_MEMORY, or if a finished row cannot be
+ * stored; a row that fails is no failure of the study. If the host forks
+ * (base/host.h), call it while this process has no threads. */
 murk_status murk_sweep_run(murk_sweep *sweep, murk_error *err);
 
 #endif

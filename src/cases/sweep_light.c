@@ -37,17 +37,30 @@ size_t murk_sweep_job_left(const murk_sweep_job *job)
     return left;
 }
 
+/* Reads the scene of row k. The rows were keyed by the scene as it was when the
+ * study was read. */
+static murk_status read_scene(murk_sweep_light *l, size_t k, murk_error *err)
+{
+    const murk_sweep_desc *desc = &l->sweep->desc;
+    const murk_status status =
+        murk_study_row_scene(&l->scene[k], desc->study, l->group->row[k],
+                             desc->overrides, desc->n_overrides, err);
+    return status || strcmp(l->scene[k]->sha256, l->sweep->scene_sha256) == 0
+               ? status
+               : murk_fail(err, MURK_BAD_FILE, l->scene[k]->path,
+                           "has changed since it was read; must stay as it is "
+                           "until all rows are done");
+}
+
 murk_status murk_sweep_light_import(murk_sweep_light *l,
                                     const murk_sweep_job *job, murk_error *err)
 {
-    const murk_sweep_desc *desc = &job->sweep->desc;
     const murk_sweep_group *group = job->group;
     const murk_stage *other = NULL;
     *l = (murk_sweep_light){.sweep = job->sweep, .group = group, .n = group->n};
     murk_status status = allocate(l, err);
     for (size_t k = 0; k < l->n && !status; ++k) {
-        status = murk_study_row_scene(&l->scene[k], desc->study, group->row[k],
-                                      desc->overrides, desc->n_overrides, err);
+        status = read_scene(l, k, err);
         if (status || !murk_sweep_job_wants(job, k)) {
             continue;
         }

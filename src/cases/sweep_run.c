@@ -9,8 +9,9 @@
 #include "base/file.h"
 #include "base/progress.h"
 #include "cases/scenario_mean.h"
+#include "cases/sweep_jobs.h"
+#include "cases/sweep_light.h"
 #include "cases/sweep_store.h"
-#include "cases/sweep_work.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -105,8 +106,9 @@ static murk_status run_group(murk_sweep *sweep, murk_sweep_group *group,
         return MURK_OK;
     }
     group->was_traced = group->was_traced || !measures_plans;
-    murk_status status = murk_sweep_process(
-        sweep, murk_sweep_work, &job, sweep->desc.study->rows, put, &why, err);
+    murk_status status =
+        murk_sweep_process(sweep, &murk_sweep_group_job, &job,
+                           sweep->desc.study->rows, put, &why, err);
     for (size_t k = 0; k < group->n && !status; ++k) {
         if (murk_sweep_job_wants(&job, k)) {
             murk_sweep_message none = {.number = group->row[k]};
@@ -199,8 +201,9 @@ static murk_status make_plans(murk_sweep *sweep, murk_error *err)
     if (sweep->choosers == 0 || !is_any_missing) {
         return MURK_OK;
     }
-    const murk_status status = murk_sweep_process(
-        sweep, murk_sweep_choose, sweep, MURK_SWEEP_PLANS, put_plan, &why, err);
+    const murk_status status =
+        murk_sweep_process(sweep, &murk_sweep_choose_job, sweep,
+                           MURK_SWEEP_PLANS, put_plan, &why, err);
     /* A plan that the subprocess did not reach has failed. */
     for (int p = 0; p < MURK_SWEEP_PLANS && why.code; ++p) {
         murk_sweep_plan *plan = &sweep->plan[p];
@@ -277,7 +280,10 @@ static murk_status plan_for_all(murk_sweep *sweep, murk_error *err)
 murk_status murk_sweep_run(murk_sweep *sweep, murk_error *err)
 {
     const size_t rows = sweep->desc.study->rows, done = murk_sweep_done(sweep);
-    murk_status status = murk_sweep_open(sweep, err);
+    murk_status status = done < rows ? murk_isolated_check(err) : MURK_OK;
+    if (!status) {
+        status = murk_sweep_open(sweep, err);
+    }
     if (status) {
         return status;
     }

@@ -197,14 +197,14 @@ static murk_status receive(void *context, const char *bytes, size_t size,
     return status;
 }
 
-murk_status murk_sweep_process(murk_sweep *sweep, murk_isolated_work work,
+murk_status murk_sweep_process(murk_sweep *sweep, const murk_isolated_job *job,
                                void *context, size_t numbers,
                                murk_sweep_put put, murk_error *why,
                                murk_error *err)
 {
     receiving r = {sweep, numbers, put};
     const murk_status status =
-        murk_isolated_run(work, context, receive, &r, why);
+        murk_isolated_do(job, context, sweep->desc.version, receive, &r, why);
     if (status == MURK_INTERRUPTED || murk_interrupted()) {
         return murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
     }

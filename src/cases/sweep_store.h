@@ -61,11 +61,11 @@ typedef murk_status (*murk_sweep_put)(murk_sweep *sweep,
                                       murk_sweep_message *message,
                                       murk_error *err);
 
-/* Runs work(context) in a subprocess and put() for each row that it sends,
- * whose number must be below `numbers`. If the subprocess ends early, *why has
- * the reason. Fails if the study must end: it was interrupted, or a row cannot
- * be stored. */
-murk_status murk_sweep_process(murk_sweep *sweep, murk_isolated_work work,
+/* Does the job in a subprocess, or in the process that the host chooses, and
+ * put() for each row that the job sends, whose number must be below `numbers`.
+ * If the job ends early, *why has the reason. Fails if the study must end: it
+ * was interrupted, or a row cannot be stored. */
+murk_status murk_sweep_process(murk_sweep *sweep, const murk_isolated_job *job,
                                void *context, size_t numbers,
                                murk_sweep_put put, murk_error *why,
                                murk_error *err);

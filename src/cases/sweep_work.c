@@ -199,7 +199,9 @@ static murk_status do_row(group_work *w, size_t k, murk_error *err)
     take_warnings(w, own);
     murk_study_add_note(row.note, own);
     status = send_row(w, k, &row, err);
-    murk_progress_add_to_group(1);
+    if (murk_isolated_is_subprocess(w->isolated)) { /* the caller counts */
+        murk_progress_add_to_group(1);
+    }
     murk_study_row_release(&row);
     murk_sweep_light_drop(l, k);
     return status;

@@ -1,5 +1,5 @@
-/* The subprocesses of a study: one measures the rows of a group, another
- * chooses the plans for all rows. For use inside src/cases only. */
+/* The work of a study in a process of its own: on the rows of a group, and the
+ * choice of the plans for all rows. Inside this room only. */
 #ifndef MURK_CASES_SWEEP_WORK_H
 #define MURK_CASES_SWEEP_WORK_H
 

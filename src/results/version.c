@@ -21,6 +21,11 @@ const char *murk_version_commit(void)
     return MURK_BUILD_COMMIT;
 }
 
+const char *murk_version_with_commit(void)
+{
+    return MURK_VERSION " " MURK_BUILD_COMMIT;
+}
+
 const char *murk_version_date(void)
 {
     return MURK_BUILD_DATE;

@@ -78,6 +78,7 @@ scene = murk.Scene(file="/usr/share/doc/murk-doc/scenes/paper-room.yaml")
 scene["photons"] = {"store": 2000}
 scene["placement.restarts"] = 2
 assert scene.place().sensors, "the plan has no sensors"
+assert not any(row["failed"] for row in scene.study({"seed": [1, 2]}, ["coverage_best"]).rows), "a row failed"
 PYTHON
 inside python3 /module.py
 inside python3 /usr/share/doc/python3-murk/examples/numpy_grid.py

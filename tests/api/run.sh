@@ -19,6 +19,7 @@ test -s "$work/results/plan.json" || { echo "no plan.json was saved"; exit 1; }
 "$work/build/refused"
 "$work/build/sizes"
 "$work/build/places"
+"$work/build/rows"
 
 # with pkg-config, as C11 and as C17
 for standard in c11 c17; do
