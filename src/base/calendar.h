@@ -12,8 +12,8 @@ typedef struct murk_date {
     int year, month, day; /* 0..9999, 1..12, 1..31 */
 } murk_date;
 
-/* Conversion between dates of the proleptic Gregorian calendar and days. A
- * fraction of a day is dropped from `days`. */
+/* Conversion between dates of the proleptic Gregorian calendar and days.
+ * murk_date_of_days() rounds `days` down to a whole number. */
 double murk_date_days(murk_date date); /* since 1970-01-01, whole, negative
                                         * before */
 murk_date murk_date_of_days(double days);

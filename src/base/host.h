@@ -53,8 +53,8 @@ typedef struct murk_host {
 murk_host *murk_host_now(void);
 
 /* Binds the calling thread to a host, or to the host of the process if `host`
- * is NULL. Returns the host that the thread belonged to, never NULL, which the
- * caller binds again at the end. */
+ * is NULL. Returns the host that the thread belonged to, never NULL. The caller
+ * binds the thread to that host again when the work for `host` ends. */
 murk_host *murk_host_enter(murk_host *host);
 
 #endif

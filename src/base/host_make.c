@@ -1,6 +1,6 @@
-/* A host owns two parts: the progress line, which is made with the host, and
- * the set of inputs, which murk_inputs_begin() makes. Both are released with
- * the host. */
+/* A host that is created here owns two parts: the progress line, which is made
+ * with the host, and the set of inputs, which murk_inputs_begin() makes. Both
+ * are released with the host. */
 #include "base/host_make.h"
 
 #include "base/inputs.h"

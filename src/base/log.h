@@ -7,9 +7,9 @@
 #include <stdbool.h>
 
 /* Prints one line, "murk: warning: WHERE: TEXT", on standard error, or passes
- * place and text to the sink that was set below. `where` may be NULL or empty.
- * On standard error a line that was printed before is not repeated, unless 256
- * other lines were printed since. */
+ * place and text to the sink of the host (murk_warn_to(), murk_log_to()), if
+ * one was set. `where` may be NULL or empty. On standard error a line that was
+ * printed before is not repeated, unless 256 other lines were printed since. */
 void murk_warn(const char *where, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 

@@ -9,9 +9,9 @@
 #define MURK_BASE_PHASE_KIND_H
 
 /* X(enumerator, name in scenes, presets and results, count of numbers). The
- * numbers are: the mean cosine g of Henyey-Greenstein, 0 being isotropic; g1,
- * g2 and the weight of g1; n and mu of Fournier-Forand. TABLE is a tabulated
- * density by angle, which has no such numbers. */
+ * numbers are: of HG (Henyey-Greenstein) the mean cosine g, 0 being isotropic;
+ * of TWO_HG g1, g2 and the weight of g1; of FOURNIER_FORAND n and mu. RAYLEIGH
+ * and TABLE, which is a tabulated density by angle, have no such numbers. */
 #define MURK_PHASE_KINDS(X)                  \
     X(HG, "hg", 1)                           \
     X(RAYLEIGH, "rayleigh", 0)               \

@@ -91,8 +91,8 @@ typedef struct weighed {
     double power, counted;
 } weighed;
 
-/* Adds the power, and the power weighted by the quantity, at the midpoints of
- * equal steps between two wavelengths to the sums. */
+/* Adds to the sums the power, and the power times the amount of the quantity
+ * per watt, at the midpoints of equal steps between two wavelengths. */
 static void add_piece(weighed *sums, murk_quantity quantity, double from_nm,
                       double to_nm, murk_spectral_shape shape,
                       const void *context)

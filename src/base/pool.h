@@ -48,7 +48,7 @@ void murk_pool_run_items_of_workers(unsigned threads, uint64_t items,
  * bytes), the task runs in a new thread with a stack of 1 MB, the least stack
  * of the threads of the functions above; otherwise, or if no thread can be
  * started, in the calling thread. Threads of a host program that call the
- * library need 512 kB. */
+ * library need a stack of 512 kB. */
 void murk_pool_run_with_stack(void (*task)(void *), void *context);
 
 /* The number of processors of the machine that are online, 1..256. Limits of

@@ -16,9 +16,9 @@ typedef struct murk_position_text {
  * of the host prints messages. */
 void murk_position_origin(murk_vec3 origin);
 
-/* Prints a position that is relative to the local origin in the coordinates of
- * the user: with 9 digits, or with 12 if the local origin is not 0. 12 digits
- * resolve millimetres below 1e9 m. */
+/* Prints, in the coordinates of the user, a position that is given relative to
+ * the local origin: with 9 digits, or with 12 if the local origin is not 0. 12
+ * digits resolve millimetres below 1e9 m. */
 murk_position_text murk_position_show(murk_vec3 local);
 
 #endif

@@ -63,8 +63,9 @@ murk_status murk_subprocess_do(unsigned char **out, size_t *size,
                                const char *where, murk_error *err);
 
 /* The other side of murk_subprocess_do(), in murk-reader: finds the job of a
- * request among jobs[n], does the work with the limits of the request, and
- * answers to `fd`. */
+ * request among jobs[n], does the work with the limits of the request, answers
+ * to `fd` and ends the process; without an answer if there is no such job or
+ * the request has no limits. */
 _Noreturn void murk_subprocess_serve(murk_parcel *request, int fd,
                                      const murk_subprocess_job *const jobs[],
                                      size_t n);

@@ -2,10 +2,10 @@
  * data, with their uncertainty.
  *
  * Light is traced at the present parameters and re-weighted while Ceres varies
- * them. Light is traced again when the effective sample size falls below
- * MURK_MIN_SHARE of the sample, or when a parameter that re-weighting cannot
- * vary has moved. A search ends when least squares end at a point where the
- * light is still valid, or at the limit on traces; a search may also be
+ * the parameters. Light is traced again when the effective sample size falls
+ * below MURK_MIN_SHARE of the sample, or when a parameter that re-weighting
+ * cannot vary has moved. A search ends when least squares end at a point where
+ * the light is still valid, or at the limit on traces; a search may also be
  * abandoned (calibrate/search.h). Rows are whitened by the measurement errors
  * together with the covariance from photons. */
 #ifndef MURK_CALIBRATE_CALIBRATE_H
@@ -14,10 +14,10 @@
 #include "calibrate/calibration.h"
 
 /* Runs the fit. The caller releases *out (murk_calibration_release()), also
- * after a failure. The fit fails if the first start fails. If it is interrupted
- * after some starts have ended, the status is MURK_INTERRUPTED and *out has
- * these starts (starts_done of start[], and best), but none of the results that
- * are computed at the end. */
+ * after a failure. The fit fails if the first start fails. If the fit is
+ * interrupted after some starts have ended, the status is MURK_INTERRUPTED and
+ * *out has these starts (starts_done of start[], and best), but none of the
+ * results that are computed at the end. */
 murk_status murk_calibrate(murk_calibration *out,
                            const murk_calibration_desc *desc, murk_error *err);
 void murk_calibration_release(murk_calibration *calibration);

@@ -103,16 +103,16 @@ typedef struct murk_calibration {
                             noise */
     double *scale;       /* [n]; size of a large change in search coordinates: 1
                           * (a factor e) if a logarithm is searched; the value
-                          * of a factor of readings; else the width of the range
-                          * of the key or, if the range is not finite, the
-                          * larger of the absolute value and 1 */
+                          * of a factor of readings, if above 0; else the width
+                          * of the range of the key or, if the range is not
+                          * finite, the larger of the absolute value and 1 */
     double *information; /* [n * n]; Fisher information of the fitted rows */
     murk_calibration_start *start; /* [starts]; of which starts_done were run:
                                     * the requested ones, then restarts */
     size_t starts, starts_done, best;
     double trace_s;
-    murk_model *model; /* its last prediction is at the values; its light was
-                        * traced there or nearby */
+    murk_model *model; /* the last prediction of the model is at the values; the
+                        * light was traced at the values or nearby */
     murk_arena arena;  /* of all arrays but those of the certainty */
 } murk_calibration;
 

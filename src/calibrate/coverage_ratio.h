@@ -6,13 +6,13 @@
  *
  * The contribution of a batch to C = X / Y is C / batches + (X_b - C Y_b) / Y.
  * The second term is the linearised residual of the ratio estimator and sums to
- * 0. The covariance over batches is therefore computed as in sensing/coverage.c
- * over emitted photons (Cochran, Sampling Techniques, 1977, ch. 6), and equal
- * to it if each photon is a batch. Larger batches contain the photons of each
- * light source and band in proportion, so differences between sources do not
- * count as error (stratified sampling, ibid. ch. 5). That is correct, because
- * the proportions are fixed; photons taken one by one would count these
- * differences. */
+ * 0. The covariance over batches is therefore computed as sensing/coverage.c
+ * computes that over emitted photons (Cochran, Sampling Techniques, 1977,
+ * ch. 6), and both are equal if each photon is a batch. Larger batches contain
+ * the photons of each light source and band in proportion, so differences
+ * between sources do not count as error (stratified sampling, ibid. ch. 5).
+ * That is correct, because the proportions are fixed; photons taken one by one
+ * would count these differences. */
 #ifndef MURK_CALIBRATE_COVERAGE_RATIO_H
 #define MURK_CALIBRATE_COVERAGE_RATIO_H
 
@@ -24,9 +24,9 @@ typedef struct murk_coverage_mix {
     bool is_one; /* one ratio of sums instead of a mean of ratios */
 } murk_coverage_mix;
 
-/* Sets the weights of both maps as the scene asks, from the total weight of
- * each map. False if no map that counts has weight, or if a weight is not
- * finite. */
+/* Sets the weights of both maps from the weights that the scene states and
+ * all[], the total weight of the records of each map. False if no map that
+ * counts has weight, or if a weight is not finite. */
 bool murk_coverage_mix_of(murk_coverage_mix *out,
                           const murk_map_weights *weights,
                           const double all[MURK_MAP_PARTS]);

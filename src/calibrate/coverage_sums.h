@@ -7,9 +7,9 @@
  * dT = -T * sum over media of d(extinction) * density path.
  *
  * The derivative of an extinction with respect to a parameter is the same for
- * all sightlines of equal acceptance and band, so it is factored out: one sum
- * of w * (dD/dT) * T * path by acceptance, band and medium serves all
- * parameters, with w the re-weighted weight of the record.
+ * all sightlines of equal acceptance and band, so this derivative is factored
+ * out: one sum of w * (dD/dT) * T * path by acceptance, band and medium serves
+ * all parameters, with w the re-weighted weight of the record.
  *
  * Records are summed in their order, in runs of batches, so the result does not
  * depend on threads. */
@@ -27,12 +27,13 @@ typedef struct murk_coverage_sums {
     const murk_reweighed *reweighed;
     murk_combining combining;
     size_t redundancy; /* number of sightlines of a record that count, the
-                        * clearest ones; at least 1 */
+                        * clearest ones; at least 1; not used for independent
+                        * detections */
     size_t bands, batches, keys;
     size_t runs;        /* runs of batches, processed in parallel; at most
                          * batches */
-    bool *has_say;      /* [keys]; true if the weights depend on the key;
-                         * otherwise their slopes are 0 */
+    bool *has_say;      /* [keys]; true if the weights may depend on the key;
+                         * otherwise the slopes of the weights are 0 */
     size_t *bound;      /* [batches + 1]; index of the first contribution of
                          * each batch */
     double *extinction; /* [cells]; extinction at the wanted parameters; a cell
@@ -54,7 +55,7 @@ void murk_coverage_sums_release(murk_coverage_sums *sums);
 size_t murk_coverage_cells(const murk_coverage_sums *sums);
 
 /* Computes all sums. False when out of memory. After an interrupt the sums are
- * incomplete, and the caller must check for it. */
+ * incomplete, and the caller must check for an interrupt. */
 bool murk_coverage_sums_add(murk_coverage_sums *sums, unsigned threads);
 
 #endif

@@ -16,7 +16,8 @@ struct murk_covered {
     murk_map_weights weights;
     murk_combining combining;
     size_t redundancy; /* number of sightlines of a record that count, the
-                        * clearest ones; at least 1 */
+                        * clearest ones; at least 1; not used for independent
+                        * detections */
     murk_visible *visible;
 };
 
@@ -158,7 +159,8 @@ static murk_status find_slopes(murk_coverage_sums *s, const murk_covered *c,
     return status;
 }
 
-/* Fills the weights of the maps at the wanted optics. */
+/* Fills the weights of the maps at the wanted optics; fails if no map that
+ * counts has weight. */
 static murk_status mix_all(murk_coverage_mix *out, const murk_coverage_sums *s,
                            const murk_covered *c, murk_error *err)
 {

@@ -3,9 +3,10 @@
  * C = sum(w D) / sum(w), map by map with the weights of the scene; w is the
  * power of a record times the factors of regions of interest times
  * murk_reweighed.ratio, D is the combined clarity (visibility times
- * transmittance) of a record, and with ' for derivatives
+ * transmittance) of a record, and, with ' for derivatives with respect to a
+ * parameter, the derivative of C is
  *
- * dC = [sum(w' D + w D') - C sum(w')] / sum(w).
+ * C' = [sum(w' D + w D') - C sum(w')] / sum(w).
  *
  * D is the mean of the clearest sightlines, as many as the redundancy of the
  * scene (detection: weighted), or the probability of at least one of
@@ -40,8 +41,8 @@ murk_status murk_covered_create(murk_covered **out,
                                 const murk_visible_desc *desc, murk_error *err);
 void murk_covered_destroy(murk_covered *covered); /* NULL is fine */
 
-/* Memory of the sightlines in bytes, which grows in proportion to the photons.
- */
+/* Memory of the sightlines and of the weights of all contributions, in bytes;
+ * it grows in proportion to the photons. */
 double murk_covered_bytes(const murk_covered *covered);
 
 /* Evaluates the groups at other optics, into the rows from `first` on. The

@@ -50,8 +50,8 @@ typedef struct murk_free_key {
     /* Internal: the place of the key in the scene. */
     char *source;     /* "keys media.fog.albedo.0", for messages */
     char *put;        /* path that is set: that of the key, or of the list that
-                       * contains it, because a list may exist by default alone
-                       */
+                       * contains the key; the whole list is set, because the
+                       * scene file may not contain a list that is a default */
     size_t index;     /* index in the list */
     murk_yaml **list; /* [conditions]; the list; NULL in conditions without the
                        * key, and everywhere if the key is not in a list */
@@ -78,11 +78,13 @@ typedef struct murk_free_keys {
     int bands;          /* of the scene */
     size_t conditions;  /* conditions that the data use; each is a scene of its
                          * own */
-    size_t *condition;  /* [conditions]; numbers of the scene, rising; SIZE_MAX:
-                         * the scene without a condition, first */
+    size_t *condition;  /* [conditions]; numbers of the conditions in the scene,
+                         * rising; SIZE_MAX, which comes first: the scene
+                         * without a condition */
     murk_scene_name *condition_name; /* [conditions]; empty for the scene
                                       * without a condition */
-    murk_free_desc desc;             /* what it points to must outlive this */
+    murk_free_desc desc;             /* the objects that it points to must
+                                      * outlive this struct */
     double **power_w; /* [conditions]; internal: powers of all light sources by
                        * band at the start, or NULL if a free key may change
                        * them */
@@ -95,18 +97,20 @@ typedef struct murk_free_keys {
  * the first used condition that has the key; with @each, of each condition. A
  * free key overrides the value that a condition sets. A condition without the
  * key (because it has another medium in its place) is not affected, which a
- * note states. Ranges: key_place.h, within `bounds`.
+ * note states. The range of a key is that of murk_key_range_of()
+ * (calibrate/key_place.h), narrowed by `bounds`.
  *
  * Fails for unknown keys (with a suggestion), keys that are not a single
  * number, keys of anything but media, regions, lights and site, factors that no
- * reading names, relative light without a free factor, a key that is given
- * twice or has no effect, no parameter, more parameters than fitted rows or
- * than MURK_FREE_MAX, a factor whose readings are all held out, bounds that are
- * malformed, outside the range or of no free key, starts outside the bounds,
- * and a start with albedo, extinction or power 0, which cannot be re-weighted:
- * all MURK_BAD_VALUE, at the option or the line of the data. Also fails as
- * reading the scene does, and with MURK_NO_MEMORY. The caller owns *out
- * (murk_free_keys_destroy()). What desc points to must outlive it. */
+ * reading names, readings whose unit needs a free factor that is not among the
+ * keys, a key that is given twice or has no effect, no parameter, more
+ * parameters than fitted rows or than MURK_FREE_MAX, a factor whose readings
+ * are all held out, bounds that are malformed, outside the range or of no free
+ * key, starts outside the bounds, and a start with albedo, extinction or power
+ * 0, which cannot be re-weighted: all MURK_BAD_VALUE, at the option or the line
+ * of the data. Also fails as reading the scene does, and with MURK_NO_MEMORY.
+ * The caller owns *out (murk_free_keys_destroy()). The objects that desc points
+ * to must outlive *out. */
 murk_status murk_free_keys_create(murk_free_keys **out,
                                   const murk_free_desc *desc, murk_error *err);
 void murk_free_keys_destroy(murk_free_keys *keys); /* NULL is fine */
@@ -123,12 +127,12 @@ murk_status murk_free_optics(murk_optics **out, const murk_free_keys *keys,
 /* Two values around `value` of key k and within the range of the key, for
  * derivatives: df/dvalue = (f(high) - f(low)) / (high - low). Both have the
  * same distance from `value`: 1e-5 of the size of the value, which gives a
- * relative error of some 1e-9, or 2e-2 of it for keys that change tabulated
- * phase functions, whose nodes are accurate to 1e-5. The size is the value
- * itself for keys that are searched in logarithms, else the absolute value, but
- * at least 1 or the width of the range, whichever is smaller. Near a limit of
- * the range the distance is smaller; if a quarter of the full distance or less
- * is left, one of the two values is `value` itself. */
+ * relative error of some 1e-9, or 2e-2 of the size for keys that change
+ * tabulated phase functions, whose nodes are accurate to 1e-5. The size is the
+ * value itself for keys that are searched in logarithms, else the absolute
+ * value, but at least 1 or the width of the range, whichever is smaller. Near a
+ * limit of the range the distance is smaller; if a quarter of the full distance
+ * or less is left, one of the two values is `value` itself. */
 void murk_free_key_around(const murk_free_keys *keys, size_t k, double value,
                           double *low, double *high);
 

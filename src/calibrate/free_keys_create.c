@@ -13,7 +13,7 @@
 #include <string.h>
 
 /* Relative change of a key that is used to find the effect of the key: small
- * enough to be valid, large enough to exceed rounding. */
+ * enough to give a valid scene, large enough to exceed rounding. */
 #define PROBE 1e-3
 
 /* Relative steps of differences; see murk_free_key_around(). */
@@ -99,7 +99,8 @@ static murk_status read_trees(murk_yaml **root, const murk_free_keys *keys,
     return status;
 }
 
-/* Finds a key in all conditions that it is meant for; fails if none has it. */
+/* Finds a key in all conditions that it is meant for; fails if none of these
+ * conditions has the key. */
 static murk_status place_key(murk_free_keys *keys, size_t k,
                              murk_yaml *const *root, murk_error *err)
 {
@@ -144,8 +145,9 @@ static murk_status place_all(murk_free_keys *keys, murk_error *err)
 
 /* ---- effects ---- */
 
-/* Compares the optics and the world of condition c at the start with those at a
- * value of key k beside it. */
+/* Compares the optics and the world of condition c at the start values with
+ * those at another value of key k. Fails if re-weighting would have to create
+ * extinction, scattering or power. */
 static murk_status probe(murk_key_effect *effect, murk_free_keys *keys,
                          size_t k, size_t c, double *value,
                          const murk_optics *base, murk_error *err)

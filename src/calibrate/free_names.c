@@ -28,8 +28,8 @@ static murk_status fail(const murk_free_keys *keys, size_t k, murk_error *err,
 
 /* ---- conditions ---- */
 
-/* Finds the conditions that readings use, and the checksum of the scene file.
- */
+/* Finds the conditions that readings use, the number of bands, and the checksum
+ * of the scene file. */
 murk_status murk_free_find_conditions(murk_free_keys *keys, murk_error *err)
 {
     const murk_free_desc *desc = &keys->desc;
@@ -257,8 +257,8 @@ murk_status murk_free_place_gain(murk_free_keys *keys, size_t k,
                       "or more to be fitted");
 }
 
-/* Fails if relative light has no free factor: such a reading does not state an
- * absolute value. */
+/* Fails if a reading of light states no absolute value (in percent or relative
+ * units) and the factor that it names is not free. */
 murk_status murk_free_check_gains(const murk_free_keys *keys, murk_error *err)
 {
     const murk_readings *m = keys->desc.measured;
@@ -359,7 +359,8 @@ static murk_status narrow(murk_free_key *key, const bound *b, murk_error *err)
     return MURK_OK;
 }
 
-/* Applies one bound to all parameters that it means. */
+/* Applies one bound to all parameters that the name of the bound means
+ * (is_meant()). */
 static murk_status apply(murk_free_keys *keys, const char *text,
                          murk_error *err)
 {
@@ -381,8 +382,8 @@ static murk_status apply(murk_free_keys *keys, const char *text,
                      b.key, murk_words_suggest(b.key, known, keys->n).text);
 }
 
-/* Checks the start value; a factor of readings has no start in the scene, so it
- * is moved into the range. */
+/* Checks the start value; the start of a factor of readings, which the scene
+ * does not contain, is moved into the range. */
 static murk_status check_start(murk_free_keys *keys, size_t k, murk_error *err)
 {
     murk_free_key *key = &keys->key[k];

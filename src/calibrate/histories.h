@@ -9,10 +9,13 @@
  *
  * (perturbation Monte Carlo: Hayakawa, Spanier, Bevilacqua, Dunn, You,
  * Tromberg, Venugopalan, Opt. Lett. 26 (2001) 1335, doi:10.1364/OL.26.001335).
- * Density path (the optical depth in a medium of extinction 1) and number of
- * scatterings are therefore stored for each medium that is re-weighted, and the
- * cosines if a phase function is free. A contribution is the chord of a path in
- * a receiver, or a stored record.
+ * Here sigma_s is the scattering coefficient, sigma_t the extinction
+ * coefficient, p the phase function, mu the cosine of the angle of a
+ * scattering, and ' marks the other parameters. Density path (the optical depth
+ * in a medium of extinction 1) and number of scatterings are therefore stored
+ * for each medium that is re-weighted, and the cosines if a phase function is
+ * free. A contribution is the chord of a path in a receiver, or a stored
+ * record.
  *
  * The same formula holds if packets are weighted instead of absorbed by Russian
  * roulette (least_weight below 1): the factor sigma_s appears in the weight
@@ -63,7 +66,8 @@ typedef struct murk_histories_desc {
 typedef struct murk_contribution {
     uint32_t photon;   /* number of the emitted photon */
     uint32_t receiver; /* receiver, or kind of record */
-    uint32_t first;    /* index of the first stored cosine of its photon */
+    uint32_t first;    /* index in turn[] of the first stored cosine of the
+                        * photon */
     uint32_t turns;    /* scatterings before the contribution in all re-weighted
                         * media: their cosines are turn[first .. first +
                         * turns) */
@@ -110,10 +114,11 @@ typedef struct murk_histories {
 } murk_histories;
 
 /* Traces light and stores the histories. The caller owns *out
- * (murk_histories_destroy()). Fails if no light source emits or the forecast
- * from the first photons exceeds the memory limit (MURK_BAD_VALUE), if too many
- * photons are lost, if more records are stored than the scene allows, if
- * interrupted, or without memory. */
+ * (murk_histories_destroy()). Fails with MURK_BAD_VALUE if no light source
+ * emits, if more than 2^32 - 1 photons are asked for or if the forecast after a
+ * wave of photons exceeds the memory limit. Also fails as murk_ending_check(),
+ * murk_emission_check(), murk_emission_run() and murk_emission_check_losses()
+ * (lightmap/emission.h), or with MURK_NO_MEMORY. */
 murk_status murk_histories_trace(murk_histories **out,
                                  const murk_histories_desc *desc,
                                  murk_error *err);

@@ -15,9 +15,9 @@ typedef struct murk_key_effect {
 
 /* Adds the differences of two scenes of one file to *effect. Everything that is
  * neither the optics of a medium nor the power of a light source is compared
- * key by key, and light sources by position and shape. If a difference is found
- * there, optics and powers are not compared. Fails as
- * murk_source_shapes_print(). */
+ * key by key, and light sources by position and shape. If these parts differ,
+ * optics and powers are not compared. Fails as murk_source_shapes_print()
+ * (world/source_shapes.h), or with MURK_NO_MEMORY. */
 murk_status murk_key_effect_add(murk_key_effect *effect, const murk_optics *a,
                                 const murk_optics *b, murk_error *err);
 

@@ -1,6 +1,7 @@
 /* Follows a dotted path through the parsed scene and, in parallel, through the
  * key tables (scene/keys.h), so that the row of the key is known at the end.
- * Errors name the part of the path that fails, with a suggestion. */
+ * Messages name the part of the path that fails, and suggest a name for an
+ * unknown one. */
 #include "calibrate/key_place.h"
 
 #include "base/number.h"

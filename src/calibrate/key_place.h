@@ -14,7 +14,7 @@ typedef struct murk_key_place {
                             * of its own */
     const murk_yaml *list; /* the list that contains `node`; NULL: none */
     size_t index;          /* index in the list */
-    size_t put;            /* length of the path up to the key of the list;
+    size_t put;            /* length of the path without the index in the list;
                             * without a list, of the whole path */
     const murk_yaml *medium; /* map of the medium that the key belongs to; NULL:
                               * it is not a key of a medium */

@@ -9,7 +9,9 @@
 #include "calibrate/free_keys.h"
 #include "calibrate/instruments.h"
 
-/* The properties that all lights of a condition share; borrowed. */
+/* The settings that each traced light of one condition has: that of the fit,
+ * and those for the slopes of world keys (calibrate/world_slopes.h). The
+ * pointers are borrowed. */
 typedef struct murk_lighting_desc {
     const murk_free_keys *keys;
     const murk_instruments *instruments;
@@ -30,8 +32,8 @@ typedef struct murk_lighting {
     murk_optics *optics;
     murk_histories *histories; /* NULL: no row needs light */
     murk_covered *covered;     /* NULL: no row of coverage */
-    murk_spectrum *per_watt;   /* [receivers][lights]; factors to the units of
-                                * the receivers */
+    murk_spectrum *per_watt;   /* [receivers][light sources]; factors by band
+                                * from watts to the units of the receivers */
 } murk_lighting;
 
 /* Builds the world without light. Release also after a failure. */

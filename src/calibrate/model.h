@@ -43,8 +43,8 @@ typedef struct murk_model_facts {
     double trace_s;
 } murk_model_facts;
 
-/* Creates a model; no world is built yet. What desc points to must outlive it.
- * The caller owns *out (murk_model_destroy()). */
+/* Creates a model; no world is built yet. The objects that desc points to must
+ * outlive *out. The caller owns *out (murk_model_destroy()). */
 murk_status murk_model_create(murk_model **out, const murk_model_desc *desc,
                               murk_error *err);
 void murk_model_destroy(murk_model *model); /* NULL is fine */

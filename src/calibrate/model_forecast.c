@@ -114,7 +114,8 @@ static void add_condition(need *all, const light_size *size, double sums,
                           bool has_world_keys)
 {
     const double tracing = fmax(size->growing, size->sightlines);
-    /* Slopes of world keys need a second light and sums at two values. */
+    /* Slopes of world keys need a second light, sums at two values and the sums
+     * of one evaluation. */
     const double another = size->histories + size->sightlines +
                            size->contributions * (double)sizeof(double) +
                            3 * sums;

@@ -156,9 +156,9 @@ static murk_status beam_differences(double *out, double *below,
 }
 
 /* True if the slopes over a narrow and a wide interval of a key differ much. If
- * a grid moves, a level beam changes only when it crosses a layer of voxels: it
- * is constant almost everywhere, and then jumps. The slopes over the wide
- * interval are then used. */
+ * a grid moves, a level beam changes only when it crosses a layer of voxels:
+ * the transmittance is constant between the layers and jumps at each. The
+ * caller uses the slopes over the wide interval in this case. */
 static bool are_of_steps(const double *slope, const double *wide, size_t n)
 {
     double of_slopes = 0, of_wide = 0;

@@ -345,7 +345,8 @@ static murk_status build_worlds(murk_model *m, const double *value,
     return status;
 }
 
-/* Traces the light of one condition, and the slopes of world keys. */
+/* Traces the light of one condition, and computes the slopes of world keys;
+ * does nothing if no row of the condition needs light. */
 static murk_status trace_world(murk_model *m, size_t c, murk_error *err)
 {
     murk_model_world *w = &m->world[c];

@@ -33,8 +33,8 @@ typedef struct murk_optics_sides {
 
 /* Takes ownership of the scene, also after a failure. power_w[channels], unless
  * NULL, is copied; otherwise the powers are those of the light sources in the
- * domain. Prints no warnings, because the stage prints them. The caller owns
- * *out. */
+ * domain. Prints no warnings: building the world of the scene prints them. The
+ * caller owns *out. */
 murk_status murk_optics_create(murk_optics **out, murk_scene_desc *scene,
                                const murk_domain *domain, const double *power_w,
                                murk_error *err);

@@ -29,8 +29,9 @@ void murk_proposals_release(murk_proposals *out)
     *out = (murk_proposals){0};
 }
 
-/* Determines the most frequent kind of reading, the median relative error, and
- * an example. */
+/* Determines the most frequent kind of the fitted readings of light and
+ * coverage, the median of the relative errors of these readings, and the first
+ * of them as an example. */
 static murk_status choose_kind(murk_proposals *out,
                                const murk_reading **example,
                                const murk_readings *measured, murk_error *err)
@@ -99,9 +100,9 @@ murk_status murk_proposals_check(const murk_readings *measured,
     return status ? status : check_sensors(scene, err);
 }
 
-/* Lists the candidates of the scene, poses for coverage and positions else, or
- * every k-th of them if there are too many. The caller owns *pose, which has
- * out->judged elements. */
+/* Lists the candidates of the scene, poses (without those of fixed sensors) for
+ * coverage and positions else, or every k-th of them if there are too many. The
+ * caller owns *pose, which has out->judged elements. */
 static murk_status list_poses(murk_pose **pose, murk_proposals *out,
                               const murk_stage *stage, unsigned threads,
                               murk_error *err)
@@ -196,7 +197,9 @@ static murk_status discount(double *slope, const murk_model *model, size_t n,
     return MURK_OK;
 }
 
-/* Slopes in search coordinates, divided by the error of each reading. */
+/* Fills error[rows] with the error that is assumed for each reading, and
+ * row[rows][n] with the slopes in search coordinates divided by that error (0
+ * if the error is 0). */
 static void weigh_rows(double *row, double *error, const double *predicted,
                        const double *slope, size_t rows, double relative_error,
                        const murk_free_keys *keys, const double *value)

@@ -27,7 +27,8 @@ typedef struct murk_proposals {
     murk_reading_unit unit;
     size_t condition;      /* number in the scene; SIZE_MAX: the scene without a
                             * condition */
-    double relative_error; /* median relative error of these readings */
+    double relative_error; /* median over these rows of the standard error
+                            * divided by the absolute value, at most 1 */
     /* Properties of the first of these readings. */
     murk_vec3 direction; /* irradiance */
     double radius_m;     /* of the receiver */

@@ -17,14 +17,15 @@
 #define GROWN_RADIUS 1e-6
 #define GROWN_PLACE  1e-12
 
-/* A direction component smaller than this counts as this, so that the inverse
- * is finite. */
+/* A direction component with an absolute value below this counts as this, so
+ * that the inverse is finite. */
 #define LEVEL 1e-300
 
 typedef struct node {
     murk_box box;
     uint32_t skip;     /* the node that follows all descendants */
-    uint32_t first, n; /* n > 0: a leaf with order[first .. first + n) */
+    uint32_t first, n; /* n > 0: a leaf with order[first .. first + n); 0: an
+                        * inner node */
 } node;
 
 struct murk_receiver_tree {

@@ -1,8 +1,8 @@
 /* Records photon histories: density path and number of scatterings by medium,
  * cosines if needed, and a contribution for each chord in a receiver and each
  * stored record. The density path is the optical depth in a medium of
- * extinction 1 (medium/alone.h), so overlapping and replaced media are treated
- * as in the photon tracer. */
+ * extinction 1 (medium/rescaled.h), so overlapping and replaced media are
+ * treated as in the photon tracer. */
 #include "calibrate/recorder.h"
 
 #include "medium/rescaled.h"
@@ -46,7 +46,8 @@ static bool add(murk_photon_history *f, murk_contribution made, float **path,
     return true;
 }
 
-/* Density path [m] of a recorded medium along a part of the segment. */
+/* Density path [m] of a recorded medium along a part of the segment; 0 in a
+ * solid. */
 static double path_along(const murk_recorder *r, size_t m,
                          const murk_trace_segment *segment, double from_m,
                          double to_m)

@@ -3,7 +3,8 @@
  *
  * Each batch of a wave has a buffer of its own, which one thread writes.
  * Buffers are emptied in the order of batches, as in lightmap/record_buffers.h,
- * which also decides what is a record and stores it. */
+ * whose functions also decide which events become records, and store the
+ * records. */
 #ifndef MURK_CALIBRATE_RECORDER_H
 #define MURK_CALIBRATE_RECORDER_H
 

@@ -94,8 +94,9 @@ static void take_turn(const job *j, turns *t, size_t i, size_t band)
 static void follow_turns(const job *j, turns *t, const murk_contribution *of)
 {
     if (!j->changes->any_turns || j->histories->turns == 0) {
-        return; /* without cosines, phase functions do not differ by more than
-                 * the tolerance */
+        return; /* no phase function changes, or no cosine is stored: phase
+                 * functions then change by less than a tolerance
+                 * (murk_optics_turn_alike()), or no photon was scattered */
     }
     if (t->photon != of->photon) {
         t->photon = of->photon;
@@ -271,7 +272,8 @@ static bool find_effective_share(murk_reweighed *out, const murk_histories *f,
             all.ratio += more->ratio;
             all.squares += more->squares;
         }
-        /* A share that is not a number counts as 0: all ratios are 0. */
+        /* If all ratios of a receiver or map are 0, the share is not a number
+         * and counts as 0. */
         const double share = share_of(&all);
         out->effective_share =
             share > 0 ? fmin(out->effective_share, share) : 0;
@@ -280,7 +282,8 @@ static bool find_effective_share(murk_reweighed *out, const murk_histories *f,
     return true;
 }
 
-/* Allocates n ratios and n * keys slopes, unless they fit. */
+/* Allocates n ratios and n * keys slopes, unless the arrays of the last call
+ * fit. */
 static bool reserve(murk_reweighed *r, size_t n, size_t keys)
 {
     if (!r->ratio || r->n != n || r->capacity < keys * n) {

@@ -1,8 +1,8 @@
 /* Re-weights contributions to other parameters: the ratio of weights of each
  * contribution and the derivatives of the ratio.
  *
- * The ratio is that of calibrate/histories.h. For a chord it is the mean along
- * the chord, (1 - exp(-x)) / x with x the sum over media of (sigma_t' -
+ * The ratio is that of calibrate/histories.h. For a chord the ratio is the mean
+ * along the chord, (1 - exp(-x)) / x with x the sum over media of (sigma_t' -
  * sigma_t) times the density path of the chord. The mean is exact if the
  * density is even across the sphere of the receiver; otherwise the relative
  * error is x times the relative distance of the centre of density from the

@@ -30,16 +30,16 @@
 #define START_SHARE  .9
 
 /* Costs that differ by less belong to the same minimum: light and the end of a
- * search are not known more precisely. It is a tenth of the change of cost at
- * one standard error. */
+ * search are not known more precisely. The value is a tenth of the change of
+ * cost at one standard error. */
 #define SAME_MINIMUM .1
 
 /* ---- factors of readings ---- */
 
 /* The factor that fits the rows best, g = sum(m p / e^2) / sum(p^2 / e^2) over
- * the fitted rows, with measured m, predicted p and error e: rows that use a
- * factor are proportional to it, and the slope of a row with respect to a
- * factor is the row with factor 1. */
+ * the fitted rows, with measured m, error e and p predicted with factor 1: rows
+ * that use a factor are proportional to it, and the slope of a row with respect
+ * to a factor is the row with factor 1. */
 static double best_gain(const murk_fit_search *s, size_t k)
 {
     double with_measured = 0, with_itself = 0;

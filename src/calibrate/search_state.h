@@ -14,8 +14,8 @@ typedef struct murk_fit_search {
     size_t *fitted, n_fitted;    /* rows that are not held out; those that need
                                   * light first */
     size_t n_light;              /* number of fitted rows that need light */
-    size_t *place;               /* [n_light]; index of such a row among the
-                                  * light rows of the model */
+    size_t *place;               /* [n_light]; index of a fitted row that needs
+                                  * light among all light rows of the model */
     double *measured, *error;    /* [rows] */
     murk_whitening *whitening;   /* of the first n_light rows; NULL: none */
     double *x;                   /* [n]; present point of the search */
@@ -68,7 +68,8 @@ void murk_fit_search_coordinates(const murk_fit_search *search,
 murk_status murk_fit_search_predict(murk_fit_search *search, const double *x,
                                     bool with_slopes, murk_error *err);
 
-/* Predicts rows and slopes at x, and computes the whitening there. */
+/* Predicts rows and slopes at x, and computes the whitening of the rows at
+ * x. */
 murk_status murk_fit_search_evaluate(murk_fit_search *search, const double *x,
                                      murk_error *err);
 

@@ -12,10 +12,10 @@
 murk_status murk_fit_leap(murk_fit_search *search, double *x, murk_error *err);
 
 /* From the end of least squares, moves x to the solution without the bias from
- * photon noise in the slopes. Stops after a limited number of steps (SETTLE_MAX
- * in search_steps.c). Also stops, and sets search->is_undersampled, at the
- * first point at which the effective share of the light is below
- * MURK_MIN_SHARE. */
+ * photon noise in the slopes. Stops when a step is short or after a number of
+ * steps (SETTLED and SETTLE_MAX in search_steps.c). Also stops, and sets
+ * search->is_undersampled, at the first point at which the effective share of
+ * the light is below MURK_MIN_SHARE. */
 murk_status murk_fit_settle(murk_fit_search *search, double *x,
                             murk_error *err);
 

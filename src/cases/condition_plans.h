@@ -1,8 +1,8 @@
 /* Plans over the conditions of a scene: the plan for the mean coverage, for the
  * worst condition or for the least largest regret, and for comparison the plan
  * of each condition alone. The regret of a plan in a condition is the coverage
- * that the best plan known for that condition has there, less the coverage of
- * the plan.
+ * that the best plan known for that condition has in the condition, less the
+ * coverage of the plan.
  *
  * The coverage in each condition is measured in the light of that condition;
  * dark conditions are left out. The held-out map of a condition is independent
@@ -51,8 +51,8 @@ typedef struct murk_condition_plans {
      * are not less than the best plans known; and an upper bound of the largest
      * regret of the chosen plan to the true optima. */
     double regret, regret_lower, regret_upper;
-    /* With the objective regret: coverage by all candidates, as a share in
-     * units of 1 / MURK_SHARE_ONE. */
+    /* With the objective regret, for conditions of weight above 0: coverage by
+     * all candidates, as a share in units of 1 / MURK_SHARE_ONE. */
     uint64_t ceiling_of[MURK_SCENE_CONDITIONS_MAX];
 } murk_condition_plans;
 

@@ -81,7 +81,8 @@ static murk_status keep(choosing *ch, const char *made_for,
 }
 
 /* Changes the settings for the plans for comparison: the number of sensors of
- * the plan that is asked for, no target, no curve, less branch and bound. */
+ * the plan that is asked for (if that plan exists already and the scene has no
+ * budget), no target, no curve, less branch and bound. */
 static void choose_to_compare(choosing *ch)
 {
     murk_place_desc *desc = &ch->desc;
@@ -96,8 +97,8 @@ static void choose_to_compare(choosing *ch)
 }
 
 /* Stores the references of the regret in condition c, taken from the own plan
- * of the condition: the value of the best plan known, and the upper bound of
- * any plan. */
+ * of the condition: the value of the best plan known, the upper bound of any
+ * plan, and the coverage by all candidates. */
 static void refer(choosing *ch, size_t c, size_t block,
                   const murk_place_result *place)
 {

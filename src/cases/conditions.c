@@ -102,7 +102,7 @@ static murk_scene_desc *scene_again(const murk_scene_desc *scene,
     return out;
 }
 
-/* Each stage is copied and borrows the built world of the original. */
+/* Copies the stages; each copy borrows the built world of the original. */
 murk_status murk_conditions_again(murk_conditions **out,
                                   const murk_conditions *from, uint32_t later,
                                   murk_error *err)

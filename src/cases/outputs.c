@@ -88,8 +88,8 @@ static murk_status check_needs(const murk_outputs *out,
                          "coverage needs sensors, and the scene %s has none",
                          scene->path);
     }
-    /* A best plan needs a number of sensors, a target or a budget. A target may
-     * not be one of placement.at_least. */
+    /* A best plan needs a number of sensors, a target or a budget. A target
+     * together with placement.at_least is refused. */
     if ((out->wants[MURK_OUTPUT_BEST] || murk_outputs_plan_for_all(out)) &&
         !places(scene)) {
         return murk_fail(err, MURK_BAD_VALUE, where,

@@ -4,8 +4,8 @@
 
 #include "scene/study_file.h"
 
-/* The words of the key `outputs`; other entries are names of tallies of the
- * scene. */
+/* The words of the key `outputs`; MURK_OUTPUT_TALLY stands for all other
+ * entries, which are names of tallies of the scene. */
 typedef enum murk_output {
     MURK_OUTPUT_DENSITY,
     MURK_OUTPUT_STORED,
@@ -28,9 +28,10 @@ typedef struct murk_outputs {
 murk_output murk_output_of(const char *word);
 
 /* Reads the outputs of a study. `scene` is the scene of one row, which names
- * the tallies. A study without `outputs` gets density, coverage_fixed if it has
- * a plan, and coverage_best if the scene asks for sensors. Fails at the place
- * in the study if an output is unknown or lacks something it needs. */
+ * the tallies. A study without `outputs` gets density, coverage_fixed if the
+ * study names the file of a plan, and coverage_best if the scene states a
+ * number, a target or a budget of sensors. Fails at the place in the study if
+ * an output is unknown or lacks something it needs. */
 murk_status murk_outputs_choose(murk_outputs *out, const murk_study_file *study,
                                 const murk_scene_desc *scene, murk_error *err);
 

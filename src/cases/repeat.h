@@ -5,14 +5,14 @@
  * of that seed gives the same plan. The plan under test is the plan of the
  * first run, which was chosen before any other run.
  *
- * The best plan of a sample overestimates: over many samples the mean of its
- * coverage in the sample is at least the largest true coverage of any plan. So
- * the mean of the upper bounds of the runs less the true coverage of a plan is
- * at least the optimality gap of that plan. Both are measured on the map of
- * each run, so that their common noise cancels (Mak, Morton, Wood, Oper. Res.
- * Lett. 24 (1999) 47, doi:10.1016/S0167-6377(98)00054-6). The map of the first
- * run chose the plan, so for that run the plan is measured on the held-out map
- * instead. */
+ * The coverage of the best plan of a sample in that sample is too large: over
+ * many samples the mean of its coverage in the sample is at least the largest
+ * true coverage of any plan. So the mean of the upper bounds of the runs less
+ * the true coverage of a plan is at least the optimality gap of that plan. Both
+ * are measured on the map of each run, so that their common noise cancels (Mak,
+ * Morton, Wood, Oper. Res. Lett. 24 (1999) 47,
+ * doi:10.1016/S0167-6377(98)00054-6). The map of the first run chose the plan,
+ * so for that run the plan is measured on the held-out map instead. */
 #ifndef MURK_CASES_REPEAT_H
 #define MURK_CASES_REPEAT_H
 
@@ -37,7 +37,8 @@ typedef struct murk_repeat {
     double target; /* asked of every run; 0: none */
     /* True if the bounds of the runs estimate a gap. They do not with a target,
      * because runs then take different numbers of sensors, nor for the worst
-     * condition, because the best plan of a sample may underestimate there. */
+     * condition, because the coverage of the best plan of a sample in the worst
+     * condition may be too small. */
     bool has_gap;
 } murk_repeat;
 
@@ -64,8 +65,8 @@ typedef struct murk_spread {
  * a test with such worlds, the interval of 12 runs held the mean in 91 of 100
  * cases, and the true gap was below the upper end in all of them. */
 typedef struct murk_gap {
-    size_t runs; /* that measured the first plan; 0 without murk_repeat.has_gap;
-                  * below 2: no limits */
+    size_t runs; /* number of runs that measured the first plan; 0 without
+                  * murk_repeat.has_gap; below 2: no limits */
     double value, lower, upper; /* mean of upper - plan, +- Student's t for
                                    runs - 1 degrees of freedom */
 } murk_gap;

@@ -71,8 +71,9 @@ void murk_study_row_release(murk_study_row *row);
 /* murk_study_row_print() prints a line with the number and then the row as
  * text, which the caller frees; NULL when out of memory. murk_study_row_read()
  * reads the text that follows that line, and all numbers are equal to those
- * printed. It fails with MURK_BAD_FILE, or as murk_yaml_parse(); `source` names
- * the text in messages. Release *out also after a failure. */
+ * printed. murk_study_row_read() fails with MURK_BAD_FILE, or as
+ * murk_yaml_parse(); `source` names the text in messages. Release *out also
+ * after a failure. */
 char *murk_study_row_print(const murk_study_row *row, size_t number);
 murk_status murk_study_row_read(murk_study_row *out, const char *text,
                                 size_t size, const char *source,

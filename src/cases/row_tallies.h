@@ -1,5 +1,6 @@
 /* Tallies of one row of a study: photon density over the domain and in regions
- * of interest, and the tallies of the scene as single numbers.
+ * of interest, the tallies of the scene as single numbers, and a grid of the
+ * fluence rate over the domain.
  *
  * The density of a volume is the mean scalar irradiance over the free part of
  * the volume: track length divided by free volume (plan/free_space.h). */

@@ -1,6 +1,6 @@
 /* The weighted mean of estimates and of whole coverage results over scenarios,
  * with the error of independent estimates or, if they share random numbers, an
- * upper bound of it. */
+ * upper bound of the error. */
 #include "cases/scenario_mean.h"
 
 #include <math.h>

@@ -26,8 +26,8 @@ typedef struct murk_scenarios {
     const murk_poses *poses;      /* borrowed: the candidates */
     murk_problem problem;         /* of all photons, for the mean */
     murk_blocks blocks;  /* blocks.reference: for each block the value of the
-                          * best plan known for it alone, which the caller fills
-                          * before a plan for the least regret */
+                          * best plan known for that block alone, which the
+                          * caller fills before a plan for the least regret */
     murk_matrix *matrix; /* of all photons; NULL: unknown environment */
     double sense_s;      /* seconds that filling the matrix took */
     uint32_t *weight;    /* [photons] of the mean: problem.weight */

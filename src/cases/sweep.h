@@ -54,7 +54,8 @@ typedef struct murk_sweep_plan {
      * theirs, an upper bound, because rows share their random numbers. */
     murk_estimate mean;
     murk_estimate worst;
-    size_t worst_row; /* the number of rows, if none has a value */
+    size_t worst_row; /* number of the row with the worst coverage; the number
+                       * of rows, if none has a value */
 } murk_sweep_plan;
 
 typedef struct murk_sweep_desc {
@@ -63,8 +64,8 @@ typedef struct murk_sweep_desc {
     size_t n_overrides;
     const char *folder;  /* NULL: nothing is kept */
     bool force;          /* also replaces grids that murk did not write */
-    const char *version; /* of the program: rows of other versions are made
-                            again */
+    const char *version; /* version of the program: rows of other versions are
+                            made again */
     unsigned threads;
     void (*row_done)(void *context, size_t row); /* may be NULL */
     void *context;
@@ -93,8 +94,8 @@ size_t murk_sweep_failed(const murk_sweep *sweep);
  * if all were made. */
 const char *murk_sweep_why_no_plan(const murk_sweep *sweep);
 
-/* The name of the output that a plan for all rows gives: "coverage_one_mean".
- */
+/* The name of the output that a plan for all rows gives: "coverage_one_mean" or
+ * "coverage_one_worst". */
 const char *murk_sweep_plan_name(int plan);
 
 /* True if the plan was asked for and made. */
@@ -106,10 +107,12 @@ bool murk_sweep_lacks_values(const murk_sweep_row *row);
 
 /* Reads the scenes of all rows, and the stored rows of earlier runs; traces
  * nothing. A row whose scene cannot be read has failed; the study fails if all
- * rows have. The study also fails if keys, outputs or the folder do not fit
- * together, or with MURK_INTERRUPTED or MURK_NO_MEMORY. *out is the caller's:
- * murk_sweep_destroy(). The desc is copied; the objects that it points to must
- * outlive *out. */
+ * rows have. The study also fails if the command line sets a key of an axis, if
+ * an output is unknown or lacks something it needs, if a plan for all rows is
+ * asked for and rows differ in sensors or placement, if a file in the folder
+ * may not be replaced, or with MURK_INTERRUPTED or MURK_NO_MEMORY. *out is the
+ * caller's: murk_sweep_destroy(). The desc is copied; the objects that it
+ * points to must outlive *out. */
 murk_status murk_sweep_create(murk_sweep **out, const murk_sweep_desc *desc,
                               murk_error *err);
 void murk_sweep_destroy(murk_sweep *sweep); /* NULL is fine */

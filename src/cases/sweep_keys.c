@@ -30,7 +30,9 @@ typedef struct signing {
 
 typedef murk_status (*printer)(FILE *to, const signing *s, murk_error *err);
 
-/* The shapes of the lights, the keys of the world, files and tallies. */
+/* Prints what the world key is a hash of: the shapes of the light sources, the
+ * keys of the world, the settings of the tallies, and checksums of the
+ * files. */
 static murk_status print_world(FILE *to, const signing *s, murk_error *err)
 {
     const murk_status status = murk_source_shapes_print(to, s->scene, err);
@@ -41,7 +43,8 @@ static murk_status print_world(FILE *to, const signing *s, murk_error *err)
                : no_memory(err);
 }
 
-/* Version, outputs and the whole scene. */
+/* Prints what the own key is a hash of: version, units and outputs, the whole
+ * scene, and checksums of the files. */
 static murk_status print_row(FILE *to, const signing *s, murk_error *err)
 {
     const murk_study_file *study = s->outputs->study;
@@ -63,7 +66,8 @@ static bool is_of_placement(const char *key)
     return strcmp(key, "sensors") == 0 || strcmp(key, "placement") == 0;
 }
 
-/* Sensors and placement, as the scene has them resolved. */
+/* Prints what the placement key is a hash of: the keys `sensors` and
+ * `placement` of the resolved scene. */
 static murk_status print_placement(FILE *to, const signing *s, murk_error *err)
 {
     const char *resolved = s->scene->resolved;

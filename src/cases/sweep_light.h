@@ -39,8 +39,9 @@ typedef struct murk_sweep_light {
     const murk_stage *first; /* the first stage that was imported, in whose
                               * world light is traced; NULL: not built yet */
     murk_row_tallies row_tallies;
-    murk_sources *lights; /* of all rows; NULL: all rows have equal lights, or
-                           * none shines */
+    murk_sources *lights; /* light sources whose traced light is scaled to each
+                           * row; NULL: all rows have equal lights, or none
+                           * shines */
     murk_scene_desc lit_scene; /* the scene that is traced: that of `first` with
                                   more photons if the lights of the rows
                                   differ */

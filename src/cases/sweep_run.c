@@ -93,8 +93,9 @@ static murk_status put_values(murk_sweep *sweep, murk_sweep_message *message,
 }
 
 /* Runs the subprocess of a group, unless nothing is left for it to do. Rows
- * that the subprocess does not reach have failed; with measures_plans, they
- * have no coverage of the plans and a note. */
+ * that the subprocess does not reach have failed; with measures_plans, the
+ * coverages of the plans are NaN in these rows, and the note of each row has
+ * the reason. */
 static murk_status run_group(murk_sweep *sweep, murk_sweep_group *group,
                              bool measures_plans, murk_error *err)
 {
@@ -131,7 +132,8 @@ static murk_status run_groups(murk_sweep *sweep, bool measures_plans,
 
 /* ---- plans for all rows ---- */
 
-/* True if the row takes part in the choice of a plan for all rows. */
+/* True if the row may take part in the choice of a plan for all rows;
+ * find_choosers() limits the number of rows. */
 static bool has_say(const murk_sweep *sweep, const murk_sweep_row *row)
 {
     return row->is_done && !row->found.failed[0] &&
@@ -150,7 +152,7 @@ static void find_choosers(murk_sweep *sweep)
     sweep->choosers = 0;
     for (size_t i = 0; i < rows && sweep->choosers < n; ++i) {
         if (has_say(sweep, &sweep->row[i])) {
-            /* of n equal parts of the rows, the middle one of each takes
+            /* the middle row of each of n equal parts of the rows that may take
              * part */
             const size_t next = (2 * sweep->choosers + 1) * all / (2 * n);
             if (seen++ == next) {

@@ -17,10 +17,11 @@
 #define SHARE_MIN 1.5e-8 /* sqrt(DBL_EPSILON), rounded up */
 
 /* The largest error of a direction that enters a variance, in scales: no
- * parameter of murk moves further, because a fit moves a logarithm by factors
- * up to 1e9 (MURK_FREE_REACH in calibrate/search_state.c; some 21 scales). An
- * undetermined direction enters the variance of a parameter with a small
- * component by this error, not by an infinite one. */
+ * parameter of murk moves further, because a key that is searched in logarithms
+ * changes by a factor of 1e9 at most (MURK_FREE_REACH in
+ * calibrate/search_state.c; some 21 scales). An undetermined direction enters
+ * the variance of a parameter with a small component by this error, not by an
+ * infinite one. */
 #define SCALES_MAX 1e3
 
 /* The columns of the Jacobian of the free parameters, in units of the scales,

@@ -4,7 +4,7 @@
  * parameter that presses against a bound then still receives a component of
  * every step, and with correlated parameters the search zigzags (one in fifteen
  * of the problems of tests/unit/fit/test_bounds.c is not solved in 100
- * iterations). Therefore Ceres is not told about bounds. It receives the
+ * iterations). Therefore Ceres is not told about bounds. Ceres receives the
  * residuals at the nearest point within the bounds, which do not depend on a
  * parameter that is beyond a bound, so that this parameter drops out of all
  * steps. When a run of Ceres converges, a new pass begins at the point reached:
@@ -108,8 +108,8 @@ static const place *evaluate(search *s, const double *x, bool with_jacobian)
 {
     const murk_least_squares *p = s->problem;
     if (knows(&s->best, x, p->n, with_jacobian)) {
-        return &s->best; /* this is also the case of a step that is too short to
-                          * change x */
+        return &s->best; /* a step that is too short to change x ends here,
+                          * too */
     }
     place *at = &s->other;
     if (knows(at, x, p->n, with_jacobian)) {

@@ -288,8 +288,8 @@ static murk_status choose_better(choice *c, murk_error *err)
     return MURK_OK;
 }
 
-/* Orders the selected candidates: each has the largest gain of those that are
- * left when it is added to those before it. */
+/* Orders the selected candidates: the candidate that comes next is the one
+ * whose reading, added to those before, has the largest gain. */
 static murk_status order(choice *c, murk_optimal_pick *pick, murk_error *err)
 {
     murk_status status = factorise(c, 0, err);

@@ -19,12 +19,13 @@ typedef struct murk_optimal_pick {
 } murk_optimal_pick;
 
 /* information[n * n] is J^T J of the existing readings, symmetric, in scaled
- * parameters; it may be singular, because a small multiple of the unit matrix
- * (KNOWN_BEFORE in optimal.c) is added. row[candidates][n] is whitened by the
- * error of each reading. Fills pick[k], largest gain first, without duplicates;
- * of equal gains the lower number comes first. Fails with MURK_BAD_VALUE if k >
- * candidates or a number is not finite, with MURK_RUN_FAILED if the information
- * with that multiple is not positive definite, or with MURK_NO_MEMORY. */
+ * parameters; the matrix may be singular, because a small multiple of the unit
+ * matrix (KNOWN_BEFORE in optimal.c) is added. row[candidates][n] is whitened
+ * by the error of each reading. Fills pick[k], largest gain first, without
+ * duplicates; of equal gains the lower number comes first. Fails with
+ * MURK_BAD_VALUE if k > candidates or a number is not finite, with
+ * MURK_RUN_FAILED if the information with that multiple is not positive
+ * definite, or with MURK_NO_MEMORY. */
 murk_status murk_optimal_choose(murk_optimal_pick *pick, size_t k,
                                 const double *information, const double *row,
                                 size_t candidates, size_t n, murk_error *err);

@@ -9,8 +9,8 @@
 #include "geometry/ray_scene.h"
 #include "geometry/triangle.h"
 
-/* Allowed relative error of the covered area: rounding of vertices in the
- * plane stays well below it. */
+/* Allowed relative error of the covered area: rounding of vertices in the plane
+ * stays well below this error. */
 #define FILLED 1e-3
 
 /* Planes whose normals have a larger cosine count as one plane: 1.4e-3 rad,
@@ -31,7 +31,7 @@ static double edge_area(const double p[2], const double q[2], double radius)
     const double c = p[0] * p[0] + p[1] * p[1] - radius * radius;
     const double root = b * b - a * c;
     double first = 1, last = 1; /* the part of the edge inside the circle, as
-                                   fractions of its length */
+                                 * fractions of the length of the edge */
     if (root > 0) {
         first = fmin(fmax((-b - sqrt(root)) / a, 0), 1);
         last = fmin(fmax((-b + sqrt(root)) / a, 0), 1);

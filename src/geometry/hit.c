@@ -8,17 +8,17 @@
 #include "geometry/triangle.h"
 #include "geometry/walk.h"
 
-/* Within EDGE_UNITS float steps of an edge, rounding may have chosen the
- * wrong one of two opaque triangles that meet there at an angle. Then the
- * hit is moved back along the ray by DRAW_BACK_UNITS, into the space that
- * the ray has passed, so that the ray which leaves the hit does not start
- * behind the neighbouring triangle. A neighbour tilted by less than
- * EDGE_SINE (14 degrees) needs no such care: the step of
- * murk_surfaces_leave() clears it. EDGE_UNITS exceeds the few float steps by
- * which Embree's hit may be off (geometry/ray_scene.h); DRAW_BACK_UNITS is
- * twice EDGE_UNITS / EDGE_SINE. Cost: in a room of ten metres one hit in a
- * million, in a corner, lies up to 1e-5 of the largest coordinate before the
- * surface. */
+/* Within EDGE_UNITS float steps of an edge, rounding may have chosen the wrong
+ * one of two opaque triangles that meet there at an angle. Such a hit is moved
+ * back along the ray by DRAW_BACK_UNITS float steps (at most by half of the
+ * distance), into the space that the ray has passed, so that the ray which
+ * leaves the hit does not start behind the neighbouring triangle. A neighbour
+ * tilted by less than EDGE_SINE (14 degrees) needs no such care: the step of
+ * murk_surfaces_leave() clears that neighbour. EDGE_UNITS exceeds the few float
+ * steps by which Embree's hit may be off (geometry/ray_scene.h);
+ * DRAW_BACK_UNITS is twice EDGE_UNITS / EDGE_SINE. Cost: in a room of ten
+ * metres one hit in a million, in a corner, lies up to 1e-5 of the largest
+ * coordinate before the surface. */
 #define EDGE_UNITS      8
 #define DRAW_BACK_UNITS 64
 #define EDGE_SINE       0.25

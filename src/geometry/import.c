@@ -331,7 +331,8 @@ static const struct aiScene *read_scene(const murk_import_request *request,
     return scene;
 }
 
-/* Replaces control characters in Assimp's message, so that it is one line. */
+/* Replaces control characters in Assimp's message, so that the message is one
+ * line. */
 static void one_line(char *text)
 {
     for (; *text; ++text) {

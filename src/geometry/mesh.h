@@ -4,7 +4,7 @@
  * The file is parsed in a subprocess with limits (base/subprocess.h), checked
  * (finite coordinates, indices in range), and handed over as plain arrays in
  * metres with z up. Call murk_mesh_read() before any thread or Embree device
- * exists, because it may fork the process. */
+ * exists, because the function may fork the process. */
 #ifndef MURK_GEOMETRY_MESH_H
 #define MURK_GEOMETRY_MESH_H
 

@@ -33,8 +33,8 @@ static bool is_decided(const sampling *s)
     return s->any_inside && s->any_outside;
 }
 
-/* Notes whether a point of the surface is inside or outside of the other
- * mesh, unless it is on that mesh within the tolerance. */
+/* Notes whether a point of the surface is inside or outside of the other mesh,
+ * unless the point is on the other mesh within the tolerance. */
 static void sample(sampling *s, murk_vec3 point)
 {
     if (is_decided(s) ||

@@ -207,7 +207,7 @@ static murk_status read_memory(murk_mesh **out, const char *path,
         return murk_no_memory(err, where, "for the %zu triangles of %s",
                               given->triangles, path);
     }
-    /* Copy, and turn the up axis to z. */
+    /* Copy the mesh, turn the up axis to z, and scale to metres. */
     const murk_affine turn = murk_import_up_to_z(import->up ? import->up : 'z'),
                       scale = murk_affine_place(
                           murk_vec(0, 0, 0),

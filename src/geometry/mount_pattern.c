@@ -2,11 +2,11 @@
  *
  * Lattice: each face is intersected with the lines of a square lattice along
  * the axis closest to the face's normal. The sites then depend on the place of
- * the face, not on the triangles it is cut into. On slanting faces they are up
- * to sqrt(3) times too far apart. Gaps: all faces are halved into small pieces,
- * and the middle of a piece becomes a site if no other site of the surface is
- * near. A sphere has its six poles in place of the lattice, and its octants are
- * halved in the same way.
+ * the face, not on the triangles into which the face is cut. On slanting faces
+ * the sites are up to sqrt(3) times too far apart. Gaps: all faces are halved
+ * into small pieces, and the middle of a piece becomes a site if no other site
+ * of the surface is near. A sphere has its six poles in place of the lattice,
+ * and its octants are halved in the same way.
  *
  * Thinning by distance alone would take the far face of a thin wall for the
  * near one; geometry/mount_builder.c therefore compares planes, too. */
@@ -333,7 +333,7 @@ murk_status murk_surfaces_mount_sites(murk_mount_site **out, size_t *n,
     }
     murk_progress_begin("mounts", 3 * (uint64_t)surfaces->soup.triangles,
                         "faces");
-    /* Refuse an area that is too large, then search. */
+    /* Refuse an area that is too large; otherwise search. */
     if (measure(&l)) {
         if (l.squares > SQUARES_PER_SITE * (double)search->max) {
             l.status = murk_mount_builder_refuse(&l);

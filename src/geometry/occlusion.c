@@ -1,15 +1,16 @@
 /* Sightlines: whether anything blocks the segment between two points, one by
- * one or many to one point, and how much the thin sheets along it transmit.
+ * one or many to one point, and how much the thin sheets along the segment
+ * transmit.
  *
- * Embree is asked one ray at a time, since its wide occlusion queries change
- * a few grazing answers with the other rays of a packet. Many sightlines to
- * one point use an occlusion cache: the shadows of the last occluding
- * triangles, because neighbouring sightlines to one sensor are mostly blocked
- * by the same few triangles. Four dot products then answer a question for which
- * Embree takes some hundred nanoseconds. A shadow is reduced by margins well
- * above Embree's own rounding, so Embree would report any point inside as
- * occluded too, whichever of Embree's kernels runs. Every other point is left
- * to Embree, so that the answers are those of the single query. */
+ * Embree is asked one ray at a time, since its wide occlusion queries change a
+ * few grazing answers with the other rays of a packet. Many sightlines to one
+ * point use an occlusion cache: the shadows of the last occluding triangles,
+ * because neighbouring sightlines to one sensor are mostly blocked by the same
+ * few triangles. Four dot products then answer a question for which Embree
+ * takes some hundred nanoseconds. A shadow is reduced by margins well above
+ * Embree's own rounding, so Embree would report any point inside as occluded
+ * too, whichever of Embree's kernels runs. Every other point is left to Embree,
+ * so that the answers are those of the single query. */
 #include "geometry/triangle.h"
 #include "geometry/walk.h"
 
@@ -19,11 +20,11 @@
  * the fastest number in a furnished interior. */
 #define SHADOWS 4
 
-/* Margin in float steps by which a ray must miss every edge, and by which
- * eye and point must be away from the plane. A ray's float origin and
- * direction move it by at most 4 units anywhere in the scene, its ends are
- * moved inwards by 8, and Embree's own arithmetic adds at most some 8. Cost:
- * only that rays which pass within the margin are left to Embree. */
+/* Margin in float steps by which a ray must miss every edge, and by which eye
+ * and point must be away from the plane. Rounding a ray's origin and direction
+ * to floats moves the ray by at most 4 units anywhere in the scene, the ends of
+ * the ray are moved inwards by 8, and Embree's own arithmetic adds at most some
+ * 8. Cost: only that rays which pass within the margin are left to Embree. */
 #define MARGIN_UNITS 64
 
 /* Compiles the function for wider registers, too; the program selects a
@@ -39,8 +40,8 @@
 #define WIDE_CLONES
 #endif
 
-/* Inlines into each version of murk_surfaces_blocked_many(), compiled for
- * its registers: some 5 % more sightlines a second. */
+/* Inlines into each version of murk_surfaces_blocked_many(), compiled for the
+ * registers of that version: some 5 % more sightlines a second. */
 #define INTO_COPIES inline __attribute__((always_inline))
 
 /* The segment between two points, shortened by leave_m at either end and
@@ -121,8 +122,8 @@ typedef struct shadow {
 } shadow;
 
 /* Computes the shadow; false if the triangle has none that is certain. unit_m:
- * a float step (geometry/ray_scene.h); farthest_m: the largest distance of any
- * queried point from the eye. */
+ * a float step (geometry/ray_scene.h); farthest_m: no queried point is farther
+ * from the eye. */
 static bool make_shadow(shadow *s, const murk_triangle *triangle, murk_vec3 eye,
                         double unit_m, double farthest_m)
 {
@@ -139,11 +140,12 @@ static bool make_shadow(shadow *s, const murk_triangle *triangle, murk_vec3 eye,
     if (!(height > margin)) {
         return false;
     }
-    /* The plane of the triangle: points behind it by more than the margin. */
+    /* The plane of the triangle: points behind the plane by more than the
+     * margin. */
     s->normal[3] = normal;
     s->offset[3] = -murk_dot(normal, triangle->a) - margin;
     /* The planes through the eye and each edge. A ray that is d off such a
-     * plane at the far end is at least d * nearest / farthest off where it
+     * plane at the far end is at least d * nearest / farthest off where the ray
      * passes the edge. */
     const double side_margin = margin * farthest_m / nearest;
     const murk_vec3 corner[3] = {
@@ -154,7 +156,7 @@ static bool make_shadow(shadow *s, const murk_triangle *triangle, murk_vec3 eye,
         const murk_vec3 side =
             murk_unit(murk_cross(corner[i], corner[(i + 1) % 3]));
         s->normal[i] = side; /* not finite if the eye is on the line of the
-                                edge: then is_occluded_by_cached() is false */
+                              * edge: then no point is inside the shadow */
         s->offset[i] = -murk_dot(side, eye) - side_margin;
     }
     return true;

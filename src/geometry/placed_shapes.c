@@ -22,7 +22,8 @@
 #define SIMILAR 1e-9
 
 /* Triangles of a box, by corner numbers whose bits 0, 1 and 2 select the
- * maximum of x, y and z; and of a rectangle, by corner numbers around it. */
+ * maximum of x, y and z; and of a rectangle, by corner numbers around the
+ * rectangle. */
 static const uint32_t BOX_CORNER[36] = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6,
                                         0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3,
                                         0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
@@ -174,7 +175,7 @@ static murk_status add_mesh(murk_placed_shapes *g, const murk_surface_desc *d,
     }
     const uint32_t base = (uint32_t)g->vertices;
     /* The origin of the mesh and the translation of the shape are both large
-     * for a mesh far from the origin. They are added first, then the small
+     * for a mesh far from the origin. These two are added first, then the small
      * vertices, so that no digits are lost. */
     murk_affine to_world = d->to_world;
     to_world.shift = murk_affine_point(&d->to_world, m->origin_m);

@@ -57,7 +57,7 @@ static bool cut_sphere(const murk_cut_plane *plane, murk_vec3 center,
     return true;
 }
 
-/* Fills the arrays of *out, or only counts if they are NULL. */
+/* Fills the arrays of *out, or only counts if the arrays are NULL. */
 static void cut_all(murk_plane_cut *out, const murk_surfaces *surfaces,
                     const murk_surfaces_facts *facts,
                     const murk_cut_plane *plane)

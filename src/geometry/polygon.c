@@ -12,7 +12,7 @@ static void add(murk_polygon *p, murk_vec3 corner)
 
 /* Keeps the part of a polygon that is not below a plane, given the height of
  * each corner above the plane. If the plane is perpendicular to `axis` (else
- * -1) at `bound`, new corners lie in it to the last bit. */
+ * -1) at `bound`, new corners lie in the plane to the last bit. */
 static murk_polygon cut(const murk_polygon *p, const double *height, int axis,
                         double bound)
 {

@@ -1,9 +1,9 @@
 /* Test whether a closed mesh intersects a half space, box or sphere.
  *
- * They intersect if some triangle reaches into the shape and some corner
- * lies outside of it. The shapes are convex, so corners suffice for the
- * second condition. For triangles and boxes the first is the separating axis
- * test (Akenine-Moeller, J. Graph. Tools 6 (2001) 29,
+ * Mesh and shape intersect if some triangle of the mesh reaches into the shape
+ * and some corner lies outside of the shape. The shapes are convex, so corners
+ * suffice for the second condition. For triangles and boxes the first is the
+ * separating axis test (Akenine-Moeller, J. Graph. Tools 6 (2001) 29,
  * doi:10.1080/10867651.2001.10487535). */
 #include "geometry/boundary_mesh.h"
 #include "geometry/boundary_meshes.h"
@@ -98,7 +98,8 @@ bool murk_boundary_meshes_meet_plain(const murk_boundary_meshes *b, int region,
                                      murk_vec3 *place)
 {
     const murk_soup *soup = &murk_boundary_mesh_of(b, region)->shape->soup;
-    /* Work in the coordinates of the shape; the tolerance is scaled to them. */
+    /* Work in the coordinates of the shape; the tolerance is scaled to these
+     * coordinates. */
     murk_affine to_local = murk_affine_identity();
     if (shape->shape != MURK_REGION_BELOW &&
         !murk_affine_invert(&shape->to_world, &to_local)) {

@@ -62,7 +62,8 @@ static void count_crossings(murk_boundary_mesh *b, const uint32_t *same,
         for (size_t k = 0; k < 3 && !b->is_copy[i]; ++k) {
             const uint32_t from = soup->corner[3 * i + k];
             const uint32_t to = soup->corner[3 * i + (k + 1) % 3];
-            /* Trace a ray along the edge and test each triangle it meets. */
+            /* Trace a ray along the edge and test each triangle that the ray
+             * meets. */
             piercing p = {.soup = soup,
                           .same = same,
                           .from = murk_vertex(soup->vertex, from),
@@ -167,7 +168,7 @@ murk_status murk_boundary_mesh_find_sides(murk_boundary_mesh *b,
             p.open_edges, soup->triangles);
         goto done;
     }
-    /* Repeated triangles do not count; they are known before rays are
+    /* Repeated triangles do not count; the copies are known before rays are
      * traced. */
     b->is_copy = p.is_copy;
     p.is_copy = NULL;

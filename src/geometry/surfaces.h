@@ -49,7 +49,8 @@ typedef struct murk_surface_desc {
     murk_affine to_world; /* meshes: applied after the conversion of unit and up
                              axis; spheres: a similarity only */
     int material; /* index; -1: by the names in the mesh file, `default` (index
-                     0) for names that the scene does not define */
+                   * 0) for names that the scene does not define and for shapes
+                   * other than meshes */
     const char *where;
 } murk_surface_desc;
 
@@ -94,9 +95,9 @@ bool murk_surfaces_hit(const murk_surfaces *surfaces, murk_vec3 origin,
                        murk_vec3 direction, double max_m, murk_hit *hit);
 
 /* A point slightly off the surface at `point`, on the side to which `normal`
- * points, so that rounding cannot make a ray from it hit that surface again.
- * The distance is 9.5e-7 of the largest coordinate (relative to the middle
- * of a scene that is far from the origin). Surfaces closer to each other
+ * points, so that rounding cannot make a ray from that point hit the surface
+ * again. The distance is 9.5e-7 of the largest coordinate (relative to the
+ * middle of a scene that is far from the origin). Surfaces closer to each other
  * than this are not told apart. */
 murk_vec3 murk_surfaces_leave(const murk_surfaces *surfaces, murk_vec3 point,
                               murk_vec3 normal);
@@ -109,9 +110,9 @@ double murk_surfaces_leave_step_m(const murk_surfaces *surfaces);
 uint16_t murk_surfaces_solid_at(const murk_surfaces *surfaces, murk_vec3 point);
 
 /* True if a surface blocks the segment between two points. Thin transmitting
- * sheets do not block if through_sheets is set. A caller whose
- * point lies on a surface first moves it off by murk_surfaces_leave(), so that
- * this surface does not block. The function also shortens the segment by
+ * sheets do not block if through_sheets is set. A caller whose point lies on a
+ * surface first moves the point off by murk_surfaces_leave(), so that this
+ * surface does not block. The function also shortens the segment by
  * murk_surfaces_leave_step_m() at either end, so surfaces nearer to an end
  * along the segment do not block. */
 bool murk_surfaces_blocked(const murk_surfaces *surfaces, murk_vec3 from,

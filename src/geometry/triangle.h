@@ -40,8 +40,8 @@ static inline double murk_triangle_area(const murk_triangle *t)
 }
 
 /* True if the corners are collinear to rounding: the sine of the angle at the
- * first corner is at most 2^-31, or two corners are equal. At that angle the
- * rounding of 2^-51 in the normal turns it by 1e-6 rad. */
+ * first corner is at most 2^-31, or two corners are equal. At that angle a
+ * rounding error of 2^-51 turns the normal by 1e-6 rad. */
 bool murk_triangle_is_degenerate(const murk_triangle *t);
 
 /* Squared distance from a point to the nearest point of the triangle. */

@@ -8,9 +8,9 @@
 #include <float.h>
 
 /* A ray starts this many float steps (geometry/ray_scene.h) early, so that an
- * origin which rounding pushed through a nearby surface still hits it. Hits
- * behind the true origin are skipped by the caller. 2 exceeds the 0.9 steps by
- * which rounding moves an origin. */
+ * origin which rounding pushed through a nearby surface does not miss that
+ * surface. Hits behind the true origin are skipped by the caller. 2 exceeds the
+ * 0.9 steps by which rounding moves an origin. */
 #define BACK_UNITS 2
 
 /* The distance of a plane in double precision is accepted if it agrees with
@@ -41,7 +41,7 @@ bool murk_walk_begin(murk_walk *w, const murk_surfaces *s, murk_vec3 origin,
         !murk_ray_is_sound(w->context.origin, direction)) {
         return false;
     }
-    /* An infinite max_m stays infinite; otherwise it is enlarged so that
+    /* An infinite max_m stays infinite; a finite max_m is enlarged so that
      * rounding loses no hit at the end. */
     const double reach_m = (max_m - w->start_m) * (1 + (double)FLT_EPSILON);
     murk_ray_set(&w->ray.ray, w->context.origin, direction, (float)reach_m,

@@ -77,7 +77,8 @@ static uint64_t wave_photons(const murk_emission *e)
     return photons < left ? photons : left;
 }
 
-/* Removes photons [first, last) from the ledger and the tallies. */
+/* Removes the contributions of photons [first, last) from the ledger and the
+ * tallies. */
 static void take_back(const murk_emission *e, uint64_t first, uint64_t last)
 {
     murk_trace trace = trace_of(e, first, last);

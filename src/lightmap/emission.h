@@ -10,7 +10,7 @@
 #include "world/stage.h"
 
 /* A run that loses a larger share of the photons fails, because the result
- * would not be the light of the scene. The value is that of the manual. */
+ * would not be the light of the scene. murk.h states the same share. */
 #define MURK_LOST_SHARE_MAX 0.01
 
 typedef struct murk_emission {
@@ -31,9 +31,9 @@ typedef struct murk_emission {
      * buffers; they must pass the events on to the record buffers, which count
      * them. gather is called after each wave in place of
      * murk_record_buffers_gather(), with gather_context and the number of the
-     * last photon that is kept; if there are record buffers, it must call that
-     * function, and it must drop what it stores of later photons. If sink and
-     * gather are NULL, the record buffers alone are used. */
+     * last photon that is kept; if there are record buffers, gather must call
+     * that function, and gather must drop what it stores of later photons. If
+     * sink and gather are NULL, the record buffers alone are used. */
     murk_event_sink sink;
     murk_segment_sink segment_sink;
     void *context; /* passed to both sinks */

@@ -16,8 +16,9 @@ static bool is_whole(double share)
     return share >= 1;
 }
 
-/* True if any surface or medium of the scene absorbs light of the band. A
- * medium with an albedo grid is assumed to absorb. */
+/* True if any material that covers a surface, or the medium of any region,
+ * absorbs light of the band. A medium with an albedo grid is assumed to
+ * absorb. */
 static bool absorbs(const murk_stage *stage, int band)
 {
     const murk_scene_desc *scene = stage->scene;
@@ -66,8 +67,8 @@ murk_status murk_ending_check(const murk_stage *stage, uint32_t stream,
     trace.stream = stream;
     trace.last = PHOTONS_A_BAND * (uint64_t)scene->bands;
     murk_trace_run(&trace, ledger);
-    /* Refuse the first band that lost LOST_MIN photons or more and no others
-     * ended. */
+    /* Refuse the first band that lost LOST_MIN photons or more and of which no
+     * photon ended otherwise. */
     for (int band = 0; band < scene->bands && !status; ++band) {
         const double lost = lost_alone(stage, ledger, band);
         if (lost >= LOST_MIN) {

@@ -113,10 +113,10 @@ murk_status murk_lightmap_forecast(murk_forecast *out, const murk_stage *stage,
                         : all > 0        ? (double)settings->store / all
                                          : 0;
     /* A growing array holds up to 1.5 times the memory of its content, and both
-     * the old and the new array exist while it moves: 2.5 times. The kd-trees
-     * need more memory beside the content; murk_photon_map_memory_for()
-     * includes the content, which is subtracted because it is counted
-     * already. */
+     * the old and the new array exist while the array moves: 2.5 times. The
+     * kd-trees need more memory beside the content;
+     * murk_photon_map_memory_for() includes the content, which is subtracted
+     * because it is counted already. */
     const double records = all * grow;
     *out = (murk_forecast){.pilot_photons = n,
                            .escaped_share = escaped_share(stage, ledger),

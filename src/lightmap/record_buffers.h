@@ -58,10 +58,10 @@ void murk_record_buffers_destroy(
     murk_record_buffers *buffers); /* NULL is fine */
 
 /* The share of a photon packet that a record of the event gets. With
- * settings->store_hits it is the expected share that is reflected diffusely or
- * scattered at the event; else it is the actual share that leaves, 0 if the
- * photon was not reflected diffusely or scattered. 0 if the event belongs to no
- * map that is kept. */
+ * settings->store_hits, the share is the expected part of the packet that is
+ * reflected diffusely or scattered at the event; else, the share is the actual
+ * part that leaves, 0 if the photon was not reflected diffusely or scattered. 0
+ * if the event belongs to no map that is kept. */
 double murk_record_buffers_share(const murk_record_buffers *buffers,
                                  const murk_event *event);
 

@@ -45,7 +45,7 @@ double murk_albedo_by_grid(const murk_medium *medium, const murk_place *place,
 {
     const murk_tree *tree = murk_grid_tree(medium->albedo_grid);
     const murk_vec3 at = murk_affine_point(&place->to_albedo, p);
-    /* Use the grid's background outside of all voxels with an albedo. */
+    /* Use the grid's background if no voxel around p has an albedo. */
     double albedo = -1;
     if (tree->n_cells > 0) {
         albedo = medium->interpolation == MURK_LINEAR ? linear(tree, at)

@@ -1,7 +1,7 @@
 /* Computes the bounds of bricks from the tree of a grid (medium/bricks.h):
  * every leaf and tile raises the bounds of the bricks, or larger cells, in
- * which the interpolation reads its values. Functions that return bool or a
- * pointer fail only if there is no memory. */
+ * which the interpolation reads values of that leaf or tile. Functions that
+ * return bool or a pointer fail only if there is no memory. */
 #include "medium/bricks.h"
 
 #include "medium/brick_cells.h"

@@ -10,7 +10,7 @@ void murk_density_walk_begin(murk_density_walk *walk, const murk_place *place,
 {
     assert(place->filling != MURK_FILLED_EVENLY);
     walk->filling = place->filling;
-    /* A profile depends on the height in the frame of the region only. */
+    /* A profile depends only on the height in the frame of the region. */
     if (place->filling == MURK_FILLED_BY_LAYERS) {
         murk_vec3 o = origin, d = direction;
         if (place->is_moved) {

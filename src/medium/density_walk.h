@@ -13,7 +13,8 @@
 
 #include <stdbool.h>
 
-/* The state of a walk; must not be copied after it has begun. */
+/* The state of a walk. It must not be copied after the walk has begun, because
+ * murk_linear contains pointers to itself. */
 typedef struct murk_density_walk {
     murk_filling filling;
     union {

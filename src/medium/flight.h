@@ -7,7 +7,8 @@
 #include "base/rng.h"
 #include "medium/media_parts.h"
 
-/* The random numbers of a flight by delta tracking: pairs, slot after slot. */
+/* The random numbers of a flight by delta tracking. Each slot of the address
+ * gives two pairs of numbers. */
 typedef struct murk_flight_randoms {
     const murk_address *address;
     uint32_t slot; /* the slot drawn last */
@@ -16,7 +17,8 @@ typedef struct murk_flight_randoms {
     uint32_t nulls; /* null collisions so far */
 } murk_flight_randoms;
 
-/* A medium present at the collision, and the extinction there. */
+/* The region of a medium that is present at the collision, and the extinction
+ * of that medium there. */
 typedef struct murk_flight_contributor {
     const murk_place *place;
     double extinction_per_m;

@@ -1,8 +1,10 @@
-/* Reads OpenVDB grids in a subprocess and stores them as NanoVDB buffers.
+/* Reads OpenVDB grids and stores them as NanoVDB buffers.
  *
- * The subprocess (medium/vdb_bridge.h) sends a fixed-size header
- * (murk_vdb_facts), then the bytes of the NanoVDB grid, which the parent
- * copies to aligned memory and opens as a tree (medium/tree.h). */
+ * The files are parsed in the process that the host chooses
+ * (base/subprocess.h), mostly a subprocess. It sends a header of fixed size
+ * (murk_vdb_facts of medium/vdb_bridge.h), then the bytes of the NanoVDB grid,
+ * which the calling process copies to aligned memory and opens as a tree
+ * (medium/tree.h). */
 #include "medium/grid.h"
 #include "medium/grid_internal.h"
 #include "medium/grid_jobs.h"
@@ -51,7 +53,7 @@ typedef struct job {
     const char *where;
 } job;
 
-/* In the subprocess: sends the header, then the grid. */
+/* In the process that parses the file: sends the header, then the grid. */
 static murk_status send_grid(void *context, const murk_vdb_facts *facts,
                              const void *bytes, size_t size)
 {
@@ -188,7 +190,7 @@ static murk_status copy_buffer(murk_grid *grid, const unsigned char *bytes,
     return MURK_OK;
 }
 
-/* Builds the grid from the bytes that the subprocess sent. */
+/* Builds the grid from the bytes that send_grid() sent. */
 static murk_status build_received(murk_grid **out, const unsigned char *sent,
                                   size_t size, bool is_albedo,
                                   const char *where, murk_error *err)

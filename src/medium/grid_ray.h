@@ -107,7 +107,7 @@ static inline double murk_grid_ray_reach(const murk_grid_ray *r, int axis,
                                  : (face - r->origin[axis]) * r->inverse[axis];
 }
 
-/* Moves at[] to the position of the ray at t, clamped to the cells first to
+/* Sets at[] to the cell in which the ray is at t, clamped to the cells first to
  * last. */
 static inline void murk_grid_ray_place(murk_grid_ray *r, const int32_t first[3],
                                        const int32_t last[3], double t)
@@ -186,7 +186,7 @@ static inline void murk_grid_ray_leave_block(murk_grid_ray *r)
     r->is_in_block = false;
 }
 
-/* The segment in the current cell of the block. */
+/* Sets `to` to the end of the segment in the current cell of the block. */
 static inline void murk_grid_ray_cross_in_block(murk_grid_ray *r)
 {
     const double min =

@@ -1,5 +1,6 @@
-/* Writes .vdb files: checks the fields, builds the file in a subprocess, and
- * replaces the random file identifier by one derived from the contents. */
+/* Writes .vdb files: checks the fields, lets a job of murk_subprocess_do()
+ * (base/subprocess.h) build the bytes of the file, and replaces the random file
+ * identifier by one derived from the contents. */
 #include "medium/grid_write.h"
 #include "medium/grid_internal.h"
 #include "medium/grid_jobs.h"

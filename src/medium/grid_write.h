@@ -3,8 +3,8 @@
  *
  * Each field becomes one float grid of class fog volume; all have the same
  * transform. Values of 0 are left out (they are the background), so the size of
- * the file follows its content. The bytes of the file are built in a
- * subprocess, which has or receives the fields; the calling process writes the
+ * the file follows its content. The bytes of the file are built in the process
+ * that the host chooses (base/subprocess.h); the calling process writes the
  * file. The file identifier of the format is derived from the contents, so
  * equal fields give equal bytes. */
 #ifndef MURK_MEDIUM_GRID_WRITE_H

@@ -1,5 +1,5 @@
-/* Interfaces: boundaries of regions with an index of refraction. Finds the next
- * interface along a ray and the index on either side.
+/* Interfaces: boundaries of regions with an index of refraction. The functions
+ * find the next interface along a ray and the index on either side.
  *
  * A ray carries the set of refractive regions that it is in. The set, not the
  * position, tells on which side of a boundary the ray is. A ray may therefore
@@ -68,8 +68,8 @@ bool murk_media_boundary(const murk_media *media, murk_inside inside,
 
 /* The set of regions of a ray that has left a periodic domain across an axis (0
  * x, 1 y) and continues at `point` on the opposite side. A region that reaches
- * both sides of the domain along the axis stays as it was; any other region is
- * in the result if it contains `point`. */
+ * both sides of the domain along the axis, and any mesh, stays as it was; any
+ * other region is in the result if it contains `point`. */
 murk_inside murk_media_wrapped(const murk_media *media, murk_inside inside,
                                murk_vec3 point, int axis);
 

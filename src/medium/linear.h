@@ -35,9 +35,10 @@ typedef struct murk_linear {
 
     /* In a block of 8 x 8 x 8 cells the corners are in up to eight leaves:
      * leaf[4 x + 2 y + z] is the leaf that begins 8 x, 8 y, 8 z voxels beyond
-     * the lowest voxel of the block. It is looked up when first needed, and
-     * that bit of `known` is then set. If a tile is there instead, leaf points
-     * to the single value of the tile and offset_mask is 0. */
+     * the lowest voxel of the block. Each entry is looked up when first needed,
+     * and the bit 4 x + 2 y + z of `known` is then set. If a tile is there
+     * instead of a leaf, the entry points to the single value in `tile`, and
+     * offset_mask is 0. */
     unsigned known;
     const float *leaf[8];
     int offset_mask[8];

@@ -27,8 +27,9 @@ static unsigned axes_at_end(const int32_t at[3], int32_t size)
 }
 
 /* Finds the box around the cell at[]; false if a leaf takes part. A smaller
- * node behind an end cuts the box, and the cell may then be at further ends.
- * This repeats at most once for each size of nodes. */
+ * node behind an end of the box makes the box as small as that node, and the
+ * cell may then be at further ends of the box. This repeats at most once for
+ * each size of nodes. */
 static bool find_even_box(murk_linear *m, even_box *box)
 {
     const murk_tree_node own = murk_tree_node_at(&m->cursor, m->ray.at);

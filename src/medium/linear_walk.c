@@ -73,11 +73,11 @@ static inline void load_corners(murk_linear *m, const float *leaf, int x, int y,
     corner[3] = (pair){(double)v[72], (double)v[73]};
 }
 
-/* Mean of the field on a segment through a cell; the middle of the segment
- * is at (x, y, z) in the cell, and (dx, dy, dz) is its extent. The field on
- * the segment is a cubic, so the mean is the value in the middle plus 1/24
- * of the second derivative, which follows from the mixed derivatives of the
- * field. */
+/* Mean of the field on a segment through a cell, at least 0. The middle of the
+ * segment is at (x, y, z) in the cell, and (dx, dy, dz) leads from one end of
+ * the segment to the other. The field on the segment is a cubic, so the mean is
+ * the value in the middle plus 1/24 of the second derivative, which follows
+ * from the mixed derivatives of the field. */
 static inline double mean_in_cell(const pair corner[4], double x, double y,
                                   double z, double dx, double dy, double dz)
 {

@@ -177,7 +177,7 @@ double murk_media_extinction(const murk_media *media, int band,
 double murk_media_scattering(const murk_media *media, int band,
                              murk_inside inside, murk_vec3 p);
 
-/* The part of the extinction that one medium contributes [1/m]. */
+/* The part of the extinction at a point that one medium contributes [1/m]. */
 double murk_media_extinction_of(const murk_media *media, size_t medium,
                                 int band, murk_inside inside, murk_vec3 p);
 

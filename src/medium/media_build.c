@@ -190,7 +190,8 @@ static void warn_outside(const murk_place *place, const murk_box *domain,
 {
     const murk_box *b = &place->bounds;
     if (b->min.x > b->max.x) {
-        return; /* an empty grid: a warning was given when it was read */
+        return; /* a grid without active voxels: a warning was given when the
+                 * grid was read */
     }
     if (b->min.x >= domain->max.x || b->max.x <= domain->min.x ||
         b->min.y >= domain->max.y || b->max.y <= domain->min.y ||

@@ -85,7 +85,9 @@ void murk_phase_nodes_law(murk_phase_nodes *nodes, double s,
                           double (*law)(const void *context, double s),
                           const void *context)
 {
-    enum { DEPTH = 80 }; /* 6 halvings in log s, 53 to the last digit of s */
+    /* Depth of the stack: 6 halvings in log s and 53 in s reach the last digit
+     * of s. */
+    enum { DEPTH = 80 };
     murk_phase_node waiting[DEPTH];
     size_t n = 0;
     waiting[n++] = (murk_phase_node){0, s, law(context, s)};
@@ -132,7 +134,8 @@ static size_t node_before(const murk_phase_table *table, double s)
                             s);
 }
 
-/* Share of the light scattered by less than s; s must not be before node 0. */
+/* Share of the light scattered by less than the angle with 1 - cos(angle) = s;
+ * s must not be before node 0. */
 static double share_below(const murk_phase_table *table, double s)
 {
     const murk_phase_node *node = &table->node[node_before(table, s)];

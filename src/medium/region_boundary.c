@@ -19,7 +19,8 @@ double murk_region_boundary_near(const murk_box *domain)
 }
 
 /* The world axis that is parallel to an axis of the region's frame, or -1.
- * Tilts too small to move a face by near_m inside the domain are ignored. */
+ * Tilts too small to move a face by murk_region_boundary_near() inside the
+ * domain are ignored. */
 static int world_axis_of(const murk_region_boundary *boundary, int local)
 {
     const double *row = boundary->to_local.matrix[local];

@@ -343,8 +343,8 @@ murk_status from_samples(const size_t size[3], const float *density,
     return deliver(grid, false, facts, take, context, at);
 }
 
-/* OpenVDB's own file writer does not check whether the stream failed and
- * cannot write to memory. */
+/* Writes grids to a stream. OpenVDB's own file writer cannot write to memory,
+ * and does not check whether the stream failed. */
 struct Writer : openvdb::io::Archive {
     void write_to(std::ostream &stream, const openvdb::GridCPtrVec &grids)
     {

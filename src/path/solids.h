@@ -6,8 +6,8 @@
 
 #include "geometry/surfaces.h"
 
-/* Far more than glass in water in glass; a photon in more is counted as lost.
- */
+/* The largest number of solids around a point, far more than glass in water in
+ * glass. A photon that enters a further solid is counted as lost. */
 #define MURK_PATH_SOLIDS_MAX 8
 
 /* The innermost, whose index holds, comes last. */

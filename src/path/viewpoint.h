@@ -26,7 +26,8 @@ double murk_path_index_at(const murk_path_space *space, murk_vec3 point);
 int murk_path_to(const murk_path_viewpoint *viewpoint, murk_vec3 point,
                  murk_path path[MURK_PATH_SEGMENTS_MAX]);
 
-/* Optical depth, and exp(-optical depth), to the nearest image of a point. */
+/* Optical depth, and exp(-optical depth), of the straight line from the
+ * viewpoint to the nearest image of a point. */
 double murk_path_depth_to(const murk_path_viewpoint *viewpoint, int band,
                           murk_vec3 point);
 double murk_path_transmittance_to(const murk_path_viewpoint *viewpoint,

@@ -1,13 +1,13 @@
 /* Orders the records of a photon map as an implicit balanced kd-tree.
  *
  * Leaves are ranges of MURK_LEAF records (photonmap/range_test.h; the last leaf
- * may be shorter). A node of 2^j leaves starts at a multiple of 2^j leaves. It
- * is split along the widest side of the bounding box of its records, after the
- * first 2^(j-1) leaves. Nodes at the end may lack leaves, for which nothing is
- * stored. Records are compared by one coordinate, then by all their bytes, and
- * the records of each leaf are sorted by x. The order is therefore a function
- * of the set of records, whatever their original order and the number of
- * threads. */
+ * may be shorter). A node of 2^j leaves starts at a multiple of 2^j leaves. The
+ * node is split along the widest side of the bounding box of its records, after
+ * the first 2^(j-1) leaves, if it has more leaves than these. Nodes at the end
+ * may lack leaves, for which nothing is stored. Records are compared by one
+ * coordinate, then by all their bytes, and the records of each leaf are sorted
+ * by x. The order is therefore a function of the set of records, whatever their
+ * original order and the number of threads. */
 #ifndef MURK_PHOTONMAP_ORDER_H
 #define MURK_PHOTONMAP_ORDER_H
 

@@ -158,7 +158,7 @@ static void push(nearest_query *q, double d, uint32_t photon)
     q->found[i] = photon;
 }
 
-/* True if a photon at this distance may be among the nearest. */
+/* True if a photon at the squared distance d may be among the k nearest. */
 static bool may_count(const nearest_query *q, double d)
 {
     return q->n < q->k || d <= q->distance2[0];

@@ -30,8 +30,8 @@ TARGET static inline VECTOR NAME(length2)(const VECTOR d[3])
     return (d[0] * d[0] + d[1] * d[1]) + d[2] * d[2];
 }
 
-/* Offsets to the nearest and (in magnitude) to the farthest points of boxes i
- * to i + LANES - 1. */
+/* Offsets along each axis from the center to the nearest and (in magnitude) to
+ * the farthest points of boxes i to i + LANES - 1. */
 TARGET static inline void NAME(box)(const murk_bounds *bounds,
                                     const float *center, int i, VECTOR near[3],
                                     VECTOR far[3])

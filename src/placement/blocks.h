@@ -71,8 +71,8 @@ uint64_t murk_block_worth(const murk_block_layouts *layouts, size_t c,
                           uint64_t value);
 
 /* gain[k * n + c] = the gain of candidate[k] in block c (weight times
- * MURK_CLEAR), for k < count and n blocks. Computed over threads if that is
- * worth it. */
+ * MURK_CLEAR), for k < count and n blocks. Uses the number of threads that
+ * murk_evaluator_threads() gives (placement/evaluator.h). */
 void murk_block_gains(const murk_block_layouts *layouts,
                       const murk_cover *cover, const uint32_t *candidate,
                       size_t count, uint64_t *gain);

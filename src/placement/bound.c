@@ -194,8 +194,8 @@ static inline float projected_direction(const murk_bound *b, size_t slot)
 }
 
 /* The sum over the slots of weight times the square of projected_direction(),
- * added in whole numbers: it is the same for any order of the slots, and
- * whether or not photons with equal columns are merged. */
+ * added in whole numbers: the result is the same for any order of the slots,
+ * and whether or not photons with equal columns are merged. */
 static double squared_norm(const murk_bound *b)
 {
     const murk_layout *layout = b->evaluator->layout;

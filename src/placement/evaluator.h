@@ -85,7 +85,8 @@ uint64_t murk_evaluator_work(const murk_evaluator *evaluator,
 /* The number of threads that are worth using to evaluate n candidates. */
 unsigned murk_evaluator_threads(const murk_evaluator *evaluator, size_t n);
 
-/* Runs job(context, worker, k) for k < n, over threads if that is worth it. */
+/* Runs job(context, worker, k) for k < n, with the number of threads that
+ * murk_evaluator_threads() gives. */
 void murk_evaluator_run(const murk_evaluator *evaluator, size_t n,
                         murk_worker_job job, void *context);
 

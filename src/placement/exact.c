@@ -1,10 +1,9 @@
 /* Depth-first branch and bound over partial plans (placement/exact.h). Each
  * level of the search has a cover, multipliers of the bound (placement/bound.h)
- * and live candidates of its own; they are allocated when the search first
- * reaches the level. Work is counted in evaluations of one photon for one
+ * and live candidates of its own; these arrays are allocated when the search
+ * first reaches the level. Work is counted in evaluations of one photon for one
  * candidate (murk_evaluator_work()), so that the limit ends every run at the
- * same place. Only an interrupt or lack of memory ends the search
- * elsewhere. */
+ * same place. Only an interrupt or lack of memory ends the search elsewhere. */
 #include "placement/exact.h"
 
 #include "base/interrupt.h"
@@ -68,9 +67,9 @@ static uint64_t in_grains(const exact *e, uint64_t value)
     return value - value % e->evaluator->grain;
 }
 
-/* Stores the chosen candidates as the incumbent if they are worth more than it;
- * with a callback, passes them to the callback if they are worth more than the
- * cutoff. */
+/* Stores the chosen candidates as the incumbent if they are worth more than the
+ * present incumbent; with a callback, passes them to the callback if they are
+ * worth more than the cutoff. */
 static void update_incumbent(exact *e, size_t size, uint64_t value)
 {
     if (value > e->value && e->callback) {

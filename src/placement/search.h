@@ -6,8 +6,8 @@
 #include "placement/scan.h"
 
 /* All functions but murk_search_begin() and murk_search_draw() return the value
- * of plan[n], which has distinct candidates. If the run is interrupted they
- * return early, and the plan has no meaning.
+ * of plan[n], which has distinct candidates. If the run is interrupted these
+ * functions return early, and the plan has no meaning.
  *
  * Under constraints the fixed sensors come first in a plan and never move,
  * every plan tried is feasible, and s->size is the number of sensors: greedy

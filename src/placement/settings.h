@@ -21,8 +21,9 @@ typedef struct murk_place_desc {
     size_t count;    /* sensors of the plan, 1..candidates; with a target the
                         maximum */
     uint64_t target; /* 0, or the value that the fewest sensors are to reach */
-    size_t restarts; /* maximum number of SPOQ starts, >= 1; MURK_PLACE_SPOQ
-                        makes one */
+    size_t restarts; /* maximum number of SPOQ starts for the plan (with a
+                        target for each count), >= 1; smaller counts of a curve
+                        get fewer; MURK_PLACE_SPOQ makes one for each count */
     uint64_t nodes; /* maximum work of branch and bound (placement/exact.h), all
                        counts together; known environment only; 0: no branch and
                        bound */
@@ -72,7 +73,8 @@ typedef struct murk_place_result {
     uint64_t whole;   /* sum_i weight_i * MURK_CLEAR, times the redundancy */
     size_t after_presolve; /* candidates that the searches treat as undominated
                               (placement/evaluator.h) */
-    size_t restarts;       /* SPOQ starts made */
+    size_t restarts;       /* SPOQ starts made; murk_place_sensors() leaves out
+                              those for the smaller counts of a curve */
     uint64_t nodes;        /* work of branch and bound */
     bool is_cut; /* branch and bound ended without a proof, at desc->nodes or by
                     an interrupt */

@@ -1,6 +1,8 @@
-/* Coverage in a scene in which no light source emits: every share is NaN, for
- * the total, for each map, for each sensor, for a number of sensors that see a
- * photon, and for each region of interest. */
+/* Coverage of a stage that has nothing to see (murk_stage_has_nothing_to_see()
+ * in world/stage.h: no light source has power, and either no targets replace
+ * the photons or detection is by power). Every share is NaN, for the total, for
+ * each map, for each sensor, for each number of sensors that see a photon
+ * (seen_by_at_least), and for each region of interest. */
 #include "plan/plan.h"
 
 #include <math.h>

@@ -41,7 +41,8 @@ static murk_status bound_all(murk_place_result *out, size_t *fewest,
     freer.constraints = &constraints;
     const murk_status later =
         murk_place_sensors(&intermediate, problem, matrix, &freer, err);
-    /* The curve of that run, with the tighter bound at the last number. */
+    /* The curve of the second run, with the smaller bound of both runs at the
+     * last number. */
     if (!later) {
         free(out->curve);
         out->curve = intermediate.curve;

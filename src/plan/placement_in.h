@@ -7,10 +7,11 @@
 
 /* Reads the sensors. The caller owns (*out)[*n]: free(). Fails with
  * MURK_BAD_FILE if the file is malformed or does not have min to 1e6 sensors;
- * with MURK_BAD_VALUE if a type is not one of the scene, if a sensor lies
- * outside the domain, or if a sensor of a type with a view does not have a
- * heading of -360..360 and a tilt of -90..90 degrees. A file whose name ends in
- * .json is read as a plan or a coverage result, any other file as CSV. */
+ * with MURK_BAD_VALUE if a coordinate or an angle in a CSV file is no finite
+ * number, if a type is not one of the scene, if a sensor lies outside the
+ * domain, or if a sensor of a type with a view does not have a heading of
+ * -360..360 and a tilt of -90..90 degrees. A file whose name ends in .json is
+ * read as a plan or a coverage result, any other file as CSV. */
 murk_status murk_placement_read(murk_pose **out, size_t *n, const char *path,
                                 size_t min, const murk_scene_desc *scene,
                                 const murk_domain *domain, murk_error *err);

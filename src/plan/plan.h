@@ -99,8 +99,9 @@ typedef struct murk_plan_result {
                                 */
     murk_pose *sensor;         /* [place.count] */
     murk_target_facts targets; /* points 0: the plan covers photons */
-    bool is_dark;              /* no light source emits, so all coverage is NaN
-                                * (plan/dark.c) */
+    bool is_dark;              /* there is nothing to see
+                                * (murk_stage_has_nothing_to_see()), so all
+                                * coverage is NaN (plan/dark.c) */
     murk_coverage_result in_sample; /* on the photons that chose the plan */
     bool has_held_out;
     murk_estimate held_out; /* coverage on the second map */
@@ -129,8 +130,9 @@ typedef struct murk_plan_result {
 murk_status murk_plan_prepare(murk_plan_result *plan, const murk_stage *stage,
                               unsigned threads, murk_error *err);
 
-/* The plan of a scene in which no light source emits: the fixed sensors and no
- * others, because no candidate is better than another. */
+/* The plan of a stage that has nothing to see
+ * (murk_stage_has_nothing_to_see()): the fixed sensors and no others, because
+ * no candidate is better than another. */
 murk_status murk_plan_result_make_dark(murk_plan_result *plan,
                                        const murk_stage *stage,
                                        murk_error *err);

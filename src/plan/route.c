@@ -9,7 +9,8 @@
 
 #define NOWHERE SIZE_MAX /* the predecessor of a place that is not reached */
 
-/* A step that is not yet tested, to a place that is not yet reached. */
+/* A step whose line is not yet tested, to a place that was not yet reached when
+ * the step was added. */
 typedef struct step {
     double whole_m; /* lower bound on the length of a path that uses the step */
     double gone_m;  /* length from the start to the end of the step */

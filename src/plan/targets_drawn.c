@@ -31,7 +31,7 @@
 
 /* Upper limit on draws: a first number, and a number for each point to keep. If
  * fewer than one draw in 100 is accepted, the requested space is too small to
- * be sampled by rejection. */
+ * be sampled by rejection, and fewer points are kept than asked for. */
 #define DRAWS_EACH  100
 #define DRAWS_FIRST 100000
 

@@ -7,7 +7,8 @@
  * for dry air at 288.15 K and 1013.25 hPa, with the wavelength in cm, N
  * molecules per cm3, the index n of Peck & Reeder for 300 ppm of CO2, and the
  * King factor F of nitrogen, oxygen, argon and CO2, all as in Bodhaine et al.
- * The number of molecules is proportional to pressure / temperature; the cross
+ * The scattering coefficient is the cross section times the number of molecules
+ * per volume. This number is proportional to pressure / temperature; the cross
  * section depends on neither.
  *
  * Sources: Bodhaine, Wood, Dutton & Slusser, J. Atmos. Ocean. Tech. 16 (1999)

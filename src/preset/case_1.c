@@ -11,8 +11,8 @@
  *  2. Backscattering is that of pure water and of the particles
  *     (water_contents.h, after Morel & Maritorena).
  *  3. The law of Lee, Du and Arnone gives Kd by absorption and
- *     backscattering. It is solved for the absorption, and the absorption of
- *     pure water is subtracted.
+ *     backscattering. The law is solved for the absorption, and the absorption
+ *     of pure water is subtracted.
  *  4. Between the six wavelengths the spectrum has the shape of the sum
  *     above: the ratio of the absorption of step 3 to that sum is linear in
  *     wavelength. Beyond 555 nm pure water absorbs most of the light, the

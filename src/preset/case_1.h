@@ -11,8 +11,8 @@
 #define MURK_CASE_1_MAX_NM 555.0
 
 /* The observed diffuse attenuation of daylight at MURK_CASE_1_MIN_NM..MAX_NM:
- * Kw + chi C^e, C being the chlorophyll, at the six wavelengths of the table,
- * linear in between. */
+ * Kw + chi C^e, C being the chlorophyll, at the six wavelengths for which
+ * case_1.c has a table of Kw, chi and e, linear in between. */
 double murk_case_1_kd(double wavelength_nm, double chlorophyll_mg_per_m3);
 
 /* The diffuse attenuation of daylight, averaged over the depth in which the

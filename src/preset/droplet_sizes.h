@@ -38,8 +38,8 @@ double murk_droplets_effective_variance(const murk_droplets *shape);
 /* The liquid water [g/m3] of one counted droplet per cubic centimetre. */
 double murk_droplets_water_g_per_m3(const murk_droplets *shape);
 
-/* The distribution as a function of the size parameter x at a wavelength
- * [nm]. */
+/* The distribution as a function of the size parameter x (preset/mie.h) at a
+ * wavelength [nm]. */
 typedef struct murk_droplet_population {
     murk_droplets shape;
     double radius_um; /* radius at x = 1 */

@@ -1,7 +1,8 @@
 /* Laws: the functions of wavelength and words from which presets are composed.
  *
  * To add a law, write a function in a file of src/preset, with the source
- * (author, year, doi), and add a row in laws.c. The parameters of the law are
+ * (author, year, doi), declare the function in laws.h and add a row in laws.c.
+ * The parameters of the law are
  * then keys of a part in media/FAMILY/NAME.yaml, beside `law:` with the name of
  * the law. */
 #ifndef MURK_PRESET_LAW_H

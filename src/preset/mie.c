@@ -132,8 +132,8 @@ static void ratios(murk_mie *mie, double x)
     }
 }
 
-/* Computes one coefficient into *out and returns the share that the term
- * absorbs. */
+/* Computes one coefficient, with A = slope, into *out and returns the share
+ * that the term absorbs. */
 static double coefficient(complex_number *out, complex_number slope, double psi,
                           double psi_before, double chi, double chi_before)
 {

@@ -111,7 +111,8 @@ typedef struct murk_preset_texts {
     char **text; /* [n] */
 } murk_preset_texts;
 
-/* A word of a preset, with the default and the range of each number. */
+/* A word of a preset, with the default `preset` and the range of each number.
+ * is_known: the preset declares the word; has_preset: there is a default. */
 typedef struct murk_preset_word {
     bool is_known, has_preset;
     double preset[MURK_WORD_NUMBERS_MAX];

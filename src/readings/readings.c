@@ -142,7 +142,8 @@ static murk_status find_rows(listing *all)
     return status;
 }
 
-/* Orders the readings by row, and rows by their first lines. */
+/* Fills the rows, groups and readings: readings are ordered by row, and rows by
+ * their first lines. */
 static void lay_rows(murk_readings *m, const listing *all, size_t *row_of)
 {
     /* Number the rows and count their readings. */
@@ -241,7 +242,8 @@ static murk_status find_gains(murk_readings *m, listing *all)
 
 /* ---- all ---- */
 
-/* Notes the laws of units that are derived from a transmittance. */
+/* Logs a note with the law of each unit that is derived from a transmittance,
+ * if readings have that unit. */
 static void tell(const murk_readings *m)
 {
     size_t count[MURK_READING_UNITS] = {0};

@@ -301,8 +301,8 @@ void murk_canvas_disc(murk_canvas *c, const double center[2], double radius,
 
 /* ---- text ---- */
 
-/* Decodes the character at *text and moves on; a byte that is none counts as
- * U+FFFD, the replacement character. */
+/* Decodes the character at *text and moves *text behind it; a byte that is not
+ * part of a character counts as U+FFFD, the replacement character. */
 static FT_ULong next_character(const char **text)
 {
     const size_t length = murk_utf8_length(*text);

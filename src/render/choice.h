@@ -6,7 +6,8 @@
 #include "medium/phase.h"
 #include "render/scenery.h"
 
-/* The number of shadow rays from a point if there are more lights than this. */
+/* The number of shadow rays from a point if more lights than this have power in
+ * the band; otherwise one ray goes to each of these lights. */
 #define MURK_LIGHTS_AT_ONCE 4
 
 /* A point at which light is scattered or reflected towards the viewer. */

@@ -20,17 +20,19 @@ typedef struct murk_balance {
                    * according to the transmittance; otherwise they block */
 } murk_balance;
 
-/* Returns the radiance [W/m2/sr] towards the viewer, divided by the square of
- * the index, for the random numbers of that address. */
+/* Returns an estimate of the direct light that the point sends towards the
+ * viewer, as radiance [W/m2/sr] divided by the square of the refractive index
+ * at the point. The random numbers are those of `address`. */
 double murk_direct_light(const murk_scenery *scenery,
                          const murk_shading_point *place,
                          const murk_address *address, murk_balance balance);
 
-/* Returns the weight of light that the continued ray has found. arriving:
- * direction of travel of the light, which murk_sources_shine() samples with
- * density per_sr. wrapped: the total displacement [m] of the ray at the sides
- * of a periodic domain since the point, a multiple of the period on each axis,
- * which identifies the image of the light. */
+/* Returns the weight, 0..1 by the balance heuristic, of light that the
+ * continued ray has found. arriving: direction of travel of the light, which
+ * murk_sources_shine() samples with density per_sr. wrapped: the total
+ * displacement [m] of the ray at the sides of a periodic domain since the
+ * point, a multiple of the period on each axis, which identifies the image of
+ * the light. */
 double murk_direct_rest(const murk_scenery *scenery,
                         const murk_shading_point *place, size_t light,
                         murk_vec3 arriving, double per_sr, murk_vec3 wrapped);

@@ -194,7 +194,7 @@ static void draw_legend(murk_raster *raster, const legend *l,
         murk_raster_fill(raster, left + x, bar, 1, 8 * s, rgb);
     }
     /* Ticks, as many as fit with their numbers; a number that would touch the
-     * last one is left out. */
+     * number before it, or that does not fit into the image, is left out. */
     const double fits = (double)across / (double)(7 * MURK_GLYPH_ADVANCE * s);
     const ticks t = ticks_of(c, channel->kind == MURK_CHANNEL_COUNT,
                              fmax(1, fmin(8, fits)));

@@ -27,8 +27,8 @@
 #include "render/direct.h"
 
 /* Limits of k: by counting statistics 12 records know a density to 29 %, 256 to
- * 6 %. And groups of photons: the spread of 64 groups knows a variance to 18 %.
- */
+ * 6 %. MURK_GATHER_GROUPS is the number of groups of photons: the spread of 64
+ * groups knows a variance to 18 %. */
 #define MURK_GATHER_MIN    12
 #define MURK_GATHER_MAX    256
 #define MURK_GATHER_GROUPS 64

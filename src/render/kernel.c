@@ -14,7 +14,7 @@
  * and an eighth of a ball. */
 #define MIN_SHARE 0.1
 
-/* Halvings of the radius, down to a thousandth. */
+/* The largest number of halvings of the radius: down to a thousandth. */
 #define HALVINGS 10
 
 /* The least cosine between two normals of one surface, which may be curved. */

@@ -39,7 +39,8 @@ void murk_raster_fill(murk_raster *raster, size_t left, size_t top,
     }
 }
 
-/* Error handler of libpng: it must not return, so it jumps back. */
+/* Error handler of libpng: it must not return, so it jumps to setjmp() in
+ * write_all(). */
 static void fail(png_structp png, png_const_charp message)
 {
     writer *w = png_get_error_ptr(png);

@@ -83,8 +83,8 @@ static void pool_at(pool *p, ptrdiff_t x, ptrdiff_t y)
     const double samples = weights * (double)g->samples;
     p->error[y * width + x] = (float)sqrt(
         (samples * sum / weights + p->mean_variance) / (samples + 1));
-    /* compares the effective number of variances with that of the pixels in the
-     * window */
+    /* The effective number of variances is sum^2 / squares, that of the pixels
+     * in the window weights^2 / weights2. */
     if (sum * sum * weights2 < MURK_POOLED_FEW * weights * weights * squares) {
         murk_tally_add(&p->unsure, 1);
     }

@@ -34,8 +34,9 @@ typedef struct murk_render {
     unsigned threads;
 } murk_render;
 
-/* A picture. The channels lie one after the other; each has height * width
- * values, row by row from the top. */
+/* A picture. Each channel has height * width values, row by row from the top.
+ * The channels lie in one block of memory one after the other, except seen_by
+ * and clarity. */
 typedef struct murk_image {
     size_t width, height;
     int bands;

@@ -234,7 +234,8 @@ murk_status murk_report_write(murk_report *c, const char *path, murk_error *err)
         status = write_page(murk_file_stream(file), c, err);
     }
     if (!status && murk_interrupted()) {
-        /* the page would lack what was not read because of the interrupt */
+        /* The page is given up, because it would lack what was not read because
+         * of the interrupt. */
         status = murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
     }
     if (!status) {

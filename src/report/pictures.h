@@ -8,8 +8,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
-/* Largest number of PNG files that are read. More are only counted.
- */
+/* Largest number of PNG files that are read. More are only counted. */
 #define MURK_REPORT_PICTURES_MAX 8
 
 /* Largest number of bytes of all PNG files in the page, which should stay below

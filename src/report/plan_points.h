@@ -13,7 +13,7 @@
 
 typedef struct murk_plan_point {
     float place_m[3];
-    uint32_t sensors; /* bit k: sensor k sees it, of the first 32 sensors */
+    uint32_t sensors; /* bit k: sensor k, of the first 32, sees the photon */
     uint16_t seen_by;
     bool is_volume;
 } murk_plan_point;

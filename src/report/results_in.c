@@ -303,9 +303,9 @@ static bool is_stranger(const murk_results_in *results, const char *name)
 }
 
 /* True if ledger.json has an identity and is neither the main JSON of a trace,
- * which has `files`, nor of the same run as another JSON. The run that wrote it
- * was then killed before it wrote its main JSON, or the others are of other
- * runs. */
+ * which has `files`, nor of the same run as another JSON. If so, the run that
+ * wrote ledger.json was killed before it wrote the main JSON, or the other JSON
+ * files are of other runs. */
 static bool has_stray_ledger(const murk_results_in *results)
 {
     const murk_yaml *ledger = results->json[MURK_RESULT_LEDGER];

@@ -20,7 +20,7 @@
 #define LINES_MAX      8  /* in one plot */
 #define BANDS_MAX      16 /* of a scene */
 #define DIRECTIONS_MAX 2  /* forward and backward, up and down */
-#define TITLE_SIZE     40 /* of an axis: one of the four below */
+#define TITLE_SIZE     40 /* of the title of an axis: add_axis() */
 
 /* The consecutive rows of one tally. */
 typedef struct part {

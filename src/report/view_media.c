@@ -21,8 +21,9 @@ static murk_vec3 cell_middle(const murk_view_media *m, size_t i)
                  size.z * ((double)at[2] + 0.5) / (double)m->size[2]));
 }
 
-/* Divides the box into cells as small as the largest number of cells allows.
- * Returns their number. */
+/* Divides the box into about cubic cells, as small as `maximum` cells in all
+ * and CELLS_ALONG cells along the longest side allow. Returns the number of
+ * cells. */
 static size_t divide(murk_view_media *m, size_t maximum)
 {
     const murk_vec3 size = murk_sub(m->box.max, m->box.min);

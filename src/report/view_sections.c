@@ -94,7 +94,7 @@ static void put(double out[2], const murk_box *box, murk_vec3 place,
     }
 }
 
-/* A place of a circle around the axis of the plane. */
+/* Corner i of the polygon that stands for a circle in the plane. */
 static murk_vec3 on_circle(const murk_cut_circle *c, const int axes[3], int i)
 {
     const double angle = 2 * MURK_PI * i / CIRCLE_SIDES;

@@ -46,8 +46,9 @@ static bool is_for_regret(const murk_condition_plans *r)
 }
 
 /* The name of the condition with the largest regret (with placement.over:
- * regret), or else of the condition that the chosen plan covers least, in
- * sample. NULL if all conditions are dark. */
+ * regret), or else of the condition that the chosen plan covers least among the
+ * conditions with a weight above 0, in sample. NULL if all conditions are dark.
+ */
 static const char *worst_of(const murk_condition_plans *r)
 {
     size_t worst;

@@ -90,8 +90,9 @@ typedef void (*murk_results_item)(murk_results_fields *f, const void *of,
 bool murk_results_next(murk_results_fields *f, const char *name,
                        const char *unit, const char *help);
 
-/* These give the value of the row that was begun. A number that is not finite
- * and a NULL text are null in JSON and an empty cell in CSV. */
+/* The murk_results_put_...() functions give the value of the row that was
+ * begun. A number that is not finite and a NULL text are null in JSON and an
+ * empty cell in CSV. */
 void murk_results_put_number(murk_results_fields *f, double value);
 void murk_results_put_count(murk_results_fields *f, uint64_t value);
 void murk_results_put_flag(murk_results_fields *f, bool value);

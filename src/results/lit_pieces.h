@@ -30,7 +30,8 @@ typedef struct murk_lit_pieces {
     const murk_pieces *pieces; /* borrowed */
     murk_lit_piece *piece;     /* [pieces->n] */
     bool is_seen;              /* there are sensors */
-    uint64_t lost; /* stored photons that lie on no surface, by rounding */
+    uint64_t
+        lost; /* stored photons for which no surface is found within rounding */
 } murk_lit_pieces;
 
 /* Computes the values of all pieces; those of the sensors sensor[n] unless

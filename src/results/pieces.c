@@ -29,8 +29,9 @@ static ball ball_of(const murk_pieces *p, size_t whole)
 static double longest_edge_m(const murk_pieces *p, size_t whole)
 {
     if (whole >= p->triangles) {
-        /* the edge sqrt(2) r of the flat octant, times the largest stretch
-         * sqrt(3) of its middle when it is moved to the sphere */
+        /* the edge sqrt(2) r of the flat octant, times sqrt(3), the stretch of
+         * the octant's middle when this point is moved to the sphere, which is
+         * the largest */
         return ball_of(p, whole).radius_m * sqrt(6);
     }
     murk_vec3 c[3];

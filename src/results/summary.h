@@ -18,7 +18,8 @@
 /* Width of a label with the blanks after it. */
 #define MURK_PRINTED_LABEL 12
 
-/* Like printf(). A line is shown when the format ends it with a line feed. */
+/* Like printf(). A line is shown, or collected within murk_print_collect(),
+ * when the format ends it with a line feed. */
 void murk_print(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
 /* A function that prints the lines of some results with murk_print(). `of`

@@ -12,8 +12,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* If --voxel is not given: stored photons for each piece in the mean, and
- * limits on the number of pieces beyond one for each triangle. */
+/* If --voxel is not given: stored photons for each piece in the mean, and the
+ * least and the largest limit on the number of pieces beyond one for each
+ * triangle or octant of a sphere. */
 #define PHOTONS_USUAL 5
 #define PIECES_MIN    5000
 #define PIECES_USUAL  100000

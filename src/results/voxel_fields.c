@@ -26,7 +26,8 @@ static double fill_box(murk_field_box *out, double edge_m)
     const double edge[3] = {all.x, all.y, all.z};
     double voxels = 1;
     for (int k = 0; k < 3; ++k) {
-        /* within rounding, a multiple of the edge takes no further voxel */
+        /* A side of the box that is a multiple of edge_m within rounding takes
+         * no further voxel. */
         const double n = fmax(1, ceil(edge[k] / edge_m * (1 - 1e-12)));
         out->size[k] = n < 1e15 ? (size_t)n : (size_t)1e15;
         voxels *= n;

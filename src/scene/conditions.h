@@ -15,7 +15,9 @@ typedef struct murk_condition_values {
  * condition `name`, which must exist: the values of the condition are put in
  * place, and the keys `conditions`, `placement.over` and
  * `placement.condition_weights` are removed. Messages name the place of the
- * value and conditions.NAME.KEY. On failure *out is unchanged. */
+ * value and conditions.NAME.KEY. Fails as murk_override_put()
+ * (scene/override.h) does, or with MURK_NO_MEMORY, and leaves *out
+ * unchanged. */
 murk_status murk_condition_apply(murk_condition_values *out, murk_yaml *root,
                                  const char *name, murk_error *err);
 

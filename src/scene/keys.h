@@ -67,8 +67,8 @@ typedef struct murk_key {
     const char *of;               /* references: "media" or "materials" */
     size_t at, size;              /* member; size 0: not stored */
     size_t inside;    /* a map: the member into which the keys of the map go */
-    bool is_position; /* moved to the local origin (origin.h): a vector, or
-                         heights, which are numbers */
+    bool is_position; /* moved to the local origin (scene/origin.h): a vector,
+                       * or heights, which are numbers */
     bool has_flag;
     size_t flag_at;  /* a bool that is true if the key is given */
     bool lights;     /* top level: the traced light depends on the key */
@@ -91,7 +91,8 @@ struct murk_keys {
     murk_status (*choose)(murk_key_reader *walk, const murk_yaml *map,
                           int *variant);
     bool by_key;
-    const char *const *variant_names; /* without a selector: "with a view"; NULL
+    const char *const *variant_names; /* without a selector: the names of the
+                                       * variants, such as "with a view"; NULL
                                        * ends the list */
     /* The keys that a map of each variant has, with blanks between; NULL: none,
      * or by_key the name of the variant. */

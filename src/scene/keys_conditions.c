@@ -22,7 +22,8 @@ static bool is_fixed(const char *path)
     return key->name && !key->may_differ;
 }
 
-/* Checks a name: names appear in tables and columns of result files. */
+/* Checks the characters of a name, because names appear in tables and columns
+ * of result files, and that the name is no word with a meaning of its own. */
 static murk_status check_name(murk_key_reader *walk, const murk_yaml *map,
                               const char *name)
 {

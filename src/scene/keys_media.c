@@ -105,7 +105,8 @@ static const murk_key PROFILE_ROWS[] = {
 static const murk_keys PROFILE = {
     .noun = "profile", .check = check_profile, .key = PROFILE_ROWS};
 
-/* Replaces the pattern of file names by the file of the frame. */
+/* Replaces the patterns of vdb and albedo_vdb by the files of the frame;
+ * vdb_frames keeps the pattern of vdb. Fails if vdb is no pattern. */
 static murk_status choose_frame(murk_key_reader *walk, const murk_yaml *map,
                                 murk_scene_medium *medium)
 {

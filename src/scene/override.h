@@ -7,10 +7,10 @@
 #include "scene/scene.h"
 #include "scene/yaml.h"
 
-/* Applies an option of the command line. `source` (the option, for messages)
- * must outlive the tree. A key that excludes another key (photons: emit, store)
- * replaces the other key; if the command line set both, the function fails with
- * MURK_BAD_VALUE. */
+/* Applies an option of the command line, or the key that a call of the library
+ * sets. `source` (the option, for messages) must outlive the tree. A key that
+ * excludes another key (photons: emit, store) replaces the other key; if the
+ * command line set both, the function fails with MURK_BAD_VALUE. */
 murk_status murk_override_apply(murk_yaml *root, const murk_override *override,
                                 const char *source, murk_error *err);
 

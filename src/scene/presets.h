@@ -22,7 +22,7 @@ murk_status murk_presets_read(murk_preset **out, const char *name,
 
 /* Reads a preset from text. `name` becomes the name of the preset; tables are
  * looked up among the built-in files. Fails with MURK_BAD_FILE, MURK_BAD_VALUE
- * or MURK_NO_MEMORY at NAME.yaml. */
+ * or MURK_NO_MEMORY at a place in NAME.yaml or in a table. */
 murk_status murk_preset_parse(murk_preset **out, const char *name,
                               const char *text, size_t size, murk_error *err);
 

@@ -60,7 +60,8 @@ typedef struct murk_scene_geometry {
     char *allow; /* a further folder in which the file of the mesh may open
                     other files; NULL: only the folder of that file */
     murk_vec3 corner, edge1, edge2; /* of a rectangle */
-    int material; /* index into materials; -1: by the names in the mesh file */
+    int material; /* index into materials; -1: not given: a mesh has the
+                   * materials that its file names, any other shape `default` */
 } murk_scene_geometry;
 
 typedef struct murk_scene_material { /* [0] is `default` */
@@ -71,7 +72,8 @@ typedef struct murk_scene_material { /* [0] is `default` */
 } murk_scene_material;
 
 typedef struct murk_scene_phase {
-    murk_scene_where where; /* of a map; empty for words */
+    murk_scene_where where; /* of the map, or of the medium if a preset gives
+                             * the phase function; empty for words */
     murk_phase_kind kind;
     murk_spectrum mean_cosine;            /* of MURK_PHASE_HG */
     double value[MURK_PHASE_NUMBERS_MAX]; /* of the other kinds that have
@@ -204,7 +206,8 @@ typedef struct murk_scene_light {
     double mag_per_arcsec2; /* night sky, at the zenith */
 } murk_scene_light;
 
-/* True for sun, moon and skies, which depend on place and time. */
+/* True for sun, moon, sky and night sky. All but the night sky need a place and
+ * a time. */
 static inline bool murk_scene_light_is_of_sky(const murk_scene_light *light)
 {
     const murk_source_group group = murk_source_type_group(light->type);
@@ -322,7 +325,8 @@ typedef struct murk_scene_sensor_type {
     murk_view view;
     double cone_rad, hfov_rad, vfov_rad; /* whole angles */
     uint64_t headings; /* number of equally spaced headings from north; 0: the
-                        * headings are headings_deg */
+                        * headings are headings_deg, or the type sees in all
+                        * directions */
     murk_scene_numbers headings_deg,
         tilts_deg;         /* tilts n 0: the type sees in all directions */
     double acceptance_rad; /* half angle; 0: none */
@@ -395,7 +399,7 @@ typedef enum murk_scene_knowledge {
 } murk_scene_knowledge;
 
 typedef enum murk_scene_objective {
-    MURK_SCENE_OBJECTIVE_NONE, /* no conditions: the scene itself */
+    MURK_SCENE_OBJECTIVE_NONE, /* the scene itself, without conditions */
     MURK_SCENE_OBJECTIVE_MEAN, /* mean over the conditions */
     MURK_SCENE_OBJECTIVE_WORST,
     MURK_SCENE_OBJECTIVE_REGRET
@@ -477,8 +481,8 @@ struct murk_scene_desc {
     murk_vec3 north; /* horizontal unit vector */
     murk_scene_site site;
     murk_vec3 origin; /* the local origin, in the coordinates of the file: all
-                         positions in these structs are relative to it; 0 unless
-                         the scene is far from 0 (scene/origin.h) */
+                       * positions in these structs are relative to this origin;
+                       * 0 unless the scene is far from 0 (scene/origin.h) */
     bool has_domain;
     murk_domain domain;
     bool continues; /* domain.outside: continued; false: empty */
@@ -513,14 +517,15 @@ struct murk_scene_desc {
                       * the same light if their keys and the checksums of those
                       * files are equal */
     char *world_key; /* light_key without the keys `lights` and `site`: if two
-                      * scenes have the same world_key, their light differs only
-                      * by the light sources */
+                      * scenes have the same world_key and files with equal
+                      * checksums, their light differs only by the light
+                      * sources */
     char *whole_key; /* the resolved scene and conditions, with names of files
                       * without folders, and the properties computed from
                       * presets. Two scenes give the same results if their keys
                       * and the checksums of those files are equal */
     murk_scene_idle *idle; /* [idles] keys without effect in the scene and in
-                              every condition */
+                            * every condition, and media that no region uses */
     size_t idles;
     char **file; /* [files] absolute paths of the files that the scene names;
                   * for frames the pattern */

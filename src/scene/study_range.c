@@ -86,8 +86,8 @@ static double rounded(double value)
     return strtod(text, NULL);
 }
 
-/* Value i of the range; the ends are exact, and a single value is the begin of
- * the range. */
+/* Value i of the range; the ends are exact, and a single value is the beginning
+ * of the range. */
 static double value_at(const murk_study_range *g, size_t i)
 {
     if (i == 0 || g->steps == 1) {

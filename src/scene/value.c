@@ -74,8 +74,8 @@ static murk_status read_count(murk_key_reader *walk, const murk_key *key,
 {
     uint64_t value = 0;
     double number;
-    /* A number that is not whole is checked against the range, too: if it is
-     * outside, the message states the range. */
+    /* A number that is not whole is checked against the range, too: if the
+     * number is outside, the message states the range. */
     const bool is_count = murk_yaml_count(node, &value);
     murk_status status = MURK_OK;
     if (is_count || murk_yaml_number(node, &number)) {

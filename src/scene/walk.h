@@ -7,8 +7,8 @@
 
 #include "scene/keys.h"
 
-/* Long enough for the deepest key with names of 63 bytes; longer keys are
- * cut in messages. */
+/* Long enough for the deepest key with names of 63 bytes, outside of
+ * conditions; longer keys are cut in messages. */
 #define MURK_WALK_KEY_SIZE 160
 
 struct murk_key_reader {
@@ -24,9 +24,8 @@ struct murk_key_reader {
     size_t n_paths;
 };
 
-/* Reads the whole tree by a table into an empty struct `item`; of a scene,
- * scene->path must be set. If the walk already has a key, all keys in messages
- * begin with it. */
+/* Reads the whole tree by a table into an empty struct `item`. If the walk
+ * already has a key, all keys in messages begin with it. */
 murk_status murk_walk_root(murk_key_reader *walk, const murk_keys *keys,
                            void *item);
 

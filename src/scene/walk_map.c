@@ -326,7 +326,7 @@ static murk_status walk_array(murk_key_reader *walk, const murk_key *key,
     if ((is_named && (status = check_item_names(walk, node))) || n == 0) {
         return status;
     }
-    /* From here on the scene owns the items, even if reading fails. */
+    /* From here on the struct *owner owns the items, even if reading fails. */
     char *items = calloc(n, keys->item_size);
     if (!items) {
         return murk_walk_no_memory(walk);

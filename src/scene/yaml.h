@@ -4,8 +4,8 @@
  * text, nesting beyond 64 levels, more than 1e6 nodes or 32 MB of text after
  * aliases are expanded, more than 1000 anchors, duplicate keys, tags, merge
  * keys (<<), keys that are lists, maps or aliases or have an anchor, more than
- * one document, text that is not UTF-8, ASCII control characters other than
- * tab and line ends. */
+ * one document, text that is not UTF-8, ASCII control characters other than tab
+ * and line ends, and NUL characters that are written as escapes. */
 #ifndef MURK_SCENE_YAML_H
 #define MURK_SCENE_YAML_H
 

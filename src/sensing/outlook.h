@@ -16,8 +16,9 @@
 #include "sensing/free_segments.h"
 #include "sensing/sight.h"
 
-/* The contrast at the end of the meteorological optical range (World
- * Meteorological Organization, Guide No. 8). */
+/* The least transmittance of the segment to a place that is seen: the contrast
+ * at the end of the meteorological optical range (World Meteorological
+ * Organization, Guide No. 8). */
 #define MURK_OUTLOOK_MIN 0.05
 
 typedef struct murk_outlook {

@@ -17,7 +17,8 @@
 /* Places that a thread takes at a time (a choice). */
 #define BATCH_PHOTONS 1024
 
-/* Share of the maximum radius: photons nearer than that count as one spot. */
+/* Share of the maximum radius: if the radius of the nearest photons is below
+ * it, the photons are taken for one spot of light (gather()). */
 #define MIN_RADIUS 1e-3
 
 /* The photons around a place of the volume map. */

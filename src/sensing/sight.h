@@ -69,9 +69,9 @@ typedef struct murk_power_settings {
     double radius_m;   /* 0: detection is not by power; else a radius that
                           murk_power_check_radius() accepts */
     size_t neighbours; /* 0: the estimate uses all photons within radius_m.
-                          Otherwise >= 2: its radius is the distance of the
-                          photon of this number, counted from the nearest, but
-                          radius_m at most */
+                          Otherwise >= 2: the radius of the estimate is the
+                          distance of the photon of this number, counted from
+                          the nearest, but radius_m at most */
     double band_nm[MURK_BANDS_MAX];
     murk_power_light light; /* maps NULL: those of the sight */
 } murk_power_settings;

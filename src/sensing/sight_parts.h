@@ -21,11 +21,12 @@ struct murk_sight {
     double max_m;   /* longer than any distance in the domain */
     double position_error_m;
     bool has_media;
-    bool has_sheets;             /* sheets that transmit light */
-    bool has_interfaces;         /* the refractive index changes somewhere */
-    murk_interfaces *interfaces; /* boundaries that refract sightlines; NULL:
-                                    refraction is not requested, no index
-                                    changes, or shadow rays are not used */
+    bool has_sheets;     /* sheets that transmit light */
+    bool has_interfaces; /* the refractive index changes somewhere */
+    murk_interfaces
+        *interfaces; /* boundaries that refract sightlines; NULL: refraction is
+                        not requested, no region has a refractive index, or
+                        shadow rays are not used */
     murk_power *power; /* NULL: the clarity follows from the transmittance */
     /* The clarity, 0..1, for a transmittance; NULL: the transmittance itself.
      */

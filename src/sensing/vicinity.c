@@ -29,7 +29,8 @@ struct murk_vicinity {
 };
 
 /* Adds the next level: the records of the first half of the emitted photons, or
- * every second record. */
+ * every second record if that half would keep more than SHARE_MAX of the
+ * records. */
 static murk_status halve(murk_vicinity *v, unsigned threads, murk_error *err)
 {
     const int level = v->levels;

@@ -36,9 +36,11 @@ typedef struct murk_around {
 /* In place of an emitted photon: none is left out. */
 #define MURK_VICINITY_ALL UINT64_MAX
 
-/* Finds the photons around a place in the domain, without those of `emitted`
- * (or with all: MURK_VICINITY_ALL). Writes indices to found[], which needs
- * space for murk_vicinity_capacity(). */
+/* Finds the photons within the radius around a place in the domain, without
+ * those of the emitted photon `emitted` (MURK_VICINITY_ALL: none is left out).
+ * If more than the maximum are there, only those of a thinned copy. Writes the
+ * indices in the copy of level murk_around.level to found[], which needs space
+ * for murk_vicinity_capacity(). */
 murk_around murk_vicinity_find(const murk_vicinity *vicinity, murk_vec3 place,
                                uint64_t emitted, uint32_t *found);
 size_t murk_vicinity_capacity(const murk_vicinity *vicinity);

@@ -1,13 +1,14 @@
 /* Deals photons to channels in proportion to weights, so that every prefix of
  * the photon indices is in proportion, too.
  *
- * The first n photons go one to each of the n channels. Photon k after them
- * goes to the channel in which the fractional part of k times the golden ratio
- * falls among the cumulative weights. The limits and the sequence are integers
- * of 64 bits, so no rounding depends on the photon index. The count of a
- * channel differs from the exact share by a few photons at most (the
- * discrepancy of the sequence grows as log n: Kuipers and Niederreiter, Uniform
- * Distribution of Sequences, 1974, ch. 2.3). */
+ * The first n photons go one to each of the n channels. Photon n + k, with k
+ * from 0, goes to the channel in which the fractional part of k times the
+ * golden ratio falls among the cumulative weights. The limits and the sequence
+ * are integers of 64 bits, so no rounding depends on the photon index. The
+ * count of a channel differs from the exact share by a few photons at most (the
+ * discrepancy of the sequence grows as the logarithm of the number of photons:
+ * Kuipers and Niederreiter, Uniform Distribution of Sequences, 1974, ch.
+ * 2.3). */
 #ifndef MURK_SOURCE_DEAL_H
 #define MURK_SOURCE_DEAL_H
 

@@ -9,10 +9,11 @@
 
 /* Lengths are in units of the radius of the disc, and x points along the
  * projection of the normal of the plane on the disc, along which the cosine
- * rises. The cosine is proportional to max(0, edge + x), with -1 < edge < 1.
- * Returns an antiderivative of (edge + x) sqrt(1 - x^2): for -edge <= x,
- * cut_integral(edge, x) - cut_integral(edge, -edge) is half of the integral of
- * edge + x over the part of the disc between -edge and x. */
+ * rises. The cosine is proportional to max(0, edge + x), where `edge` is the
+ * cosine at the center divided by the rise of the cosine over one radius, and
+ * -1 < edge < 1. Returns an antiderivative of (edge + x) sqrt(1 - x^2): for
+ * -edge <= x, cut_integral(edge, x) - cut_integral(edge, -edge) is half of the
+ * integral of edge + x over the part of the disc between -edge and x. */
 static double cut_integral(double edge, double x)
 {
     const double rest = sqrt(fmax(0, (1 - x) * (1 + x)));

@@ -1,9 +1,9 @@
 /* Distant light: parallel rays, the disc of sun or moon, and the sky.
  *
  * Distant light enters the domain through the faces of the domain, or through
- * the portals at which it is aimed (entry_faces.h). There are two rows of
- * functions, one for parallel rays and discs and one for the sky. Each has the
- * check against the domain, the start of a photon, a sampled direction from
+ * the portals at which it is aimed (source/entry_faces.h). There are two rows
+ * of functions, one for parallel rays and discs and one for the sky. Each has
+ * the check against the domain, the start of a photon, a sampled direction from
  * which the light reaches a point (shine), and the light along a line of sight
  * (glare). For shine, a disc is sampled by area and the sky by solid angle; for
  * a sky that is aimed at portals, a point of a portal is sampled by area. */

@@ -67,8 +67,8 @@ static murk_status fill(murk_dome_table *t, const murk_dome *dome,
         const double width = cosine_of(t->x[i]);
         for (int j = 0; j < NODES; ++j) {
             murk_vec3 d = direction_at(t, t->x[i], t->a[j]);
-            d.z = fmax(0, d.z); /* nodes on the horizon may be rounded below
-                                 * it */
+            d.z = fmax(0, d.z); /* nodes on the horizon may be rounded below the
+                                 * horizon */
             const double radiance = murk_dome_radiance(dome, d);
             if (!(radiance >= 0 && isfinite(radiance))) {
                 return murk_fail(err, MURK_BAD_VALUE, where,

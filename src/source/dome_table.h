@@ -19,8 +19,8 @@
 #include "base/status.h"
 #include "source/dome.h"
 
-/* Cells along each axis. They are at most 1.4 degrees wide, so that irradiances
- * of every CIE type are right to 4e-4. */
+/* Cells along each axis: at most 1.4 degrees wide, so that irradiances of every
+ * CIE type are right to 4e-4. */
 #define MURK_DOME_CELLS 128
 
 typedef struct murk_dome_table murk_dome_table;

@@ -13,8 +13,8 @@
 #define FACES 6 /* of a box */
 
 /* Two portals that are closer along a ray than this share of the largest
- * coordinate count as coincident: their order in the list decides, not
- * rounding. */
+ * coordinate of the domain count as coincident: their order in the list
+ * decides, not rounding. */
 #define AT_ONCE 1e-9
 
 /* Orientations on the same side with a smaller squared sine between them are

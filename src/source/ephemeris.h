@@ -2,9 +2,9 @@
  *
  * Geocentric positions (source/geocentric.h) are converted to the position of
  * the observer on the ellipsoid (WGS 84), so all results include parallax. UTC
- * is used as universal time; they differ by less than .9 s, in which the sky
- * turns by less than .004 degrees. Refraction: Bennett, J. Navig. 35 (1982)
- * 255, doi:10.1017/S0373463300022037, inverted by Saemundsson, Sky and
+ * is used as universal time; the two times differ by less than .9 s, in which
+ * the sky turns by less than .004 degrees. Refraction: Bennett, J. Navig. 35
+ * (1982) 255, doi:10.1017/S0373463300022037, inverted by Saemundsson, Sky and
  * Telescope 72 (1986) 70, with pressure and temperature as in the SPA of NREL
  * (Reda and Andreas, Solar Energy 76 (2004) 577,
  * doi:10.1016/j.solener.2003.12.003). As in the SPA, there is no refraction for

@@ -195,8 +195,8 @@ static murk_glare rect_glare(const murk_source_state *s, int band,
     const murk_portal sheet = {l->position, l->edge1, l->edge2};
     double ahead_m, cosine;
     /* The light that reaches the point must have started on the rectangle and
-     * on the emitting side: the line of travel passes the rectangle in that
-     * direction, before the point. */
+     * on the emitting side: the line of travel passes the rectangle towards the
+     * emitting side, before the point. */
     if (!murk_source_passes(&sheet, place, murk_scale(-1, sight), &ahead_m,
                             &cosine) ||
         !(ahead_m < 0)) {

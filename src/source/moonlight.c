@@ -15,7 +15,7 @@
 
 /* The radius [degrees] of the disc of the moon. The diffuse illuminance leaves
  * out the sky within this angle of the center, and scattering by aerosol does
- * not grow within it. */
+ * not grow within this angle. */
 #define DISC_DEG 0.26
 /* Within this angle of the moon [degrees], in the aureole, scattering by
  * aerosol follows a power law of the angle; beyond it, an exponential law. */
@@ -62,7 +62,8 @@ double murk_visual_extinction(double linke_turbidity, double altitude_m)
            (RAYLEIGH_DEPTH * pressure + OZONE_DEPTH + fmax(aerosol, 0));
 }
 
-/* The scattering function of the angle: molecules, then aerosol. */
+/* The scattering function of Krisciunas and Schaefer, of the angle from the
+ * moon: the sum of a term for molecules and a term for aerosol. */
 static double scattered(double separation_deg)
 {
     const double c = cos(radians(separation_deg));

@@ -80,8 +80,10 @@ double murk_source_irradiance_near(const murk_source *lamp, int band,
 /* The start of a photon. */
 typedef struct murk_ray {
     murk_vec3 origin, direction;
-    bool is_spent; /* drawn from a portal that is not the first on the ray: the
-                    * photon ends where it starts */
+    bool is_spent; /* the photon ends where it starts: the ray is drawn from a
+                    * portal that is not the first on the ray, or roulette has
+                    * removed the photon outside of the domain
+                    * (transport/walk.c) */
 } murk_ray;
 
 #define MURK_SHINE_NUMBERS 3 /* a point, and the number of a portal */
@@ -90,8 +92,8 @@ typedef struct murk_ray {
 typedef struct murk_shine {
     murk_vec3 direction; /* unit direction of travel */
     double distance_m; /* back to the lamp; INFINITY: from outside the domain */
-    murk_vec3 face;    /* lamps: unit normal of the emitting face at the
-                        * start */
+    murk_vec3 face;    /* lamps: unit normal of the emitting face at the start;
+                        * a point: the direction */
     double irradiance_w_per_m2; /* on a plane at right angles to the
                                  * direction */
     double per_sr; /* probability density with which this direction is drawn

@@ -6,7 +6,7 @@
 #include <stddef.h>
 
 /* log10 of lux = c[0] + c[1] x + c[2] x^2 + c[3] x^3 with x = elevation / 90,
- * from `low` degrees up to the previous piece. */
+ * from `low` degrees up to `low` of the previous piece, or up to 0 degrees. */
 typedef struct piece {
     double low;
     double c[4];

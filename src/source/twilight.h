@@ -1,10 +1,10 @@
 /* Illuminance by the clear sky while the sun is below the horizon.
  *
- * The illuminance falls from 750 lux at sunset through 3.4 lux (sun 6 degrees
- * below the horizon: end of civil twilight) and 8e-3 lux (12 degrees, nautical)
- * to 0 at 18 degrees (astronomical). Light of the night sky
- * (source/night_sky.h) is added by the caller: the value of the polynomials at
- * 18 degrees, 6e-4 lux, is subtracted here.
+ * The illuminance falls from 760 lux (center of the sun at the horizon) through
+ * 3.4 lux (sun 6 degrees below the horizon: end of civil twilight) and 7.5e-3
+ * lux (12 degrees, nautical) to 0 at 18 degrees (astronomical). Light of the
+ * night sky (source/night_sky.h) is added by the caller: the value of the
+ * polynomials at 18 degrees, 6e-4 lux, is subtracted here.
  *
  * Source: cubic polynomials in the elevation of the sun for the logarithm of
  * the illuminance of a horizontal surface, stated error 2 %: P. M. Janiczek and

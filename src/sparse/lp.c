@@ -12,8 +12,8 @@
 #include <stdlib.h>
 
 /* The largest number of entries, and of conflicting pairs of candidates, in an
- * LP file: some hundred bytes each make files of a gigabyte, beyond which
- * solvers are of no use. */
+ * LP file: at up to a hundred bytes each they make files of up to a gigabyte,
+ * beyond which solvers are of no use. */
 #define ENTRIES_MAX 10000000
 /* Keeps lines below 255 bytes, the limit of some readers, except for terms with
  * long weights and long numbers of rows and columns (a term of an objective has

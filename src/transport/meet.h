@@ -27,7 +27,8 @@ murk_fate murk_meet_surface(murk_walker *w, const murk_hit *hit, double path_m,
 murk_fate murk_meet_mesh_beyond(murk_walker *w, const murk_hit *hit,
                                 murk_path_boundary *ahead);
 
-/* The photon escapes, or enters a periodic domain through the opposite side. */
+/* The photon escapes, enters a periodic domain through the opposite side, or is
+ * lost after too many wraps. */
 murk_fate murk_meet_side(murk_walker *w, double path_m);
 
 #endif

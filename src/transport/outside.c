@@ -6,10 +6,10 @@
  * optical depth of the layer along z; at a level boundary Snell's law turns the
  * beam and Fresnel's reflectance is lost (waves count as level). The flux
  * through an upright side is the vertical flux times the tangent of the zenith
- * angle, so bending also changes it by the ratio of the tangents. All factors
- * are at most 1, except for this ratio if the last layer has a lower index of
- * refraction than the first. The share of the light is the product of all
- * factors, and 1 if the product is larger. */
+ * angle, so bending also changes the flux by the ratio of the tangents. All
+ * factors are at most 1, except for this ratio if the last layer has a lower
+ * index of refraction than the first. The share of the light is the product of
+ * all factors, and 1 if the product is larger. */
 #include "transport/outside.h"
 
 #include "medium/fresnel.h"

@@ -5,8 +5,8 @@
  * The path of a photon is a chain of positions. Planes use only this chain,
  * which has no gaps: each segment begins at the end of the previous one, so
  * that the forward minus the backward power of a plane is exactly the power
- * that stays beyond it. Lengths use the segments as flown. For
- * use inside src/transport only. */
+ * that stays beyond the plane. Lengths use the segments as flown. For use
+ * inside src/transport only. */
 #ifndef MURK_TRANSPORT_SCORE_H
 #define MURK_TRANSPORT_SCORE_H
 

@@ -1,8 +1,8 @@
 /* Tallies: measurements of light along the paths of photons, with standard
  * errors.
  *
- * A plane measures the power through it. A grid and a sphere measure the mean
- * scalar irradiance (fluence rate) by track length, which is correct in a
+ * A plane measures the power through the plane. A grid and a sphere measure the
+ * mean scalar irradiance (fluence rate) by track length, which is correct in a
  * medium without absorption, too (Spanier and Gelbard, Monte Carlo Principles
  * and Neutron Transport Problems, 1969, ch. 2).
  *

@@ -169,7 +169,7 @@ murk_status murk_tallies_check(const murk_tally_desc *descs, size_t n,
                          "%zu tallies, must be at most %d", n,
                          MURK_TALLIES_MAX);
     }
-    /* Each tally by itself and beside those before it. */
+    /* Check each tally by itself, and its name against the names before. */
     for (size_t i = 0; i < n; ++i) {
         const murk_tally_desc *d = &descs[i];
         murk_status status = check_name(d, err);

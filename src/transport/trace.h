@@ -1,17 +1,19 @@
 /* The photon tracer: Russian roulette at surfaces and in media, an exact energy
  * ledger, and a callback for each event.
  *
- * A photon is a packet of MURK_PACKET quanta. At a surface one random number u
- * decides (SPOQ paper, 3.1; Arvo and Kirk, SIGGRAPH 1990,
- * doi:10.1145/97879.97886): [0, d] diffuse reflection, (d, d+s] mirror
- * reflection, (d+s, d+s+t] transmission, else absorption. At a collision in a
- * medium the photon is scattered with probability albedo, else absorbed. At the
- * boundary of a region or solid with an index, Snell's law and the exact
- * unpolarised Fresnel reflectance act, by roulette. The index is that of the
- * innermost solid that contains the photon, else of the last listed region that
- * contains the photon (medium/interfaces.h), else 1; on waves, facet by facet
- * (transport/facets.h). Tracing cannot fail: photons that cannot be followed
- * are counted as lost, by cause.
+ * A photon is a packet of MURK_PACKET quanta. At a surface with the shares d
+ * (diffuse), s (specular) and t (transmit) one random number u decides (SPOQ
+ * paper, 3.1; Arvo and Kirk, SIGGRAPH 1990, doi:10.1145/97879.97886): [0, d]
+ * diffuse reflection, (d, d+s] mirror reflection, (d+s, d+s+t] transmission,
+ * else absorption. At a collision in a medium the photon is scattered with
+ * probability albedo, else absorbed. At the boundary of a region or solid with
+ * an index, Snell's law and the exact unpolarised Fresnel reflectance act, by
+ * roulette; at a solid, Fresnel's reflectance in place of s and t divides the
+ * range (d, d+s+t]. The index is that of the innermost solid that contains the
+ * photon, else of the last listed region that contains the photon
+ * (medium/interfaces.h), else 1; on waves, facet by facet (transport/facets.h).
+ * Tracing cannot fail: photons that cannot be followed are counted as lost, by
+ * cause.
  *
  * If least_weight is below 1, a photon that has more than that share of its
  * packet left is not absorbed by roulette: the absorbed part of the quanta is
@@ -131,7 +133,8 @@ typedef struct murk_trace_segment {
     double index;  /* refractive index on the segment */
 } murk_trace_segment;
 
-/* As murk_event_sink; called before the event at which the segment ends. */
+/* As murk_event_sink; called before the event at which the segment ends, if
+ * there is one. */
 typedef void (*murk_segment_sink)(void *context, uint64_t batch,
                                   const murk_trace_segment *segment);
 
@@ -187,8 +190,9 @@ murk_status murk_ledger_create(murk_ledger **out,
                                murk_error *err);
 void murk_ledger_destroy(murk_ledger *ledger); /* NULL is fine */
 
-/* The energy that one material or medium absorbed in a channel. Sums over all
- * materials and media give absorbed_surfaces and absorbed_media. */
+/* The energy that one material or medium absorbed in a channel. The sum over
+ * all materials is absorbed_surfaces, the sum over all media is
+ * absorbed_media. */
 int64_t murk_ledger_by_material(const murk_ledger *ledger, size_t channel,
                                 size_t material);
 int64_t murk_ledger_by_medium(const murk_ledger *ledger, size_t channel,

@@ -57,9 +57,9 @@ static inline bool collides(const murk_walker *w, double length_m,
 
 /* Moves to the collision; scatters or absorbs the photon. If the photon is
  * scattered, the rest of the number of the roulette is uniform again and gives
- * the azimuth, so that one collision takes one draw of four numbers. (A split
- * packet is rounded by the number that also gives the azimuth: one quantum in a
- * billion may depend on the azimuth.) */
+ * the azimuth, so that one collision takes one draw of four numbers (more with
+ * delta tracking). (A split packet is rounded by the number that also gives the
+ * azimuth: one quantum in a billion may depend on the azimuth.) */
 static murk_fate scatter(murk_walker *w, const hit_medium *hit)
 {
     const murk_collision *c = &hit->at;
@@ -160,8 +160,8 @@ next_event(murk_walker *w)
                                            w->path.direction))) {
         return scatter(w, &hit);
     }
-    /* The nearest surface, boundary or side; a collision before it comes
-     * first. */
+    /* The nearest surface, boundary or side; a collision before that event
+     * comes first. */
     murk_path_event event;
     if (!murk_path_first_event(&w->path, w->probe, bends ? &ahead : NULL,
                                &event)) {
@@ -245,8 +245,8 @@ static murk_fate spend(murk_walker *w)
 }
 
 /* Attenuates light of sun and sky in the media that continue outside of the
- * domain, by roulette: a photon that is removed escapes at its start. Light
- * that a boundary outside has refracted is of class specular. */
+ * domain, by roulette: a photon that is removed escapes at the start of the
+ * ray. Light that a boundary outside has refracted is of class specular. */
 static void come_from_outside(murk_walker *w, murk_ray *ray)
 {
     const murk_transport_world *world = w->setup->world;

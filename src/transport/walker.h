@@ -12,7 +12,8 @@
 
 #define MURK_EMISSIONS_MAX (MURK_SOURCES_MAX * MURK_BANDS_MAX)
 
-/* The end of a photon, in the order of the accounts of the ledger. */
+/* The end of a photon, in the order of the accounts absorbed_surfaces,
+ * absorbed_media, escaped and lost of the ledger (transport/trace.h). */
 typedef enum murk_fate {
     MURK_FATE_SURFACES, /* absorbed by a surface */
     MURK_FATE_MEDIA,    /* absorbed by a medium */
@@ -158,10 +159,10 @@ static inline double murk_walker_index(const murk_walker *w,
                          : murk_media_index(w->setup->world->media, inside);
 }
 
-/* Scores a segment of the path and reports the segment to the sink of segments,
- * if there are tallies and a sink. Plane tallies take `end` as the end of the
- * segment: at a side of the domain `end` lies slightly outside, so that a plane
- * in the side counts the photon. reach_m as in murk_station
+/* Scores a segment of the path, if there are tallies, and reports the segment
+ * to the sink of segments, if there is one. Plane tallies take `end` as the end
+ * of the segment: at a side of the domain `end` lies slightly outside, so that
+ * a plane in the side counts the photon. reach_m as in murk_station
  * (transport/score.h). */
 static inline void murk_walker_score(const murk_walker *w, murk_vec3 from,
                                      double length_m, int64_t quanta,
