@@ -268,7 +268,8 @@ murk_status murk_override_make(murk_override *out, const char *key,
         return murk_no_memory(err, key, "for the key");
     }
     snprintf(option, size, MURK_SET_MARK "%s=%s", key, value);
-    *out = (murk_override){option + strlen(MURK_SET_MARK), option};
+    out->text = option + strlen(MURK_SET_MARK);
+    out->option = option;
     return MURK_OK;
 }
 
