@@ -1,20 +1,10 @@
 /* Three contexts in three threads, side by side. Each has its own progress and
  * its own request to stop: one is cancelled, and the two others get the results
  * that one context alone gets. */
-#include <murk.h>
+#include "checks.h"
 
 #include <pthread.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-
-#define CHECK(condition)                                                    \
-    do {                                                                    \
-        if (!(condition)) {                                                 \
-            fprintf(stderr, "%s:%d: %s\n", __FILE__, __LINE__, #condition); \
-            exit(1);                                                        \
-        }                                                                   \
-    } while (0)
 
 /* A lamp in fog, with places for two sensors. */
 static const char fog[] =

@@ -4,38 +4,23 @@
  * of the three can be cancelled, leaves no process behind, and refuses a scene
  * that has changed. Files that rows alone read are never written over. */
 #define _XOPEN_SOURCE 700 /* nftw */
-#include <murk.h>
+#include "checks.h"
 
 #include <dirent.h>
 #include <errno.h>
 #include <ftw.h>
 #include <pthread.h>
 #include <stdatomic.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
 
-#define CHECK(condition)                                                    \
-    do {                                                                    \
-        if (!(condition)) {                                                 \
-            fprintf(stderr, "%s:%d: %s\n", __FILE__, __LINE__, #condition); \
-            exit(1);                                                        \
-        }                                                                   \
-    } while (0)
-
 static murk_error error = MURK_ERROR_NONE;
 
-/* Ends the program with the message of a failed call. */
 static void must(murk_status status)
 {
-    if (status) {
-        fprintf(stderr, "%s: %s: %s\n", murk_status_text(status), error.where,
-                error.text);
-        exit(1);
-    }
+    must_be_ok(status, &error);
 }
 
 /* The processes that run rows, each with a folder. */

@@ -3,30 +3,15 @@
  * files with those of the program, byte for byte.
  *
  *     saves SCENE STUDY FIT-SCENE READINGS FOLDER */
-#include <murk.h>
+#include "checks.h"
 
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-
-#define CHECK(condition)                                                    \
-    do {                                                                    \
-        if (!(condition)) {                                                 \
-            fprintf(stderr, "%s:%d: %s\n", __FILE__, __LINE__, #condition); \
-            exit(1);                                                        \
-        }                                                                   \
-    } while (0)
 
 static murk_error error = MURK_ERROR_NONE;
 
-/* Ends the program with the message of a failed call. */
 static void must(murk_status status)
 {
-    if (status) {
-        fprintf(stderr, "%s: %s: %s\n", murk_status_text(status), error.where,
-                error.text);
-        exit(1);
-    }
+    must_be_ok(status, &error);
 }
 
 static const char *folder_of(const char *folder, const char *name)
