@@ -654,6 +654,21 @@ murk_status murk_plan_make(murk_plan **out, murk_world *world,
  * place over, each of which has a light of its own. */
 murk_status murk_plan_for_light(murk_plan **out, murk_light *light,
                                 murk_error *error);
+/* Chooses columns of a coverage matrix in a file, as murk place --matrix: CSV
+ * or OR-Library text, murk-matrix(5). scene: one of murk_scene_create(), whose
+ * keys say how many and how: `seed`, one of sensors.count, sensors.target and
+ * sensors.budget, and of `placement` `method`, `detection`, `redundancy`,
+ * `restarts` and `nodes`. folder and options: those of murk_plan_save(), which
+ * are judged before the search, or NULL. The plan has fields and is saved, as
+ * plan.json and the exports matrix, or-library and lp; it has no sensors and is
+ * not repeated. Fails with MURK_BAD_VALUE if the scene has other keys or not
+ * one goal, if no choice of columns reaches it, or if murk_plan_save() would
+ * refuse; with MURK_BAD_FILE if the file is missing or malformed; and with
+ * MURK_INTERRUPTED if the call is cancelled. */
+murk_status murk_plan_for_matrix(murk_plan **out, murk_scene *scene,
+                                 const char *path, const char *folder,
+                                 const murk_save_options *options,
+                                 murk_error *error);
 void murk_plan_destroy(murk_plan *plan);
 
 /* *fields: those of plan.json. Fails with MURK_NO_MEMORY. */

@@ -98,9 +98,11 @@ struct murk_coverage {
 };
 
 struct murk_plan {
-    murk_world *world;
-    murk_light *light;    /* NULL: a plan over conditions */
-    murk_session session; /* borrows scene, stage and light */
+    murk_world *world; /* NULL: a plan for a matrix, which has the two below */
+    murk_scene *scene;
+    struct murk_matrix_plan *matrix; /* results/matrix.h */
+    murk_light *light;               /* NULL: a plan over conditions */
+    murk_session session;            /* borrows scene, stage and light */
     murk_plan_result plan;
     murk_condition_plans *conditions; /* NULL: the scene as it stands */
     murk_repeat repeat;               /* runs 0: not repeated */

@@ -1,7 +1,7 @@
 /* Plans: the sensors that placement chooses for a light, or over the conditions
- * of a scene. */
+ * of a scene. The plans for a matrix are made in matrix_plan.c. */
 
-#include "api/save.h"
+#include "api/matrix_plan.h"
 #include "base/log.h"
 #include "base/progress.h"
 #include "results/plan_files.h"
@@ -120,6 +120,15 @@ murk_status murk_plan_for_light(murk_plan **out, murk_light *light,
                         : murk_call_refuse(error, "out or light is NULL");
 }
 
+/* Begins a call in the context of the plan. */
+static murk_call begin(const murk_plan *plan, murk_error *error)
+{
+    const murk_world *world = plan->world;
+    const murk_scene *scene = plan->scene;
+    return world ? murk_call_begin(world->context, &world->files, error)
+                 : murk_call_begin(scene->context, &scene->files, error);
+}
+
 void murk_plan_destroy(murk_plan *plan)
 {
     if (!plan) {
@@ -133,6 +142,8 @@ void murk_plan_destroy(murk_plan *plan)
     murk_plan_result_release(&plan->plan);
     murk_fields_release(&plan->fields);
     murk_fields_release(&plan->saved);
+    murk_matrix_plan_release(plan->matrix);
+    murk_scene_release(plan->scene);
     if (!plan->light) {
         murk_traced_destroy(plan->session.traced);
     }
@@ -170,8 +181,11 @@ murk_status murk_plan_repeat(murk_plan *plan, uint64_t runs, murk_error *error)
     if (!plan || runs == 0) {
         return murk_call_refuse(error, "plan is NULL, or runs is 0");
     }
-    murk_world *world = plan->world;
-    murk_call call = murk_call_begin(world->context, &world->files, error);
+    if (plan->matrix) {
+        return murk_call_refuse(error, "the plan is for a matrix, which is one "
+                                       "sample: other seeds have no other");
+    }
+    murk_call call = begin(plan, error);
     return murk_call_end_long(&call, repeat(plan, runs, &call.failure));
 }
 
@@ -201,10 +215,14 @@ murk_status murk_plan_fields(murk_plan *plan, const murk_fields **fields,
     }
     murk_plan_results results;
     murk_repeat_results repeated;
-    murk_call call = murk_call_begin(plan->world->context, NULL, error);
+    murk_call call = begin(plan, error);
     murk_status status =
-        results_of(&results, &repeated, plan, &plan->session, &call.failure);
-    if (!status) {
+        plan->matrix
+            ? murk_fields_make(&plan->fields, murk_results_list_matrix_plan,
+                               plan->matrix, &call.failure)
+            : results_of(&results, &repeated, plan, &plan->session,
+                         &call.failure);
+    if (!status && !plan->matrix) {
         status = murk_fields_make(&plan->fields, murk_results_list_plan,
                                   &results, &call.failure);
     }
@@ -251,8 +269,11 @@ murk_status murk_plan_save(murk_plan *plan, const char *folder,
     if (!plan) {
         return murk_save_refuse(fields, error, "plan is NULL");
     }
-    murk_world *world = plan->world;
-    murk_call call = murk_call_begin(world->context, &world->files, error);
-    return murk_save_results(&call, &plan->session, &plan->saved, folder,
-                             options, fields, save, plan);
+    murk_call call = begin(plan, error);
+    return plan->matrix
+               ? murk_save_results(&call, &plan->matrix->session, &plan->saved,
+                                   folder, options, fields,
+                                   murk_matrix_plan_save, plan->matrix)
+               : murk_save_results(&call, &plan->session, &plan->saved, folder,
+                                   options, fields, save, plan);
 }

@@ -57,7 +57,7 @@ static murk_status make_checked(murk_scene **out, murk_context *context,
 murk_status murk_scene_create(murk_scene **out, murk_context *context,
                               murk_error *error)
 {
-    return murk_scene_parse(out, context, "murk: 1\n", "scene", error);
+    return murk_scene_parse(out, context, MURK_EMPTY_SCENE, "scene", error);
 }
 
 murk_status murk_scene_parse(murk_scene **out, murk_context *context,

@@ -5,6 +5,9 @@
 #include "api/handles.h"
 #include "scene/override.h"
 
+/* The text of a scene without keys. */
+#define MURK_EMPTY_SCENE "murk: 1\n"
+
 /* Reads the text of a scene, with the keys that murk_scene_set() gave, into a
  * new struct *out, which the caller of this function releases by
  * murk_scene_desc_destroy(). */

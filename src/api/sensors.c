@@ -84,6 +84,12 @@ murk_status murk_plan_sensors(murk_sensors **out, const murk_plan *plan,
     if (!out || !plan) {
         return murk_call_refuse(error, "out or plan is NULL");
     }
+    if (!plan->world) {
+        return murk_call_refuse(error,
+                                "the plan is for a matrix, whose columns "
+                                "are no sensors of a world");
+    }
+    /* A list with a copy of the poses. */
     murk_call call = murk_call_begin(plan->world->context, NULL, error);
     murk_sensors *sensors = make(plan->world);
     const size_t n = plan->plan.place.count;

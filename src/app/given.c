@@ -26,6 +26,16 @@ static murk_status set_key(murk_scene *scene, const char *text, murk_error *err)
     return status;
 }
 
+murk_status murk_given_keys(murk_scene *scene, const murk_options *options,
+                            murk_error *err)
+{
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < options->n_overrides && !status; ++i) {
+        status = set_key(scene, options->overrides[i].text, err);
+    }
+    return status;
+}
+
 /* Fails with `unread`, the reason why the light cannot be read; but if the
  * scene is wrong, with the error of the scene. Returns MURK_OK if the scene has
  * conditions to place over, because --light is then refused later, whatever the
@@ -47,8 +57,8 @@ murk_status murk_given_scene(murk_scene **out, const murk_options *options,
 {
     murk_status status =
         murk_scene_read(out, options->context, options->input, err);
-    for (size_t i = 0; i < options->n_overrides && !status; ++i) {
-        status = set_key(*out, options->overrides[i].text, err);
+    if (!status) {
+        status = murk_given_keys(*out, options, err);
     }
     murk_error unread = {0};
     if (!status && options->light &&

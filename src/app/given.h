@@ -5,6 +5,10 @@
 
 #include "app/options.h"
 
+/* Sets the keys that options give. */
+murk_status murk_given_keys(murk_scene *scene, const murk_options *options,
+                            murk_error *err);
+
 /* Reads the scene and sets the keys that options give. With --light, the seed
  * and the number of photons are those of the file unless the command line gives
  * them, because light of another seed or number of photons is refused. */

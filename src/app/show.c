@@ -48,13 +48,17 @@ void murk_show_results(const murk_options *options, const murk_fields *saved)
 
 void murk_show_times(const murk_fields *saved)
 {
-    static const struct {
+    /* In a plan for a matrix the time to sense is that to take the matrix. */
+    const bool has_matrix =
+        murk_fields_kind(saved, "matrix") == MURK_FIELD_OBJECT;
+    const struct {
         const char *name, *path;
     } part[] = {{"load", "run.seconds.load"},
                 {"trace", "run.seconds.trace"},
                 {"maps", "run.seconds.map"},
-                {"sense", "run.seconds.sense"},
-                {"place", "run.seconds.place"}};
+                {"sense", has_matrix ? "" : "run.seconds.sense"},
+                {"place", "run.seconds.place"},
+                {"matrix", has_matrix ? "run.seconds.sense" : ""}};
     murk_print("time        %.2f s", number_of(saved, "run.seconds.total"));
     const char *between = ": ";
     for (size_t i = 0; i < sizeof part / sizeof *part; ++i) {

@@ -20,6 +20,20 @@
 
 /* ---- places ---- */
 
+/* The option that set a key last, or NULL. */
+static const char *option_of_key(const murk_options *options, const char *key)
+{
+    const char *option = NULL;
+    for (size_t i = 0; i < options->n_overrides; ++i) {
+        const murk_override *override = &options->overrides[i];
+        if (override->option && strlen(key) == strcspn(override->text, "=") &&
+            strncmp(key, override->text, strlen(key)) == 0) {
+            option = override->option;
+        }
+    }
+    return option;
+}
+
 /* The option that gave the value of a place "KEY=VALUE: KEY", or NULL. */
 static const murk_override *override_of(const murk_options *options,
                                         const char *place)
@@ -54,8 +68,10 @@ static const char *place_of(const murk_options *options, const char *where,
     }
     const char *place = where + mark;
     const murk_override *override = override_of(options, place);
-    if (!override) { /* --set KEY=VALUE */
-        snprintf(out, PLACE_SIZE, "--%s", where);
+    if (!override) { /* --set KEY=VALUE, or a key alone */
+        const char *option = option_of_key(options, place);
+        snprintf(out, PLACE_SIZE, "%s%s", option ? "" : "--",
+                 option ? option : where);
         return out;
     }
     /* Of a file of keys the place is the file, so the key is told as well. */

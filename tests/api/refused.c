@@ -53,6 +53,9 @@ static int cancel(void *user, murk_batch *batch)
       "the scene has none")                                                    \
     X(plan, murk_plan_for_light, (&out, NULL, &error),                         \
       (&out, g->light, &error), "the scene has none")                          \
+    X(plan, murk_plan_for_matrix, (&out, NULL, NULL, NULL, NULL, &error),      \
+      (&out, g->scene, "no-such-matrix.csv", NULL, NULL, &error),              \
+      "has a text, must be a scene of murk_scene_create()")                    \
     X(study, murk_study_read, (&out, g->context, NULL, NULL, &error),          \
       (&out, g->context, "no-such-study.yaml", NULL, &error), "cannot read")   \
     X(fit, murk_fit_create, (&out, g->scene, NULL, keys, 1, NULL, &error),     \

@@ -1,5 +1,31 @@
-/* The best places of two sensors, for light that was traced before. */
+/* The best places of two sensors, for light that was traced before; and the
+ * best columns of a coverage matrix. */
 #include "example.h"
+
+/* Chooses two of three columns of a matrix in memory. */
+static void choose_columns(murk_context *context)
+{
+    static const char *const columns[] = {"north", "middle", "south"};
+    static const double clarity[] = {1, .5, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1};
+    const size_t shape[] = {4, 3};
+    const murk_array rows = murk_array_of(clarity, MURK_TYPE_FLOAT64, 2, shape);
+    murk_error error = MURK_ERROR_NONE;
+    murk_scene *keys = NULL;
+    murk_plan *plan = NULL;
+    const murk_fields *fields = NULL;
+    const char *first = NULL, *second = NULL;
+    must(murk_scene_create(&keys, context, &error), &error);
+    must(murk_scene_set(keys, "sensors.count", "2", &error), &error);
+    must(murk_scene_add_table(keys, "views", columns, &rows, &error), &error);
+    must(murk_plan_for_matrix(&plan, keys, "memory:views", NULL, NULL, &error),
+         &error);
+    must(murk_plan_fields(plan, &fields, &error), &error);
+    must(murk_fields_string(fields, "sensors.0.name", &first, &error), &error);
+    must(murk_fields_string(fields, "sensors.1.name", &second, &error), &error);
+    printf("columns: %s, %s\n", first, second);
+    murk_plan_destroy(plan);
+    murk_scene_destroy(keys);
+}
 
 int main(void)
 {
@@ -36,6 +62,7 @@ int main(void)
     must(murk_fields_double(fields, "coverage.in_sample", &again, &error),
          &error);
     printf("equal: %s\n", again == share ? "yes" : "no");
+    choose_columns(context);
     murk_plan_destroy(same);
     murk_sensors_destroy(sensors);
     murk_plan_destroy(plan);
@@ -51,4 +78,5 @@ int main(void)
  * 2 sensors, more than half of the light: yes
  * runs: 2
  * equal: yes
+ * columns: north, south
  */
