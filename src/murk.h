@@ -409,6 +409,24 @@ murk_status murk_context_write_report(murk_context *context, const char *folder,
                                       const murk_fields **fields,
                                       murk_error *error);
 
+/* ---- presets ---- */
+
+/* *fields: what a preset of media, "fog/kruse", comes to, as murk media:
+ * `words` (of each word `value`, `default`, `least`, `most` and `unit`),
+ * `bands` (of each band the extinction, absorption and scattering coefficient
+ * [1/m], the albedo and the mean cosine), `sources` and `doubts`. key[n] and
+ * value[n]: keys of the medium and their values, "visibility_m" and "50", or
+ * bands_nm, band_edges_nm and seed of the scene, as murk_scene_set() takes
+ * them. name NULL: `presets`, the list of all, for which n is 0. options:
+ * `asked` alone is used, for `identity`; NULL: zeros. The fields are valid
+ * until the next call of this function with the context. Fails with
+ * MURK_BAD_VALUE if there is no such preset or key, or if a value is wrong. */
+murk_status murk_context_preset(murk_context *context, const char *name,
+                                const char *const *key,
+                                const char *const *value, size_t n,
+                                const murk_save_options *options,
+                                const murk_fields **fields, murk_error *error);
+
 /* ---- world ---- */
 
 typedef struct murk_world murk_world;

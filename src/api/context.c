@@ -105,6 +105,7 @@ void murk_context_release(murk_context *context)
 {
     if (context && --context->references == 0) {
         murk_fields_release(&context->reported);
+        murk_fields_release(&context->preset);
         murk_host_destroy(context->host);
         free(context->reader);
         free(context);

@@ -29,6 +29,7 @@ struct murk_context {
     murk_context_options options;
     char *reader;         /* a copy of options.reader */
     murk_fields reported; /* of the last murk_context_write_report() */
+    murk_fields preset;   /* of the last murk_context_preset() */
 };
 
 struct murk_scene {

@@ -6,7 +6,6 @@
 #include "base/log.h"
 #include "base/progress.h"
 #include "report/report.h"
-#include "results/identity.h"
 #include "results/ownership.h"
 
 #include <stdio.h>
@@ -38,31 +37,20 @@ static identities identities_of(const murk_results_in *results)
 
 /* Makes the fields of a page that is written. */
 static murk_status describe(murk_fields *fields, const char *path,
-                            const murk_report_facts *facts, const char *asked,
-                            murk_error *err)
+                            const murk_report_facts *facts,
+                            const murk_save_options *options, murk_error *err)
 {
-    char identity[IDENTITY + 1];
     struct stat page = {0};
     (void)stat(path, &page);
     /* The identity of a page follows from those of the results in it. */
     const identities of = identities_of(facts->results);
-    const murk_status status =
-        murk_identity_of(identity, "report", asked, NULL, of.text, 0, err);
-    if (status) {
-        return status;
-    }
-    murk_fields_release(fields);
     cJSON *root = cJSON_CreateObject();
     cJSON_AddStringToObject(root, "report", path);
     murk_json_number(root, "bytes", (double)page.st_size);
     murk_json_number(root, "photons", (double)facts->photons);
     murk_json_number(root, "photons_shown", (double)facts->photons_shown);
     murk_json_number(root, "sensors_shown", (double)facts->sensors);
-    cJSON_AddStringToObject(root, "identity", identity);
-    murk_json_file(root, path);
-    fields->root = root;
-    fields->json = root ? cJSON_Print(root) : NULL;
-    return fields->json ? MURK_OK : murk_no_memory(err, "", "for the JSON");
+    return murk_save_alone(fields, root, "report", options, of.text, path, err);
 }
 
 /* Names the files of other runs, which are not in the page. */
@@ -98,8 +86,7 @@ static murk_status write_page(murk_fields *fields, const char *folder,
     }
     murk_progress_end();
     if (!status) {
-        status =
-            describe(fields, path, &facts, all.asked ? all.asked : "", err);
+        status = describe(fields, path, &facts, options, err);
     }
     murk_report_destroy(report);
     return status;

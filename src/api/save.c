@@ -242,6 +242,27 @@ murk_status murk_save_identify(murk_session *session, const char *command,
                             session->scene->seed, err);
 }
 
+murk_status murk_save_alone(murk_fields *fields, cJSON *root,
+                            const char *command,
+                            const murk_save_options *options, const char *of,
+                            const char *file, murk_error *err)
+{
+    const murk_save_options all = murk_save_known(options);
+    char identity[65];
+    const murk_status status = murk_identity_of(
+        identity, command, all.asked ? all.asked : "", NULL, of, 0, err);
+    if (status) {
+        cJSON_Delete(root);
+        return status;
+    }
+    cJSON_AddStringToObject(root, "identity", identity);
+    murk_json_file(root, file);
+    murk_fields_release(fields);
+    fields->root = root;
+    fields->json = root ? cJSON_Print(root) : NULL;
+    return fields->json ? MURK_OK : murk_no_memory(err, "", "for the JSON");
+}
+
 /* Adds `saved`: the folder, and the names of the files in the order written. */
 static bool add_saved(cJSON *root, const murk_results *results)
 {

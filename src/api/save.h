@@ -36,6 +36,14 @@ murk_status murk_save_identify(murk_session *session, const char *command,
 murk_status murk_save_refuse(const murk_fields **fields, murk_error *error,
                              const char *text);
 
+/* Makes root, which it takes in any case, the fields of a result that has no
+ * scene, and adds `identity` and `files`. of: all input but options->asked;
+ * file: the one that was written, or NULL. Fails with MURK_NO_MEMORY. */
+murk_status murk_save_alone(murk_fields *fields, cJSON *root,
+                            const char *command,
+                            const murk_save_options *options, const char *of,
+                            const char *file, murk_error *err);
+
 /* Adds the results of a handle to the files of a session. If an export cannot
  * be made, *late has the error, and the other files are added all the same. */
 typedef murk_status murk_save_work(void *of, murk_session *session,
