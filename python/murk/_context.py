@@ -29,7 +29,7 @@ class _Line:
     for each finished step."""
 
     def __init__(self) -> None:
-        self.step, self.width = "", 0
+        self.step, self.width, self.has_total = "", 0, False
 
     def finish(self) -> None:
         """Ends a line that was not ended: that of a step without a known length."""
@@ -47,9 +47,9 @@ class _Line:
         is_redrawn = stream.isatty() or type(stream).__module__.startswith("ipykernel")
         if not (is_redrawn or is_end):
             return
-        if step != self.step:
-            self.finish()
-        self.step = step
+        if step != self.step and not self.has_total:
+            self.finish()  # else the line is of a step inside of this one, and is written over
+        self.step, self.has_total = step, total is not None
         share = f"{min(100, 100 * done / total):3.0f} %" if total else f"{done} {unit}" if done else ""
         text = f"{step:<12} {share:<16} {elapsed_s:6.1f} s"
         start = "\r" if is_redrawn else ""

@@ -189,6 +189,23 @@ static const step *printed_step(void)
     return &bar->step[open - 1];
 }
 
+/* The facts for a receiver: those of the outermost step with a known total,
+ * such as a trace inside of a search, else those of the printed step. A
+ * receiver shows the text of the search beside them. */
+static murk_progress_facts facts_for_receiver(double now_s)
+{
+    const murk_progress_bar *bar = bar_now();
+    const int open = bar->steps < STEPS_MAX ? bar->steps : STEPS_MAX;
+    const step *known = NULL, *with_text = NULL;
+    for (int k = open - 1; k >= 0; --k) {
+        known = bar->step[k].total > 0 ? &bar->step[k] : known;
+        with_text = bar->step[k].text[0] ? &bar->step[k] : with_text;
+    }
+    murk_progress_facts facts = facts_of(known ? known : printed_step(), now_s);
+    facts.text = with_text ? with_text->text : "";
+    return facts;
+}
+
 static void print_line(double now_s)
 {
     murk_progress_bar *bar = bar_now();
@@ -217,7 +234,7 @@ static void draw(void)
     } else if (bar->style == WHOLE_LINES && now_s >= bar->next_s) {
         print_line(now_s);
     } else if (bar->style == TO_RECEIVER) {
-        const murk_progress_facts facts = facts_of(printed_step(), now_s);
+        const murk_progress_facts facts = facts_for_receiver(now_s);
         bar->sink(bar->user, &facts);
     }
 }

@@ -26,10 +26,12 @@ typedef enum murk_progress_mode {
 /* The mode of a new process is NEVER. Set the mode before any thread starts. */
 void murk_progress_set(murk_progress_mode mode);
 
-/* Tells a receiver about the step that whole lines would report, five times a
- * second from a thread of murk, and from the calling thread when the outermost
- * step ends, in place of showing a line; NULL: tells nobody. *facts is valid
- * during the call. Call it while no step is open. Subprocesses tell nothing. */
+/* Tells a receiver about the outermost step with a known total, or else about
+ * the step that whole lines would report, and about the text of the outermost
+ * step that has one, five times a second from a thread of murk, and from the
+ * calling thread when the outermost step ends, in place of showing a line;
+ * NULL: tells nobody. *facts is valid during the call. Call it while no step is
+ * open. Subprocesses tell nothing. */
 typedef void (*murk_progress_sink)(void *user,
                                    const murk_progress_facts *facts);
 void murk_progress_to(murk_progress_sink sink, void *user);

@@ -272,6 +272,7 @@ static murk_status measure_held_out(murk_condition_plans *plans,
     for (size_t c = 0; !status && c < plans->conditions->n; ++c) {
         status = measure_in(plans, plan, c, MURK_HELD_OUT_STREAM, &held_out[c],
                             threads, err);
+        murk_progress_add_to_group(!status);
     }
     /* Sum the conditions up and hand the result to the plan. */
     if (!status) {
@@ -306,6 +307,7 @@ static murk_status confirm(murk_condition_plans *plans, murk_plan_result *plan,
         murk_coverage_result coverage = {0};
         status = measure_in(plans, plan, c, MURK_CONFIRM_STREAM, &coverage,
                             threads, err);
+        murk_progress_add_to_group(!status);
         of[c] =
             murk_plan_at_least(all->scene) ? coverage.at_least : coverage.total;
         murk_coverage_result_release(&coverage);
@@ -412,7 +414,7 @@ static murk_status measure(murk_condition_plans *plans, murk_plan_result *plan,
         status = shake(plans, c, all->condition[c].sight, err);
     }
     if (!status && holds_out) {
-        murk_progress_begin_group("hold out", 0, "");
+        murk_progress_begin_group("hold out", 0, "lights");
         status = measure_held_out(plans, plan, threads, err);
         murk_progress_end();
     }
@@ -424,7 +426,7 @@ static murk_status measure(murk_condition_plans *plans, murk_plan_result *plan,
                                       * way */
     }
     if (!status && is_more && all->scene->sensors.target > 0) {
-        murk_progress_begin_group("hold out", 0, "");
+        murk_progress_begin_group("hold out", 0, "lights");
         status = confirm(plans, plan, threads, err);
         murk_progress_end();
     }

@@ -212,15 +212,17 @@ static murk_status finish(murk_traced *traced, const murk_emission *emission,
     }
     /* Watts, then the maps. */
     const double begun_s = murk_clock_s();
-    murk_progress_begin_group("maps", 0, "");
+    murk_progress_begin("maps", 2, "maps");
     if (!s->packet_w) {
         murk_record_buffers_to_watts(buffers, traced->packet_w, s->bands);
     }
     status = murk_record_list_map(&traced->surface, &buffers->surface,
                                   emission->threads, err);
+    murk_progress_add(!status);
     if (!status) {
         status = murk_record_list_map(&traced->volume, &buffers->volume,
                                       emission->threads, err);
+        murk_progress_add(!status);
     }
     murk_progress_end();
     traced->map_s = murk_clock_s() - begun_s;

@@ -11,6 +11,7 @@
 #include "base/interrupt.h"
 #include "base/pool.h"
 #include "base/position.h"
+#include "base/progress.h"
 #include "sensing/combined_rows.h"
 #include "sensing/region_coverage.h"
 #include "sensing/sight_parts.h"
@@ -68,6 +69,7 @@ static void find_row(void *context, unsigned worker, uint64_t batch)
     stored_row *s = &m->block[batch];
     murk_sparse_row row;
     murk_sight_row(m->sight, worker, &m->pose[m->first + batch], &row);
+    murk_progress_add(1);
     s->seen = row.seen;
     s->photon = malloc(row.seen * sizeof *s->photon + 1);
     s->clarity = row.clarity ? malloc(row.seen * sizeof *s->clarity + 1) : NULL;
@@ -436,7 +438,9 @@ murk_status murk_coverage_result_measure(murk_coverage_result *out,
     if (!status) {
         status = allocate(&m, &coverage, err);
     }
-    /* Rows of all sensors, then the sums. */
+    /* Rows of all sensors, once or in two passes, then the sums. */
+    murk_progress_begin("sense", (m.combined.dose ? 2 : 1) * (uint64_t)n,
+                        "sensors");
     if (!status) {
         status = find_rows(&m, err);
     }
@@ -454,6 +458,7 @@ murk_status murk_coverage_result_measure(murk_coverage_result *out,
         coverage.total.value = ratio(part[0].seen + part[1].seen, whole);
         status = find_errors(&coverage, &m, part, err);
     }
+    murk_progress_end();
     if (status) {
         murk_coverage_result_release(&coverage);
     } else {
